@@ -1,0 +1,117 @@
+"""Which of two assemblies is meant: the words of the scene, or the root nearer to a place, as ±1 of each group."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from planes.drafting import Draft, at
+from planes.drawing import run
+from planes.mechanism import Assembly, Mechanism
+from planes.program import Program
+from planes.structure import Group
+from planes.wording import PlanFailure, SceneError
+
+WORDS_OF_KIND = {1: ("left", "right"), 2: ("ahead", "behind"), 3: ("ahead", "behind")}
+
+
+@dataclass(frozen=True)
+class Choice:
+    """A ±1 the scene has to choose: the name of the given, the key of ``assembly:`` and the group."""
+
+    side: str
+    key: str
+    group: Group
+
+
+def resolve(draft: Draft, choices: list[Choice], mechanism: Mechanism, file: str) -> None:
+    """Set every side in the draft's givens; :class:`SceneError` where the scene does not say which is meant."""
+    program = Program(tuple(draft.steps.values()))
+    for choice in choices:
+        key, said = _said(choice, mechanism)
+        words = WORDS_OF_KIND[choice.group.kind]
+        if said is None:
+            raise SceneError(_question(draft, program, choice), file, mechanism.where.get(("assembly",), _line(mechanism)))
+        if said.near is not None:
+            draft.given[choice.side] = _nearer(draft, program, choice, key, said.near, mechanism, file)
+        elif said.order in words:
+            draft.given[choice.side] = 1.0 if said.order == words[0] else -1.0
+        else:
+            raise SceneError(
+                f"assembly {key}: {said.order} does not fit a group {choice.group.name} (links "
+                f"{', '.join(choice.group.links)}); valid: {words[0]}, {words[1]} or {{near: [x, y]}}",
+                file, mechanism.where.get(("assembly", key)),
+            )  # fmt: skip
+
+
+def _line(mechanism: Mechanism) -> int | None:
+    return mechanism.where.get(("links",))
+
+
+def _said(choice: Choice, mechanism: Mechanism) -> tuple[str, Assembly | None]:
+    """What the scene says of this group: under its own key, or ``near`` under any point of it."""
+    if choice.key in mechanism.assembly:
+        return choice.key, mechanism.assembly[choice.key]
+    points = {p for link in choice.group.links for p in mechanism.links[link].points}
+    for key, said in mechanism.assembly.items():
+        if key in points and (said.near is not None or choice.group.inner.point == key):
+            return key, said
+    return choice.key, None
+
+
+def _places(draft: Draft, program: Program, choice: Choice, point: str) -> list[tuple[float, complex]]:
+    """Where the point would be on either side, in m; empty where it cannot be drawn."""
+    mark = at("position", point)
+    sliced = program.sliced([mark])
+    found = []
+    for side in (1.0, -1.0):
+        try:
+            drawing = run(sliced, {**draft.given, choice.side: side, "mu_position": 1.0})
+        except PlanFailure:
+            continue
+        found.append((side, drawing[mark]))
+    return found
+
+
+def _nearer(
+    draft: Draft, program: Program, choice: Choice, key: str, near: complex, mechanism: Mechanism, file: str
+) -> float:
+    point = key
+    if at("position", point) not in draft.steps:  # keyed by the guide: judge by a point that moves with the choice
+        point = _telling_point(choice, mechanism)
+    places = _places(draft, program, choice, point)
+    if not places:
+        try:
+            run(program.sliced([at("position", point)]), {**draft.given, "mu_position": 1000.0})
+        except PlanFailure as failure:
+            raise SceneError(
+                f"assembly {key}: the nearer place cannot be found, because at the drive's value {failure}",
+                file, mechanism.where.get(("assembly", key)),
+            ) from None  # fmt: skip
+    if len(places) == 2 and places[0][1] == places[1][1]:
+        raise SceneError(
+            f"assembly {key}: point {point} is at the same place in both assemblies, so near cannot tell them apart; "
+            "name another point of the group",
+            file, mechanism.where.get(("assembly", key)),
+        )  # fmt: skip
+    return min(places, key=lambda found: abs(found[1] - near))[0]
+
+
+def _telling_point(choice: Choice, mechanism: Mechanism) -> str:
+    """A point of the guide's link away from its outer hinge, or the slider's: it moves with the choice."""
+    g = choice.group
+    outer = {g.first_outer.point, g.last_outer.point}
+    points = [p for link in (g.last, g.first) for p in mechanism.links[link].points]
+    return next((p for p in points if p not in outer), points[0])
+
+
+def _question(draft: Draft, program: Program, choice: Choice) -> str:
+    g, words = choice.group, WORDS_OF_KIND[choice.group.kind]
+    start = (
+        f"links {', '.join(g.links)} ({g.name}) can be assembled in two ways and the scene does not say which; add "
+    )
+    offers = [f"assembly: {{{choice.key}: {word}}}" for word in words]
+    if g.kind != 3:
+        for side, place in _places(draft, program, choice, choice.key):
+            index = 0 if side > 0 else 1
+            offers[index] += f" for {choice.key} at ({place.real:.5g}, {place.imag:.5g})"
+    return start + " or ".join(offers)

@@ -1,0 +1,154 @@
+"""What is known of each link while the plans grow: its marks, its x axis, and whose turning it shares."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass, field
+
+from planes.drafting import Draft, at
+from planes.mechanism import FRAME, Link, Mechanism
+from planes.structure import Group, Pair, Structure
+
+SCHEME = "position"
+
+
+@dataclass(frozen=True)
+class Spot:
+    """A point of a link: its mark's label on the scheme, and its name on the moving plans ("A" there, "A3" here)."""
+
+    place: str
+    name: str
+
+
+@dataclass
+class Body:
+    """A solved link: ``base`` is a point of it on every plan, ``axis`` the direction of its own x axis; it turns as
+    link ``root`` does, of which ``ref`` are two spots (None for the frame, or for a driver of one point)."""
+
+    link: Link
+    base: Spot
+    axis: str
+    root: str
+    ref: tuple[Spot, Spot] | None = None
+    rigid: bool = False  # ref are two named points of this very link, a constant distance apart
+    moving: Spot | None = None  # where the moving plans start from, if not from ``base``
+
+    @property
+    def carrier(self) -> Spot:
+        """The spot of the link that the moving plans reach first."""
+        return self.moving or self.base
+
+
+@dataclass
+class Bodies:
+    """The links solved so far, and the marks their own points and lines have on the scheme."""
+
+    mechanism: Mechanism
+    structure: Structure
+    draft: Draft
+    file: str = ""
+    choices: list[tuple[str, str, Group]] = field(default_factory=list)  # (given ±1, key of assembly, group)
+    known: dict[str, Body] = field(default_factory=dict)
+    labels: dict[str, str] = field(default_factory=dict)
+
+    def small_letter(self, name: str) -> str:
+        """The label of a point on the moving plans: its small letters, unless another point has taken them."""
+        if name not in self.labels:
+            small = name.lower()
+            self.labels[name] = name if small in self.labels.values() else small
+        return self.labels[name]
+
+    def place_points(self, body: Body) -> None:
+        """Draw the points of a link that are not on the scheme yet, by similarity or from its axis."""
+        for name in body.link.points:
+            if not self.draft.has(SCHEME, name):
+                self._place_point(body, name, body.link.points[name])
+        self.known[body.link.name] = body
+
+    def _place_point(self, body: Body, label: str, p: complex) -> str:
+        points, d = body.link.points, self.draft
+        if body.rigid and body.ref:
+            q, r = (points[s.place] for s in body.ref)
+            q_mark, r_mark = (at(SCHEME, s.place) for s in body.ref)
+            return d.similar(SCHEME, label, q_mark, r_mark, f"ratio_{label}_{body.link.name}", (p - q) / (r - q))
+        base = body.base.place
+        way = p - points[base]
+        ray = d.turn(f"{base}{label}", body.axis, math.degrees(cmath.phase(way)) if way else 0.0)
+        return d.lay_off(SCHEME, label, at(SCHEME, base), ray, d.give(f"l_{base}{label}", abs(way)))
+
+    def line(self, pair: Pair, known: str) -> tuple[str, str]:
+        """The line of a sliding pair as the solved link ``known`` carries it: a mark on it and its direction."""
+        body = self.known[known]
+        if known == pair.other:
+            return self._guide_mark(body, pair.guide), self._guide_direction(body, pair.guide)
+        return self.foot(pair), self.draft.turn(f"∥{pair.guide}", body.axis, -(self._slide_angle(pair)))
+
+    def _guide_mark(self, body: Body, name: str) -> str:
+        guide = body.link.guides[name]
+        label = guide.through_point or f"°{name}"
+        if not self.draft.has(SCHEME, label):
+            if body.link.name == FRAME:
+                return self.draft.put(SCHEME, label, guide.through)
+            return self._place_point(body, label, guide.through)
+        return at(SCHEME, label)
+
+    def _guide_direction(self, body: Body, name: str) -> str:
+        angle = body.link.guides[name].angle_deg
+        if body.link.name == FRAME:
+            return self.draft.aim(f"∥{name}", angle)
+        return self.draft.turn(f"∥{name}", body.axis, angle)
+
+    def _slide_angle(self, pair: Pair) -> float:
+        slides = self.mechanism.link(pair.link).slides
+        return (slides.angle_deg or 0.0) if slides else 0.0
+
+    def axis_along(self, pair: Pair, link: str, direction: str) -> str:
+        """The x axis of ``link``, one of the sliding pair, from the direction of the pair's guide."""
+        if link == pair.link:
+            return self.draft.turn(f"x_{link}", direction, self._slide_angle(pair))
+        return self.draft.turn(f"x_{link}", direction, -self.mechanism.guide(pair.guide).angle_deg)
+
+    def direction_from(self, pair: Pair, link: str, axis: str) -> str:
+        """The direction of the pair's guide from the x axis of ``link``, one of the pair."""
+        if link == pair.link:
+            return self.draft.turn(f"∥{pair.guide}", axis, -self._slide_angle(pair))
+        return self.draft.turn(f"∥{pair.guide}", axis, self.mechanism.guide(pair.guide).angle_deg)
+
+    def offset(self, pair: Pair, link: str, point: str) -> float | None:
+        """How far a point of ``link`` lies to the left of the pair's line (m); None: on it by construction."""
+        body = self.mechanism.link(link)
+        if link == pair.other:
+            guide = body.guides[pair.guide]
+            if guide.through_point == point:
+                return None
+            return ((body.points[point] - guide.through) * cmath.exp(-1j * math.radians(guide.angle_deg))).imag
+        slides = body.slides
+        if slides is None:
+            raise AssertionError(pair)
+        if point == body.first_point:
+            return slides.offset
+        turn = cmath.exp(1j * math.radians(slides.angle_deg or 0.0))
+        return (slides.offset or 0.0) + ((body.points[point] - body.points[body.first_point]) * turn).imag
+
+    def shifted(self, label: str, start: str, direction: str, by: float | None) -> str:
+        """A mark ``by`` metres to the left of a line through ``start`` (the mark itself when that is nothing)."""
+        if by is None:
+            return start
+        normal = self.draft.square(f"⊥{direction}", direction)
+        return self.draft.lay_off(SCHEME, label, start, normal, self.draft.give(f"e_{label}", by))
+
+    def foot(self, pair: Pair) -> str:
+        """The foot of the slider's first point on the guide line."""
+        body = self.known[pair.link]
+        first = at(SCHEME, body.link.first_point)
+        offset = self.offset(pair, pair.link, body.link.first_point)
+        if offset is None:
+            return first
+        direction = self.draft.turn(f"∥{pair.guide}", body.axis, -self._slide_angle(pair))
+        return self.shifted(f"{body.link.first_point}°", first, direction, -offset)
+
+
+def difference(a: float | None, b: float | None) -> float | None:
+    """a - b, where None is a nothing that stays nothing."""
+    return None if a is None and b is None else (a or 0.0) - (b or 0.0)

@@ -1,0 +1,73 @@
+"""Run a program with an instrument: the drawing, with its marks in mm, sharpness, warnings and failures."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from planes.instruments import Exact, Hand, Instrument
+from planes.program import Program
+from planes.wording import ProgramError, valid_names
+
+
+@dataclass
+class Drawing:
+    """What was drawn: everything by name, and the hand that drew it."""
+
+    program: Program
+    things: dict[str, Any]
+    hand: Hand
+
+    def __getitem__(self, name: str) -> Any:
+        try:
+            return self.things[name]
+        except KeyError:
+            raise ProgramError(f"the drawing has no {name}{valid_names(name, list(self.things))}") from None
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.things
+
+    @property
+    def sharpness(self) -> dict[str, Any]:
+        """How sharply lines met at each crossed mark: the sine of the angle."""
+        return self.hand.sharpness
+
+    def failed(self) -> Any:
+        """Of many drawings, which failed: a mask (None when every one came out)."""
+        mask = None
+        for _, _, ok, _ in self.hand.failures:
+            mask = ~ok if mask is None else mask | ~ok
+        return mask
+
+
+def run(program: Program, given: Mapping[str, Any], instrument: Instrument | None = None) -> Drawing:
+    """Draw every step. With an array among the givens many drawings are made at once.
+
+    Raises :class:`ProgramError` when something is not given, :class:`PlanFailure` when a single drawing cannot go on;
+    of many, those that cannot are NaN and named by :meth:`Drawing.failed`.
+    """
+    missing = [n for n in program.givens if n not in given]
+    if missing:
+        raise ProgramError(f"to draw this, give {', '.join(missing)}")
+    things = {n: given[n] for n in program.givens}
+    many = any(hasattr(v, "shape") and v.shape for v in things.values())
+    hand = (instrument or Exact()).tool(many)
+    if many:
+        _run_many(program, things, hand)
+    else:
+        for step in program.steps:
+            things[step.makes] = step.draw(things, hand)
+    return Drawing(program, things, hand)
+
+
+def _run_many(program: Program, things: dict[str, Any], hand: Hand) -> None:
+    import numpy
+
+    with numpy.errstate(all="ignore"):
+        for step in program.steps:
+            before = len(hand.failures)
+            made = step.draw(things, hand)
+            for _, _, ok, _ in hand.failures[before:]:
+                made = numpy.where(ok, made, numpy.nan)
+            things[step.makes] = made

@@ -1,0 +1,244 @@
+"""Expressions in a scene file: + - * / ** ^ ( ), parameters, pi and a dozen functions, angles in degrees.
+
+Nothing is handed to Python's own evaluator. Length, depth and therefore time are bounded, and everything is
+a float from the start, so no power can grow beyond the largest one.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import unicodedata
+from collections.abc import Callable, Iterable, Mapping
+
+from planes.degrees import acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
+from planes.wording import ExpressionError, choices, shown
+
+MAX_LENGTH = 1000
+MAX_DEPTH = 40
+
+_NUMBER = re.compile(r"[-+−]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
+_TOKEN = re.compile(r"\s*(?:((?a:\d+\.?\d*|\.\d+)(?a:[eE][-+]?\d+)?)|([^\W\d][\w'′″]*)|(\*\*|[-+*/^(),]))")
+_NAME = re.compile(r"[^\W\d][\w'′″]*")
+
+
+_FUNCTIONS: dict[str, tuple[Callable[..., float], int, int]] = {
+    "sqrt": (math.sqrt, 1, 1), "abs": (abs, 1, 1), "min": (min, 2, MAX_LENGTH), "max": (max, 2, MAX_LENGTH),
+    "hypot": (math.hypot, 2, MAX_LENGTH), "sin": (sin_deg, 1, 1), "cos": (cos_deg, 1, 1), "tan": (tan_deg, 1, 1),
+    "asin": (asin_deg, 1, 1), "acos": (acos_deg, 1, 1), "atan": (atan_deg, 1, 1), "atan2": (atan2_deg, 2, 2),
+}
+RESERVED = ("pi", *_FUNCTIONS)
+"""Names a parameter cannot have."""
+
+
+def evaluate(text: str, names: Mapping[str, float], valid: Iterable[str] | None = None) -> float:
+    """The finite value of an expression over named numbers, or an ExpressionError in words.
+
+    ``valid`` are the names a message offers, if they are more than ``names``.
+    """
+    if len(text) <= 30 and _NUMBER.fullmatch(text):
+        value = float(text.replace("−", "-"))
+    else:
+        value = _Parser(text, names, names if valid is None else valid).value()
+    if not math.isfinite(value):
+        raise ExpressionError(f"{shown(text)}: the value is too large")
+    return value
+
+
+def is_name(text: str) -> bool:
+    """Whether a parameter may be written so: letters of any alphabet, digits, _ and primes, a letter first."""
+    return _NAME.fullmatch(text) is not None and (text[0].isalpha() or text[0] == "_")
+
+
+def names_in(text: str) -> list[str]:
+    """The names an expression uses, functions and pi left out."""
+    return [word for kind, word in _tokens(text) if kind == "name" and word not in RESERVED]
+
+
+def resolve(texts: Mapping[str, str]) -> dict[str, float]:
+    """Values of parameters that may be expressions of one another, in the order given.
+
+    An error carries the parameter it arose in, as ``parameter``; a cycle is refused with its names.
+    """
+    values: dict[str, float] = {}
+    for start in texts:
+        _resolve_from(start, texts, values)
+    return {name: values[name] for name in texts}
+
+
+def _resolve_from(start: str, texts: Mapping[str, str], values: dict[str, float]) -> None:
+    path: dict[str, list[str]] = {}
+    current: str | None = None if start in values else start
+    while current is not None:
+        try:
+            if current not in path:
+                path[current] = [name for name in names_in(texts[current]) if name in texts]
+            todo = next((name for name in path[current] if name not in values), None)
+            if todo in path:
+                raise ExpressionError(_cycle(list(path), str(todo)))
+            if todo is None:
+                values[current] = evaluate(texts[current], values, texts)
+                path.popitem()
+        except ExpressionError as error:
+            raise ExpressionError(error.sentence, current) from None
+        current = todo if todo is not None else next(reversed(path), None)
+
+
+def _cycle(path: list[str], name: str) -> str:
+    loop = [*path[path.index(name) :], name]
+    words = loop if len(loop) <= 8 else [*loop[:6], "…", name]
+    return f"the parameters define one another in a circle: {' -> '.join(words)}"
+
+
+def _tokens(text: str) -> list[tuple[str, str]]:
+    if len(text) > MAX_LENGTH:
+        raise ExpressionError(f"{shown(text)}: longer than {MAX_LENGTH} characters")
+    text = unicodedata.normalize("NFC", text).strip().replace("−", "-")
+    if re.fullmatch(r"[-+]?\.?(nan|inf|infinity)", text, re.IGNORECASE):
+        raise ExpressionError(f"{shown(text)}: a finite number is needed")
+    found: list[tuple[str, str]] = []
+    place = 0
+    while place < len(text):
+        match = _TOKEN.match(text, place)
+        if match is None or (match[2] and not is_name(match[2])):
+            raise ExpressionError(f"{shown(text)}: {_stray(text[place:].lstrip()[0])}")
+        kind = ("number", "name", "sign")[(match.lastindex or 1) - 1]
+        found.append((kind, match[match.lastindex or 1]))
+        place = match.end()
+    return found
+
+
+def _stray(char: str) -> str:
+    if char == "°":
+        return "angles are in degrees already; leave out °"
+    if char in "×·":
+        return f"write * instead of {char}"
+    return f"{shown(char)} cannot stand in an expression"
+
+
+class _Parser:
+    """A recursive descent over the tokens that calculates as it goes."""
+
+    def __init__(self, text: str, names: Mapping[str, float], valid: Iterable[str]) -> None:
+        self.text, self.names, self.valid = text, names, valid
+        self.tokens = [*_tokens(text), ("end", "")]
+        self.at = self.depth = 0
+
+    def fail(self, why: str) -> ExpressionError:
+        """An error that quotes the expression."""
+        return ExpressionError(f"{shown(self.text)}: {why}")
+
+    def value(self) -> float:
+        """The value of the whole text."""
+        if len(self.tokens) == 1:
+            raise self.fail("a number is missing")
+        try:
+            value = self.sum()
+        except OverflowError:
+            raise self.fail("the value is too large") from None
+        except ZeroDivisionError:
+            raise self.fail("division by zero") from None
+        if self.tokens[self.at][0] != "end":
+            raise self.fail(self._unexpected())
+        return value
+
+    def _unexpected(self) -> str:
+        kind, word = self.tokens[self.at]
+        if word == "," and self.at and self.tokens[self.at - 1][0] == "number":
+            after = self.tokens[self.at + 1]
+            whole = self.tokens[self.at - 1][1]
+            return f"write a decimal point: {whole}.{after[1]}" if after[0] == "number" else '"," is not expected here'
+        if kind == "end":
+            return "something is missing at the end"
+        return f"{shown(word)} is not expected here" + ("; is an operator missing?" if kind != "sign" else "")
+
+    def sign(self, *signs: str) -> str:
+        """Take one of these signs if it is next; empty if not."""
+        kind, word = self.tokens[self.at]
+        if kind == "sign" and word in signs:
+            self.at += 1
+            return word
+        return ""
+
+    def sum(self) -> float:
+        """Terms with + and - between them."""
+        value = self.product()
+        while sign := self.sign("+", "-"):
+            value = value + self.product() if sign == "+" else value - self.product()
+        return value
+
+    def product(self) -> float:
+        """Factors with * and / between them."""
+        value = self.signed()
+        while sign := self.sign("*", "/"):
+            value = value * self.signed() if sign == "*" else value / self.signed()
+        return value
+
+    def signed(self) -> float:
+        """A power, with signs before it: -2^2 is -4."""
+        self.depth += 1
+        if self.depth > MAX_DEPTH:
+            raise self.fail(f"nested deeper than {MAX_DEPTH} levels")
+        sign = self.sign("+", "-")
+        value = (-self.signed() if sign == "-" else self.signed()) if sign else self.power()
+        self.depth -= 1
+        return value
+
+    def power(self) -> float:
+        """An atom, raised to a power if one follows: 2^3^2 is 2^9."""
+        base = self.atom()
+        if not self.sign("^", "**"):
+            return base
+        exponent = self.signed()
+        try:
+            return math.pow(base, exponent)
+        except ValueError:
+            raise self.fail(f"{base:g} to the power {exponent:g} has no value") from None
+
+    def atom(self) -> float:
+        """A number, a name, a function of something, or something in brackets."""
+        kind, word = self.tokens[self.at]
+        if kind == "number":
+            self.at += 1
+            return float(word)
+        if kind == "name":
+            self.at += 1
+            return self.call(word) if word in _FUNCTIONS else self.named(word)
+        if not self.sign("("):
+            raise self.fail(self._unexpected())
+        value = self.sum()
+        self.close()
+        return value
+
+    def close(self) -> None:
+        """Take the closing bracket."""
+        if not self.sign(")"):
+            raise self.fail("a ) is missing" if self.tokens[self.at][0] == "end" else self._unexpected())
+
+    def named(self, name: str) -> float:
+        """A parameter or pi."""
+        if name in self.names:
+            return self.names[name]
+        if name == "pi":
+            return math.pi
+        if self.tokens[self.at] == ("sign", "("):
+            raise self.fail(f"there is no function {shown(name)}{choices(name, _FUNCTIONS)}")
+        raise self.fail(f"the name {shown(name)} is not defined{choices(name, [*self.valid, *RESERVED])}")
+
+    def call(self, name: str) -> float:
+        """A function of the arguments in brackets."""
+        function, least, most = _FUNCTIONS[name]
+        if not self.sign("("):
+            raise self.fail(f"{name} needs its argument in brackets: {name}(...)")
+        given = [self.sum()]
+        while self.sign(","):
+            given.append(self.sum())
+        self.close()
+        if not least <= len(given) <= most:
+            hint = "; for a decimal point write ." if len(given) > most else ""
+            raise self.fail(f"{name} takes {least if least == most else 'two or more'} numbers{hint}"
+                            .replace("takes 1 numbers", "takes one number"))
+        try:
+            return function(*given)
+        except ValueError:
+            raise self.fail(f"{name}({', '.join(f'{x:g}' for x in given)}) has no value") from None

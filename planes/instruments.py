@@ -1,0 +1,133 @@
+"""Instruments that draw a program: exactly, or with a pencil's error; each with its arithmetic and tolerances.
+
+How exact hand drawings are: 77 values of 18 published solutions, careful drafting 0.15 mm, 0.15°, ruler 0.25 mm.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from dataclasses import dataclass, field, fields
+from typing import Any, Protocol
+
+from planes.arithmetic import Arithmetic, Many, One, Point, Real, Truth
+from planes.drafting import label_of
+from planes.steps import Step
+from planes.tools import Tool
+from planes.wording import PlanFailure
+
+
+class Instrument(Protocol):
+    """What draws: makes a fresh tool for one drawing, or for arrays of ``many``."""
+
+    def tool(self, many: bool) -> Hand: ...
+
+
+@dataclass
+class Hand:
+    """A tool at work: marks exactly, remembers sharpness, raises (one) or masks (many) what cannot be drawn."""
+
+    ar: Arithmetic
+    many: bool = False
+    slack: float = 4e-15
+    flat: float = 2e-15
+    still: float = 2e-14
+    sharpness: dict[str, Real] = field(default_factory=dict)
+    notes: list[tuple[str, Step, Truth]] = field(default_factory=list)
+    failures: list[tuple[str, Step, Truth, dict[str, Real]]] = field(default_factory=list)
+
+    def mark(self, place: Point) -> Point:
+        return place
+
+    def ray(self, direction: Point) -> Point:
+        return direction
+
+    def read(self, length_mm: Real) -> Real:
+        return length_mm
+
+    def sharpen(self, name: str, sharpness: Real) -> None:
+        self.sharpness[name] = sharpness
+
+    def require(self, ok: Truth, step: Step, reason: str, **numbers: Real) -> None:
+        if not self.many:
+            if not ok:
+                raise PlanFailure(reason, **names_of(step), **{k: float(abs(v)) for k, v in numbers.items()})
+        elif not ok.all() if hasattr(ok, "all") else not ok:
+            self.failures.append((reason, step, ok, numbers))
+
+    def note(self, ok: Truth, step: Step, reason: str) -> None:
+        if not (ok.all() if hasattr(ok, "all") else ok):
+            self.notes.append((reason, step, ok))
+
+
+def names_of(step: Step) -> dict[str, str]:
+    """The names a sentence about the step may use: labels without their plans."""
+    found = {}
+    for f in fields(step):
+        value = getattr(step, f.name)
+        if isinstance(value, str):
+            found[f.name] = label_of(value)
+    return found
+
+
+@dataclass(frozen=True)
+class Exact:
+    """No error but rounding: Python's complex for one position, numpy for many."""
+
+    def tool(self, many: bool) -> Hand:
+        return Hand(Many() if many else One(), many)
+
+
+@dataclass(frozen=True)
+class Pencil:
+    """A draughtsman: a mark off by ``point_mm`` (standard deviation), a carried direction by ``ray_deg``, a reading
+    rounded to ``ruler_mm``. The same ``seed`` draws the same errors."""
+
+    point_mm: float = 0.15
+    ray_deg: float = 0.15
+    ruler_mm: float = 0.5
+    seed: int = 1
+
+    def tool(self, many: bool) -> Hand:
+        return _PencilHand(Many() if many else One(), many, pencil=self, errors=_Errors(self.seed, many))
+
+
+class _Errors:
+    """Normal errors, single or in the shape of what they are added to."""
+
+    def __init__(self, seed: int, many: bool) -> None:
+        if many:
+            import numpy
+
+            self.array: Any = numpy.random.default_rng(seed)
+        self.many, self.one = many, random.Random(seed)
+
+    def normal(self, like: Any) -> Any:
+        if self.many and hasattr(like, "shape"):
+            return self.array.standard_normal(like.shape)
+        return self.one.gauss(0.0, 1.0)
+
+
+@dataclass
+class _PencilHand(Hand):
+    pencil: Pencil = field(default_factory=Pencil)
+    errors: _Errors = field(default_factory=lambda: _Errors(1, False))
+
+    def mark(self, place: Point) -> Point:
+        error = self.errors.normal(place) + 1j * self.errors.normal(place)
+        return place + self.pencil.point_mm * error
+
+    def ray(self, direction: Point) -> Point:
+        angle = math.radians(self.pencil.ray_deg) * self.errors.normal(direction)
+        return direction * (1 + 1j * angle) / abs(1 + 1j * angle)
+
+    def read(self, length_mm: Real) -> Real:
+        ruler = self.pencil.ruler_mm
+        if self.many:
+            import numpy
+
+            return numpy.round(length_mm / ruler) * ruler
+        return round(length_mm / ruler) * ruler
+
+
+_: type[Tool] = Hand

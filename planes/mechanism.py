@@ -1,0 +1,126 @@
+"""Links, points, guides, pairs, the drive, masses and loads: what a scene says, as frozen records.
+
+All numbers are SI; angles are degrees, counter-clockwise positive, and end in ``_deg``. A place is a complex
+number (x to the right, y up) in the axes of the link that owns it; the frame is the link named ``"0"``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Literal
+
+FRAME = "0"
+
+Sense = Literal["along", "against"]
+Order = Literal["left", "right", "ahead", "behind"]
+Where = Mapping[tuple[str, ...], int]
+"""Where each thing was written: a path of keys -> line of the scene file, for errors."""
+
+
+@dataclass(frozen=True)
+class Guide:
+    """A straight guide in the axes of its link: the line through ``through`` towards ``angle_deg``."""
+
+    name: str
+    through: complex
+    angle_deg: float
+    through_point: str | None = None  # the named point of the link it passes through, if it is one
+    mark: str | None = None  # letter of the coincident point on the plans, if the scene gives one
+    origin_given: bool = True  # False for {x: c} and {y: c}
+
+
+@dataclass(frozen=True)
+class Slide:
+    """This link slides on ``guide``: its x axis is turned by ``angle_deg`` from the guide's direction and
+    its first point lies ``offset`` metres to the left of the guide. ``None`` means not written, that is 0."""
+
+    guide: str
+    angle_deg: float | None = None
+    offset: float | None = None
+
+
+@dataclass(frozen=True)
+class Link:
+    """A rigid link: points and guides in its own axes. ``mass`` or ``inertia`` of ``None`` was not written."""
+
+    name: str
+    points: Mapping[str, complex]
+    guides: Mapping[str, Guide] = field(default_factory=lambda: MappingProxyType({}))
+    slides: Slide | None = None
+    mass: float | None = None
+    inertia: float | None = None
+    centre: str | None = None
+
+    @property
+    def first_point(self) -> str:
+        """Name of the point a slider is placed by."""
+        return next(iter(self.points))
+
+    @property
+    def mass_centre(self) -> str:
+        """Name of the point that is the centre of mass: the first point unless the scene says otherwise."""
+        return self.centre or self.first_point
+
+
+@dataclass(frozen=True)
+class Drive:
+    """The driver and its motion: ``kind`` "phi" (rad/s, rad/s², position in degrees) or "s" (m, m/s, m/s²)."""
+
+    link: str
+    kind: Literal["phi", "s"]
+    position: float
+    velocity: float = 0.0
+    acceleration: float = 0.0
+
+
+@dataclass(frozen=True)
+class Load:
+    """One force (``kind`` "force", N, at ``point``) or couple (``kind`` "moment", N·m) on ``link``.
+
+    A force points at ``direction_deg`` (in the axes of ``direction_link`` if given, else the frame's) or
+    ``sense`` the motion of its point; a moment without ``sense`` is signed, counter-clockwise positive.
+    """
+
+    link: str
+    kind: Literal["force", "moment"]
+    value: float
+    point: str | None = None
+    direction_deg: float | None = None
+    direction_link: str | None = None
+    sense: Sense | None = None
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """Which of two assemblies is meant: a word, or the nearer one to ``near`` at the drive's value."""
+
+    order: Order | None = None
+    near: complex | None = None
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """A planar lever mechanism of one drive. ``links`` holds the moving links in the order of the file."""
+
+    frame: Link
+    links: Mapping[str, Link]
+    drive: Drive
+    loads: tuple[Load, ...] = ()
+    gravity: float | None = None
+    friction: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+    assembly: Mapping[str, Assembly] = field(default_factory=lambda: MappingProxyType({}))
+    where: Where = field(default_factory=lambda: MappingProxyType({}), compare=False)
+
+    def link(self, name: str) -> Link:
+        """The link of that name, the frame included."""
+        return self.frame if name == FRAME else self.links[name]
+
+    def owner(self, guide: str) -> str:
+        """Name of the link that carries the guide."""
+        return next(link.name for link in (self.frame, *self.links.values()) if guide in link.guides)
+
+    def guide(self, name: str) -> Guide:
+        """The guide of that name, wherever it is."""
+        return self.link(self.owner(name)).guides[name]

@@ -1,0 +1,84 @@
+"""Geometry of the drawing plane: where lines and arcs meet, written to keep its digits near failure.
+
+Places, vectors and directions are complex numbers, single or arrays. Each meeting returns the place and its
+*sharpness*: the sine of the angle at which the two lines meet (for arcs, of the angle between tangents).
+Nothing is raised here: a sharpness of zero or less says there is no honest answer.
+"""
+
+from __future__ import annotations
+
+from planes.arithmetic import Arithmetic, Point, Real
+
+
+def cross(a: Point, b: Point) -> Real:
+    """Signed area of the parallelogram on ``a`` and ``b``; positive when ``b`` is to the left of ``a``."""
+    return a.real * b.imag - a.imag * b.real
+
+
+def dot(a: Point, b: Point) -> Real:
+    """Scalar product of two vectors."""
+    return a.real * b.real + a.imag * b.imag
+
+
+def unit(v: Point, ar: Arithmetic) -> Point:
+    """The direction of ``v``; of a zero vector, the x axis (a zero vector is laid off anywhere)."""
+    length = abs(v)
+    return ar.where(length > 0, v / ar.where(length > 0, length, 1.0), 1 + 0j)
+
+
+def lines(p: Point, u: Point, q: Point, w: Point) -> tuple[Point, Real, Real]:
+    """Where the line through ``p`` along ``u`` meets the one through ``q`` along ``w`` (unit directions).
+
+    Returns the place, the signed sharpness, and the distance between the lines were they parallel. The place is
+    meaningless where the sharpness is 0; callers ask before they use it.
+    """
+    sharpness = cross(u, w)
+    gap = cross(u, q - p)
+    safe = sharpness + (sharpness == 0)
+    return p + u * (cross(q - p, w) / safe), sharpness, gap
+
+
+def line_arc(p: Point, u: Point, centre: Point, radius: Real, side: Real, ar: Arithmetic) -> tuple[Point, Real, Real]:
+    """Where a line meets a circle, ahead (``side`` +1) or behind (-1) of the foot of its centre.
+
+    Returns the place, the sharpness and by how much the line misses the circle (negative: it does not).
+    The half chord is √((r-h)(r+h)): h is never squared.
+    """
+    height = cross(u, centre - p)
+    miss = abs(height) - radius
+    half = ar.sqrt((radius - height) * (radius + height))
+    return centre + u * (side * half) - 1j * u * height, half / radius, miss
+
+
+def arcs(c: Point, r: Real, d: Point, s: Real, side: Real, ar: Arithmetic) -> tuple[Point, Real, Real, Real]:
+    """Where two circles meet, left (``side`` +1) or right (-1) of the way from ``c`` to ``d``.
+
+    Returns the place, the sharpness, and by how much they are too far apart and by how much one lies inside the
+    other (negative: they are not). The area of the triangle is Kahan's (Miscalculating Area and Angles
+    of a Needle-like Triangle, 1986): 4K = √((a+(b+c))(c-(a-b))(c+(a-b))(a+(b-c))) for a ≥ b ≥ c.
+    """
+    apart = abs(d - c)
+    far, near = apart - (r + s), abs(r - s) - apart
+    high, low = ar.maximum(r, s), ar.minimum(r, s)
+    a, rest = ar.maximum(high, apart), ar.minimum(high, apart)
+    b, c_ = ar.maximum(rest, low), ar.minimum(rest, low)
+    quad = ar.sqrt((a + (b + c_)) * (c_ - (a - b)) * (c_ + (a - b)) * (a + (b - c_)))
+    safe = apart + (apart == 0)
+    along = (apart + (r - s) * ((r + s) / safe)) / 2
+    e = (d - c) / safe
+    place = c + e * along + 1j * e * (side * quad / (2 * safe))
+    return place, quad / (2 * r * s), far, near
+
+
+def tangent(c: Point, a: Point, offset: Real, side: Real, ar: Arithmetic) -> tuple[Point, Real, Real]:
+    """Direction u of the line through ``c`` that has ``a`` at ``offset`` to its left, ahead (+1) or behind.
+
+    It is the tangent from ``a`` to the circle of radius ``offset`` about ``c``. Returns u, the sharpness and by
+    how much the circle is too large (negative: it is not).
+    """
+    apart = abs(a - c)
+    safe = apart + (apart == 0)
+    ahead = side * ar.sqrt((apart - offset) * (apart + offset))
+    u = (a - c) * (ahead - 1j * offset) / (safe * safe)
+    size = abs(u)
+    return u / (size + (size == 0)), abs(ahead) / safe, abs(offset) - apart

@@ -1,0 +1,54 @@
+"""A program: steps in the order they are drawn, checked by name and kind before any number exists, and sliced."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+from planes.steps import Kind, Step
+from planes.wording import ProgramError, valid_names
+
+
+@dataclass(frozen=True)
+class Program:
+    """A straight line of steps. What no step makes must be given (a value or a place) when it is run."""
+
+    steps: tuple[Step, ...]
+
+    def __post_init__(self) -> None:
+        made: dict[str, Kind] = {}
+        for step in self.steps:
+            for name, kind in step.reads():
+                have = made.get(name, kind if kind in ("value", "place") else None)
+                if have is None:
+                    raise ProgramError(
+                        f"{type(step).__name__} of {step.makes} needs the {kind} {name}, but the drawing has not reached"
+                        f" it{valid_names(name, [m for m, k in made.items() if k == kind][:12], 'drawn so far')}"
+                    )
+                if have != kind:
+                    raise ProgramError(f"{type(step).__name__} of {step.makes} takes {name} for a {kind}, it is a {have}")
+            if step.makes in made:
+                raise ProgramError(f"{step.makes} is made twice; name the second mark differently")
+            made[step.makes] = step.kind
+
+    @cached_property
+    def made(self) -> frozenset[str]:
+        """Names of everything the steps make."""
+        return frozenset(s.makes for s in self.steps)
+
+    @cached_property
+    def givens(self) -> tuple[str, ...]:
+        """Names of what must be given, in the order they are first needed."""
+        names = (name for s in self.steps for name, _ in s.reads())
+        return tuple(dict.fromkeys(n for n in names if n not in self.made))
+
+    def sliced(self, wanted: Iterable[str]) -> Program:
+        """The program without the steps that lead to none of the wanted names."""
+        needed = set(wanted)
+        kept: list[Step] = []
+        for step in reversed(self.steps):
+            if step.makes in needed:
+                kept.append(step)
+                needed.update(name for name, _ in step.reads())
+        return Program(tuple(reversed(kept)))

@@ -1,0 +1,305 @@
+"""Force plans: each group by itself, last attached first, then the primary mechanism.
+
+A group's polygon is one chain p → (F_t, loads of the first link) → E_a → (loads of the last, F_t) → E_b, and one
+point X: from p the first outer reaction, from E_a the inner one, from E_b the last outer one meet X. In each of the
+five kinds exactly two of these three lines are known, and the third closes. Table 1 of the BNTU text draws the
+kinds with an unloaded link; here any load may act on any link.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+from planes.bodies import SCHEME, Bodies
+from planes.drafting import POLE, Moments, at, label_of
+from planes.equations import Equation, Term
+from planes.friction import meet_with_friction
+from planes.loads import Acting, Couple, Force
+from planes.mechanism import FRAME
+from planes.reckoning import Product
+from planes.structure import Group, Pair
+
+
+@dataclass(frozen=True)
+class Reaction:
+    """A reaction found: the segment of its plan, its pair, and for a slider names of arm and couple at the foot."""
+
+    key: str
+    plan: str
+    start: str
+    end: str
+    pair: Pair
+    normal: str = ""
+    arm: str = ""
+    moment: str = ""
+
+
+def force_name(on: str, by: str) -> str:
+    """F_21 acts on 2 from 1; longer names are parted: F_11_10."""
+    return f"F_{on}{by}" if len(on) == len(by) == 1 else f"F_{on}_{by}"
+
+
+@dataclass
+class Statics:
+    """The force plans of a mechanism."""
+
+    b: Bodies
+    acting: Acting
+    reactions: dict[str, Reaction] = field(default_factory=dict)
+    balancing: str = ""
+
+    def draw_all(self) -> None:
+        """Every group from the last to the first, then the driver."""
+        for group in reversed(self.b.structure.groups):
+            _GroupForces(self, group).draw()
+        _DriverForces(self).draw()
+
+    def moment_terms(
+        self, about: str, forces: list[Force], couples: list[Couple], sign: float, over: str | None = None
+    ) -> tuple[list[Product], tuple[tuple[str, str], ...]]:
+        """The sum of moments about a mark, times ``sign``, divided by the value ``over``; and its terms by name."""
+        d, tail = self.b.draft, ((over, -1),) if over else ()
+        products, shown = [], []
+        for f in forces:
+            if f.point == about:
+                continue
+            arm = d.arm(f"h_{f.name}_{label_of(about)}", f.point, f.along, about)
+            products.append(Product(sign, ((f.size, 1), (arm, 1), *tail)))
+            shown.append((f.name, arm))
+        for c in couples:
+            products.append(Product(sign * c.sign, ((c.value, 1), *tail)))
+            shown.append((c.name, ""))
+        return products, tuple(shown)
+
+    def react(self, pair: Pair, plan: str, start: str, end: str) -> Reaction:
+        """Note the reaction on ``pair.link``; both links feel it from now on. Slider's couple comes later."""
+        key = force_name(pair.link, pair.other)
+        found = Reaction(key, plan, start, end, pair)
+        self.reactions[key] = found
+        self.b.draft.show(plan, label_of(start), label_of(end), key)
+        return found
+
+    def as_force(self, r: Reaction, on: str) -> Force:
+        """The reaction as a force on one of its links, at the hinge or at the foot of the slider's first point."""
+        d = self.b.draft
+        ends = (r.start, r.end) if on == r.pair.link else (r.end, r.start)
+        name = force_name(on, r.pair.mate(on))
+        size = d.measure(f"|{r.key}|", r.start, r.end)
+        along = d.through(f"→{name}", *ends)
+        point = at(SCHEME, r.pair.point) if r.pair.kind == "R" else self.b.foot(r.pair)
+        return Force(name, on, size, along, point)
+
+    def seat(self, r: Reaction, link: str, about: str, forces: list[Force], couples: list[Couple]) -> Reaction:
+        """Find the couple and the arm of a sliding pair's reaction from the moments on ``link`` about a mark."""
+        d, pair = self.b.draft, r.pair
+        side = -1.0 if link == pair.link else 1.0
+        products, shown = self.moment_terms(about, [*forces, self.as_force(r, link)], couples, side)
+        moment = d.total(f"MR_{r.key}", products)
+        normal = d.measure(f"N_{r.key}", r.start, r.end, d.square(f"⊥∥{pair.guide}", f"∥{pair.guide}"))
+        arm = d.product(f"arm_{r.key}", **{moment: 1, normal: -1})
+        d.moments.append(Moments(label_of(about), (link,), shown, moment, ""))
+        self.reactions[r.key] = seated = Reaction(r.key, r.plan, r.start, r.end, pair, normal, arm, moment)
+        return seated
+
+    def hand_over(self, r: Reaction, to: str) -> None:
+        """Let the mate of a pair feel the reaction (and, of a slider, its couple), reversed."""
+        self.acting.forces[to].append(self.as_force(r, to))
+        if r.moment:
+            sign = 1 if to == r.pair.link else -1
+            self.acting.couples[to].append(Couple(f"{r.moment}", to, r.moment, sign))
+
+
+class _GroupForces:
+    """The plan of one group."""
+
+    def __init__(self, statics: Statics, group: Group) -> None:
+        self.s, self.g, self.b, self.d = statics, group, statics.b, statics.b.draft
+        self.plan = f"force:{'-'.join(group.links)}"
+        self.loads = {x: list(statics.acting.forces[x]) for x in group.links}
+        self.couples = {x: list(statics.acting.couples[x]) for x in group.links}
+
+    def draw(self) -> None:
+        g = self.g
+        self.d.pole(self.plan)
+        head = self.tangential(g.first, g.first_outer) if g.kind in (1, 2, 3) else []
+        tail = self.tangential(g.last, g.last_outer) if g.kind == 1 else []
+        first = self.terms(head + self.loads[g.first], POLE)
+        e_a = first[-1].end if first else POLE
+        last = self.terms(self.loads[g.last] + tail, e_a)
+        e_b = last[-1].end if last else e_a
+        name_b = force_name(g.last, g.last_outer.mate(g.last))
+        x = name_b + ("n" if tail else "")
+        for term in first + last:
+            self.d.lay(self.plan, term)
+        rays = {
+            "first": self.ray(g.first_outer, g.first, POLE, x, -1, bool(head)),
+            "inner": self.inner_ray(e_a, x),
+            "last": self.ray(g.last_outer, g.last, e_b, x, 1, bool(tail)),
+        }
+        self.meet(rays, first, last, x)
+        self.read(head[0].name.replace("^", "") if head else POLE, e_a, last[-1].start if tail else e_b, x)
+
+    def meet(self, rays: dict[str, Term], first: tuple[Term, ...], last: tuple[Term, ...], x: str) -> None:
+        """State the equations of the kind: which two lines cross at X, and which side closes."""
+        kind = self.g.kind
+        if kind in (1, 2, 4):
+            self.solve((*first, *last, rays["last"]), rays["first"], x)
+        elif kind == 3:
+            self.solve((*first, rays["inner"]), rays["first"], x)
+            found = Term(rays["first"].name, x, POLE, drawn=True)
+            self.close((found, *first, *last), rays["last"])
+        else:
+            on_last = force_name(self.g.last, self.g.first)
+            self.solve((*last, rays["last"]), replace(rays["inner"], name=on_last, sign=-1), x)
+            self.close((*first, replace(rays["inner"], drawn=True)), rays["first"])
+
+    def solve(self, chain: tuple[Term, ...], back: Term, x: str) -> None:
+        """Cross two known lines at X, leaning ones by trial."""
+        equation = Equation(self.plan, (chain, (back,)))
+        pairs = [p for p in (self.g.first_outer, self.g.inner, self.g.last_outer) if self.rubs(p)]
+        if pairs:
+            meet_with_friction(self.s, self.plan, [chain[-1], back], x, pairs)
+            self.d.conclude(equation)
+        else:
+            self.d.draw(equation)
+
+    def close(self, chain: tuple[Term, ...], last: Term) -> None:
+        """The remaining reaction closes the polygon: both its length and direction are read."""
+        ends = (last.start, last.end) if last.sign > 0 else (last.end, last.start)
+        self.d.conclude(Equation(self.plan, ((*chain, Term(last.name, *ends)), ())))
+
+    def rubs(self, pair: Pair) -> bool:
+        return pair.kind == "P" and pair.guide in self.b.mechanism.friction
+
+    def terms(self, forces: list[Force], start: str) -> tuple[Term, ...]:
+        """Forces as known terms of a chain, each ending at a mark of its own name."""
+        terms = []
+        for f in forces:
+            end = f.name.replace("^", "")
+            terms.append(Term(f.name, start, end, f.size, f.along, f.along))
+            start = end
+        return tuple(terms)
+
+    def ray(self, pair: Pair, link: str, start: str, x: str, sign: int, split: bool) -> Term:
+        """The line of an outer reaction through a mark of the polygon (X is its other end)."""
+        name = force_name(link, pair.mate(link)) + ("^n" if split else "")
+        if pair.kind == "P":
+            along: str | None = self.d.square(f"⊥∥{pair.guide}", f"∥{pair.guide}")
+        else:
+            along = self.normal_line(pair) if split else None
+        return Term(name, start, x, None, along, along or "", False, sign)
+
+    def normal_line(self, pair: Pair) -> str:
+        """Along the link: from its outer hinge to the point its moments are taken about."""
+        if self.g.kind == 3:
+            return self.d.ray(SCHEME, self.g.last_outer.point, pair.point)
+        return self.d.ray(SCHEME, pair.point, self.g.inner.point)
+
+    def inner_ray(self, start: str, x: str) -> Term:
+        """The inner reaction, on the first link from the last, through the end of the first link's loads."""
+        g = self.g
+        along = self.d.square(f"⊥∥{g.inner.guide}", f"∥{g.inner.guide}") if g.inner.kind == "P" else None
+        return Term(force_name(g.first, g.last), start, x, None, along, along or "", False, 1)
+
+    def tangential(self, link: str, pair: Pair) -> list[Force]:
+        """F^t of an outer hinge: from moments about the inner hinge, or of the whole group about the other one."""
+        d, g = self.d, self.g
+        if g.kind == 3:
+            about, ray = g.last_outer.point, d.ray(SCHEME, g.last_outer.point, pair.point)
+            links: tuple[str, ...] = (g.first, g.last)
+            length, sign = d.measure(f"l_{about}{pair.point}", at(SCHEME, about), at(SCHEME, pair.point)), -1.0
+        else:
+            about, links, ray = g.inner.point, (link,), d.ray(SCHEME, pair.point, g.inner.point)
+            points = self.b.mechanism.links[link].points
+            length, sign = d.give(f"l_{pair.point}{about}", abs(points[about] - points[pair.point])), 1.0
+        forces = [f for x in links for f in self.loads[x]]
+        couples = [c for x in links for c in self.couples[x]]
+        products, shown = self.s.moment_terms(at(SCHEME, about), forces, couples, sign, length)
+        name = force_name(link, pair.mate(link)) + "^t"
+        d.total(name, products)
+        d.moments.append(Moments(about, links, shown, name, length))
+        return [Force(name, link, name, d.square(f"⊥{ray}", ray), at(SCHEME, pair.point))]
+
+    def read(self, head_end: str, e_a: str, tail_start: str, x: str) -> None:
+        """Reactions of the three pairs as segments, the couples of the sliding ones, and hand them on."""
+        g, plan, x_mark = self.g, self.plan, at(self.plan, x)
+        found = {
+            "first": self.on(g.first_outer, g.first, x_mark, at(plan, head_end)),
+            "inner": self.on(g.inner, g.first, at(plan, e_a), x_mark),
+            "last": self.on(g.last_outer, g.last, at(plan, tail_start), x_mark),
+        }
+        self.seat_all(found)
+        for which, pair, link in (("first", g.first_outer, g.first), ("last", g.last_outer, g.last)):
+            if pair.mate(link) != FRAME:
+                self.s.hand_over(self.s.reactions[found[which].key], pair.mate(link))
+
+    def on(self, pair: Pair, link: str, start: str, end: str) -> Reaction:
+        """The reaction on ``link`` from start to end, noted for the pair's own first link."""
+        return self.s.react(pair, self.plan, *((start, end) if link == pair.link else (end, start)))
+
+    def seat_all(self, found: dict[str, Reaction]) -> None:
+        """Arms and couples of the sliding pairs, from moments about the hinge of the link."""
+        g, s = self.g, self.s
+        about = at(SCHEME, g.inner.point if g.inner.kind == "R" else g.first_outer.point)
+        if g.inner.kind == "P":
+            seated = s.seat(found["inner"], g.first, about, self.loads[g.first], self.couples[g.first])
+            pushed = s.as_force(seated, g.last)
+            sign = 1 if seated.pair.link == g.last else -1
+            if g.last_outer.kind == "P":
+                couples = [*self.couples[g.last], Couple(seated.moment, g.last, seated.moment, sign)]
+                s.seat(found["last"], g.last, about, [*self.loads[g.last], pushed], couples)
+            return
+        for which, pair, link in (("first", g.first_outer, g.first), ("last", g.last_outer, g.last)):
+            if pair.kind == "P":
+                s.seat(found[which], link, about, self.loads[link], self.couples[link])
+
+
+class _DriverForces:
+    """The primary mechanism: the frame's reaction and the balancing moment (or force)."""
+
+    def __init__(self, statics: Statics) -> None:
+        self.s, self.b, self.d = statics, statics.b, statics.b.draft
+        self.link = self.b.mechanism.drive.link
+        self.pair = self.b.structure.drive_pair
+        self.plan = f"force:{self.link}"
+        self.forces = statics.acting.forces[self.link]
+        self.couples = statics.acting.couples[self.link]
+
+    def draw(self) -> None:
+        self.d.pole(self.plan)
+        start, terms = POLE, []
+        for f in self.forces:
+            terms.append(Term(f.name, start, f.name, f.size, f.along, f.along))
+            start = f.name
+        for term in terms:
+            self.d.lay(self.plan, term)
+        key = force_name(self.link, FRAME)
+        if self.pair.kind == "R":
+            self.turning(tuple(terms), start, key)
+        else:
+            self.sliding(tuple(terms), start, key)
+
+    def turning(self, terms: tuple[Term, ...], start: str, key: str) -> None:
+        """F_10 closes the polygon; the balancing moment by moments about the pivot."""
+        self.d.conclude(Equation(self.plan, ((*terms, Term(key, start, POLE)), ())))
+        self.s.react(self.pair, self.plan, at(self.plan, start), at(self.plan, POLE))
+        about = at(SCHEME, self.pair.point)
+        products, shown = self.s.moment_terms(about, self.forces, self.couples, -1.0)
+        self.s.balancing = self.d.total(f"M_{self.link}", products)
+        self.d.moments.append(Moments(self.pair.point, (self.link,), shown, self.s.balancing, ""))
+
+    def sliding(self, terms: tuple[Term, ...], start: str, key: str) -> None:
+        """The guide's reaction crosses the balancing force, which acts along the guide."""
+        guide = f"∥{self.pair.guide}"
+        normal = self.d.square(f"⊥{guide}", guide)
+        reaction = Term(key, start, key, None, normal, normal)
+        force = Term(f"F_{self.link}", POLE, key, None, guide, guide, False, -1)
+        equation = Equation(self.plan, ((*terms, reaction), (force,)))
+        if self.pair.guide in self.b.mechanism.friction:
+            meet_with_friction(self.s, self.plan, [reaction, force], key, [self.pair])
+            self.d.conclude(equation)
+        else:
+            self.d.draw(equation)
+        self.s.balancing = f"F_{self.link}"
+        found = self.s.react(self.pair, self.plan, at(self.plan, start), at(self.plan, key))
+        self.s.seat(found, self.link, self.b.foot(self.pair), self.forces, self.couples)

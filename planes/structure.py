@@ -1,0 +1,233 @@
+"""Pairs, Chebyshev's W, Reshetov's q and the Assur groups of a mechanism, in the order they are attached.
+
+Sources: Chebyshev's W = 3n - 2p₁ and Reshetov's q = W - 6n + 5p₁ for one-freedom pairs; Assur's groups of
+class II in the five kinds of Artobolevsky.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Literal
+
+from planes.mechanism import FRAME, Mechanism
+from planes.wording import StructureError, valid_names
+
+KIND_NAMES = ("RRR", "RRP", "RPR", "PRP", "RPP")
+
+
+@dataclass(frozen=True)
+class Pair:
+    """A kinematic pair of ``link`` with the earlier solved ``other``; in a sliding pair ``link`` slides.
+
+    ``kind`` "R" meets at ``point``; "P" is along ``guide``, carried by ``other``.
+    """
+
+    kind: Literal["R", "P"]
+    link: str
+    other: str
+    point: str = ""
+    guide: str = ""
+
+    def joins(self, link: str) -> bool:
+        """Whether this pair is one of the link's."""
+        return link in (self.link, self.other)
+
+    def mate(self, link: str) -> str:
+        """The other link of the pair."""
+        return self.other if link == self.link else self.link
+
+
+@dataclass(frozen=True)
+class Group:
+    """An Assur group of class II: two links, their inner pair and one outer pair each.
+
+    ``links`` stand in the order of the file. ``first`` and ``last`` are the same two in the order the method
+    takes them (RRP: connecting rod, slider; RPR: slider, guide link; RPP: hinged link, the other), with
+    outer pairs ``first_outer`` and ``last_outer``.
+    """
+
+    links: tuple[str, str]
+    kind: int
+    first: str
+    last: str
+    inner: Pair
+    first_outer: Pair
+    last_outer: Pair
+
+    @property
+    def name(self) -> str:
+        """The letters of its pairs, e.g. "RRP"."""
+        return KIND_NAMES[self.kind - 1]
+
+
+@dataclass(frozen=True)
+class Structure:
+    """What the structure of a mechanism is: freedom, redundant constraints, pairs, groups in order."""
+
+    W: int
+    q: int
+    drive_pair: Pair
+    groups: tuple[Group, ...]
+    driver: str
+
+    @property
+    def pairs(self) -> tuple[Pair, ...]:
+        """Every pair once: the drive's, then each group's outer, inner, outer."""
+        inside = (p for g in self.groups for p in (g.first_outer, g.inner, g.last_outer))
+        return (self.drive_pair, *inside)
+
+    @property
+    def formula(self) -> str:
+        """Formula of structure: "I(0;1) -> II(2;3) -> II(4;5)"."""
+        return " -> ".join([f"I({FRAME};{self.driver})", *(f"II({';'.join(g.links)})" for g in self.groups)])
+
+
+def analyse(mechanism: Mechanism, file: str = "") -> Structure:
+    """Find W, q and the groups; :class:`StructureError` names the links where the method cannot go on."""
+    finder = _Finder(mechanism, file)
+    pair_count = finder.pair_count()
+    freedom = 3 * len(mechanism.links) - 2 * pair_count
+    if freedom != 1:
+        raise finder.error(
+            f"the mechanism has W = 3·{len(mechanism.links)} - 2·{pair_count} = {freedom}, one drive needs W = 1; "
+            + ("a link or a pair is missing from the closed loops" if freedom > 1 else "a pair is too many")
+            + f" (pairs: {finder.pair_words()})"
+        )
+    drive_pair = finder.drive_pair()
+    groups = finder.groups()
+    redundant = freedom - 6 * len(mechanism.links) + 5 * pair_count
+    return Structure(freedom, redundant, drive_pair, groups, mechanism.drive.link)
+
+
+class _Finder:
+    """Walks the links from the frame outwards, taking the earliest dyad of the file each time."""
+
+    def __init__(self, mechanism: Mechanism, file: str) -> None:
+        self.mechanism, self.file = mechanism, file
+        self.links = list(mechanism.links)
+        self.order = [FRAME, mechanism.drive.link]  # links in the order they are solved
+        self.holders: dict[str, list[str]] = {}
+        for link in (mechanism.frame, *mechanism.links.values()):
+            for point in link.points:
+                self.holders.setdefault(point, []).append(link.name)
+        self.slides = [
+            Pair("P", link.name, mechanism.owner(link.slides.guide), guide=link.slides.guide)
+            for link in mechanism.links.values()
+            if link.slides
+        ]
+
+    def error(self, sentence: str, *path: str) -> StructureError:
+        """A refusal that points at the line of what it speaks of."""
+        where = self.mechanism.where
+        return StructureError(sentence, self.file, where.get(path, where.get(("links",))))
+
+    def pair_count(self) -> int:
+        """Number of one-freedom pairs: k - 1 for a hinge of k links, one for each slide."""
+        return sum(len(h) - 1 for h in self.holders.values()) + len(self.slides)
+
+    def pair_words(self) -> str:
+        """The pairs in words, for the sentence of a wrong W."""
+        hinges = [f"{p} of links {', '.join(h)}" for p, h in self.holders.items() if len(h) > 1]
+        return "; ".join(hinges + [f"{s.link} slides on {s.guide} of {s.other}" for s in self.slides]) or "none"
+
+    def drive_pair(self) -> Pair:
+        """The pair of the driver with the frame that the drive's motion is given in."""
+        drive = self.mechanism.drive
+        found = [p for p in self.between(drive.link, [FRAME])]
+        wanted: Literal["R", "P"] = "R" if drive.kind == "phi" else "P"
+        fitting = [p for p in found if p.kind == wanted]
+        if len(found) != 1 or not fitting:
+            need = "one hinge on the frame" if wanted == "R" else "one guide of the frame to slide on"
+            have = ", ".join(p.point or p.guide for p in found) or "none"
+            raise self.error(
+                f"the driver {drive.link} given by {drive.kind} needs exactly {need}, it has: {have}", "drive"
+            )
+        return fitting[0]
+
+    def between(self, link: str, known: Iterable[str]) -> list[Pair]:
+        """Pairs of ``link`` with the known links, each hinge paired with the one solved first."""
+        known = list(known)
+        pairs = []
+        for point in self.mechanism.link(link).points:
+            mates = [k for k in known if k in self.holders[point]]
+            if mates:
+                pairs.append(Pair("R", link, mates[0], point=point))
+        for slide in self.slides:
+            if slide.joins(link) and slide.mate(link) in known:
+                pairs.append(slide)
+        return pairs
+
+    def groups(self) -> tuple[Group, ...]:
+        """Dyads in the order they attach; refuses what is left when none attaches."""
+        found = []
+        while left := [x for x in self.links if x not in self.order]:
+            group = next((g for g in map(self.dyad, combinations(left, 2)) if g), None)
+            if group is None:
+                raise self.higher_class(left)
+            found.append(group)
+            self.order += group.links
+        return tuple(found)
+
+    def dyad(self, links: tuple[str, str]) -> Group | None:
+        """The two links as a dyad on what is solved, or None."""
+        one, two = links
+        outer_one, outer_two = self.between(one, self.order), self.between(two, self.order)
+        inner = [p for p in self.between(two, [one]) if p.kind == "P" or not self.solved_hinge(p.point)]
+        if len(outer_one) != 1 or len(outer_two) != 1 or len(inner) != 1:
+            return None
+        return self.classified(links, outer_one[0], inner[0], outer_two[0])
+
+    def solved_hinge(self, point: str) -> bool:
+        return any(link in self.order for link in self.holders[point])
+
+    def classified(self, links: tuple[str, str], a: Pair, inner: Pair, b: Pair) -> Group:
+        """Kind and working order of a dyad with outer pairs ``a`` of the first link and ``b`` of the second."""
+        letters = a.kind + inner.kind + b.kind
+        one, two = links
+        if letters == "PPP":
+            raise self.error(
+                f"links {one} and {two} meet each other and the rest in three sliding pairs: they cannot turn, "
+                "so W is wrong there; make one of the pairs a hinge", "links", one
+            )
+        swap = letters in ("PRR", "PPR") or (letters == "RPR" and inner.other == one)
+        if swap:
+            one, two, a, b = two, one, b, a
+        kind = KIND_NAMES.index(letters[::-1] if letters in ("PRR", "PPR") else letters) + 1
+        return Group(links, kind, one, two, inner, a, b)
+
+    def higher_class(self, left: list[str]) -> StructureError:
+        """The error for links that form a group of a higher class, or are over- or under-constrained."""
+        for size in range(1, len(left) + 1):
+            for chosen in combinations(left, size):
+                freedom = 3 * size - 2 * self.pairs_within(chosen)
+                names = ", ".join(chosen)
+                if freedom < 0:
+                    return self.error(
+                        f"links {names} are held by {-freedom} pair(s) too many (W = {freedom}) while others hang "
+                        "loose: check which points they share", "links", chosen[0]
+                    )
+                if freedom == 0 and size > 2:
+                    return self.error(
+                        f"links {names} form an Assur group of class III or higher, which plans of class II "
+                        "groups cannot draw: take another link as the driver or split the group", "links", chosen[0]
+                    )
+        loose = ", ".join(left)
+        return self.error(f"links {loose} do not attach to the driven part: check their shared points", "links", left[0])
+
+    def pairs_within(self, chosen: tuple[str, ...]) -> int:
+        """Pairs of the chosen links among themselves and with the solved ones."""
+        known = set(self.order) | set(chosen)
+        count = 0
+        for holders in self.holders.values():
+            inside = [h for h in holders if h in known]
+            count += max(0, len(inside) - max(1, sum(h in self.order for h in inside)))
+        return count + sum(s.link in known and s.other in known for s in self.slides if {s.link, s.other} & set(chosen))
+
+
+def link_must_be(name: str, mechanism: Mechanism) -> str:
+    """The name itself when it is a link, else a :class:`StructureError` with the names that are."""
+    if name in (FRAME, *mechanism.links):
+        return name
+    raise StructureError(f"there is no link {name}{valid_names(name, list(mechanism.links))}")

@@ -1,0 +1,80 @@
+"""The one table of words: every sentence and label meant for people, in Russian and in English."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+Lang = Literal["ru", "en"]
+
+WORDS: dict[str, tuple[str, str]] = {
+    # failures of a construction: {makes} {start} {end} {along} {across} {other} and numbers
+    "parallel": (
+        "прямые {along} через {start} и {across} через {other} параллельны и отстоят на {gap_mm} мм: {makes} "
+        "бесконечно далеко, механизм в особом положении; измените положение ведущего звена",
+        "the lines {along} through {start} and {across} through {other} are parallel, {gap_mm} mm apart: {makes} is "
+        "infinitely far, the mechanism is at a dead point; take another position of the driver",
+    ),
+    "coincident": (
+        "прямые {along} через {start} и {across} через {other} совпадают: {makes} на них не определена (0/0), "
+        "механизм в точке разветвления; возьмите соседнее положение",
+        "the lines {along} through {start} and {across} through {other} coincide: any point of them could be {makes} "
+        "(0/0), the mechanism is at a change point; take a neighbouring position",
+    ),
+    "arc_short": (
+        "дуга радиуса {radius} из {centre} не достаёт до прямой {along} через {start} на {miss_mm} мм: {makes} не "
+        "построить; механизм в этом положении не собирается",
+        "the arc {radius} about {centre} misses the line {along} through {start} by {miss_mm} mm: {makes} cannot be "
+        "drawn; the mechanism does not assemble in this position",
+    ),
+    "arcs_apart": (
+        "дуги {radius} из {centre} и {other_radius} из {other} не встречаются, не хватает {miss_mm} мм: {makes} не "
+        "построить; механизм в этом положении не собирается",
+        "the arcs {radius} about {centre} and {other_radius} about {other} are {miss_mm} mm apart: {makes} cannot be "
+        "drawn; the mechanism does not assemble in this position",
+    ),
+    "arcs_inside": (
+        "дуга {radius} из {centre} и дуга {other_radius} из {other} лежат одна внутри другой на {miss_mm} мм: "
+        "{makes} не построить; механизм в этом положении не собирается",
+        "of the arcs {radius} about {centre} and {other_radius} about {other} one lies inside the other by {miss_mm} "
+        "mm: {makes} cannot be drawn; the mechanism does not assemble in this position",
+    ),
+    "circle_large": (
+        "точка {end} ближе к {start}, чем смещение направляющей, на {miss_mm} мм: касательную {makes} не провести; "
+        "механизм в этом положении не собирается",
+        "{end} is closer to {start} than the guide's offset, by {miss_mm} mm: no tangent {makes} can be drawn; the "
+        "mechanism does not assemble in this position",
+    ),
+    "points_meet": (
+        "точки {start} и {end} совпали: направление {makes} не определено; возьмите соседнее положение",
+        "{start} and {end} coincide: the direction {makes} is not determined; take a neighbouring position",
+    ),
+    "self_locking": (
+        "силы в {makes} с трением не уравновесить ({solutions} решений вместо одного): самоторможение; уменьшите "
+        "коэффициент трения или измените положение",
+        "the forces at {makes} cannot balance with friction ({solutions} solutions instead of one): self-locking; "
+        "lower the coefficient of friction or take another position",
+    ),
+    "no_digits": (
+        "в {makes} не осталось верных цифр",
+        "no correct digit is left in {makes}",
+    ),
+    # warnings
+    "standstill": (
+        "{makes}: скорость равна нулю, сила или трение, зависящие от её направления, приняты равными нулю",
+        "{makes}: the speed is zero, so the load or friction that depends on its sense is taken as zero",
+    ),
+    "blunt": (
+        "{makes}: линии встречаются под углом {angle_deg}° (меньше 15°), чертёж здесь неточен",
+        "{makes}: the lines meet at {angle_deg}° (less than 15°), a drawing is inaccurate here",
+    ),
+    "at": ("при {name} = {value}: ", "at {name} = {value}: "),
+}
+
+
+def say(key: str, lang: Lang = "en", **numbers: object) -> str:
+    """The sentence ``key`` in a language, with its names and numbers filled in."""
+    return WORDS[key][0 if lang == "ru" else 1].format(**{k: _told(v) for k, v in numbers.items()})
+
+
+def _told(value: object) -> str:
+    return f"{value:.4g}" if isinstance(value, float) else str(value)

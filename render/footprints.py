@@ -1,0 +1,164 @@
+"""The ink of marks as shapely shapes, and where labels and strokes meet; all in mm of the sheet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import shapely
+
+from render.ink import arrow_parts, flattened, is_circle
+from render.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
+from render.style import pen
+from render.typeset import layout
+
+Bounds = tuple[float, float, float, float]
+"""x0, y0, x1, y1 in mm."""
+
+_TOUCH_MM = 0.01
+
+
+@dataclass(frozen=True)
+class Ink:
+    """Shapes and half the pen width of each: a point is inked if it is nearer to the shape than that."""
+
+    shapes: Any
+    halves: Any
+    owners: tuple[int, ...]
+
+    def within(self, areas: Any, clear: float) -> Any:
+        """Pairs (number of the area, number of the shape) with less than ``clear`` mm between area and ink."""
+        most = float(self.halves.max(initial=0.0))
+        tree = shapely.STRtree(self.shapes)
+        pairs = tree.query(areas, predicate="dwithin", distance=clear + most)
+        halves = self.halves[pairs[1]]
+        thin = np.flatnonzero(halves < most)
+        near = np.ones(pairs.shape[1], dtype=bool)
+        some = pairs[:, thin]
+        near[thin] = shapely.dwithin(areas[some[0]], self.shapes[some[1]], clear + halves[thin])
+        return pairs[:, near]
+
+
+@dataclass(frozen=True)
+class Conflict:
+    """Something a strict teacher would circle: ``first`` and ``second`` are texts or kinds of marks."""
+
+    kind: str
+    first: str
+    second: str
+    place: complex
+
+    def __str__(self) -> str:
+        words = {"label": "overlaps the label", "stroke": "lies on", "field": "sticks out of"}
+        where = f"at ({self.place.real:.1f}; {self.place.imag:.1f}) mm"
+        return f"{self.first!r} {words[self.kind]} {self.second!r} {where}"
+
+
+def ink(marks: Iterable[Mark]) -> Ink:
+    """The ink of marks; texts count as their boxes, hatched regions and filled shapes as areas."""
+    paths: list[Sequence[complex]] = []
+    areas: list[Sequence[complex]] = []
+    path_info: list[tuple[float, int]] = []
+    area_info: list[tuple[float, int]] = []
+    for owner, mark in enumerate(marks):
+        half, lines, filled = _parts(mark)
+        paths += lines
+        areas += filled
+        path_info += [(half, owner)] * len(lines)
+        area_info += [(0.0, owner)] * len(filled)
+    info = path_info + area_info
+    shapes = np.concatenate([_strings(paths), polygons(areas)])
+    return Ink(shapes, np.array([half for half, _ in info]), tuple(owner for _, owner in info))
+
+
+def _parts(mark: Mark) -> tuple[float, list[Sequence[complex]], list[Sequence[complex]]]:
+    """Half the pen width, the lines and the areas of a mark."""
+    if isinstance(mark, Text):
+        laid = layout(mark)
+        return 0.0, [], [laid.box] if laid.strokes else []
+    if isinstance(mark, (Shape, Hatch)):
+        return 0.0, [], [mark.points]
+    half = pen(mark.style).width / 2
+    if isinstance(mark, Arrow):
+        shaft, head = arrow_parts(mark)
+        return half, [shaft], [head] if head else []
+    if isinstance(mark, Line):
+        return half, [(*mark.points, mark.points[0]) if mark.closed else mark.points], []
+    round_ = flattened(mark, 0.02)
+    filled = mark.fill != "none" and is_circle(mark)
+    return half, [round_], [round_] if filled else []
+
+
+def _strings(paths: Sequence[Sequence[complex]]) -> Any:
+    """LineStrings through complex points."""
+    if not paths:
+        return np.array([], dtype=object)
+    flat = np.array([z for path in paths for z in path])
+    owners = np.repeat(np.arange(len(paths)), [len(path) for path in paths])
+    return shapely.linestrings(np.column_stack([flat.real, flat.imag]), indices=owners)
+
+
+def polygons(areas: Sequence[Sequence[complex]]) -> Any:
+    """Polygons with complex corners."""
+    rings = [shapely.polygons([(z.real, z.imag) for z in area]) for area in areas]
+    found: Any = np.empty(len(rings), dtype=object)
+    found[:] = rings
+    return found
+
+
+def conflicts(
+    texts: Sequence[Text], marks: Sequence[Mark] = (), field: Bounds | None = None
+) -> tuple[Conflict, ...]:
+    """Where labels overlap each other or any ink of ``marks``, or anything leaves the ``field``.
+
+    Texts among the marks are labels too; the same text given twice is one.
+    """
+    labels = tuple(dict.fromkeys([*texts, *(mark for mark in marks if isinstance(mark, Text))]))
+    labels = tuple(label for label in labels if layout(label).strokes)
+    others = [mark for mark in marks if not isinstance(mark, Text)]
+    boxes = shapely.buffer(polygons([layout(label).box for label in labels]), -_TOUCH_MM)
+    return (*_pairs(labels, boxes), *_struck(labels, boxes, others), *_outside(labels, others, field))
+
+
+def _pairs(labels: Sequence[Text], boxes: Any) -> list[Conflict]:
+    found = shapely.STRtree(boxes).query(boxes, predicate="intersects")
+    pairs = sorted((int(i), int(j)) for i, j in found.T if i < j)
+    return [Conflict("label", labels[i].text, labels[j].text, labels[i].place) for i, j in pairs]
+
+
+def _struck(labels: Sequence[Text], boxes: Any, others: Sequence[Mark]) -> list[Conflict]:
+    inked = ink(others)
+    if not len(inked.shapes) or not labels:
+        return []
+    pairs = sorted({(int(i), inked.owners[int(k)]) for i, k in inked.within(boxes, 0.0).T})
+    return [Conflict("stroke", labels[i].text, described(others[k]), labels[i].place) for i, k in pairs]
+
+
+def _outside(labels: Sequence[Text], others: Sequence[Mark], field: Bounds | None) -> list[Conflict]:
+    if field is None:
+        return []
+    marks = (*labels, *others)
+    inked = ink(marks)
+    bounds = shapely.bounds(inked.shapes) + np.outer(inked.halves, [-1, -1, 1, 1])
+    inside = (bounds[:, :2] >= np.array(field[:2]) - _TOUCH_MM) & (bounds[:, 2:] <= np.array(field[2:]) + _TOUCH_MM)
+    beyond = sorted({inked.owners[k] for k in np.flatnonzero(~inside.all(axis=1))})
+    return [Conflict("field", described(marks[k]), "field", _first(marks[k])) for k in beyond]
+
+
+def described(mark: Mark) -> str:
+    """A mark in a few words: its kind, its layer and what it shows."""
+    if isinstance(mark, Text):
+        return mark.text
+    named = f" {mark.name}" if isinstance(mark, Arrow) and mark.name else ""
+    place = _first(mark)
+    return f"{type(mark).__name__.lower()}{named} of {mark.layer} from ({place.real:.1f}; {place.imag:.1f})"
+
+
+def _first(mark: Mark) -> complex:
+    if isinstance(mark, Text):
+        return mark.place
+    if isinstance(mark, Arrow):
+        return mark.start
+    return mark.centre if isinstance(mark, Arc) else mark.points[0]

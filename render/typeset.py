@@ -1,0 +1,178 @@
+"""A line of text with indices, laid out as pen strokes in mm of the sheet.
+
+``v_{CB}`` lowers, ``a^{n}`` raises; both after one base stand above each other: ``a_{CB}^{n}``.  Nothing
+else is markup: a bare ``_`` or ``^`` is drawn as it stands.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+
+from render import lettering
+from render.marks import Text
+from render.style import INDEX_DROP, INDEX_GAP, INDEX_RISE, INDEX_SIZE, LETTER_GAP, LETTER_PEN, WORD_GAP
+
+Polyline = tuple[complex, ...]
+_INDEX = re.compile(r"([_^])\{([^{}]*)\}")
+_OPENED = re.compile(r"[_^]\{")
+
+
+@dataclass(frozen=True)
+class Run:
+    """A piece of plain text of one height: ``at`` from the left end of the text's base line, unturned, mm."""
+
+    text: str
+    at: complex
+    height: float
+    width: float
+
+
+@dataclass(frozen=True)
+class Laid:
+    """A laid-out text: ``strokes`` and ``box`` (the ink's four corners, counter-clockwise) in sheet mm.
+
+    ``pens`` holds the width of every stroke and ``width`` is the length of the ink, in mm; ``origin`` is the
+    left end of the base line on the sheet and ``turn_deg`` its direction.
+    """
+
+    strokes: tuple[Polyline, ...]
+    pens: tuple[float, ...]
+    box: Polyline
+    width: float
+    runs: tuple[Run, ...]
+    origin: complex
+    turn_deg: float
+
+    @property
+    def plain(self) -> str:
+        """The text without markup, as it is read aloud or searched for."""
+        return " ".join("".join(run.text for run in self.runs).split())
+
+    def by_pen(self) -> list[tuple[float, list[Polyline]]]:
+        """The strokes in groups of one pen width in mm: the letters, then the indices."""
+        groups: dict[float, list[Polyline]] = {}
+        for pen, stroke in zip(self.pens, self.strokes, strict=True):
+            groups.setdefault(pen, []).append(stroke)
+        return list(groups.items())
+
+
+@dataclass(frozen=True)
+class _Part:
+    base: str
+    lower: str = ""
+    upper: str = ""
+
+
+def layout(text: Text) -> Laid:
+    """Strokes, box and runs of a text mark after its anchor and its turn."""
+    runs, inked, (x0, y0, x1, y1) = _set(text.text, text.height)
+    shift = {"start": -x0, "middle": -(x0 + x1) / 2, "end": -x1}[text.anchor]
+    turn = cmath.rect(1, math.radians(text.turn_deg)) if text.turn_deg else 1 + 0j
+    origin = text.place + shift * turn
+    corners = (complex(x0, y0), complex(x1, y0), complex(x1, y1), complex(x0, y1))
+    return Laid(
+        strokes=tuple(tuple([origin + z * turn for z in line]) for _, line in inked),
+        pens=tuple(pen for pen, _ in inked),
+        box=tuple(origin + z * turn for z in corners),
+        width=x1 - x0,
+        runs=runs,
+        origin=origin,
+        turn_deg=text.turn_deg,
+    )
+
+
+def extent(text: str, height_mm: float) -> tuple[float, float, float, float]:
+    """Bounds (x0, y0, x1, y1) in mm of the ink of a marked-up text from the left end of its base line."""
+    return _set(text, height_mm)[2]
+
+
+def plain(text: str) -> str:
+    """The text without the markup of its indices."""
+    return "".join(part.base + part.lower + part.upper for part in _parts(text))
+
+
+def _parts(text: str) -> list[_Part]:
+    """Bases, each with the indices that follow it."""
+    found: list[_Part] = []
+    rest = 0
+    for match in _INDEX.finditer(text):
+        between, kind, index = text[rest : match.start()], match[1], match[2]
+        last = found[-1] if found and not between else _Part(between)
+        filled = last.lower if kind == "_" else last.upper
+        if between or not found:
+            found.append(last)
+        elif filled:
+            found.append(_Part(""))
+        found[-1] = (
+            _Part(found[-1].base, index, found[-1].upper) if kind == "_" else
+            _Part(found[-1].base, found[-1].lower, index)
+        )
+        rest = match.end()
+    if text[rest:]:
+        found.append(_Part(text[rest:]))
+    for part in found:
+        if _OPENED.search(part.base):
+            raise ValueError(f"in the text {text!r} an index opened with '_{{' or '^{{' is not closed")
+    return found
+
+
+def _blanks(text: str) -> tuple[float, float]:
+    """Width over height of the blanks before and after the ink, which lettering leaves out."""
+    before = len(text) - len(text.lstrip())
+    after = len(text) - len(text.rstrip()) if text.strip() else 0
+    return before * WORD_GAP, after * WORD_GAP
+
+
+_Inked = tuple[tuple[float, Polyline], ...]
+
+
+@lru_cache(maxsize=4096)
+def _set(text: str, height: float) -> tuple[tuple[Run, ...], _Inked, tuple[float, float, float, float]]:
+    """Runs, pens with their strokes and bounds of the ink, from the left end of the base line, unturned."""
+    if not 0 < height < math.inf:
+        raise ValueError(f"the text {text!r} needs a letter height above 0 mm, not {height}")
+    runs: list[Run] = []
+    x, gap = 0.0, 0.0
+    for part in _parts(text):
+        before, after = (height * blank for blank in _blanks(part.base))
+        x += before or gap
+        if part.base.strip():
+            runs.append(Run(part.base, complex(x, 0), height, lettering.width(part.base, height)))
+            x += runs[-1].width
+        gap = after or LETTER_GAP * height
+        if part.lower or part.upper:
+            x = _indices(part, x + (after or (INDEX_GAP * height if runs else 0.0)), height, runs)
+            gap = LETTER_GAP * height
+    inked = tuple(
+        (LETTER_PEN * run.height, tuple([run.at + z for z in line]))
+        for run in runs
+        for line in lettering.strokes(run.text, run.height)
+    )
+    return tuple(runs), inked, _bounds(inked)
+
+
+def _indices(part: _Part, x: float, height: float, runs: list[Run]) -> float:
+    """Set the indices of a base at x; the x where the wider of them ends."""
+    size, ends = INDEX_SIZE * height, [x]
+    for index, level in ((part.lower, -INDEX_DROP), (part.upper, INDEX_RISE)):
+        if index.strip():
+            runs.append(Run(index, complex(x, level * height), size, lettering.width(index, size)))
+            ends.append(x + runs[-1].width)
+    return max(ends)
+
+
+def _bounds(inked: _Inked) -> tuple[float, float, float, float]:
+    """Bounds of the ink with half of its pen."""
+    edges = [(z, pen / 2) for pen, line in inked for z in line]
+    if not edges:
+        return 0.0, 0.0, 0.0, 0.0
+    return (
+        min(z.real - half for z, half in edges),
+        min(z.imag - half for z, half in edges),
+        max(z.real + half for z, half in edges),
+        max(z.imag + half for z, half in edges),
+    )

@@ -1,0 +1,146 @@
+"""The drawing lettering: complete alphabets, ink inside its box, exact widths, shear and curves."""
+
+from __future__ import annotations
+
+import math
+import unicodedata
+from itertools import pairwise
+
+import pytest
+
+from render import lettering
+from render.glyphs_signs import SAME, SHIFTED
+
+RUSSIAN = "АБВГДЕЁЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯ"
+BELARUSIAN = "АБВГДЕЁЖЗІЙКЛМНОПРСТУЎФХЦЧШЫЬЭЮЯ"
+UKRAINIAN = "АБВГҐДЕЄЖЗИІЇЙКЛМНОПРСТУФХЦЧШЩЬЮЯ"
+LATIN = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+GREEK = "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΠΣΦΨΩ"
+SIGNS = "0123456789.,:;!?()[]{}/\\|+−-–—=≈≤≥<>±×·•%№°′″‴'\"«»“”„_^~@#&*$§⊥∥∠√→←↑↓∞∅⌀∑∫∂⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ⁻₀₁₂₃₄₅₆₇₈₉"
+LETTERS = RUSSIAN + BELARUSIAN + UKRAINIAN + LATIN
+EVERY = sorted({*LETTERS, *LETTERS.lower(), *GREEK, *SIGNS, *lettering.GLYPHS, *SAME, *SHIFTED})
+WORDS = [
+    "План скоростей, μ_v = 30 мм/(м·с⁻¹)",
+    "Кривошипно-ползунный механизм",
+    "Ў і ґ є ї",
+    "v_CB ⊥ BC, a_CB^n",
+    "ГА ТА AV 1:2 φ₁",
+]
+HEIGHTS = [1.8, 2.5, 3.5, 5.0, 7.0, 10.0, 40.0]
+
+
+@pytest.mark.parametrize("alphabet", [RUSSIAN, BELARUSIAN, UKRAINIAN, LATIN])
+def test_alphabets_are_complete(alphabet: str) -> None:
+    assert lettering.missing(alphabet + alphabet.lower()) == ""
+
+
+def test_signs_are_complete_and_unknown_ones_are_named() -> None:
+    assert lettering.missing(GREEK + SIGNS) == ""
+    assert lettering.missing("Ж漢 a☃漢\u00a0") == "漢☃"
+
+
+@pytest.mark.parametrize("char", EVERY)
+def test_a_character_has_ink_inside_its_box(char: str) -> None:
+    lines = lettering.strokes(char, 10.0)
+    x0, y0, x1, y1 = lettering.box(char, 10.0)
+    assert lines and all(len(line) >= 2 for line in lines)
+    assert x0 == pytest.approx(0, abs=1e-9)
+    assert x1 == pytest.approx(lettering.width(char, 10.0), abs=1e-9)
+    assert x1 > 0 and -4.2 < y0 < y1 < 13.2
+    for z in (z for line in lines for z in line):
+        assert x0 + 0.5 - 1e-9 <= z.real <= x1 - 0.5 + 1e-9
+        assert y0 + 0.5 - 1e-9 <= z.imag <= y1 - 0.5 + 1e-9
+
+
+def test_letters_fill_the_rows_of_the_standard() -> None:
+    for char in "АБВГЕЖЗИКЛМНОПРСТХЧШЭЮЯHNS0123456789":
+        assert lettering.box(char, 10.0)[1::2] == pytest.approx((0.0, 10.0))
+    for char in "авгежзиклмнопстхчшэюяnsuxz":
+        assert lettering.box(char, 10.0)[1::2] == pytest.approx((0.0, 7.0))
+    for char in "pqgyру":
+        assert lettering.box(char, 10.0)[1::2] == pytest.approx((-3.0, 7.0))
+
+
+def test_only_the_stated_look_alikes_are_identical() -> None:
+    seen: dict[object, str] = {}
+    for char in EVERY:
+        twin = seen.setdefault(lettering.strokes(char, 10.0), char)
+        assert SAME.get(twin, twin) == SAME.get(char, char), f"{twin!r} looks like {char!r}"
+    for char, model in SAME.items():
+        assert lettering.strokes(char, 5.0) == lettering.strokes(model, 5.0)
+
+
+@pytest.mark.parametrize("composed", ["й", "Й", "ў", "Ў", "ї", "Ї", "ё", "Ё"])
+def test_combining_marks_equal_composed_letters(composed: str) -> None:
+    apart = unicodedata.normalize("NFD", composed)
+    assert len(apart) == 2
+    assert lettering.strokes(apart, 5.0) == lettering.strokes(composed, 5.0)
+    assert lettering.missing(apart) == ""
+
+
+@pytest.mark.parametrize("height", HEIGHTS)
+@pytest.mark.parametrize("text", WORDS)
+def test_width_is_the_ink_and_the_drawing_scales(text: str, height: float) -> None:
+    x0, y0, x1, y1 = lettering.box(text, height)
+    assert (x0, x1) == pytest.approx((0.0, lettering.width(text, height)), abs=1e-9)
+    assert lettering.width(text, height) == pytest.approx(height * lettering.width(text, 1.0))
+    reference = lettering.box(text, 1.0)
+    assert (y0, y1) == pytest.approx((height * reference[1], height * reference[3]), abs=1e-9)
+
+
+@pytest.mark.parametrize("height", HEIGHTS)
+def test_curves_are_flat_to_two_hundredths_of_a_millimetre(height: float) -> None:
+    def distance(z: complex, line: tuple[complex, ...]) -> float:
+        best = math.inf
+        for a, b in pairwise(line):
+            t = 0.0 if a == b else ((z - a) / (b - a)).real
+            best = min(best, abs(z - a - (b - a) * min(1.0, max(0.0, t))))
+        return best
+
+    for char in "OSg&9бЗд":
+        fine = lettering.strokes(char, 4000.0)
+        for coarse, exact in zip(lettering.strokes(char, height), fine, strict=True):
+            step = max(1, len(exact) // 60)
+            assert max(distance(z * height / 4000, coarse) for z in exact[::step]) < 0.02
+
+
+@pytest.mark.parametrize("text", WORDS)
+def test_slant_is_a_shear_to_75_degrees(text: str) -> None:
+    upright, slanted = lettering.strokes(text, 5.0), lettering.strokes(text, 5.0, slant=True)
+    for a, b in zip(upright, slanted, strict=True):
+        for z, w in zip(a, b, strict=True):
+            assert w.imag == z.imag
+            assert w.real - z.real == pytest.approx(z.imag / math.tan(math.radians(75)), abs=1e-12)
+    stem = lettering.strokes("I", 5.0, slant=True)[0]
+    turn = stem[-1] - stem[0]
+    assert math.degrees(math.atan2(turn.imag, turn.real)) == pytest.approx(75)
+    x0, y0, x1, y1 = lettering.box(text, 5.0, slant=True)
+    for z in (z for line in slanted for z in line):
+        assert x0 + 0.25 - 1e-9 <= z.real <= x1 - 0.25 + 1e-9
+        assert y0 + 0.25 - 1e-9 <= z.imag <= y1 - 0.25 + 1e-9
+
+
+def test_gaps_of_letters_and_words() -> None:
+    def gap(pair: str) -> float:
+        return lettering.width(pair, 10.0) - sum(lettering.width(c, 10.0) for c in pair if c != " ")
+
+    assert [gap(pair) for pair in ("НН", "ол", "11", "17")] == pytest.approx([2.0] * 4)
+    assert [gap(pair) for pair in ("ГА", "ТА", "AV", "LT", "м²")] == pytest.approx([1.0] * 5)
+    assert [gap(pair) for pair in ("Н Н", "Г А")] == pytest.approx([6.0] * 2)
+    assert lettering.width("Н\u00a0Н", 10.0) == lettering.width("Н Н", 10.0)
+    assert gap(" Н ") == pytest.approx(0.0)
+
+
+def test_a_missing_character_is_an_open_box_and_nothing_is_no_ink() -> None:
+    (frame,) = lettering.strokes("漢", 5.0)
+    assert frame[0] == frame[-1] and len(set(frame)) == 4
+    assert lettering.strokes(" ", 5.0) == lettering.strokes("", 5.0) == ()
+    assert lettering.width("", 5.0) == 0.0
+    assert lettering.box("", 5.0) == (0.0, 0.0, 0.0, 0.0)
+    assert lettering.missing("a\n\t b") == ""
+
+
+@pytest.mark.parametrize("height", [0.0, -1.0, math.nan, math.inf])
+def test_a_height_must_be_positive(height: float) -> None:
+    with pytest.raises(ValueError, match="letter height"):
+        lettering.strokes("A", height)
