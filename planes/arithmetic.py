@@ -61,7 +61,9 @@ class One:
         return float((x > 0) - (x < 0))
 
     def power(self, x: float, n: int) -> float:
-        return x**n if n >= 0 else 1 / x**-n
+        if n >= 0:
+            return float(x**n)
+        return 1 / x**-n if x else math.nan
 
 
 class Many:

@@ -51,11 +51,18 @@ def _said(choice: Choice, mechanism: Mechanism) -> tuple[str, Assembly | None]:
     """What the scene says of this group: under its own key, or ``near`` under any point of it."""
     if choice.key in mechanism.assembly:
         return choice.key, mechanism.assembly[choice.key]
-    points = {p for link in choice.group.links for p in mechanism.links[link].points}
+    points = _new_points(choice.group, mechanism)
     for key, said in mechanism.assembly.items():
         if key in points and (said.near is not None or choice.group.inner.point == key):
             return key, said
     return choice.key, None
+
+
+def _new_points(group: Group, mechanism: Mechanism) -> list[str]:
+    """Points that move with the choice: those of the group's links but the hinges it hangs on."""
+    outer = {group.first_outer.point, group.last_outer.point}
+    points = [p for link in (group.last, group.first) for p in mechanism.links[link].points]
+    return [p for p in dict.fromkeys(points) if p not in outer]
 
 
 def _places(draft: Draft, program: Program, choice: Choice, point: str) -> list[tuple[float, complex]]:
@@ -77,7 +84,7 @@ def _nearer(
 ) -> float:
     point = key
     if at("position", point) not in draft.steps:  # keyed by the guide: judge by a point that moves with the choice
-        point = _telling_point(choice, mechanism)
+        point = next(iter(_new_points(choice.group, mechanism)), key)
     places = _places(draft, program, choice, point)
     if not places:
         try:
@@ -94,14 +101,6 @@ def _nearer(
             file, mechanism.where.get(("assembly", key)),
         )  # fmt: skip
     return min(places, key=lambda found: abs(found[1] - near))[0]
-
-
-def _telling_point(choice: Choice, mechanism: Mechanism) -> str:
-    """A point of the guide's link away from its outer hinge, or the slider's: it moves with the choice."""
-    g = choice.group
-    outer = {g.first_outer.point, g.last_outer.point}
-    points = [p for link in (g.last, g.first) for p in mechanism.links[link].points]
-    return next((p for p in points if p not in outer), points[0])
 
 
 def _question(draft: Draft, program: Program, choice: Choice) -> str:

@@ -146,7 +146,7 @@ class Bodies:
         if offset is None:
             return first
         direction = self.draft.turn(f"∥{pair.guide}", body.axis, -self._slide_angle(pair))
-        return self.shifted(f"{body.link.first_point}°", first, direction, -offset)
+        return self.shifted(f"{body.link.first_point}⊥{pair.guide}", first, direction, -offset)
 
 
 def difference(a: float | None, b: float | None) -> float | None:

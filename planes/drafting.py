@@ -16,6 +16,8 @@ from planes.wording import ProgramError
 
 POLE = "p"
 
+_READ_BY_NAME = ("v_", "vq_", "omega", "epsilon")  # values other modules find by their names
+
 
 def at(plan: str, label: str) -> str:
     """Full name of a mark: the plan it is on and its label there."""
@@ -64,15 +66,15 @@ class Draft:
 
     def give(self, name: str, value: Any) -> str:
         """State a given value (SI, degrees, ±1) or place (complex, m); a name taken by another is primed."""
-        while self.given.setdefault(name, value) != value:
+        while name in self.steps or self.given.setdefault(name, value) != value:
             name += "′"
         return name
 
     def step(self, step: Step) -> str:
         """Add a step, unless it is there already; a direction or value named as another one is primed."""
-        while self.steps.setdefault(step.makes, step) != step:
-            if step.kind == "mark":
-                raise ProgramError(f"two marks of the drawing would both be named {step.makes}; rename one point")
+        while step.makes in self.given or self.steps.setdefault(step.makes, step) != step:
+            if step.kind == "mark" or step.makes.startswith(_READ_BY_NAME):
+                raise ProgramError(f"two things of the drawing would both be named {step.makes}; rename one point")
             step = replace(step, makes=step.makes + "′")
         return step.makes
 
@@ -196,6 +198,5 @@ class Draft:
 
 
 def mu_of(plan: str) -> str:
-    """Name of the scale of a plan: the turned and the unit-motion plans have the velocity plan's."""
-    kind = plan.partition(":")[0]
-    return "mu_" + {"lever": "velocity", "motion": "motion"}.get(kind, kind)
+    """Name of the scale of a plan: every plan has its own (mm per SI unit)."""
+    return f"mu_{plan}"

@@ -38,7 +38,7 @@ def _place_driver(b: Bodies) -> None:
         return
     mark, direction = b.line(pair, FRAME)
     first = link.first_point
-    start = b.shifted(f"{first}°", mark, direction, b.offset(pair, link.name, first))
+    start = b.shifted(f"{first}°s", mark, direction, b.offset(pair, link.name, first))
     b.draft.lay_off(SCHEME, first, start, direction, b.draft.give("s", drive.position))
     axis = b.axis_along(pair, link.name, direction)
     b.place_points(Body(link, Spot(first, first), axis, FRAME))
@@ -139,7 +139,10 @@ def _place_rpr(b: Bodies, g: Group) -> None:
 def moving_name(b: Bodies, guide: str, point: str, link: str) -> str:
     """Name of the point of ``link`` that coincides with ``point``: the letter the guide gives it, or "H2"."""
     mark = b.mechanism.guide(guide).mark if b.mechanism.owner(guide) == link else None
-    return mark or f"{point}{link}"
+    if mark:
+        return mark
+    taken = any(f"{point}{link}" in x.points for x in (b.mechanism.frame, *b.mechanism.links.values()))
+    return f"{point}_{link}" if taken else f"{point}{link}"
 
 
 def _place_prp(b: Bodies, g: Group) -> None:

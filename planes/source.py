@@ -83,6 +83,8 @@ def read(path: str | Path) -> str:
             raise SceneError("this is not an ordinary file", name)
         with open(path, "rb") as stream:
             data = stream.read(MAX_BYTES + 1)
+    except SceneError:
+        raise
     except FileNotFoundError:
         raise SceneError("there is no such file", name) from None
     except (OSError, ValueError) as error:
@@ -179,11 +181,13 @@ class _Builder:
 
     def _refuse_marks(self, event: yaml.NodeEvent) -> None:
         if isinstance(event, yaml.AliasEvent):
-            raise self.error(f"the alias *{_brief(event.anchor or '')} is not allowed; write the value out", self.line)
+            name = _brief(event.anchor or "")
+            raise self.error(f"the alias *{name} is not allowed; write the value out", self.line)
         if event.anchor is not None:
             raise self.error(f"the anchor &{_brief(event.anchor)} is not allowed; remove it", self.line)
         if (tag := getattr(event, "tag", None)) is not None:
-            raise self.error(f"the tag {_brief(tag.replace('tag:yaml.org,2002:', '!!'))} is not allowed; remove it", self.line)
+            short = _brief(tag.replace("tag:yaml.org,2002:", "!!"))
+            raise self.error(f"the tag {short} is not allowed; remove it", self.line)
 
     def _node(self, event: yaml.NodeEvent) -> None:
         if isinstance(event, yaml.ScalarEvent):

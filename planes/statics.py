@@ -293,13 +293,13 @@ class _DriverForces:
         guide = f"∥{self.pair.guide}"
         normal = self.d.square(f"⊥{guide}", guide)
         reaction = Term(key, start, key, None, normal, normal)
-        force = Term(f"F_{self.link}", POLE, key, None, guide, guide, False, -1)
+        force = Term(f"Fb_{self.link}", POLE, key, None, guide, guide, False, -1)
         equation = Equation(self.plan, ((*terms, reaction), (force,)))
         if self.pair.guide in self.b.mechanism.friction:
             meet_with_friction(self.s, self.plan, [reaction, force], key, [self.pair])
             self.d.conclude(equation)
         else:
             self.d.draw(equation)
-        self.s.balancing = f"F_{self.link}"
+        self.s.balancing = force.name
         found = self.s.react(self.pair, self.plan, at(self.plan, start), at(self.plan, key))
         self.s.seat(found, self.link, self.b.foot(self.pair), self.forces, self.couples)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from difflib import get_close_matches
+from itertools import islice
 
 from planes.words import Lang, say
-from itertools import islice
 
 
 class PlanesError(Exception):
@@ -72,8 +72,9 @@ def shown(text: str, limit: int = 60) -> str:
 def choices(given: str, names: Iterable[str], what: str = "valid", limit: int = 40) -> str:
     """``valid_names`` for lists of any length, of names of any length: bounded in time and in words."""
     known = [name for name in islice(names, 2000) if len(name) <= limit]
-    if len(known) <= limit or len(given) > limit:
-        return valid_names(given[:limit], known[:limit], what)
-    near = get_close_matches(given, known, n=1)
-    first = [*near, *(name for name in known[:12] if name not in near)]
-    return valid_names(given, first, f"{what} (some of them)")
+    if not known:
+        return ""
+    near = get_close_matches(given[:limit], known, n=1, cutoff=0.5)
+    if len(known) > limit:
+        what, known = f"{what} (some of them)", [*near, *(name for name in known[:12] if name not in near)]
+    return f"; {what}: {', '.join(known)}" + (f"; did you mean {near[0]}?" if near else "")

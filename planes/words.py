@@ -67,6 +67,12 @@ WORDS: dict[str, tuple[str, str]] = {
         "{makes}: линии встречаются под углом {angle_deg}° (меньше 15°), чертёж здесь неточен",
         "{makes}: the lines meet at {angle_deg}° (less than 15°), a drawing is inaccurate here",
     ),
+    "plan_position": ("план положения", "position plan"),
+    "plan_velocity": ("план скоростей", "velocity plan"),
+    "plan_motion": ("план аналогов скоростей", "velocity plan of a unit drive"),
+    "plan_acceleration": ("план ускорений", "acceleration plan"),
+    "plan_force": ("план сил звеньев {links}", "force plan of links {links}"),
+    "plan_lever": ("рычаг Жуковского", "Zhukovsky's lever"),
     "at": ("при {name} = {value}: ", "at {name} = {value}: "),
 }
 

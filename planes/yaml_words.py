@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 _PROBLEMS = (
-    ("could not find expected ':'", "a ':' is missing here or in the line before"),
+    ("could not find expected ':'", "a ':' is missing after a key"),
     ("mapping values are not allowed", "a second ':' in one value, or wrong indentation; put such a text in quotes"),
     ("expected ',' or ']'", "a list [ ] is not closed, or a comma between its items is missing"),
     ("expected ',' or '}'", "a table { } is not closed, or a comma between its items is missing"),
@@ -20,6 +20,8 @@ _PROBLEMS = (
     ("did not find expected node content", "a value is missing here"),
     ("unexpected ':'", "a ':' cannot stand here; put such a text in quotes"),
 )
+
+_AT_START = ("a ':' is missing", "a list [ ]", "a table { }", "a quote")  # the line where it began tells more
 
 
 def explained(error: Any, text: str) -> tuple[str, int | None]:
@@ -37,6 +39,6 @@ def explained(error: Any, text: str) -> tuple[str, int | None]:
         return f"a value cannot begin with {char}; put it in quotes", mark.line + 1
     for piece, words in _PROBLEMS:
         if piece in problem:
-            start = context if context is not None and "is not closed" in words else mark
+            start = context if context is not None and words.startswith(_AT_START) else mark
             return words, start.line + 1
     return f"not valid YAML: {problem}", mark.line + 1

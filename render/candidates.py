@@ -45,14 +45,18 @@ class Candidates:
     wish: Any
     leaders: Any
 
+    def some(self, rows: slice) -> Candidates:
+        """The candidates of those rows."""
+        return Candidates(self.boxes[rows], self.wish[rows], self.leaders[rows])
+
 
 def beside(label: Named, extent: Sequence[float], gaps: Sequence[float]) -> Candidates:
     """Places right beside what the label names."""
     width, height = extent[2] - extent[0], extent[3] - extent[1]
     rows = (
-        _around(label.at, label, width, height, gaps, _DIRECTIONS)
-        if isinstance(label.at, complex)
-        else _along(label.at, label, width, height, gaps)
+        _along(label.at, label, width, height, gaps)
+        if isinstance(label.at, tuple)
+        else _around(label.at, label, width, height, gaps, _DIRECTIONS)
     )
     middles, wish = (np.array(column) for column in zip(*rows, strict=True))
     return Candidates(_boxes(middles, width, height), wish, np.full((len(rows), 2), np.nan, dtype=complex))
@@ -61,13 +65,13 @@ def beside(label: Named, extent: Sequence[float], gaps: Sequence[float]) -> Cand
 def far_off(label: Named, extent: Sequence[float], gaps: Sequence[float]) -> Candidates:
     """Places farther away, each with a leader line to the point or the middle of the segment."""
     width, height = extent[2] - extent[0], extent[3] - extent[1]
-    at = label.at if isinstance(label.at, complex) else (label.at[0] + label.at[1]) / 2
+    at = (label.at[0] + label.at[1]) / 2 if isinstance(label.at, tuple) else label.at
     rows = _around(at, label, width, height, gaps, _ROUND)
     middles, wish = (np.array(column) for column in zip(*rows, strict=True))
     boxes = _boxes(middles, width, height)
     near = np.clip(at.real, boxes[:, 0], boxes[:, 2]) + 1j * np.clip(at.imag, boxes[:, 1], boxes[:, 3])
     toward = (near - at) / abs(near - at)
-    free = max(label.clear, 0.6) if isinstance(label.at, complex) else 0.0
+    free = 0.0 if isinstance(label.at, tuple) else max(label.clear, 0.6)
     return Candidates(boxes, wish + _LED, np.stack([near - 0.6 * toward, at + free * toward], axis=1))
 
 
@@ -83,19 +87,13 @@ def union(one: Candidates, other: Candidates) -> Candidates:
 def own_distance(candidates: Candidates, at: complex | tuple[complex, complex]) -> Any:
     """Distance in mm of each box from the point, or from the line of the segment, that it names."""
     x0, y0, x1, y1 = candidates.boxes.T
-    if isinstance(at, complex):
+    if not isinstance(at, tuple):
         dx = np.maximum(np.maximum(x0 - at.real, at.real - x1), 0)
         return np.hypot(dx, np.maximum(np.maximum(y0 - at.imag, at.imag - y1), 0))
     along = _direction(at)
-    across = abs(((x0 + x1 + 1j * (y0 + y1)) / 2 - at[0]) / along * 1j).real if False else _across(candidates, at)
-    return across
-
-
-def _across(candidates: Candidates, at: tuple[complex, complex]) -> Any:
-    x0, y0, x1, y1 = candidates.boxes.T
-    along = _direction(at)
-    far = np.abs((((x0 + x1) + 1j * (y0 + y1)) / 2 - at[0]) * along.conjugate().real)
-    return far
+    across = (((x0 + x1) + 1j * (y0 + y1)) / 2 - at[0]) * along.conjugate()
+    reach = (abs(along.imag) * (x1 - x0) + abs(along.real) * (y1 - y0)) / 2
+    return np.maximum(np.abs(across.imag) - reach, 0)
 
 
 def _direction(ends: tuple[complex, complex]) -> complex:
@@ -144,7 +142,7 @@ def _along(
 
 
 def crossed(boxes: Any, lines: Any) -> Any:
-    """Whether segments (…, 2; complex) pass through boxes (…, 4), by broadcasting; NaN passes through nothing."""
+    """Whether segments (…, 2; complex) pass through boxes (…, 4), by broadcasting; NaN through none."""
     start, span = lines[..., 0], lines[..., 1] - lines[..., 0]
     enter, leave = np.zeros(np.broadcast_shapes(start.shape, boxes.shape[:-1])), 1.0
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -91,7 +91,9 @@ def _left(points: Sequence[complex], region: Any) -> list[Piece]:
 
 def _without(mark: Line | Arc | Arrow | Hatch, region: Any) -> list[Mark]:
     if isinstance(mark, Line):
-        return [Line(piece, mark.style, mark.layer) for piece in _joined(_left(_track(mark), region), mark.closed)]
+        return [
+            Line(piece, mark.style, mark.layer) for piece in _joined(_left(_track(mark), region), mark.closed)
+        ]
     if isinstance(mark, Arc):
         return _arc_pieces(mark, region)
     if isinstance(mark, Arrow):
@@ -113,7 +115,9 @@ def _arc_pieces(arc: Arc, region: Any) -> list[Mark]:
     for piece in pieces:
         start, end = (math.degrees(cmath.phase(z - arc.centre)) for z in (piece[0], piece[-1]))
         start = arc.start_deg + (start - arc.start_deg + 1e-6) % 360 - 1e-6
-        found.append(replace(arc, start_deg=start, end_deg=start + ((end - start) % 360 or 360.0), fill="none"))
+        found.append(
+            replace(arc, start_deg=start, end_deg=start + ((end - start) % 360 or 360.0), fill="none")
+        )
     return found
 
 

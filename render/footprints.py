@@ -29,7 +29,7 @@ class Ink:
     owners: tuple[int, ...]
 
     def within(self, areas: Any, clear: float) -> Any:
-        """Pairs (number of the area, number of the shape) with less than ``clear`` mm between area and ink."""
+        """Pairs (number of the area, number of the shape) with less than ``clear`` mm between them."""
         most = float(self.halves.max(initial=0.0))
         tree = shapely.STRtree(self.shapes)
         pairs = tree.query(areas, predicate="dwithin", distance=clear + most)
@@ -142,8 +142,8 @@ def _outside(labels: Sequence[Text], others: Sequence[Mark], field: Bounds | Non
     marks = (*labels, *others)
     inked = ink(marks)
     bounds = shapely.bounds(inked.shapes) + np.outer(inked.halves, [-1, -1, 1, 1])
-    inside = (bounds[:, :2] >= np.array(field[:2]) - _TOUCH_MM) & (bounds[:, 2:] <= np.array(field[2:]) + _TOUCH_MM)
-    beyond = sorted({inked.owners[k] for k in np.flatnonzero(~inside.all(axis=1))})
+    out = (bounds - np.array(field)) * np.array([-1, -1, 1, 1]) > _TOUCH_MM
+    beyond = sorted({inked.owners[k] for k in np.flatnonzero(out.any(axis=1))})
     return [Conflict("field", described(marks[k]), "field", _first(marks[k])) for k in beyond]
 
 

@@ -22,7 +22,8 @@ Polyline = tuple[complex, ...]
 def checked(marks: Iterable[Mark], size_mm: tuple[float, float]) -> tuple[Mark, ...]:
     """The marks, once all of their numbers and the size of the sheet in mm are found to be finite."""
     if not all(0 < side < math.inf for side in size_mm):
-        raise ValueError(f"a sheet of {size_mm[0]} × {size_mm[1]} mm cannot be drawn: both sides must be above 0")
+        sides = f"{size_mm[0]} × {size_mm[1]} mm"
+        raise ValueError(f"a sheet of {sides} cannot be drawn: both sides must be above 0")
     marks = tuple(marks)
     for number, mark in enumerate(marks, start=1):
         bad = [value for value in _numbers(mark) if not cmath.isfinite(value)]
@@ -30,8 +31,8 @@ def checked(marks: Iterable[Mark], size_mm: tuple[float, float]) -> tuple[Mark, 
             name = getattr(mark, "name", "") or (mark.text if isinstance(mark, Text) else "")
             called = f" {name!r}" if name else ""
             raise ValueError(
-                f"mark {number}, {type(mark).__name__}{called} on layer {mark.layer!r}, holds {bad[0]}, which is "
-                "not a place on paper; the position it was drawn from has probably failed"
+                f"mark {number}, {type(mark).__name__}{called} on layer {mark.layer!r}, holds {bad[0]}, "
+                "which is not a place on paper; the position it was drawn from has probably failed"
             )
     return marks
 

@@ -26,6 +26,8 @@ AMBIGUOUS = 8.0  # cost of standing nearer to another label's point than to its 
 CROSSING = 4.0  # cost of a leader's crossing with a stroke
 CLEAR_MM = 0.5  # least distance of a label from ink and from labels
 ROOM_MM = 1.3
+APART_MM = 4.0  # labels side by side read as one when they stand closer than this
+READ_AS_ONE = 3.0  # cost of it
 _SWEEPS = 8
 
 
@@ -121,7 +123,7 @@ class _Board:
 
     def _strays(self, k: int) -> Any:
         """Which candidates of label k stand nearer to the point of another label than to their own."""
-        others = [z.at for j, z in enumerate(self.labels) if j != k and isinstance(z.at, complex)]
+        others = [z.at for j, z in enumerate(self.labels) if j != k and not isinstance(z.at, tuple)]
         points = np.array([z for z in others if z != self.labels[k].at], dtype=complex)
         if not len(points):
             return np.zeros(len(self.options[k].wish), dtype=bool)
@@ -137,11 +139,12 @@ class _Board:
         for k in order:
             self._take(k, int(np.argmin(self.costs(k))))
 
-    def costs(self, k: int) -> Any:
-        """What every candidate of label k costs among the present places of the others."""
-        option = self.options[k]
+    def costs(self, k: int, rows: slice = slice(None)) -> Any:
+        """What the candidates of label k (or those ``rows``) cost among the present places of the others."""
+        option = self.options[k].some(rows)
         taken = np.delete(self.boxes, k, axis=0)
         blocked = _overlaps(option.boxes, taken).sum(axis=1).astype(float)
+        close = _overlaps(option.boxes, taken, APART_MM).sum(axis=1)
         leaders = np.delete(self.leaders, k, axis=0)
         leaders = leaders[~np.isnan(leaders[:, 0])]
         if len(leaders):
@@ -149,7 +152,7 @@ class _Board:
         led = np.flatnonzero(~np.isnan(option.leaders[:, 0]))
         if len(led):
             blocked[led] += crossed(taken[None, :, :], option.leaders[led][:, None, :]).sum(axis=1)
-        return self.static[k] + HARD * blocked
+        return self.static[k][rows] + HARD * blocked + READ_AS_ONE * (close > 0)
 
     def _take(self, k: int, option: int) -> None:
         self.chosen[k] = option
@@ -158,7 +161,8 @@ class _Board:
 
     def unhappy(self) -> list[int]:
         """The labels that overlap something now."""
-        return [k for k in range(len(self.labels)) if self.costs(k)[self.chosen[k]] >= HARD]
+        rows = [slice(chosen, chosen + 1) for chosen in self.chosen]
+        return [k for k in range(len(self.labels)) if self.costs(k, rows[k])[0] >= HARD]
 
     def repair(self) -> None:
         """Move what overlaps to its cheapest place, or push the labels in the way aside."""
@@ -201,20 +205,22 @@ class _Board:
         """The chosen places as marks."""
         texts, leaders = [], []
         for k, label in enumerate(self.labels):
-            x0, y0, _, _ = self.extents[k]
-            left, base = float(self.boxes[k, 0]), float(self.boxes[k, 1]) - y0
-            texts.append(Text(label.text, complex(left, base), label.height, layer=label.layer, name=label.name))
+            base = complex(self.boxes[k, 0], self.boxes[k, 1] - self.extents[k][1])
+            texts.append(Text(label.text, base, label.height, layer=label.layer, name=label.name))
             if not math.isnan(self.leaders[k, 0].real):
                 leaders.append(Line(tuple(complex(z) for z in self.leaders[k]), "thin", label.layer))
         return Placed(tuple(texts), tuple(leaders))
 
 
-def _overlaps(boxes: Any, others: Any) -> Any:
-    """Which boxes (rows) come nearer than CLEAR_MM to which others (columns); unplaced ones to none."""
+def _overlaps(boxes: Any, others: Any, beside: float = CLEAR_MM) -> Any:
+    """Which boxes (rows) come near which others (columns): ``beside`` mm sideways and CLEAR_MM in height.
+
+    Labels without a place yet come near nothing.
+    """
     a, b = boxes[:, None, :], others[None, :, :]
     return (
-        (a[..., 0] < b[..., 2] + CLEAR_MM)
-        & (b[..., 0] < a[..., 2] + CLEAR_MM)
+        (a[..., 0] < b[..., 2] + beside)
+        & (b[..., 0] < a[..., 2] + beside)
         & (a[..., 1] < b[..., 3] + CLEAR_MM)
         & (b[..., 1] < a[..., 3] + CLEAR_MM)
     )

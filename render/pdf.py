@@ -41,7 +41,12 @@ def write(
 
 
 def write_pages(
-    pages: Iterable[Page], title: str, path: str | Path | None = None, *, description: str = "", lang: str = "ru"
+    pages: Iterable[Page],
+    title: str,
+    path: str | Path | None = None,
+    *,
+    description: str = "",
+    lang: str = "ru",
 ) -> bytes:
     """Several sheets (marks and width × height in mm) as one PDF file."""
     from reportlab.pdfgen.canvas import Canvas
@@ -128,7 +133,11 @@ class _Page:
         self.canvas.setLineCap(_BUTT if dashes else _ROUND)
 
     def _stroke(
-        self, lines: Iterable[Sequence[complex]], style: str, dashes: Sequence[float] = (), closed: bool = False
+        self,
+        lines: Iterable[Sequence[complex]],
+        style: str,
+        dashes: Sequence[float] = (),
+        closed: bool = False,
     ) -> None:
         self._set(pen(style).width, pen(style).colour, dashes)
         self.canvas.drawPath(self._path(lines, closed), stroke=1, fill=0)

@@ -38,7 +38,17 @@ PENS: dict[str, Pen] = {
 }
 
 LAYERS: tuple[Layer, ...] = (
-    "construction", "axis", "hatch", "table", "dimension", "frame", "scheme", "plan", "force", "result", "text",
+    "construction",
+    "axis",
+    "hatch",
+    "table",
+    "dimension",
+    "frame",
+    "scheme",
+    "plan",
+    "force",
+    "result",
+    "text",
 )
 """The layers from the lowest to the topmost: a paper-white disc hides only what lies beneath it."""
 

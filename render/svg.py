@@ -62,7 +62,7 @@ class _Sheet:
                 for element in self._elements(mark):
                     group.add(element)
             self.svg.add(group)
-        return ('<?xml version="1.0" encoding="UTF-8"?>\n' + self.svg.tostring() + "\n").encode()
+        return f'<?xml version="1.0" encoding="UTF-8"?>\n{self.svg.tostring()}\n'.encode()
 
     def _elements(self, mark: Mark) -> list[Any]:
         if isinstance(mark, Line):
@@ -111,7 +111,8 @@ class _Sheet:
     def _arrow(self, arrow: Arrow) -> Any:
         group = self.svg.g(**({"data-name": arrow.name} if arrow.name else {}))
         shaft, head = arrow_parts(arrow)
-        group.add(self._stroke(self._path([shaft]), arrow.style, fitted(pen(arrow.style).pattern, length_mm(shaft))))
+        dashes = fitted(pen(arrow.style).pattern, length_mm(shaft))
+        group.add(self._stroke(self._path([shaft]), arrow.style, dashes))
         if head:
             group.add(self._filled(head, pen(arrow.style).colour))
         return group
@@ -133,6 +134,7 @@ class _Sheet:
         )
         for run in laid.runs:
             size = number(run.height / CAPITALS)
-            real.add(self.svg.tspan(run.text, x=[number(run.at.real)], y=[number(-run.at.imag)], font_size=size))
+            x, y = number(run.at.real), number(-run.at.imag)
+            real.add(self.svg.tspan(run.text, x=[x], y=[y], font_size=size))
         group.add(real)
         return [group]

@@ -72,7 +72,9 @@ def fixed_hinge(at: complex, angle_deg: float = 0, leg: float = LEG_MM, radius: 
     return (*base(foot, angle_deg), *legs, *hinge(at, radius))
 
 
-def block(at: complex, angle_deg: float = 0, hinged: bool = False, size: tuple[float, float] = BLOCK_MM) -> Marks:
+def block(
+    at: complex, angle_deg: float = 0, hinged: bool = False, size: tuple[float, float] = BLOCK_MM
+) -> Marks:
     """A slider centred on its guide; ``hinged`` puts a hinge in its middle at once."""
     along = unit(angle_deg)
     long, wide = size
@@ -163,7 +165,7 @@ def turn_arrow(
 
 
 def angle_arc(centre: complex, radius: float, start_deg: float, end_deg: float, heads: int = 1) -> Marks:
-    """A dimension arc of an angle, counter-clockwise, with a head at its end (1), at both ends (2) or none."""
+    """A dimension arc of an angle, counter-clockwise, with a head at its end (1), at both (2) or none."""
     if heads == 0:
         return (Arc(centre, radius, start_deg, end_deg, "thin", "dimension"),)
     half = (start_deg + end_deg) / 2 if heads == 2 else start_deg
@@ -180,5 +182,6 @@ def force(
     Its near end stays ``clear`` mm away from the point: the radius of a hinge, if there is one.
     """
     way = unit(angle_deg)
-    near, far = (point - clear * way, point - length * way) if at_tip else (point + clear * way, point + length * way)
-    return (Arrow(*((far, near) if at_tip else (near, far)), "thick", "force", name),)
+    if at_tip:
+        return (Arrow(point - length * way, point - clear * way, "thick", "force", name),)
+    return (Arrow(point + clear * way, point + length * way, "thick", "force", name),)

@@ -108,8 +108,9 @@ def _parts(text: str) -> list[_Part]:
         elif filled:
             found.append(_Part(""))
         found[-1] = (
-            _Part(found[-1].base, index, found[-1].upper) if kind == "_" else
-            _Part(found[-1].base, found[-1].lower, index)
+            _Part(found[-1].base, index, found[-1].upper)
+            if kind == "_"
+            else _Part(found[-1].base, found[-1].lower, index)
         )
         rest = match.end()
     if text[rest:]:

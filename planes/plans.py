@@ -40,7 +40,7 @@ class LinkValues:
 
 
 @dataclass(frozen=True)
-class Statement:
+class Plans:
     """A mechanism stated: the whole program and the names of what is measured on it."""
 
     mechanism: Mechanism
@@ -61,12 +61,18 @@ class Statement:
     at_rest: bool
 
     @property
-    def plans(self) -> tuple[str, ...]:
+    def drive_given(self) -> str:
+        """Name of the given that moves the driver: its angle in degrees, or s in m."""
+        drive = self.mechanism.drive
+        return f"angle_x_{drive.link}" if drive.kind == "phi" else "s"
+
+    @property
+    def drawn(self) -> tuple[str, ...]:
         """Plans in the order they are drawn: position, velocity, acceleration, force:2-3, …, force:1."""
         return tuple(dict.fromkeys(s.makes.rpartition(":")[0] for s in self.program.steps if s.kind == "mark"))
 
 
-def state(mechanism: Mechanism, file: str = "") -> Statement:
+def state(mechanism: Mechanism, file: str = "") -> Plans:
     """State every plan of a mechanism. :class:`StructureError` or :class:`SceneError` where it cannot be done."""
     structure = analyse(mechanism, file)
     draft = Draft()
@@ -88,7 +94,7 @@ def state(mechanism: Mechanism, file: str = "") -> Statement:
     zhukovsky = draw_lever(statics)
     links = {name: _link_values(draft, body, velocity, acceleration) for name, body in bodies.known.items()}
     points = {p: _point_marks(p, velocity, acceleration) for p in _points(mechanism)}
-    return Statement(
+    return Plans(
         mechanism, structure, Program(tuple(draft.steps.values())), draft.given, tuple(draft.equations),
         tuple(draft.moments), tuple(dict.fromkeys(draft.segments)), points, links, velocity.slides,
         acceleration.slides, statics.reactions, statics.balancing, zhukovsky, acting, at_rest,
@@ -113,6 +119,6 @@ def _link_values(draft: Draft, body: Body, velocity: Rates, acceleration: Rates)
     return LinkValues(angle, velocity.spin(body.root), acceleration.spin(body.root))
 
 
-def sliced(statement: Statement, wanted: list[str]) -> Statement:
-    """The statement with a program that draws only what leads to the wanted names."""
-    return replace(statement, program=statement.program.sliced(wanted))
+def sliced(plans: Plans, wanted: list[str]) -> Plans:
+    """The same plans with a program that draws only what leads to the wanted names."""
+    return replace(plans, program=plans.program.sliced(wanted))
