@@ -30,7 +30,8 @@ def resolve(draft: Draft, choices: list[Choice], mechanism: Mechanism, file: str
         key, said = _said(choice, mechanism)
         words = WORDS_OF_KIND[choice.group.kind]
         if said is None:
-            raise SceneError(_question(draft, program, choice), file, mechanism.where.get(("assembly",), _line(mechanism)))
+            line = mechanism.where.get(("assembly",), mechanism.where.get(("links",)))
+            raise SceneError(_question(draft, program, choice), file, line)
         if said.near is not None:
             draft.given[choice.side] = _nearer(draft, program, choice, key, said.near, mechanism, file)
         elif said.order in words:
@@ -41,10 +42,6 @@ def resolve(draft: Draft, choices: list[Choice], mechanism: Mechanism, file: str
                 f"{', '.join(choice.group.links)}); valid: {words[0]}, {words[1]} or {{near: [x, y]}}",
                 file, mechanism.where.get(("assembly", key)),
             )  # fmt: skip
-
-
-def _line(mechanism: Mechanism) -> int | None:
-    return mechanism.where.get(("links",))
 
 
 def _said(choice: Choice, mechanism: Mechanism) -> tuple[str, Assembly | None]:

@@ -115,6 +115,8 @@ class Reader:
         for q in chosen:
             if q.path[0] != "plans":
                 self._put(out, q.path)
+        for link, found in out.get("slides", {}).items():
+            out["slides"][link] = {"guide": self.st.velocity_slides[link].guide, **found}
         return out
 
     def _put(self, out: dict[str, Any], path: tuple[str, ...]) -> None:

@@ -32,7 +32,7 @@ def scales(
     fixed = {p: said.get(kind_of(p)) for p in plans.drawn if p != "lever"}
     chosen = {mu_of(p): mu for p, mu in fixed.items() if mu}
     if len(chosen) < len(fixed):
-        drawing = run(plans.program, {**plans.given, **unit_scales(statement), **(given or {})})
+        drawing = run(plans.program, {**plans.given, **unit_scales(plans), **(given or {})})
         for plan in fixed:
             if mu_of(plan) not in chosen:
                 size, fit = extent(drawing, plan), fit_mm[kind_of(plan)]

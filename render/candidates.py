@@ -9,6 +9,7 @@ import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import reduce
 from typing import Any, Protocol
 
 import numpy as np
@@ -63,15 +64,23 @@ def beside(label: Named, extent: Sequence[float], gaps: Sequence[float]) -> Cand
 
 
 def far_off(label: Named, extent: Sequence[float], gaps: Sequence[float]) -> Candidates:
-    """Places farther away, each with a leader line to the point or the middle of the segment."""
+    """Places farther away, each with a leader line to the point or to one of three places of the segment."""
+    if not isinstance(label.at, tuple):
+        return _led(label.at, label, extent, gaps, max(label.clear, 0.6))
+    start, end = label.at
+    return reduce(union, [_led(start + t * (end - start), label, extent, gaps, 0.0) for t in (0.5, 0.3, 0.7)])
+
+
+def _led(
+    at: complex, label: Named, extent: Sequence[float], gaps: Sequence[float], free: float
+) -> Candidates:
+    """Places around a point with leader lines that end ``free`` mm before it."""
     width, height = extent[2] - extent[0], extent[3] - extent[1]
-    at = (label.at[0] + label.at[1]) / 2 if isinstance(label.at, tuple) else label.at
     rows = _around(at, label, width, height, gaps, _ROUND)
     middles, wish = (np.array(column) for column in zip(*rows, strict=True))
     boxes = _boxes(middles, width, height)
     near = np.clip(at.real, boxes[:, 0], boxes[:, 2]) + 1j * np.clip(at.imag, boxes[:, 1], boxes[:, 3])
     toward = (near - at) / abs(near - at)
-    free = 0.0 if isinstance(label.at, tuple) else max(label.clear, 0.6)
     return Candidates(boxes, wish + _LED, np.stack([near - 0.6 * toward, at + free * toward], axis=1))
 
 

@@ -1,0 +1,29 @@
+"""Ranges of the drive's value as a person writes them: "30", "0:360:30", "-90"."""
+
+from __future__ import annotations
+
+import math
+
+from planes.wording import SceneError
+
+MOST = 10_000_000
+
+
+def read_range(text: str, option: str = "--phi") -> list[float]:
+    """The values of "a", or of "a:b:step" with b included when it falls on it."""
+    parts = text.split(":")
+    try:
+        numbers = [float(p.replace("−", "-")) for p in parts]
+    except ValueError:
+        raise SceneError(f"{option} {text!r} is not a number or start:end:step, for example 0:360:30") from None
+    if len(numbers) not in (1, 3) or not all(math.isfinite(n) for n in numbers):
+        raise SceneError(f"{option} {text!r} must be one number or start:end:step, for example 0:360:30")
+    if len(numbers) == 1:
+        return numbers
+    start, end, step = numbers
+    if step == 0 or (end - start) * step < 0:
+        raise SceneError(f"{option} {text!r}: with a step of {step:g} the range never goes from {start:g} to {end:g}")
+    count = math.floor((end - start) / step * (1 + 1e-12) + 1e-9) + 1
+    if count > MOST:
+        raise SceneError(f"{option} {text!r} is {count} positions; at most {MOST} can be drawn at once")
+    return [start + i * step for i in range(count)]

@@ -1,0 +1,139 @@
+"""Solve a scene for one or many values of its drive: what ``planes solve`` prints, as plain dictionaries."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from planes.drafting import mu_of
+from planes.drawing import Drawing, run
+from planes.instruments import Exact, Instrument, Pencil
+from planes.measuring import Quantity, Reader, asked
+from planes.plans import Plans, sliced, state
+from planes.scales import scales
+from planes.scene import Scene
+from planes.words import Lang, say
+from planes.wording import PlanFailure, SceneError
+
+PENCILS = 200  # how many draughtsmen draw a plan to see how far apart they end
+
+
+@dataclass(frozen=True)
+class Position:
+    """One position drawn: the value of the drive, its plans and drawing, scales, and results for JSON."""
+
+    value: float
+    plans: Plans
+    drawing: Drawing
+    scales: Mapping[str, float]
+    results: dict[str, Any]
+
+
+@dataclass
+class Solved:
+    """All positions that came out, and those that did not, each with its sentence."""
+
+    scene: Scene
+    plans: Plans
+    positions: list[Position] = field(default_factory=list)
+    failed: list[dict[str, Any]] = field(default_factory=list)
+
+    def json(self) -> dict[str, Any]:
+        """The object ``planes solve --json`` prints."""
+        out: dict[str, Any] = {
+            "planes": 1,
+            "scene": self.scene.file,
+            "variant": self.scene.variant,
+            "structure": structure_json(self.plans),
+            "positions": [p.results for p in self.positions],
+        }
+        if self.failed:
+            out["failed"] = self.failed
+        return out
+
+
+def structure_json(plans: Plans) -> dict[str, Any]:
+    """W, q, formula and groups as the JSON has them."""
+    s = plans.structure
+    groups = [{"links": list(g.links), "kind": g.kind, "name": g.name} for g in s.groups]
+    return {"W": s.W, "q": s.q, "formula": s.formula, "groups": groups}
+
+
+def plans_of(scene: Scene) -> tuple[Plans, list[Quantity] | None]:
+    """The plans of a scene, cut to what it asks for, and the quantities asked (None: all)."""
+    if scene.mechanism is None:
+        raise SceneError("this scene states vectors and has no mechanism", scene.file, 1)
+    plans = state(scene.mechanism, scene.file)
+    if scene.find is None:
+        return plans, None
+    wanted = asked(plans, scene.find, scene.file)
+    return sliced(plans, [n for q in wanted for n in q.needs]), wanted
+
+
+def solve(
+    scene: Scene, values: Iterable[float] | None = None, instrument: Instrument | None = None, lang: Lang = "en"
+) -> Solved:
+    """Draw and measure every asked position. :class:`SceneError` where the scene itself cannot be meant."""
+    plans, wanted = plans_of(scene)
+    solved = Solved(scene, plans)
+    drive = plans.mechanism.drive
+    for value in [drive.position] if values is None else values:
+        try:
+            solved.positions.append(position(scene, plans, wanted, value, instrument, lang))
+        except PlanFailure as failure:
+            place = say("at", lang, name="φ" if drive.kind == "phi" else "s", value=told(value, drive.kind))
+            solved.failed.append({key_of(plans): value, "error": place + failure.sentence(lang)})
+    return solved
+
+
+def told(value: float, kind: str) -> str:
+    """A value of the drive in words."""
+    return f"{value:.10g}°" if kind == "phi" else f"{value:.10g} m"
+
+
+def key_of(plans: Plans) -> str:
+    """The JSON key of the drive's value."""
+    return "phi_deg" if plans.mechanism.drive.kind == "phi" else "s"
+
+
+def position(
+    scene: Scene, plans: Plans, wanted: list[Quantity] | None, value: float, instrument: Instrument | None, lang: Lang
+) -> Position:
+    """One position drawn at its scales and measured."""
+    moved = {plans.drive_given: value}
+    mus = scales(plans, scene.mu, moved)
+    given = {**plans.given, **mus, **moved}
+    drawing = run(plans.program, given, instrument)
+    reader = Reader(plans, drawing, mus)
+    results: dict[str, Any] = {key_of(plans): value, **reader.results(wanted)}
+    names = None if wanted is None else {n for q in wanted for n in (q.name, q.path[-1])}
+    errors = pencil_errors(plans, given, instrument, reader) if isinstance(instrument, Pencil) else None
+    drawn = reader.plans(names, errors)
+    if drawn or wanted is None:
+        results["plans"] = drawn
+    results["warnings"] = reader.warnings(lang)
+    return Position(value, plans, drawing, mus, results)
+
+
+def pencil_errors(plans: Plans, given: Mapping[str, Any], pencil: Pencil, reader: Reader) -> dict[str, float]:
+    """Standard deviation, in mm, of every segment over many draughtsmen with the same pencil."""
+    import numpy
+
+    crowd = {**given, plans.drive_given: numpy.full(PENCILS, float(given[plans.drive_given]))}
+    drawing = run(plans.program, crowd, pencil)
+    many = Reader(plans, drawing, reader.scales)
+    found = {}
+    for plan in plans.drawn:
+        for key, s in many.plan_segments(plan).items():
+            length = abs(drawing[f"{plan}:{s.end}"] - drawing[f"{plan}:{s.start}"])
+            found[f"{plan}:{key}"] = float(numpy.nanstd(length)) if numpy.ndim(length) else 0.0
+    return found
+
+
+def exact(instrument: Instrument | None) -> bool:
+    """Whether the instrument draws without error."""
+    return instrument is None or isinstance(instrument, Exact)
+
+
+__all__ = ["Position", "Solved", "exact", "mu_of", "plans_of", "solve"]
