@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import locale
 import os
 import sys
 from collections.abc import Callable, Sequence
@@ -49,9 +50,15 @@ def _command(commands: Any, name: str, run: Callable[[argparse.Namespace], int],
     parser: argparse.ArgumentParser = commands.add_parser(name, help=text, description=text)
     parser.add_argument("scene", metavar="SCENE", help="the scene file (YAML)")
     parser.add_argument("--variant", help="which variant of the scene's numbers")
-    parser.add_argument("--lang", choices=("ru", "en"), default="ru", help="language of the words")
+    parser.add_argument("--lang", choices=("ru", "en"), default=_home_lang(), help="language of the words")
     parser.set_defaults(command=run)
     return parser
+
+
+def _home_lang() -> str:
+    """Russian where the system speaks Russian, Belarusian, Ukrainian or Kazakh; else English."""
+    said = next((os.environ[k] for k in ("LC_ALL", "LC_MESSAGES", "LANG") if os.environ.get(k)), "")
+    return "ru" if (said or locale.getlocale()[0] or "").lower().startswith(("ru", "be", "uk", "kk")) else "en"
 
 
 def _positions(parser: argparse.ArgumentParser) -> None:
@@ -78,10 +85,7 @@ def _solve(args: argparse.Namespace) -> int:
 
     scene = load(args.scene, args.variant)
     if scene.mechanism is None:
-        from planes.vectors import solve_vectors
-
-        print(solve_vectors(scene).text(args.lang, args.json))
-        return 0
+        return _solve_vectors(args, scene)
     instrument = Pencil(seed=args.seed) if args.pencil else Exact()
     solved = solve(scene, _values(args, scene), instrument, args.lang)
     for failure in solved.failed:
@@ -94,9 +98,19 @@ def _solve(args: argparse.Namespace) -> int:
     return 0 if solved.positions else 2
 
 
+def _solve_vectors(args: argparse.Namespace, scene: Scene) -> int:
+    from planes.tables import vector_report
+    from planes.vectors import solve_vectors
+
+    results = solve_vectors(scene)
+    print(json.dumps(results.json(), ensure_ascii=False) if args.json else vector_report(results, args.lang))
+    return 0
+
+
 def _structure(args: argparse.Namespace) -> int:
+    from planes.solving import structure_json
     from planes.structure import analyse
-    from planes.tables import structure_json, structure_report
+    from planes.tables import structure_report
 
     scene = load(args.scene, args.variant)
     if scene.mechanism is None:

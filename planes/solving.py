@@ -6,15 +6,15 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from planes.drafting import mu_of
 from planes.drawing import Drawing, run
-from planes.instruments import Exact, Instrument, Pencil
+from planes.instruments import Instrument, Pencil
 from planes.measuring import Quantity, Reader, asked
 from planes.plans import Plans, sliced, state
 from planes.scales import scales
 from planes.scene import Scene
-from planes.words import Lang, say
+from planes.structure import Structure
 from planes.wording import PlanFailure, SceneError
+from planes.words import Lang, say
 
 PENCILS = 200  # how many draughtsmen draw a plan to see how far apart they end
 
@@ -41,21 +41,18 @@ class Solved:
 
     def json(self) -> dict[str, Any]:
         """The object ``planes solve --json`` prints."""
-        out: dict[str, Any] = {
+        return {
             "planes": 1,
             "scene": self.scene.file,
             "variant": self.scene.variant,
-            "structure": structure_json(self.plans),
+            "structure": structure_json(self.plans.structure),
             "positions": [p.results for p in self.positions],
+            "failed": self.failed,
         }
-        if self.failed:
-            out["failed"] = self.failed
-        return out
 
 
-def structure_json(plans: Plans) -> dict[str, Any]:
+def structure_json(s: Structure) -> dict[str, Any]:
     """W, q, formula and groups as the JSON has them."""
-    s = plans.structure
     groups = [{"links": list(g.links), "kind": g.kind, "name": g.name} for g in s.groups]
     return {"W": s.W, "q": s.q, "formula": s.formula, "groups": groups}
 
@@ -129,11 +126,3 @@ def pencil_errors(plans: Plans, given: Mapping[str, Any], pencil: Pencil, reader
             length = abs(drawing[f"{plan}:{s.end}"] - drawing[f"{plan}:{s.start}"])
             found[f"{plan}:{key}"] = float(numpy.nanstd(length)) if numpy.ndim(length) else 0.0
     return found
-
-
-def exact(instrument: Instrument | None) -> bool:
-    """Whether the instrument draws without error."""
-    return instrument is None or isinstance(instrument, Exact)
-
-
-__all__ = ["Position", "Solved", "exact", "mu_of", "plans_of", "solve"]

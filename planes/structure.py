@@ -135,7 +135,7 @@ class _Finder:
     def drive_pair(self) -> Pair:
         """The pair of the driver with the frame that the drive's motion is given in."""
         drive = self.mechanism.drive
-        found = [p for p in self.between(drive.link, [FRAME])]
+        found = self.between(drive.link, [FRAME])
         wanted: Literal["R", "P"] = "R" if drive.kind == "phi" else "P"
         fitting = [p for p in found if p.kind == wanted]
         if len(found) != 1 or not fitting:
@@ -214,7 +214,8 @@ class _Finder:
                         "groups cannot draw: take another link as the driver or split the group", "links", chosen[0]
                     )
         loose = ", ".join(left)
-        return self.error(f"links {loose} do not attach to the driven part: check their shared points", "links", left[0])
+        sentence = f"links {loose} do not attach to the driven part: check their shared points"
+        return self.error(sentence, "links", left[0])
 
     def pairs_within(self, chosen: tuple[str, ...]) -> int:
         """Pairs of the chosen links among themselves and with the solved ones."""

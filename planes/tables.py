@@ -9,7 +9,9 @@ from typing import Any
 
 from planes.measuring import say_plan
 from planes.solving import Solved, key_of
-from planes.units import quantity
+from planes.structure import Structure
+from planes.units import UNIT, mu_text, plan_of_mu, quantity, read_mu
+from planes.vectors import VectorResults
 from planes.words import Lang, say
 
 
@@ -66,7 +68,8 @@ def _points(points: dict[str, Any], lang: Lang) -> list[str]:
 
 
 def _links(links: dict[str, Any], lang: Lang) -> list[str]:
-    rows = [[n, *(_number(v[k]) if k in v else "" for k in ("angle_deg", "omega", "epsilon"))] for n, v in links.items()]
+    keys = ("angle_deg", "omega", "epsilon")
+    rows = [[n, *(_number(v[k]) if k in v else "" for k in keys)] for n, v in links.items()]
     return table(say("links", lang), ["", "φ, °", f"ω, {say('rad/s', lang)}", f"ε, {say('rad/s²', lang)}"], rows)
 
 
@@ -89,10 +92,6 @@ def _plan(name: str, plan: dict[str, Any], lang: Lang) -> list[str]:
 
 def say_mu(text: str, lang: Lang) -> str:
     """μ in the letters of the language."""
-    if lang == "en":
-        return text
-    from planes.units import mu_text, plan_of_mu, read_mu
-
     plan = plan_of_mu(text)
     return mu_text(read_mu(text, plan), plan, lang)
 
@@ -100,8 +99,8 @@ def say_mu(text: str, lang: Lang) -> str:
 def _reactions(reactions: dict[str, Any], lang: Lang) -> list[str]:
     rows = []
     for name, r in reactions.items():
-        force, arm, moment = (r["force"], _number(r["arm"]), _number(r["moment"])) if isinstance(r, dict) else (r, "", "")
-        rows.append([name, *map(_number, force), *_vector(force), arm, moment])
+        force, more = (r["force"], [_number(r["arm"]), _number(r["moment"])]) if isinstance(r, dict) else (r, ["", ""])
+        rows.append([name, *map(_number, force), *_vector(force), *more])
     n, m = say("N", lang), say("m", lang)
     head = ["", f"x, {n}", f"y, {n}", f"|F|, {n}", "∠°", f"{say('arm', lang)}, {m}", f"M, {say('N·m', lang)}"]
     return table(say("reactions", lang), head, rows)
@@ -124,3 +123,21 @@ def difference_percent(found: float, check: float) -> float:
     """How far two values are apart, in per cent of the larger."""
     largest = max(abs(found), abs(check))
     return 100 * abs(found - check) / largest if largest else 0.0
+
+
+def structure_report(found: Structure, lang: Lang = "en") -> str:
+    """W, q, the formula and the groups, one a line."""
+    lines = [f"W = {found.W}, q = {found.q}", found.formula]
+    for g in found.groups:
+        kind = say("class_kind", lang, kind=g.kind, name=g.name)
+        lines.append(f"{say('group', lang)} {', '.join(g.links)}: {kind}")
+    return "\n".join(lines)
+
+
+def vector_report(results: VectorResults, lang: Lang = "en") -> str:
+    """The vectors of a scene without a mechanism."""
+    unit = UNIT[results.scene.quantity or "velocity"]
+    rows = [[n, *_vector([v.real, v.imag]), f"{abs(v) * results.mu:.2f}"] for n, v in results.vectors().items()]
+    mu = say_mu(mu_text(results.mu, results.scene.quantity or "velocity"), lang)
+    lines = table(f"μ = {mu}", ["", say(unit, lang), "∠°", say("mm", lang)], rows)
+    return "\n".join([results.scene.title.get(lang, ""), *lines[1:]]).lstrip("\n")
