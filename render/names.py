@@ -1,0 +1,80 @@
+"""Names of marks, vectors and values as they are lettered on a sheet: F_21^t -> F_{21}^{t}, I_2 -> Φ_{2}."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from planes.words import Lang
+from render.words import say
+
+PRIME = "′"
+_GREEK = {"omega": "ω", "epsilon": "ε", "phi": "φ"}
+_INDEXED = re.compile(r"([^\W\d_]+)(\d+)")
+
+
+@dataclass(frozen=True)
+class Naming:
+    """How this sheet names things: number of the frame, order of a reaction's indices, language."""
+
+    lang: Lang = "ru"
+    frame: str = "0"
+    from_on: bool = False
+
+    def link(self, name: str) -> str:
+        """A link's number; the frame's is the scene's."""
+        return self.frame if name == "0" else name
+
+    def point(self, name: str) -> str:
+        """A point of the scheme: S2 -> S_{2}."""
+        return lettered(name)
+
+    def mark(self, label: str, plan: str) -> str:
+        """A mark of a plan of rates: s2' -> s_{2}′, n_CB -> n_{CB}, the pole of accelerations π."""
+        if label == "p":
+            return "π" if plan == "acceleration" else "p"
+        primes, label = len(label) - len(label.rstrip("'′")), label.rstrip("'′")
+        letter, _, index = label.partition("_")
+        if index and letter in ("n", "k"):
+            return f"{letter}_{{{index}}}"
+        return lettered(label) + PRIME * primes
+
+    def vector(self, name: str) -> str:
+        """A vector or a value: v_CB, a_HL^k, F_21^t, G_2, I_2, P_5, omega_2, M_3, l_AB."""
+        base, _, part = name.partition("^")
+        letter, _, index = base.partition("_")
+        letter = _GREEK.get(letter, letter)
+        if letter in ("F", "R") and index:
+            index = self.reaction(index)
+        elif letter == "I":
+            letter = "Φ"
+        elif letter == "MI":
+            letter, index = "M", "Φ" + index
+        elif letter in ("v", "a"):
+            index = self.grounded(index)
+        return letter + (f"_{{{index.replace('_', ',')}}}" if index else "") + (f"^{{{part}}}" if part else "")
+
+    def reaction(self, index: str) -> str:
+        """The two links of a reaction in the order of this sheet."""
+        on, by = index.split("_", 1) if "_" in index else (index[:1], index[1:])
+        if by[-1:] in ("t", "n"):
+            by = by[:-1]
+        pair = (self.link(by), self.link(on)) if self.from_on else (self.link(on), self.link(by))
+        return "".join(pair) if max(map(len, pair)) == 1 else ",".join(pair)
+
+    def grounded(self, index: str) -> str:
+        """HH0 and H0, points of the frame under a slider, with the frame's number on this sheet."""
+        return index[:-1] + self.frame if len(index) > 1 and index.endswith("0") else index
+
+    def balancing(self, turning: bool) -> str:
+        """The balancing moment or force."""
+        return f"{'M' if turning else 'F'}_{{{say('balance', self.lang)}}}"
+
+
+def lettered(name: str) -> str:
+    """A letter with its number lowered: S2 -> S_{2}."""
+    match = _INDEXED.fullmatch(name)
+    if match:
+        return f"{match[1]}_{{{match[2]}}}"
+    head, _, index = name.partition("_")
+    return f"{head}_{{{index}}}" if index and head else name

@@ -1,0 +1,97 @@
+"""Words of the sheets, in Russian and in English, and numbers as each language writes them."""
+
+from __future__ import annotations
+
+from planes.units import quantity
+from planes.words import Lang
+
+WORDS: dict[str, tuple[str, str]] = {
+    "scheme": ("Схема механизма", "Scheme of the mechanism"),
+    "velocity": ("План скоростей", "Velocity plan"),
+    "acceleration": ("План ускорений", "Acceleration plan"),
+    "force_group": ("План сил группы {links}", "Force plan of group {links}"),
+    "force_driver": ("План сил ведущего звена {links}", "Force plan of driver {links}"),
+    "lever": ("Рычаг Жуковского", "Zhukovsky's lever"),
+    "vectors": ("Векторный многоугольник", "Vector polygon"),
+    "equations": ("Векторные уравнения", "Vector equations"),
+    "moments": ("Уравнения моментов", "Moment equations"),
+    "given": ("Исходные данные", "Given"),
+    "found": ("Результаты кинематики", "Results of kinematics"),
+    "points_table": ("Скорости и ускорения точек", "Velocities and accelerations of points"),
+    "links_table": ("Угловые скорости и ускорения звеньев", "Angular velocities and accelerations of links"),
+    "slides_table": ("Движение ползунов по направляющим", "Sliders along their guides"),
+    "reactions_table": ("Реакции", "Reactions"),
+    "check_table": ("Уравновешивание и проверка", "Balancing and check"),
+    "structure": ("Структура механизма", "Structure of the mechanism"),
+    "point": ("Точка", "Point"),
+    "link": ("Звено", "Link"),
+    "slider": ("Ползун", "Slider"),
+    "quantity": ("Величина", "Quantity"),
+    "value": ("Значение", "Value"),
+    "unit": ("Ед.", "Unit"),
+    "pair": ("Пара", "Pair"),
+    "angle": ("Угол, °", "Angle, °"),
+    "balancing_moment": ("Из плана сил", "From the force plan"),
+    "balancing_force": ("Из плана сил", "From the force plan"),
+    "zhukovsky": ("По рычагу Жуковского", "By Zhukovsky's lever"),
+    "difference": ("Расхождение, %", "Difference, %"),
+    "balance": ("ур", "b"),
+    "chebyshev": ("Степень подвижности по Чебышёву", "Degree of freedom (Chebyshev)"),
+    "reshetov": ("Избыточные связи по Решетову", "Redundant constraints (Reshetov)"),
+    "formula": ("Формула строения", "Formula of structure"),
+    "group": ("группа {links}: II класс, {kind}-й вид", "group {links}: class II, kind {kind}"),
+    "on_from": ("F_{ij}: сила на звено i со стороны звена j", "F_{ij}: the force on link i from link j"),
+    "from_on": ("F_{ij}: сила со стороны звена i на звено j", "F_{ij}: the force from link i on link j"),
+    "ccw": ("против ч. с.", "counter-clockwise"),
+    "cw": ("по ч. с.", "clockwise"),
+    "m": ("м", "m"),
+    "mm": ("мм", "mm"),
+    "kg": ("кг", "kg"),
+    "kgm2": ("кг·м²", "kg·m²"),
+    "m/s": ("м/с", "m/s"),
+    "m/s²": ("м/с²", "m/s²"),
+    "rad/s": ("рад/с", "rad/s"),
+    "rad/s²": ("рад/с²", "rad/s²"),
+    "N": ("Н", "N"),
+    "N·m": ("Н·м", "N·m"),
+    "no_room": (
+        "лист {format}: вид «{view}» ({width} × {height} мм) не помещается; поместится на формате {larger} или при "
+        "меньшем масштабе",
+        "sheet {format}: the view “{view}” ({width} × {height} mm) does not fit; it would on {larger} or at a smaller "
+        "scale",
+    ),
+    "no_room_at_all": (
+        "лист: вид «{view}» ({width} × {height} мм) не помещается даже на А1; уменьшите μ этого вида",
+        "sheet: the view “{view}” ({width} × {height} mm) does not fit even on A1; lower the μ of this view",
+    ),
+    "bad_suffix": (
+        "{file}: файл листа должен оканчиваться на {known}",
+        "{file}: the file of a sheet must end in {known}",
+    ),
+    "unwritable": ("{file}: не записать: {reason}", "{file}: cannot be written: {reason}"),
+    "bad_format": (
+        "sheet: формат {format} неизвестен; допустимы {known}",
+        "sheet: there is no format {format}; valid: {known}",
+    ),
+    "one_position": (
+        "лист чертится для одного положения, а задано {count}; укажите одно значение",
+        "a sheet is drawn for one position, but {count} were asked for; give one value",
+    ),
+}
+
+
+def say(key: str, lang: Lang, **names: object) -> str:
+    """The words of a key in a language; braces of indices are kept where nothing is to be filled in."""
+    text = WORDS[key][0 if lang == "ru" else 1]
+    return text.format(**names) if names else text
+
+
+def decimal(text: str, lang: Lang) -> str:
+    """A printed number with a true minus and the decimal sign of the language."""
+    text = text.replace("-", "−")
+    return text.replace(".", ",") if lang == "ru" else text
+
+
+def number(value: float | None, lang: Lang, digits: int = 4) -> str:
+    """A number for people, a dash for none."""
+    return "—" if value is None else decimal(quantity(0.0 if value == 0 else value, "", digits), lang)
