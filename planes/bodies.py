@@ -6,7 +6,7 @@ import cmath
 import math
 from dataclasses import dataclass, field
 
-from planes.drafting import Draft, at
+from planes.drafting import POLE, Draft, at
 from planes.mechanism import FRAME, Link, Mechanism
 from planes.structure import Group, Pair, Structure
 
@@ -51,12 +51,15 @@ class Bodies:
     choices: list[tuple[str, str, Group]] = field(default_factory=list)  # (given ±1, key of assembly, group)
     known: dict[str, Body] = field(default_factory=dict)
     labels: dict[str, str] = field(default_factory=dict)
+    coincident: dict[str, tuple[str, str]] = field(default_factory=dict)  # name -> (point it coincides with, link)
 
     def small_letter(self, name: str) -> str:
         """The label of a point on the moving plans: its small letters, unless another point has taken them."""
         if name not in self.labels:
-            small = name.lower()
-            self.labels[name] = name if small in self.labels.values() else small
+            label, taken = name.lower(), {POLE, *self.labels.values()}
+            while label in taken:
+                label = name if label == name.lower() != name else label + "_"
+            self.labels[name] = label
         return self.labels[name]
 
     def place_points(self, body: Body) -> None:
@@ -75,6 +78,7 @@ class Bodies:
         base = body.base.place
         way = p - points[base]
         ray = d.turn(f"{base}{label}", body.axis, math.degrees(cmath.phase(way)) if way else 0.0)
+        d.rays[SCHEME, base, label] = ray
         return d.lay_off(SCHEME, label, at(SCHEME, base), ray, d.give(f"l_{base}{label}", abs(way)))
 
     def line(self, pair: Pair, known: str) -> tuple[str, str]:

@@ -63,6 +63,7 @@ class Draft:
         self.equations: list[Equation] = []
         self.moments: list[Moments] = []
         self.segments: list[Segment] = []
+        self.rays: dict[tuple[str, str, str], str] = {}  # (plan, label, label) -> direction
 
     def give(self, name: str, value: Any) -> str:
         """State a given value (SI, degrees, ±1) or place (complex, m); a name taken by another is primed."""
@@ -80,8 +81,9 @@ class Draft:
 
     def ray(self, plan: str, one: str, two: str) -> str:
         """The direction from one mark of a plan to another, as first drawn."""
-        name = f"{one}{two}"
-        return name if name in self.steps else self.through(name, at(plan, one), at(plan, two))
+        if (plan, one, two) not in self.rays:
+            self.rays[plan, one, two] = self.through(f"{one}{two}", at(plan, one), at(plan, two))
+        return self.rays[plan, one, two]
 
     def has(self, plan: str, label: str) -> bool:
         """Whether the mark has been drawn."""

@@ -7,62 +7,57 @@ comes true is kept. None, or two different ones, is self-locking.
 from __future__ import annotations
 
 from itertools import product
-from typing import TYPE_CHECKING
 
 from planes.drafting import at, mu_of
 from planes.equations import Term
+from planes.loads import Acting, force_name
 from planes.reckoning import Choose, Lean, Sense, Trial
 from planes.steps import Cross
 from planes.structure import Pair
 
-if TYPE_CHECKING:
-    from planes.statics import Statics
 
-
-def sliding_sense(s: Statics, pair: Pair) -> str:
+def sliding_sense(acting: Acting, pair: Pair) -> str:
     """+1, -1 or 0: the way the slider of the pair slides along its guide."""
-    motion = s.acting.motion
-    if pair == s.b.structure.drive_pair:
+    motion = acting.motion
+    if pair == acting.b.structure.drive_pair:
         first = motion.driven[0]
-        return s.b.draft.step(Sense(f"slides_{pair.link}", f"{motion.plan}:p", first, f"∥{pair.guide}", (first,)))
+        return acting.b.draft.step(Sense(f"slides_{pair.link}", f"{motion.plan}:p", first, f"∥{pair.guide}", (first,)))
     reading = motion.slides[pair.link]
-    return s.b.draft.step(Sense(f"slides_{pair.link}", *reading.ends, reading.along, tuple(motion.driven)))
+    return acting.b.draft.step(Sense(f"slides_{pair.link}", *reading.ends, reading.along, tuple(motion.driven)))
 
 
-def meet_with_friction(s: Statics, plan: str, lines: list[Term], x: str, pairs: list[Pair]) -> None:
+def meet_with_friction(acting: Acting, plan: str, lines: list[Term], x: str, pairs: list[Pair]) -> None:
     """Cross two lines of reactions at mark ``x``, those of the rubbing ``pairs`` leaning, by trial of each side."""
-    d = s.b.draft
-    rubbing = [(t, p) for t in lines for p in pairs if p.kind == "P" and set(_links(t)) == {p.link, p.other}]
+    d = acting.b.draft
+    rubbing = [(t, p) for t in lines for p in pairs if t.name in (_on_slider(p), force_name(p.other, p.link))]
     trials = []
     for signs in product((1, -1), repeat=len(rubbing)):
         tag = "".join("+" if sign > 0 else "-" for sign in signs)
-        leaning = {t.name: _lean(s, p, sign) for (t, p), sign in zip(rubbing, signs, strict=True)}
+        leaning = {t.name: _lean(acting, p, sign) for (t, p), sign in zip(rubbing, signs, strict=True)}
         mark = at(plan, f"{x}{tag}")
         starts = [at(plan, t.start) for t in lines]
         along = [leaning.get(t.name, t.direction or "") for t in lines]
         d.step(Cross(mark, starts[0], along[0], starts[1], along[1]))
-        pushes = tuple(_push(s, plan, t, p, mark, tag) for t, p in rubbing)
+        pushes = tuple(_push(acting, plan, t, p, mark, tag) for t, p in rubbing)
         trials.append(Trial(mark, pushes, signs))
     d.step(Choose(at(plan, x), tuple(trials), at(plan, lines[0].start), mu_of(plan)))
 
 
-def _links(term: Term) -> list[str]:
-    """The links of a reaction by its name: the one it acts on, then the other."""
-    name = term.name.removeprefix("F_")
-    return name.split("_") if "_" in name else list(name)
+def _on_slider(pair: Pair) -> str:
+    return force_name(pair.link, pair.other)
 
 
-def _lean(s: Statics, pair: Pair, sign: int) -> str:
-    d, guide = s.b.draft, f"∥{pair.guide}"
-    coefficient = d.give(f"f_{pair.guide}", s.b.mechanism.friction[pair.guide])
+def _lean(acting: Acting, pair: Pair, sign: int) -> str:
+    d, guide = acting.b.draft, f"∥{pair.guide}"
+    coefficient = d.give(f"f_{pair.guide}", acting.b.mechanism.friction[pair.guide])
     normal = d.square(f"⊥{guide}", guide)
     tag = "+" if sign > 0 else "-"
-    return d.step(Lean(f"lean_{pair.link}{tag}", normal, guide, coefficient, sliding_sense(s, pair), sign))
+    return d.step(Lean(f"lean_{pair.link}{tag}", normal, guide, coefficient, sliding_sense(acting, pair), sign))
 
 
-def _push(s: Statics, plan: str, term: Term, pair: Pair, mark: str, tag: str) -> str:
+def _push(acting: Acting, plan: str, term: Term, pair: Pair, mark: str, tag: str) -> str:
     """The trial's normal push on the slider, signed along the guide's normal."""
-    forward = (term.sign > 0) == (_links(term)[0] == pair.link)
+    forward = (term.sign > 0) == (term.name == _on_slider(pair))
     start = at(plan, term.start)
     ends = (start, mark) if forward else (mark, start)
-    return s.b.draft.measure(f"N_{pair.link}{pair.other}{tag}", *ends, f"⊥∥{pair.guide}")
+    return acting.b.draft.measure(f"N_{pair.link}{pair.other}{tag}", *ends, f"⊥∥{pair.guide}")

@@ -12,7 +12,6 @@ from typing import Any, Protocol
 
 from planes.arithmetic import Arithmetic, Many, One, Point, Real, Truth
 from planes.drafting import label_of
-from planes.steps import Step
 from planes.tools import Tool
 from planes.wording import PlanFailure
 
@@ -33,8 +32,8 @@ class Hand:
     flat: float = 2e-15
     still: float = 2e-14
     sharpness: dict[str, Real] = field(default_factory=dict)
-    notes: list[tuple[str, Step, Truth]] = field(default_factory=list)
-    failures: list[tuple[str, Step, Truth, dict[str, Real]]] = field(default_factory=list)
+    notes: list[tuple[str, object, Truth]] = field(default_factory=list)
+    failures: list[tuple[str, object, Truth, dict[str, Real]]] = field(default_factory=list)
 
     def mark(self, place: Point) -> Point:
         return place
@@ -48,19 +47,19 @@ class Hand:
     def sharpen(self, name: str, sharpness: Real) -> None:
         self.sharpness[name] = sharpness
 
-    def require(self, ok: Truth, step: Step, reason: str, **numbers: Real) -> None:
+    def require(self, ok: Truth, step: object, reason: str, **numbers: Real) -> None:
         if not self.many:
             if not ok:
                 raise PlanFailure(reason, **names_of(step), **{k: float(abs(v)) for k, v in numbers.items()})
         elif not ok.all() if hasattr(ok, "all") else not ok:
             self.failures.append((reason, step, ok, numbers))
 
-    def note(self, ok: Truth, step: Step, reason: str) -> None:
+    def note(self, ok: Truth, step: object, reason: str) -> None:
         if not (ok.all() if hasattr(ok, "all") else ok):
             self.notes.append((reason, step, ok))
 
 
-def names_of(step: Step) -> dict[str, str]:
+def names_of(step: Any) -> dict[str, str]:
     """The names a sentence about the step may use: labels without their plans."""
     found = {}
     for f in fields(step):

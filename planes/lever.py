@@ -10,8 +10,8 @@ from planes.drafting import POLE, Moments, at
 from planes.kinematics import turned_copy
 from planes.loads import Acting, Force
 from planes.mechanism import FRAME
+from planes.reactions import Statics
 from planes.reckoning import Product
-from planes.statics import Statics
 
 
 def draw_lever(s: Statics) -> str:

@@ -33,6 +33,11 @@ class Couple:
     sign: int = 1
 
 
+def force_name(on: str, by: str) -> str:
+    """F_21 acts on 2 from 1; longer names are parted: F_11_10."""
+    return f"F_{on}{by}" if len(on) == len(by) == 1 else f"F_{on}_{by}"
+
+
 @dataclass
 class Acting:
     """All forces and couples on each link, those of pairs joining as they are found."""

@@ -9,10 +9,10 @@ from typing import Any
 
 from planes.drafting import Segment, at, label_of, mu_of
 from planes.drawing import Drawing
+from planes.loads import force_name
 from planes.mechanism import FRAME
 from planes.plans import Plans
 from planes.scales import kind_of
-from planes.statics import force_name
 from planes.units import UNIT, mu_text
 from planes.wording import PlanFailure, SceneError, valid_names
 from planes.words import Lang, say
@@ -170,12 +170,14 @@ class Reader:
         """What was measured on each plan: μ, segments in mm and in SI, sharpness of the crossings."""
         out: dict[str, Any] = {}
         for plan in self.st.drawn:
+            if plan in ("lever", "motion"):
+                continue
             segments = {
                 key: self.segment(s, (errors or {}).get(f"{plan}:{key}"))
                 for key, s in self.plan_segments(plan).items()
                 if names is None or s.name in names
             }
-            if plan in ("lever", "motion") or not segments:
+            if not segments:
                 continue
             out[plan] = {
                 "mu": mu_text(self.scales[mu_of(plan)], kind_of(plan)),
@@ -215,7 +217,7 @@ class Reader:
                     said.append(say("blunt", lang, makes=f"{label} ({say_plan(plan, lang)})", angle_deg=angle))
         for reason, step, ok in self.drawing.hand.notes:
             if self.pick is None or not (ok[self.pick] if _many(ok) else ok):
-                said.append(say(reason, lang, makes=step.makes))
+                said.append(say(reason, lang, makes=str(getattr(step, "makes", ""))))
         return said
 
 

@@ -16,8 +16,9 @@ from planes.loads import Acting
 from planes.mechanism import FRAME, Mechanism
 from planes.positions import place_all
 from planes.program import Program
+from planes.reactions import Reaction, Statics
 from planes.reckoning import Protractor
-from planes.statics import Reaction, Statics
+from planes.statics import draw_forces
 from planes.structure import Structure, analyse
 
 
@@ -90,7 +91,7 @@ def state(mechanism: Mechanism, file: str = "") -> Plans:
     acting = Acting(bodies, motion, acceleration)
     acting.gather()
     statics = Statics(bodies, acting)
-    statics.draw_all()
+    draw_forces(statics)
     zhukovsky = draw_lever(statics)
     links = {name: _link_values(draft, body, velocity, acceleration) for name, body in bodies.known.items()}
     points = {p: _point_marks(p, velocity, acceleration) for p in _points(mechanism)}

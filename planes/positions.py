@@ -138,11 +138,16 @@ def _place_rpr(b: Bodies, g: Group) -> None:
 
 def moving_name(b: Bodies, guide: str, point: str, link: str) -> str:
     """Name of the point of ``link`` that coincides with ``point``: the letter the guide gives it, or "H2"."""
-    mark = b.mechanism.guide(guide).mark if b.mechanism.owner(guide) == link else None
-    if mark:
-        return mark
-    taken = any(f"{point}{link}" in x.points for x in (b.mechanism.frame, *b.mechanism.links.values()))
-    return f"{point}_{link}" if taken else f"{point}{link}"
+    name = b.mechanism.guide(guide).mark if b.mechanism.owner(guide) == link else None
+    taken = {POLE, *(p for x in (b.mechanism.frame, *b.mechanism.links.values()) for p in x.points)}
+    here = point, link
+    if not name or name in taken or b.coincident.get(name, here) != here:
+        name = f"{point}{link}"
+        while name in taken or b.coincident.get(name, here) != here:
+            point += "_"
+            name = f"{point}{link}"
+    b.coincident[name] = here
+    return name
 
 
 def _place_prp(b: Bodies, g: Group) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Mapping
 
-from planes.drafting import mu_of
+from planes.drafting import POLE, label_of, mu_of
 from planes.drawing import Drawing, run
 from planes.plans import Plans
 from planes.units import standard_mu, standard_scale
@@ -48,7 +48,7 @@ def extent(drawing: Drawing, plan: str) -> float:
     marks = [
         drawing[s.makes]
         for s in drawing.program.steps
-        if s.kind == "mark" and s.makes.rpartition(":")[0] == plan and "°" not in s.makes and not s.makes.endswith("p")
+        if s.kind == "mark" and s.makes.rpartition(":")[0] == plan and "°" not in s.makes and label_of(s.makes) != POLE
     ]
     if plan != "position":
         marks.append(0j)

@@ -8,105 +8,24 @@ kinds with an unloaded link; here any load may act on any link.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
-from planes.bodies import SCHEME, Bodies
-from planes.drafting import POLE, Moments, at, label_of
+from planes.bodies import SCHEME
+from planes.drafting import POLE, Moments, at
 from planes.equations import Equation, Term
 from planes.friction import meet_with_friction
-from planes.loads import Acting, Couple, Force
+from planes.loads import Couple, Force, force_name
 from planes.mechanism import FRAME
-from planes.reckoning import Product
+from planes.primary import DriverForces
+from planes.reactions import Reaction, Statics
 from planes.structure import Group, Pair
 
 
-@dataclass(frozen=True)
-class Reaction:
-    """A reaction found: the segment of its plan, its pair, and for a slider names of arm and couple at the foot."""
-
-    key: str
-    plan: str
-    start: str
-    end: str
-    pair: Pair
-    normal: str = ""
-    arm: str = ""
-    moment: str = ""
-
-
-def force_name(on: str, by: str) -> str:
-    """F_21 acts on 2 from 1; longer names are parted: F_11_10."""
-    return f"F_{on}{by}" if len(on) == len(by) == 1 else f"F_{on}_{by}"
-
-
-@dataclass
-class Statics:
-    """The force plans of a mechanism."""
-
-    b: Bodies
-    acting: Acting
-    reactions: dict[str, Reaction] = field(default_factory=dict)
-    balancing: str = ""
-
-    def draw_all(self) -> None:
-        """Every group from the last to the first, then the driver."""
-        for group in reversed(self.b.structure.groups):
-            _GroupForces(self, group).draw()
-        _DriverForces(self).draw()
-
-    def moment_terms(
-        self, about: str, forces: list[Force], couples: list[Couple], sign: float, over: str | None = None
-    ) -> tuple[list[Product], tuple[tuple[str, str], ...]]:
-        """The sum of moments about a mark, times ``sign``, divided by the value ``over``; and its terms by name."""
-        d, tail = self.b.draft, ((over, -1),) if over else ()
-        products, shown = [], []
-        for f in forces:
-            if f.point == about:
-                continue
-            arm = d.arm(f"h_{f.name}_{label_of(about)}", f.point, f.along, about)
-            products.append(Product(sign, ((f.size, 1), (arm, 1), *tail)))
-            shown.append((f.name, arm))
-        for c in couples:
-            products.append(Product(sign * c.sign, ((c.value, 1), *tail)))
-            shown.append((c.name, ""))
-        return products, tuple(shown)
-
-    def react(self, pair: Pair, plan: str, start: str, end: str) -> Reaction:
-        """Note the reaction on ``pair.link``; both links feel it from now on. Slider's couple comes later."""
-        key = force_name(pair.link, pair.other)
-        found = Reaction(key, plan, start, end, pair)
-        self.reactions[key] = found
-        self.b.draft.show(plan, label_of(start), label_of(end), key)
-        return found
-
-    def as_force(self, r: Reaction, on: str) -> Force:
-        """The reaction as a force on one of its links, at the hinge or at the foot of the slider's first point."""
-        d = self.b.draft
-        ends = (r.start, r.end) if on == r.pair.link else (r.end, r.start)
-        name = force_name(on, r.pair.mate(on))
-        size = d.measure(f"|{r.key}|", r.start, r.end)
-        along = d.through(f"→{name}", *ends)
-        point = at(SCHEME, r.pair.point) if r.pair.kind == "R" else self.b.foot(r.pair)
-        return Force(name, on, size, along, point)
-
-    def seat(self, r: Reaction, link: str, about: str, forces: list[Force], couples: list[Couple]) -> Reaction:
-        """Find the couple and the arm of a sliding pair's reaction from the moments on ``link`` about a mark."""
-        d, pair = self.b.draft, r.pair
-        side = -1.0 if link == pair.link else 1.0
-        products, shown = self.moment_terms(about, [*forces, self.as_force(r, link)], couples, side)
-        moment = d.total(f"MR_{r.key}", products)
-        normal = d.measure(f"N_{r.key}", r.start, r.end, d.square(f"⊥∥{pair.guide}", f"∥{pair.guide}"))
-        arm = d.product(f"arm_{r.key}", **{moment: 1, normal: -1})
-        d.moments.append(Moments(label_of(about), (link,), shown, moment, ""))
-        self.reactions[r.key] = seated = Reaction(r.key, r.plan, r.start, r.end, pair, normal, arm, moment)
-        return seated
-
-    def hand_over(self, r: Reaction, to: str) -> None:
-        """Let the mate of a pair feel the reaction (and, of a slider, its couple), reversed."""
-        self.acting.forces[to].append(self.as_force(r, to))
-        if r.moment:
-            sign = 1 if to == r.pair.link else -1
-            self.acting.couples[to].append(Couple(f"{r.moment}", to, r.moment, sign))
+def draw_forces(statics: Statics) -> None:
+    """Every group from the last to the first, then the driver."""
+    for group in reversed(statics.b.structure.groups):
+        _GroupForces(statics, group).draw()
+    DriverForces(statics).draw()
 
 
 class _GroupForces:
@@ -158,7 +77,7 @@ class _GroupForces:
         equation = Equation(self.plan, (chain, (back,)))
         pairs = [p for p in (self.g.first_outer, self.g.inner, self.g.last_outer) if self.rubs(p)]
         if pairs:
-            meet_with_friction(self.s, self.plan, [chain[-1], back], x, pairs)
+            meet_with_friction(self.s.acting, self.plan, [chain[-1], back], x, pairs)
             self.d.conclude(equation)
         else:
             self.d.draw(equation)
@@ -252,54 +171,3 @@ class _GroupForces:
         for which, pair, link in (("first", g.first_outer, g.first), ("last", g.last_outer, g.last)):
             if pair.kind == "P":
                 s.seat(found[which], link, about, self.loads[link], self.couples[link])
-
-
-class _DriverForces:
-    """The primary mechanism: the frame's reaction and the balancing moment (or force)."""
-
-    def __init__(self, statics: Statics) -> None:
-        self.s, self.b, self.d = statics, statics.b, statics.b.draft
-        self.link = self.b.mechanism.drive.link
-        self.pair = self.b.structure.drive_pair
-        self.plan = f"force:{self.link}"
-        self.forces = statics.acting.forces[self.link]
-        self.couples = statics.acting.couples[self.link]
-
-    def draw(self) -> None:
-        self.d.pole(self.plan)
-        start, terms = POLE, []
-        for f in self.forces:
-            terms.append(Term(f.name, start, f.name, f.size, f.along, f.along))
-            start = f.name
-        for term in terms:
-            self.d.lay(self.plan, term)
-        key = force_name(self.link, FRAME)
-        if self.pair.kind == "R":
-            self.turning(tuple(terms), start, key)
-        else:
-            self.sliding(tuple(terms), start, key)
-
-    def turning(self, terms: tuple[Term, ...], start: str, key: str) -> None:
-        """F_10 closes the polygon; the balancing moment by moments about the pivot."""
-        self.d.conclude(Equation(self.plan, ((*terms, Term(key, start, POLE)), ())))
-        self.s.react(self.pair, self.plan, at(self.plan, start), at(self.plan, POLE))
-        about = at(SCHEME, self.pair.point)
-        products, shown = self.s.moment_terms(about, self.forces, self.couples, -1.0)
-        self.s.balancing = self.d.total(f"M_{self.link}", products)
-        self.d.moments.append(Moments(self.pair.point, (self.link,), shown, self.s.balancing, ""))
-
-    def sliding(self, terms: tuple[Term, ...], start: str, key: str) -> None:
-        """The guide's reaction crosses the balancing force, which acts along the guide."""
-        guide = f"∥{self.pair.guide}"
-        normal = self.d.square(f"⊥{guide}", guide)
-        reaction = Term(key, start, key, None, normal, normal)
-        force = Term(f"Fb_{self.link}", POLE, key, None, guide, guide, False, -1)
-        equation = Equation(self.plan, ((*terms, reaction), (force,)))
-        if self.pair.guide in self.b.mechanism.friction:
-            meet_with_friction(self.s, self.plan, [reaction, force], key, [self.pair])
-            self.d.conclude(equation)
-        else:
-            self.d.draw(equation)
-        self.s.balancing = force.name
-        found = self.s.react(self.pair, self.plan, at(self.plan, start), at(self.plan, key))
-        self.s.seat(found, self.link, self.b.foot(self.pair), self.forces, self.couples)

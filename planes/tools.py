@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 from planes.arithmetic import Arithmetic, Point, Real, Truth
-
-if TYPE_CHECKING:
-    from planes.steps import Step
 
 Env = dict[Any, Any]  # name -> mark (mm), direction, or value (SI)
 
@@ -37,10 +34,10 @@ class Tool(Protocol):
         """Remember how sharply the lines met at a mark."""
         ...
 
-    def require(self, ok: Truth, step: Step, reason: str, **numbers: Real) -> None:
+    def require(self, ok: Truth, step: object, reason: str, **numbers: Real) -> None:
         """Fail where ``ok`` is false: one position raises, many are masked with their reason."""
         ...
 
-    def note(self, ok: Truth, step: Step, reason: str) -> None:
+    def note(self, ok: Truth, step: object, reason: str) -> None:
         """Warn where ``ok`` is false."""
         ...
