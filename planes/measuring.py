@@ -208,16 +208,17 @@ class Reader:
         return found
 
     def warnings(self, lang: Lang = "en") -> list[str]:
-        """What a reader must know: blunt crossings and loads that stand still."""
-        said = []
+        """What a reader must know: blunt crossings, each angle once, and loads that stand still."""
+        blunt: dict[str, list[str]] = {}
         for plan in self.st.drawn:
             for label, sharpness in self.sharpness(plan).items():
                 if sharpness < BLUNT:
                     angle = f"{math.degrees(math.asin(min(1.0, sharpness))):.2g}"
-                    said.append(say("blunt", lang, makes=f"{label} ({say_plan(plan, lang)})", angle_deg=angle))
+                    blunt.setdefault(angle, []).append(f"{label} ({say_plan(plan, lang)})")
+        said = [say("blunt", lang, makes=", ".join(marks), angle_deg=angle) for angle, marks in blunt.items()]
         for reason, step, ok in self.drawing.hand.notes:
             if self.pick is None or not (ok[self.pick] if _many(ok) else ok):
-                said.append(say(reason, lang, makes=str(getattr(step, "makes", ""))))
+                said.append(say(reason, lang, makes=str(getattr(step, "makes", "")).partition("_")[2]))
         return said
 
 

@@ -63,6 +63,8 @@ def _points(reader: Reader, node: Node | None, what: str) -> dict[str, complex]:
     if node is None:
         return {}
     table = reader.names(node, f"points of {what}", "a point")
+    if "p" in table.entries:
+        raise reader.error(f"a point of {what} cannot be named p, the pole of every plan; write P", table.lines["p"])
     return {name: reader.place(entry, f"point {name} of {what}", on_axis=True)
             for name, entry in table.entries.items()}
 

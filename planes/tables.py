@@ -40,50 +40,66 @@ def _position(r: dict[str, Any], key: str, lang: Lang) -> list[str]:
     lines = ["", f"— {head} —"]
     lines += _points(r.get("points", {}), lang) + _links(r.get("links", {}), lang) + _slides(r.get("slides", {}), lang)
     for name, plan in r.get("plans", {}).items():
-        if name != "position":
+        if name != "position" and any(s["mm"] for s in plan["segments"].values()):
             lines += _plan(name, plan, lang)
     lines += _reactions(r.get("reactions", {}), lang) + _balance(r, lang)
     return lines + [f"! {w}" for w in r["warnings"]]
 
 
-def _number(value: float | None) -> str:
-    return "—" if value is None else quantity(value, true_minus=False)
+def _number(value: float | None, beside: float = 0.0) -> str:
+    """A number for people; one that is nothing ``beside`` the largest of its kind is 0."""
+    if value is None:
+        return "—"
+    return quantity(0.0 if abs(value) <= 1e-12 * beside else value)
 
 
-def _vector(v: list[float] | None) -> tuple[str, str]:
+def _largest(things: Iterable[Any], key: str) -> float:
+    """The largest size of ``key`` among results."""
+    found = [t[key] for t in things if key in t]
+    return max((math.hypot(*v) if isinstance(v, list) else abs(v) for v in found), default=0.0)
+
+
+def _vector(v: list[float] | None, beside: float = 0.0) -> tuple[str, str]:
     """Size and direction in degrees of a vector."""
     if v is None:
         return "", ""
     z = complex(*v)
-    return _number(abs(z)), f"{math.degrees(cmath.phase(z)):.2f}" if z else "—"
+    if abs(z) <= 1e-12 * beside:
+        return "0", "—"
+    angle = round(math.degrees(cmath.phase(z)), 2)
+    return _number(abs(z)), f"{180.0 if angle == -180 else angle + 0.0:.2f}"
 
 
 def _points(points: dict[str, Any], lang: Lang) -> list[str]:
+    far, fast, quick = (_largest(points.values(), key) for key in ("r", "v", "a"))
     rows = []
     for name, p in points.items():
-        x, y = map(_number, p["r"]) if "r" in p else ("", "")
-        rows.append([name, x, y, *_vector(p.get("v")), *_vector(p.get("a"))])
+        x, y = (_number(c, far) for c in p["r"]) if "r" in p else ("", "")
+        rows.append([name, x, y, *_vector(p.get("v"), fast), *_vector(p.get("a"), quick)])
     m, speed, rate = say("m", lang), say("m/s", lang), say("m/s²", lang)
     return table(say("points", lang), ["", f"x, {m}", f"y, {m}", f"v, {speed}", "∠°", f"a, {rate}", "∠°"], rows)
 
 
 def _links(links: dict[str, Any], lang: Lang) -> list[str]:
     keys = ("angle_deg", "omega", "epsilon")
-    rows = [[n, *(_number(v[k]) if k in v else "" for k in keys)] for n, v in links.items()]
+    spin = _largest(links.values(), "omega")
+    beside = {"angle_deg": 180.0, "omega": spin, "epsilon": max(_largest(links.values(), "epsilon"), spin * spin)}
+    rows = [[n, *(_number(v[k], beside[k]) if k in v else "" for k in keys)] for n, v in links.items()]
     return table(say("links", lang), ["", "φ, °", f"ω, {say('rad/s', lang)}", f"ε, {say('rad/s²', lang)}"], rows)
 
 
 def _slides(slides: dict[str, Any], lang: Lang) -> list[str]:
-    rows = []
+    rows, fast, quick = [], _largest(slides.values(), "v"), _largest(slides.values(), "a")
     for n, v in slides.items():
-        numbers = [_number(v[k]) if k in v else "" for k in ("v", "a")]
-        rows.append([n, str(v.get("guide", "")), *numbers, _vector(v.get("coriolis"))[0]])
+        numbers = [_number(v[k], most) if k in v else "" for k, most in (("v", fast), ("a", quick))]
+        rows.append([n, str(v.get("guide", "")), *numbers, _vector(v.get("coriolis"), quick)[0]])
     head = ["", say("guide", lang), f"v, {say('m/s', lang)}", f"a, {say('m/s²', lang)}", f"aᵏ, {say('m/s²', lang)}"]
     return table(say("slides", lang), head, rows)
 
 
 def _plan(name: str, plan: dict[str, Any], lang: Lang) -> list[str]:
-    rows = [[s["name"], key, f"{s['mm']:.2f}", _number(s["value"])] for key, s in plan["segments"].items()]
+    most = _largest(plan["segments"].values(), "value")
+    rows = [[s["name"], key, f"{s['mm']:.2f}", _number(s["value"], most)] for key, s in plan["segments"].items()]
     kind = name.partition(":")[0]
     unit = say({"velocity": "m/s", "acceleration": "m/s²", "force": "N"}[kind], lang)
     title = f"{say_plan(name, lang)}, μ = {say_mu(plan['mu'], lang)}"
@@ -97,17 +113,28 @@ def say_mu(text: str, lang: Lang) -> str:
 
 
 def _reactions(reactions: dict[str, Any], lang: Lang) -> list[str]:
+    forces = {name: r["force"] if isinstance(r, dict) else r for name, r in reactions.items()}
+    most = max((math.hypot(*f) for f in forces.values()), default=0.0)
     rows = []
     for name, r in reactions.items():
-        force, more = (r["force"], [_number(r["arm"]), _number(r["moment"])]) if isinstance(r, dict) else (r, ["", ""])
-        rows.append([name, *map(_number, force), *_vector(force), *more])
+        more = [_number(r["arm"], 1.0), _number(r["moment"], most)] if isinstance(r, dict) else ["", ""]
+        rows.append([name, *(_number(c, most) for c in forces[name]), *_vector(forces[name], most), *more])
+    if not any(map(_pressed, reactions.values())):
+        return []
     n, m = say("N", lang), say("m", lang)
     head = ["", f"x, {n}", f"y, {n}", f"|F|, {n}", "∠°", f"{say('arm', lang)}, {m}", f"M, {say('N·m', lang)}"]
     return table(say("reactions", lang), head, rows)
 
 
+def _pressed(r: Any) -> bool:
+    """Whether there is anything in a reaction."""
+    return any(r["force"]) or bool(r["moment"]) if isinstance(r, dict) else any(r)
+
+
 def _balance(r: dict[str, Any], lang: Lang) -> list[str]:
-    lines = []
+    lines: list[str] = []
+    if "reactions" in r and not any(map(_pressed, r["reactions"].values())):
+        return lines
     for what, unit in (("moment", "N·m"), ("force", "N")):
         found, check = r.get(f"balancing_{what}"), r.get(f"zhukovsky_{what}")
         if found is not None:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import yaml
 from mechanisms import Case, to_yaml
-from oracle import Solution, reaction_key
+from oracle import Solution, reaction_key, solve
 
 from planes.drawing import Drawing, run
 from planes.plans import Plans, state
@@ -223,3 +225,43 @@ def power(d: Drawn) -> tuple[float, float]:
             terms.append(rub * (d.number(slide.value) if slide else rate))
     terms.append(d.number(st.balancing) * rate)
     return math.fsum(terms), max(abs(t) for t in terms)
+
+
+def pose(d: Drawn) -> dict[str, tuple[float, float, float]]:
+    """Place of the origin and turn (rad) of every link, as drawn: where the independent solution starts from."""
+    out, mechanism = {}, d.plans.mechanism
+    for name, link in mechanism.links.items():
+        turn = math.radians(d.number(d.plans.links[name].angle))
+        point, local = next(iter(link.points.items()))
+        origin = d.place(f"position:{point}") - local * cmath.rect(1.0, turn)
+        out[name] = (origin.real, origin.imag, turn)
+    return out
+
+
+def plain(text: str) -> dict[str, Any]:
+    """A scene file without expressions as the numeric dict of the independent solution."""
+    def keyed(node: Any) -> Any:
+        if isinstance(node, dict):
+            return {str(k): keyed(v) for k, v in node.items()}
+        return [keyed(v) for v in node] if isinstance(node, list) else node
+
+    scene: dict[str, Any] = keyed(yaml.safe_load(text))
+    for body in (scene["frame"], *scene["links"].values()):
+        body["guides"] = {k: g if "through" not in g else {"angle": 0, **g} for k, g in (body.get("guides") or {}).items()}
+    return scene
+
+
+def checked(text: str, value: float | None = None) -> tuple[Drawn, dict[str, float]]:
+    """A scene drawn, and its differences from the independent solution started at the drawn pose."""
+    d, scene = draw(text, value), plain(text)
+    kind = d.plans.mechanism.drive.kind
+    if value is not None:
+        scene["drive"][kind] = value
+    guess = pose(d)
+    sol = solve(scene, guess)
+    size = max(abs(r) for r, _, _ in sol.points.values())
+    for name, (x, y, turn) in guess.items():
+        x2, y2, turn2 = sol.pose[name]
+        assert abs(complex(x - x2, y - y2)) <= 1e-9 * size / d.sharpest and abs(turn - turn2) < 1e-9 / d.sharpest
+    truth = {n.name: n for n in expected(sol, str(scene["drive"]["link"]), kind == "phi")}
+    return d, differences(d, truth)

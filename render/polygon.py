@@ -1,0 +1,171 @@
+"""A plan of rates or forces as marks: arrows, lines of action, traces of similarity and the names of all."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from planes.drafting import POLE, at, label_of
+from planes.equations import Term
+from planes.solving import Position
+from planes.steps import Image, Similar
+from render import labels
+from render.marks import Arrow, Line, Mark
+from render.names import Naming
+from render.symbols import dot
+
+ZERO_MM = 0.05  # a vector shorter than this is nothing on paper
+SAME_MM = 0.35  # marks closer than this share one label
+BEYOND_MM = 7.0  # how far a line of action runs past the crossing
+ALONE_MM = 12.0  # half of a line of action on which the vector vanished
+MARK_MM = 5.0
+FORCE_MM = 3.5
+
+Ends = tuple[complex, complex]
+
+
+@dataclass
+class Polygon:
+    """One plan being drawn: every vector once, though several names may stand for it."""
+
+    position: Position
+    plan: str
+    naming: Naming
+    arrows: dict[tuple[str, str], list[str]] = field(default_factory=dict)
+    marks: list[Mark] = field(default_factory=list)
+
+    @property
+    def of_forces(self) -> bool:
+        """Whether it is a plan of forces."""
+        return self.plan.startswith("force")
+
+    def mark(self, label: str) -> complex:
+        """Where a mark stands, mm from the pole."""
+        return complex(self.position.drawing[at(self.plan, label)])
+
+    def has(self, *names: str) -> bool:
+        """Whether all these marks have been drawn (a sliced program draws only what is asked)."""
+        return all(at(self.plan, label) in self.position.drawing for label in names)
+
+    def drawn(self) -> tuple[Mark, ...]:
+        """All marks of the plan, its labels too."""
+        self.collect()
+        self.traces()
+        self.lines_of_action()
+        self.vectors()
+        pole = dot(self.mark(POLE), 0.7, "plan") if not self.of_forces else ()
+        ground = (*self.marks, *pole)
+        named = self.force_labels() if self.of_forces else self.mark_labels()
+        return (*ground, *labels.place(named, ground).marks)
+
+    def collect(self) -> None:
+        """Every measured segment by its ends."""
+        for s in self.position.plans.segments:
+            if s.plan == self.plan and s.start != s.end and self.has(s.start, s.end):
+                if self.plan == "position" or abs(self.mark(s.end) - self.mark(s.start)) <= ZERO_MM:
+                    continue
+                names = self.arrows.setdefault((s.start, s.end), [])
+                if s.name not in names:
+                    names.append(s.name)
+
+    def terms(self) -> Iterable[Term]:
+        """The terms of this plan's equations whose ends are drawn."""
+        for equation in self.position.plans.equations:
+            if equation.plan == self.plan:
+                yield from (t for t in equation.terms if self.has(t.start, t.end))
+
+    def lines_of_action(self) -> None:
+        """Thin lines of the terms known in direction only, a little past the crossing they were drawn for."""
+        for term in self.terms():
+            if term.known != 1 or not term.direction:
+                continue
+            start, end = self.mark(term.start), self.mark(term.end)
+            way = end - start
+            if abs(way) > ZERO_MM:
+                self.marks.append(Line((start, end + BEYOND_MM * way / abs(way)), "construction", "construction"))
+            else:
+                along = ALONE_MM * complex(self.position.drawing[term.direction])
+                self.marks.append(Line((end - along, end + along), "construction", "construction"))
+
+    def traces(self) -> None:
+        """The sides of the similar triangles by which points of links were found."""
+        for step in self.position.drawing.program.steps:
+            if step.makes.rpartition(":")[0] != self.plan or not isinstance(step, (Similar, Image)):
+                continue
+            base = (step.start, step.end) if isinstance(step, Similar) else step.image
+            corners = [label_of(base[0]), label_of(step.makes), label_of(base[1])]
+            a, x, b = map(self.mark, corners)
+            flat = abs(b - a) < ZERO_MM or abs(((x - a) / (b - a)).imag) * abs(b - a) < ZERO_MM
+            if tuple(corners[::2]) not in self.arrows:
+                self.trace(a, b)
+            if not flat:
+                self.trace(a, x)
+                self.trace(x, b)
+
+    def trace(self, start: complex, end: complex) -> None:
+        """A construction line."""
+        if abs(end - start) > ZERO_MM:
+            self.marks.append(Line((start, end), "thin", "construction"))
+
+    def vectors(self) -> None:
+        """The arrows: results thick, parts and relative vectors thin."""
+        for (start, end), names in self.arrows.items():
+            layer = "force" if self.of_forces else "plan"
+            thick = self.is_result(start, end, names)
+            pen = "result" if thick else "thin"
+            self.marks.append(
+                Arrow(self.mark(start), self.mark(end), pen, "result" if thick else layer, names[0])  # type: ignore[arg-type]
+            )
+
+    def is_result(self, start: str, end: str, names: list[str]) -> bool:
+        """Whole vectors from the pole, and whole forces."""
+        if self.of_forces:
+            return any("^" not in name for name in names)
+        return start == POLE and not end.startswith(("n_", "k_"))
+
+    def force_labels(self) -> list[labels.Label]:
+        """Names of forces beside their vectors; equal reactions share one label."""
+        found = []
+        for (start, end), names in self.arrows.items():
+            a, b = self.mark(start), self.mark(end)
+            text = " = ".join(self.naming.vector(n) for n in names)
+            found.append(labels.Label(text, (a, b), FORCE_MM, name=names[0]))
+        return found
+
+    def mark_labels(self) -> list[labels.Label]:
+        """Letters of the marks; those that coincide share one label."""
+        clusters: list[tuple[complex, list[str]]] = []
+        for label in self.labelled():
+            z = self.mark(label)
+            near = next((c for c in clusters if abs(c[0] - z) <= SAME_MM), None)
+            if near:
+                near[1].append(label)
+            else:
+                clusters.append((z, [label]))
+        centre = sum(z for z, _ in clusters) / len(clusters)
+        found = []
+        for z, names in clusters:
+            grounded = self.grounded() if POLE in names else []
+            text = ", ".join(dict.fromkeys(self.naming.mark(n, self.plan) for n in [*names, *grounded]))
+            away = (z - centre) / abs(z - centre) if abs(z - centre) > ZERO_MM else 0
+            found.append(labels.Label(text, z, MARK_MM, side=away, clear=0.7, priority=1, name=text))
+        return found
+
+    def labelled(self) -> list[str]:
+        """Labels of all marks of the plan in the order they were drawn, the helping ones left out."""
+        steps = self.position.drawing.program.steps
+        made = [s.makes for s in steps if s.kind == "mark" and s.makes.rpartition(":")[0] == self.plan]
+        return [label_of(m) for m in made if "°" not in m and not m.endswith(("+", "-"))]
+
+    def grounded(self) -> list[str]:
+        """Labels of the fixed points that hinge a link: their vectors are zero, they stand in the pole."""
+        m = self.position.plans.mechanism
+        prime = "'" if self.plan == "acceleration" else ""
+        shared = [p for p in m.frame.points if any(p in link.points for link in m.links.values())]
+        return [p.lower() + prime for p in shared]
+
+
+def turned(direction: complex, angle: float) -> complex:
+    """A direction turned by an angle in radians."""
+    return direction * cmath.rect(1, angle)
