@@ -50,9 +50,14 @@ def run(program: Program, given: Mapping[str, Any], instrument: Instrument | Non
     missing = [n for n in program.givens if n not in given]
     if missing:
         raise ProgramError(f"to draw this, give {', '.join(missing)}")
-    things = {n: given[n] for n in program.givens}
-    many = any(hasattr(v, "shape") and v.shape for v in things.values())
+    things = dict(given)
+    shapes = [v.shape for v in things.values() if hasattr(v, "shape") and v.shape]
+    many = bool(shapes)
     hand = (instrument or Exact()).tool(many)
+    if many:
+        import numpy
+
+        hand.shape = numpy.broadcast_shapes(*shapes)
     if many:
         _run_many(program, things, hand)
     else:

@@ -31,6 +31,7 @@ class Hand:
     slack: float = 4e-15
     flat: float = 2e-15
     still: float = 2e-14
+    shape: tuple[int, ...] = ()  # of what is drawn at once; () for one
     sharpness: dict[str, Real] = field(default_factory=dict)
     notes: list[tuple[str, object, Truth]] = field(default_factory=list)
     failures: list[tuple[str, object, Truth, dict[str, Real]]] = field(default_factory=list)
@@ -92,19 +93,17 @@ class Pencil:
 
 
 class _Errors:
-    """Normal errors, single or in the shape of what they are added to."""
+    """Normal errors: one, or an array of one for each drawing made at once."""
 
     def __init__(self, seed: int, many: bool) -> None:
         if many:
             import numpy
 
             self.array: Any = numpy.random.default_rng(seed)
-        self.many, self.one = many, random.Random(seed)
+        self.one = random.Random(seed)
 
-    def normal(self, like: Any) -> Any:
-        if self.many and hasattr(like, "shape"):
-            return self.array.standard_normal(like.shape)
-        return self.one.gauss(0.0, 1.0)
+    def normal(self, shape: tuple[int, ...]) -> Any:
+        return self.array.standard_normal(shape) if shape else self.one.gauss(0.0, 1.0)
 
 
 @dataclass
@@ -113,11 +112,11 @@ class _PencilHand(Hand):
     errors: _Errors = field(default_factory=lambda: _Errors(1, False))
 
     def mark(self, place: Point) -> Point:
-        error = self.errors.normal(place) + 1j * self.errors.normal(place)
+        error = self.errors.normal(self.shape) + 1j * self.errors.normal(self.shape)
         return place + self.pencil.point_mm * error
 
     def ray(self, direction: Point) -> Point:
-        angle = math.radians(self.pencil.ray_deg) * self.errors.normal(direction)
+        angle = math.radians(self.pencil.ray_deg) * self.errors.normal(self.shape)
         return direction * (1 + 1j * angle) / abs(1 + 1j * angle)
 
     def read(self, length_mm: Real) -> Real:

@@ -47,7 +47,7 @@ def line_arc(p: Point, u: Point, centre: Point, radius: Real, side: Real, ar: Ar
     height = cross(u, centre - p)
     miss = abs(height) - radius
     half = ar.sqrt((radius - height) * (radius + height))
-    return centre + u * (side * half) - 1j * u * height, half / radius, miss
+    return centre + u * (side * half) - 1j * u * height, half / (radius + (radius == 0)), miss
 
 
 def arcs(c: Point, r: Real, d: Point, s: Real, side: Real, ar: Arithmetic) -> tuple[Point, Real, Real, Real]:
@@ -67,7 +67,7 @@ def arcs(c: Point, r: Real, d: Point, s: Real, side: Real, ar: Arithmetic) -> tu
     along = (apart + (r - s) * ((r + s) / safe)) / 2
     e = (d - c) / safe
     place = c + e * along + 1j * e * (side * quad / (2 * safe))
-    return place, quad / (2 * r * s), far, near
+    return place, quad / (2 * r * s + (r * s == 0)), far, near
 
 
 def tangent(c: Point, a: Point, offset: Real, side: Real, ar: Arithmetic) -> tuple[Point, Real, Real]:

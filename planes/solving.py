@@ -10,7 +10,7 @@ from planes.drawing import Drawing, run
 from planes.instruments import Instrument, Pencil
 from planes.measuring import Quantity, Reader, asked
 from planes.plans import Plans, sliced, state
-from planes.scales import scales
+from planes.scales import FIT_MM, scales
 from planes.scene import Scene
 from planes.structure import Structure
 from planes.wording import PlanFailure, SceneError
@@ -95,11 +95,12 @@ def key_of(plans: Plans) -> str:
 
 
 def position(
-    scene: Scene, plans: Plans, wanted: list[Quantity] | None, value: float, instrument: Instrument | None, lang: Lang
-) -> Position:
-    """One position drawn at its scales and measured."""
+    scene: Scene, plans: Plans, wanted: list[Quantity] | None, value: float, instrument: Instrument | None, lang: Lang,
+    fit_mm: Mapping[str, float] = FIT_MM,
+) -> Position:  # fmt: skip
+    """One position drawn at its scales (an open μ: the largest with which the plan fits ``fit_mm``) and measured."""
     moved = {plans.drive_given: value}
-    mus = scales(plans, scene.mu, moved)
+    mus = scales(plans, scene.mu, moved, fit_mm)
     given = {**plans.given, **mus, **moved}
     drawing = run(plans.program, given, instrument)
     reader = Reader(plans, drawing, mus)

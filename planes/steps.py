@@ -195,6 +195,7 @@ class CrossArc(Step):
         tool.sharpen(self.makes, sharpness)
         slack = tool.slack * (abs(env[self.start]) + abs(env[self.centre]) + radius)
         tool.require(miss <= slack, self, "arc_short", miss_mm=miss)
+        tool.require(radius > 0, self, "no_length")
         return tool.mark(place)
 
 
@@ -220,6 +221,8 @@ class CrossArcs(Step):
         slack = tool.slack * (abs(centre) + abs(other) + r + s)
         tool.require(far <= slack, self, "arcs_apart", miss_mm=far)
         tool.require(near <= slack, self, "arcs_inside", miss_mm=near)
+        tool.require(abs(other - centre) > slack, self, "arcs_coincide")
+        tool.require((r > 0) & (s > 0), self, "no_lengths")
         return tool.mark(place)
 
 

@@ -38,6 +38,20 @@ WORDS: dict[str, tuple[str, str]] = {
         "of the arcs {radius} about {centre} and {other_radius} about {other} one lies inside the other by {miss_mm} "
         "mm: {makes} cannot be drawn; the mechanism does not assemble in this position",
     ),
+    "arcs_coincide": (
+        "дуги {radius} из {centre} и {other_radius} из {other} совпадают: {makes} на них не определена, механизм в точке "
+        "разветвления; возьмите соседнее положение",
+        "the arcs {radius} about {centre} and {other_radius} about {other} coincide: any point of them could be {makes}, "
+        "the mechanism is at a change point; take a neighbouring position",
+    ),
+    "no_length": (
+        "длина {radius} равна нулю: дугой из {centre} точку {makes} не построить; задайте длину звена",
+        "the length {radius} is zero, so no arc about {centre} gives {makes}; give the link a length",
+    ),
+    "no_lengths": (
+        "одна из длин {radius}, {other_radius} равна нулю: дугами точку {makes} не построить; задайте длину звена",
+        "one of the lengths {radius}, {other_radius} is zero, so no arcs give {makes}; give the link a length",
+    ),
     "circle_large": (
         "точка {end} ближе к {start}, чем смещение направляющей, на {miss_mm} мм: касательную {makes} не провести; "
         "механизм в этом положении не собирается",

@@ -122,7 +122,7 @@ def sizes(found: Mapping[str, Number]) -> dict[str, float]:
     most = {sort: max([abs(n.value) for n in found.values() if n.sort == sort and n.value == n.value], default=0.0)
             for sort in ("r", "v", "a", "omega", "epsilon", "force", "moment")}
     places = [n.value for n in found.values() if n.sort == "r"]
-    span = max(abs(p - q) for p in places for q in places) or most["r"]
+    span = max(abs(p - q) for p in places for q in places) or most["r"] or 1.0
     scale = {"r": max(most["r"], span), "v": most["v"], "a": most["a"], "angle": 180.0}
     scale["omega"] = max(most["omega"], most["v"] / scale["r"])
     scale["epsilon"] = max(most["epsilon"], most["a"] / scale["r"])

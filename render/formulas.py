@@ -1,0 +1,169 @@
+"""Vector equations as on paper: bars over vectors, underlines for what is known, lines of action and numbers beneath."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+from planes.drafting import POLE, at, mu_of
+from planes.equations import Equation, Term
+from planes.lever import FRAME
+from planes.scales import kind_of
+from planes.solving import Position
+from render import lettering
+from render.marks import Line, Mark, Text
+from render.names import Naming
+from render.typeset import extent
+from render.words import number, say
+
+UNITS = {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "force": "N"}
+GAP = 0.55  # between words of an equation, over the letter height
+_LETTER = re.compile(r"^[^\W\d_]+")
+
+
+@dataclass(frozen=True)
+class Word:
+    """A piece of an equation: with ``known`` underlines, a line of action and a number beneath; a sign has none."""
+
+    text: str
+    known: int = 0
+    action: str = ""
+    value: str = ""
+    vector: bool = True
+
+
+@dataclass
+class Setter:
+    """Sets one equation on its base line, from the left."""
+
+    letter: float
+    marks: list[Mark] = field(default_factory=list)
+    x: float = 0.0
+
+    @property
+    def small(self) -> float:
+        """Letter height of what stands beneath."""
+        return 2.5 if self.letter <= 3.5 else 3.5
+
+    def row(self, words: list[Word], y: float) -> float:
+        """Set the words at base line ``y``; the lowest ink of the row."""
+        under = y + min(extent(w.text, self.letter)[1] for w in words) - 0.9
+        has_action, has_value = any(w.action for w in words), any(w.value for w in words)
+        action_y = under - 2.2 - 1.1 * self.small
+        value_y = action_y - 1.75 * self.small if has_action else action_y
+        self.x = 0.0
+        for word in words:
+            self.word(word, y, under, action_y, value_y)
+        lines = value_y if has_value else action_y if has_action else under - 1.0
+        return lines - 0.45 * self.small
+
+    def word(self, word: Word, y: float, under: float, action_y: float, value_y: float) -> None:
+        """One word centred over what stands beneath it."""
+        sizes = [_width(word.text, self.letter)]
+        sizes += [_width(t, self.small) for t in (word.action, word.value) if t]
+        wide, middle = max(sizes), self.x + max(sizes) / 2
+        left = middle - sizes[0] / 2
+        self.marks.append(Text(word.text, complex(left, y), self.letter, name=word.text))
+        if word.vector:
+            self.bar(word.text, left, y)
+        for k in range(word.known):
+            level = under - 0.9 * k
+            self.marks.append(Line((complex(left, level), complex(left + sizes[0], level)), "thin", "text"))
+        for text, level in ((word.action, action_y), (word.value, value_y)):
+            if text:
+                self.marks.append(Text(text, complex(middle, level), self.small, "middle"))
+        self.x += wide + GAP * self.letter
+
+    def bar(self, text: str, left: float, y: float) -> None:
+        """The bar over the letter of a vector."""
+        match = _LETTER.match(text)
+        if match:
+            wide = lettering.width(match[0], self.letter)
+            level = y + self.letter + 0.9
+            self.marks.append(Line((complex(left, level), complex(left + wide, level)), "thin", "text"))
+
+
+def _width(text: str, height: float) -> float:
+    x0, _, x1, _ = extent(text, height)
+    return x1 - x0
+
+
+@dataclass(frozen=True)
+class Formulas:
+    """The equations of a position, of some plans, set one beneath the other."""
+
+    position: Position
+    naming: Naming
+    letter: float = 5.0
+
+    def drawn(self, plans: tuple[str, ...]) -> tuple[Mark, ...]:
+        """All equations of these plans, from the top down."""
+        setter, y = Setter(self.letter), 0.0
+        for equation in self.position.plans.equations:
+            if equation.plan in plans and all(map(self.there, equation.terms)):
+                words = self.force_words(equation) if equation.plan.startswith("force") else self.words(equation)
+                y = setter.row(words, y) - 1.9 * self.letter
+        return tuple(setter.marks)
+
+    def there(self, term: Term) -> bool:
+        """Whether a term is on the drawing."""
+        return at(self.last_plan(term), term.end) in self.position.drawing
+
+    def last_plan(self, term: Term) -> str:
+        """The plan a term belongs to."""
+        return next(e.plan for e in self.position.plans.equations if term in e.terms)
+
+    def words(self, equation: Equation) -> list[Word]:
+        """v_C = v_B + v_CB = v_D + v_CD, the zero ones left out."""
+        found = [Word(self.naming.vector(equation.total or ""))] if equation.total else []
+        for chain in equation.chains:
+            terms = [t for t in chain if t.action != "=0"] or list(chain)
+            for k, term in enumerate(terms):
+                if k or found:
+                    found.append(Word("+" if k else "=", vector=False))
+                found.append(self.word(term, equation.plan))
+        unit = say(UNITS[kind_of(equation.plan)], self.naming.lang)
+        return [*found, Word("", vector=False, value=unit)]
+
+    def force_words(self, equation: Equation) -> list[Word]:
+        """All forces added up to nothing."""
+        found: list[Word] = []
+        for k, term in enumerate((*equation.chains[0], *equation.chains[1])):
+            if k:
+                minus = term in equation.chains[1] and term.sign > 0
+                found.append(Word("−" if minus else "+", vector=False))
+            found.append(self.word(term, equation.plan))
+        unit = say(UNITS["force"], self.naming.lang)
+        return [*found, Word("= 0", vector=False), Word("", vector=False, value=unit)]
+
+    def word(self, term: Term, plan: str) -> Word:
+        """A vector with its underlines, its line of action and, where it is known, its number."""
+        text, known = self.naming.vector(term.name), min(term.known, 2)
+        value = ""
+        if known == 2:
+            length = abs(self.place(plan, term.end) - self.place(plan, term.start))
+            signed = self.position.drawing[term.length] if term.length else length / self.position.scales[mu_of(plan)]
+            value = number(float(signed), self.naming.lang)
+        return Word(text, known, self.action(term), value)
+
+    def place(self, plan: str, label: str) -> complex:
+        """A mark of the plan in mm."""
+        return complex(self.position.drawing[at(plan, label)])
+
+    def action(self, term: Term) -> str:
+        """The line of action as it is written beneath: ⊥BC, ∥y–y, C→B."""
+        text = term.action.replace("⊥∥", "⊥").replace("-", "–")
+        if term.action == "↓" or text[:1] in "⊥∥" and text:
+            return text
+        if re.fullmatch(r"[A-Z]\w*→[A-Z]\w*", text):
+            return text
+        if term.action.startswith("-a_"):
+            return f"∥{self.naming.vector(term.action[1:])}"
+        if term.action[:3] in ("-v_", "+v_"):
+            return f"∥{self.naming.vector(term.action[1:])}"
+        if re.fullmatch(r"[A-Z]\w*", text):
+            return f"∥{text}"
+        return ""
+
+
+__all__ = ["FRAME", "POLE", "Formulas"]

@@ -1,0 +1,174 @@
+"""Tables of given and found values as marks: a title, a head, rows between thin lines."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from planes.scales import kind_of
+from planes.solving import Position
+from render import symbols
+from render.formulas import UNITS
+from render.marks import Line, Mark, Text
+from render.names import Naming
+from render.typeset import extent
+from render.view import View, view
+from render.words import number, say
+
+Row = Sequence[str]
+_SENSES = {"↺": 1.0, "↻": -1.0}
+
+
+@dataclass(frozen=True)
+class Grid:
+    """A table in the making: letters of ``letter`` mm, the head's names in the first row."""
+
+    letter: float = 3.5
+
+    def drawn(self, head: Row, rows: Sequence[Row]) -> tuple[Mark, ...]:
+        """The marks of a table whose upper left corner is the origin."""
+        high, pad = 1.9 * self.letter, 0.5 * self.letter
+        lines = [head, *rows] if any(head) else list(rows)
+        widths = [max(self.wide(row[k]) for row in lines) + 2 * pad for k in range(len(lines[0]))]
+        edges = [sum(widths[:k]) for k in range(len(widths) + 1)]
+        marks: list[Mark] = []
+        for level in range(len(lines) + 1):
+            thick = level in (0, len(lines)) or (level == 1 and any(head))
+            marks.append(_rule(complex(0, -level * high), complex(edges[-1], -level * high), thick))
+        for k, edge in enumerate(edges):
+            marks.append(_rule(complex(edge, 0), complex(edge, -len(lines) * high), k in (0, len(widths))))
+        for level, row in enumerate(lines):
+            base = -(level + 0.5) * high - self.letter / 2
+            for k, cell in enumerate(row):
+                marks += self.cell(cell, complex((edges[k] + edges[k + 1]) / 2, base))
+        return tuple(marks)
+
+    def wide(self, cell: str) -> float:
+        """Width of a cell's ink."""
+        sense = self.letter * 1.6 if cell[-1:] in _SENSES else 0.0
+        x0, _, x1, _ = extent(cell.rstrip("↺↻"), self.letter)
+        return x1 - x0 + sense
+
+    def cell(self, cell: str, middle: complex) -> tuple[Mark, ...]:
+        """A text in the middle of its cell, a curved arrow after it for a sense of turning."""
+        sense = _SENSES.get(cell[-1:])
+        text = cell.rstrip("↺↻")
+        if sense is None:
+            return (Text(text, middle, self.letter, "middle"),) if text else ()
+        left = middle - self.wide(cell) / 2
+        at = left + self.wide(cell) - self.letter * 0.45 + 0.5j * self.letter
+        start = 90 - sense * 130
+        arrow = symbols.turn_arrow(at, 0.42 * self.letter, start, sense * 260, "thin", "table")
+        return (Text(text, left, self.letter), *arrow)
+
+
+def _rule(start: complex, end: complex, thick: bool) -> Line:
+    return Line((start, end), "thick" if thick else "thin", "table")
+
+
+@dataclass(frozen=True)
+class Tables:
+    """The tables of a position."""
+
+    position: Position
+    naming: Naming
+    letter: float = 3.5
+
+    def say(self, key: str) -> str:
+        """A word of the sheet."""
+        return say(key, self.naming.lang)
+
+    def number(self, value: float | None, digits: int = 4) -> str:
+        """A number of the sheet."""
+        return number(value, self.naming.lang, digits)
+
+    def table(self, key: str, title: str, head: Row, rows: Sequence[Row]) -> View | None:
+        """A table as a view, or nothing when it has no rows."""
+        if not rows:
+            return None
+        return view(key, title, Grid(self.letter).drawn(head, rows), self.letter * 10 / 7 if self.letter < 3 else 5.0)
+
+    def all(self) -> list[View]:
+        """Every table that has something to say."""
+        found = [self.given(), self.plan("velocity"), self.plan("acceleration"), self.links(), self.reactions()]
+        found.append(self.check())
+        return [t for t in found if t]
+
+    def given(self) -> View | None:
+        """Lengths, masses, moments of inertia and the driver's motion, as the scene has them."""
+        m, values = self.position.plans.mechanism, self.position.plans.given
+        rows = []
+        for name, value in values.items():
+            letter = name.partition("_")[0]
+            unit = {"l": "m", "m": "kg", "J": "kgm2"}.get(letter)
+            if unit and isinstance(value, float | int):
+                rows.append([self.naming.vector(name), self.number(float(value)), self.say(unit)])
+        drive, n = m.drive, self.naming.link(m.drive.link)
+        if drive.kind == "phi":
+            rows.insert(0, [f"φ_{{{n}}}", self.number(self.position.value), "°"])
+            for letter, value, unit in (("ω", drive.velocity, "rad/s"), ("ε", drive.acceleration, "rad/s²")):
+                rows.insert(1 if letter == "ω" else 2, [f"{letter}_{{{n}}}", self.number(value), self.say(unit)])
+        for name in self.position.plans.given:
+            if name.startswith(("P_", "M_", "MP_")) and name.endswith("_given"):
+                unit = "N" if name.startswith("P_") else "N·m"
+                value = float(self.position.plans.given[name])
+                rows.append([self.naming.vector(name.removesuffix("_given")), self.number(value), self.say(unit)])
+        return self.table("given", self.say("given"), ["", "", ""], rows)
+
+    def plan(self, plan: str) -> View | None:
+        """What was measured on a plan: vector, segment, mm, value."""
+        measured = self.position.results.get("plans", {}).get(plan)
+        if not measured:
+            return None
+        unit = self.say(UNITS[kind_of(plan)])
+        rows = []
+        for segment in (s for s in self.position.plans.segments if s.plan == plan):
+            found = measured["segments"].get(segment.start + segment.end)
+            if found and found["name"] == segment.name:
+                ends = self.naming.mark(segment.start, plan) + self.naming.mark(segment.end, plan)
+                mm = number(round(found["mm"], 1), self.naming.lang, 5)
+                rows.append([self.naming.vector(segment.name), ends, mm, self.number(found["value"])])
+        title = self.say("velocity" if plan == "velocity" else "acceleration")
+        return self.table(f"{plan}-table", title, ["", "", self.say("mm"), unit], rows)
+
+    def links(self) -> View | None:
+        """ω and ε of every link with their senses."""
+        rows = []
+        for name, r in self.position.results.get("links", {}).items():
+            cells = [self.turning(r[k]) if k in r else "" for k in ("omega", "epsilon")]
+            if any(cells):
+                rows.append([self.naming.link(name), *cells])
+        head = [self.say("link"), f"ω, {self.say('rad/s')}", f"ε, {self.say('rad/s²')}"]
+        return self.table("links", self.say("links_table"), head, rows)
+
+    def turning(self, value: float) -> str:
+        """A signed value and the curved arrow of its sense."""
+        shown = self.number(value)
+        return shown if shown == "0" else shown + ("↺" if value > 0 else "↻")
+
+    def reactions(self) -> View | None:
+        """Magnitude and direction of every reaction, a slider's arm."""
+        rows = []
+        for name, r in self.position.results.get("reactions", {}).items():
+            force = complex(*(r["force"] if isinstance(r, dict) else r))
+            angle = self.number(math.degrees(cmath.phase(force))) if force else "—"
+            rows.append([self.naming.vector(name), self.number(abs(force)), angle])
+        return self.table("reactions", self.say("reactions_table"), ["", self.say("N"), self.say("angle")], rows)
+
+    def check(self) -> View | None:
+        """The balancing moment (or force), Zhukovsky's, and the difference in per cent."""
+        r, rows = self.position.results, []
+        for what, unit in (("moment", "N·m"), ("force", "N")):
+            found, check = r.get(f"balancing_{what}"), r.get(f"zhukovsky_{what}")
+            name = self.naming.balancing(what == "moment")
+            if found is not None:
+                rows.append([self.say("balancing_moment"), f"{name}, {self.say(unit)}", self.number(found)])
+            if check is not None:
+                rows.append([self.say("zhukovsky"), f"{name}, {self.say(unit)}", self.number(check)])
+            if found is not None and check is not None:
+                largest = max(abs(found), abs(check))
+                apart = 100 * abs(found - check) / largest if largest else 0.0
+                rows.append([self.say("difference"), "", self.number(apart if apart > 1e-6 else 0.0, 2)])
+        return self.table("check", self.say("check_table"), ["", "", ""], rows)
