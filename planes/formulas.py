@@ -45,11 +45,12 @@ def number(value: float, lang: Lang, digits: int = 4) -> str:
 def formula(step: Calculate, drawing: Drawing, lang: Lang) -> Formula:
     """The formula of a calculation step, with the numbers of a drawing."""
     symbols = _sum([_product(t, lambda n: f"⟨{n}⟩") for t in step.terms])
-    numbers = _sum([_product(t, lambda n: _bracketed(number(drawing[n], lang))) for t in step.terms])
+    numbers = _sum([_product(t, lambda n: bracketed(number(drawing[n], lang))) for t in step.terms])
     return Formula(step.makes, symbols, numbers, number(drawing[step.makes], lang), unit_of(step.makes))
 
 
-def _bracketed(text: str) -> str:
+def bracketed(text: str) -> str:
+    """A negative number in brackets, to stand inside a formula."""
     return f"({text})" if text.startswith(("-", "−")) else text
 
 

@@ -14,7 +14,7 @@ from planes import steps as s
 from planes.drafting import POLE, Moments, label_of, mu_of
 from planes.drawing import Drawing
 from planes.equations import Equation
-from planes.formulas import formula, number, unit_of
+from planes.formulas import bracketed, formula, number, unit_of
 from planes.plans import Plans
 from planes.reckoning import Calculate, Choose, Measure
 from planes.scales import kind_of
@@ -26,7 +26,7 @@ from planes.words_lesson import LESSON
 @dataclass(frozen=True)
 class Frame:
     """One frame of a lesson. ``makes`` are the marks it adds, ``uses`` those it stands on (full names); ``equation``
-    is the index of the vector equation being solved, ``terms`` the vectors in hand; ``said`` the sentence by language."""
+    is the index of the vector equation being solved, ``terms`` the vectors in hand; ``said`` the words by language."""
 
     plan: str
     makes: tuple[str, ...]
@@ -48,16 +48,18 @@ class Teller:
         self.plans, self.drawing, self.scales = plans, drawing, scales
         self.made = {step.makes: step for step in drawing.program.steps}
         self.moments = {m.unknown: m for m in plans.moments}
+        self.sizes = {f.name: f.size for forces in plans.acting.forces.values() for f in forces}
 
     def frames(self) -> list[Frame]:
         """All frames, in the order of the drawing."""
-        put = [step for step in self.drawing.program.steps if isinstance(step, s.Put) and step.at]
+        put: list[s.Step] = [step for step in self.drawing.program.steps if isinstance(step, s.Put) and step.at]
         found = [self.fixed(put)] if put else []
         readings: list[s.Step] = []
         for step in self.drawing.program.steps:
             if step.kind == "value" and self.tells(step):
                 readings.append(step)
-            if step.kind != "mark" or step in put or step.makes.endswith(("+", "-")):
+            tells = step.kind == "mark" or isinstance(step, s.Touch)
+            if not tells or step in put or step.makes.endswith(("+", "-")):
                 continue
             found += self.readings(readings)
             readings = []
@@ -66,8 +68,8 @@ class Teller:
         return found + self.readings(readings)
 
     def plan(self, step: s.Step) -> str:
-        """The plan a mark stands on."""
-        return step.makes.rpartition(":")[0]
+        """The plan a mark stands on (a tangent's, the scheme)."""
+        return step.makes.rpartition(":")[0] or "position"
 
     def tells(self, step: s.Step) -> bool:
         """Whether a value is told on its own: angular rates, moment equations, balancing loads."""
@@ -112,6 +114,8 @@ class Teller:
                 return "pole", {}
             case s.LayOff():
                 return self.lay_off(step)
+            case s.Touch():
+                return "touch", {"action": self.action(step.makes)}
             case s.Cross():
                 return "cross", {"action": self.action(step.along), "across": self.action(step.across)}
             case s.CrossArc():
@@ -145,7 +149,9 @@ class Teller:
             name = label_of(step.makes)
             told = lambda lang: number(value, lang)  # noqa: E731
             return "carried", {**more, "name": name, "value": told, "unit": unit_of(name), "length": step.length}
-        return "driver", {**more, "value": lambda lang: number(value, lang), "unit": "m", "length": step.length}
+        along = self.made[step.along]
+        driven = isinstance(along, s.Turn) and along.of == f"x_{self.plans.mechanism.drive.link}"
+        return "driver" if driven else "along", {**more, "value": lambda lang: number(value, lang), "unit": "m", "length": step.length}
 
     def mm(self, value: str, mu: str) -> Any:
         """A length on paper, as each language writes it."""
@@ -185,9 +191,9 @@ class Teller:
         def terms(lang: Lang) -> str:
             parts = []
             for force, arm in m.terms:
-                size = self.drawing[force] if force in self.drawing else None
-                arm_text = f" · {number(self.drawing[arm], lang)}" if arm else ""
-                parts.append(f"⟨{force}⟩{arm_text}" if size is None else f"{number(size, lang)}{arm_text}")
+                size = number(self.drawing[self.sizes.get(force, force)], lang)
+                arm_text = f" · {bracketed(number(self.drawing[arm], lang))}" if arm else ""
+                parts.append(f"{bracketed(size) if parts else size}{arm_text}")
             return " + ".join(parts) or "0"
 
         value = self.drawing[m.unknown]

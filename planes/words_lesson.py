@@ -17,6 +17,10 @@ LESSON: dict[str, tuple[str, str]] = {
         "The driver in its given position: from ⟨{start}⟩ lay off ⟨{length}⟩ = {value} {unit}, that is {mm} mm, to "
         "⟨{end}⟩.",
     ),
+    "along": (
+        "Вдоль звена от ⟨{start}⟩ откладываем ⟨{length}⟩ = {value} {unit}, это {mm} мм: точка ⟨{end}⟩.",
+        "Along the link lay off ⟨{length}⟩ = {value} {unit} from ⟨{start}⟩, that is {mm} mm: the point ⟨{end}⟩.",
+    ),
     "lay_off": (
         "{formula}: откладываем {mm} мм от ⟨{start}⟩ ({action}), конец вектора — ⟨{end}⟩.",
         "{formula}: lay off {mm} mm from ⟨{start}⟩ ({action}); the vector ends at ⟨{end}⟩.",
@@ -73,8 +77,8 @@ LESSON: dict[str, tuple[str, str]] = {
     "measured": ("Измеряем: {readings}.", "Measure: {readings}."),
     "reading": ("⟨{name}⟩ = {mm} мм : μ = {value} {unit}", "⟨{name}⟩ = {mm} mm : μ = {value} {unit}"),
     "moments": (
-        "Моменты относительно ⟨{about}⟩ (звенья {links}): {terms}; отсюда ⟨{unknown}⟩ = {value} {unit}.",
-        "Moments about ⟨{about}⟩ (links {links}): {terms}; hence ⟨{unknown}⟩ = {value} {unit}.",
+        "Сумма моментов относительно ⟨{about}⟩ (звенья {links}), кроме искомого: {terms}; отсюда ⟨{unknown}⟩ = {value} {unit}.",
+        "The moments about ⟨{about}⟩ (links {links}) but for the one sought: {terms}; hence ⟨{unknown}⟩ = {value} {unit}.",
     ),
     "sense_ccw": ("против часовой стрелки", "counter-clockwise"),
     "sense_cw": ("по часовой стрелке", "clockwise"),

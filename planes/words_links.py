@@ -1,0 +1,132 @@
+"""Words for a mechanism or vectors stated wrongly in a scene: key to Russian and English."""
+
+LINKS: dict[str, tuple[str, str]] = {
+    # the frame and the links
+    "frame_empty": ("стойке нужны точки (points) или направляющие (guides)", "the frame needs points or guides"),
+    "links_empty": (
+        "links: здесь пусто; в механизме должно быть хотя бы одно звено",
+        "links is empty; a mechanism needs at least one link",
+    ),
+    "link_zero": (
+        "звено нельзя назвать 0, это номер стойки; точки стойки записывают в frame",
+        "a link cannot be named 0, the frame's own name; write its points under frame",
+    ),
+    "no_points": ("{what}: нет точек; назовите хотя бы одну", "{what} has no points; name at least one"),
+    "angle_already": (
+        "{what}: при задании через {form} угол уже определён; уберите angle или пишите through",
+        "{what} is given by {form}, so it has its angle already; remove angle or write through",
+    ),
+    "guide_twice": (
+        "направляющая {guide} звена {name} названа так же, как направляющая {owner:of}; имена направляющих в сцене не "
+        "повторяются",
+        "the guide {guide} of link {name} has the name of a guide of {owner}; guide names are unique in a scene",
+    ),
+    "no_guide": (
+        'звено {name} скользит по "{guide}", но такой направляющей нет{valid}',
+        'link {name} slides on "{guide}", but there is no such guide{valid}',
+    ),
+    "own_guide": (
+        "звено {name} скользит по собственной направляющей {guide}; направляющая должна принадлежать другому звену или "
+        "стойке",
+        "link {name} slides on its own guide {guide}; the guide must be another link's or the frame's",
+    ),
+    # assembly, drive, loads, friction
+    "assembly_name": (
+        'assembly: нет ни точки, ни направляющей "{name}"{valid}',
+        'assembly: there is no point or guide "{name}"{valid}',
+    ),
+    "drive_no_slide": (
+        "drive задаёт s, но звено {link} не скользит по направляющей стойки; пишите phi или задайте slides звена "
+        "{link}",
+        "drive gives s, but link {link} slides on no guide of the frame; write phi, or slides of link {link}",
+    ),
+    "other_rate": (
+        "когда ведущее звено задано через {kind}, ключа {wrong} нет; пишите {right}",
+        "a drive given by {kind} has no {wrong}; write {right}",
+    ),
+    "frame_still": (
+        "{what}: 0 обозначает стойку, а она неподвижна{valid}",
+        "{what} is 0, the frame, which does not move{valid}",
+    ),
+    "force_no_point": (
+        "{what}: у силы должна быть точка приложения, ключ point{valid}",
+        "{what} is a force, so it needs the key point{valid}",
+    ),
+    "force_no_direction": (
+        "{what}: нет направления; пишите direction: градусы, along: motion или against: motion",
+        "{what} has no direction; write direction: degrees, along: motion or against: motion",
+    ),
+    "moment_has_no": (
+        "{what}: у момента нет ключа {key}; положительный момент направлен против часовой стрелки",
+        "{what} is a moment, so it has no {key}; a positive one turns counter-clockwise",
+    ),
+    "friction_no_slide": (
+        'friction: по направляющей "{name}" не скользит ни одно звено{valid}',
+        'friction: no link slides on guide "{name}"{valid}',
+    ),
+    "friction_no_guide": ('friction: нет направляющей "{name}"{valid}', 'friction: there is no guide "{name}"{valid}'),
+    # vectors and equations
+    "vectors_empty": ("vectors: здесь пусто; назовите хотя бы один вектор", "vectors is empty; name at least one"),
+    "bad_vector": (
+        "{name} не может быть именем вектора; допустимы буквы, цифры, _ ^ и ' без пробелов, не больше {most} знаков",
+        "{name} cannot be the name of a vector; valid are letters, digits, _ ^ and ' without spaces, at most {most} of "
+        "them",
+    ),
+    "equations_empty": ("equations: здесь пусто; запишите хотя бы одно уравнение",
+                        "equations is empty; write at least one"),
+    "not_equation": (
+        "{text} не уравнение; пишите так: v_C = v_B + v_CB",
+        "{text} is not an equation; write it as v_C = v_B + v_CB",
+    ),
+    "one_equals": ("{text}: в уравнении ровно один знак =", "{text}: an equation has exactly one ="),
+    "vector_twice": (
+        "{text}: {name} стоит дважды; каждый вектор входит в уравнение один раз",
+        "{text}: {name} stands twice; name each vector once",
+    ),
+    "no_vectors": ("{text}: в уравнении нет векторов", "{text}: there is no vector in it"),
+    "not_vector": ("{text}: {name} не имя вектора", "{text}: {name} is not the name of a vector"),
+    "nothing": ("пустое место", "'nothing'"),
+    "side_empty": (
+        "{text}: одна часть пуста; если в ней ничего нет, пишите 0",
+        "{text}: one side is empty; write 0 if nothing stands there",
+    ),
+    "chain_order": (
+        "{text}: {name} начинается в {start}, а построение дошло до {reached}; пишите векторы в том порядке, в каком "
+        "они следуют друг за другом",
+        "{text}: {name} starts at {start}, but the drawing has reached {reached}; write the vectors in the order they "
+        "follow each other",
+    ),
+    "chain_ends": (
+        "{text}: левая часть ведёт из {start} в {end}, правая из {other_start} в {other_end}; какой-то вектор пропущен "
+        "или назван наоборот",
+        "{text}: the left side leads from {start} to {end}, the right side from {other_start} to {other_end}; a vector "
+        "is missing or named the other way round",
+    ),
+    "chain_broken": (
+        "{text}: {name} начинается в {start}, а построение дошло до {reached}",
+        "{text}: {name} starts at {start}, but the drawing has reached {reached}",
+    ),
+    "sides_apart": (
+        "{text}: одна часть ведёт из {start} в {end}, другая из {other_start} в {other_end}; обе должны начинаться и "
+        "кончаться в одних точках",
+        "{text}: one side leads from {start} to {end}, the other from {other_start} to {other_end}; both sides must "
+        "start and end at the same points",
+    ),
+    "unknown_length": ("величина {name}", "length of {name}"),
+    "unknown_direction": ("направление {name}", "direction of {name}"),
+    "none": ("нет", "none"),
+    "unknowns_count": (
+        "{text}: неизвестных {count} ({listed:; }), а из векторного уравнения на плоскости находят ровно два",
+        "{text} has {count} unknowns ({listed:; }); a plane vector equation gives exactly two",
+    ),
+    "unknowns_are": (
+        "{text}: неизвестные: {listed}; из векторного уравнения находят ровно две величины",
+        "{text}: the unknowns are {listed}; a vector equation gives exactly two",
+    ),
+    "no_vector": ("{text}: нет вектора {name}{valid}", "{text}: there is no vector {name}{valid}"),
+    "two_directions": (
+        "вектор {name} может быть направлен двояко; добавьте {offers: или }",
+        "vector {name} can point in two directions; add {offers: or }",
+    ),
+    "near_angle": ("near: {angle:.4g}", "near: {angle:.4g}"),
+}

@@ -1,0 +1,113 @@
+"""Words for what the method or the program cannot do, and of the command line: key to Russian and English."""
+
+METHOD: dict[str, tuple[str, str]] = {
+    # structure
+    "wrong_freedom": (
+        "у механизма W = 3·{links} - 2·{pairs} = {freedom}, а при одном ведущем звене нужно W = 1; {hint} (пары: "
+        "{listed:; })",
+        "the mechanism has W = 3·{links} - 2·{pairs} = {freedom}, one drive needs W = 1; {hint} (pairs: {listed:; })",
+    ),
+    "freedom_more": ("в замкнутых контурах не хватает звена или пары",
+                     "a link or a pair is missing from the closed loops"),
+    "freedom_less": ("есть лишняя пара", "a pair is too many"),
+    "hinge_pair": ("{point} звеньев {links}", "{point} of links {links}"),
+    "slide_pair": ("{link} скользит по {guide} звена {owner}", "{link} slides on {guide} of {owner}"),
+    "driver_pair": (
+        "ведущему звену {link}, заданному через {kind}, {need}, а у него: {have}",
+        "the driver {link} given by {kind} needs exactly {need}, it has: {have}",
+    ),
+    "need_hinge": ("нужен ровно один шарнир на стойке", "one hinge on the frame"),
+    "need_guide": ("нужна ровно одна направляющая стойки", "one guide of the frame to slide on"),
+    "three_slides": (
+        "звенья {one} и {two} соединены между собой и с остальными тремя поступательными парами: поворачиваться они не "
+        "могут, и W для них неверна; замените одну из пар вращательной",
+        "links {one} and {two} meet each other and the rest in three sliding pairs: they cannot turn, so W is wrong "
+        "there; make one of the pairs a hinge",
+    ),
+    "overconstrained": (
+        "у звеньев {names} лишних пар: {count} (W = {freedom}), а другие звенья не закреплены; проверьте, какие точки у "
+        "них общие",
+        "links {names} are held by {count} pair(s) too many (W = {freedom}) while others hang loose: check which "
+        "points they share",
+    ),
+    "higher_class": (
+        "звенья {names} образуют группу Ассура III класса или выше, а планами групп II класса её не построить; возьмите "
+        "ведущим другое звено или разделите группу",
+        "links {names} form an Assur group of class III or higher, which plans of class II groups cannot draw: take "
+        "another link as the driver or split the group",
+    ),
+    "loose_links": (
+        "звенья {names} не присоединяются к ведомой части механизма; проверьте их общие точки",
+        "links {names} do not attach to the driven part: check their shared points",
+    ),
+    "no_link": ("нет звена {name}{valid}", "there is no link {name}{valid}"),
+    # assembly
+    "order_misfit": (
+        "assembly {key}: {order} не подходит к группе {name} (звенья {links}); допустимо: {one}, {two} или {{near: [x, "
+        "y]}}",
+        "assembly {key}: {order} does not fit a group {name} (links {links}); valid: {one}, {two} or {{near: [x, y]}}",
+    ),
+    "near_not_drawn": (
+        "assembly {key}: ближайшую сборку не найти, потому что в заданном положении ведущего звена {failure}",
+        "assembly {key}: the nearer place cannot be found, because at the drive's value {failure}",
+    ),
+    "near_same": (
+        "assembly {key}: точка {point} в обеих сборках на одном месте, near их не различает; назовите другую точку "
+        "группы",
+        "assembly {key}: point {point} is at the same place in both assemblies, so near cannot tell them apart; name "
+        "another point of the group",
+    ),
+    "two_assemblies": (
+        "группу звеньев {links} ({name}) можно собрать двумя способами, а каким, в сцене не сказано; добавьте "
+        "{offers: или }",
+        "links {links} ({name}) can be assembled in two ways and the scene does not say which; add {offers: or }",
+    ),
+    "assembly_offer": ("assembly: {{{key}: {word}}}", "assembly: {{{key}: {word}}}"),
+    "assembly_offer_at": (
+        "assembly: {{{key}: {word}}} (тогда {key} в ({x:.5g}, {y:.5g}))",
+        "assembly: {{{key}: {word}}} for {key} at ({x:.5g}, {y:.5g})",
+    ),
+    # programs of steps
+    "step_needs": (
+        "{step} для {makes}: нужна величина {name} ({kind}), но построение до неё не дошло{valid}",
+        "{step} of {makes} needs the {kind} {name}, but the drawing has not reached it{valid}",
+    ),
+    "step_kind": (
+        "{step} для {makes}: {name} берётся как {kind}, а это {have}",
+        "{step} of {makes} takes {name} for a {kind}, it is a {have}",
+    ),
+    "made_twice": (
+        "{makes} строится дважды; назовите вторую метку иначе",
+        "{makes} is made twice; name the second mark differently",
+    ),
+    "kind_mark": ("точка", "mark"),
+    "kind_direction": ("направление", "direction"),
+    "kind_value": ("число", "value"),
+    "kind_place": ("место", "place"),
+    # what is asked
+    "range_not_number": (
+        "{option} {text}: это не число и не начало:конец:шаг, например 0:360:30",
+        "{option} {text} is not a number or start:end:step, for example 0:360:30",
+    ),
+    "range_parts": (
+        "{option} {text}: нужно одно число или начало:конец:шаг, например 0:360:30",
+        "{option} {text} must be one number or start:end:step, for example 0:360:30",
+    ),
+    "range_endless": (
+        "{option} {text}: с шагом {step:g} от {start:g} до {end:g} не дойти",
+        "{option} {text}: with a step of {step:g} the range never goes from {start:g} to {end:g}",
+    ),
+    "range_long": (
+        "{option} {text}: положений {count}, а сразу можно построить не больше {most}",
+        "{option} {text} is {count} positions; at most {most} can be drawn at once",
+    ),
+    "no_quantity": ("find: нет величины {name}{valid}", "find: there is no quantity {name}{valid}"),
+    # the command line
+    "option_misfit": ("--{option} не подходит к {file}: {why}", "--{option} does not fit {file}: {why}"),
+    "driver_by": ("ведущее звено там задано через --{kind}", "its driver is given by --{kind}"),
+    "no_driver": ("ведущего звена там нет", "it has no driver"),
+    "no_structure": (
+        "{file}: в сцене одни векторы без механизма, поэтому строения у неё нет",
+        "{file}: states vectors and has no mechanism, so it has no structure",
+    ),
+}

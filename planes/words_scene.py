@@ -1,0 +1,137 @@
+"""Words for what a scene cannot mean: key to Russian and English.
+
+A Russian noun has two forms, "звено 2|звена 2": the second is taken where a sentence asks for {what:of}.
+"""
+
+SCENE: dict[str, tuple[str, str]] = {
+    # what a sentence is about
+    "about": ("{what}: {why}", "{what}: {why}"),
+    "section": ("{name}|в {name}", "{name}"),
+    "part": ("{key} {what:of}|в {key} {what:of}", "{key} of {what}"),
+    "entry": ("элемент {number} {what:of}", "entry {number} of {what}"),
+    "the_scene": ("сцена|сцены", "the scene"),
+    "the_frame": ("стойка|стойки", "the frame"),
+    "link": ("звено {name}|звена {name}", "link {name}"),
+    "point": ("точка {name} {owner:of}|точки {name} {owner:of}", "point {name} of {owner}"),
+    "guide_named": ("направляющая {name}|направляющей {name}", "guide {name}"),
+    "guide_of_slider": ("направляющая, по которой скользит {what}", "guide {what} slides on"),
+    "load": ("нагрузка {number}|нагрузки {number}", "load {number}"),
+    "vector": ("вектор {name}|вектора {name}", "vector {name}"),
+    "variant": ("вариант {name}|варианта {name}", "variant {name}"),
+    "parameter": ("параметр {name}|параметра {name}", "parameter {name}"),
+    "equation": ("уравнение {number}", "equation {number}"),
+    "plan_key": ("план {name}|плана {name}", "plan {name}"),
+    "assembly_of": ("assembly для {name}|в assembly для {name}", "assembly of {name}"),
+    "friction_of": ("friction для {name}", "friction of {name}"),
+    "gravity": ("gravity (направлено вниз)", "gravity (it acts downwards)"),
+    # of what a name is; the second form after "имя"
+    "a_point": ("точка|точки", "a point"),
+    "a_link": ("звено|звена", "a link"),
+    "a_guide": ("направляющая|направляющей", "a guide"),
+    "a_mark": ("метка|метки", "a mark"),
+    "a_variant": ("вариант|варианта", "a variant"),
+    # among what a name is looked for; the second form after "среди"
+    "points_all": ("точки|точек", "point"),
+    "points_of": ("точки {owner:of}|точек {owner:of}", "point of {owner}"),
+    "links_all": ("звенья|звеньев", "link"),
+    "guides_all": ("направляющие|направляющих", "guide"),
+    "parameters_all": ("параметры|параметров", "parameter"),
+    "sliding_pairs": ("поступательные пары|поступательных пар", "sliding pair"),
+    # what a value is
+    "a_table": ("таблица", "a table"),
+    "a_list": ("список", "a list"),
+    "empty": ("пустое место", "empty"),
+    # what would have been valid
+    "valid": ("; допустимо: {names}{near}", "; valid: {names}{near}"),
+    "valid_some": ("; допустимо (часть): {names}{near}", "; valid (some of them): {names}{near}"),
+    "valid_drawn": ("; уже построено: {names}{near}", "; drawn so far: {names}{near}"),
+    "near_name": ("; имелось в виду {name}?", "; did you mean {name}?"),
+    "none_defined": ("; {of:of} там не задано", "; no {of} is defined there"),
+    # any value
+    "table_needed": (
+        "{what}: нужна таблица «ключ: значение», а не {kind}",
+        "{what} must be a table of 'key: value', not {kind}",
+    ),
+    "list_needed": ("{what}: нужен список, а не {kind}", "{what} must be a list, not {kind}"),
+    "word_needed": ("{what}: нужно слово, а не {kind}", "{what} must be a word, not {kind}"),
+    "number_needed": ("{what}: нужно число, а не {kind}{hint}", "{what} must be a number, not {kind}{hint}"),
+    "only_number": ("{what}: нужно число", "{what} must be a number"),
+    "decimal_fraction": ("; десятичную дробь пишут через точку", "; a decimal fraction is written with a point"),
+    "decimal_no_comma": (
+        "; десятичную дробь пишут через точку, а не через запятую",
+        "; a decimal fraction is written with a point, not a comma",
+    ),
+    "no_key": ("{what}: неизвестный ключ {key}{valid}", "{what} has no key {key}{valid}"),
+    "no_value": ("{what}: нет значения", "{what} has no value"),
+    "long_name": (
+        "имя {of:of} {name} длиннее {most} знаков",
+        "the name {name} of {of} is longer than {most} characters",
+    ),
+    "bad_name": (
+        "{name} не может быть именем {of:of}; допустимы буквы любого алфавита, цифры, _ - и ' без пробелов",
+        "{name} cannot be the name of {of}; valid are letters of any alphabet, digits, _ - and ' without spaces",
+    ),
+    "bad_word": ("{what}: {word} не подходит{valid}", "{what} cannot be {word}{valid}"),
+    "unknown_name": ("{what}: среди {of:of} нет {name}{valid}", "{what}: there is no {of} {name}{valid}"),
+    "negative": (
+        "{what}: значение не может быть отрицательным, а дано {value:g}",
+        "{what} cannot be negative, but is {value:g}",
+    ),
+    "needs_key": ("{what}: нужен ключ {key}", "{what} needs the key {key}"),
+    "needs_one_key": ("{what}: нужен один из ключей {keys}", "{what} needs one of the keys {keys}"),
+    "both_keys": (
+        "{what}: заданы и {one}, и {two}; оставьте что-нибудь одно",
+        "{what} has both {one} and {two}; write one of them",
+    ),
+    "place_needed": (
+        "{what}: нужно [x, y] или {{r: ..., angle: ...}}, а не {given}",
+        "{what} must be [x, y] or {{r: ..., angle: ...}}, not {given}",
+    ),
+    "pair_needed": (
+        "{what}: нужны два числа [x, y], а здесь их {count}{hint}",
+        "{what} must be [x, y], two numbers, not {count}{hint}",
+    ),
+    # the scene as a whole
+    "no_format": (
+        'нет строки "planes: 1"; она есть в каждом файле сцены',
+        'the line "planes: 1" is missing; every scene file has it',
+    ),
+    "other_format": (
+        "формат {version} файлов сцены неизвестен; эта программа читает planes: 1",
+        "format {version} of scene files is not known; this program reads planes: 1",
+    ),
+    "mu_place": (
+        "mu механизма записывают в plans: {{velocity: {{mu: ...}}}}",
+        "mu of a mechanism is written under plans: {{velocity: {{mu: ...}}}}",
+    ),
+    "two_scenes": (
+        "сцена задаёт либо механизм ({mechanism}), либо только {vectors}, но не то и другое",
+        "a scene states either a mechanism ({mechanism}) or {vectors} alone, not both",
+    ),
+    "part_missing": ("нет ключа {key}", "the key {key} is missing"),
+    "part_empty": ("{what}: здесь пусто", "{what} is empty"),
+    "no_variant": ("нет варианта {name}{valid}", "there is no variant {name}{valid}"),
+    "no_variants": ("; вариантов в сцене нет", "; the scene has no variants"),
+    # parameters, variants, results
+    "reserved_parameter": (
+        "параметр нельзя назвать {name}: в выражениях это имя уже занято",
+        "a parameter cannot be named {name}, which has a meaning in expressions already",
+    ),
+    "bad_parameter": (
+        "{name} не может быть именем параметра; допустимы буквы, цифры и _, первой буква, не больше {most} знаков",
+        "{name} cannot be the name of a parameter; valid are letters, digits and _, a letter first, at most {most} of "
+        "them",
+    ),
+    "no_parameter": (
+        "вариант {name} меняет {key}, но такого параметра нет{valid}",
+        "variant {name} overrides {key}, which is no parameter{valid}",
+    ),
+    "find_empty": (
+        "find: здесь пусто; уберите find, чтобы получить все величины",
+        "find is empty; leave it out to get every result",
+    ),
+    "bad_result": (
+        "find: {name} не может быть именем величины; имена выглядят так: v_C, omega_2, F_21",
+        "find: {name} cannot be the name of a result; names look like v_C, omega_2, F_21",
+    ),
+}
