@@ -85,7 +85,7 @@ class Teller:
         index, terms = self.equation_of(plan, makes)
         said: dict[Lang, str] = {}
         for lang in ("ru", "en"):
-            mu = mu_text(self.scales[mu_of(plan)], kind_of(plan) if plan != "lever" else "velocity", lang)
+            mu = mu_text(self.scales[mu_of(plan)], "velocity" if plan in ("lever", "motion") else kind_of(plan), lang)
             here = {k: v(lang) if callable(v) else v for k, v in names.items()}
             said[lang] = tell(key, lang, **{**here, "mu": mu})
         return Frame(plan, makes, uses, index, terms, said)
@@ -115,7 +115,7 @@ class Teller:
             case s.LayOff():
                 return self.lay_off(step)
             case s.Touch():
-                return "touch", {"action": self.action(step.makes)}
+                return "touch", {"action": self.action(step.makes), "end": label_of(step.end)}
             case s.Cross():
                 return "cross", {"action": self.action(step.along), "across": self.action(step.across)}
             case s.CrossArc():
@@ -151,7 +151,8 @@ class Teller:
             return "carried", {**more, "name": name, "value": told, "unit": unit_of(name), "length": step.length}
         along = self.made[step.along]
         driven = isinstance(along, s.Turn) and along.of == f"x_{self.plans.mechanism.drive.link}"
-        return "driver" if driven else "along", {**more, "value": lambda lang: number(value, lang), "unit": "m", "length": step.length}
+        told = lambda lang: number(value, lang)  # noqa: E731
+        return "driver" if driven else "along", {**more, "value": told, "unit": "m", "length": step.length}
 
     def mm(self, value: str, mu: str) -> Any:
         """A length on paper, as each language writes it."""
@@ -189,7 +190,7 @@ class Teller:
         plan = "lever" if m.links == ("lever",) else "position"
 
         def terms(lang: Lang) -> str:
-            parts = []
+            parts: list[str] = []
             for force, arm in m.terms:
                 size = number(self.drawing[self.sizes.get(force, force)], lang)
                 arm_text = f" · {bracketed(number(self.drawing[arm], lang))}" if arm else ""

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Mapping
+from contextlib import suppress
+from typing import Any
 
 from planes.drafting import POLE, label_of, mu_of
 from planes.drawing import Drawing, run
+from planes.instruments import Exact
 from planes.plans import Plans
+from planes.program import Program
 from planes.units import standard_mu, standard_scale
+from planes.wording import PlanFailure
 
 FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 110.0, "motion": 100.0}
 """How large a plan may be on the paper when nothing else is said."""
@@ -32,15 +37,32 @@ def scales(
     fixed = {p: said.get(kind_of(p)) for p in plans.drawn if p != "lever"}
     chosen = {mu_of(p): mu for p, mu in fixed.items() if mu}
     if len(chosen) < len(fixed):
-        drawing = run(plans.program, {**plans.given, **unit_scales(plans), **(given or {})})
+        now = {**plans.given, **unit_scales(plans), **(given or {})}
+        drawing, failed = reached(plans.program, now)
         for plan in fixed:
             if mu_of(plan) not in chosen:
                 size, fit = extent(drawing, plan), fit_mm[kind_of(plan)]
                 standard = standard_scale if plan == "position" else standard_mu
                 chosen[mu_of(plan)] = standard(size, fit)
+        if failed:  # tell it in millimetres of the paper
+            run(plans.program, {**now, **chosen})
+            raise failed
     if "lever" in plans.drawn:
         chosen[mu_of("lever")] = chosen[mu_of("motion" if plans.at_rest else "velocity")]
     return chosen
+
+
+def reached(program: Program, given: Mapping[str, Any]) -> tuple[Drawing, PlanFailure | None]:
+    """A drawing as far as it goes, and why it goes no further."""
+    try:
+        return run(program, given), None
+    except PlanFailure as failure:
+        things, hand, steps = dict(given), Exact().tool(False), []
+        with suppress(PlanFailure):
+            for step in program.steps:
+                things[step.makes] = step.draw(things, hand)
+                steps.append(step)
+        return Drawing(Program(tuple(steps)), things, hand), failure
 
 
 def extent(drawing: Drawing, plan: str) -> float:

@@ -68,7 +68,7 @@ def values_for(rng: random.Random, plans: Plans, reach: float) -> list[float]:
 @pytest.mark.parametrize("friction", [False, True])
 @pytest.mark.parametrize("kind", KINDS)
 def test_an_array_draws_what_one_draws(kind: str, friction: bool) -> None:
-    """Marks agree to 1e-12 of their plan over the sharpness (they differ in the last places of sines and
+    """Marks agree to 1e-13 of their plan over the sharpness (they differ in the last places of sines and
     divisions alone), values likewise; failures are the same ones; NaN stands only where there is one."""
     worst = 0.0
     for seed in range(12):
@@ -86,8 +86,9 @@ def test_an_array_draws_what_one_draws(kind: str, friction: bool) -> None:
                 assert first_reason(many, i) == failure.reason
                 continue
             assert mask is None or not mask[i], (seed, value, first_reason(many, i))
-            sharp = min(one.sharpness.values(), default=1.0)
-            if sharp < 1e-3:
+            sharp = math.prod(s for name, s in one.sharpness.items() if name.startswith("position"))
+            sharp *= min(one.sharpness.values(), default=1.0)  # errors of one group are carried into the next
+            if sharp < 1e-4:
                 continue
             sizes = plan_sizes(b, one)
             for step in b[0].program.steps:
@@ -105,7 +106,7 @@ def test_an_array_draws_what_one_draws(kind: str, friction: bool) -> None:
             thing = np.broadcast_to(many[step.makes], (len(values),))
             if not step.makes.startswith("arm_"):  # an arm of no force is no number
                 assert np.isfinite(thing[~mask if mask is not None else slice(None)]).all(), step.makes
-    assert worst < 1e-12
+    assert worst < 1e-13
 
 
 def test_a_whole_turn_fails_only_where_one_position_does() -> None:
@@ -128,7 +129,8 @@ def test_a_whole_turn_fails_only_where_one_position_does() -> None:
 
 def test_a_mask_keeps_what_was_drawn_before_the_failure() -> None:
     text = SLIDER.replace("phi: 30", "phi: 90").replace("y: 0}", "y: -0.2}")
-    many = crowd(bench(text), [60.0, 90.0, 120.0])
+    b = bench(text.replace("phi: 90", "phi: 60"))
+    many = crowd(b, [60.0, 90.0, 120.0])
     assert list(many.failed()) == [False, True, False]
     assert first_reason(many, 1) == "coincident"
     assert np.isfinite(many["position:C"]).all()
