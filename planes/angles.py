@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from planes.wording import SceneError
+from planes.words import Phrase
 
 MOST = 10_000_000
 
@@ -15,15 +16,15 @@ def read_range(text: str, option: str = "--phi") -> list[float]:
     try:
         numbers = [float(p.replace("−", "-")) for p in parts]
     except ValueError:
-        raise SceneError(f"{option} {text!r} is not a number or start:end:step, for example 0:360:30") from None
+        raise SceneError(Phrase("range_not_number", option=option, text=repr(text))) from None
     if len(numbers) not in (1, 3) or not all(math.isfinite(n) for n in numbers):
-        raise SceneError(f"{option} {text!r} must be one number or start:end:step, for example 0:360:30")
+        raise SceneError(Phrase("range_parts", option=option, text=repr(text)))
     if len(numbers) == 1:
         return numbers
     start, end, step = numbers
     if step == 0 or (end - start) * step < 0:
-        raise SceneError(f"{option} {text!r}: with a step of {step:g} the range never goes from {start:g} to {end:g}")
+        raise SceneError(Phrase("range_endless", option=option, text=repr(text), step=step, start=start, end=end))
     count = math.floor((end - start) / step * (1 + 1e-12) + 1e-9) + 1
     if count > MOST:
-        raise SceneError(f"{option} {text!r} is {count} positions; at most {MOST} can be drawn at once")
+        raise SceneError(Phrase("range_long", option=option, text=repr(text), count=count, most=MOST))
     return [start + i * step for i in range(count)]

@@ -10,6 +10,7 @@ from planes.mechanism import Assembly, Mechanism
 from planes.program import Program
 from planes.structure import Group
 from planes.wording import PlanFailure, SceneError
+from planes.words import Phrase
 
 WORDS_OF_KIND = {1: ("left", "right"), 2: ("ahead", "behind"), 3: ("ahead", "behind")}
 
@@ -37,11 +38,11 @@ def resolve(draft: Draft, choices: list[Choice], mechanism: Mechanism, file: str
         elif said.order in words:
             draft.given[choice.side] = 1.0 if said.order == words[0] else -1.0
         else:
-            raise SceneError(
-                f"assembly {key}: {said.order} does not fit a group {choice.group.name} (links "
-                f"{', '.join(choice.group.links)}); valid: {words[0]}, {words[1]} or {{near: [x, y]}}",
-                file, mechanism.where.get(("assembly", key)),
+            why = Phrase(
+                "order_misfit", key=key, order=said.order, name=choice.group.name, links=choice.group.links,
+                one=words[0], two=words[1],
             )  # fmt: skip
+            raise SceneError(why, file, mechanism.where.get(("assembly", key)))
 
 
 def _said(choice: Choice, mechanism: Mechanism) -> tuple[str, Assembly | None]:
@@ -87,27 +88,19 @@ def _nearer(
         try:
             run(program.sliced([at("position", point)]), {**draft.given, "mu_position": 1000.0})
         except PlanFailure as failure:
-            raise SceneError(
-                f"assembly {key}: the nearer place cannot be found, because at the drive's value {failure}",
-                file, mechanism.where.get(("assembly", key)),
-            ) from None  # fmt: skip
+            why = Phrase("near_not_drawn", key=key, failure=failure.phrase)
+            raise SceneError(why, file, mechanism.where.get(("assembly", key))) from None
     if len(places) == 2 and places[0][1] == places[1][1]:
-        raise SceneError(
-            f"assembly {key}: point {point} is at the same place in both assemblies, so near cannot tell them apart; "
-            "name another point of the group",
-            file, mechanism.where.get(("assembly", key)),
-        )  # fmt: skip
+        raise SceneError(Phrase("near_same", key=key, point=point), file, mechanism.where.get(("assembly", key)))
     return min(places, key=lambda found: abs(found[1] - near))[0]
 
 
-def _question(draft: Draft, program: Program, choice: Choice) -> str:
+def _question(draft: Draft, program: Program, choice: Choice) -> Phrase:
     g, words = choice.group, WORDS_OF_KIND[choice.group.kind]
-    start = (
-        f"links {', '.join(g.links)} ({g.name}) can be assembled in two ways and the scene does not say which; add "
-    )
-    offers = [f"assembly: {{{choice.key}: {word}}}" for word in words]
+    offers = [Phrase("assembly_offer", key=choice.key, word=word) for word in words]
     if g.kind != 3:
         for side, place in _places(draft, program, choice, choice.key):
             index = 0 if side > 0 else 1
-            offers[index] += f" for {choice.key} at ({place.real:.5g}, {place.imag:.5g})"
-    return start + " or ".join(offers)
+            offers[index] = Phrase(
+                "assembly_offer_at", key=choice.key, word=words[index], x=place.real, y=place.imag)
+    return Phrase("two_assemblies", links=g.links, name=g.name, offers=tuple(offers))

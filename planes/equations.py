@@ -11,6 +11,7 @@ from itertools import pairwise
 from typing import Literal
 
 from planes.wording import EquationError
+from planes.words import Phrase
 
 EquationKind = Literal["close", "cross", "arc", "arcs"]
 
@@ -56,15 +57,14 @@ class Equation:
             _check_chain(chain, self.text)
         one, two = self.chains
         if one and two and (one[0].start, one[-1].end) != (two[0].start, two[-1].end):
-            raise EquationError(
-                f"{self.text}: one side leads from {one[0].start} to {one[-1].end}, the other from {two[0].start} "
-                f"to {two[-1].end}; both sides must start and end at the same points"
-            )
+            raise EquationError(Phrase(
+                "sides_apart", text=self.text, start=one[0].start, end=one[-1].end, other_start=two[0].start,
+                other_end=two[-1].end,
+            ))  # fmt: skip
         if len(self.unknowns) != 2:
-            listed = "; ".join(f"{part} of {name}" for name, part in self.unknowns) or "none"
-            raise EquationError(
-                f"{self.text} has {len(self.unknowns)} unknowns ({listed}); a plane vector equation gives exactly two"
-            )
+            listed = tuple(unknown(name, part) for name, part in self.unknowns) or Phrase("none")
+            why = Phrase("unknowns_count", text=self.text, count=len(self.unknowns), listed=listed)
+            raise EquationError(why)
 
     @property
     def terms(self) -> tuple[Term, ...]:
@@ -102,9 +102,14 @@ class Equation:
         return f"{one} = {two}"
 
 
+def unknown(name: str, part: str) -> Phrase:
+    """An unknown in words: "length of v_C"."""
+    return Phrase("unknown_length" if part == "length" else "unknown_direction", name=name)
+
+
 def _check_chain(chain: tuple[Term, ...], text: str) -> None:
     for before, after in pairwise(chain):
         if before.end != after.start:
             raise EquationError(
-                f"{text}: {after.name} starts at {after.start}, but the drawing has reached {before.end}"
+                Phrase("chain_broken", text=text, name=after.name, start=after.start, reached=before.end)
             )

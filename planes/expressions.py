@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterable, Mapping
 
 from planes.degrees import acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
 from planes.wording import ExpressionError, choices, shown
+from planes.words import Phrase
 
 MAX_LENGTH = 1000
 MAX_DEPTH = 40
@@ -41,7 +42,7 @@ def evaluate(text: str, names: Mapping[str, float], valid: Iterable[str] | None 
     else:
         value = _Parser(text, names, names if valid is None else valid).value()
     if not math.isfinite(value):
-        raise ExpressionError(f"{shown(text)}: the value is too large")
+        raise _refusal(text, Phrase("value_large"))
     return value
 
 
@@ -80,40 +81,44 @@ def _resolve_from(start: str, texts: Mapping[str, str], values: dict[str, float]
                 values[current] = evaluate(texts[current], values, texts)
                 path.popitem()
         except ExpressionError as error:
-            raise ExpressionError(error.sentence, current) from None
+            raise ExpressionError(error.phrase, current) from None
         current = todo if todo is not None else next(reversed(path), None)
 
 
-def _cycle(path: list[str], name: str) -> str:
+def _cycle(path: list[str], name: str) -> Phrase:
     loop = [*path[path.index(name) :], name]
     words = loop if len(loop) <= 8 else [*loop[:6], "…", name]
-    return f"the parameters define one another in a circle: {' -> '.join(words)}"
+    return Phrase("circle", names=tuple(words))
+
+
+def _refusal(text: str, why: Phrase) -> ExpressionError:
+    return ExpressionError(Phrase("about", what=shown(text), why=why))
 
 
 def _tokens(text: str) -> list[tuple[str, str]]:
     if len(text) > MAX_LENGTH:
-        raise ExpressionError(f"{shown(text)}: longer than {MAX_LENGTH} characters")
+        raise _refusal(text, Phrase("expression_long", most=MAX_LENGTH))
     text = unicodedata.normalize("NFC", text).strip().replace("−", "-")
     if re.fullmatch(r"[-+]?\.?(nan|inf|infinity)", text, re.IGNORECASE):
-        raise ExpressionError(f"{shown(text)}: a finite number is needed")
+        raise _refusal(text, Phrase("not_finite"))
     found: list[tuple[str, str]] = []
     place = 0
     while place < len(text):
         match = _TOKEN.match(text, place)
         if match is None or (match[2] and not is_name(match[2])):
-            raise ExpressionError(f"{shown(text)}: {_stray(text[place:].lstrip()[0])}")
+            raise _refusal(text, _stray(text[place:].lstrip()[0]))
         kind = ("number", "name", "sign")[(match.lastindex or 1) - 1]
         found.append((kind, match[match.lastindex or 1]))
         place = match.end()
     return found
 
 
-def _stray(char: str) -> str:
+def _stray(char: str) -> Phrase:
     if char == "°":
-        return "angles are in degrees already; leave out °"
+        return Phrase("degree_sign")
     if char in "×·":
-        return f"write * instead of {char}"
-    return f"{shown(char)} cannot stand in an expression"
+        return Phrase("write_star", char=char)
+    return Phrase("stray", char=shown(char))
 
 
 class _Parser:
@@ -124,33 +129,33 @@ class _Parser:
         self.tokens = [*_tokens(text), ("end", "")]
         self.at = self.depth = 0
 
-    def fail(self, why: str) -> ExpressionError:
+    def fail(self, why: Phrase) -> ExpressionError:
         """An error that quotes the expression."""
-        return ExpressionError(f"{shown(self.text)}: {why}")
+        return _refusal(self.text, why)
 
     def value(self) -> float:
         """The value of the whole text."""
         if len(self.tokens) == 1:
-            raise self.fail("a number is missing")
+            raise self.fail(Phrase("number_absent"))
         try:
             value = self.sum()
         except OverflowError:
-            raise self.fail("the value is too large") from None
+            raise self.fail(Phrase("value_large")) from None
         except ZeroDivisionError:
-            raise self.fail("division by zero") from None
+            raise self.fail(Phrase("division_by_zero")) from None
         if self.tokens[self.at][0] != "end":
             raise self.fail(self._unexpected())
         return value
 
-    def _unexpected(self) -> str:
+    def _unexpected(self) -> Phrase:
         kind, word = self.tokens[self.at]
         if word == "," and self.at and self.tokens[self.at - 1][0] == "number":
             after = self.tokens[self.at + 1]
-            whole = self.tokens[self.at - 1][1]
-            return f"write a decimal point: {whole}.{after[1]}" if after[0] == "number" else '"," is not expected here'
+            if after[0] == "number":
+                return Phrase("decimal_point", number=f"{self.tokens[self.at - 1][1]}.{after[1]}")
         if kind == "end":
-            return "something is missing at the end"
-        return f"{shown(word)} is not expected here" + ("; is an operator missing?" if kind != "sign" else "")
+            return Phrase("end_absent")
+        return Phrase("unexpected" if kind == "sign" else "unexpected_operand", word=shown(word))
 
     def sign(self, *signs: str) -> str:
         """Take one of these signs if it is next; empty if not."""
@@ -178,7 +183,7 @@ class _Parser:
         """A power, with signs before it: -2^2 is -4."""
         self.depth += 1
         if self.depth > MAX_DEPTH:
-            raise self.fail(f"nested deeper than {MAX_DEPTH} levels")
+            raise self.fail(Phrase("expression_deep", most=MAX_DEPTH))
         sign = self.sign("+", "-")
         value = (-self.signed() if sign == "-" else self.signed()) if sign else self.power()
         self.depth -= 1
@@ -193,7 +198,7 @@ class _Parser:
         try:
             return math.pow(base, exponent)
         except ValueError:
-            raise self.fail(f"{base:g} to the power {exponent:g} has no value") from None
+            raise self.fail(Phrase("no_power", base=base, exponent=exponent)) from None
 
     def atom(self) -> float:
         """A number, a name, a function of something, or something in brackets."""
@@ -213,7 +218,7 @@ class _Parser:
     def close(self) -> None:
         """Take the closing bracket."""
         if not self.sign(")"):
-            raise self.fail("a ) is missing" if self.tokens[self.at][0] == "end" else self._unexpected())
+            raise self.fail(Phrase("bracket_absent") if self.tokens[self.at][0] == "end" else self._unexpected())
 
     def named(self, name: str) -> float:
         """A parameter or pi."""
@@ -222,23 +227,24 @@ class _Parser:
         if name == "pi":
             return math.pi
         if self.tokens[self.at] == ("sign", "("):
-            raise self.fail(f"there is no function {shown(name)}{choices(name, _FUNCTIONS)}")
-        raise self.fail(f"the name {shown(name)} is not defined{choices(name, [*self.valid, *RESERVED])}")
+            raise self.fail(Phrase("no_function", name=shown(name), valid=choices(name, _FUNCTIONS)))
+        valid = choices(name, [*self.valid, *RESERVED])
+        raise self.fail(Phrase("not_defined", name=shown(name), valid=valid))
 
     def call(self, name: str) -> float:
         """A function of the arguments in brackets."""
         function, least, most = _FUNCTIONS[name]
         if not self.sign("("):
-            raise self.fail(f"{name} needs its argument in brackets: {name}(...)")
+            raise self.fail(Phrase("needs_brackets", name=name))
         given = [self.sum()]
         while self.sign(","):
             given.append(self.sum())
         self.close()
         if not least <= len(given) <= most:
-            hint = "; for a decimal point write ." if len(given) > most else ""
-            raise self.fail(f"{name} takes {least if least == most else 'two or more'} numbers{hint}"
-                            .replace("takes 1 numbers", "takes one number"))
+            key = "takes_more" if least < most else ("takes_one" if most == 1 else "takes_count")
+            hint = Phrase("hint_point") if len(given) > most else ""
+            raise self.fail(Phrase(key, name=name, count=least, hint=hint))
         try:
             return function(*given)
         except ValueError:
-            raise self.fail(f"{name}({', '.join(f'{x:g}' for x in given)}) has no value") from None
+            raise self.fail(Phrase("call_without_value", name=name, given=tuple(f"{x:g}" for x in given))) from None

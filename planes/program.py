@@ -8,6 +8,7 @@ from functools import cached_property
 
 from planes.steps import Kind, Step
 from planes.wording import ProgramError, valid_names
+from planes.words import Phrase
 
 
 @dataclass(frozen=True)
@@ -21,15 +22,19 @@ class Program:
         for step in self.steps:
             for name, kind in step.reads():
                 have = made.get(name, kind if kind in ("value", "place") else None)
+                what, said = type(step).__name__, Phrase(f"kind_{kind}")
                 if have is None:
+                    valid = valid_names(name, [m for m, k in made.items() if k == kind][:12], "valid_drawn")
                     raise ProgramError(
-                        f"{type(step).__name__} of {step.makes} needs the {kind} {name}, but the drawing has not reached"
-                        f" it{valid_names(name, [m for m, k in made.items() if k == kind][:12], 'drawn so far')}"
+                        Phrase("step_needs", step=what, makes=step.makes, kind=said, name=name, valid=valid)
                     )
                 if have != kind:
-                    raise ProgramError(f"{type(step).__name__} of {step.makes} takes {name} for a {kind}, it is a {have}")
+                    other = Phrase(f"kind_{have}")
+                    raise ProgramError(
+                        Phrase("step_kind", step=what, makes=step.makes, name=name, kind=said, have=other)
+                    )
             if step.makes in made:
-                raise ProgramError(f"{step.makes} is made twice; name the second mark differently")
+                raise ProgramError(Phrase("made_twice", makes=step.makes))
             made[step.makes] = step.kind
 
     @cached_property

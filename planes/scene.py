@@ -27,6 +27,7 @@ from planes.scene_settings import (
 from planes.scene_vectors import VectorGiven, read_equations, read_vectors
 from planes.source import Node, Table
 from planes.wording import SceneError, shown
+from planes.words import Phrase
 
 __all__ = ["Scene", "VectorGiven", "load", "loads"]
 
@@ -105,25 +106,24 @@ def _frozen(words: dict[str, str]) -> Mapping[str, str]:
 
 def _note(reader: Reader, table: Table) -> Node | None:
     if "note" in table.entries and "text" in table.entries:
-        reader.one_of(table, ("note", "text"), "the scene")
+        reader.one_of(table, ("note", "text"), Phrase("the_scene"))
     return reader.optional(table, "note") or reader.optional(table, "text")
 
 
 def _check_outline(reader: Reader, table: Table) -> None:
     """Format, keys, and whether it is a mechanism or vectors."""
     if "planes" not in table.entries:
-        raise SceneError('the line "planes: 1" is missing; every scene file has it', reader.file, 1)
+        raise SceneError(Phrase("no_format"), reader.file, 1)
     version = reader.text(table.entries["planes"], "planes")
     if version != FORMAT:
-        raise reader.error(f"format {shown(version)} of scene files is not known; this program reads planes: 1",
-                           table.entries["planes"])
-    reader.table(table, "the scene", (*_COMMON, *_MECHANISM, *_VECTORS))
+        raise reader.error(Phrase("other_format", version=shown(version)), table.entries["planes"])
+    reader.table(table, Phrase("the_scene"), (*_COMMON, *_MECHANISM, *_VECTORS))
     vectors = next((key for key in _VECTORS if key in table.entries), None)
     mechanism = next((key for key in _MECHANISM if key in table.entries), None)
     if vectors and mechanism:
         if vectors == "mu":
-            raise reader.error("mu of a mechanism is written under plans: {velocity: {mu: ...}}", table.lines["mu"])
-        raise reader.error(f"a scene states either a mechanism ({mechanism}) or {vectors} alone, not both",
+            raise reader.error(Phrase("mu_place"), table.lines["mu"])
+        raise reader.error(Phrase("two_scenes", mechanism=mechanism, vectors=vectors),
                            max(table.lines[vectors], table.lines[mechanism]))
     _check_required(reader, table, vectors is not None)
 
@@ -131,9 +131,9 @@ def _check_outline(reader: Reader, table: Table) -> None:
 def _check_required(reader: Reader, table: Table, of_vectors: bool) -> None:
     for key in ("vectors", "equations") if of_vectors else ("frame", "links", "drive"):
         if key not in table.entries:
-            raise SceneError(f"the key {key} is missing", reader.file, 1)
+            raise SceneError(Phrase("part_missing", key=key), reader.file, 1)
         if reader.optional(table, key) is None:
-            raise reader.error(f"{key} is empty", table.lines[key])
+            raise reader.error(Phrase("part_empty", what=key), table.lines[key])
 
 
 def _mechanism(reader: Reader, table: Table, where: Where) -> Mechanism:

@@ -6,10 +6,11 @@ import re
 from collections.abc import Mapping
 
 from planes.expressions import RESERVED, is_name, resolve
-from planes.scene_reader import MAX_NAME, Reader
+from planes.scene_reader import MAX_NAME, Reader, part, section
 from planes.source import Items, Node, Table, Text
 from planes.units import PLANS, UnitError, plan_of_mu, read_mu
 from planes.wording import ExpressionError, choices, shown
+from planes.words import Phrase
 
 Words = dict[str, str]
 
@@ -31,27 +32,26 @@ def read_parameters(reader: Reader, node: Node | None, chosen: Table | None) -> 
     for name, line in table.lines.items():
         _check_parameter(reader, name, line)
     entries = {**table.entries, **(chosen.entries if chosen else {})}
-    texts = {name: _scalar(reader, entry, f"parameter {name}") for name, entry in entries.items()}
+    texts = {name: _scalar(reader, entry, Phrase("parameter", name=name)) for name, entry in entries.items()}
     try:
         return resolve(texts)
     except ExpressionError as error:
-        name = error.parameter
-        raise reader.error(f"parameter {name}: {error.sentence}", entries[name]) from None
+        what = Phrase("parameter", name=error.parameter)
+        raise reader.error(Phrase("about", what=what, why=error.phrase), entries[error.parameter]) from None
 
 
 def _check_parameter(reader: Reader, name: str, line: int) -> None:
     if name in RESERVED:
-        raise reader.error(f"a parameter cannot be named {name}, which has a meaning in expressions already", line)
+        raise reader.error(Phrase("reserved_parameter", name=name), line)
     if len(name) > MAX_NAME or not is_name(name):
-        raise reader.error(f"{shown(name)} cannot be the name of a parameter; valid are letters, digits and _, "
-                           f"a letter first, at most {MAX_NAME} of them", line)
+        raise reader.error(Phrase("bad_parameter", name=shown(name), most=MAX_NAME), line)
 
 
-def _scalar(reader: Reader, node: Node, what: str) -> str:
+def _scalar(reader: Reader, node: Node, what: Phrase) -> str:
     if isinstance(node, Text) and not node.absent:
         return node.text
     reader.number(node, what)
-    raise reader.error(f"{what} must be a number", node)
+    raise reader.error(Phrase("only_number", what=what), node)
 
 
 def read_variants(reader: Reader, node: Node | None, parameters: Node | None) -> dict[str, Table]:
@@ -59,16 +59,16 @@ def read_variants(reader: Reader, node: Node | None, parameters: Node | None) ->
     if node is None:
         return {}
     known = parameters.entries if isinstance(parameters, Table) else {}
-    variants = reader.names(node, "variants", "a variant")
+    variants = reader.names(node, "variants", Phrase("a_variant"))
     tables: dict[str, Table] = {}
     for name, entry in variants.entries.items():
-        absent = isinstance(entry, Text) and entry.absent
-        table = Table({}, entry.line) if absent else reader.table(entry, f"variant {name}")
+        what, absent = Phrase("variant", name=name), isinstance(entry, Text) and entry.absent
+        table = Table({}, entry.line) if absent else reader.table(entry, what)
         for key, line in table.lines.items():
             if key not in known:
-                raise reader.error(f"variant {name} overrides {shown(key)}, which is no parameter"
-                                   f"{reader.offer(key, known, 'parameter')}", line)
-            _scalar(reader, table.entries[key], f"{key} of variant {name}")
+                valid = reader.offer(key, known, Phrase("parameters_all"))
+                raise reader.error(Phrase("no_parameter", name=name, key=shown(key), valid=valid), line)
+            _scalar(reader, table.entries[key], part(key, what))
         tables[name] = table
     return tables
 
@@ -80,9 +80,9 @@ def read_words(reader: Reader, node: Node | None, what: str) -> Words:
     if isinstance(node, Text):
         return dict.fromkeys(("ru", "en"), node.text)
     table = reader.table(node, what, ("ru", "en"))
-    given = {lang: reader.text(entry, f"{lang} of {what}") for lang, entry in table.entries.items()}
+    given = {lang: reader.text(entry, part(lang, section(what))) for lang, entry in table.entries.items()}
     if not given:
-        raise reader.error(f"{what} is empty", table)
+        raise reader.error(Phrase("part_empty", what=what), table)
     return {lang: given.get(lang) or next(iter(given.values())) for lang in ("ru", "en")}
 
 
@@ -94,7 +94,7 @@ def read_plans(reader: Reader, node: Node | None) -> dict[str, float | None]:
     for plan, entry in reader.table(node, "plans", PLANS).entries.items():
         value: Node | None = entry
         if isinstance(entry, Table):
-            value = reader.optional(reader.table(entry, f"plan {plan}", ("mu",)), "mu")
+            value = reader.optional(reader.table(entry, Phrase("plan_key", name=plan), ("mu",)), "mu")
         scales[plan] = None if value is None else _mu(reader, value, plan)
     return scales
 
@@ -103,9 +103,9 @@ def _mu(reader: Reader, node: Node, plan: str) -> float | None:
     if isinstance(node, Text) and (node.absent or node.text == "auto"):
         return None
     try:
-        return read_mu(reader.text(node, f"mu of the {plan} plan"), plan)
+        return read_mu(reader.text(node, part("mu", Phrase("the_plan", plan=Phrase(f"scale_{plan}")))), plan)
     except UnitError as error:
-        raise reader.error(str(error), node) from None
+        raise reader.error(error.phrase, node) from None
 
 
 def read_vector_mu(reader: Reader, node: Node | None) -> tuple[float | None, str | None]:
@@ -120,12 +120,12 @@ def read_find(reader: Reader, node: Node | None) -> tuple[str, ...] | None:
         return None
     nodes = [node] if isinstance(node, Text) else reader.items(node, "find")
     if not nodes:
-        raise reader.error("find is empty; leave it out to get every result", node)
-    names = [reader.text(entry, f"entry {number} of find") for number, entry in enumerate(nodes, 1)]
+        raise reader.error(Phrase("find_empty"), node)
+    what = section("find")
+    names = [reader.text(entry, Phrase("entry", number=n, what=what)) for n, entry in enumerate(nodes, 1)]
     for name, entry in zip(names, nodes, strict=True):
         if len(name) > MAX_NAME or not _FIND.fullmatch(name):
-            raise reader.error(f"find: {shown(name)} cannot be the name of a result; "
-                               "names look like v_C, omega_2, F_21", entry)
+            raise reader.error(Phrase("bad_result", name=shown(name)), entry)
     return tuple(dict.fromkeys(names))
 
 
@@ -136,7 +136,7 @@ def read_sheet(reader: Reader, node: Node | None) -> Mapping[str, object]:
     table = reader.table(node, "sheet", SHEET_KEYS)
     for key, words in _WORDS.items():
         if (entry := reader.optional(table, key)) is not None:
-            reader.word(entry, f"{key} of sheet", words)
+            reader.word(entry, part(key, section("sheet")), words)
     return {key: _free(entry, key in _NUMERIC) for key, entry in table.entries.items()
             if reader.optional(table, key) is not None}
 
@@ -154,12 +154,13 @@ def read_number_of_frame(reader: Reader, node: Node | None) -> str:
     """The number of the frame on sheets."""
     if not isinstance(node, Table) or (entry := reader.optional(node, "number")) is None:
         return "0"
-    return reader.check_name(reader.text(entry, "number of the frame"), "the frame", entry)
+    what = Phrase("the_frame")
+    return reader.check_name(reader.text(entry, part("number", what)), what, entry)
 
 
 def choose(reader: Reader, variants: Mapping[str, Table], variant: str | None, line: int) -> Table | None:
     """The table of the asked variant."""
     if variant is None or variant in variants:
         return None if variant is None else variants[variant]
-    raise reader.error(f"there is no variant {shown(variant)}"
-                       f"{choices(variant, variants) or '; the scene has no variants'}", line)
+    valid = choices(variant, variants) or Phrase("no_variants")
+    raise reader.error(Phrase("no_variant", name=shown(variant), valid=valid), line)

@@ -9,6 +9,7 @@ from typing import Any
 from planes.drawing import Drawing, run
 from planes.instruments import Instrument, Pencil
 from planes.measuring import Quantity, Reader, asked
+from planes.nearest import nearest
 from planes.plans import Plans, sliced, state
 from planes.scales import FIT_MM, scales
 from planes.scene import Scene
@@ -16,6 +17,7 @@ from planes.structure import Structure
 from planes.wording import PlanFailure, SceneError
 from planes.words import Lang, say
 
+TOLD = 20  # for how many failed positions the nearest working one is looked for
 PENCILS = 200  # how many draughtsmen draw a plan to see how far apart they end
 
 
@@ -79,9 +81,16 @@ def solve(
         try:
             solved.positions.append(position(scene, plans, wanted, value, instrument, lang))
         except PlanFailure as failure:
-            place = say("at", lang, name="φ" if drive.kind == "phi" else "s", value=told(value, drive.kind))
-            solved.failed.append({key_of(plans): value, "error": place + failure.sentence(lang)})
+            near = nearest(plans, value) if len(solved.failed) < TOLD else None
+            solved.failed.append({key_of(plans): value, "error": failed(failure, value, drive.kind, near, lang)})
     return solved
+
+
+def failed(failure: PlanFailure, value: float, kind: str, near: float | None, lang: Lang) -> str:
+    """The sentence of a position that did not come out, with the nearest one that does."""
+    name = "φ" if kind == "phi" else "s"
+    sentence = say("at", lang, name=name, value=told(value, kind)) + failure.sentence(lang)
+    return sentence + ("" if near is None else say("nearest", lang, name=name, value=told(round(near, 4), kind)))
 
 
 def told(value: float, kind: str) -> str:

@@ -7,6 +7,7 @@ sentence with its line, when it is not one plain document: anchors, tags, duplic
 
 from __future__ import annotations
 
+import errno
 import stat
 import time
 import unicodedata
@@ -17,6 +18,7 @@ from pathlib import Path
 import yaml
 
 from planes.wording import SceneError, shown
+from planes.words import Phrase
 from planes.yaml_words import explained
 
 MAX_BYTES = 1_000_000
@@ -24,6 +26,7 @@ MAX_BYTES_SLOW = 100_000  # when only the slow YAML reader is there
 MAX_DEPTH = 50
 MAX_SECONDS = 3.0
 _NOTHING = ("", "~", "null", "Null", "NULL")
+_REASONS = {errno.EACCES: "no_permission", errno.ENAMETOOLONG: "name_too_long", None: "bad_file_name"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,32 +81,33 @@ def read(path: str | Path) -> str:
     try:
         mode = Path(path).stat().st_mode
         if stat.S_ISDIR(mode):
-            raise SceneError("this is a folder, not a scene file", name)
+            raise SceneError(Phrase("is_folder"), name)
         if not stat.S_ISREG(mode):
-            raise SceneError("this is not an ordinary file", name)
+            raise SceneError(Phrase("not_ordinary"), name)
         with open(path, "rb") as stream:
             data = stream.read(MAX_BYTES + 1)
     except SceneError:
         raise
     except FileNotFoundError:
-        raise SceneError("there is no such file", name) from None
+        raise SceneError(Phrase("no_file"), name) from None
     except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or "the name cannot be a file's"
-        raise SceneError(f"the file cannot be read: {reason}", name) from None
+        key = _REASONS.get(getattr(error, "errno", None))
+        reason = Phrase(key) if key else getattr(error, "strerror", None) or str(error)
+        raise SceneError(Phrase("unreadable_file", reason=reason), name) from None
     return decoded(data, name)
 
 
 def decoded(data: bytes, file: str) -> str:
     """UTF-8 bytes, with or without a byte order mark, as text."""
     if len(data) > MAX_BYTES:
-        raise SceneError(f"the file is larger than {MAX_BYTES // 1_000_000} MB, too large for a scene", file)
+        raise SceneError(Phrase("file_large", size=MAX_BYTES // 1_000_000), file)
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        raise SceneError("the file is in UTF-16; save it as UTF-8", file, 1)
+        raise SceneError(Phrase("utf_16"), file, 1)
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line, byte = data.count(b"\n", 0, error.start) + 1, data[error.start]
-        raise SceneError(f"byte 0x{byte:02x} is not UTF-8; save the file as UTF-8", file, line) from None
+        raise SceneError(Phrase("not_utf_8", byte=byte), file, line) from None
 
 
 def parse(text: str, file: str) -> Table:
@@ -117,30 +121,30 @@ def parse(text: str, file: str) -> Table:
         for event in yaml.parse(text, Loader=loader):
             builder.take(event)
             if time.monotonic() > deadline:
-                raise builder.error("the file takes too long to read", builder.line)
+                raise builder.error(Phrase("slow_file"), builder.line)
     except yaml.YAMLError as error:
-        sentence, line = explained(error, text)
-        raise SceneError(sentence, file, line) from None
+        phrase, line = explained(error, text)
+        raise SceneError(phrase, file, line) from None
     except RecursionError:
-        raise SceneError(f"the file is nested deeper than {MAX_DEPTH} levels", file) from None
+        raise SceneError(Phrase("deep_file", most=MAX_DEPTH), file) from None
     root = builder.root
     if root is None or (isinstance(root, Text) and root.absent):
-        raise SceneError("the file is empty", file, 1)
+        raise SceneError(Phrase("empty_file"), file, 1)
     if not isinstance(root, Table):
-        raise SceneError("a scene is made of lines 'key: value'; this file is not", file, root.line)
+        raise SceneError(Phrase("not_keys"), file, root.line)
     return root
 
 
 def _check_text(text: str, file: str) -> None:
     limit = MAX_BYTES if hasattr(yaml, "CSafeLoader") else MAX_BYTES_SLOW
     if len(text) > limit:
-        raise SceneError(f"the text is longer than {limit} characters, too long for a scene", file)
+        raise SceneError(Phrase("text_long", limit=limit), file)
     if not text.strip():
-        raise SceneError("the file is empty", file, 1)
+        raise SceneError(Phrase("empty_file"), file, 1)
     for index, char in enumerate(text):
         if (char < " " and char not in "\n\r\t") or char in "\x7f\ufeff\ufffe\uffff" or "\ud800" <= char < "\ue000":
             line = text.count("\n", 0, index) + 1
-            raise SceneError(f"the control character U+{ord(char):04X} cannot stand in a scene", file, line)
+            raise SceneError(Phrase("control_character", code=ord(char)), file, line)
 
 
 class _Open:
@@ -162,9 +166,9 @@ class _Builder:
         self.root: Node | None = None
         self.documents = 0
 
-    def error(self, sentence: str, line: int) -> SceneError:
+    def error(self, phrase: Phrase, line: int) -> SceneError:
         """A refusal at a line."""
-        return SceneError(sentence, self.file, line)
+        return SceneError(phrase, self.file, line)
 
     def take(self, event: yaml.Event) -> None:
         """Add one event to the tree."""
@@ -172,7 +176,7 @@ class _Builder:
         if isinstance(event, yaml.DocumentStartEvent):
             self.documents += 1
             if self.documents > 1:
-                raise self.error("a second document starts here; a scene file holds one", self.line)
+                raise self.error(Phrase("second_document"), self.line)
         elif isinstance(event, yaml.NodeEvent):
             self._refuse_marks(event)
             self._node(event)
@@ -181,13 +185,11 @@ class _Builder:
 
     def _refuse_marks(self, event: yaml.NodeEvent) -> None:
         if isinstance(event, yaml.AliasEvent):
-            name = _brief(event.anchor or "")
-            raise self.error(f"the alias *{name} is not allowed; write the value out", self.line)
+            raise self.error(Phrase("alias", name=_brief(event.anchor or "")), self.line)
         if event.anchor is not None:
-            raise self.error(f"the anchor &{_brief(event.anchor)} is not allowed; remove it", self.line)
+            raise self.error(Phrase("anchor", name=_brief(event.anchor)), self.line)
         if (tag := getattr(event, "tag", None)) is not None:
-            short = _brief(tag.replace("tag:yaml.org,2002:", "!!"))
-            raise self.error(f"the tag {short} is not allowed; remove it", self.line)
+            raise self.error(Phrase("tag", name=_brief(tag.replace("tag:yaml.org,2002:", "!!"))), self.line)
 
     def _node(self, event: yaml.NodeEvent) -> None:
         if isinstance(event, yaml.ScalarEvent):
@@ -198,7 +200,7 @@ class _Builder:
         node = Table({}, self.line) if isinstance(event, yaml.MappingStartEvent) else Items([], self.line)
         self._add(node)
         if len(self.stack) >= MAX_DEPTH:
-            raise self.error(f"the file is nested deeper than {MAX_DEPTH} levels", self.line)
+            raise self.error(Phrase("deep_file", most=MAX_DEPTH), self.line)
         self.stack.append(_Open(node, bool(getattr(event, "flow_style", False))))
 
     def _add(self, node: Node) -> None:
@@ -217,13 +219,13 @@ class _Builder:
 
     def _key(self, top: _Open, table: Table, node: Node) -> None:
         if not isinstance(node, Text):
-            raise self.error("a key must be a word, not a list or a table", node.line)
+            raise self.error(Phrase("key_not_word"), node.line)
         if not node.text:
-            raise self.error("a key is missing before ':'", node.line)
+            raise self.error(Phrase("key_absent"), node.line)
         if node.text in table.entries:
             first = table.lines[node.text]
-            where = f"in line {first}" if first == node.line else f"in line {first} and in line {node.line}"
-            raise self.error(f"the key {shown(node.text)} stands twice, {where}", node.line)
+            key = "key_twice" if first == node.line else "key_twice_apart"
+            raise self.error(Phrase(key, key=shown(node.text), line=first, second=node.line), node.line)
         table.lines[node.text] = node.line
         top.key = node.text
 
@@ -234,10 +236,10 @@ class _Builder:
             return
         if last.text.count("(") > last.text.count(")"):
             written = shown(f"{last.text}, {key}")
-            raise self.error(f"between {{ }} an expression with commas needs quotes: {written}", last.line)
+            raise self.error(Phrase("quotes_needed", written=written), last.line)
         if key.isdigit() and last.text[-1:].isdigit():
-            raise self.error(f"{shown(f'{last.text},{key}')}: write a decimal point: "
-                             f"{_brief(last.text)}.{_brief(key)}", last.line)
+            why = Phrase("decimal_point", number=f"{_brief(last.text)}.{_brief(key)}")
+            raise self.error(Phrase("about", what=shown(f"{last.text},{key}"), why=why), last.line)
 
 
 def _brief(text: str) -> str:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from planes.wording import EquationError
+from planes.words import Phrase
 
 POLE = "p"
 _RATE = re.compile(r"([va])_([^\W\d_]\d*)([^\W\d_]\d*)?(?:\^([ntkr]))?")
@@ -31,7 +32,7 @@ def read_equation(text: str) -> Sides:
     """
     parts = text.split("=")
     if len(parts) != 2:
-        raise EquationError(f"{text}: an equation has exactly one =")
+        raise EquationError(Phrase("one_equals", text=text))
     sides: tuple[list[str], list[str]] = ([], [])
     for index, part in enumerate(parts):
         for sign, name in _terms(part, text):
@@ -39,9 +40,9 @@ def read_equation(text: str) -> Sides:
     names = sides[0] + sides[1]
     for name in names:
         if names.count(name) > 1:
-            raise EquationError(f"{text}: {name} stands twice; name each vector once")
+            raise EquationError(Phrase("vector_twice", text=text, name=name))
     if not names:
-        raise EquationError(f"{text}: there is no vector in it")
+        raise EquationError(Phrase("no_vectors", text=text))
     found = Sides(text, tuple(sides[0]), tuple(sides[1]))
     check_chain(found)
     return found
@@ -56,10 +57,11 @@ def _terms(part: str, text: str) -> list[tuple[str, str]]:
     found = []
     for sign, name in zip(pieces[::2], pieces[1::2], strict=False):
         if not re.fullmatch(r"[^\W\d][\w^'′]*", name.strip()):
-            raise EquationError(f"{text}: {name.strip() or 'nothing'!r} is not the name of a vector")
+            word = repr(name.strip()) if name.strip() else Phrase("nothing")
+            raise EquationError(Phrase("not_vector", text=text, name=word))
         found.append((sign, name.strip()))
     if not found:
-        raise EquationError(f"{text}: one side is empty; write 0 if nothing stands there")
+        raise EquationError(Phrase("side_empty", text=text))
     return found
 
 
@@ -89,14 +91,14 @@ def check_chain(sides: Sides) -> None:
             assert before and after
             if before[1] != after[0]:
                 raise EquationError(
-                    f"{sides.text}: {name} starts at {after[0]}, but the drawing has reached {before[1]}; "
-                    "write the vectors in the order they follow each other"
+                    Phrase("chain_order", text=sides.text, name=name, start=after[0], reached=before[1])
                 )
         first, last = spans[0][1], spans[-1][1]
         assert first and last
         reached.append((first[0], last[1]))
     if len(reached) == 2 and reached[0] != reached[1]:
-        raise EquationError(
-            f"{sides.text}: the left side leads from {reached[0][0]} to {reached[0][1]}, the right side from "
-            f"{reached[1][0]} to {reached[1][1]}; a vector is missing or named the other way round"
+        (start, end), (other_start, other_end) = reached
+        why = Phrase(
+            "chain_ends", text=sides.text, start=start, end=end, other_start=other_start, other_end=other_end
         )
+        raise EquationError(why)

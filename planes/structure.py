@@ -13,6 +13,7 @@ from typing import Literal
 
 from planes.mechanism import FRAME, Mechanism
 from planes.wording import StructureError, valid_names
+from planes.words import Phrase
 
 KIND_NAMES = ("RRR", "RRP", "RPR", "PRP", "RPP")
 
@@ -90,11 +91,10 @@ def analyse(mechanism: Mechanism, file: str = "") -> Structure:
     pair_count = finder.pair_count()
     freedom = 3 * len(mechanism.links) - 2 * pair_count
     if freedom != 1:
-        raise finder.error(
-            f"the mechanism has W = 3·{len(mechanism.links)} - 2·{pair_count} = {freedom}, one drive needs W = 1; "
-            + ("a link or a pair is missing from the closed loops" if freedom > 1 else "a pair is too many")
-            + f" (pairs: {finder.pair_words()})"
-        )
+        hint = Phrase("freedom_more" if freedom > 1 else "freedom_less")
+        raise finder.error(Phrase(
+            "wrong_freedom", links=len(mechanism.links), pairs=pair_count, freedom=freedom, hint=hint,
+            listed=finder.pair_words()))
     drive_pair = finder.drive_pair()
     groups = finder.groups()
     redundant = freedom - 6 * len(mechanism.links) + 5 * pair_count
@@ -118,19 +118,20 @@ class _Finder:
             if link.slides
         ]
 
-    def error(self, sentence: str, *path: str) -> StructureError:
+    def error(self, phrase: Phrase, *path: str) -> StructureError:
         """A refusal that points at the line of what it speaks of."""
         where = self.mechanism.where
-        return StructureError(sentence, self.file, where.get(path, where.get(("links",))))
+        return StructureError(phrase, self.file, where.get(path, where.get(("links",))))
 
     def pair_count(self) -> int:
         """Number of one-freedom pairs: k - 1 for a hinge of k links, one for each slide."""
         return sum(len(h) - 1 for h in self.holders.values()) + len(self.slides)
 
-    def pair_words(self) -> str:
+    def pair_words(self) -> tuple[Phrase, ...]:
         """The pairs in words, for the sentence of a wrong W."""
-        hinges = [f"{p} of links {', '.join(h)}" for p, h in self.holders.items() if len(h) > 1]
-        return "; ".join(hinges + [f"{s.link} slides on {s.guide} of {s.other}" for s in self.slides]) or "none"
+        hinges = [Phrase("hinge_pair", point=p, links=tuple(h)) for p, h in self.holders.items() if len(h) > 1]
+        slides = [Phrase("slide_pair", link=s.link, guide=s.guide, owner=s.other) for s in self.slides]
+        return (*hinges, *slides) or (Phrase("none"),)
 
     def drive_pair(self) -> Pair:
         """The pair of the driver with the frame that the drive's motion is given in."""
@@ -139,11 +140,9 @@ class _Finder:
         wanted: Literal["R", "P"] = "R" if drive.kind == "phi" else "P"
         fitting = [p for p in found if p.kind == wanted]
         if len(found) != 1 or not fitting:
-            need = "one hinge on the frame" if wanted == "R" else "one guide of the frame to slide on"
-            have = ", ".join(p.point or p.guide for p in found) or "none"
-            raise self.error(
-                f"the driver {drive.link} given by {drive.kind} needs exactly {need}, it has: {have}", "drive"
-            )
+            need = Phrase("need_hinge" if wanted == "R" else "need_guide")
+            have = tuple(p.point or p.guide for p in found) or Phrase("none")
+            raise self.error(Phrase("driver_pair", link=drive.link, kind=drive.kind, need=need, have=have), "drive")
         return fitting[0]
 
     def between(self, link: str, known: Iterable[str]) -> list[Pair]:
@@ -187,10 +186,7 @@ class _Finder:
         letters = a.kind + inner.kind + b.kind
         one, two = links
         if letters == "PPP":
-            raise self.error(
-                f"links {one} and {two} meet each other and the rest in three sliding pairs: they cannot turn, "
-                "so W is wrong there; make one of the pairs a hinge", "links", one
-            )
+            raise self.error(Phrase("three_slides", one=one, two=two), "links", one)
         swap = letters in ("PRR", "PPR") or (letters == "RPR" and inner.other == one)
         if swap:
             one, two, a, b = two, one, b, a
@@ -202,20 +198,12 @@ class _Finder:
         for size in range(1, len(left) + 1):
             for chosen in combinations(left, size):
                 freedom = 3 * size - 2 * self.pairs_within(chosen)
-                names = ", ".join(chosen)
                 if freedom < 0:
-                    return self.error(
-                        f"links {names} are held by {-freedom} pair(s) too many (W = {freedom}) while others hang "
-                        "loose: check which points they share", "links", chosen[0]
-                    )
+                    why = Phrase("overconstrained", names=chosen, count=-freedom, freedom=freedom)
+                    return self.error(why, "links", chosen[0])
                 if freedom == 0 and size > 2:
-                    return self.error(
-                        f"links {names} form an Assur group of class III or higher, which plans of class II "
-                        "groups cannot draw: take another link as the driver or split the group", "links", chosen[0]
-                    )
-        loose = ", ".join(left)
-        sentence = f"links {loose} do not attach to the driven part: check their shared points"
-        return self.error(sentence, "links", left[0])
+                    return self.error(Phrase("higher_class", names=chosen), "links", chosen[0])
+        return self.error(Phrase("loose_links", names=tuple(left)), "links", left[0])
 
     def pairs_within(self, chosen: tuple[str, ...]) -> int:
         """Pairs of the chosen links among themselves and with the solved ones."""
@@ -231,4 +219,4 @@ def link_must_be(name: str, mechanism: Mechanism) -> str:
     """The name itself when it is a link, else a :class:`StructureError` with the names that are."""
     if name in (FRAME, *mechanism.links):
         return name
-    raise StructureError(f"there is no link {name}{valid_names(name, list(mechanism.links))}")
+    raise StructureError(Phrase("no_link", name=name, valid=valid_names(name, list(mechanism.links))))

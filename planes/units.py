@@ -12,6 +12,9 @@ from collections import Counter
 from decimal import Decimal
 from typing import Literal
 
+from planes.wording import PlanesError
+from planes.words import Phrase
+
 Convention = Literal["mm_per_unit", "unit_per_mm"]
 
 PLANS = ("position", "velocity", "acceleration", "force")
@@ -39,8 +42,8 @@ _SCALE = re.compile(r"\s*(\d+(?:\.\d*)?)\s*:\s*(\d+(?:\.\d*)?)\s*", re.ASCII)
 _TOKEN = re.compile(r"(mm|cm|km|kN|MN|m|s|N)(-?\d)?|([·/()])")
 
 
-class UnitError(ValueError):
-    """A scale or a unit that cannot be meant: its text is one sentence."""
+class UnitError(PlanesError, ValueError):
+    """A scale or a unit that cannot be meant."""
 
 
 def read_mu(text: str, plan: str) -> float:
@@ -53,20 +56,19 @@ def plan_of_mu(text: str) -> str:
     return _read(text, "vectors")[1]
 
 
-def fitting_units(plan: str) -> str:
+def fitting_units(plan: str) -> tuple[Phrase, ...]:
     """Words that name the units μ of the plan may have: "mm/m or m/mm"."""
-    plans = PLANS if plan == "vectors" else (plan,)
-    return ", ".join(f"mm/{_PER_MM['en'][p]} or {_PER_MM['en'][p]}/mm" for p in plans)
+    return tuple(Phrase(f"units_{p}") for p in (PLANS if plan == "vectors" else (plan,)))
 
 
 def _read(text: str, plan: str) -> tuple[float, str]:
     if plan not in (*PLANS, "vectors"):
-        raise UnitError(f"there is no plan named {plan}; valid: {', '.join(PLANS)}")
+        raise UnitError(Phrase("mu_no_plan", plan=plan, names=PLANS))
     brief = text if len(text) <= 60 else text[:59] + "…"
     if len(text) <= 60 and plan in ("position", "vectors") and (scale := _SCALE.fullmatch(text)):
         return _checked(1000.0, float(scale[1]), float(scale[2]), brief), "position"
     if len(text) > 60 or not (match := _NUMBER.match(text)):
-        raise UnitError(f'μ "{brief}" is not a number with a unit; write it in {fitting_units(plan)}')
+        raise UnitError(Phrase("mu_not_number", mu=brief, units=fitting_units(plan)))
     number, unit = _number(match[1], brief), text[match.end() :]
     found, size, inverse = _meaning(unit, plan, brief)
     return (_checked(1.0, 1.0, number * size, brief) if inverse else _checked(1.0, number, size, brief)), found
@@ -74,23 +76,23 @@ def _read(text: str, plan: str) -> tuple[float, str]:
 
 def _number(text: str, brief: str) -> float:
     if "," in text:
-        raise UnitError(f'μ "{brief}": write a decimal point: {text.replace(",", ".")}')
+        raise UnitError(Phrase("mu_comma", mu=brief, number=text.replace(",", ".")))
     number = float(text.replace("−", "-").lstrip("-+.") if "n" in text.lower() else text.replace("−", "-"))
     if not (math.isfinite(number) and number > 0.0):
-        raise UnitError(f'μ "{brief}" must be a positive finite number')
+        raise UnitError(Phrase("mu_not_positive", mu=brief))
     return number
 
 
 def _checked(unit: float, above: float, below: float, brief: str) -> float:
     mu = unit * above / below if below else math.inf
     if not (math.isfinite(mu) and mu > 0.0):
-        raise UnitError(f'μ "{brief}" must be a positive finite number')
+        raise UnitError(Phrase("mu_not_positive", mu=brief))
     return mu
 
 
 def _meaning(unit: str, plan: str, brief: str) -> tuple[str, float, bool]:
     if not unit.strip():
-        raise UnitError(f'μ "{brief}" has no unit; write it in {fitting_units(plan)}')
+        raise UnitError(Phrase("mu_no_unit", mu=brief, units=fitting_units(plan)))
     powers = _powers(unit)
     meanings = _meanings() if powers is not None else {}
     key = frozenset((powers or {}).items())
@@ -99,9 +101,8 @@ def _meaning(unit: str, plan: str, brief: str) -> tuple[str, float, bool]:
     for fit in fits:
         if fit[0] in wanted:
             return fit
-    other = f" (it is a scale of the {fits[0][0]} plan)" if fits else ""
-    raise UnitError(f'μ "{brief}": the unit "{unit.strip()}" does not fit{other}; '
-                    f"write it in {fitting_units(plan)}")
+    other = Phrase("mu_other", plan=Phrase(f"scale_{fits[0][0]}")) if fits else ""
+    raise UnitError(Phrase("mu_unit", mu=brief, unit=unit.strip(), other=other, units=fitting_units(plan)))
 
 
 def _meanings() -> dict[tuple[str, frozenset[tuple[str, int]]], tuple[float, bool]]:

@@ -10,12 +10,13 @@ from typing import Any
 
 from planes.drafting import POLE, Draft, at, label_of, mu_of
 from planes.drawing import Drawing, run
-from planes.equations import Equation, Term
+from planes.equations import Equation, Term, unknown
 from planes.program import Program
 from planes.scene import Scene, VectorGiven
 from planes.statement import Sides, ends, read_equation
 from planes.units import mu_text, standard_mu
 from planes.wording import EquationError, PlanFailure, SceneError, valid_names
+from planes.words import Phrase, Told
 
 PLAN = "vectors"
 
@@ -30,8 +31,8 @@ class VectorPlan:
     known: dict[str, tuple[str | None, str | None]] = field(default_factory=dict)  # name -> (length, direction)
     choices: list[tuple[str, str]] = field(default_factory=list)  # (given ±1, the vector whose direction it decides)
 
-    def error(self, index: int, sentence: str) -> SceneError:
-        return SceneError(sentence, self.scene.file, self.scene.equation_lines[index])
+    def error(self, index: int, phrase: Told) -> SceneError:
+        return SceneError(phrase, self.scene.file, self.scene.equation_lines[index])
 
     def build(self) -> None:
         """Draw every equation, each as soon as it has but two unknowns."""
@@ -43,8 +44,8 @@ class VectorPlan:
             done = self._solve_one(left) or self._solve_pair(left)
             if not done:
                 index, sides = next(iter(left.items()))
-                open_parts = ", ".join(self.unknowns(sides)) or "none"
-                raise self.error(index, f"{sides}: the unknowns are {open_parts}; a vector equation gives exactly two")
+                listed = tuple(self.unknowns(sides)) or Phrase("none")
+                raise self.error(index, Phrase("unknowns_are", text=str(sides), listed=listed))
             for index in done:
                 del left[index]
 
@@ -57,18 +58,19 @@ class VectorPlan:
         try:
             sides = read_equation(text)
         except EquationError as error:
-            raise self.error(index, str(error)) from None
+            raise self.error(index, error.phrase) from None
         for name in sides.left + sides.right:
             if name not in self.known:
-                raise self.error(index, f"{text}: there is no vector {name}{valid_names(name, list(self.known))}")
+                valid = valid_names(name, list(self.known))
+                raise self.error(index, Phrase("no_vector", text=text, name=name, valid=valid))
         return sides
 
-    def unknowns(self, sides: Sides) -> list[str]:
+    def unknowns(self, sides: Sides) -> list[Phrase]:
         """What the equation does not know, in words."""
         found = []
         for name in sides.left + sides.right:
-            length, direction = self.known[name]
-            found += [f"length of {name}"] * (length is None) + [f"direction of {name}"] * (direction is None)
+            parts = zip(("length", "direction"), self.known[name], strict=True)
+            found += [unknown(name, part) for part, given in parts if given is None]
         return found
 
     def _solve_one(self, left: dict[int, Sides]) -> list[int]:
@@ -103,7 +105,7 @@ class VectorPlan:
         try:
             equation = Equation(PLAN, chains, total, side)
         except EquationError as error:
-            raise self.error(index, str(error)) from None
+            raise self.error(index, error.phrase) from None
         self.draft.draw(equation)
         for term in equation.terms:
             self._learn(term.name, term.start, term.end)
@@ -182,7 +184,7 @@ def solve_vectors(scene: Scene) -> VectorResults:
         mu = scene.mu.get("vectors") or standard_mu(max(abs(drawing[m]) for m in _marks(program)), 100.0)
         return VectorResults(scene, plan, run(program, {**given, mu_of(PLAN): mu}), mu)
     except PlanFailure as failure:
-        raise SceneError(str(failure), scene.file, scene.equation_lines[0]) from None
+        raise SceneError(failure.phrase, scene.file, scene.equation_lines[0]) from None
 
 
 def _marks(program: Program) -> list[str]:
@@ -201,7 +203,7 @@ def _choose(plan: VectorPlan, program: Program, given: Mapping[str, Any], side: 
         found.append((sign, math.degrees(cmath.phase(drawing[end] - drawing[start]))))
     near = plan.scene.vectors[name].near_deg
     if near is None and found:
-        offers = " or ".join(f"near: {angle:.4g}" for _, angle in found)
+        offers = tuple(Phrase("near_angle", angle=angle) for _, angle in found)
         line = plan.scene.where.get(("vectors", name))
-        raise SceneError(f"vector {name} can point in two directions; add {offers}", plan.scene.file, line)
+        raise SceneError(Phrase("two_directions", name=name, offers=offers), plan.scene.file, line)
     return min(found, key=lambda f: abs((f[1] - (near or 0.0) + 180) % 360 - 180), default=(1.0, 0.0))[0]

@@ -1,4 +1,4 @@
-"""Every error class, and the sentence each one says. Text for people is kept in one table per language."""
+"""Every error class, and how a refusal offers what would have been valid. The words are in the table of words."""
 
 from __future__ import annotations
 
@@ -6,20 +6,38 @@ from collections.abc import Iterable
 from difflib import get_close_matches
 from itertools import islice
 
-from planes.words import Lang, say
+from planes.words import Lang, Phrase, Told
 
 
 class PlanesError(Exception):
-    """Base of every refusal: its text is one sentence with names, numbers, the place and what to do."""
+    """Base of every refusal: one sentence with names, numbers, the place and what to do, told in either language.
+
+    ``str`` of it is English. Words given instead of a phrase are told as they are in both languages.
+    """
+
+    place = ""
+
+    def __init__(self, phrase: Told) -> None:
+        self.phrase = phrase
+        super().__init__(self.told())
+
+    def told(self, lang: Lang = "en") -> str:
+        """The place and the sentence in a language."""
+        return self.place + (self.phrase.told(lang) if isinstance(self.phrase, Phrase) else self.phrase)
 
 
 class SceneError(PlanesError, ValueError):
     """The scene file says something that cannot be meant."""
 
-    def __init__(self, sentence: str, file: str = "", line: int | None = None) -> None:
-        place = f"{file}:{line}: " if line else (f"{file}: " if file else "")
-        super().__init__(place + sentence)
-        self.sentence, self.file, self.line = sentence, file, line
+    def __init__(self, phrase: Told, file: str = "", line: int | None = None) -> None:
+        self.place = f"{file}:{line}: " if line else (f"{file}: " if file else "")
+        self.file, self.line = file, line
+        super().__init__(phrase)
+
+    @property
+    def sentence(self) -> str:
+        """The English sentence without the place."""
+        return str(self.phrase)
 
 
 class StructureError(SceneError):
@@ -39,28 +57,28 @@ class PlanFailure(PlanesError, ArithmeticError):
 
     def __init__(self, reason: str, **numbers: object) -> None:
         self.reason, self.numbers = reason, numbers
-        super().__init__(self.sentence())
+        super().__init__(Phrase(reason, **numbers))
 
     def sentence(self, lang: Lang = "en") -> str:
         """What went wrong, in words of a language."""
-        return say(self.reason, lang, **self.numbers)
-
-
-def valid_names(given: str, names: list[str] | tuple[str, ...], what: str = "valid") -> str:
-    """Words that name what would have been valid, the nearest first: "; valid: a, b (did you mean a?)"."""
-    if not names:
-        return ""
-    near = get_close_matches(given, names, n=1)
-    hint = f"; did you mean {near[0]}?" if near else ""
-    return f"; {what}: {', '.join(names)}{hint}"
+        return self.told(lang)
 
 
 class ExpressionError(PlanesError, ValueError):
     """An expression that has no value; ``parameter`` names the parameter it belongs to, if it is one."""
 
-    def __init__(self, sentence: str, parameter: str = "") -> None:
-        super().__init__(sentence)
-        self.sentence, self.parameter = sentence, parameter
+    def __init__(self, phrase: Told, parameter: str = "") -> None:
+        super().__init__(phrase)
+        self.parameter = parameter
+
+
+def valid_names(given: str, names: list[str] | tuple[str, ...], what: str = "valid") -> Told:
+    """Words that name what would have been valid: "; valid: a, b; did you mean a?". ``what`` is their key."""
+    return Phrase(what, names=tuple(names), near=_near(get_close_matches(given, names, n=1))) if names else ""
+
+
+def _near(found: list[str]) -> Told:
+    return Phrase("near_name", name=found[0]) if found else ""
 
 
 def shown(text: str, limit: int = 60) -> str:
@@ -69,12 +87,13 @@ def shown(text: str, limit: int = 60) -> str:
     return '"' + "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in short) + '"'
 
 
-def choices(given: str, names: Iterable[str], what: str = "valid", limit: int = 40) -> str:
+def choices(given: str, names: Iterable[str], limit: int = 40) -> Told:
     """``valid_names`` for lists of any length, of names of any length: bounded in time and in words."""
     known = [name for name in islice(names, 2000) if len(name) <= limit]
     if not known:
         return ""
     near = get_close_matches(given[:limit], known, n=1, cutoff=0.5)
-    if len(known) > limit:
-        what, known = f"{what} (some of them)", [*near, *(name for name in known[:12] if name not in near)]
-    return f"; {what}: {', '.join(known)}" + (f"; did you mean {near[0]}?" if near else "")
+    if len(known) <= limit:
+        return Phrase("valid", names=tuple(known), near=_near(near))
+    some = (*near, *(name for name in known[:12] if name not in near))
+    return Phrase("valid_some", names=some, near=_near(near))

@@ -1,8 +1,17 @@
-"""The one table of words: every sentence and label meant for people, in Russian and in English."""
+"""The one table of words: every sentence and label meant for people, in Russian and in English.
+
+Labels and the failures of constructions stand here, the refusals of scenes in the ``words_…`` beside it.
+"""
 
 from __future__ import annotations
 
+from string import Formatter
 from typing import Literal
+
+from planes.words_links import LINKS
+from planes.words_method import METHOD
+from planes.words_scene import SCENE
+from planes.words_text import TEXT
 
 Lang = Literal["ru", "en"]
 
@@ -109,14 +118,55 @@ WORDS: dict[str, tuple[str, str]] = {
     "rad/s²": ("рад/с²", "rad/s²"),
     "N": ("Н", "N"),
     "N·m": ("Н·м", "N·m"),
+    "nearest": ("; ближайшее рабочее положение: {name} = {value}", "; the nearest that works: {name} = {value}"),
     "at": ("при {name} = {value}: ", "at {name} = {value}: "),
 }
 
 
+class Phrase:
+    """A sentence, or a part of one, not yet told in a language: a key of the table, its names and numbers.
+
+    A part may be a phrase itself, or a tuple of them; a tuple is told with what stands after the colon of its
+    place between its members: ``{offers: or }``. A Russian noun of two forms, "звено 2|звена 2", takes the
+    second where its place is ``{what:of}``.
+    """
+
+    __slots__ = ("key", "parts")
+
+    def __init__(self, key: str, /, **parts: object) -> None:
+        self.key, self.parts = key, parts
+
+    def told(self, lang: Lang = "en", form: str = "") -> str:
+        """The words in a language."""
+        forms = TABLE[self.key][0 if lang == "ru" else 1].split("|")
+        return _Teller(lang).vformat(forms[-1 if form else 0], (), self.parts)
+
+    __str__ = told
+
+    def __repr__(self) -> str:
+        return f"Phrase({self.key!r}, {self.parts!r})"
+
+
+Told = Phrase | str
+"""A phrase, or words that are the same in both languages: a name, a number, a key of the file."""
+
+TABLE = {**WORDS, **TEXT, **SCENE, **LINKS, **METHOD}
+
+
+class _Teller(Formatter):
+    def __init__(self, lang: Lang) -> None:
+        self.lang = lang
+
+    def format_field(self, value: object, format_spec: str) -> str:
+        if isinstance(value, Phrase):
+            return value.told(self.lang, format_spec)
+        if isinstance(value, tuple):
+            return (format_spec or ", ").join(self.format_field(v, "") for v in value)
+        if isinstance(value, str):
+            return value
+        return format(value, format_spec or (".4g" if isinstance(value, float) else ""))
+
+
 def say(key: str, lang: Lang = "en", **numbers: object) -> str:
     """The sentence ``key`` in a language, with its names and numbers filled in."""
-    return WORDS[key][0 if lang == "ru" else 1].format(**{k: _told(v) for k, v in numbers.items()})
-
-
-def _told(value: object) -> str:
-    return f"{value:.4g}" if isinstance(value, float) else str(value)
+    return Phrase(key, **numbers).told(lang)

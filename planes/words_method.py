@@ -37,7 +37,7 @@ METHOD: dict[str, tuple[str, str]] = {
         "another link as the driver or split the group",
     ),
     "loose_links": (
-        "звенья {names} не присоединяются к ведомой части механизма; проверьте их общие точки",
+        "звенья {names} не присоединяются к ведущему звену и уже найденным группам; проверьте их общие точки",
         "links {names} do not attach to the driven part: check their shared points",
     ),
     "no_link": ("нет звена {name}{valid}", "there is no link {name}{valid}"),

@@ -20,6 +20,7 @@ SCENE: dict[str, tuple[str, str]] = {
     "variant": ("вариант {name}|варианта {name}", "variant {name}"),
     "parameter": ("параметр {name}|параметра {name}", "parameter {name}"),
     "equation": ("уравнение {number}", "equation {number}"),
+    "the_plan": ("{plan}|{plan:of}", "the {plan}"),
     "plan_key": ("план {name}|плана {name}", "plan {name}"),
     "assembly_of": ("assembly для {name}|в assembly для {name}", "assembly of {name}"),
     "friction_of": ("friction для {name}", "friction of {name}"),

@@ -4,41 +4,47 @@ from __future__ import annotations
 
 from typing import Any
 
+from planes.words import Phrase
+
 _PROBLEMS = (
-    ("could not find expected ':'", "a ':' is missing after a key"),
-    ("mapping values are not allowed", "a second ':' in one value, or wrong indentation; put such a text in quotes"),
-    ("expected ',' or ']'", "a list [ ] is not closed, or a comma between its items is missing"),
-    ("expected ',' or '}'", "a table { } is not closed, or a comma between its items is missing"),
-    ("expected key", "the indentation is wrong here"),
-    ("expected <block end>", "the indentation is wrong here"),
-    ("expected '-' indicator", "the indentation is wrong here"),
-    ("block sequence entries are not allowed", "a list item '-' cannot stand here"),
-    ("expected <document start>", "there is something after the end of the scene"),
-    ("unexpected end of stream", "a quote is not closed"),
-    ("document indicator", "a quote is not closed"),
-    ("unknown escape character", "an unknown escape \\ in double quotes; use single quotes"),
-    ("did not find expected node content", "a value is missing here"),
-    ("unexpected ':'", "a ':' cannot stand here; put such a text in quotes"),
+    ("could not find expected ':'", "colon_missing"),
+    ("mapping values are not allowed", "colon_second"),
+    ("expected ',' or ']'", "list_open"),
+    ("expected ',' or '}'", "table_open"),
+    ("expected key", "indentation"),
+    ("expected <block end>", "indentation"),
+    ("expected '-' indicator", "indentation"),
+    ("block sequence entries are not allowed", "list_item"),
+    ("expected <document start>", "after_end"),
+    ("unexpected end of stream", "quote_open"),
+    ("document indicator", "quote_open"),
+    ("unknown escape character", "escape"),
+    ("did not find expected node content", "value_absent"),
+    ("unexpected ':'", "colon_here"),
 )
 
-_AT_START = ("a ':' is missing", "a list [ ]", "a table { }", "a quote")  # the line where it began tells more
+_AT_START = ("colon_missing", "list_open", "table_open", "quote_open")  # the line where it began tells more
 
 
-def explained(error: Any, text: str) -> tuple[str, int | None]:
+def explained(error: Any, text: str) -> tuple[Phrase, int | None]:
     """A sentence for the reader's error, and the line to look at."""
-    problem = str(getattr(error, "problem", None) or getattr(error, "reason", None) or "unreadable")
+    problem = str(getattr(error, "problem", None) or getattr(error, "reason", None) or "")
     context = getattr(error, "context_mark", None)
     mark = getattr(error, "problem_mark", None) or context
     if mark is None:
-        return f"not valid YAML: {problem}", None
+        return _other(problem), None
     if "cannot start any token" in problem:
         rows = text.split("\n")
         char = rows[mark.line][mark.column : mark.column + 1] if mark.line < len(rows) else ""
         if char == "\t":
-            return "a tab stands here; use spaces", mark.line + 1
-        return f"a value cannot begin with {char}; put it in quotes", mark.line + 1
-    for piece, words in _PROBLEMS:
+            return Phrase("tab"), mark.line + 1
+        return Phrase("value_begins", char=char), mark.line + 1
+    for piece, key in _PROBLEMS:
         if piece in problem:
-            start = context if context is not None and words.startswith(_AT_START) else mark
-            return words, start.line + 1
-    return f"not valid YAML: {problem}", mark.line + 1
+            start = context if context is not None and key in _AT_START else mark
+            return Phrase(key), start.line + 1
+    return _other(problem), mark.line + 1
+
+
+def _other(problem: str) -> Phrase:
+    return Phrase("not_yaml", problem=problem or Phrase("unreadable"))

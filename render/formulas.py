@@ -5,9 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 
-from planes.drafting import POLE, at, mu_of
+from planes.drafting import at, mu_of
 from planes.equations import Equation, Term
-from planes.lever import FRAME
 from planes.scales import kind_of
 from planes.solving import Position
 from render import lettering
@@ -17,6 +16,7 @@ from render.typeset import extent
 from render.words import number, say
 
 UNITS = {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "force": "N"}
+NOISE_MM = 1e-7  # a shorter vector is rounding noise
 GAP = 0.55  # between words of an equation, over the letter height
 _LETTER = re.compile(r"^[^\W\d_]+")
 
@@ -100,30 +100,31 @@ class Formulas:
         """All equations of these plans, from the top down."""
         setter, y = Setter(self.letter), 0.0
         for equation in self.position.plans.equations:
-            if equation.plan in plans and all(map(self.there, equation.terms)):
+            if equation.plan in plans and self.there(equation):
                 words = self.force_words(equation) if equation.plan.startswith("force") else self.words(equation)
                 y = setter.row(words, y) - 1.9 * self.letter
         return tuple(setter.marks)
 
-    def there(self, term: Term) -> bool:
-        """Whether a term is on the drawing."""
-        return at(self.last_plan(term), term.end) in self.position.drawing
-
-    def last_plan(self, term: Term) -> str:
-        """The plan a term belongs to."""
-        return next(e.plan for e in self.position.plans.equations if term in e.terms)
+    def there(self, equation: Equation) -> bool:
+        """Whether an equation is on the drawing, and says anything: a lone sum of two equal forces does not."""
+        return all(at(equation.plan, t.end) in self.position.drawing for t in equation.terms)
 
     def words(self, equation: Equation) -> list[Word]:
-        """v_C = v_B + v_CB = v_D + v_CD, the zero ones left out."""
-        found = [Word(self.naming.vector(equation.total or ""))] if equation.total else []
-        for chain in equation.chains:
-            terms = [t for t in chain if t.action != "=0"] or list(chain)
-            for k, term in enumerate(terms):
-                if k or found:
-                    found.append(Word("+" if k else "=", vector=False))
-                found.append(self.word(term, equation.plan))
+        """v_C = v_B + v_CB; what a point does against the frame is its own vector, with its line of action."""
+        total = equation.total or ""
         unit = say(UNITS[kind_of(equation.plan)], self.naming.lang)
-        return [*found, Word("", vector=False, value=unit)]
+        first, sides = Word(self.naming.vector(total), value=unit), []
+        for chain in equation.chains:
+            terms = [t for t in chain if t.action != "=0"]
+            if len(terms) == 1 and len(chain) > 1 and terms[0].known == 1:
+                first = Word(self.naming.vector(total), 1, self.action(terms[0]), unit)
+            elif chain:
+                sides.append(terms or list(chain))
+        found = [first]
+        for terms in sides:
+            for k, term in enumerate(terms):
+                found += [Word("+" if k else "=", vector=False), self.word(term, equation.plan)]
+        return found
 
     def force_words(self, equation: Equation) -> list[Word]:
         """All forces added up to nothing."""
@@ -133,17 +134,15 @@ class Formulas:
                 minus = term in equation.chains[1] and term.sign > 0
                 found.append(Word("−" if minus else "+", vector=False))
             found.append(self.word(term, equation.plan))
-        unit = say(UNITS["force"], self.naming.lang)
-        return [*found, Word("= 0", vector=False), Word("", vector=False, value=unit)]
+        return [*found, Word("= 0", vector=False, value=say("N", self.naming.lang))]
 
     def word(self, term: Term, plan: str) -> Word:
         """A vector with its underlines, its line of action and, where it is known, its number."""
-        text, known = self.naming.vector(term.name), min(term.known, 2)
-        value = ""
+        text, known, value = self.naming.vector(term.name), term.known, ""
         if known == 2:
             length = abs(self.place(plan, term.end) - self.place(plan, term.start))
-            signed = self.position.drawing[term.length] if term.length else length / self.position.scales[mu_of(plan)]
-            value = number(float(signed), self.naming.lang)
+            si = length / self.position.scales[mu_of(plan)] if length > NOISE_MM else 0.0
+            value = number(si, self.naming.lang)
         return Word(text, known, self.action(term), value)
 
     def place(self, plan: str, label: str) -> complex:
@@ -164,6 +163,3 @@ class Formulas:
         if re.fullmatch(r"[A-Z]\w*", text):
             return f"∥{text}"
         return ""
-
-
-__all__ = ["FRAME", "POLE", "Formulas"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -9,7 +10,8 @@ from dataclasses import dataclass
 from render.footprints import Bounds
 
 GAP_MM = 7.0  # least distance of views from each other and from the frame
-TRIES = 240
+TRIES = 120
+ENOUGH = 24  # arrangements to choose from
 ROUNDS = 80
 
 
@@ -43,13 +45,31 @@ def pack(sizes: Sequence[Size], field: Bounds, blocked: Sequence[Bounds], gap: f
     area = sum((w + gap) * (h + gap) for w, h in sizes) + sum((b[2] - b[0]) * (b[3] - b[1]) for b in blocked)
     if area > wide * high or any(w + 2 * gap > wide or h + 2 * gap > high for w, h in sizes):
         return None
+    best: tuple[float, list[Spot]] | None = None
+    found_count = 0
     for order in _orders(sizes):
         for rule in (_by_top, _by_fit):
             found = _filled([sizes[k] for k in order], field, blocked, gap, rule)
             if found:
                 spots = [found[order.index(k)] for k in range(len(sizes))]
-                return spread(spots, field, blocked, gap)
-    return None
+                best = min(best or (math.inf, spots), (_cost(spots, field), spots), key=lambda b: b[0])
+                found_count += 1
+        if found_count >= ENOUGH:
+            break
+    return spread(best[1], field, blocked, gap) if best else None
+
+
+def _cost(spots: Sequence[Spot], field: Bounds) -> float:
+    """How far an arrangement is from one that is read easily: in order, from the upper left, in few rows."""
+    cost = 2.0 * (spots[0].x - field[0] + field[3] - spots[0].top)
+    for k, later in enumerate(spots):
+        for earlier in spots[:k]:
+            lower = earlier.top - later.top
+            before = lower < -8 or (abs(lower) <= 8 and later.x < earlier.x)
+            cost += 12.0 if before else 0.0
+    cost += 15.0 * len({round(spot.top) for spot in spots}) + 5.0 * len({round(spot.x) for spot in spots})
+    near = zip(spots, spots[1:], strict=False)
+    return cost + sum(0.25 * abs(complex(b.x - a.x, b.top - a.top)) for a, b in near)
 
 
 def _orders(sizes: Sequence[Size]) -> Iterator[list[int]]:
@@ -79,8 +99,7 @@ def _filled(
     sizes: Sequence[Size], field: Bounds, blocked: Sequence[Bounds], gap: float, rule: object
 ) -> list[Spot] | None:
     """Each rectangle into the upper left corner of a free one; free ones may overlap (maximal rectangles)."""
-    free: list[Bounds] = [(field[0] + gap, field[1] + gap, field[2], field[3])]
-    free = [(field[0] + gap, field[1], field[2], field[3] - gap)]
+    free: list[Bounds] = [(field[0] + gap, field[1], field[2], field[3] - gap)]
     for b in blocked:
         free = _without(free, (b[0] - gap, b[1], b[2], b[3] + gap))
     spots = []

@@ -52,6 +52,8 @@ class Naming:
             letter, index = "M", "Φ" + index
         elif letter in ("v", "a"):
             index = self.grounded(index)
+        elif letter == "Fb":
+            return self.balancing(False)
         return letter + (f"_{{{index.replace('_', ',')}}}" if index else "") + (f"^{{{part}}}" if part else "")
 
     def reaction(self, index: str) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
@@ -11,7 +10,7 @@ from planes.equations import Term
 from planes.solving import Position
 from planes.steps import Image, Similar
 from render import labels
-from render.marks import Arrow, Line, Mark
+from render.marks import Arrow, Layer, Line, Mark
 from render.names import Naming
 from render.symbols import dot
 
@@ -19,6 +18,7 @@ ZERO_MM = 0.05  # a vector shorter than this is nothing on paper
 SAME_MM = 0.35  # marks closer than this share one label
 BEYOND_MM = 7.0  # how far a line of action runs past the crossing
 ALONE_MM = 12.0  # half of a line of action on which the vector vanished
+ASIDE_MM = 2.0  # between vectors of one line
 MARK_MM = 5.0
 FORCE_MM = 3.5
 
@@ -34,6 +34,8 @@ class Polygon:
     naming: Naming
     arrows: dict[tuple[str, str], list[str]] = field(default_factory=dict)
     marks: list[Mark] = field(default_factory=list)
+    places: dict[tuple[str, str], Ends] = field(default_factory=dict)
+    shifted: bool = False
 
     @property
     def of_forces(self) -> bool:
@@ -111,12 +113,25 @@ class Polygon:
     def vectors(self) -> None:
         """The arrows: results thick, parts and relative vectors thin."""
         for (start, end), names in self.arrows.items():
-            layer = "force" if self.of_forces else "plan"
+            ends = self.mark(start), self.mark(end)
+            if self.of_forces:
+                ends = self.aside(ends)
+            self.places[start, end] = ends
             thick = self.is_result(start, end, names)
-            pen = "result" if thick else "thin"
-            self.marks.append(
-                Arrow(self.mark(start), self.mark(end), pen, "result" if thick else layer, names[0])  # type: ignore[arg-type]
-            )
+            layer: Layer = "result" if thick else "force" if self.of_forces else "plan"
+            self.marks.append(Arrow(*ends, "result" if thick else "thin", layer, names[0]))
+
+    def aside(self, ends: Ends) -> Ends:
+        """The ends of a vector, moved sideways where it would lie upon another one of the same line."""
+        side = 1j * (ends[1] - ends[0]) / abs(ends[1] - ends[0])
+        if side.real < -1e-9 or (abs(side.real) <= 1e-9 and side.imag < 0):
+            side = -side
+        for k in (0, 1, -1, 2, -2, 3, -3):
+            moved = ends[0] + k * ASIDE_MM * side, ends[1] + k * ASIDE_MM * side
+            if not any(_upon(moved, other) for other in self.places.values()):
+                self.shifted |= k != 0
+                return moved
+        return ends
 
     def is_result(self, start: str, end: str, names: list[str]) -> bool:
         """Whole vectors from the pole, and whole forces."""
@@ -128,7 +143,7 @@ class Polygon:
         """Names of forces beside their vectors; equal reactions share one label."""
         found = []
         for (start, end), names in self.arrows.items():
-            a, b = self.mark(start), self.mark(end)
+            a, b = self.places[start, end]
             text = " = ".join(self.naming.vector(n) for n in names)
             found.append(labels.Label(text, (a, b), FORCE_MM, name=names[0]))
         return found
@@ -166,6 +181,10 @@ class Polygon:
         return [p.lower() + prime for p in shared]
 
 
-def turned(direction: complex, angle: float) -> complex:
-    """A direction turned by an angle in radians."""
-    return direction * cmath.rect(1, angle)
+def _upon(one: Ends, other: Ends) -> bool:
+    """Whether two vectors lie on one line and share more than a millimetre of it."""
+    way = (other[1] - other[0]) / abs(other[1] - other[0])
+    a, b = ((z - other[0]) * way.conjugate() for z in one)
+    if max(abs(a.imag), abs(b.imag)) > ASIDE_MM / 2:
+        return False
+    return min(max(a.real, b.real), abs(other[1] - other[0])) - max(min(a.real, b.real), 0.0) > 1.0

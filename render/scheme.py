@@ -14,14 +14,16 @@ from planes.mechanism import FRAME, Link
 from planes.solving import Position
 from render import labels, symbols
 from render.footprints import ink
-from render.marks import Mark, Shape
-from render.names import Naming
-from render.style import BLOCK_MM, HINGE_MM, LEG_MM
+from render.marks import Line, Mark
+from render.names import Naming, lettered
+from render.style import BLOCK_MM, HINGE_MM
 
 NEAR_MM = 0.4
 RAIL_MM = 17.0  # of a guide shown on each side of its slider
 ROD_MM = 12.0  # of a moving guide shown beyond its slider
 LETTER_MM = 5.0
+SMALL_MM = (8.0, 4.6)  # a block held inside another
+LARGE_MM = (14.0, 10.5)  # the block that holds it
 
 
 @dataclass
@@ -30,6 +32,8 @@ class Scheme:
 
     position: Position
     naming: Naming
+    axes: list[Mark] = field(default_factory=list)
+    rails: list[Mark] = field(default_factory=list)
     guides: list[Mark] = field(default_factory=list)
     blocks: list[Mark] = field(default_factory=list)
     bars: list[Mark] = field(default_factory=list)
@@ -64,7 +68,7 @@ class Scheme:
                 self.link(link)
         self.pairs()
         self.letters()
-        ground: list[Mark] = [*self.guides, *self.blocks, *self.bars, *self.hinges]
+        ground: list[Mark] = [*self.axes, *self.rails, *self.guides, *self.blocks, *self.bars, *self.hinges]
         if arrows:
             ground += self.driver_arrows(ground)
         return (*ground, *labels.place(self.named, ground).marks)
@@ -73,8 +77,7 @@ class Scheme:
 
     def link(self, link: Link) -> None:
         """A link's bar or plate, its own guides, and its slider if it slides."""
-        places = [self.at(p) for p in link.points if p in self.shared or p != link.centre]
-        joints = list(places)
+        joints = [self.at(p) for p in link.points if p in self.shared or p != link.centre]
         if link.slides:
             foot, along = self.foot(link)
             self.slider(link, foot, along)
@@ -86,21 +89,23 @@ class Scheme:
         if len(outline) == 2:
             self.bars += symbols.bar(*outline)
         elif len(outline) > 2:
-            self.bars += symbols.plate(outline)
+            size = max(abs(a - b) for a in outline for b in outline)
+            self.bars += symbols.plate(outline, max(2.5, size / 16))
         self.offside(link, outline)
         for p in link.points:
             if p in self.shared:
                 self.ways.setdefault(p, []).extend(z - self.at(p) for z in outline)
 
     def offside(self, link: Link, outline: list[complex]) -> None:
-        """The mass centre, and a thin arm to it where it lies off its bar."""
+        """The mass centre, and a thin arm to it where it lies away from its link."""
         centre = link.centre
         if not centre or centre in self.shared or not self.has(centre):
             return
         z = self.at(centre)
         self.hinges += symbols.dot(z)
-        if len(outline) == 2 and _off(z, outline[0], outline[1]) > NEAR_MM:
-            self.bars += symbols.bar(outline[0], z, outline[1])
+        near = _nearest(z, outline)
+        if abs(z - near) > BLOCK_MM[0] / 2:
+            self.bars.append(Line((near, z), "thin"))
 
     def line(self, guide: str) -> tuple[complex, complex]:
         """A point of a guide's line and its direction."""
@@ -122,51 +127,82 @@ class Scheme:
         return through + ((first - through) * along.conjugate()).real * along, along
 
     def slider(self, link: Link, foot: complex, along: complex) -> None:
-        """The slider's block, on rails if its guide is the frame's."""
+        """The slider's block: on rails if its guide is the frame's, smaller where it is held in another block."""
         assert link.slides
         angle = _degrees(along)
-        if self.mechanism.owner(link.slides.guide) == FRAME:
-            self.guides += symbols.frame_guide(foot, angle, RAIL_MM, RAIL_MM, "rail", self.rail_side(link, foot, along))
-        self.blocks += symbols.block(foot, angle)
+        if self.mechanism.owner(link.slides.guide) != FRAME:
+            self.blocks += symbols.block(foot, angle, size=SMALL_MM if self.doubled(link) else BLOCK_MM)
+            return
+        size = LARGE_MM if self.doubled(link) else BLOCK_MM
+        side = self.rail_side(foot, along)
+        self.rails += symbols.frame_guide(foot, angle, RAIL_MM, RAIL_MM, "rail", side, size[1])
+        self.rails += symbols.block(foot, angle, size=size)
+        reach = RAIL_MM + 4
+        self.axes.append(Line((foot - reach * along, foot + reach * along), "axis", "axis"))
+        first, _, second = link.slides.guide.partition("-")
+        for letter, end in ((first, foot + reach * along), (second, foot - reach * along)):
+            if letter:
+                self.named.append(labels.Label(lettered(letter), end, 3.5, name=f"guide {link.slides.guide}"))
 
-    def rail_side(self, link: Link, foot: complex, along: complex) -> int:
+    def doubled(self, link: Link) -> bool:
+        """Whether another slider is hinged to this one, in one place."""
+        others = [x for x in self.mechanism.links.values() if x is not link and x.slides]
+        return any(self.has(x.first_point) and abs(self.at(x.first_point) - self.at(link.first_point)) < NEAR_MM
+                   for x in others)  # fmt: skip
+
+    def rail_side(self, foot: complex, along: complex) -> int:
         """The side of the slider that is away from the rest of the mechanism."""
         others = [self.at(p) for x in self.mechanism.links.values() for p in x.points if self.has(p)]
         middle = sum(others) / len(others)
         return 1 if ((middle - foot) * along.conjugate()).imag < -1 else -1
 
     def moving_guide(self, name: str, joints: list[complex]) -> list[complex]:
-        """The rod of a guide that a link carries; the places where the link's own bars join it."""
+        """The rod of a guide that a link carries; the place where the link's own bars join it, if none is on it."""
         if f"∥{name}" not in self.position.drawing:
             return []
         through, along = self.line(name)
-        feet = [through + ((z - through) * along.conjugate()).real * along for z in joints]
-        reach = [((z - through) * along.conjugate()).real for z in feet]
+        ways = [(z - through) * along.conjugate() for z in joints]
         stops = []
         for slider in self.mechanism.links.values():
             if slider.slides and slider.slides.guide == name and self.has(slider.first_point):
                 t = ((self.foot(slider)[0] - through) * along.conjugate()).real
                 stops += [t - ROD_MM, t + ROD_MM]
-        if joints and stops:
-            near = min(reach, key=abs)
-            low, high = min([near, *stops]), max([near, *stops])
-            if near - low <= 2 * ROD_MM and low < near:
-                low = near if stops[0] < near < stops[1] - ROD_MM else low
-            self.bars += symbols.bar(through + low * along, through + high * along)
-        return [z for z in feet[:1] if min((abs(z - j) for j in joints), default=1) > NEAR_MM]
+        on = [w.real for w in ways if abs(w.imag) < NEAR_MM]
+        reach = on or [w.real for w in ways[:1]]
+        if not stops or not reach:
+            return []
+        low, high = self.rod(reach, stops)
+        self.guides += symbols.bar(through + low * along, through + high * along)
+        return [] if on else [through + reach[0] * along]
+
+    def rod(self, reach: list[float], stops: list[float]) -> tuple[float, float]:
+        """From where the link holds the guide to beyond its sliders; no more than that on the holding side."""
+        low, high = min([*reach, *stops]), max([*reach, *stops])
+        if min(reach) <= min(stops) + ROD_MM:
+            low = min(reach)
+        if max(reach) >= max(stops) - ROD_MM:
+            high = max(reach)
+        return (low, high) if high - low > 1 else (min(stops), max(stops))
 
     def number(self, link: Link, outline: list[complex]) -> None:
         """The number of a link beside its longest side, of a slider beside its block."""
-        text = self.naming.link(link.name)
+        text, clear = self.naming.link(link.name), 0.0
         if len(outline) > 1:
             ends = max(zip(outline, outline[1:] + outline[:1], strict=True), key=lambda e: abs(e[1] - e[0]))
+        elif link.slides:
+            foot, along = self.foot(link)
+            ends, clear = (foot - BLOCK_MM[0] / 2 * along, foot + BLOCK_MM[0] / 2 * along), BLOCK_MM[1] / 2
         else:
-            foot, along = self.foot(link) if link.slides else (outline[0], 1 + 0j)
-            half = BLOCK_MM[0] / 2 * along + BLOCK_MM[1] / 2 * along * 1j
-            ends = (foot - half.conjugate() if False else foot - BLOCK_MM[0] / 2 * along, foot + BLOCK_MM[0] / 2 * along)
-            self.named.append(labels.Label(text, ends, LETTER_MM, clear=BLOCK_MM[1] / 2, name=f"link {link.name}"))
-            return
-        self.named.append(labels.Label(text, ends, LETTER_MM, name=f"link {link.name}"))
+            return self.rod_number(link, text)
+        self.named.append(labels.Label(text, ends, LETTER_MM, clear=clear, name=f"link {link.name}"))
+
+    def rod_number(self, link: Link, text: str) -> None:
+        """The number of a link that is a hinge and a guide: beside the rod between them."""
+        for slider in self.mechanism.links.values():
+            if slider.slides and slider.slides.guide in link.guides and self.has(slider.first_point):
+                ends = self.at(link.first_point), self.foot(slider)[0]
+                self.named.append(labels.Label(text, ends, LETTER_MM, name=f"link {link.name}"))
+                return
 
     # pairs and letters
 
@@ -268,4 +304,16 @@ def _outline(places: list[complex]) -> list[complex]:
     return [complex(x, y) for x, y in list(hull.exterior.coords)[:-1]]
 
 
-__all__ = ["LEG_MM", "Scheme", "Shape"]
+def _nearest(z: complex, outline: list[complex]) -> complex:
+    """The point of a link's outline that is nearest to a place."""
+    if len(outline) == 1:
+        return outline[0]
+    sides = list(zip(outline, outline[1:] + outline[:1], strict=True)) if len(outline) > 2 else [(outline[0], outline[1])]
+    shape = shapely.Polygon([(c.real, c.imag) for c in outline]) if len(outline) > 2 else None
+    if shape is not None and shape.contains(shapely.Point(z.real, z.imag)):
+        return z
+    feet = []
+    for a, b in sides:
+        t = ((z - a) * (b - a).conjugate()).real / abs(b - a) ** 2
+        feet.append(a + min(1.0, max(0.0, t)) * (b - a))
+    return min(feet, key=lambda foot: abs(foot - z))

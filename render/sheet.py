@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from itertools import product
 
 from planes.drafting import mu_of
 from planes.scales import kind_of
@@ -20,13 +21,14 @@ from render.names import Naming
 from render.polygon import Polygon
 from render.scheme import Scheme
 from render.tables import Tables
-from render.view import View, view
+from render.view import View, stacked, view
 from render.words import decimal, say
 
-FACTORS = (1.0, 0.8, 0.63, 0.5)
-"""How much smaller than usual the plans may be drawn to fit a format, where the scene leaves μ open."""
+FACTORS = (1.6, 1.25, 1.0, 0.8, 0.63, 0.5)
+"""How large, against the usual, the plans are drawn to fill a format, where the scene leaves μ open."""
 LETTERS = {"A4": (2.5,), "A3": (3.5, 2.5), "A2": (3.5,), "A1": (5.0, 3.5)}
-"""Letter heights of tables and equations to try on a format, in mm."""
+"""Letter heights of tables to try on a format, in mm; equations are a step larger."""
+LARGER = {2.5: 3.5, 3.5: 5.0, 5.0: 7.0}
 
 Draw = Callable[[float], Position]
 
@@ -60,16 +62,14 @@ class Composer:
         """How this sheet names things."""
         return Naming(self.lang, self.scene.frame_number, self.scene.sheet.get("reactions") == "from-on")
 
-    def views(self, position: Position, letter: float) -> list[View]:
-        """Every view of one position, in the order they are read."""
-        plans = position.plans.drawn
+    def views(self, position: Position, letter: float, together: bool = True) -> list[View]:
+        """Every view of one position, in the order they are read; ``together``: equations under their plans."""
+        plans = [p for p in position.plans.drawn if p in ("velocity", "acceleration") or p.startswith("force")]
         found = [self.scheme(position)]
-        found += [self.plan(position, p) for p in plans if p in ("velocity", "acceleration")]
-        found += [self.plan(position, p) for p in plans if p.startswith("force")]
-        forces = tuple(p for p in plans if p.startswith("force"))
-        found += [self.formulas(position, ("velocity", "acceleration"), letter), self.formulas(position, forces, letter)]
-        found += self.tables(position, letter)
-        return [v for v in found if v]
+        for plan in plans:
+            pair = self.plan(position, plan), self.formulas(position, (plan,), LARGER[letter])
+            found += [stacked(plan, [pair[0], pair[1]])] if together and pair[0] and pair[1] else pair
+        return [v for v in (*found, *self.tables(position, letter)) if v]
 
     def once(self, key: tuple[object, ...], make: Callable[[], View | None]) -> View | None:
         """The view of that key, made the first time it is asked for."""
@@ -129,8 +129,8 @@ def compose(scene: Scene, draw: Draw, lang: Lang) -> Sheet:
         paper = Paper(name)
         for factor in FACTORS if free else FACTORS[:1]:
             position = draw(factor)
-            for letter in LETTERS[name]:
-                tried = composer.views(position, letter)
+            for letter, together in product(LETTERS[name], (True, False)):
+                tried = composer.views(position, letter, together)
                 spots = pack([(v.width, v.height) for v in tried], paper.field, [paper.block])
                 if spots:
                     places = [(v, s.x, s.top) for v, s in zip(tried, spots, strict=True)]

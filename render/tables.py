@@ -7,11 +7,13 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from planes.drafting import POLE, Segment
 from planes.scales import kind_of
 from planes.solving import Position
 from render import symbols
-from render.formulas import UNITS
-from render.marks import Line, Mark, Text
+from render.formulas import NOISE_MM, UNITS
+from render.ink import head as ink_head
+from render.marks import Arc, Line, Mark, Shape, Text
 from render.names import Naming
 from render.typeset import extent
 from render.view import View, view
@@ -47,7 +49,7 @@ class Grid:
 
     def wide(self, cell: str) -> float:
         """Width of a cell's ink."""
-        sense = self.letter * 1.6 if cell[-1:] in _SENSES else 0.0
+        sense = self.letter * 1.5 if cell[-1:] in _SENSES else 0.0
         x0, _, x1, _ = extent(cell.rstrip("↺↻"), self.letter)
         return x1 - x0 + sense
 
@@ -58,10 +60,12 @@ class Grid:
         if sense is None:
             return (Text(text, middle, self.letter, "middle"),) if text else ()
         left = middle - self.wide(cell) / 2
-        at = left + self.wide(cell) - self.letter * 0.45 + 0.5j * self.letter
-        start = 90 - sense * 130
-        arrow = symbols.turn_arrow(at, 0.42 * self.letter, start, sense * 260, "thin", "table")
-        return (Text(text, left, self.letter), *arrow)
+        radius = 0.48 * self.letter
+        turn = left + self.wide(cell) - radius + 0.5j * self.letter
+        low, high = (-60.0, 180.0) if sense > 0 else (0.0, 240.0)
+        tip = turn + radius * symbols.unit(high if sense > 0 else low)
+        head = ink_head(tip, -1j, 0.5 * self.letter, 0.3 * self.letter)
+        return (Text(text, left, self.letter), Arc(turn, radius, low, high, "thin", "table"), Shape(head, "table"))
 
 
 def _rule(start: complex, end: complex, thick: bool) -> Line:
@@ -129,14 +133,26 @@ class Tables:
             if found and found["name"] == segment.name:
                 ends = self.naming.mark(segment.start, plan) + self.naming.mark(segment.end, plan)
                 mm = number(round(found["mm"], 1), self.naming.lang, 5)
-                rows.append([self.naming.vector(segment.name), ends, mm, self.number(found["value"])])
-        title = self.say("velocity" if plan == "velocity" else "acceleration")
+                value = self.number(found["value"] if found["mm"] > NOISE_MM else 0.0)
+                rows.append([self.vector(segment, plan), ends, mm, value])
+        title = self.say(f"by_{plan}")
         return self.table(f"{plan}-table", title, ["", "", self.say("mm"), unit], rows)
+
+    def vector(self, segment: Segment, plan: str) -> str:
+        """The name of a segment: whole vectors from the pole by their points, not by what they were found against."""
+        label = segment.end.rstrip("'")
+        if segment.start != POLE or label.startswith(("n_", "k_")):
+            return self.naming.vector(segment.name)
+        names = self.position.plans.points
+        marks = {(m.velocity if plan == "velocity" else m.acceleration).rpartition(":")[2]: p for p, m in names.items()}
+        return self.naming.vector(f"{plan[0]}_{marks.get(segment.end, label.upper())}")
 
     def links(self) -> View | None:
         """ω and ε of every link with their senses."""
         rows = []
-        for name, r in self.position.results.get("links", {}).items():
+        found = self.position.results.get("links", {})
+        for name in (x for x in self.position.plans.mechanism.links if x in found):
+            r = found[name]
             cells = [self.turning(r[k]) if k in r else "" for k in ("omega", "epsilon")]
             if any(cells):
                 rows.append([self.naming.link(name), *cells])

@@ -69,3 +69,17 @@ def shifted(one: View, by: complex) -> View:
     x, y = by.real, by.imag
     box = (one.box[0] + x, one.box[1] + y, one.box[2] + x, one.box[3] + y)
     return replace(one, marks=tuple(moved(m, by) for m in one.marks), box=box)
+
+
+def stacked(key: str, views: Sequence[View], gap: float = 6.0) -> View:
+    """Views one beneath the other on one middle line, as one view with the title of the first."""
+    marks: list[Mark] = []
+    y, middle, boxes = 0.0, 0.0, []
+    for one in views:
+        by = complex(middle - (one.box[0] + one.box[2]) / 2, y - one.box[3])
+        moved_view = shifted(one, by)
+        marks += moved_view.marks
+        boxes.append(moved_view.box)
+        y = moved_view.box[1] - gap
+    box = (min(b[0] for b in boxes), min(b[1] for b in boxes), max(b[2] for b in boxes), max(b[3] for b in boxes))
+    return View(key, views[0].title, tuple(marks), box)

@@ -68,9 +68,9 @@ def values_for(rng: random.Random, plans: Plans, reach: float) -> list[float]:
 @pytest.mark.parametrize("friction", [False, True])
 @pytest.mark.parametrize("kind", KINDS)
 def test_an_array_draws_what_one_draws(kind: str, friction: bool) -> None:
-    """Marks agree to 1e-13 of their plan over the sharpness (they differ in the last places of sines and
-    divisions alone), values likewise; failures are the same ones; NaN stands only where there is one."""
-    worst = 0.0
+    """Marks agree to 5e-14 of their plan over the sharpness, 99 of 100 to 24 units in the last place (sines and
+    complex division round differently in numpy); failures are the same ones; NaN stands only where there is one."""
+    errors = []
     for seed in range(12):
         rng = random.Random(seed)
         case = make(rng, [kind, *rng.choices(KINDS, k=rng.randint(0, 2))], friction=friction)
@@ -91,22 +91,15 @@ def test_an_array_draws_what_one_draws(kind: str, friction: bool) -> None:
             if sharp < 1e-4:
                 continue
             sizes = plan_sizes(b, one)
-            for step in b[0].program.steps:
-                name = step.makes
-                if step.kind != "value":
-                    scale = sizes.get(name.rpartition(":")[0], 1.0) or 1.0
-                    error = abs(element(many[name], i) - one[name]) / scale
-                    if step.kind == "direction" and abs(error - 2) > 1e-9 and error > 1e-9:
-                        continue  # the direction of a vector that vanishes but for rounding
-                    worst = max(worst, min(error, abs(2 - error)) * sharp)
-                elif not name.startswith(("arm_", "N_")):
-                    found = element(many[name], i)
-                    assert np.isfinite(found), name
+            for name in (s.makes for s in b[0].program.steps if s.kind == "mark"):
+                scale = sizes[name.rpartition(":")[0]] or 1.0
+                errors.append(abs(element(many[name], i) - one[name]) / scale * sharp)
         for step in b[0].program.steps:
             thing = np.broadcast_to(many[step.makes], (len(values),))
             if not step.makes.startswith("arm_"):  # an arm of no force is no number
                 assert np.isfinite(thing[~mask if mask is not None else slice(None)]).all(), step.makes
-    assert worst < 1e-13
+    assert max(errors) < 5e-14
+    assert sorted(errors)[int(0.99 * len(errors))] < 24 * EPS
 
 
 def test_a_whole_turn_fails_only_where_one_position_does() -> None:

@@ -99,15 +99,15 @@ CASES: dict[str, tuple[str, str, str]] = {  # scene, in Russian, in English
     ),
     "dead point of RRR": (
         FOUR_BAR.replace("C: 0.3", "C: 0.25").replace("B: 0.1", "B: 0.3").replace("phi: 60", "phi: 90"),
-        "прямые ⊥BC через b и ⊥DC через p параллельны и отстоят на 180 мм: c бесконечно далеко, механизм в особом "
+        "прямые ⊥BC через b и ⊥DC через p параллельны и отстоят на 60 мм: c бесконечно далеко, механизм в особом "
         "положении; измените положение ведущего звена",
-        "the lines ⊥BC through b and ⊥DC through p are parallel, 180 mm apart: c is infinitely far, the mechanism is "
+        "the lines ⊥BC through b and ⊥DC through p are parallel, 60 mm apart: c is infinitely far, the mechanism is "
         "at a dead point; take another position of the driver",
     ),
     "dead point of RRP": (
         SLIDER.replace("C: 0.3", "C: 0.08").replace("phi: 30", "phi: 53.13010235415598"),
         "",
-        "the lines ⊥BC through b and ∥x-x through p are parallel, 80 mm apart: c is infinitely far, the mechanism is "
+        "the lines ⊥BC through b and ∥x-x through p are parallel, 60 mm apart: c is infinitely far, the mechanism is "
         "at a dead point; take another position of the driver",
     ),
     "change point": (

@@ -1,0 +1,103 @@
+"""Vector equations: the chain check, the count of unknowns, the four kinds, and what they say when refused."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from planes.equations import Equation, Term
+from planes.wording import EquationError, PlanesError
+
+V_B = Term("v_B", "p", "b", length="v_B", direction="⊥AB")
+V_CB = Term("v_CB", "b", "c", direction="⊥CB", action="⊥CB")
+V_C = Term("v_C", "p", "c", direction="∥x-x")
+
+
+def circle(name: str, start: str, end: str) -> Term:
+    return Term(name, start, end, length=f"l_{name}")
+
+
+@pytest.mark.parametrize("given, known", [({}, 0), ({"length": "l"}, 1), ({"direction": "u"}, 1),
+                                          ({"length": "l", "direction": "u"}, 2), ({"drawn": True}, 2)])
+def test_the_underlines_of_a_term(given: dict[str, Any], known: int) -> None:
+    assert Term("v", "p", "a", **given).known == known
+
+
+def test_two_lines_cross() -> None:
+    e = Equation("velocity", ((V_B, V_CB), (V_C,)), "v_C")
+    assert e.kind == "cross"
+    assert e.unknowns == (("v_CB", "length"), ("v_C", "length"))
+    assert e.text == "v_C = v_B + v_CB = v_C"
+    assert [t.name for t in e.terms] == ["v_B", "v_CB", "v_C"]
+
+
+def test_one_unknown_vector_closes_the_polygon() -> None:
+    e = Equation("velocity", ((V_B, replace(V_CB, length="v_CB")), ()), "v_C")
+    assert e.kind == "close"
+    assert e.unknowns == (("v_C", "length"), ("v_C", "direction"))
+    assert e.text == "v_C = v_B + v_CB"
+    polygon = Equation("force", ((V_B, Term("F", "b", "p")), ()))
+    assert polygon.kind == "close" and polygon.unknowns == (("F", "length"), ("F", "direction"))
+
+
+def test_a_line_and_an_arc() -> None:
+    e = Equation("position", ((circle("AB", "a", "b"),), (Term("CB", "a", "b", direction="u"),)), "r_B", "side")
+    assert e.kind == "arc"
+    turned = Equation("position", ((Term("CB", "a", "b", direction="u"),), (circle("AB", "a", "b"),)))
+    assert turned.kind == "arc"
+
+
+def test_two_arcs() -> None:
+    e = Equation("position", ((circle("AB", "a", "b"),), (circle("DB", "a", "b"),)))
+    assert e.kind == "arcs"
+    assert e.unknowns == (("AB", "direction"), ("DB", "direction"))
+
+
+def test_both_unknowns_in_one_chain() -> None:
+    e = Equation("velocity", ((V_B, replace(V_CB, end="n"), Term("w", "n", "c", direction="u")),
+                              (replace(V_C, drawn=True),)))
+    assert e.kind == "cross" and e.unknowns == (("v_CB", "length"), ("w", "length"))
+
+
+def test_a_broken_chain_is_told_by_its_names() -> None:
+    with pytest.raises(EquationError) as caught:
+        Equation("velocity", ((V_B, replace(V_CB, start="c")), (V_C,)), "v_C")
+    assert str(caught.value) == "v_C = v_B + v_CB = v_C: v_CB starts at c, but the drawing has reached b"
+    assert isinstance(caught.value, PlanesError)
+
+
+@pytest.mark.parametrize("other, says", [
+    (replace(V_C, end="d"), "one side leads from p to c, the other from p to d"),
+    (replace(V_C, start="a"), "one side leads from p to c, the other from a to c"),
+])
+def test_sides_must_start_and_end_together(other: Term, says: str) -> None:
+    with pytest.raises(EquationError, match=says):
+        Equation("velocity", ((V_B, V_CB), (other,)), "v_C")
+
+
+@pytest.mark.parametrize("chains, count, listed", [
+    (((V_B,), (replace(V_C, end="b", length="l"),)), 0, "none"),
+    (((V_B, V_CB), (replace(V_C, length="l"),)), 1, "length of v_CB"),
+    (((V_B, V_CB), (replace(V_C, direction=None),)), 3, "length of v_CB; length of v_C; direction of v_C"),
+    (((replace(V_B, length=None, direction=None), replace(V_CB, direction=None)), (replace(V_C, drawn=True),)), 4,
+     "length of v_B; direction of v_B; length of v_CB; direction of v_CB"),
+])
+def test_any_other_number_of_unknowns_is_refused(chains: Any, count: int, listed: str) -> None:
+    with pytest.raises(EquationError) as caught:
+        Equation("velocity", chains)
+    assert f"has {count} unknowns ({listed}); a plane vector equation gives exactly two" in str(caught.value)
+
+
+def test_an_unknown_sum_counts_for_two() -> None:
+    with pytest.raises(EquationError, match="has 3 unknowns.*length of v_CB; length of v_C; direction of v_C"):
+        Equation("velocity", ((V_B, V_CB), ()), "v_C")
+
+
+def test_equations_and_terms_are_frozen() -> None:
+    e = Equation("velocity", ((V_B, V_CB), (V_C,)))
+    for thing, name in ((e, "plan"), (V_B, "name")):
+        with pytest.raises(AttributeError):
+            setattr(thing, name, "x")
+    assert hash(e) == hash(Equation("velocity", ((V_B, V_CB), (V_C,))))
