@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
+from typing import Any
 
 from planes.wording import SceneError
 from planes.words import Phrase
@@ -10,8 +12,34 @@ from planes.words import Phrase
 MOST = 10_000_000
 
 
+@dataclass(frozen=True)
+class Span:
+    """Evenly spaced values, none of them kept: only asked for, a block at a time."""
+
+    start: float
+    step: float
+    count: int
+
+    def __len__(self) -> int:
+        return self.count
+
+    def __getitem__(self, part: slice) -> Any:
+        import numpy
+
+        first, last, _ = part.indices(self.count)
+        return self.start + numpy.arange(first, last) * self.step
+
+
 def read_range(text: str, option: str = "--phi") -> list[float]:
     """The values of "a", or of "a:b:step" with b included when it falls on it."""
+    span = read_span(text, option)
+    if span.count > MOST:
+        raise SceneError(Phrase("range_long", option=option, text=repr(text), count=span.count, most=MOST))
+    return [span.start + i * span.step for i in range(span.count)]
+
+
+def read_span(text: str, option: str = "--phi") -> Span:
+    """The same values, however many, without making a list of them."""
     parts = text.split(":")
     try:
         numbers = [float(p.replace("−", "-")) for p in parts]
@@ -20,11 +48,9 @@ def read_range(text: str, option: str = "--phi") -> list[float]:
     if len(numbers) not in (1, 3) or not all(math.isfinite(n) for n in numbers):
         raise SceneError(Phrase("range_parts", option=option, text=repr(text)))
     if len(numbers) == 1:
-        return numbers
+        return Span(numbers[0], 0.0, 1)
     start, end, step = numbers
     if step == 0 or (end - start) * step < 0:
         raise SceneError(Phrase("range_endless", option=option, text=repr(text), step=step, start=start, end=end))
     count = math.floor((end - start) / step * (1 + 1e-12) + 1e-9) + 1
-    if count > MOST:
-        raise SceneError(Phrase("range_long", option=option, text=repr(text), count=count, most=MOST))
-    return [start + i * step for i in range(count)]
+    return Span(start, step, count)

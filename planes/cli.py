@@ -8,11 +8,13 @@ import locale
 import os
 import sys
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, NoReturn
 
 from planes.angles import read_range
 from planes.scene import Scene, load
 from planes.wording import PlanesError
+from planes.words import Lang, Phrase, say
+from planes.words_method import METHOD
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -21,7 +23,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         return int(args.command(args))
     except PlanesError as error:
-        print(error, file=sys.stderr)
+        print(error.told(args.lang), file=sys.stderr)
         return 2
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -30,40 +32,65 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 130
 
 
+class _Parser(argparse.ArgumentParser):
+    """A reader of the command line that speaks the home language."""
+
+    def format_help(self) -> str:
+        return _at_home(super().format_help())
+
+    def format_usage(self) -> str:
+        return _at_home(super().format_usage())
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(2, self.format_usage() + _at_home(f"{self.prog}: error: {message}\n"))
+
+
+def _at_home(text: str) -> str:
+    lang = _home_lang()
+    for key in METHOD if lang != "en" else ():
+        if key.startswith("usage_"):
+            text = text.replace(say(key), say(key, lang))
+    return text
+
+
+def _help(key: str) -> str:
+    return say(key, _home_lang())
+
+
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="planes", description="Plans of mechanisms, drawn and measured.")
+    parser = _Parser(prog="planes", description=_help("help_planes"))
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    solve = _command(commands, "solve", _solve, "draw the plans of a scene and print what they measure")
+    solve = _command(commands, "solve", _solve, _help("help_solve"))
     _positions(solve)
-    solve.add_argument("--json", action="store_true", help="print an object for programs instead of tables")
-    solve.add_argument("--pencil", action="store_true", help="draw with a pencil's errors instead of exactly")
-    solve.add_argument("--seed", type=int, default=1, help="which errors the pencil makes")
-    structure = _command(commands, "structure", _structure, "print W, q, Assur groups and the formula of structure")
-    structure.add_argument("--json", action="store_true", help="print an object for programs")
-    sheet = _command(commands, "sheet", _sheet, "draw the sheet of a scene: SVG, PDF or PNG by the file's suffix")
+    solve.add_argument("--json", action="store_true", help=_help("help_json"))
+    solve.add_argument("--pencil", action="store_true", help=_help("help_pencil"))
+    solve.add_argument("--seed", type=int, default=1, help=_help("help_seed"))
+    structure = _command(commands, "structure", _structure, _help("help_structure"))
+    structure.add_argument("--json", action="store_true", help=_help("help_object"))
+    sheet = _command(commands, "sheet", _sheet, _help("help_sheet"))
     _positions(sheet)
-    sheet.add_argument("-o", "--output", required=True, metavar="FILE", help="the file to write (.svg, .pdf, .png)")
+    sheet.add_argument("-o", "--output", required=True, metavar="FILE", help=_help("help_output"))
     return parser
 
 
 def _command(commands: Any, name: str, run: Callable[[argparse.Namespace], int], text: str) -> argparse.ArgumentParser:
     parser: argparse.ArgumentParser = commands.add_parser(name, help=text, description=text)
-    parser.add_argument("scene", metavar="SCENE", help="the scene file (YAML)")
-    parser.add_argument("--variant", help="which variant of the scene's numbers")
-    parser.add_argument("--lang", choices=("ru", "en"), default=_home_lang(), help="language of the words")
+    parser.add_argument("scene", metavar="SCENE", help=_help("help_scene"))
+    parser.add_argument("--variant", help=_help("help_variant"))
+    parser.add_argument("--lang", choices=("ru", "en"), default=_home_lang(), help=_help("help_lang"))
     parser.set_defaults(command=run)
     return parser
 
 
-def _home_lang() -> str:
+def _home_lang() -> Lang:
     """Russian where the system speaks Russian, Belarusian, Ukrainian or Kazakh; else English."""
     said = next((os.environ[k] for k in ("LC_ALL", "LC_MESSAGES", "LANG") if os.environ.get(k)), "")
     return "ru" if (said or locale.getlocale()[0] or "").lower().startswith(("ru", "be", "uk", "kk")) else "en"
 
 
 def _positions(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--phi", metavar="A[:B:STEP]", help="angle(s) of the driver, degrees, instead of the scene's")
-    parser.add_argument("--s", metavar="A[:B:STEP]", help="place(s) of a sliding driver, m")
+    parser.add_argument("--phi", metavar="A[:B:STEP]", help=_help("help_phi"))
+    parser.add_argument("--s", metavar="A[:B:STEP]", help=_help("help_s"))
 
 
 def _values(args: argparse.Namespace, scene: Scene) -> list[float] | None:
@@ -72,8 +99,8 @@ def _values(args: argparse.Namespace, scene: Scene) -> list[float] | None:
     asked = {"phi": args.phi, "s": args.s}
     for option, text in asked.items():
         if text is not None and option != kind:
-            other = f"its driver is given by --{kind}" if kind else "it has no driver"
-            raise PlanesError(f"--{option} does not fit {scene.file}: {other}")
+            why = Phrase("driver_by", kind=kind) if kind else Phrase("no_driver")
+            raise PlanesError(Phrase("option_misfit", option=option, file=scene.file, why=why))
     text = asked.get(kind or "")
     return None if text is None else read_range(text, f"--{kind}")
 
@@ -114,7 +141,7 @@ def _structure(args: argparse.Namespace) -> int:
 
     scene = load(args.scene, args.variant)
     if scene.mechanism is None:
-        raise PlanesError(f"{args.scene}: states vectors and has no mechanism, so it has no structure")
+        raise PlanesError(Phrase("no_structure", file=args.scene))
     found = analyse(scene.mechanism, scene.file)
     print(json.dumps(structure_json(found)) if args.json else structure_report(found, args.lang))
     return 0

@@ -10,6 +10,8 @@ from planes.instruments import Exact, Hand, Instrument
 from planes.program import Program
 from planes.wording import ProgramError, valid_names
 
+NOWHERE = complex("nan+nanj")  # the mark of a drawing of many that could not be drawn
+
 
 @dataclass
 class Drawing:
@@ -74,5 +76,5 @@ def _run_many(program: Program, things: dict[str, Any], hand: Hand) -> None:
             before = len(hand.failures)
             made = step.draw(things, hand)
             for _, _, ok, _ in hand.failures[before:]:
-                made = numpy.where(ok, made, numpy.nan)
+                made = numpy.where(ok, made, NOWHERE if numpy.iscomplexobj(made) else numpy.nan)
             things[step.makes] = made

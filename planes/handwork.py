@@ -13,7 +13,7 @@ from typing import Any
 
 from planes.nudging import Columns, Nudged, Skill
 from planes.program import Program
-from planes.steps import Step
+from planes.steps import Same, Step
 
 LEAST_MM = 0.1  # no mark on paper is surer than this
 
@@ -106,7 +106,8 @@ class Hand:
                 made[step.makes] = done
                 if step.makes in self.taken:
                     mark = self.taken[step.makes]
-                    done = self.tool.taken(step.makes, mark.place, mark.error_mm)
+                    error = max(mark.error_mm, self.tool.skill.point_mm) if isinstance(step, Same) else mark.error_mm
+                    done = self.tool.taken(step.makes, mark.place, error)
                 things[step.makes] = done
 
     def misses(self, marks: Sequence[str], made: Mapping[str, Any] | None = None) -> dict[str, Miss]:

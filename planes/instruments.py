@@ -31,6 +31,7 @@ class Hand:
     slack: float = 4e-15
     flat: float = 2e-15
     still: float = 2e-14
+    doubt_mm: float = 0.0
     shape: tuple[int, ...] = ()  # of what is drawn at once; () for one
     sharpness: dict[str, Real] = field(default_factory=dict)
     notes: list[tuple[str, object, Truth]] = field(default_factory=list)
@@ -89,7 +90,8 @@ class Pencil:
     seed: int = 1
 
     def tool(self, many: bool) -> Hand:
-        return _PencilHand(Many() if many else One(), many, pencil=self, errors=_Errors(self.seed, many))
+        errors = _Errors(self.seed, many)
+        return _PencilHand(Many() if many else One(), many, doubt_mm=6 * self.point_mm, pencil=self, errors=errors)
 
 
 class _Errors:

@@ -39,7 +39,7 @@ def catalogue(st: Plans) -> dict[str, Quantity]:
 
     for point, marks in st.points.items():
         for letter, mark in (("r", marks.position), ("v", marks.velocity), ("a", marks.acceleration)):
-            add(f"{letter}_{point}", ("points", point, letter), mark)
+            add(f"{letter}_{point}", ("points", point, letter), at(mark.rpartition(":")[0], "p"), mark)
     for link, values in st.links.items():
         if link != FRAME:
             for key, name in (("angle_deg", values.angle), ("omega", values.omega), ("epsilon", values.epsilon)):
@@ -60,7 +60,8 @@ def catalogue(st: Plans) -> dict[str, Quantity]:
     for name in (f"{letter}Z_{driver}", f"zhukovsky_{what}"):
         add(name, (f"zhukovsky_{what}",), st.zhukovsky)
     for s in st.segments:
-        add(s.name, ("plans", s.plan, s.name), at(s.plan, s.start), at(s.plan, s.end))
+        if s.plan != "motion" and s.start != s.end and not {"°", "⊥"} & set(s.name):
+            add(s.name, ("plans", s.plan, s.name), at(s.plan, s.start), at(s.plan, s.end))
     return found
 
 

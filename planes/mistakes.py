@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 from planes.drafting import POLE, at, label_of, mu_of
 from planes.handwork import Variant
 from planes.plans import Plans
 from planes.program import Program
 from planes.reckoning import Calculate, Measure, Product
-from planes.steps import Carry, Cross, Image, LayOff, Same, Similar, Step, Turn
+from planes.steps import Carry, Cross, Image, LayOff, Read, Same, Similar, Step, Turn
+from planes.tools import Env, Tool
+
+Words = Mapping[str, str]  # names for the sentence about a mistake
 
 
 @dataclass
@@ -51,10 +55,12 @@ class Ways:
         """A perpendicular of another name."""
         return Turn(name, of, 1)
 
-    def variant(self, mistake: str, step: Step, *swap: Step, weight: float = 1.0, **about: str) -> Variant:
+    def variant(
+        self, mistake: str, step: Step, *swap: Step, weight: float = 1.0, about: Words | None = None
+    ) -> Variant:
         """A mistake made at one step."""
         label = label_of(step.makes)
-        return Variant(mistake, label, {step.makes: swap}, {}, weight, {"mark": label, **about})
+        return Variant(mistake, label, {step.makes: swap}, {}, weight, {"mark": label, **(about or {})})
 
 
 def motion_variants(w: Ways) -> Iterator[Variant]:
@@ -102,16 +108,17 @@ def _crossed(w: Ways, step: Cross, quick: bool) -> Iterator[Variant]:
         line = w.link_line(direction)
         if line and not line.startswith("∥"):
             about = {"line": line}
-            yield w.variant("tangential_along_link" if quick else "along_link", step, _with(step, side, line), **about)
+            mistake = "tangential_along_link" if quick else "along_link"
+            yield w.variant(mistake, step, _with(step, side, line), about=about)
             others = [d for d in w.perpendiculars() if d not in (step.along, step.across) and w.before(d, step)]
             others += [d for _, d in sides if d != direction and not quick]
             for other in others if not quick else []:
                 found = _with(step, side, other)
-                yield w.variant("wrong_link", step, found, weight=1 / len(others), line=line, other=other)
+                yield w.variant("wrong_link", step, found, weight=1 / len(others), about={"line": line, "other": other})
         elif direction.startswith("∥"):
             turned = f"⊥{direction}~{step.makes}"
             swap = w.square(direction, turned), _with(step, side, turned)
-            yield w.variant("across_guide", step, *swap, guide=direction.removeprefix("∥"))
+            yield w.variant("across_guide", step, *swap, about={"guide": direction.removeprefix("∥")})
     if not quick:
         yield from _displaced(w, step)
 
@@ -141,17 +148,18 @@ def _similar(w: Ways, step: Similar | Image, quick: bool) -> Iterator[Variant]:
         return  # carried from a mark of its own: there is no other end to begin from
     about = {"start": label_of(start), "end": label_of(end)}
     if not quick:
-        yield w.variant("divided_from_wrong_end", step, _on(step, end, start), **about)
+        yield w.variant("divided_from_wrong_end", step, _on(step, end, start), about=about)
         for far in (end, start):
             if w.pole not in (start, end):
                 for pair in ((w.pole, far), (far, w.pole)):
                     found = _on(step, *pair)
-                    yield w.variant("similarity_on_pole_segments", step, found, weight=0.25, **about)
+                    yield w.variant("similarity_on_pole_segments", step, found, weight=0.25, about=about)
         return
     for one, two in ((start, end), (end, start)):
         for normal in _normals(w, one, two):
-            yield w.variant("similarity_on_tangential", step, _on(step, *((normal, two) if one == start else (two, normal))),
-                            normal=label_of(normal), **about)  # fmt: skip
+            ends = (normal, two) if one == start else (two, normal)
+            words = {"normal": label_of(normal), **about}
+            yield w.variant("similarity_on_tangential", step, _on(step, *ends), about=words)
 
 
 def _on(step: Similar | Image, start: str, end: str) -> Step:
@@ -164,10 +172,8 @@ def _normals(w: Ways, start: str, end: str) -> Iterator[str]:
     """Ends of normal parts laid off from ``start`` on the way to ``end``."""
     meets = w.steps.get(end)
     for step in w.own:
-        label = label_of(step.makes)
-        if isinstance(step, LayOff) and label.startswith("n_") and step.start == start and isinstance(meets, Cross) and (
-            step.makes in (meets.start, meets.other)
-        ):
+        normal = isinstance(step, LayOff) and label_of(step.makes).startswith("n_") and step.start == start
+        if normal and isinstance(meets, Cross) and step.makes in (meets.start, meets.other):
             yield step.makes
 
 
@@ -177,8 +183,8 @@ def _mirrored(w: Ways, step: Similar | Image) -> Iterator[Variant]:
     label = label_of(step.makes)
     if isinstance(step, Similar):
         ratio = complex(w.plans.given[step.ratio]).conjugate()
-        about = {"mark": label}
-        yield Variant("similarity_mirrored", label, {step.makes: (replace(step, ratio=name),)}, {name: ratio}, 1.0, about)
+        swaps = {step.makes: (replace(step, ratio=name),)}
+        yield Variant("similarity_mirrored", label, swaps, {name: ratio}, 1.0, {"mark": label})
         return
     foot = Mirror(f"{name}°", step.of, step.like)
     yield w.variant("similarity_mirrored", step, foot, replace(step, of=(step.of[0], foot.makes)))
@@ -191,10 +197,10 @@ class Mirror(Step):
     of: tuple[str, str]
     like: tuple[str, str]
 
-    def reads(self) -> tuple[tuple[str, str], ...]:  # type: ignore[override]
+    def reads(self) -> tuple[Read, ...]:
         return tuple((n, "mark") for n in (*self.of, *self.like))
 
-    def draw(self, env, tool):  # type: ignore[no-untyped-def]
+    def draw(self, env: Env, tool: Tool) -> Any:
         (a, b), (c, d) = self.of, self.like
         along = env[d] - env[c]
         return env[a] + along * ((env[b] - env[a]) / along).conjugate()
@@ -207,7 +213,7 @@ def _laid_quick(w: Ways, step: LayOff) -> Iterator[Variant]:
     elif label.startswith("k_"):
         yield from _coriolis(w, step)
     elif line := w.link_line(step.along):
-        yield w.variant("tangential_along_link", step, replace(step, along=line), line=line)
+        yield w.variant("tangential_along_link", step, replace(step, along=line), about={"line": line})
 
 
 def _normal(w: Ways, step: LayOff) -> Iterator[Variant]:
@@ -227,7 +233,7 @@ def _normal(w: Ways, step: LayOff) -> Iterator[Variant]:
             found = Calculate(f"{step.makes} v²", (replace(formula.terms[0], factors=factors),))
             swap = (*measured, found, replace(step, length=found.makes))
             about = {"value": square, "other": other.removeprefix(f"{step.makes} ")}
-            yield w.variant("normal_wrong_velocity", step, *swap, weight=1 / len(others), **about)
+            yield w.variant("normal_wrong_velocity", step, *swap, weight=1 / len(others), about=about)
 
 
 def _velocities(w: Ways, step: LayOff, but: str) -> Iterator[tuple[str, tuple[Step, ...]]]:
@@ -249,9 +255,9 @@ def _coriolis(w: Ways, step: LayOff) -> Iterator[Variant]:
     yield w.variant("coriolis_half", step, *w.reversed_length(step, 0.5))
     if guide := w.link_line(step.along):
         yield w.variant("coriolis_along_guide", step, replace(step, along=guide), weight=0.5)
-        backwards = w.reversed_length(step)
-        yield w.variant("coriolis_along_guide", step, *backwards[:-1],
-                        replace(backwards[-1], along=guide), weight=0.5)  # type: ignore[call-arg]
+        length, _ = w.reversed_length(step)
+        back = replace(step, along=guide, length=length.makes)
+        yield w.variant("coriolis_along_guide", step, length, back, weight=0.5)
     formula = w.steps.get(step.length)
     if not isinstance(formula, Calculate):
         return
@@ -261,5 +267,6 @@ def _coriolis(w: Ways, step: LayOff) -> Iterator[Variant]:
     for spin in spins:
         factors = tuple((spin if n in used else n, power) for n, power in formula.terms[0].factors)
         found = Calculate(f"{step.makes} ω", (replace(formula.terms[0], factors=factors),))
-        yield w.variant("coriolis_wrong_omega", step, found, replace(step, length=found.makes), weight=1 / len(spins),
-                        value=used[0] if used else "", other=spin)  # fmt: skip
+        swap = found, replace(step, length=found.makes)
+        about = {"value": used[0] if used else "", "other": spin}
+        yield w.variant("coriolis_wrong_omega", step, *swap, weight=1 / len(spins), about=about)

@@ -145,14 +145,16 @@ def _reaction(w: Ways, step: Cross) -> Iterator[Variant]:
             others = [guide, *_links(w, step)]
             for i, other in enumerate(others):
                 swap = replace(step, along=other) if side == "along" else replace(step, across=other)
+                about = {"guide": guide.removeprefix("∥")}
                 weight = 0.7 if i == 0 else 0.3 / (len(others) - 1)
-                yield w.variant("guide_reaction_not_normal", step, swap, weight=weight, guide=guide.removeprefix("∥"))
+                yield w.variant("guide_reaction_not_normal", step, swap, weight=weight, about=about)
 
 
 def _links(w: Ways, step: Cross) -> list[str]:
     """Directions of links on the scheme."""
     own = (step.along, step.across)
-    return [n for n, s in w.steps.items() if isinstance(s, Through) and s.start.startswith("position:") and n not in own]
+    rays = [s for s in w.program.steps if isinstance(s, Through) and s.start.startswith("position:")]
+    return [s.makes for s in rays if s.makes not in own]
 
 
 def _friction(w: Ways) -> Iterator[Variant]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from planes.drafting import label_of
 from planes.handwork import Taken, Variant
@@ -40,7 +40,9 @@ def _angle(w: Ways) -> Iterator[Variant]:
             yield from _marked(w, "angle_sense", users, {given: angle}, 1 / len(wrong))
 
 
-def _marked(w: Ways, mistake: str, users: list[Step], givens: Mapping[str, float], weight: float = 1.0) -> Iterator[Variant]:
+def _marked(
+    w: Ways, mistake: str, users: Sequence[Step], givens: Mapping[str, float], weight: float = 1.0
+) -> Iterator[Variant]:
     """A variant blamed at the first mark of the plan that the changed givens lead to."""
     dirty = {u.makes for u in users}
     for step in w.program.steps:

@@ -23,7 +23,8 @@ def dot(a: Point, b: Point) -> Real:
 def unit(v: Point, ar: Arithmetic) -> Point:
     """The direction of ``v``; of a zero vector, the x axis (a zero vector is laid off anywhere)."""
     length = abs(v)
-    return ar.where(length > 0, v / ar.where(length > 0, length, 1.0), 1 + 0j)
+    nothing = length == 0  # what failed before (NaN) must stay so
+    return ar.where(nothing, 1 + 0j, v / ar.where(nothing, 1.0, length))
 
 
 def lines(p: Point, u: Point, q: Point, w: Point) -> tuple[Point, Real, Real]:

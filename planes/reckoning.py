@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from planes import plane
-from planes.steps import Kind, Read, Step, _directions, _marks, _values
+from planes.step import Kind, Read, Step, directions, marks, values
 from planes.tools import Env, Tool
 
 
@@ -21,7 +21,7 @@ class Measure(Step):
     kind: ClassVar[Kind] = "value"
 
     def reads(self) -> tuple[Read, ...]:
-        return _marks(self.start, self.end) + _directions(self.along) + _values(self.mu)
+        return marks(self.start, self.end) + directions(self.along) + values(self.mu)
 
     def draw(self, env: Env, tool: Tool) -> Any:
         segment = env[self.end] - env[self.start]
@@ -41,7 +41,7 @@ class Drop(Step):
     kind: ClassVar[Kind] = "value"
 
     def reads(self) -> tuple[Read, ...]:
-        return _marks(self.point, self.about) + _directions(self.along) + _values(self.mu)
+        return marks(self.point, self.about) + directions(self.along) + values(self.mu)
 
     def draw(self, env: Env, tool: Tool) -> Any:
         arm = plane.cross(env[self.point] - env[self.about], env[self.along])
@@ -56,7 +56,7 @@ class Protractor(Step):
     kind: ClassVar[Kind] = "value"
 
     def reads(self) -> tuple[Read, ...]:
-        return _directions(self.of)
+        return directions(self.of)
 
     def draw(self, env: Env, tool: Tool) -> Any:
         return tool.ar.angle_deg(env[self.of])
@@ -78,7 +78,7 @@ class Calculate(Step):
     kind: ClassVar[Kind] = "value"
 
     def reads(self) -> tuple[Read, ...]:
-        return _values(*dict.fromkeys(name for t in self.terms for name, _ in t.factors))
+        return values(*dict.fromkeys(name for t in self.terms for name, _ in t.factors))
 
     def draw(self, env: Env, tool: Tool) -> Any:
         total: Any = 0.0
@@ -104,7 +104,7 @@ class Sense(Step):
     kind: ClassVar[Kind] = "value"
 
     def reads(self) -> tuple[Read, ...]:
-        return _marks(self.start, self.end, *self.beside) + _directions(self.along)
+        return marks(self.start, self.end, *self.beside) + directions(self.along)
 
     def draw(self, env: Env, tool: Tool) -> Any:
         segment = env[self.end] - env[self.start]
@@ -125,7 +125,7 @@ class SenseOf(Step):
     kind: ClassVar[Kind] = "value"
 
     def reads(self) -> tuple[Read, ...]:
-        return _values(self.value)
+        return values(self.value)
 
     def draw(self, env: Env, tool: Tool) -> Any:
         return tool.ar.sign(env[self.value])
@@ -147,7 +147,7 @@ class Lean(Step):
     kind: ClassVar[Kind] = "direction"
 
     def reads(self) -> tuple[Read, ...]:
-        return _directions(self.normal, self.along) + _values(self.coefficient, self.sliding)
+        return directions(self.normal, self.along) + values(self.coefficient, self.sliding)
 
     def draw(self, env: Env, tool: Tool) -> Any:
         friction = env[self.coefficient] * env[self.sliding] * self.push
@@ -173,7 +173,7 @@ class Choose(Step):
 
     def reads(self) -> tuple[Read, ...]:
         pushes = tuple(dict.fromkeys(p for t in self.trials for p in t.pushes))
-        return _marks(*(t.mark for t in self.trials)) + _values(*pushes, self.mu) + _marks(self.size)
+        return marks(*(t.mark for t in self.trials)) + values(*pushes, self.mu) + marks(self.size)
 
     def draw(self, env: Env, tool: Tool) -> Any:
         chosen: Any = complex("nan")
@@ -181,7 +181,7 @@ class Choose(Step):
         count: Any = 0
         for trial in reversed(self.trials):
             true: Any = True
-            slack = 1e-10 * (abs(env[trial.mark]) + abs(env[self.size])) / env[self.mu]
+            slack = (1e-10 * (abs(env[trial.mark]) + abs(env[self.size])) + tool.doubt_mm) / env[self.mu]
             for push, sign in zip(trial.pushes, trial.signs, strict=True):
                 true = true & (env[push] * sign >= -slack)
             fresh = true & ~(abs(env[trial.mark] - chosen) <= slack * env[self.mu])

@@ -7,15 +7,20 @@ from functools import lru_cache
 from pathlib import Path
 
 from planes.measuring import Quantity
+from planes.nearest import nearest
 from planes.plans import Plans
 from planes.scales import FIT_MM
 from planes.scene import Scene
-from planes.solving import Position, plans_of, position, told
-from planes.words import Lang, say
+from planes.solving import Position, failed, plans_of, position
+from planes.vectors import solve_vectors
 from planes.wording import PlanesError, PlanFailure
+from planes.words import Lang
+from render.compose import Composer
 from render.sheet import Sheet, compose
-from render.words import say as say_sheet
+from render.view import View
+from render.words import say
 
+FREE = ("position", "velocity", "acceleration", "force")
 SUFFIXES = (".svg", ".pdf", ".png")
 
 
@@ -23,17 +28,31 @@ def draw_sheet(scene: Scene, values: Iterable[float] | None, output: str, lang: 
     """Draw the sheet of a scene into a file; :class:`PlanesError` in one sentence, and no file, if it cannot be."""
     path = Path(output)
     if path.suffix.lower() not in SUFFIXES:
-        raise PlanesError(say_sheet("bad_suffix", lang, file=output, known=", ".join(SUFFIXES)))
+        raise PlanesError(say("bad_suffix", lang, file=output, known=", ".join(SUFFIXES)))
     write(sheet_of(scene, values, lang), path, lang)
 
 
 def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru") -> Sheet:
-    """The composed sheet of one position."""
+    """The composed sheet of one position, or of vectors alone."""
+    composer = Composer(scene, lang)
+    if scene.mechanism is None:
+        found = solve_vectors(scene)
+
+        def of_vectors(factor: float, letter: float, together: bool) -> tuple[list[View], list[View]]:
+            return composer.vector_views(found, letter, together), []
+
+        return compose(scene, of_vectors, False, lang)
     plans, wanted = plans_of(scene)
     chosen = [plans.mechanism.drive.position] if values is None else list(values)
     if len(chosen) != 1:
-        raise PlanesError(say_sheet("one_position", lang, count=len(chosen)))
-    return compose(scene, _drawer(scene, plans, wanted, chosen[0], lang), lang)
+        raise PlanesError(say("one_position", lang, count=len(chosen)))
+    draw = _drawer(scene, plans, wanted, chosen[0], lang)
+
+    def views(factor: float, letter: float, together: bool) -> tuple[list[View], list[View]]:
+        position = draw(factor)
+        return composer.views(position, letter, together), composer.extras(position, letter)
+
+    return compose(scene, views, any(scene.mu.get(kind) is None for kind in FREE), lang)
 
 
 def _drawer(
@@ -47,9 +66,8 @@ def _drawer(
         try:
             return position(scene, plans, wanted, value, None, lang, fits)
         except PlanFailure as failure:
-            drive = plans.mechanism.drive
-            place = say("at", lang, name="φ" if drive.kind == "phi" else "s", value=told(value, drive.kind))
-            raise PlanesError(place + failure.sentence(lang)) from None
+            near = nearest(plans, value)
+            raise PlanesError(failed(failure, value, plans.mechanism.drive.kind, near, lang)) from None
 
     return draw
 
@@ -71,4 +89,4 @@ def write(sheet: Sheet, path: Path, lang: Lang) -> None:
 
                 png.write(sheet.marks, sheet.size, sheet.title, path)
     except OSError as error:
-        raise PlanesError(say_sheet("unwritable", lang, file=str(path), reason=error.strerror or str(error))) from None
+        raise PlanesError(say("unwritable", lang, file=str(path), reason=error.strerror or str(error))) from None

@@ -33,7 +33,8 @@ __all__ = ["Scene", "VectorGiven", "load", "loads"]
 
 FORMAT = "1"
 _COMMON = ("planes", "title", "note", "text", "parameters", "variants", "find", "sheet")
-_MECHANISM = ("frame", "links", "assembly", "drive", "loads", "gravity", "friction", "plans")
+_MECHANISM = ("frame", "links", "assembly", "drive", "loads", "gravity", "friction", "plans",
+              "crank_slider")
 _VECTORS = ("vectors", "equations", "mu")
 
 
@@ -42,7 +43,8 @@ class Scene:
     """All that a scene file says. Either ``mechanism`` is there, or ``vectors`` and ``equations`` are.
 
     ``mu`` is in mm per SI unit, None where the program chooses; its keys are the four plans, and "vectors" in
-    a scene of vectors, where ``quantity`` is the plan whose unit that μ has.
+    a scene of vectors, where ``quantity`` is the plan whose unit that μ has. ``crank_slider`` is kept as written;
+    the integrated calculation of a crank-slider reads it.
     """
 
     file: str
@@ -61,6 +63,7 @@ class Scene:
     sheet: Mapping[str, object]
     frame_number: str = "0"
     where: Where = field(default_factory=lambda: MappingProxyType({}), compare=False, repr=False)
+    crank_slider: Node | None = field(default=None, compare=False, repr=False)
 
 
 def load(path: str | Path, variant: str | None = None) -> Scene:
@@ -97,7 +100,7 @@ def _scene(reader: Reader, table: Table, variant: str | None, variants: tuple[st
         MappingProxyType({**mu, "vectors": generic} if of_vectors else mu), quantity,
         read_find(reader, reader.optional(table, "find")),
         MappingProxyType(dict(read_sheet(reader, reader.optional(table, "sheet")))),
-        read_number_of_frame(reader, table.entries.get("frame")), where)
+        read_number_of_frame(reader, table.entries.get("frame")), where, reader.optional(table, "crank_slider"))
 
 
 def _frozen(words: dict[str, str]) -> Mapping[str, str]:

@@ -65,7 +65,7 @@ def _points(reader: Reader, node: Node | None, what: Phrase) -> dict[str, comple
         return {}
     table = reader.names(node, part("points", what), Phrase("a_point"))
     if "p" in table.entries:
-        raise reader.error(f"a point of {what} cannot be named p, the pole of every plan; write P", table.lines["p"])
+        raise reader.error(Phrase("point_pole", what=what), table.lines["p"])
     return {name: reader.place(entry, Phrase("point", name=name, owner=what), on_axis=True)
             for name, entry in table.entries.items()}
 
@@ -115,7 +115,8 @@ def _owners(reader: Reader, table: Table, links: dict[str, Link], frame: Link) -
         for guide in link.guides:
             if guide in owners:
                 owner = Phrase("the_frame") if owners[guide] == FRAME else Phrase("link", name=owners[guide])
-                raise reader.error(Phrase("guide_twice", guide=guide, name=name, owner=owner), _at(table, name, "guides", guide))
+                raise reader.error(Phrase("guide_twice", guide=guide, name=name, owner=owner),
+                                   _at(table, name, "guides", guide))
             owners[guide] = name
     return owners
 

@@ -1,48 +1,19 @@
-"""The steps of a drawing as frozen records, each a draughtsman's verb, and how each is drawn.
-
-A step makes one named thing (a mark in mm on a plan, a direction, or a value in SI) from things made before. Marks
-are named "plan:label" ("velocity:c"). A step is drawn by an instrument (``tool``), which owns the arithmetic, the
-errors of hand and ruler, and what a failure does; so the same step serves one position or an array of many.
-"""
+"""The steps of a drawing, each a draughtsman's verb: here those that always can be done, with the crossings."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar
 
 from planes import plane
+from planes.crossings import Cross, CrossArc, CrossArcs, Touch
+from planes.step import Kind, Read, Step, directions, marks, values
 from planes.tools import Env, Tool
 
-Kind = Literal["mark", "direction", "value", "place"]
-Read = tuple[str, Kind]
-
-
-@dataclass(frozen=True)
-class Step:
-    """One step; ``makes`` is the name of what it draws or reckons."""
-
-    makes: str
-    kind: ClassVar[Kind] = "mark"
-
-    def reads(self) -> tuple[Read, ...]:
-        """Names of what the step needs, each with its kind."""
-        raise NotImplementedError
-
-    def draw(self, env: Env, tool: Tool) -> Any:
-        """The thing itself, from the things in ``env``."""
-        raise NotImplementedError
-
-
-def _marks(*names: str | None) -> tuple[Read, ...]:
-    return tuple((n, "mark") for n in names if n)
-
-
-def _directions(*names: str | None) -> tuple[Read, ...]:
-    return tuple((n, "direction") for n in names if n)
-
-
-def _values(*names: str | None) -> tuple[Read, ...]:
-    return tuple((n, "value") for n in names if n)
+__all__ = [
+    "Aim", "Carry", "Cross", "CrossArc", "CrossArcs", "Image", "Kind", "LayOff", "Put", "Read", "Same", "Similar",
+    "Step", "Through", "Touch", "Turn",
+]  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -53,7 +24,7 @@ class Put(Step):
     mu: str | None = None
 
     def reads(self) -> tuple[Read, ...]:
-        return ((self.at, "place"), *_values(self.mu)) if self.at else ()
+        return ((self.at, "place"), *values(self.mu)) if self.at else ()
 
     def draw(self, env: Env, tool: Tool) -> Any:
         return tool.mark(env[self.at] * env[self.mu]) if self.at and self.mu else 0j
@@ -67,7 +38,7 @@ class Aim(Step):
     kind: ClassVar[Kind] = "direction"
 
     def reads(self) -> tuple[Read, ...]:
-        return _values(self.angle)
+        return values(self.angle)
 
     def draw(self, env: Env, tool: Tool) -> Any:
         return tool.ar.cis_deg(env[self.angle])
@@ -82,7 +53,7 @@ class Through(Step):
     kind: ClassVar[Kind] = "direction"
 
     def reads(self) -> tuple[Read, ...]:
-        return _marks(self.start, self.end)
+        return marks(self.start, self.end)
 
     def draw(self, env: Env, tool: Tool) -> Any:
         return plane.unit(env[self.end] - env[self.start], tool.ar)
@@ -98,7 +69,7 @@ class Turn(Step):
     kind: ClassVar[Kind] = "direction"
 
     def reads(self) -> tuple[Read, ...]:
-        return _directions(self.of) + _values(self.angle)
+        return directions(self.of) + values(self.angle)
 
     def draw(self, env: Env, tool: Tool) -> Any:
         turned = env[self.of] * (1, 1j, -1, -1j)[self.quarter % 4]
@@ -115,7 +86,7 @@ class LayOff(Step):
     mu: str
 
     def reads(self) -> tuple[Read, ...]:
-        return _marks(self.start) + _directions(self.along) + _values(self.length, self.mu)
+        return marks(self.start) + directions(self.along) + values(self.length, self.mu)
 
     def draw(self, env: Env, tool: Tool) -> Any:
         return tool.mark(env[self.start] + tool.ray(env[self.along]) * (env[self.length] * env[self.mu]))
@@ -131,7 +102,7 @@ class Carry(Step):
     quarter: int = 0
 
     def reads(self) -> tuple[Read, ...]:
-        return _marks(self.start, self.first, self.second)
+        return marks(self.start, self.first, self.second)
 
     def draw(self, env: Env, tool: Tool) -> Any:
         segment = (env[self.second] - env[self.first]) * (1, 1j, -1, -1j)[self.quarter % 4]
@@ -145,111 +116,10 @@ class Same(Step):
     of: str
 
     def reads(self) -> tuple[Read, ...]:
-        return _marks(self.of)
+        return marks(self.of)
 
     def draw(self, env: Env, tool: Tool) -> Any:
         return env[self.of]
-
-
-@dataclass(frozen=True)
-class Cross(Step):
-    """Cross two lines."""
-
-    start: str
-    along: str
-    other: str
-    across: str
-
-    def reads(self) -> tuple[Read, ...]:
-        return _marks(self.start, self.other) + _directions(self.along, self.across)
-
-    def draw(self, env: Env, tool: Tool) -> Any:
-        u, w = tool.ray(env[self.along]), tool.ray(env[self.across])
-        place, sharpness, gap = plane.lines(env[self.start], u, env[self.other], w)
-        tool.sharpen(self.makes, abs(sharpness))
-        met = abs(sharpness) > tool.flat
-        apart = abs(gap) > tool.slack * (abs(env[self.start]) + abs(env[self.other]))
-        tool.require(met | apart, self, "coincident", gap_mm=gap)
-        tool.require(met, self, "parallel", gap_mm=gap)
-        return tool.mark(place)
-
-
-@dataclass(frozen=True)
-class CrossArc(Step):
-    """Cross a line with an arc of a given radius (SI) about a mark; ``side`` +1 is ahead along the line."""
-
-    start: str
-    along: str
-    centre: str
-    radius: str
-    mu: str
-    side: str
-
-    def reads(self) -> tuple[Read, ...]:
-        return _marks(self.start, self.centre) + _directions(self.along) + _values(self.radius, self.mu, self.side)
-
-    def draw(self, env: Env, tool: Tool) -> Any:
-        radius = abs(env[self.radius] * env[self.mu])
-        u = tool.ray(env[self.along])
-        place, sharpness, miss = plane.line_arc(env[self.start], u, env[self.centre], radius, env[self.side], tool.ar)
-        tool.sharpen(self.makes, sharpness)
-        slack = tool.slack * (abs(env[self.start]) + abs(env[self.centre]) + radius)
-        tool.require(miss <= slack, self, "arc_short", miss_mm=miss)
-        tool.require(radius > 0, self, "no_length")
-        return tool.mark(place)
-
-
-@dataclass(frozen=True)
-class CrossArcs(Step):
-    """Cross two arcs (засечки); ``side`` +1 is to the left of the way from ``centre`` to ``other``."""
-
-    centre: str
-    radius: str
-    other: str
-    other_radius: str
-    mu: str
-    side: str
-
-    def reads(self) -> tuple[Read, ...]:
-        return _marks(self.centre, self.other) + _values(self.radius, self.other_radius, self.mu, self.side)
-
-    def draw(self, env: Env, tool: Tool) -> Any:
-        r, s = abs(env[self.radius] * env[self.mu]), abs(env[self.other_radius] * env[self.mu])
-        centre, other = env[self.centre], env[self.other]
-        place, sharpness, far, near = plane.arcs(centre, r, other, s, env[self.side], tool.ar)
-        tool.sharpen(self.makes, sharpness)
-        slack = tool.slack * (abs(centre) + abs(other) + r + s)
-        tool.require(far <= slack, self, "arcs_apart", miss_mm=far)
-        tool.require(near <= slack, self, "arcs_inside", miss_mm=near)
-        tool.require(abs(other - centre) > slack, self, "arcs_coincide")
-        tool.require((r > 0) & (s > 0), self, "no_lengths")
-        return tool.mark(place)
-
-
-@dataclass(frozen=True)
-class Touch(Step):
-    """The direction of the line through ``start`` that passes ``end`` at a given offset (SI) to its left: the
-    tangent to a circle, or simply the line through both when ``offset`` is None."""
-
-    start: str
-    end: str
-    offset: str | None
-    mu: str
-    side: str
-    kind: ClassVar[Kind] = "direction"
-
-    def reads(self) -> tuple[Read, ...]:
-        return _marks(self.start, self.end) + _values(self.offset, self.mu, self.side)
-
-    def draw(self, env: Env, tool: Tool) -> Any:
-        offset = env[self.offset] * env[self.mu] if self.offset else 0.0
-        start, end = env[self.start], env[self.end]
-        u, sharpness, miss = plane.tangent(start, end, offset, env[self.side], tool.ar)
-        tool.sharpen(self.makes, sharpness)
-        slack = tool.slack * (abs(start) + abs(end) + abs(offset))
-        tool.require(miss <= slack, self, "circle_large", miss_mm=miss)
-        tool.require(abs(end - start) > slack, self, "points_meet", miss_mm=miss)
-        return u
 
 
 @dataclass(frozen=True)
@@ -262,7 +132,7 @@ class Similar(Step):
     ratio: str
 
     def reads(self) -> tuple[Read, ...]:
-        return (*_marks(self.start, self.end), (self.ratio, "place"))
+        return (*marks(self.start, self.end), (self.ratio, "place"))
 
     def draw(self, env: Env, tool: Tool) -> Any:
         return tool.mark(env[self.start] + (env[self.end] - env[self.start]) * env[self.ratio])
@@ -278,7 +148,7 @@ class Image(Step):
     image: tuple[str, str]
 
     def reads(self) -> tuple[Read, ...]:
-        return _marks(self.start, *self.of, *self.like, *self.image)
+        return marks(self.start, *self.of, *self.like, *self.image)
 
     def draw(self, env: Env, tool: Tool) -> Any:
         (a, b), (c, d), (e, f) = self.of, self.like, self.image

@@ -199,7 +199,7 @@ class _Finder:
             for chosen in combinations(left, size):
                 freedom = 3 * size - 2 * self.pairs_within(chosen)
                 if freedom < 0:
-                    why = Phrase("overconstrained", names=chosen, count=-freedom, freedom=freedom)
+                    why = Phrase("overconstrained", names=chosen, count=(1 - freedom) // 2, freedom=freedom)
                     return self.error(why, "links", chosen[0])
                 if freedom == 0 and size > 2:
                     return self.error(Phrase("higher_class", names=chosen), "links", chosen[0])

@@ -16,6 +16,7 @@ class Tool(Protocol):
     slack: float  # relative: arcs that miss by less are taken to touch
     flat: float  # sharpness at or below which two lines count as parallel
     still: float  # relative: a speed at or below this is a standstill
+    doubt_mm: float  # marks no farther apart than this may be one mark
     sharpness: dict[str, Real]
 
     def mark(self, place: Point) -> Point:

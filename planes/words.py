@@ -8,6 +8,8 @@ from __future__ import annotations
 from string import Formatter
 from typing import Literal
 
+from planes.words_check import CHECK
+from planes.words_crank_slider import CRANK_SLIDER
 from planes.words_links import LINKS
 from planes.words_method import METHOD
 from planes.words_scene import SCENE
@@ -48,10 +50,10 @@ WORDS: dict[str, tuple[str, str]] = {
         "mm: {makes} cannot be drawn; the mechanism does not assemble in this position",
     ),
     "arcs_coincide": (
-        "дуги {radius} из {centre} и {other_radius} из {other} совпадают: {makes} на них не определена, механизм в точке "
-        "разветвления; возьмите соседнее положение",
-        "the arcs {radius} about {centre} and {other_radius} about {other} coincide: any point of them could be {makes}, "
-        "the mechanism is at a change point; take a neighbouring position",
+        "дуги {radius} из {centre} и {other_radius} из {other} совпадают: {makes} на них не определена, механизм в "
+        "точке разветвления; возьмите соседнее положение",
+        "the arcs {radius} about {centre} and {other_radius} about {other} coincide: any point of them could be "
+        "{makes}, the mechanism is at a change point; take a neighbouring position",
     ),
     "no_length": (
         "длина {radius} равна нулю: дугой из {centre} точку {makes} не построить; задайте длину звена",
@@ -150,7 +152,7 @@ class Phrase:
 Told = Phrase | str
 """A phrase, or words that are the same in both languages: a name, a number, a key of the file."""
 
-TABLE = {**WORDS, **TEXT, **SCENE, **LINKS, **METHOD}
+TABLE = {**WORDS, **TEXT, **SCENE, **LINKS, **METHOD, **CRANK_SLIDER, **CHECK}
 
 
 class _Teller(Formatter):

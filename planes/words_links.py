@@ -7,6 +7,10 @@ LINKS: dict[str, tuple[str, str]] = {
         "links: здесь пусто; в механизме должно быть хотя бы одно звено",
         "links is empty; a mechanism needs at least one link",
     ),
+    "point_pole": (
+        "{what}: точку нельзя назвать p, это полюс каждого плана; напишите P",
+        "{what}: a point cannot be named p, the pole of every plan; write P",
+    ),
     "link_zero": (
         "звено нельзя назвать 0, это номер стойки; точки стойки записывают в frame",
         "a link cannot be named 0, the frame's own name; write its points under frame",
@@ -84,7 +88,7 @@ LINKS: dict[str, tuple[str, str]] = {
         "{text}: {name} stands twice; name each vector once",
     ),
     "no_vectors": ("{text}: в уравнении нет векторов", "{text}: there is no vector in it"),
-    "not_vector": ("{text}: {name} не имя вектора", "{text}: {name} is not the name of a vector"),
+    "not_vector": ("{text}: здесь нужно имя вектора, а не {name}", "{text}: {name} is not the name of a vector"),
     "nothing": ("пустое место", "'nothing'"),
     "side_empty": (
         "{text}: одна часть пуста; если в ней ничего нет, пишите 0",

@@ -13,7 +13,7 @@ METHOD: dict[str, tuple[str, str]] = {
     "hinge_pair": ("{point} звеньев {links}", "{point} of links {links}"),
     "slide_pair": ("{link} скользит по {guide} звена {owner}", "{link} slides on {guide} of {owner}"),
     "driver_pair": (
-        "ведущему звену {link}, заданному через {kind}, {need}, а у него: {have}",
+        "ведущему звену {link}, заданному через {kind}, {need}, имеется: {have}",
         "the driver {link} given by {kind} needs exactly {need}, it has: {have}",
     ),
     "need_hinge": ("нужен ровно один шарнир на стойке", "one hinge on the frame"),
@@ -25,14 +25,14 @@ METHOD: dict[str, tuple[str, str]] = {
         "there; make one of the pairs a hinge",
     ),
     "overconstrained": (
-        "у звеньев {names} лишних пар: {count} (W = {freedom}), а другие звенья не закреплены; проверьте, какие точки у "
+        "звенья {names}: лишних пар {count} (W = {freedom}), а другие звенья не закреплены; проверьте, какие точки у "
         "них общие",
         "links {names} are held by {count} pair(s) too many (W = {freedom}) while others hang loose: check which "
         "points they share",
     ),
     "higher_class": (
-        "звенья {names} образуют группу Ассура III класса или выше, а планами групп II класса её не построить; возьмите "
-        "ведущим другое звено или разделите группу",
+        "звенья {names} образуют группу Ассура III класса или выше, а планами групп II класса её не построить; "
+        "возьмите ведущим другое звено или разделите группу",
         "links {names} form an Assur group of class III or higher, which plans of class II groups cannot draw: take "
         "another link as the driver or split the group",
     ),
@@ -110,4 +110,35 @@ METHOD: dict[str, tuple[str, str]] = {
         "{file}: в сцене одни векторы без механизма, поэтому строения у неё нет",
         "{file}: states vectors and has no mechanism, so it has no structure",
     ),
+    "help_planes": ("Планы механизмов, построенные и измеренные.", "Plans of mechanisms, drawn and measured."),
+    "help_solve": ("построить планы сцены и напечатать измеренное",
+                   "draw the plans of a scene and print what they measure"),
+    "help_structure": ("напечатать W, q, группы Ассура и формулу строения",
+                       "print W, q, Assur groups and the formula of structure"),
+    "help_sheet": ("начертить лист сцены: SVG, PDF или PNG по окончанию имени файла",
+                   "draw the sheet of a scene: SVG, PDF or PNG by the file's suffix"),
+    "help_json": ("печатать объект для программ вместо таблиц", "print an object for programs instead of tables"),
+    "help_object": ("печатать объект для программ", "print an object for programs"),
+    "help_pencil": ("чертить с погрешностями карандаша, а не точно", "draw with a pencil's errors instead of exactly"),
+    "help_seed": ("какие именно погрешности у карандаша", "which errors the pencil makes"),
+    "help_output": ("какой файл записать (.svg, .pdf, .png)", "the file to write (.svg, .pdf, .png)"),
+    "help_scene": ("файл сцены (YAML)", "the scene file (YAML)"),
+    "help_variant": ("какой вариант чисел сцены взять", "which variant of the scene's numbers"),
+    "help_lang": ("язык слов", "language of the words"),
+    "help_phi": ("угол (углы) ведущего звена в градусах вместо заданного в сцене",
+                 "angle(s) of the driver, degrees, instead of the scene's"),
+    "help_s": ("место (места) поступательно движущегося ведущего звена, м", "place(s) of a sliding driver, m"),
+    # what the reader of the command line says by itself, and is replaced piece by piece
+    "usage_line": ("порядок: ", "usage: "),
+    "usage_given": ("что указать:", "positional arguments:"),
+    "usage_options": ("ключи:", "options:"),
+    "usage_help": ("показать эту справку", "show this help message and exit"),
+    "usage_error": (": ошибка: ", ": error: "),
+    "usage_missing": ("не указано: ", "the following arguments are required: "),
+    "usage_unknown": ("лишнее в команде: ", "unrecognized arguments: "),
+    "usage_argument": ("аргумент ", "argument "),
+    "usage_no_value": ("нужно значение", "expected one argument"),
+    "usage_choice": ("не подходит ", "invalid choice: "),
+    "usage_choices": (" (допустимо: ", " (choose from "),
+    "usage_number": ("нужно целое число, а не ", "invalid int value: "),
 }

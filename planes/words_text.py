@@ -86,6 +86,8 @@ TEXT: dict[str, tuple[str, str]] = {
         "a value cannot begin with {char}; put it in quotes",
     ),
     "not_yaml": ("это не YAML: {problem}", "not valid YAML: {problem}"),
+    "tab_in_indentation": ("табуляция в отступе", "found a tab character that violates indentation"),
+    "other_yaml": ("документ другой версии", "found incompatible YAML document"),
     "unreadable": ("текст не читается", "unreadable"),
     # expressions
     "value_large": ("значение слишком велико", "the value is too large"),

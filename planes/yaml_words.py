@@ -23,6 +23,12 @@ _PROBLEMS = (
     ("unexpected ':'", "colon_here"),
 )
 
+_RARE = {
+    "": "unreadable",
+    "found a tab character that violates indentation": "tab_in_indentation",
+    "found incompatible YAML document": "other_yaml",
+}
+
 _AT_START = ("colon_missing", "list_open", "table_open", "quote_open")  # the line where it began tells more
 
 
@@ -47,4 +53,5 @@ def explained(error: Any, text: str) -> tuple[Phrase, int | None]:
 
 
 def _other(problem: str) -> Phrase:
-    return Phrase("not_yaml", problem=problem or Phrase("unreadable"))
+    key = _RARE.get(problem)
+    return Phrase("not_yaml", problem=Phrase(key) if key else problem)

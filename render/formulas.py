@@ -1,17 +1,17 @@
-"""Vector equations as on paper: bars over vectors, underlines for what is known, lines of action and numbers beneath."""
+"""Vector equations as on paper: bars over vectors, underlines for what is known, action lines and numbers beneath."""
 
 from __future__ import annotations
 
+import cmath
+import math
 import re
 from dataclasses import dataclass, field
 
-from planes.drafting import at, mu_of
 from planes.equations import Equation, Term
-from planes.scales import kind_of
-from planes.solving import Position
 from render import lettering
 from render.marks import Line, Mark, Text
 from render.names import Naming
+from render.plotted import Plotted
 from render.typeset import extent
 from render.words import number, say
 
@@ -90,29 +90,29 @@ def _width(text: str, height: float) -> float:
 
 @dataclass(frozen=True)
 class Formulas:
-    """The equations of a position, of some plans, set one beneath the other."""
+    """The equations of some plans, set one beneath the other."""
 
-    position: Position
+    plotted: Plotted
     naming: Naming
     letter: float = 5.0
 
     def drawn(self, plans: tuple[str, ...]) -> tuple[Mark, ...]:
         """All equations of these plans, from the top down."""
         setter, y = Setter(self.letter), 0.0
-        for equation in self.position.plans.equations:
+        for equation in self.plotted.equations:
             if equation.plan in plans and self.there(equation):
-                words = self.force_words(equation) if equation.plan.startswith("force") else self.words(equation)
+                words = self.words(equation) if equation.total else self.closed_words(equation)
                 y = setter.row(words, y) - 1.9 * self.letter
         return tuple(setter.marks)
 
     def there(self, equation: Equation) -> bool:
-        """Whether an equation is on the drawing, and says anything: a lone sum of two equal forces does not."""
-        return all(at(equation.plan, t.end) in self.position.drawing for t in equation.terms)
+        """Whether an equation is on the drawing."""
+        return all(self.plotted.has(equation.plan, t.start, t.end) for t in equation.terms)
 
     def words(self, equation: Equation) -> list[Word]:
         """v_C = v_B + v_CB; what a point does against the frame is its own vector, with its line of action."""
         total = equation.total or ""
-        unit = say(UNITS[kind_of(equation.plan)], self.naming.lang)
+        unit = say(UNITS[self.plotted.kind(equation.plan)], self.naming.lang)
         first, sides = Word(self.naming.vector(total), value=unit), []
         for chain in equation.chains:
             terms = [t for t in chain if t.action != "=0"]
@@ -126,33 +126,30 @@ class Formulas:
                 found += [Word("+" if k else "=", vector=False), self.word(term, equation.plan)]
         return found
 
-    def force_words(self, equation: Equation) -> list[Word]:
-        """All forces added up to nothing."""
-        found: list[Word] = []
-        for k, term in enumerate((*equation.chains[0], *equation.chains[1])):
-            if k:
-                minus = term in equation.chains[1] and term.sign > 0
-                found.append(Word("−" if minus else "+", vector=False))
-            found.append(self.word(term, equation.plan))
-        return [*found, Word("= 0", vector=False, value=say("N", self.naming.lang))]
+    def closed_words(self, equation: Equation) -> list[Word]:
+        """Both sides as they are stated, or all vectors of a closed polygon added up to nothing."""
+        unit = say(UNITS[self.plotted.kind(equation.plan)], self.naming.lang)
+        one, two = ([self.word(t, equation.plan) for t in chain] for chain in equation.chains)
+        if two and all(term.sign > 0 for term in equation.chains[1]):
+            return [*_sum(one), Word("=", vector=False), *_sum(two), Word("", vector=False, value=unit)]
+        return [*_sum([*one, *two]), Word("= 0", vector=False, value=unit)]
 
     def word(self, term: Term, plan: str) -> Word:
         """A vector with its underlines, its line of action and, where it is known, its number."""
         text, known, value = self.naming.vector(term.name), term.known, ""
         if known == 2:
-            length = abs(self.place(plan, term.end) - self.place(plan, term.start))
-            si = length / self.position.scales[mu_of(plan)] if length > NOISE_MM else 0.0
+            length = abs(self.plotted.mark(plan, term.end) - self.plotted.mark(plan, term.start))
+            si = length / self.plotted.mu(plan) if length > NOISE_MM else 0.0
             value = number(si, self.naming.lang)
         return Word(text, known, self.action(term), value)
-
-    def place(self, plan: str, label: str) -> complex:
-        """A mark of the plan in mm."""
-        return complex(self.position.drawing[at(plan, label)])
 
     def action(self, term: Term) -> str:
         """The line of action as it is written beneath: ⊥BC, ∥y–y, C→B."""
         text = term.action.replace("⊥∥", "⊥").replace("-", "–")
-        if term.action == "↓" or text[:1] in "⊥∥" and text:
+        if text[:1] == "∠" and term.direction:
+            angle = math.degrees(cmath.phase(complex(self.plotted.drawing[term.direction])))
+            return f"∠{number(angle, self.naming.lang)}°"
+        if text.startswith(("↓", "⊥", "∥")):
             return text
         if re.fullmatch(r"[A-Z]\w*→[A-Z]\w*", text):
             return text
@@ -163,3 +160,8 @@ class Formulas:
         if re.fullmatch(r"[A-Z]\w*", text):
             return f"∥{text}"
         return ""
+
+
+def _sum(words: list[Word]) -> list[Word]:
+    """The words with a plus between them."""
+    return [w for k, word in enumerate(words) for w in ([Word("+", vector=False)] * bool(k) + [word])]

@@ -6,12 +6,13 @@ import math
 import random
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from render.footprints import Bounds
 
 GAP_MM = 7.0  # least distance of views from each other and from the frame
-TRIES = 120
-ENOUGH = 24  # arrangements to choose from
+TRIES = 160
+ENOUGH = 60  # arrangements to choose from
 ROUNDS = 80
 
 
@@ -39,8 +40,10 @@ class Spot:
 Size = tuple[float, float]
 
 
-def pack(sizes: Sequence[Size], field: Bounds, blocked: Sequence[Bounds], gap: float = GAP_MM) -> list[Spot] | None:
-    """Places for rectangles of these sizes, in the order given; None if no order tried fits them all."""
+def pack(
+    sizes: Sequence[Size], field: Bounds, blocked: Sequence[Bounds], figures: int = 0, gap: float = GAP_MM
+) -> list[Spot] | None:
+    """Places for rectangles of these sizes, the first ``figures`` in reading order; None if no try fits them all."""
     wide, high = field[2] - field[0], field[3] - field[1]
     area = sum((w + gap) * (h + gap) for w, h in sizes) + sum((b[2] - b[0]) * (b[3] - b[1]) for b in blocked)
     if area > wide * high or any(w + 2 * gap > wide or h + 2 * gap > high for w, h in sizes):
@@ -52,24 +55,29 @@ def pack(sizes: Sequence[Size], field: Bounds, blocked: Sequence[Bounds], gap: f
             found = _filled([sizes[k] for k in order], field, blocked, gap, rule)
             if found:
                 spots = [found[order.index(k)] for k in range(len(sizes))]
-                best = min(best or (math.inf, spots), (_cost(spots, field), spots), key=lambda b: b[0])
+                best = min(best or (math.inf, spots), (_cost(spots, field, figures), spots), key=lambda b: b[0])
                 found_count += 1
         if found_count >= ENOUGH:
             break
     return spread(best[1], field, blocked, gap) if best else None
 
 
-def _cost(spots: Sequence[Spot], field: Bounds) -> float:
-    """How far an arrangement is from one that is read easily: in order, from the upper left, in few rows."""
-    cost = 2.0 * (spots[0].x - field[0] + field[3] - spots[0].top)
+def _cost(spots: Sequence[Spot], field: Bounds, figures: int) -> float:
+    """How far an arrangement is from one that is read easily: in order, from the upper left, in few rows.
+
+    The first ``figures`` are read one after the other; tables may stand anywhere, best near each other.
+    """
+    cost = 3.0 * (spots[0].x - field[0] + field[3] - spots[0].top)
     for k, later in enumerate(spots):
         for earlier in spots[:k]:
             lower = earlier.top - later.top
-            before = lower < -8 or (abs(lower) <= 8 and later.x < earlier.x)
-            cost += 12.0 if before else 0.0
+            if later.x < earlier.right and (lower < -8 or (abs(lower) <= 8 and later.x < earlier.x)):
+                cost += 60.0 if k < figures else 8.0
+            elif lower < -8:
+                cost += 12.0 if k < figures else 2.0
     cost += 15.0 * len({round(spot.top) for spot in spots}) + 5.0 * len({round(spot.x) for spot in spots})
-    near = zip(spots, spots[1:], strict=False)
-    return cost + sum(0.25 * abs(complex(b.x - a.x, b.top - a.top)) for a, b in near)
+    near = sum(0.25 * abs(complex(b.x - a.x, b.top - a.top)) for a, b in pairwise(spots))
+    return cost + near
 
 
 def _orders(sizes: Sequence[Size]) -> Iterator[list[int]]:
@@ -82,8 +90,10 @@ def _orders(sizes: Sequence[Size]) -> Iterator[list[int]]:
     yield sorted(plain, key=lambda k: -max(sizes[k]))
     shuffler = random.Random(1)
     by_height = sorted(plain, key=lambda k: -sizes[k][1])
-    for _ in range(TRIES):
-        yield sorted(plain, key=lambda k: by_height.index(k) + shuffler.uniform(0, 0.6 * len(sizes)))
+    for turn in range(TRIES):
+        ranks = plain if turn % 2 else by_height
+        loose = (0.2, 0.35, 0.6, 1.0)[turn % 4] * len(sizes)
+        yield sorted(plain, key=lambda k: ranks.index(k) + shuffler.uniform(0, loose))
 
 
 def _by_top(free: Bounds, size: Size) -> tuple[float, ...]:
@@ -145,7 +155,7 @@ def spread(spots: list[Spot], field: Bounds, blocked: Sequence[Bounds], gap: flo
     """
     fixed = [Spot(b[0], b[1], b[2] - b[0], b[3] - b[1], True) for b in blocked]
     everything = [*spots, *fixed]
-    sides = [(i, j) for i in range(len(everything)) for j in range(len(everything)) if _beside(everything, i, j)]
+    sides = [(i, j) for i in range(len(everything)) for j in range(len(everything)) if _beside(everything, i, j, gap)]
     for _ in range(ROUNDS):
         for k, spot in enumerate(spots):
             low = max([field[0] + gap, *(everything[i].right + gap for i, j in sides if j == k)])
@@ -157,19 +167,19 @@ def spread(spots: list[Spot], field: Bounds, blocked: Sequence[Bounds], gap: flo
         rows.setdefault(round(spot.top, 1), []).append(k)
     for _ in range(ROUNDS):
         for row in rows.values():
-            up = min(min([field[3] - gap, *(everything[i].y - gap for i, j in above if j == k)]) - spots[k].top for k in row)
-            down = min(
-                spots[k].y - max([field[1] + gap, *(everything[j].top + gap for i, j in above if i == k)]) for k in row
-            )
+            ceilings = [[field[3] - gap, *(everything[i].y - gap for i, j in above if j == k)] for k in row]
+            floors = [[field[1] + gap, *(everything[j].top + gap for i, j in above if i == k)] for k in row]
+            up = min(min(c) - spots[k].top for c, k in zip(ceilings, row, strict=True))
+            down = min(spots[k].y - max(f) for f, k in zip(floors, row, strict=True))
             for k in row:
                 spots[k].y += (up - down) / 2
     return spots
 
 
-def _beside(spots: Sequence[Spot], i: int, j: int) -> bool:
-    """Whether spot i stands to the left of j, at the same height."""
+def _beside(spots: Sequence[Spot], i: int, j: int, gap: float) -> bool:
+    """Whether spot i stands to the left of j, within reach of it up and down."""
     a, b = spots[i], spots[j]
-    return i != j and a.right <= b.x + 1e-6 and a.y < b.top - 1e-6 and b.y < a.top - 1e-6
+    return i != j and a.right <= b.x + 1e-6 and a.y < b.top + gap - 1e-6 and b.y < a.top + gap - 1e-6
 
 
 def _above(spots: Sequence[Spot], i: int, j: int, gap: float) -> bool:

@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from planes.drafting import POLE, at, label_of
+from planes.drafting import POLE, label_of
 from planes.equations import Term
-from planes.solving import Position
 from planes.steps import Image, Similar
 from render import labels
-from render.marks import Arrow, Layer, Line, Mark
+from render.marks import Arrow, Layer, Line, Mark, Text
 from render.names import Naming
+from render.plotted import Plotted
 from render.symbols import dot
+from render.view import bounds
+from render.words import say
 
 ZERO_MM = 0.05  # a vector shorter than this is nothing on paper
 SAME_MM = 0.35  # marks closer than this share one label
@@ -29,7 +31,7 @@ Ends = tuple[complex, complex]
 class Polygon:
     """One plan being drawn: every vector once, though several names may stand for it."""
 
-    position: Position
+    plotted: Plotted
     plan: str
     naming: Naming
     arrows: dict[tuple[str, str], list[str]] = field(default_factory=dict)
@@ -38,17 +40,13 @@ class Polygon:
     shifted: bool = False
 
     @property
-    def of_forces(self) -> bool:
-        """Whether it is a plan of forces."""
-        return self.plan.startswith("force")
+    def of_rates(self) -> bool:
+        """Whether its marks are lettered (velocities, accelerations) rather than its vectors named (forces)."""
+        return self.plan in ("velocity", "acceleration")
 
     def mark(self, label: str) -> complex:
         """Where a mark stands, mm from the pole."""
-        return complex(self.position.drawing[at(self.plan, label)])
-
-    def has(self, *names: str) -> bool:
-        """Whether all these marks have been drawn (a sliced program draws only what is asked)."""
-        return all(at(self.plan, label) in self.position.drawing for label in names)
+        return self.plotted.mark(self.plan, label)
 
     def drawn(self) -> tuple[Mark, ...]:
         """All marks of the plan, its labels too."""
@@ -56,26 +54,30 @@ class Polygon:
         self.traces()
         self.lines_of_action()
         self.vectors()
-        pole = dot(self.mark(POLE), 0.7, "plan") if not self.of_forces else ()
-        ground = (*self.marks, *pole)
-        named = self.force_labels() if self.of_forces else self.mark_labels()
-        return (*ground, *labels.place(named, ground).marks)
+        ground = (*self.marks, *(dot(self.mark(POLE), 0.7, "plan") if self.of_rates else ()))
+        named = self.mark_labels() if self.of_rates else self.vector_labels()
+        marks = (*ground, *labels.place(named, ground).marks)
+        return (*marks, *self.remark(marks)) if self.shifted else marks
+
+    def remark(self, marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
+        """What must be known of vectors drawn side by side, beneath the plan."""
+        x0, y0, x1, _ = bounds(marks)
+        text = f"({say('shifted', self.naming.lang)})"
+        return (Text(text, complex((x0 + x1) / 2, y0 - 5.0), 2.5, "middle", name="remark"),)
 
     def collect(self) -> None:
         """Every measured segment by its ends."""
-        for s in self.position.plans.segments:
-            if s.plan == self.plan and s.start != s.end and self.has(s.start, s.end):
-                if self.plan == "position" or abs(self.mark(s.end) - self.mark(s.start)) <= ZERO_MM:
-                    continue
+        for s in self.plotted.segments:
+            there = s.plan == self.plan and s.start != s.end and self.plotted.has(s.plan, s.start, s.end)
+            if there and abs(self.mark(s.end) - self.mark(s.start)) > ZERO_MM:
                 names = self.arrows.setdefault((s.start, s.end), [])
-                if s.name not in names:
-                    names.append(s.name)
+                names += [s.name] * (s.name not in names)
 
     def terms(self) -> Iterable[Term]:
         """The terms of this plan's equations whose ends are drawn."""
-        for equation in self.position.plans.equations:
+        for equation in self.plotted.equations:
             if equation.plan == self.plan:
-                yield from (t for t in equation.terms if self.has(t.start, t.end))
+                yield from (t for t in equation.terms if self.plotted.has(self.plan, t.start, t.end))
 
     def lines_of_action(self) -> None:
         """Thin lines of the terms known in direction only, a little past the crossing they were drawn for."""
@@ -87,12 +89,12 @@ class Polygon:
             if abs(way) > ZERO_MM:
                 self.marks.append(Line((start, end + BEYOND_MM * way / abs(way)), "construction", "construction"))
             else:
-                along = ALONE_MM * complex(self.position.drawing[term.direction])
+                along = ALONE_MM * complex(self.plotted.drawing[term.direction])
                 self.marks.append(Line((end - along, end + along), "construction", "construction"))
 
     def traces(self) -> None:
         """The sides of the similar triangles by which points of links were found."""
-        for step in self.position.drawing.program.steps:
+        for step in self.plotted.drawing.program.steps:
             if step.makes.rpartition(":")[0] != self.plan or not isinstance(step, (Similar, Image)):
                 continue
             base = (step.start, step.end) if isinstance(step, Similar) else step.image
@@ -111,14 +113,15 @@ class Polygon:
             self.marks.append(Line((start, end), "thin", "construction"))
 
     def vectors(self) -> None:
-        """The arrows: results thick, parts and relative vectors thin."""
-        for (start, end), names in self.arrows.items():
+        """The arrows: results thick, parts and relative vectors thin; forces of one line side by side."""
+        order = sorted(self.arrows.items(), key=lambda item: not self.is_result(item[0][0], item[0][1], item[1]))
+        for (start, end), names in order:
             ends = self.mark(start), self.mark(end)
-            if self.of_forces:
+            if not self.of_rates:
                 ends = self.aside(ends)
             self.places[start, end] = ends
             thick = self.is_result(start, end, names)
-            layer: Layer = "result" if thick else "force" if self.of_forces else "plan"
+            layer: Layer = "result" if thick else "plan" if self.of_rates else "force"
             self.marks.append(Arrow(*ends, "result" if thick else "thin", layer, names[0]))
 
     def aside(self, ends: Ends) -> Ends:
@@ -135,12 +138,12 @@ class Polygon:
 
     def is_result(self, start: str, end: str, names: list[str]) -> bool:
         """Whole vectors from the pole, and whole forces."""
-        if self.of_forces:
+        if not self.of_rates:
             return any("^" not in name for name in names)
         return start == POLE and not end.startswith(("n_", "k_"))
 
-    def force_labels(self) -> list[labels.Label]:
-        """Names of forces beside their vectors; equal reactions share one label."""
+    def vector_labels(self) -> list[labels.Label]:
+        """Names beside their vectors; equal reactions share one label."""
         found = []
         for (start, end), names in self.arrows.items():
             a, b = self.places[start, end]
@@ -151,7 +154,7 @@ class Polygon:
     def mark_labels(self) -> list[labels.Label]:
         """Letters of the marks; those that coincide share one label."""
         clusters: list[tuple[complex, list[str]]] = []
-        for label in self.labelled():
+        for label in self.plotted.labels(self.plan):
             z = self.mark(label)
             near = next((c for c in clusters if abs(c[0] - z) <= SAME_MM), None)
             if near:
@@ -161,24 +164,12 @@ class Polygon:
         centre = sum(z for z, _ in clusters) / len(clusters)
         found = []
         for z, names in clusters:
-            grounded = self.grounded() if POLE in names else []
-            text = ", ".join(dict.fromkeys(self.naming.mark(n, self.plan) for n in [*names, *grounded]))
+            prime = "'" if self.plan == "acceleration" else ""
+            fixed = [n + prime for n in self.plotted.fixed] if POLE in names else []
+            text = ", ".join(dict.fromkeys(self.naming.mark(n, self.plan) for n in [*names, *fixed]))
             away = (z - centre) / abs(z - centre) if abs(z - centre) > ZERO_MM else 0
             found.append(labels.Label(text, z, MARK_MM, side=away, clear=0.7, priority=1, name=text))
         return found
-
-    def labelled(self) -> list[str]:
-        """Labels of all marks of the plan in the order they were drawn, the helping ones left out."""
-        steps = self.position.drawing.program.steps
-        made = [s.makes for s in steps if s.kind == "mark" and s.makes.rpartition(":")[0] == self.plan]
-        return [label_of(m) for m in made if "°" not in m and not m.endswith(("+", "-"))]
-
-    def grounded(self) -> list[str]:
-        """Labels of the fixed points that hinge a link: their vectors are zero, they stand in the pole."""
-        m = self.position.plans.mechanism
-        prime = "'" if self.plan == "acceleration" else ""
-        shared = [p for p in m.frame.points if any(p in link.points for link in m.links.values())]
-        return [p.lower() + prime for p in shared]
 
 
 def _upon(one: Ends, other: Ends) -> bool:

@@ -193,7 +193,8 @@ class Scheme:
             foot, along = self.foot(link)
             ends, clear = (foot - BLOCK_MM[0] / 2 * along, foot + BLOCK_MM[0] / 2 * along), BLOCK_MM[1] / 2
         else:
-            return self.rod_number(link, text)
+            self.rod_number(link, text)
+            return
         self.named.append(labels.Label(text, ends, LETTER_MM, clear=clear, name=f"link {link.name}"))
 
     def rod_number(self, link: Link, text: str) -> None:
@@ -308,12 +309,12 @@ def _nearest(z: complex, outline: list[complex]) -> complex:
     """The point of a link's outline that is nearest to a place."""
     if len(outline) == 1:
         return outline[0]
-    sides = list(zip(outline, outline[1:] + outline[:1], strict=True)) if len(outline) > 2 else [(outline[0], outline[1])]
-    shape = shapely.Polygon([(c.real, c.imag) for c in outline]) if len(outline) > 2 else None
-    if shape is not None and shape.contains(shapely.Point(z.real, z.imag)):
-        return z
+    if len(outline) > 2:
+        shape = shapely.Polygon([(c.real, c.imag) for c in outline])
+        if shape.contains(shapely.Point(z.real, z.imag)):
+            return z
     feet = []
-    for a, b in sides:
+    for a, b in zip(outline, outline[1:] + outline[:1], strict=True):
         t = ((z - a) * (b - a).conjugate()).real / abs(b - a) ** 2
         feet.append(a + min(1.0, max(0.0, t)) * (b - a))
     return min(feet, key=lambda foot: abs(foot - z))

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from planes.drafting import POLE, Segment
 from planes.scales import kind_of
 from planes.solving import Position
+from planes.vectors import VectorResults
 from render import symbols
 from render.formulas import NOISE_MM, UNITS
 from render.ink import head as ink_head
@@ -31,7 +32,7 @@ class Grid:
 
     def drawn(self, head: Row, rows: Sequence[Row]) -> tuple[Mark, ...]:
         """The marks of a table whose upper left corner is the origin."""
-        high, pad = 1.9 * self.letter, 0.5 * self.letter
+        high, pad = 2.0 * self.letter, 0.5 * self.letter
         lines = [head, *rows] if any(head) else list(rows)
         widths = [max(self.wide(row[k]) for row in lines) + 2 * pad for k in range(len(lines[0]))]
         edges = [sum(widths[:k]) for k in range(len(widths) + 1)]
@@ -42,7 +43,7 @@ class Grid:
         for k, edge in enumerate(edges):
             marks.append(_rule(complex(edge, 0), complex(edge, -len(lines) * high), k in (0, len(widths))))
         for level, row in enumerate(lines):
-            base = -(level + 0.5) * high - self.letter / 2
+            base = -(level + 0.5) * high - 0.35 * self.letter
             for k, cell in enumerate(row):
                 marks += self.cell(cell, complex((edges[k] + edges[k + 1]) / 2, base))
         return tuple(marks)
@@ -79,6 +80,18 @@ class Tables:
     position: Position
     naming: Naming
     letter: float = 3.5
+
+    @classmethod
+    def of_vectors(cls, results: VectorResults, naming: Naming, letter: float) -> View | None:
+        """Magnitude and direction of every vector of a scene of vectors."""
+        unit = say(UNITS[results.scene.quantity or "velocity"], naming.lang)
+        rows = []
+        for name, v in results.vectors().items():
+            angle = number(math.degrees(cmath.phase(v)), naming.lang) if abs(v) * results.mu > NOISE_MM else "—"
+            mm = number(round(abs(v) * results.mu, 1), naming.lang, 5)
+            rows.append([naming.vector(name), mm, number(abs(v), naming.lang), angle])
+        marks = Grid(letter).drawn(["", say("mm", naming.lang), unit, say("angle", naming.lang)], rows)
+        return view("vectors-table", say("measured", naming.lang), marks) if rows else None
 
     def say(self, key: str) -> str:
         """A word of the sheet."""

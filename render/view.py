@@ -24,6 +24,7 @@ class View:
     title: str
     marks: tuple[Mark, ...]
     box: Bounds
+    figure: bool = False  # a scheme or a plan: they are read one after the other
 
     @property
     def width(self) -> float:
@@ -51,7 +52,7 @@ def bounds(marks: Sequence[Mark]) -> Bounds:
     return float(low[0]), float(low[1]), float(high[0]), float(high[1])
 
 
-def view(key: str, title: str, marks: Iterable[Mark], height: float = TITLE_MM) -> View:
+def view(key: str, title: str, marks: Iterable[Mark], height: float = TITLE_MM, figure: bool = False) -> View:
     """A view with its title centred above it."""
     held = tuple(marks)
     box = bounds(held)
@@ -61,7 +62,7 @@ def view(key: str, title: str, marks: Iterable[Mark], height: float = TITLE_MM) 
         held = (*held, Text(title, place, height, "middle", name=f"title {key}"))
         half = (x1 - x0) / 2
         box = (min(box[0], place.real - half), box[1], max(box[2], place.real + half), place.imag + y1)
-    return View(key, title, held, box)
+    return View(key, title, held, box, figure)
 
 
 def shifted(one: View, by: complex) -> View:
@@ -82,4 +83,4 @@ def stacked(key: str, views: Sequence[View], gap: float = 6.0) -> View:
         boxes.append(moved_view.box)
         y = moved_view.box[1] - gap
     box = (min(b[0] for b in boxes), min(b[1] for b in boxes), max(b[2] for b in boxes), max(b[3] for b in boxes))
-    return View(key, views[0].title, tuple(marks), box)
+    return View(key, views[0].title, tuple(marks), box, views[0].figure)

@@ -119,8 +119,10 @@ def expected(sol: Solution, driver: str, revolving: bool) -> Iterator[Number]:
 
 def sizes(found: Mapping[str, Number]) -> dict[str, float]:
     """The scale of every sort of number: the largest of its kind, and never under what the others make of it."""
-    most = {sort: max([abs(n.value) for n in found.values() if n.sort == sort and n.value == n.value], default=0.0)
-            for sort in ("r", "v", "a", "omega", "epsilon", "force", "moment")}
+    most = {
+        sort: max([abs(n.value) for n in found.values() if n.sort == sort and n.value == n.value], default=0.0)
+        for sort in ("r", "v", "a", "omega", "epsilon", "force", "moment")
+    }
     places = [n.value for n in found.values() if n.sort == "r"]
     span = max(abs(p - q) for p in places for q in places) or most["r"] or 1.0
     scale = {"r": max(most["r"], span), "v": most["v"], "a": most["a"], "angle": 180.0}
@@ -240,6 +242,7 @@ def pose(d: Drawn) -> dict[str, tuple[float, float, float]]:
 
 def plain(text: str) -> dict[str, Any]:
     """A scene file without expressions as the numeric dict of the independent solution."""
+
     def keyed(node: Any) -> Any:
         if isinstance(node, dict):
             return {str(k): keyed(v) for k, v in node.items()}
@@ -247,7 +250,9 @@ def plain(text: str) -> dict[str, Any]:
 
     scene: dict[str, Any] = keyed(yaml.safe_load(text))
     for body in (scene["frame"], *scene["links"].values()):
-        body["guides"] = {k: g if "through" not in g else {"angle": 0, **g} for k, g in (body.get("guides") or {}).items()}
+        body["guides"] = {
+            k: g if "through" not in g else {"angle": 0, **g} for k, g in (body.get("guides") or {}).items()
+        }
     return scene
 
 

@@ -63,8 +63,10 @@ def test_lines_meet_where_shapely_says(p: complex, a: float, q: complex, b: floa
     place, sharpness, _ = plane.lines(p, u, q, w)
     assume(abs(sharpness) > 1e-3)
     reach = 2 * (abs(p) + abs(q) + 1) / abs(sharpness)
-    ends = [LineString([((s - d * reach).real, (s - d * reach).imag), ((s + d * reach).real, (s + d * reach).imag)])
-            for s, d in ((p, u), (q, w))]
+    ends = [
+        LineString([((s - d * reach).real, (s - d * reach).imag), ((s + d * reach).real, (s + d * reach).imag)])
+        for s, d in ((p, u), (q, w))
+    ]
     met = ends[0].intersection(ends[1])
     assert not met.is_empty
     assert abs(complex(met.x, met.y) - place) <= 1e-10 * reach
@@ -169,8 +171,9 @@ def test_quarter_turns_are_exact(quarter: int, turns: int) -> None:
     assert MANY.cis_deg(np.array([angle]))[0] == (1, 1j, -1, -1j)[quarter]
 
 
-@pytest.mark.parametrize("u, angle", [(1 + 0j, 0.0), (1j, 90.0), (-1 + 0j, 180.0), (complex(-1, -0.0), 180.0),
-                                      (-1j, -90.0), (1 + 1j, 45.0)])
+@pytest.mark.parametrize(
+    "u, angle", [(1 + 0j, 0.0), (1j, 90.0), (-1 + 0j, 180.0), (complex(-1, -0.0), 180.0), (-1j, -90.0), (1 + 1j, 45.0)]
+)
 def test_angles_lie_in_the_half_open_turn(u: complex, angle: float) -> None:
     assert ONE.angle_deg(u) == angle
     assert MANY.angle_deg(np.array([u]))[0] == angle
@@ -187,18 +190,27 @@ def test_powers_of_zero_are_no_numbers_and_no_exceptions() -> None:
 def test_arrays_give_the_numbers_of_one() -> None:
     """Lines, arcs and tangents of 500 random data, to a few units in the last place over the sharpness."""
     rng = random.Random(3)
-    rows = [[complex(rng.uniform(-9, 9), rng.uniform(-9, 9)) for _ in range(2)]
-            + [cmath.rect(1, rng.uniform(-4, 4)) for _ in range(2)]
-            + [rng.uniform(1, 9), rng.uniform(1, 9), rng.choice((1.0, -1.0))] for _ in range(500)]
+    rows = [
+        [complex(rng.uniform(-9, 9), rng.uniform(-9, 9)) for _ in range(2)]
+        + [cmath.rect(1, rng.uniform(-4, 4)) for _ in range(2)]
+        + [rng.uniform(1, 9), rng.uniform(1, 9), rng.choice((1.0, -1.0))]
+        for _ in range(500)
+    ]
     p, q, u, w, r, s, side = (np.array(column) for column in zip(*rows, strict=True))
     some = {
         "lines": (plane.lines(p, u, q, w)[:2], [plane.lines(a, c, b, d)[:2] for a, b, c, d, *_ in rows]),
-        "line_arc": (plane.line_arc(p, u, q, r, side, MANY)[:2],
-                     [plane.line_arc(a, c, b, x, k, ONE)[:2] for a, b, c, _, x, _, k in rows]),
-        "arcs": (plane.arcs(p, r, q, s, side, MANY)[:2],
-                 [plane.arcs(a, x, b, y, k, ONE)[:2] for a, b, _, _, x, y, k in rows]),
-        "tangent": (plane.tangent(p, q, r / 5, side, MANY)[:2],
-                    [plane.tangent(a, b, x / 5, k, ONE)[:2] for a, b, _, _, x, _, k in rows]),
+        "line_arc": (
+            plane.line_arc(p, u, q, r, side, MANY)[:2],
+            [plane.line_arc(a, c, b, x, k, ONE)[:2] for a, b, c, _, x, _, k in rows],
+        ),
+        "arcs": (
+            plane.arcs(p, r, q, s, side, MANY)[:2],
+            [plane.arcs(a, x, b, y, k, ONE)[:2] for a, b, _, _, x, y, k in rows],
+        ),
+        "tangent": (
+            plane.tangent(p, q, r / 5, side, MANY)[:2],
+            [plane.tangent(a, b, x / 5, k, ONE)[:2] for a, b, _, _, x, _, k in rows],
+        ),
     }
     for name, ((places, sharps), singles) in some.items():
         for i, (place, sharp) in enumerate(singles):

@@ -19,8 +19,16 @@ def circle(name: str, start: str, end: str) -> Term:
     return Term(name, start, end, length=f"l_{name}")
 
 
-@pytest.mark.parametrize("given, known", [({}, 0), ({"length": "l"}, 1), ({"direction": "u"}, 1),
-                                          ({"length": "l", "direction": "u"}, 2), ({"drawn": True}, 2)])
+@pytest.mark.parametrize(
+    "given, known",
+    [
+        ({}, 0),
+        ({"length": "l"}, 1),
+        ({"direction": "u"}, 1),
+        ({"length": "l", "direction": "u"}, 2),
+        ({"drawn": True}, 2),
+    ],
+)
 def test_the_underlines_of_a_term(given: dict[str, Any], known: int) -> None:
     assert Term("v", "p", "a", **given).known == known
 
@@ -56,8 +64,9 @@ def test_two_arcs() -> None:
 
 
 def test_both_unknowns_in_one_chain() -> None:
-    e = Equation("velocity", ((V_B, replace(V_CB, end="n"), Term("w", "n", "c", direction="u")),
-                              (replace(V_C, drawn=True),)))
+    e = Equation(
+        "velocity", ((V_B, replace(V_CB, end="n"), Term("w", "n", "c", direction="u")), (replace(V_C, drawn=True),))
+    )
     assert e.kind == "cross" and e.unknowns == (("v_CB", "length"), ("w", "length"))
 
 
@@ -68,22 +77,31 @@ def test_a_broken_chain_is_told_by_its_names() -> None:
     assert isinstance(caught.value, PlanesError)
 
 
-@pytest.mark.parametrize("other, says", [
-    (replace(V_C, end="d"), "one side leads from p to c, the other from p to d"),
-    (replace(V_C, start="a"), "one side leads from p to c, the other from a to c"),
-])
+@pytest.mark.parametrize(
+    "other, says",
+    [
+        (replace(V_C, end="d"), "one side leads from p to c, the other from p to d"),
+        (replace(V_C, start="a"), "one side leads from p to c, the other from a to c"),
+    ],
+)
 def test_sides_must_start_and_end_together(other: Term, says: str) -> None:
     with pytest.raises(EquationError, match=says):
         Equation("velocity", ((V_B, V_CB), (other,)), "v_C")
 
 
-@pytest.mark.parametrize("chains, count, listed", [
-    (((V_B,), (replace(V_C, end="b", length="l"),)), 0, "none"),
-    (((V_B, V_CB), (replace(V_C, length="l"),)), 1, "length of v_CB"),
-    (((V_B, V_CB), (replace(V_C, direction=None),)), 3, "length of v_CB; length of v_C; direction of v_C"),
-    (((replace(V_B, length=None, direction=None), replace(V_CB, direction=None)), (replace(V_C, drawn=True),)), 4,
-     "length of v_B; direction of v_B; length of v_CB; direction of v_CB"),
-])
+@pytest.mark.parametrize(
+    "chains, count, listed",
+    [
+        (((V_B,), (replace(V_C, end="b", length="l"),)), 0, "none"),
+        (((V_B, V_CB), (replace(V_C, length="l"),)), 1, "length of v_CB"),
+        (((V_B, V_CB), (replace(V_C, direction=None),)), 3, "length of v_CB; length of v_C; direction of v_C"),
+        (
+            ((replace(V_B, length=None, direction=None), replace(V_CB, direction=None)), (replace(V_C, drawn=True),)),
+            4,
+            "length of v_B; direction of v_B; length of v_CB; direction of v_CB",
+        ),
+    ],
+)
 def test_any_other_number_of_unknowns_is_refused(chains: Any, count: int, listed: str) -> None:
     with pytest.raises(EquationError) as caught:
         Equation("velocity", chains)
@@ -91,7 +109,7 @@ def test_any_other_number_of_unknowns_is_refused(chains: Any, count: int, listed
 
 
 def test_an_unknown_sum_counts_for_two() -> None:
-    with pytest.raises(EquationError, match="has 3 unknowns.*length of v_CB; length of v_C; direction of v_C"):
+    with pytest.raises(EquationError, match=r"has 3 unknowns.*length of v_CB; length of v_C; direction of v_C"):
         Equation("velocity", ((V_B, V_CB), ()), "v_C")
 
 

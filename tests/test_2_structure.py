@@ -39,10 +39,15 @@ def refusal(text: str) -> str:
     return str(caught.value)
 
 
-@pytest.mark.parametrize("text, kind, links", [
-    (FOUR_BAR, "RRR", ("2", "3")), (SLIDER, "RRP", ("2", "3")), (ROCKER, "RPR", ("2", "3")),
-    (CROSS_SLIDE, "PRP", ("2", "3")),
-])
+@pytest.mark.parametrize(
+    "text, kind, links",
+    [
+        (FOUR_BAR, "RRR", ("2", "3")),
+        (SLIDER, "RRP", ("2", "3")),
+        (ROCKER, "RPR", ("2", "3")),
+        (CROSS_SLIDE, "PRP", ("2", "3")),
+    ],
+)
 def test_one_group(text: str, kind: str, links: tuple[str, str]) -> None:
     s = structure(text)
     assert (s.W, s.q, s.formula) == (1, 1 - 18 + 20, f"I(0;1) -> II({';'.join(links)})")
@@ -65,8 +70,9 @@ def test_groups_stand_in_the_order_they_attach() -> None:
 
 
 def test_a_hinge_of_three_links_is_two_pairs() -> None:
-    text = FOUR_BAR.replace("assembly", "  4: {points: {C: 0, E: 0.3}}\n  5: {points: {E: 0, F: 0.2}}\nassembly").replace(
-        "D: [0.4, 0]", "D: [0.4, 0], F: [0.6, 0.4]")
+    text = FOUR_BAR.replace(
+        "assembly", "  4: {points: {C: 0, E: 0.3}}\n  5: {points: {E: 0, F: 0.2}}\nassembly"
+    ).replace("D: [0.4, 0]", "D: [0.4, 0], F: [0.6, 0.4]")
     s = structure(text)
     assert s.formula == "I(0;1) -> II(2;3) -> II(4;5)"
     hinges = [p for p in s.pairs if p.point == "C"]
@@ -74,7 +80,9 @@ def test_a_hinge_of_three_links_is_two_pairs() -> None:
 
 
 def test_two_groups_on_one_hinge_of_the_frame() -> None:
-    s = structure(FOUR_BAR.replace("assembly", "  4: {points: {C: 0, E: 0.3}}\n  5: {points: {E: 0, A: 0.2}}\nassembly"))
+    s = structure(
+        FOUR_BAR.replace("assembly", "  4: {points: {C: 0, E: 0.3}}\n  5: {points: {E: 0, A: 0.2}}\nassembly")
+    )
     assert [p.other for p in s.pairs if p.point == "A"] == ["0", "0"]
     assert s.formula == "I(0;1) -> II(2;3) -> II(4;5)"
 
@@ -126,8 +134,9 @@ links:
 drive: {link: 1, phi: 0}
 """
     assert refusal(text) == (
-        "scene.yaml:4: links 2, 3, 4, 5 form an Assur group of class III or higher, which plans of class II groups "
-        "cannot draw: take another link as the driver or split the group")
+        "scene.yaml:5: links 2, 3, 4, 5 form an Assur group of class III or higher, which plans of class II groups "
+        "cannot draw: take another link as the driver or split the group"
+    )
 
 
 def test_too_much_freedom_and_too_little_tell_the_pairs() -> None:
@@ -154,7 +163,7 @@ links:
   5: {points: {F: 0, G: 0.1}}
 drive: {link: 1, phi: 0}
 """
-    said = refusal(text.replace("F: 0, G: 0.1", "F: 0, B: 0.1").replace("  5:", "  5:"))
+    said = refusal(text.replace("F: 0, G: 0.1", "F: 0, B: 0.1"))
     assert "scene.yaml:" in said and "links 2" in said and "too many" in said
 
 
@@ -168,17 +177,22 @@ links:
   3: {points: {E: 0}, slides: h, guides: {k: {x: 0}}}
 drive: {link: 1, phi: 30}
 """
-    said = refusal(text.replace("slides: h, guides: {k: {x: 0}}", "slides: h").replace(
-        "1: {points: {A: 0}, guides: {g: {y: 0}}}", "1: {points: {A: 0}, slides: k, guides: {g: {y: 0}}}").replace(
-        "slides: h}", "slides: h, guides: {k: {x: 0}}}"))
+    said = refusal(
+        text.replace("slides: h, guides: {k: {x: 0}}", "slides: h")
+        .replace("1: {points: {A: 0}, guides: {g: {y: 0}}}", "1: {points: {A: 0}, slides: k, guides: {g: {y: 0}}}")
+        .replace("slides: h}", "slides: h, guides: {k: {x: 0}}}")
+    )
     assert "links 2 and 3" in said and "three sliding pairs" in said and "make one of the pairs a hinge" in said
 
 
-@pytest.mark.parametrize("drive, says", [
-    ("{link: 2, phi: 0}", "the driver 2 given by phi needs exactly one hinge on the frame, it has: none"),
-    ("{link: 3, phi: 0}", "the driver 3 given by phi needs exactly one hinge on the frame, it has: x-x"),
-    ("{link: 3, s: 0.1}", None),
-])
+@pytest.mark.parametrize(
+    "drive, says",
+    [
+        ("{link: 2, phi: 0}", "the driver 2 given by phi needs exactly one hinge on the frame, it has: none"),
+        ("{link: 3, phi: 0}", "the driver 3 given by phi needs exactly one hinge on the frame, it has: x-x"),
+        ("{link: 3, s: 0.1}", None),
+    ],
+)
 def test_the_driver_needs_one_fitting_pair_with_the_frame(drive: str, says: str | None) -> None:
     text = SLIDER.replace("{link: 1, phi: 30, omega: 10}", drive)
     if says:
@@ -211,4 +225,4 @@ links:
 drive: {link: 1, phi: 0}
 """
     said = refusal(text)
-    assert said.startswith("scene.yaml:5: ") and "links 2, 3 are held by 1 pair(s) too many" in said or "W = " in said
+    assert said.startswith("scene.yaml:5: ") and "links 2, 3 are held by 1 pair(s) too many" in said

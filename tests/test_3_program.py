@@ -8,8 +8,9 @@ import random
 from typing import Any
 
 import pytest
-from mechanisms import KINDS, make, mechanisms, to_yaml
 from hypothesis import given, settings
+from mechanisms import KINDS, make, mechanisms, to_yaml
+from test_5_failures import FOUR_BAR, ROCKER, SLIDER
 
 import planes.reckoning
 import planes.steps
@@ -21,12 +22,14 @@ from planes.reckoning import Calculate, Measure, Product, Protractor
 from planes.scene import loads
 from planes.steps import Aim, Carry, Cross, LayOff, Put, Step, Through, Turn
 from planes.wording import ProgramError
-from test_5_failures import FOUR_BAR, ROCKER, SLIDER
 
-LOADED = FOUR_BAR + """\
+LOADED = (
+    FOUR_BAR
+    + """\
 gravity: 9.81
 loads: [{link: 3, point: C, force: 50, against: motion}, {link: 2, moment: 3}]
 """
+)
 
 
 def plans_of(text: str) -> Plans:
@@ -40,21 +43,37 @@ AIM = Aim("u", "angle")
 LAY = LayOff("velocity:b", "velocity:p", "u", "v_B", "mu")
 
 
-@pytest.mark.parametrize("steps, says", [
-    ((AIM, LAY), "LayOff of velocity:b needs the mark velocity:p, but the drawing has not reached it"),
-    ((POLE, LAY), "LayOff of velocity:b needs the direction u, but the drawing has not reached it"),
-    ((POLE, AIM, LAY, Through("w", "velocity:b", "velocity:c")),
-     "Through of w needs the mark velocity:c, but the drawing has not reached it; drawn so far: velocity:p, velocity:b"),
-    ((POLE, AIM, Carry("velocity:c", "velocity:p", "u", "velocity:p")),
-     "Carry of velocity:c takes u for a mark, it is a direction"),
-    ((POLE, Protractor("phi", "velocity:p")), "Protractor of phi takes velocity:p for a direction, it is a mark"),
-    ((POLE, AIM, Calculate("x", (Product(1.0, (("u", 1),)),))), "Calculate of x takes u for a value, it is a direction"),
-    ((POLE, POLE), "velocity:p is made twice"),
-    ((POLE, AIM, LAY, Measure("l", "velocity:p", "velocity:b", "velocity:b", "mu")),
-     "Measure of l takes velocity:b for a direction, it is a mark"),
-    ((POLE, AIM, Cross("velocity:c", "velocity:p", "u", "velocity:p", "w")), "needs the direction w"),
-    ((POLE, AIM, Turn("w", "v")), "Turn of w needs the direction v, but the drawing has not reached it; drawn so far: u"),
-])
+@pytest.mark.parametrize(
+    "steps, says",
+    [
+        ((AIM, LAY), "LayOff of velocity:b needs the mark velocity:p, but the drawing has not reached it"),
+        ((POLE, LAY), "LayOff of velocity:b needs the direction u, but the drawing has not reached it"),
+        (
+            (POLE, AIM, LAY, Through("w", "velocity:b", "velocity:c")),
+            "Through of w needs the mark velocity:c, but the drawing has not reached it; drawn so far: velocity:p, "
+            "velocity:b",
+        ),
+        (
+            (POLE, AIM, Carry("velocity:c", "velocity:p", "u", "velocity:p")),
+            "Carry of velocity:c takes u for a mark, it is a direction",
+        ),
+        ((POLE, Protractor("phi", "velocity:p")), "Protractor of phi takes velocity:p for a direction, it is a mark"),
+        (
+            (POLE, AIM, Calculate("x", (Product(1.0, (("u", 1),)),))),
+            "Calculate of x takes u for a value, it is a direction",
+        ),
+        ((POLE, POLE), "velocity:p is made twice"),
+        (
+            (POLE, AIM, LAY, Measure("l", "velocity:p", "velocity:b", "velocity:b", "mu")),
+            "Measure of l takes velocity:b for a direction, it is a mark",
+        ),
+        ((POLE, AIM, Cross("velocity:c", "velocity:p", "u", "velocity:p", "w")), "needs the direction w"),
+        (
+            (POLE, AIM, Turn("w", "v")),
+            "Turn of w needs the direction v, but the drawing has not reached it; drawn so far: u",
+        ),
+    ],
+)
 def test_kinds_and_chaining_are_refused_by_name(steps: tuple[Step, ...], says: str) -> None:
     with pytest.raises(ProgramError) as caught:
         Program(steps)
@@ -76,16 +95,19 @@ def kinds_drawn(plans: Plans) -> set[str]:
     return {plan.partition(":")[0] for plan in plans.drawn}
 
 
-@pytest.mark.parametrize("wanted, plans", [
-    (["r_C"], {"position"}),
-    (["v_C"], {"position", "velocity"}),
-    (["omega_2"], {"position", "velocity"}),
-    (["v_CB"], {"position", "velocity"}),
-    (["a_C"], {"position", "velocity", "acceleration"}),
-    (["epsilon_3"], {"position", "velocity", "acceleration"}),
-    (["F_30"], {"position", "velocity", "acceleration", "force"}),
-    (["phi_2"], {"position"}),
-])
+@pytest.mark.parametrize(
+    "wanted, plans",
+    [
+        (["r_C"], {"position"}),
+        (["v_C"], {"position", "velocity"}),
+        (["omega_2"], {"position", "velocity"}),
+        (["v_CB"], {"position", "velocity"}),
+        (["a_C"], {"position", "velocity", "acceleration"}),
+        (["epsilon_3"], {"position", "velocity", "acceleration"}),
+        (["F_30"], {"position", "velocity", "acceleration", "force"}),
+        (["phi_2"], {"position"}),
+    ],
+)
 def test_only_what_leads_to_the_asked_is_drawn(wanted: list[str], plans: set[str]) -> None:
     whole = plans_of(LOADED)
     cut = sliced(whole, [n for q in asked(whole, wanted) for n in q.needs])
@@ -126,12 +148,37 @@ def test_a_slice_gives_the_numbers_of_the_whole() -> None:
             assert cut.sliced([name]) == cut
 
 
-@pytest.mark.parametrize("text, changes", [
-    (LOADED, {"B: 0.1": "B: 0.12", "C: 0.3}, mass: 2, inertia: 0.1": "C: 0.37}, mass: 5, inertia: 0.4", "phi: 60": "phi: -170",
-              "omega: 10": "omega: -3, epsilon: 7", "C: left": "C: right", "force: 50": "force: 0", "9.81": "0"}),
-    (SLIDER, {"B: 0.1": "B: 0.07", "y: 0}": "y: 0.03}", "phi: 30": "phi: 0", "C: ahead": "C: behind", "mass: 2": "mass: 0"}),
-    (ROCKER, {"D: [0.2, 0]": "D: [0, 0.2]", "angle: 0": "angle: 90", "phi: 60": "phi: 61", "g: ahead": "g: behind"}),
-])
+@pytest.mark.parametrize(
+    "text, changes",
+    [
+        (
+            LOADED,
+            {
+                "B: 0.1": "B: 0.12",
+                "C: 0.3}, mass: 2, inertia: 0.1": "C: 0.37}, mass: 5, inertia: 0.4",
+                "phi: 60": "phi: -170",
+                "omega: 10": "omega: -3, epsilon: 7",
+                "C: left": "C: right",
+                "force: 50": "force: 0",
+                "9.81": "0",
+            },
+        ),
+        (
+            SLIDER,
+            {
+                "B: 0.1": "B: 0.07",
+                "y: 0}": "y: 0.03}",
+                "phi: 30": "phi: 0",
+                "C: ahead": "C: behind",
+                "mass: 2": "mass: 0",
+            },
+        ),
+        (
+            ROCKER,
+            {"D: [0.2, 0]": "D: [0, 0.2]", "angle: 0": "angle: 90", "phi: 60": "phi: 61", "g: ahead": "g: behind"},
+        ),
+    ],
+)
 def test_a_program_depends_on_structure_alone(text: str, changes: dict[str, str]) -> None:
     other = text
     for old, new in changes.items():
@@ -148,11 +195,16 @@ def test_a_program_depends_on_structure_alone(text: str, changes: dict[str, str]
 def test_changed_numbers_leave_a_random_program_the_same(case: Any) -> None:
     """Every length 10 % longer, other rates, masses, loads and coefficients: the same steps."""
     scene = case.scene
-    changed = {**scene, "drive": {k: v * 1.01 if isinstance(v, float) and v else v for k, v in scene["drive"].items()},
-               "gravity": 3.3, "friction": {k: f / 2 for k, f in scene["friction"].items()},
-               "loads": [{k: v * 1.3 if isinstance(v, float) else v for k, v in x.items()} for x in scene["loads"]],
-               "links": {n: {k: v * 1.5 if k in ("mass", "inertia") else v for k, v in x.items()}
-                         for n, x in scene["links"].items()}}
+    changed = {
+        **scene,
+        "drive": {k: v * 1.01 if isinstance(v, float) and v else v for k, v in scene["drive"].items()},
+        "gravity": 3.3,
+        "friction": {k: f / 2 for k, f in scene["friction"].items()},
+        "loads": [{k: v * 1.3 if isinstance(v, float) else v for k, v in x.items()} for x in scene["loads"]],
+        "links": {
+            n: {k: v * 1.5 if k in ("mass", "inertia") else v for k, v in x.items()} for n, x in scene["links"].items()
+        },
+    }
     assert plans_of(to_yaml(scene)).program == plans_of(to_yaml(changed)).program
 
 
@@ -177,14 +229,22 @@ def test_a_made_step_cannot_be_changed() -> None:
         program.steps = ()  # type: ignore[misc]
 
 
-@pytest.mark.parametrize("one, other", [("B", "b"), ("B", "P"), ("C", "P"), ("C", "c'"), ("B", "x_1"), ("D", "AB"), ("C", "BC")])
+@pytest.mark.parametrize(
+    "one, other", [("B", "b"), ("B", "P"), ("C", "P"), ("C", "c'"), ("B", "x_1"), ("D", "AB"), ("C", "BC")]
+)
 def test_whatever_the_points_are_called_the_numbers_are_the_same(one: str, other: str) -> None:
     """Names that meet on the small letters, the pole, the directions: "b" beside "B", "P" beside the pole p."""
-    text = LOADED.replace("inertia: 0.1}", "inertia: 0.1, centre: E}").replace("{B: 0, C: 0.3}", "{B: 0, C: 0.3, E: [0.1, 0.1]}")
-    text = text.replace("E", other) if other == "b" else "".join(
-        part if part != one else other for part in _words(text))
-    base = plans_of(LOADED.replace("inertia: 0.1}", "inertia: 0.1, centre: E}").replace(
-        "{B: 0, C: 0.3}", "{B: 0, C: 0.3, E: [0.1, 0.1]}"))
+    text = LOADED.replace("inertia: 0.1}", "inertia: 0.1, centre: E}").replace(
+        "{B: 0, C: 0.3}", "{B: 0, C: 0.3, E: [0.1, 0.1]}"
+    )
+    text = (
+        text.replace("E", other) if other == "b" else "".join(part if part != one else other for part in _words(text))
+    )
+    base = plans_of(
+        LOADED.replace("inertia: 0.1}", "inertia: 0.1, centre: E}").replace(
+            "{B: 0, C: 0.3}", "{B: 0, C: 0.3, E: [0.1, 0.1]}"
+        )
+    )
     plans = plans_of(text)
     numbers = []
     for p in (base, plans):

@@ -23,8 +23,13 @@ OPTIONS: dict[str, dict[str, Any]] = {
     "friction at rest": {"friction": True, "rest": True},
     "sliding friction": {"friction": True, "sliding": True, "ill": 1e-2},
 }
-FEW = settings(max_examples=60, derandomize=True, deadline=None, database=None,
-               suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large])
+FEW = settings(
+    max_examples=60,
+    derandomize=True,
+    deadline=None,
+    database=None,
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
+)
 
 
 def examine(case: Case) -> None:

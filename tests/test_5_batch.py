@@ -141,7 +141,9 @@ def test_other_givens_may_be_arrays_too() -> None:
 
 def test_many_drivers_and_many_lengths_at_once() -> None:
     b = bench(SLIDER)
-    many = run(b[0].program, {**b[0].given, **b[1], b[0].drive_given: np.array([[10.0], [50.0]]),
-                              "l_BC": np.array([0.25, 0.3, 0.35])})
+    many = run(
+        b[0].program,
+        {**b[0].given, **b[1], b[0].drive_given: np.array([[10.0], [50.0]]), "l_BC": np.array([0.25, 0.3, 0.35])},
+    )
     assert many["position:C"].shape == (2, 3)
     assert math.isclose(many["position:C"][1, 1].real, alone(b, 50.0)["position:C"].real, rel_tol=1e-14)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import random
+import re
 from typing import Any
 
 import pytest
@@ -111,7 +112,8 @@ CASES: dict[str, tuple[str, str, str]] = {  # scene, in Russian, in English
         "at a dead point; take another position of the driver",
     ),
     "change point": (
-        FOUR_BAR.replace("{B: 0, C: 0.3}", "{B: 0, C: 0.4}").replace("{D: 0, C: 0.3}", "{D: 0, C: 0.1}")
+        FOUR_BAR.replace("{B: 0, C: 0.3}", "{B: 0, C: 0.4}")
+        .replace("{D: 0, C: 0.3}", "{D: 0, C: 0.1}")
         .replace("phi: 60", "phi: 0"),
         "прямые ⊥BC через b и ⊥DC через p совпадают: c на них не определена (0/0), механизм в точке разветвления; "
         "возьмите соседнее положение",
@@ -154,22 +156,36 @@ def failure(text: str, lang: Any = "en", value: float | None = None) -> str:
     return str(solved.failed[0]["error"])
 
 
+def near_offered(sentence: str) -> tuple[str, float | None]:
+    """A failure without its offer of the nearest position that works, and that position."""
+    found = re.fullmatch(r"(.*?)(?:; (?:the nearest that works|ближайшее рабочее положение): φ = (.*)°)?", sentence)
+    assert found
+    return found[1], None if found[2] is None else float(found[2])
+
+
 @pytest.mark.parametrize("name", CASES)
 def test_a_failure_is_told_with_its_names_and_numbers(name: str) -> None:
     text, russian, english = CASES[name]
-    place = failure(text).split(": ", 1)
-    assert place[0].startswith("at φ = ")
-    assert place[1] == english
+    said, works = near_offered(failure(text))
+    place, sentence = said.split(": ", 1)
+    assert place.startswith("at φ = ")
+    assert sentence == english
+    in_russian, same = near_offered(failure(text, "ru"))
+    assert in_russian.startswith("при φ = ") and same == works
     if russian:
-        assert failure(text, "ru").split(": ", 1)[1] == russian
-    assert failure(text, "ru").startswith("при φ = ")
+        assert in_russian.split(": ", 1)[1] == russian
+    if works is not None:
+        assert solve(loads(text), [works]).positions
 
 
-JAM = SLIDER.replace("y: 0}", "y: 0.02}") + """\
+JAM = (
+    SLIDER.replace("y: 0}", "y: 0.02}")
+    + """\
 gravity: 9.81
 loads: [{link: 3, point: C, force: 100, against: motion}]
 friction: {x-x: 1.2}
 """
+)
 
 
 def test_self_locking_without_an_answer_and_with_two() -> None:
@@ -189,7 +205,9 @@ def test_self_locking_without_an_answer_and_with_two() -> None:
     assert all("coefficient" in s for s in english)
 
 
-@pytest.mark.parametrize("extra", ["friction: {x-x: 0.1}\n", "loads: [{link: 3, point: C, force: 9, against: motion}]\n"])
+@pytest.mark.parametrize(
+    "extra", ["friction: {x-x: 0.1}\n", "loads: [{link: 3, point: C, force: 9, against: motion}]\n"]
+)
 def test_a_standstill_is_warned_of(extra: str) -> None:
     for value in (0.0, 180.0):
         for lang, words in (("en", "the speed is zero"), ("ru", "скорость равна нулю")):
@@ -209,7 +227,9 @@ def test_a_blunt_crossing_is_warned_of_with_its_angle() -> None:
     text = FOUR_BAR.replace("B: 0.1", "B: 0.3").replace("phi: 60", "phi: 97")
     angles = {lang: solve(loads(text), None, None, lang).positions[0].results["warnings"] for lang in ("ru", "en")}
     assert not angles["en"]
-    stretched = FOUR_BAR.replace("B: 0.1", "B: 0.2").replace("D: [0.4, 0]", "D: [0.796, 0]").replace("phi: 60", "phi: 0")
+    stretched = (
+        FOUR_BAR.replace("B: 0.1", "B: 0.2").replace("D: [0.4, 0]", "D: [0.796, 0]").replace("phi: 60", "phi: 0")
+    )
     said = solve(loads(stretched)).positions[0].results["warnings"]
     assert any("the lines meet at" in w and "less than 15°" in w for w in said)
     assert any("меньше 15°" in w for w in solve(loads(stretched), None, None, "ru").positions[0].results["warnings"])
@@ -220,7 +240,8 @@ def test_a_missing_side_prints_both_places_with_their_words() -> None:
         solve(loads(FOUR_BAR.replace("assembly: {C: left}\n", "")))
     assert str(caught.value) == (
         "scene.yaml:3: links 2, 3 (RRR) can be assembled in two ways and the scene does not say which; add assembly: "
-        "{C: left} for C at (0.2826, 0.27607) or assembly: {C: right} for C at (0.1674, -0.18947)")
+        "{C: left} for C at (0.2826, 0.27607) or assembly: {C: right} for C at (0.1674, -0.18947)"
+    )
 
 
 @pytest.mark.parametrize("word, place", [("left", (0.2826, 0.27607)), ("right", (0.1674, -0.18947))])
@@ -236,11 +257,29 @@ def test_a_missing_side_of_a_slider_and_of_a_rocker() -> None:
         solve(loads(ROCKER.replace("assembly: {g: ahead}\n", "")))
 
 
-@pytest.mark.parametrize("text, old, new, words", [
-    (FOUR_BAR, "C: left", "C: ahead", "ahead does not fit a group RRR (links 2, 3); valid: left, right or {near: [x, y]}"),
-    (SLIDER, "C: ahead", "C: left", "left does not fit a group RRP (links 2, 3); valid: ahead, behind or {near: [x, y]}"),
-    (ROCKER, "g: ahead", "g: left", "left does not fit a group RPR (links 2, 3); valid: ahead, behind or {near: [x, y]}"),
-])
+@pytest.mark.parametrize(
+    "text, old, new, words",
+    [
+        (
+            FOUR_BAR,
+            "C: left",
+            "C: ahead",
+            "ahead does not fit a group RRR (links 2, 3); valid: left, right or {near: [x, y]}",
+        ),
+        (
+            SLIDER,
+            "C: ahead",
+            "C: left",
+            "left does not fit a group RRP (links 2, 3); valid: ahead, behind or {near: [x, y]}",
+        ),
+        (
+            ROCKER,
+            "g: ahead",
+            "g: left",
+            "left does not fit a group RPR (links 2, 3); valid: ahead, behind or {near: [x, y]}",
+        ),
+    ],
+)
 def test_a_word_of_another_group_is_refused_with_those_that_fit(text: str, old: str, new: str, words: str) -> None:
     line = text[: text.index("assembly")].count("\n") + 1
     with pytest.raises(SceneError) as caught:
@@ -256,7 +295,9 @@ def test_near_that_cannot_tell_is_refused() -> None:
 
 def test_near_where_nothing_assembles_says_why() -> None:
     text = FOUR_BAR.replace("D: [0.4, 0]", "D: [1.4, 0]").replace("C: left", "C: {near: [0.3, 0.3]}")
-    with pytest.raises(SceneError, match="the nearer place cannot be found, because at the drive's value the arcs l_BC"):
+    with pytest.raises(
+        SceneError, match="the nearer place cannot be found, because at the drive's value the arcs l_BC"
+    ):
         solve(loads(text))
 
 

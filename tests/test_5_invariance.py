@@ -16,8 +16,13 @@ from hypothesis import strategies as st
 from mechanisms import Case, mechanisms
 from oracle import place
 
-FEW = settings(max_examples=40, derandomize=True, deadline=None, database=None,
-               suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large])
+FEW = settings(
+    max_examples=40,
+    derandomize=True,
+    deadline=None,
+    database=None,
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
+)
 CASES = mechanisms(most=3)
 RUBBED = mechanisms(most=3, friction=True)
 
@@ -149,7 +154,9 @@ def test_lengths_and_forces_rescaled(case: Case, k: float, f: float) -> None:
         if isinstance(body.get("slides"), dict) and "offset" in body["slides"]:
             body["slides"]["offset"] *= k
         body |= {key: body[key] * f * by for key, by in (("mass", 1 / k), ("inertia", k)) if key in body}
-    scene["drive"] |= {key: scene["drive"][key] * k for key in ("s", "velocity", "acceleration") if key in scene["drive"]}
+    scene["drive"] |= {
+        key: scene["drive"][key] * k for key in ("s", "velocity", "acceleration") if key in scene["drive"]
+    }
     for name, said in scene["assembly"].items():
         scene["assembly"][name] = {"near": longer(said["near"])} if isinstance(said, dict) else said
     scene["gravity"] *= k
@@ -165,8 +172,9 @@ def test_another_scale_of_the_drawing(case: Case, power: float) -> None:
     """μ is a matter of paper: the numbers stay, the millimetres grow, and the polygons still close."""
     assume(not standing(case))
     base = draw(case.scene)
-    other = draw(case.scene, mu={name: mu * 10 ** (power + i % 3) for i, (name, mu) in enumerate(base.mu.items())
-                                 if name != "mu_lever"} | {"mu_lever": 1.0})
+    mu = {name: mu * 10 ** (power + i % 3) for i, (name, mu) in enumerate(base.mu.items())}
+    mu["mu_lever"] = mu["mu_motion" if base.plans.at_rest else "mu_velocity"]  # the lever is that plan, turned
+    other = draw(case.scene, mu=mu)
     same(named(base), other)
     largest = max(abs(other.drawing[s.makes]) for s in other.plans.program.steps if s.kind == "mark")
     assert closing_mm(other) <= 1e-14 * max(1.0, largest)
@@ -226,10 +234,14 @@ def test_links_renumbered(case: Case, form: str) -> None:
         assert abs(base.vector(a.start, a.end) - other.vector(b.start, b.end)) <= 1e-10 * worst / base.sharpest
     for name, marks in base.plans.points.items():
         for mark in (marks.velocity, marks.acceleration):
-            size = max(abs(base.place(m.acceleration)) + abs(base.place(m.velocity)) for m in base.plans.points.values())
+            size = max(
+                abs(base.place(m.acceleration)) + abs(base.place(m.velocity)) for m in base.plans.points.values()
+            )
             twin = other.plans.points[name]
-            assert abs(base.place(mark) - other.place(twin.velocity if mark == marks.velocity else twin.acceleration)) \
+            assert (
+                abs(base.place(mark) - other.place(twin.velocity if mark == marks.velocity else twin.acceleration))
                 <= 1e-10 * size / base.sharpest
+            )
 
 
 @pytest.mark.parametrize("turns", [360, -360, 3600])

@@ -1,0 +1,163 @@
+"""The whole calculation of a scene, in the order of the text."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from planes.crank_slider.balance import Balance, balanced
+from planes.crank_slider.engine import Found, Motion, follow
+from planes.crank_slider.fatigue import Fatigue, checked
+from planes.crank_slider.forces import Forces, Replacement, Work, balance, classical, replaced, work
+from planes.crank_slider.given import Given
+from planes.crank_slider.kinematics import Way, apart, as_plane_motion, as_points
+from planes.crank_slider.reading import read
+from planes.crank_slider.rod import PinStrength, RodStrength, pin_strength, rod_strength
+from planes.crank_slider.shaft import Section, Supports, sections, supports
+from planes.scene import Scene
+from planes.wording import SceneError
+from planes.words import Phrase
+
+Array = Any
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """The largest differences of two ways over the cycle, in parts of ωr, ω²r, ω, ω², and of the largest force."""
+
+    velocity: dict[str, float]
+    acceleration: dict[str, float]
+    omega: dict[str, float]
+    epsilon: dict[str, float]
+    forces: float
+    torque: float
+    lever: float
+    work: float
+
+
+@dataclass(frozen=True)
+class Calculation:
+    """Everything found. What a scene leaves out is None."""
+
+    scene: Scene
+    given: Given
+    motion: Motion
+    pressure: Array
+    points: Way
+    plane: Way
+    found: Found
+    forces: Forces
+    simple: Forces
+    parts: Replacement
+    work: Work
+    agreement: Agreement
+    balance: Balance | None
+    supports: Supports | None
+    sections: dict[str, Section]
+    fatigue: tuple[Fatigue, ...]
+    rod: RodStrength | None
+    pin: PinStrength | None
+
+    def at(self, phi_deg: float) -> int:
+        """The step of the cycle nearest to a crank angle."""
+        return int(np.argmin(np.abs(self.motion.phi_deg - phi_deg)))
+
+    @property
+    def turn(self) -> slice:
+        """The steps of the first whole turn, both ends included."""
+        return slice(0, round(360.0 / self.given.step_deg) + 1)
+
+
+def motion_of(given: Given) -> tuple[Motion, Array]:
+    """The cycle: angles, ω, ε, gas force; and the absolute pressure, Pa."""
+    d, shape = given.indicator, given.shape
+    turned = np.linspace(0.0, d.cycle_deg, round(d.cycle_deg / given.step_deg) + 1)
+    phi_deg = d.start_deg + turned
+    phi = np.radians(phi_deg)
+    beta = np.arcsin(shape.r * np.sin(phi) / shape.l)
+    path = (shape.r + shape.l - shape.r * np.cos(phi) - shape.l * np.cos(beta)) / (2 * shape.r)
+    pressure = d.pressure(turned, np.clip(path, 0.0, 1.0))
+    speed = given.speed
+    wave = speed.waves * (phi - math.radians(speed.phase_deg))
+    omega = shape.omega * (1 + speed.unevenness / 2 * np.sin(wave))
+    epsilon = omega * shape.omega * speed.unevenness / 2 * speed.waves * np.cos(wave)
+    return Motion(phi_deg, omega, epsilon, (pressure - given.ambient) * math.pi / 4 * given.bore**2), pressure
+
+
+def calculate(scene: Scene) -> Calculation:
+    """Read the scene and calculate all its chapters."""
+    given = read(scene)
+    shape = given.shape
+    motion, pressure = motion_of(given)
+    points, plane = as_points(shape, motion), as_plane_motion(shape, motion)
+    _check_friction(scene, given, motion)
+    found = follow(scene, shape, motion)
+    forces = balance(shape, motion, plane)
+    done = work(shape, motion, plane, forces, given.bore, given.allowed_unevenness)
+    weights = given.counterweights
+    level = balanced(shape, given.shaft, weights, motion, found) if given.shaft and weights else None
+    held = supports(shape, given.shaft, weights, level, forces) if given.shaft else None
+    cut = sections(shape, given.shaft, held) if given.shaft and held else {}
+    result = Calculation(
+        scene, given, motion, pressure, points, plane, found, forces, classical(shape, motion, plane), replaced(shape),
+        done, _agreement(given, motion, points, plane, found, forces, done), level, held, cut, _fatigue(given, cut),
+        rod_strength(shape, motion, plane, forces, given.rod, given.materials["rod"]) if given.rod else None,
+        pin_strength(motion, forces, given.pin, given.materials["piston_pin"]) if given.pin else None,
+    )  # fmt: skip
+    _check_thin(result)
+    return result
+
+
+def _check_friction(scene: Scene, given: Given, motion: Motion) -> None:
+    tangent = given.shape.f * np.tan(np.arcsin(given.shape.r * np.abs(np.sin(motion.phi)) / given.shape.l))
+    if (tangent >= 1.0).any():
+        phi = float(motion.phi_deg[int(np.argmax(tangent >= 1.0))])
+        raise SceneError(Phrase("cs_locked", phi=phi, f=given.shape.f), scene.file)
+
+
+def _fatigue(given: Given, cut: dict[str, Section]) -> tuple[Fatigue, ...]:
+    shaft = given.shaft
+    if shaft is None:
+        return ()
+    steel, k = given.materials["shaft"], given.concentration
+    rounds = (("journal_A", shaft.journal, "journal"), ("crankpin", shaft.crankpin, "crankpin"),
+              ("journal_B", shaft.journal, "journal"))  # fmt: skip
+    return tuple(checked(cut[name], of, steel, k[key]) for name, of, key in rounds)
+
+
+def _check_thin(c: Calculation) -> None:
+    """A part stressed beyond its strength breaks: that is an error, not a result."""
+    found = [(s.name, float(s.equivalent.max()), "shaft") for s in c.sections.values()]
+    found += [("rod", c.rod.sigma, "rod")] if c.rod else []
+    found += [("piston_pin", c.pin.equivalent, "piston_pin")] if c.pin else []
+    for part, stress, key in found:
+        steel = c.given.materials[key]
+        if stress > steel.strength:
+            line = c.scene.where.get(("crank_slider", key))
+            words = Phrase("cs_thin_stress", part=Phrase(f"cs_{part}"), stress=stress, strength=steel.strength)
+            raise SceneError(words, c.scene.file, line)
+
+
+def _agreement(given: Given, m: Motion, points: Way, plane: Way, found: Found, f: Forces, done: Work) -> Agreement:
+    w = given.shape.omega
+    speed, rate = w * given.shape.r, w**2 * given.shape.r
+    ways = {"points_plane": (points, plane), "points_plans": (points, found), "plane_plans": (plane, found)}
+    pairs = [
+        (f.on_pin, -found.on_rod_from_crank), (-f.on_rod_at_b, found.on_slider_from_rod), (f.N, found.push),
+        (f.on_crank_from_frame, found.on_crank_from_frame),
+    ]  # fmt: skip
+    largest = max(float(np.max(np.abs(one))) for one, _ in pairs)
+    top = float(np.max(np.abs(f.torque))) or 1.0
+    balance_of_work = abs(done.torque - done.gas - done.friction) / max(abs(done.gas), abs(done.torque), 1e-300)
+    return Agreement(
+        {k: apart(a.v, b.v, speed) for k, (a, b) in ways.items()},
+        {k: apart(a.a, b.a, rate) for k, (a, b) in ways.items()},
+        {k: float(np.max(np.abs(a.omega - b.omega))) / w for k, (a, b) in ways.items()},
+        {k: float(np.max(np.abs(a.epsilon - b.epsilon))) / w**2 for k, (a, b) in ways.items()},
+        max(float(np.max(np.abs(a - b))) for a, b in pairs) / largest,
+        float(np.max(np.abs(f.torque - found.torque))) / top,
+        float(np.max(np.abs(found.lever - found.torque))) / top, balance_of_work,
+    )  # fmt: skip

@@ -1,0 +1,154 @@
+"""Kinetostatics in closed form: the text's (17)–(26) put right, the replaced masses, torque and work.
+
+The text's moment equation lacks the crank's torque, and its balance of the rod lacks the vertical force in B; here
+the slider's push N follows from moments of rod and slider about A, then everything else by adding up forces.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from planes.crank_slider.engine import Motion
+from planes.crank_slider.kinematics import Way, swing
+from planes.crank_slider.shape import Shape
+
+Array = Any
+
+
+@dataclass(frozen=True)
+class Forces:
+    """All forces over the cycle, N; complex ones in frame axes.
+
+    P: gas, inertia and friction on the slider, towards the crank; N: push of the guide, up;
+    S: compression of the rod at B; T: on the crank pin along its motion; K: on the crank pin towards the pivot.
+    """
+
+    P: Array
+    N: Array
+    S: Array
+    T: Array
+    K: Array
+    rubbing: Array
+    on_rod_at_b: Array
+    on_pin: Array
+    on_crank_from_frame: Array
+    torque: Array
+
+
+def balance(shape: Shape, m: Motion, way: Way) -> Forces:
+    """Every force from one moment equation and two sums."""
+    beta = swing(shape, m.phi)
+    along = -m.gas - shape.m3 * way.a["B"].real
+    inertia = -shape.m2 * way.a["C"] - 1j * shape.m2 * shape.g
+    arm = shape.c * np.exp(-1j * beta)
+    own = (arm.real * inertia.imag - arm.imag * inertia.real - shape.j2 * way.epsilon) / (shape.l * np.cos(beta))
+    push, rub = _push(shape, way, along, own, beta)
+    on_rod = along + rub + 1j * (push - shape.m3 * shape.g)
+    on_pin = on_rod + inertia
+    turned = on_pin * np.exp(-1j * m.phi)
+    pull = np.exp(1j * m.phi)
+    crank = shape.m1 * (-_crank_acceleration(shape, m) - 1j * shape.g)
+    spin = shape.s * (pull.real * crank.imag - pull.imag * crank.real) - shape.j1 * m.epsilon
+    along_rod = -(on_rod * np.exp(1j * beta)).real
+    torque = turned.imag * shape.r + spin
+    return Forces(-along - rub, push, along_rod, turned.imag, -turned.real, rub, on_rod, on_pin, -on_pin - crank, torque)
+
+
+def _crank_acceleration(shape: Shape, m: Motion) -> Array:
+    return shape.s * (1j * m.epsilon - m.omega**2) * np.exp(1j * m.phi)
+
+
+def _push(shape: Shape, way: Way, along: Array, own: Array, beta: Array) -> tuple[Array, Array]:
+    """N and the friction: N(1 − σ·s·f·tan β) = m₃g − P-part·tan β − own, σ the side that bears, s the sliding."""
+    speed = way.v["B"].real
+    sense = np.where(np.abs(speed) > 1e-12 * np.max(np.abs(speed)), np.sign(speed), 0.0)
+    still = shape.m3 * shape.g - along * np.tan(beta) - own
+    tangent = shape.f * sense * np.tan(beta)
+    up = still / (1.0 - tangent)
+    push = np.where(up >= 0.0, up, still / (1.0 + tangent))
+    return push, -shape.f * sense * np.abs(push)
+
+
+@dataclass(frozen=True)
+class Replacement:
+    """The rod as two points (A, B) and as three (A, C, B), kg; the error of the first in kg·m²."""
+
+    at_a: float
+    at_b: float
+    inertia: float
+    error: float
+    three: tuple[float, float, float]
+
+    @property
+    def percent(self) -> float:
+        """The error of the moment of inertia, per cent of the true one."""
+        return 100.0 * self.error / (self.inertia - self.error)
+
+
+def replaced(shape: Shape) -> Replacement:
+    """Masses with the rod's mass and mass centre; three of them have its moment of inertia too."""
+    b = shape.l - shape.c
+    at_a, at_b = shape.m2 * b / shape.l, shape.m2 * shape.c / shape.l
+    two = shape.m2 * shape.c * b
+    if shape.c <= 1e-12 or b <= 1e-12:
+        three = (at_a, shape.j2 / shape.l**2, at_b)
+    else:
+        outer = shape.j2 / (shape.c * shape.l), shape.j2 / (b * shape.l)
+        three = (outer[0], shape.m2 - sum(outer), outer[1])
+    return Replacement(at_a, at_b, two, two - shape.j2, three)
+
+
+def classical(shape: Shape, m: Motion, way: Way) -> Forces:
+    """The usual engine formulas: the rod as two points, no weights; P, N = P·tan β, S = P/cos β, T, K by φ + β."""
+    beta, parts = swing(shape, m.phi), replaced(shape)
+    p = m.gas + (shape.m3 + parts.at_b) * way.a["B"].real
+    n, s = p * np.tan(beta), p / np.cos(beta)
+    t, k = p * np.sin(m.phi + beta) / np.cos(beta), p * np.cos(m.phi + beta) / np.cos(beta)
+    k = k - parts.at_a * m.omega**2 * shape.r  # the rod's turning mass pulls the pin outwards
+    t = t - parts.at_a * m.epsilon * shape.r
+    zero = np.zeros_like(p)
+    on_pin = (-k + 1j * t) * np.exp(1j * m.phi)
+    return Forces(p, n, s, t, k, zero, -p + 1j * n, on_pin, -on_pin, t * shape.r)
+
+
+@dataclass(frozen=True)
+class Work:
+    """Mean torque, unevenness of torque, works of a cycle (J), powers (W), the flywheel."""
+
+    mean: float
+    largest: float
+    smallest: float
+    unevenness: float
+    gas: float
+    friction: float
+    torque: float
+    excess: float
+    flywheel: float
+    power: float
+    indicated: float
+    mean_pressure: float
+    curve: Array
+
+
+def work(shape: Shape, m: Motion, way: Way, f: Forces, bore: float, allowed: float) -> Work:
+    """Works by integrals over the crank's angle; A = ∮M dφ must equal ∮F dx of gas and friction."""
+    cycle = float(m.phi[-1] - m.phi[0])
+    drop = np.where(m.omega > 0, way.v["B"].real / m.omega, 0.0)  # dx_B/dφ
+    gas = float(np.trapezoid(-m.gas * drop, m.phi))
+    friction = float(np.trapezoid(f.rubbing * drop, m.phi))
+    total = float(np.trapezoid(f.torque, m.phi))
+    mean = total / cycle
+    steps = np.diff(m.phi) * ((f.torque - mean)[1:] + (f.torque - mean)[:-1]) / 2
+    curve = np.concatenate([[0.0], np.cumsum(steps)])
+    excess = float(curve.max() - curve.min())
+    high, low = float(f.torque.max()), float(f.torque.min())
+    seconds = cycle / shape.omega
+    swept = math.pi / 4 * bore**2 * 2 * shape.r
+    return Work(
+        mean, high, low, (high - low) / abs(mean) if mean else math.inf, gas, friction, total, excess,
+        excess / (allowed * shape.omega**2), total / seconds, gas / seconds, gas / swept, curve,
+    )  # fmt: skip

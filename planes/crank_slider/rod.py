@@ -1,0 +1,129 @@
+"""The rod (compression, bending by its own inertia, buckling) and the piston pin (bending, shear, pressure)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from planes.crank_slider.engine import Motion
+from planes.crank_slider.fatigue import factor
+from planes.crank_slider.forces import Forces
+from planes.crank_slider.given import PistonPin
+from planes.crank_slider.kinematics import Way, swing
+from planes.crank_slider.materials import Material
+from planes.crank_slider.sections import Shank
+from planes.crank_slider.shape import Shape
+from planes.crank_slider.shaft import MPA
+
+Array = Any
+
+
+@dataclass(frozen=True)
+class Buckling:
+    """One plane: the reduced length's factor μ, slenderness, critical stress (MPa), whether Euler's, factor."""
+
+    mu: float
+    slenderness: float
+    critical: float
+    euler: bool
+    n: float
+
+
+@dataclass(frozen=True)
+class RodStrength:
+    """Forces in N, moments in N·m, stresses in MPa."""
+
+    squeezed: float
+    squeezed_deg: float
+    pulled: float
+    pulled_deg: float
+    sigma_c: float
+    sigma_p: float
+    bending: float
+    bending_deg: float
+    sigma_b: float
+    sigma: float
+    sigma_deg: float
+    n: float
+    limit: float  # slenderness above which Euler's formula holds
+    planes: tuple[Buckling, Buckling]
+
+
+@dataclass(frozen=True)
+class PinStrength:
+    """The largest force on the pin (N), moment (N·m), stresses and pressures (MPa), factors."""
+
+    force: float
+    force_deg: float
+    moment: float
+    sigma: float
+    tau: float
+    equivalent: float
+    n: float
+    bush: float
+    boss: float
+
+
+def rod_strength(shape: Shape, m: Motion, way: Way, f: Forces, of: Shank, steel: Material) -> RodStrength:
+    """Stresses of the shank over the cycle; compression positive."""
+    beta = swing(shape, m.phi)
+    axial = (f.S, -(f.on_pin * np.exp(1j * beta)).real)  # at B, at A
+    large = np.where(np.abs(axial[0]) >= np.abs(axial[1]), axial[0], axial[1])
+    moment = _bending(shape, way, beta)
+    sigma_b = moment / of.modulus * MPA
+    both = np.abs(large) / of.area * MPA + sigma_b
+    push, pull, bend, worst = (int(np.argmax(x)) for x in (large, -large, moment, both))
+    squeezed = max(float(large[push]), 0.0)
+    limit = math.pi * math.sqrt(2 * steel.elasticity / steel.yields)
+    planes = tuple(
+        _buckling(mu, shape.l, math.sqrt(j / of.area), limit, squeezed / of.area * MPA, steel)
+        for mu, j in ((1.0, of.inertia), (0.5, of.inertia_across))
+    )
+    return RodStrength(
+        squeezed, float(m.phi_deg[push]), max(float(-large[pull]), 0.0), float(m.phi_deg[pull]),
+        squeezed / of.area * MPA, max(float(-large[pull]), 0.0) / of.area * MPA, float(moment[bend]),
+        float(m.phi_deg[bend]), float(sigma_b[bend]), float(both[worst]), float(m.phi_deg[worst]),
+        factor(steel.yields, float(both[worst])), limit, (planes[0], planes[1]),
+    )  # fmt: skip
+
+
+def _bending(shape: Shape, way: Way, beta: Array) -> Array:
+    """The largest moment along a rod of even mass, hinged at both ends, under its own inertia across it."""
+    across = 1j * np.exp(-1j * beta)
+    q_a, q_b = ((-(way.a[n] * across.conj()).real * shape.m2 / shape.l) for n in ("A", "B"))
+    x = np.linspace(0.0, shape.l, 201)[:, None]
+    return np.abs(moment_along(q_a, q_b, x, shape.l)).max(axis=0)
+
+
+def moment_along(q_a: Array, q_b: Array, x: Array, length: float) -> Array:
+    """M(x) of a hinged beam under a load that goes evenly from q_a to q_b (N/m)."""
+    falling = length * x / 3 - x**2 / 2 + x**3 / (6 * length)
+    rising = length * x / 6 - x**3 / (6 * length)
+    return q_a * falling + q_b * rising
+
+
+def _buckling(mu: float, length: float, radius: float, limit: float, stress: float, steel: Material) -> Buckling:
+    slenderness = mu * length / radius
+    euler = slenderness > limit
+    if euler:
+        critical = math.pi**2 * steel.elasticity / slenderness**2
+    else:
+        critical = steel.yields * (1 - steel.yields * slenderness**2 / (4 * math.pi**2 * steel.elasticity))
+    return Buckling(mu, slenderness, critical, euler, factor(critical, stress))
+
+
+def pin_strength(m: Motion, f: Forces, pin: PistonPin, steel: Material) -> PinStrength:
+    """The pin as a beam: an even load from the rod's bush, loads from the bosses that fall to zero at its ends."""
+    force = np.abs(f.on_rod_at_b)
+    at = int(np.argmax(force))
+    q = float(force[at])
+    moment = q * (pin.length + 2 * pin.gap - 1.5 * pin.bush) / 12
+    d, a = pin.section.d, pin.section.bore / pin.section.d
+    tau = 4 / 3 * q / 2 / pin.section.area * (1 + a + a**2) / (1 + a**2) * MPA
+    sigma = moment / pin.section.modulus * MPA
+    worst = max(sigma, 2 * tau)  # they do not meet in one point: bending at the edge, shear at the middle
+    bush, boss = q / (d * pin.bush) * MPA, q / (d * (pin.length - pin.gap)) * MPA
+    return PinStrength(q, float(m.phi_deg[at]), moment, sigma, tau, worst, factor(steel.yields, worst), bush, boss)

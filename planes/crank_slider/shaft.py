@@ -1,0 +1,114 @@
+"""The crankshaft as a broken bar on two supports, (31)–(34): reactions, moments along it, stresses, every angle at once.
+
+z runs from the shaft's axis to the crank pin, y along the pin's motion, x along the shaft from bearing A to B; power
+is taken off at B. The text's A′, B′ are opposed to z, A″, B″ to y. The rod's rotating mass is in the pin's load
+already (the plans give that load whole), so Φ holds the crank's own masses alone.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from planes.crank_slider.balance import Balance
+from planes.crank_slider.forces import Forces
+from planes.crank_slider.given import Counterweights, Shaft
+from planes.crank_slider.sections import Round
+from planes.crank_slider.shape import Shape
+
+Array = Any
+MPA = 1e-6
+
+
+@dataclass(frozen=True)
+class Supports:
+    """Reactions (31), (32) and the inertia forces of a web and of each counterweight, N."""
+
+    A1: Array
+    A2: Array
+    B1: Array
+    B2: Array
+    web: float
+    left_weight: float
+    right_weight: float
+    out: Array  # N_c on the crank, away from the axis
+    T: Array
+
+
+@dataclass(frozen=True)
+class Section:
+    """One section: bending in the crank's plane, across it, torsion (N·m); σ from bending and force, τ, σ_eq (MPa)."""
+
+    name: str
+    place: float  # m from bearing A
+    bending_z: Array
+    bending_y: Array
+    torsion: Array
+    sigma: Array
+    tau: Array
+
+    @property
+    def equivalent(self) -> Array:
+        """σ_eq by the third theory (33)."""
+        return np.sqrt(self.sigma**2 + 4 * self.tau**2)
+
+
+def supports(shape: Shape, shaft: Shaft, weights: Counterweights | None, b: Balance | None, f: Forces) -> Supports:
+    """Reactions of the bearings from the sums of forces and moments."""
+    length, n, m, w2 = shaft.span, shaft.pin_from_b, shaft.webs, shape.omega**2
+    web = (shaft.pin_mass * shape.r + shaft.web_mass * shaft.web_radius) * w2 / 2
+    left, right = (b.chosen[k] * weights.radius * w2 if b and weights else 0.0 for k in (0, 1))
+    out, t = -f.K, f.T
+    a1 = ((web - left) * (length - m) + out * n + (web - right) * m) / length
+    a2 = t * n / length
+    return Supports(a1, a2, out + 2 * web - left - right - a1, t - a2, web, left, right, out, t)
+
+
+def sections(shape: Shape, shaft: Shaft, s: Supports) -> dict[str, Section]:
+    """The dangerous sections from A to B."""
+    m, r, middle = shaft.webs, shape.r, shaft.span - shaft.pin_from_b
+    zero = np.zeros_like(s.T)
+    pin_z = s.A1 * middle - (s.web - s.left_weight) * shaft.left
+    made = [
+        _round("journal_A", m, s.A1 * m, s.A2 * m, zero, shaft.journal),
+        _web("web_A", m, s.A1 * m, s.A2 * r, s.A2 * m, s.A1, shaft),
+        _round("crankpin", middle, pin_z, s.A2 * middle, s.A2 * r, shaft.crankpin),
+        _web("web_B", shaft.span - m, s.B1 * m, s.T * r, s.B2 * m, s.B1, shaft),
+        _round("journal_B", shaft.span - m, s.B1 * m, s.B2 * m, s.T * r, shaft.journal),
+    ]
+    return {one.name: one for one in made}
+
+
+def _round(name: str, place: float, z: Array, y: Array, torque: Array, of: Round) -> Section:
+    sigma = np.hypot(z, y) / of.modulus * MPA
+    return Section(name, place, z, y, torque, sigma, np.abs(torque) / (2 * of.modulus) * MPA)
+
+
+def _web(name: str, place: float, z: Array, y: Array, torque: Array, force: Array, shaft: Shaft) -> Section:
+    """All of a web's stresses added as if they met in one point: never too small."""
+    web = shaft.web
+    sigma = (np.abs(z) / web.along + np.abs(y) / web.across + np.abs(force) / web.area) * MPA
+    return Section(name, place, z, y, torque, sigma, np.abs(torque) / web.torsion * MPA)
+
+
+@dataclass(frozen=True)
+class Along:
+    """Moments along the unbent length of the bar for one crank angle: distance from A, M_z, M_y, M_x."""
+
+    x: Array
+    z: Array
+    y: Array
+    torque: Array
+
+
+def along(shape: Shape, shaft: Shaft, s: Supports, k: int) -> Along:
+    """The diagrams of moments for position ``k`` of the cycle."""
+    m, middle, end = shaft.webs, shaft.span - shaft.pin_from_b, shaft.span
+    x = np.array([0.0, m, m, middle, end - m, end - m, end])
+    a1, a2, b1, b2 = (float(v[k]) for v in (s.A1, s.A2, s.B1, s.B2))
+    z = np.array([0, a1 * m, a1 * m, a1 * middle - (s.web - s.left_weight) * shaft.left, b1 * m, b1 * m, 0])
+    y = np.array([0, a2 * m, a2 * m, a2 * middle, b2 * m, b2 * m, 0])
+    t = float(s.T[k]) * shape.r
+    return Along(x, z, y, np.array([0, 0, a2 * shape.r, a2 * shape.r, a2 * shape.r, t, t]))

@@ -1,0 +1,137 @@
+"""Which mechanism it is: the crank, the rod and the slider of a scene, with their sizes and masses."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from planes.mechanism import FRAME, Link, Mechanism
+from planes.scene import Scene
+from planes.structure import Structure, analyse
+from planes.wording import SceneError
+from planes.words import Phrase
+
+
+@dataclass(frozen=True)
+class Shape:
+    """Names and numbers of a crank-slider: r = OA, l = AB, c = AC; s is OS of the crank; SI."""
+
+    crank: str
+    rod: str
+    slider: str
+    pivot: str
+    pin: str
+    hinge: str
+    centre: str
+    r: float
+    l: float  # noqa: E741 - the rod's length in every formula
+    c: float
+    s: float
+    m1: float
+    m2: float
+    m3: float
+    j1: float
+    j2: float
+    g: float
+    f: float
+    omega: float
+
+    @property
+    def ratio(self) -> float:
+        """λ = r/l."""
+        return self.r / self.l
+
+
+def shape_of(scene: Scene) -> Shape:
+    """The crank-slider of a scene, or a sentence saying why it is none."""
+    if scene.mechanism is None or scene.crank_slider is None:
+        raise SceneError(Phrase("cs_missing"), scene.file, 1)
+    mechanism = scene.mechanism
+    found = analyse(mechanism, scene.file)
+    return _Recogniser(scene, mechanism, found).shape()
+
+
+class _Recogniser:
+    def __init__(self, scene: Scene, mechanism: Mechanism, structure: Structure) -> None:
+        self.scene, self.m, self.structure = scene, mechanism, structure
+        g = structure.groups[0] if structure.groups else None
+        fits = len(structure.groups) == 1 and g is not None and g.name == "RRP" and mechanism.drive.kind == "phi"
+        if not fits or g is None or g.last_outer.mate(g.last) != FRAME:
+            raise self.error(Phrase("cs_not_one", formula=structure.formula), "links")
+        if g.last_outer.link != g.last:
+            raise self.error(Phrase("cs_not_one", formula=structure.formula), "links")
+        self.crank, self.rod, self.slider = (mechanism.links[n] for n in (mechanism.drive.link, g.first, g.last))
+        self.guide = g.last_outer.guide
+        self.pivot, self.pin, self.hinge = structure.drive_pair.point, g.first_outer.point, g.inner.point
+
+    def error(self, phrase: Phrase, *path: str) -> SceneError:
+        """A refusal at a key of the file."""
+        where = self.m.where
+        line = next((where[path[:n]] for n in range(len(path), 0, -1) if path[:n] in where), None)
+        return SceneError(phrase, self.scene.file, line)
+
+    def shape(self) -> Shape:
+        """Everything read off the mechanism, checked."""
+        self.check_guide()
+        self.check_motion()
+        r, c = self.check_crank(), self.check_rod()
+        length = abs(self.rod.points[self.hinge] - self.rod.points[self.pin])
+        if length <= r:
+            raise self.error(Phrase("cs_short_rod", rod=length, crank=r), "links", self.rod.name, "points")
+        s = (self.crank.points[self.crank.mass_centre] - self.crank.points[self.pivot]).real
+        return Shape(
+            self.crank.name, self.rod.name, self.slider.name, self.pivot, self.pin, self.hinge, self.rod.mass_centre,
+            r, length, c, s, self.crank.mass or 0.0, self.number(self.rod, "mass"), self.number(self.slider, "mass"),
+            self.crank.inertia or 0.0, self.number(self.rod, "inertia"), self.m.gravity or 0.0,
+            self.m.friction.get(self.guide, 0.0), self.m.drive.velocity,
+        )  # fmt: skip
+
+    def number(self, link: Link, key: str) -> float:
+        """A mass or inertia that must be given and above zero."""
+        value = link.mass if key == "mass" else link.inertia
+        if not value:
+            raise self.error(Phrase("cs_no_mass", name=link.name, key=key), "links", link.name)
+        return value
+
+    def check_guide(self) -> None:
+        """Horizontal, through the pivot; the slider carries the hinge on it."""
+        guide, pivot = self.m.guide(self.guide), self.m.frame.points[self.pivot]
+        level = math.isclose(guide.angle_deg % 360.0, 0.0, abs_tol=1e-12)
+        if not level or not math.isclose(guide.through.imag, pivot.imag, abs_tol=1e-12):
+            raise self.error(Phrase("cs_guide", name=self.guide, pivot=self.pivot), "frame", "guides", self.guide)
+        slides = self.slider.slides
+        shifted = slides is None or bool(slides.angle_deg) or bool(slides.offset)
+        if shifted or self.slider.first_point != self.hinge:
+            raise self.error(Phrase("cs_slide", name=self.slider.name, point=self.hinge), "links", self.slider.name)
+        if self.slider.mass_centre != self.hinge:
+            what = Phrase("cs_slider_centre", name=self.slider.name, point=self.hinge)
+            raise self.error(what, "links", self.slider.name, "centre")
+
+    def check_crank(self) -> float:
+        """The crank's radius; its pin and mass centre lie on its x axis."""
+        points, pivot = self.crank.points, self.crank.points[self.pivot]
+        for name in (self.pin, self.crank.mass_centre):
+            way = points[name] - pivot
+            if abs(way.imag) > 1e-12 or (name == self.pin and way.real <= 0.0):
+                raise self.error(Phrase("cs_crank_axis", name=self.crank.name, point=name), "links", self.crank.name)
+        return (points[self.pin] - pivot).real
+
+    def check_rod(self) -> float:
+        """AC: the rod's mass centre lies between its hinges."""
+        points = self.rod.points
+        a, b, c = (points[n] for n in (self.pin, self.hinge, self.rod.mass_centre))
+        share = (c - a) / (b - a)
+        if abs(share.imag) > 1e-9 or not -1e-12 <= share.real <= 1.0 + 1e-12:
+            what = Phrase("cs_rod_centre", name=self.rod.name, point=self.rod.mass_centre)
+            raise self.error(what, "links", self.rod.name, "centre")
+        return share.real * abs(b - a)
+
+    def check_motion(self) -> None:
+        """A crank that turns counter-clockwise, steadily, loaded by the diagram alone."""
+        drive = self.m.drive
+        if drive.velocity <= 0.0:
+            raise self.error(Phrase("cs_omega", value=drive.velocity), "drive", "omega")
+        if drive.acceleration:
+            raise self.error(Phrase("cs_epsilon", value=drive.acceleration), "drive", "epsilon")
+        if self.m.loads:
+            raise self.error(Phrase("cs_loads"), "loads")

@@ -1,0 +1,60 @@
+"""A tape: what a program reckons, as one straight line of real operations, each recorded once.
+
+What is reckoned twice is recorded once. Readers of a tape compile it (``fused``) or weigh its errors (``claims``).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+Args = tuple[int, ...]
+COMMUTE = frozenset({"add", "mul", "max", "min", "and", "or", "eq", "hypot"})
+TESTS = frozenset({"lt", "le", "eq", "and", "or", "not"})
+LEAVES = frozenset({"const", "given", "source"})
+
+
+@dataclass
+class Tape:
+    """Operations in order; an operation names its arguments by their places on the tape."""
+
+    ops: list[tuple[str, Args]] = field(default_factory=list)
+    values: dict[int, Any] = field(default_factory=dict)  # of constants ("const") and names of givens ("given")
+    seen: dict[Any, int] = field(default_factory=dict)
+
+    def record(self, op: str, *args: int) -> int:
+        """The place of an operation, recorded if it is new."""
+        args = tuple(sorted(args)) if op in COMMUTE else args
+        return self._place((op, args), op, args)
+
+    def leaf(self, op: str, value: Any) -> int:
+        """The place of a constant or of a given by its name."""
+        place = self._place((op, repr(value)), op, ())
+        self.values[place] = value
+        return place
+
+    def _place(self, key: Any, op: str, args: Args) -> int:
+        place = self.seen.get(key)
+        if place is None:
+            place = self.seen[key] = len(self.ops)
+            self.ops.append((op, args))
+        return place
+
+    def needed(self, wanted: list[int], stop: frozenset[int] = frozenset()) -> list[int]:
+        """The places of all that leads to the wanted ones, in order, going no further back than ``stop``."""
+        found, stack = set[int](), list(wanted)
+        while stack:
+            place = stack.pop()
+            if place not in found:
+                found.add(place)
+                if place not in stop:
+                    stack.extend(self.ops[place][1])
+        return sorted(found)
+
+    def moved_by(self, names: frozenset[str]) -> frozenset[int]:
+        """The places of all that changes when the named givens change."""
+        moved = set[int]()
+        for place, (op, args) in enumerate(self.ops):
+            if (op == "given" and self.values[place] in names) or not moved.isdisjoint(args):
+                moved.add(place)
+        return frozenset(moved)

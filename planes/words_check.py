@@ -1,0 +1,87 @@
+"""Words of checking a person's drawing, in Russian and in English."""
+
+from __future__ import annotations
+
+from planes.words_mistakes import MISTAKES
+
+CHECK: dict[str, tuple[str, str]] = {
+    **MISTAKES,
+    # the whole
+    "check_right": ("Чертёж верен: {plan}.", "The drawing is right: {plan}."),
+    "check_unclear": (
+        "{mark} на {off} мм не там, куда ведёт построение из ваших же точек; причина не ясна",
+        "{mark} is {off} mm from where the construction from your own marks leads; the cause is unclear",
+    ),
+    "check_number_unclear": (
+        "{mark} = {given}, а верно {true}; причина не ясна",
+        "{mark} = {given}, but {true} is right; the cause is unclear",
+    ),
+    "check_nothing_read": (
+        "Прочитать нечего: ни одна из отметок плана ({names}) не найдена.",
+        "There is nothing to read: none of the plan's marks ({names}) is found.",
+    ),
+    "check_too_little": (
+        "Прочитано слишком мало: {found} из {count} отметок; не хватает {names}.",
+        "Too little could be read: {found} of {count} marks; missing are {names}.",
+    ),
+    "check_other_drawing": (
+        "Это похоже на другой чертёж: из {count} прочитанных отметок не на месте {wrong}.",
+        "This looks like another drawing: of {count} marks read {wrong} are out of place.",
+    ),
+    "check_no_pole": (
+        "В таблице нет полюса p; добавьте его строку.",
+        "The table has no pole p; add its row.",
+    ),
+    "check_no_fixed": (
+        "В таблице нет ни полюса p, ни неподвижной точки ({names}); добавьте одну из них.",
+        "The table has neither the pole p nor a fixed point ({names}); add one of them.",
+    ),
+    # warnings
+    "check_mu": (
+        "Масштаб чертежа принят {mu} (в схеме {said}).",
+        "The drawing's scale is taken as {mu} (the scene says {said}).",
+    ),
+    "check_mu_found": ("Масштаб чертежа принят {mu}.", "The drawing's scale is taken as {mu}."),
+    "check_unknown": (
+        "Нет таких отметок в плане: {names}; они пропущены.",
+        "The plan has no such marks: {names}; they are left out.",
+    ),
+    "check_close": ("между 2σ и 3σ", "between 2σ and 3σ"),
+    "check_scale_vector": (
+        "Масштаб взят по вектору {mark}, поэтому его длина не проверялась.",
+        "The scale is taken from the vector {mark}, so its length could not be judged.",
+    ),
+    # refusals
+    "check_no_plan": ("у механизма нет плана {plan}{names}", "the mechanism has no plan {plan}{names}"),
+    "check_vectors": (
+        "{file}: в этой сцене нет механизма, проверять можно только планы механизмов",
+        "{file}: this scene has no mechanism; only plans of a mechanism can be checked",
+    ),
+    "check_columns": (
+        "{file}: первая строка таблицы должна называть столбцы: mark,x_mm,y_mm или segment,mm или result,value,unit",
+        "{file}: the first row must name the columns: mark,x_mm,y_mm or segment,mm or result,value,unit",
+    ),
+    "check_not_number": (
+        "{file}:{line}: {text} — не число", "{file}:{line}: {text} is not a number",
+    ),
+    "check_row": (
+        "{file}:{line}: в строке не хватает столбцов", "{file}:{line}: the row has too few columns",
+    ),
+    "check_json": ("{file}: это не JSON: {why}", "{file}: this is not JSON: {why}"),
+    "check_text": ("{file}: файл не читается как текст UTF-8", "{file}: the file cannot be read as UTF-8 text"),
+    "check_no_file": ("{file}: файл не открывается: {why}", "{file}: the file cannot be opened: {why}"),
+    "check_option": ("{option} {text}: ожидается {form}", "{option} {text}: expected {form}"),
+    # the table of a report
+    "check_mark": ("отметка", "mark"),
+    "check_deviation": ("отклонение, мм", "deviation, mm"),
+    "check_tolerance": ("допуск, мм", "tolerance, mm"),
+    "check_verdict": ("вывод", "verdict"),
+    "check_result": ("результат", "result"),
+    "check_given": ("записано", "given"),
+    "check_true": ("верно", "true"),
+    "verdict_right": ("верно", "right"),
+    "verdict_wrong": ("неверно", "wrong"),
+    "verdict_follows": ("следствие", "follows"),
+    "verdict_unread": ("не прочитано", "unread"),
+    "verdict_unreadable": ("прочитать нельзя", "unreadable"),
+}

@@ -1,0 +1,65 @@
+"""What the plans of a sheet are drawn from: a drawing with its equations and segments, of a mechanism or of vectors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from planes.drafting import Segment, at, mu_of
+from planes.drawing import Drawing
+from planes.equations import Equation
+from planes.solving import Position
+from planes.vectors import PLAN, VectorResults
+
+
+@dataclass(frozen=True)
+class Plotted:
+    """One drawing: ``scales`` are mm per SI unit, ``fixed`` the labels of points of the frame (they stand in poles),
+    ``units`` the kind of plan whose unit each plan's vectors have, ``points`` the labels that are points of links."""
+
+    drawing: Drawing
+    segments: tuple[Segment, ...]
+    equations: tuple[Equation, ...]
+    scales: Mapping[str, float]
+    fixed: tuple[str, ...] = ()
+    quantity: str = ""
+
+    def mark(self, plan: str, label: str) -> complex:
+        """Where a mark stands, mm from the pole of its plan."""
+        return complex(self.drawing[at(plan, label)])
+
+    def has(self, plan: str, *labels: str) -> bool:
+        """Whether all these marks have been drawn (a sliced program draws only what is asked)."""
+        return all(at(plan, label) in self.drawing for label in labels)
+
+    def labels(self, plan: str) -> list[str]:
+        """Labels of all marks of a plan in the order they were drawn, the helping ones left out."""
+        made = [s.makes.rpartition(":") for s in self.drawing.program.steps if s.kind == "mark"]
+        return [m for p, _, m in made if p == plan and "°" not in m and not m.endswith(("+", "-"))]
+
+    def mu(self, plan: str) -> float:
+        """μ of a plan, mm per SI unit."""
+        return self.scales[mu_of(plan)]
+
+    def kind(self, plan: str) -> str:
+        """The kind of a plan, which tells the unit of its vectors."""
+        return self.quantity or plan.partition(":")[0]
+
+    def still(self, plan: str) -> bool:
+        """Whether every mark of the plan stands in its pole: there is nothing to draw."""
+        return all(abs(self.mark(plan, label)) < 1e-6 for label in self.labels(plan))
+
+
+def of_position(p: Position) -> Plotted:
+    """The plans of a mechanism in one position."""
+    m = p.plans.mechanism
+    shared = tuple(n.lower() for n in m.frame.points if any(n in link.points for link in m.links.values()))
+    return Plotted(p.drawing, p.plans.segments, p.plans.equations, p.scales, shared)
+
+
+def of_vectors(found: VectorResults) -> Plotted:
+    """The plan of a scene that states vectors alone."""
+    draft, quantity = found.plan.draft, found.scene.quantity or "velocity"
+    spans = {name: (s.rpartition(":")[2], e.rpartition(":")[2]) for name, (s, e) in found.plan.spans.items()}
+    segments = tuple(Segment(PLAN, start, end, name) for name, (start, end) in spans.items())
+    return Plotted(found.drawing, segments, tuple(draft.equations), {mu_of(PLAN): found.mu}, (), quantity)

@@ -1,0 +1,198 @@
+"""The floors of the building: who may import whom, read off the files; and files and functions of readable length."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+LONGEST_FILE = 260
+LONGEST_BODY = 25  # lines, of nine functions in ten
+
+STOREYS = (  # a module imports only from the storeys above its own in this list
+    "arithmetic crank_slider.indicator crank_slider.materials crank_slider.sections degrees mark_names "
+    "mechanism tape words_crank_slider words_lesson words_links words_method words_mistakes words_scene "
+    "words_text",
+    "fused_text plane reading symbols tools words_check",
+    "step words",
+    "crossings reckoning wording yaml_words",
+    "angles equations expressions paper program source statement steps structure units",
+    "drafting scene_reader",
+    "bodies crank_slider.reading_table instruments scene_links scene_motion scene_settings scene_vectors",
+    "drawing nudging positions scene tracing",
+    "assembly crank_slider.shape formulas fused handwork legs vectors",
+    "crank_slider.given judging kinematics",
+    "crank_slider.reading_parts loads",
+    "crank_slider.reading friction reactions",
+    "lever primary",
+    "statics",
+    "plans",
+    "mistakes polygons scales",
+    "crank_slider.engine lesson measuring mistakes_force mistakes_position nearest",
+    "checking columns crank_slider.kinematics solving",
+    "crank_slider.forces cycle lesson_data roof tables",
+    "cli crank_slider.balance",
+    "crank_slider.shaft",
+    "crank_slider.fatigue",
+    "crank_slider.rod",
+    "crank_slider.calculation",
+)
+FLOORS = {f"planes.{name}": floor for floor, names in enumerate(STOREYS) for name in names.split()}
+ROOFS = {"planes.cli", "planes.roof"}  # alone may hand drawings to the renderer
+READ_BY_RENDER = {  # what drawings are made of, and words: nothing that states or solves mechanics
+    f"planes.{name}" for name in (
+        "bodies", "drafting", "drawing", "equations", "lesson", "measuring", "mechanism", "plans", "reckoning",
+        "scales", "scene", "solving", "steps", "structure", "units", "vectors", "wording", "words")
+}  # fmt: skip
+
+
+def files(package: str) -> dict[str, Path]:
+    """Modules of a package by name."""
+    found = sorted(f for f in (ROOT / package).rglob("*.py") if f.stem != "__init__")
+    return {".".join(f.relative_to(ROOT).with_suffix("").parts): f for f in found}
+
+
+MODULES = {**files("planes"), **files("render")}
+
+
+@cache
+def tree(path: Path) -> ast.Module:
+    return ast.parse(path.read_text(encoding="utf-8"))
+
+
+@cache
+def imports(module: str) -> frozenset[str]:
+    """The modules of both packages a module imports anywhere in its file."""
+    found: set[str] = set()
+    for node in ast.walk(tree(MODULES[module])):
+        if isinstance(node, ast.Import):
+            found |= {a.name for a in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            assert not node.level, f"{module}: relative import in line {node.lineno}"
+            found |= {node.module or ""} | {f"{node.module}.{a.name}" for a in node.names}
+    return frozenset(found & set(MODULES))
+
+
+def functions(path: Path) -> Iterator[tuple[str, int]]:
+    """Every function with the number of lines of its body, its docstring aside."""
+    for node in ast.walk(tree(path)):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            body = node.body[1:] if ast.get_docstring(node) else node.body
+            yield node.name, (body[-1].end_lineno or 0) - body[0].lineno + 1 if body else 0
+
+
+@pytest.mark.parametrize("module", [m for m in MODULES if m.startswith("planes.")])
+def test_a_module_imports_only_from_lower_floors(module: str) -> None:
+    below = {m for m in imports(module) if m.startswith("planes.")}
+    need = max([FLOORS.get(m, 0) for m in below], default=-1) + 1
+    assert module in FLOORS, f"write {module} into STOREYS, in line {need} or below"
+    for other in below:
+        floor = FLOORS.get(other, len(STOREYS))
+        assert floor < FLOORS[module], f"{module} (floor {FLOORS[module]}) imports {other} ({floor})"
+
+
+def test_no_module_is_listed_that_is_gone() -> None:
+    assert set(FLOORS) <= set(MODULES)
+    assert len(FLOORS) == sum(len(names.split()) for names in STOREYS)
+
+
+@pytest.mark.parametrize("module", [m for m in MODULES if m.startswith("planes.") and m not in ROOFS])
+def test_planes_never_imports_the_renderer(module: str) -> None:
+    assert not [m for m in imports(module) if m.startswith("render.")]
+    source = MODULES[module].read_text(encoding="utf-8")
+    assert "import render" not in source and "from render" not in source
+
+
+@pytest.mark.parametrize("module", [m for m in MODULES if m.startswith("render.")])
+def test_the_renderer_computes_no_mechanics(module: str) -> None:
+    assert {m for m in imports(module) if m.startswith("planes.")} <= READ_BY_RENDER
+
+
+def test_the_renderer_has_no_circles_of_imports() -> None:
+    done: set[str] = set()
+
+    def visit(module: str, way: tuple[str, ...]) -> None:
+        assert module not in way, " -> ".join((*way, module))
+        if module not in done:
+            for other in imports(module):
+                visit(other, (*way, module))
+            done.add(module)
+
+    for module in MODULES:
+        visit(module, ())
+
+
+def test_every_module_imports_alone() -> None:
+    """Each in a clean interpreter state: no module leans on another having been imported before."""
+    program = (
+        "import importlib, sys\n"
+        "for name in sys.argv[1:]:\n"
+        "    for loaded in [m for m in sys.modules if m.split('.')[0] in ('planes', 'render')]:\n"
+        "        del sys.modules[loaded]\n"
+        "    importlib.import_module(name)\n"
+    )
+    found = subprocess.run(
+        [sys.executable, "-W", "error", "-c", program, *MODULES],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    assert found.returncode == 0, found.stderr
+
+
+def test_the_engine_draws_without_heavy_libraries() -> None:
+    """One position needs neither numpy nor shapely nor matplotlib to be imported."""
+    program = (
+        "import sys\nfrom planes.scene import load\nfrom planes.solving import solve\n"
+        "solve(load('samples/six-link.yaml'))\n"
+        "print([m for m in ('numpy', 'shapely', 'matplotlib', 'reportlab') if m in sys.modules])\n"
+    )
+    found = subprocess.run(
+        [sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, timeout=60, check=True
+    )
+    assert found.stdout == "[]\n"
+
+
+@pytest.mark.parametrize("module", MODULES)
+def test_a_file_can_be_read_in_one_sitting(module: str) -> None:
+    lines = MODULES[module].read_text(encoding="utf-8").count("\n")
+    assert lines <= LONGEST_FILE, f"{module} has {lines} lines"
+
+
+def test_nine_functions_in_ten_are_short() -> None:
+    lengths = sorted((n, f"{m}.{name}") for m, path in MODULES.items() for name, n in functions(path))
+    assert lengths[int(0.9 * len(lengths))][0] <= LONGEST_BODY
+    assert lengths[-1][0] <= 4 * LONGEST_BODY, lengths[-1]
+
+
+def test_every_module_says_what_it_is() -> None:
+    for module, path in MODULES.items():
+        assert ast.get_docstring(tree(path)), module
+
+
+def storeys() -> list[list[str]]:
+    """The lowest floor each module could stand on today: ``python tests/test_9_floors.py`` prints STOREYS anew."""
+    floor: dict[str, int] = {}
+
+    def stand(module: str) -> int:
+        if module not in floor:
+            below = [m for m in imports(module) if m.startswith("planes.")]
+            floor[module] = 1 + max(map(stand, below), default=-1)
+        return floor[module]
+
+    for module in files("planes"):
+        stand(module)
+    return [sorted(m.removeprefix("planes.") for m in floor if floor[m] == n) for n in range(max(floor.values()) + 1)]
+
+
+if __name__ == "__main__":
+    for names in storeys():
+        print(f'    "{" ".join(names)}",')
