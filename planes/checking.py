@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -55,6 +56,15 @@ class Grading:
     said_mu: bool = True
     rebuilt: Rebuilt | None = None
     notes: list[Phrase] = field(default_factory=list)
+
+    @property
+    def gap_wrong(self) -> float | None:
+        """By how many mm a force polygon fails to close, where that is more than a hand's error."""
+        gap = self.rebuilt.gap if self.rebuilt else None
+        if gap is None:
+            return None
+        sigma = math.sqrt(2 * self.hand.tool.skill.point_mm ** 2 + 2 * gap.error_mm ** 2)
+        return abs(gap.place) if abs(gap.place) > self.judgement.limit * sigma else None
 
     @property
     def verdicts(self) -> dict[str, str]:

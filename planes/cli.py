@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import io
 import json
 import locale
 import os
@@ -10,7 +11,7 @@ import sys
 from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
 
-from planes.angles import read_range
+from planes.angles import read_range, read_span
 from planes.scene import Scene, load
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
@@ -19,6 +20,9 @@ from planes.words_method import METHOD
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; returns the exit status."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")  # a terminal without Cyrillic still gets the numbers
     args = _parser().parse_args(argv)
     try:
         return int(args.command(args))
@@ -30,6 +34,12 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 0
     except KeyboardInterrupt:
         return 130
+
+
+def _json(thing: object) -> str:
+    """JSON in the letters the output can hold."""
+    wide = (sys.stdout.encoding or "").lower().startswith("utf")
+    return json.dumps(thing, ensure_ascii=not wide, allow_nan=False)
 
 
 class _Parser(argparse.ArgumentParser):
@@ -65,11 +75,19 @@ def _parser() -> argparse.ArgumentParser:
     solve.add_argument("--json", action="store_true", help=_help("help_json"))
     solve.add_argument("--pencil", action="store_true", help=_help("help_pencil"))
     solve.add_argument("--seed", type=int, default=1, help=_help("help_seed"))
+    solve.add_argument("--explain", action="store_true", help=_help("help_explain"))
     structure = _command(commands, "structure", _structure, _help("help_structure"))
     structure.add_argument("--json", action="store_true", help=_help("help_object"))
     sheet = _command(commands, "sheet", _sheet, _help("help_sheet"))
     _positions(sheet)
     sheet.add_argument("-o", "--output", required=True, metavar="FILE", help=_help("help_output"))
+    cycle = _command(commands, "cycle", _cycle, _help("help_cycle"))
+    _positions(cycle)
+    cycle.add_argument("-o", "--output", required=True, metavar="FILE", help=_help("help_cycle_output"))
+    cycle.add_argument("--plain", action="store_true", help=_help("help_slow"))
+    chart = _command(commands, "chart", _chart, _help("help_chart"))
+    chart.add_argument("-o", "--output", required=True, metavar="FILE", help=_help("help_chart_output"))
+    chart.add_argument("--table", metavar="FILE", help=_help("help_table"))
     return parser
 
 
@@ -95,14 +113,19 @@ def _positions(parser: argparse.ArgumentParser) -> None:
 
 def _values(args: argparse.Namespace, scene: Scene) -> list[float] | None:
     """The values of the drive asked for on the command line."""
+    kind, text = _range(args, scene)
+    return None if text is None else read_range(text, f"--{kind}")
+
+
+def _range(args: argparse.Namespace, scene: Scene) -> tuple[str, str | None]:
+    """The kind of the drive, and its values as they were written."""
     kind = scene.mechanism.drive.kind if scene.mechanism else None
     asked = {"phi": args.phi, "s": args.s}
     for option, text in asked.items():
         if text is not None and option != kind:
             why = Phrase("driver_by", kind=kind) if kind else Phrase("no_driver")
             raise PlanesError(Phrase("option_misfit", option=option, file=scene.file, why=why))
-    text = asked.get(kind or "")
-    return None if text is None else read_range(text, f"--{kind}")
+    return kind or "", asked.get(kind or "")
 
 
 def _solve(args: argparse.Namespace) -> int:
@@ -113,13 +136,18 @@ def _solve(args: argparse.Namespace) -> int:
     scene = load(args.scene, args.variant)
     if scene.mechanism is None:
         return _solve_vectors(args, scene)
+    if args.explain:
+        from planes.explaining import explain
+
+        print(explain(scene, args.lang), end="")
+        return 0
     instrument = Pencil(seed=args.seed) if args.pencil else Exact()
     solved = solve(scene, _values(args, scene), instrument, args.lang)
     for failure in solved.failed:
         print(failure["error"], file=sys.stderr)
     if args.json:
         if solved.positions or solved.failed:
-            print(json.dumps(solved.json(), ensure_ascii=False, allow_nan=False))
+            print(_json(solved.json()))
     elif solved.positions:
         print(report(solved, args.lang), end="")
     return 0 if solved.positions else 2
@@ -130,7 +158,7 @@ def _solve_vectors(args: argparse.Namespace, scene: Scene) -> int:
     from planes.vectors import solve_vectors
 
     results = solve_vectors(scene)
-    print(json.dumps(results.json(), ensure_ascii=False) if args.json else vector_report(results, args.lang))
+    print(_json(results.json()) if args.json else vector_report(results, args.lang))
     return 0
 
 
@@ -143,7 +171,7 @@ def _structure(args: argparse.Namespace) -> int:
     if scene.mechanism is None:
         raise PlanesError(Phrase("no_structure", file=args.scene))
     found = analyse(scene.mechanism, scene.file)
-    print(json.dumps(structure_json(found)) if args.json else structure_report(found, args.lang))
+    print(_json(structure_json(found)) if args.json else structure_report(found, args.lang))
     return 0
 
 
@@ -152,6 +180,22 @@ def _sheet(args: argparse.Namespace) -> int:
 
     scene = load(args.scene, args.variant)
     draw_sheet(scene, _values(args, scene), args.output, args.lang)
+    return 0
+
+
+def _cycle(args: argparse.Namespace) -> int:
+    from planes.long_run import write_cycle
+
+    scene = load(args.scene, args.variant)
+    kind, text = _range(args, scene)
+    span = None if text is None else read_span(text, f"--{kind}")
+    return write_cycle(scene, span, args.output, args.lang, False if args.plain else None)
+
+
+def _chart(args: argparse.Namespace) -> int:
+    from planes.roof_charts import draw_chart
+
+    draw_chart(load(args.scene, args.variant), args.output, args.table, args.lang)
     return 0
 
 

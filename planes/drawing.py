@@ -56,6 +56,7 @@ def run(program: Program, given: Mapping[str, Any], instrument: Instrument | Non
     shapes = [v.shape for v in things.values() if hasattr(v, "shape") and v.shape]
     many = bool(shapes)
     hand = (instrument or Exact()).tool(many)
+    things = {name: hand.given(value) for name, value in things.items()}
     if many:
         import numpy
 

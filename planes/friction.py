@@ -19,9 +19,6 @@ from planes.structure import Pair
 def sliding_sense(acting: Acting, pair: Pair) -> str:
     """+1, -1 or 0: the way the slider of the pair slides along its guide."""
     motion = acting.motion
-    if pair == acting.b.structure.drive_pair:
-        first = motion.driven[0]
-        return acting.b.draft.step(Sense(f"slides_{pair.link}", f"{motion.plan}:p", first, f"∥{pair.guide}", (first,)))
     reading = motion.slides[pair.link]
     return acting.b.draft.step(Sense(f"slides_{pair.link}", *reading.ends, reading.along, tuple(motion.driven)))
 

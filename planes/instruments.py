@@ -37,6 +37,10 @@ class Hand:
     notes: list[tuple[str, object, Truth]] = field(default_factory=list)
     failures: list[tuple[str, object, Truth, dict[str, Real]]] = field(default_factory=list)
 
+    def given(self, value: Any) -> Any:
+        """A given number or place as the instrument's own."""
+        return value
+
     def mark(self, place: Point) -> Point:
         return place
 

@@ -180,6 +180,10 @@ def _drive(r: Rates) -> None:
         d.lay_off(r.plan, r.label(first), at(r.plan, POLE), f"∥{r.b.structure.drive_pair.guide}", value)
         d.show(r.plan, POLE, r.label(first), r.letter + first)
         r.driven.append(r.mark(first))
+        guide = r.b.structure.drive_pair.guide
+        ends = at(r.plan, POLE), r.mark(first)
+        rate_name = d.measure(f"{r.letter}slide_{drive.link}", *ends, f"∥{guide}")
+        r.slides[drive.link] = SlideReading(guide, rate_name, ends, f"∥{guide}")
         return
     d.give(r.spin(drive.link), rate)
     if body.ref:

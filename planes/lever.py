@@ -52,9 +52,7 @@ def rubbing(s: Statics) -> list[tuple[str, str]]:
         guide = reaction.pair.guide
         if guide in s.b.mechanism.friction:
             force = s.b.draft.measure(f"T_{reaction.key}", reaction.start, reaction.end, f"∥{guide}")
-            readings = s.acting.motion.slides
-            speed = readings[reaction.pair.link].value if reaction.pair.link in readings else None
-            found.append((force, speed or f"{s.acting.motion.letter}drive"))
+            found.append((force, s.acting.motion.slides[reaction.pair.link].value))
     return found
 
 

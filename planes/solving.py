@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 from planes.drawing import Drawing, run
@@ -45,7 +46,7 @@ class Solved:
         """The object ``planes solve --json`` prints."""
         return {
             "planes": 1,
-            "scene": self.scene.file,
+            "scene": Path(self.scene.file).name,
             "variant": self.scene.variant,
             "structure": structure_json(self.plans.structure),
             "positions": [p.results for p in self.positions],

@@ -10,6 +10,7 @@ from typing import Literal
 
 from planes.words_check import CHECK
 from planes.words_crank_slider import CRANK_SLIDER
+from planes.words_cycle import CYCLE
 from planes.words_links import LINKS
 from planes.words_method import METHOD
 from planes.words_scene import SCENE
@@ -152,7 +153,7 @@ class Phrase:
 Told = Phrase | str
 """A phrase, or words that are the same in both languages: a name, a number, a key of the file."""
 
-TABLE = {**WORDS, **TEXT, **SCENE, **LINKS, **METHOD, **CRANK_SLIDER, **CHECK}
+TABLE = {**WORDS, **TEXT, **SCENE, **LINKS, **METHOD, **CRANK_SLIDER, **CHECK, **CYCLE}
 
 
 class _Teller(Formatter):

@@ -42,29 +42,14 @@ class Scheme:
     ways: dict[str, list[complex]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.mechanism = self.position.plans.mechanism
-        self.shared = self._shared()
-
-    def _shared(self) -> dict[str, list[str]]:
-        """Points of more than one link, with those links: the hinges."""
-        held: dict[str, list[str]] = {}
-        for link in (self.mechanism.frame, *self.mechanism.links.values()):
-            for point in link.points:
-                held.setdefault(point, []).append(link.name)
-        return {point: owners for point, owners in held.items() if len(owners) > 1}
-
-    def has(self, point: str) -> bool:
-        """Whether the point has been drawn."""
-        return at(SCHEME, point) in self.position.drawing
-
-    def at(self, point: str) -> complex:
-        """Where a point stands."""
-        return complex(self.position.drawing[at(SCHEME, point)])
+        self.places = Places(self.position)
+        self.mechanism, self.shared = self.places.mechanism, self.places.shared
+        self.links = [x for n, x in self.mechanism.links.items() if not self.only or n in self.only]
 
     def drawn(self, arrows: bool = True) -> tuple[Mark, ...]:
         """All marks: guides, sliders, bars, hinges, letters, and the driver's arrows."""
         for link in self.mechanism.links.values():
-            if all(map(self.has, link.points)):
+            if all(map(self.places.has, link.points)):
                 self.link(link)
         self.pairs()
         self.letters()
@@ -77,14 +62,14 @@ class Scheme:
 
     def link(self, link: Link) -> None:
         """A link's bar or plate, its own guides, and its slider if it slides."""
-        joints = [self.at(p) for p in link.points if p in self.shared or p != link.centre]
+        joints = [self.places.at(p) for p in link.points if p in self.shared or p != link.centre]
         if link.slides:
-            foot, along = self.foot(link)
+            foot, along = self.places.foot(link)
             self.slider(link, foot, along)
             joints.append(foot)
         for name in link.guides:
             joints += self.moving_guide(name, joints)
-        outline = _outline(joints)
+        outline = outline_of(joints)
         self.number(link, outline)
         if len(outline) == 2:
             self.bars += symbols.bar(*outline)
@@ -94,46 +79,27 @@ class Scheme:
         self.offside(link, outline)
         for p in link.points:
             if p in self.shared:
-                self.ways.setdefault(p, []).extend(z - self.at(p) for z in outline)
+                self.ways.setdefault(p, []).extend(z - self.places.at(p) for z in outline)
 
     def offside(self, link: Link, outline: list[complex]) -> None:
         """The mass centre, and a thin arm to it where it lies away from its link."""
         centre = link.centre
-        if not centre or centre in self.shared or not self.has(centre):
+        if not centre or centre in self.shared or not self.places.has(centre):
             return
-        z = self.at(centre)
+        z = self.places.at(centre)
         self.hinges += symbols.dot(z)
-        near = _nearest(z, outline)
+        near = nearest(z, outline)
         if abs(z - near) > BLOCK_MM[0] / 2:
             self.bars.append(Line((near, z), "thin"))
-
-    def line(self, guide: str) -> tuple[complex, complex]:
-        """A point of a guide's line and its direction."""
-        given = self.mechanism.guide(guide)
-        label = given.through_point or f"°{guide}"
-        along = complex(self.position.drawing[f"∥{guide}"])
-        if self.has(label):
-            return self.at(label), along
-        slider = next(x for x in self.mechanism.links.values() if x.slides and x.slides.guide == guide)
-        offset = slider.slides.offset if slider.slides else None
-        mu = self.position.scales[f"mu_{SCHEME}"]
-        return self.at(slider.first_point) - 1j * along * (offset or 0.0) * mu, along
-
-    def foot(self, link: Link) -> tuple[complex, complex]:
-        """The foot of a slider's first point on its guide, and the guide's direction."""
-        assert link.slides
-        through, along = self.line(link.slides.guide)
-        first = self.at(link.first_point)
-        return through + ((first - through) * along.conjugate()).real * along, along
 
     def slider(self, link: Link, foot: complex, along: complex) -> None:
         """The slider's block: on rails if its guide is the frame's, smaller where it is held in another block."""
         assert link.slides
-        angle = _degrees(along)
+        angle = degrees(along)
         if self.mechanism.owner(link.slides.guide) != FRAME:
-            self.blocks += symbols.block(foot, angle, size=SMALL_MM if self.doubled(link) else BLOCK_MM)
+            self.blocks += symbols.block(foot, angle, size=SMALL_MM if self.places.doubled(link) else BLOCK_MM)
             return
-        size = LARGE_MM if self.doubled(link) else BLOCK_MM
+        size = LARGE_MM if self.places.doubled(link) else BLOCK_MM
         side = self.rail_side(foot, along)
         self.rails += symbols.frame_guide(foot, angle, RAIL_MM, RAIL_MM, "rail", side, size[1])
         self.rails += symbols.block(foot, angle, size=size)
@@ -144,15 +110,9 @@ class Scheme:
             if letter:
                 self.named.append(labels.Label(lettered(letter), end, 3.5, name=f"guide {link.slides.guide}"))
 
-    def doubled(self, link: Link) -> bool:
-        """Whether another slider is hinged to this one, in one place."""
-        others = [x for x in self.mechanism.links.values() if x is not link and x.slides]
-        return any(self.has(x.first_point) and abs(self.at(x.first_point) - self.at(link.first_point)) < NEAR_MM
-                   for x in others)  # fmt: skip
-
     def rail_side(self, foot: complex, along: complex) -> int:
         """The side of the slider that is away from the rest of the mechanism."""
-        others = [self.at(p) for x in self.mechanism.links.values() for p in x.points if self.has(p)]
+        others = [self.places.at(p) for x in self.mechanism.links.values() for p in x.points if self.places.has(p)]
         middle = sum(others) / len(others)
         return 1 if ((middle - foot) * along.conjugate()).imag < -1 else -1
 
@@ -160,12 +120,12 @@ class Scheme:
         """The rod of a guide that a link carries; the place where the link's own bars join it, if none is on it."""
         if f"∥{name}" not in self.position.drawing:
             return []
-        through, along = self.line(name)
+        through, along = self.places.line(name)
         ways = [(z - through) * along.conjugate() for z in joints]
         stops = []
         for slider in self.mechanism.links.values():
-            if slider.slides and slider.slides.guide == name and self.has(slider.first_point):
-                t = ((self.foot(slider)[0] - through) * along.conjugate()).real
+            if slider.slides and slider.slides.guide == name and self.places.has(slider.first_point):
+                t = ((self.places.foot(slider)[0] - through) * along.conjugate()).real
                 stops += [t - ROD_MM, t + ROD_MM]
         on = [w.real for w in ways if abs(w.imag) < NEAR_MM]
         reach = on or [w.real for w in ways[:1]]
@@ -190,7 +150,7 @@ class Scheme:
         if len(outline) > 1:
             ends = max(zip(outline, outline[1:] + outline[:1], strict=True), key=lambda e: abs(e[1] - e[0]))
         elif link.slides:
-            foot, along = self.foot(link)
+            foot, along = self.places.foot(link)
             ends, clear = (foot - BLOCK_MM[0] / 2 * along, foot + BLOCK_MM[0] / 2 * along), BLOCK_MM[1] / 2
         else:
             self.rod_number(link, text)
@@ -200,8 +160,8 @@ class Scheme:
     def rod_number(self, link: Link, text: str) -> None:
         """The number of a link that is a hinge and a guide: beside the rod between them."""
         for slider in self.mechanism.links.values():
-            if slider.slides and slider.slides.guide in link.guides and self.has(slider.first_point):
-                ends = self.at(link.first_point), self.foot(slider)[0]
+            if slider.slides and slider.slides.guide in link.guides and self.places.has(slider.first_point):
+                ends = self.places.at(link.first_point), self.places.foot(slider)[0]
                 self.named.append(labels.Label(text, ends, LETTER_MM, name=f"link {link.name}"))
                 return
 
@@ -210,9 +170,9 @@ class Scheme:
     def pairs(self) -> None:
         """Hinges, those on the frame with their legs."""
         for point, owners in self.shared.items():
-            if not self.has(point):
+            if not self.places.has(point):
                 continue
-            z = self.at(point)
+            z = self.places.at(point)
             if FRAME in owners:
                 self.hinges += symbols.fixed_hinge(z, self.base_angle(point))
             else:
@@ -234,11 +194,11 @@ class Scheme:
         done: list[tuple[complex, str]] = []
         for link in (self.mechanism.frame, *self.mechanism.links.values()):
             for p in link.points:
-                if not self.has(p) or any(p == name for _, name in done):
+                if not self.places.has(p) or any(p == name for _, name in done):
                     continue
                 if link.name == FRAME and p not in self.shared:
                     continue
-                z, hinged = self.at(p), p in self.shared
+                z, hinged = self.places.at(p), p in self.shared
                 done.append((z, p))
                 if not hinged and p != link.centre:
                     self.hinges += symbols.dot(z)
@@ -248,12 +208,12 @@ class Scheme:
     def driver_arrows(self, ground: list[Mark]) -> list[Mark]:
         """Curved arrows of the driver's ω and ε about its pivot, or a straight one of a sliding driver's v."""
         drive, pair = self.mechanism.drive, self.position.plans.structure.drive_pair
-        if drive.kind == "s" or not self.has(pair.point):
+        if drive.kind == "s" or not self.places.has(pair.point):
             return []
         found: list[Mark] = []
         for rate, letter, radius in ((drive.velocity, "ω", 9.0), (drive.acceleration, "ε", 12.5)):
             if rate:
-                arrow, middle = self.free_arc(self.at(pair.point), radius, math.copysign(1, rate), [*ground, *found])
+                arrow, middle = self.free_arc(self.places.at(pair.point), radius, math.copysign(1, rate), [*ground, *found])
                 found += arrow
                 text = f"{letter}_{{{self.naming.link(drive.link)}}}"
                 self.named.append(labels.Label(text, middle, LETTER_MM, clear=0.5, name=text))
@@ -277,44 +237,4 @@ class Scheme:
 
     def ways_from(self, pivot: complex) -> list[complex]:
         """Ways from the pivot to the driver's other points."""
-        return [self.at(p) - pivot for p in self.mechanism.links[self.mechanism.drive.link].points if self.has(p)]
-
-
-def _degrees(along: complex) -> float:
-    return round(math.degrees(cmath.phase(along)), 9)
-
-
-def _off(z: complex, a: complex, b: complex) -> float:
-    """Distance of a point from a line."""
-    way = (b - a) / abs(b - a)
-    return abs(((z - a) * way.conjugate()).imag)
-
-
-def _outline(places: list[complex]) -> list[complex]:
-    """The corners of a link: one point, the ends of a bar, or the hull of a plate."""
-    unique: list[complex] = []
-    for z in places:
-        if all(abs(z - u) > NEAR_MM for u in unique):
-            unique.append(z)
-    if len(unique) < 3:
-        return unique
-    a, b = max(((p, q) for p in unique for q in unique), key=lambda e: abs(e[1] - e[0]))
-    if all(_off(z, a, b) < NEAR_MM for z in unique):
-        return [a, b]
-    hull = shapely.MultiPoint([(z.real, z.imag) for z in unique]).convex_hull
-    return [complex(x, y) for x, y in list(hull.exterior.coords)[:-1]]
-
-
-def _nearest(z: complex, outline: list[complex]) -> complex:
-    """The point of a link's outline that is nearest to a place."""
-    if len(outline) == 1:
-        return outline[0]
-    if len(outline) > 2:
-        shape = shapely.Polygon([(c.real, c.imag) for c in outline])
-        if shape.contains(shapely.Point(z.real, z.imag)):
-            return z
-    feet = []
-    for a, b in zip(outline, outline[1:] + outline[:1], strict=True):
-        t = ((z - a) * (b - a).conjugate()).real / abs(b - a) ** 2
-        feet.append(a + min(1.0, max(0.0, t)) * (b - a))
-    return min(feet, key=lambda foot: abs(foot - z))
+        return [self.places.at(p) - pivot for p in self.mechanism.links[self.mechanism.drive.link].points if self.places.has(p)]

@@ -101,10 +101,9 @@ def expected(sol: Solution, driver: str, revolving: bool) -> Iterator[Number]:
         yield Number(f"omega_{name}", "omega", omega)
         yield Number(f"epsilon_{name}", "epsilon", epsilon)
     for name, (v, a, coriolis) in sol.slides.items():
-        if name != driver or revolving:  # a sliding driver's rate is given
-            yield Number(f"slide_v_{name}", "v", v)
-            yield Number(f"slide_a_{name}", "a", a)
-            yield Number(f"coriolis_{name}", "a", coriolis)
+        yield Number(f"slide_v_{name}", "v", v)
+        yield Number(f"slide_a_{name}", "a", a)
+        yield Number(f"coriolis_{name}", "a", coriolis)
     for (i, j), reaction in sol.reactions.items():
         key = reaction_key(i, j)
         if not isinstance(reaction, tuple):

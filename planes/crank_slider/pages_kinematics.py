@@ -1,0 +1,167 @@
+"""The chapters of given data and kinematics."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from planes.crank_slider.calculation import Calculation
+from planes.crank_slider.engine import loaded
+from planes.crank_slider.kinematics import swing, text_acceleration
+from planes.crank_slider.pages import Curve, Drawn, Writer
+from planes.scene import Scene
+from planes.solving import Position, plans_of, position
+
+
+def write_given(w: Writer, c: Calculation) -> None:
+    """What the calculation starts from."""
+    g, s = c.given, c.given.shape
+    w.text("lead")
+    w.head("h_given", 1)
+    rows = [
+        ("g_r", "r", s.r, "u_m"), ("g_l", "l", s.l, "u_m"), ("g_c", "AC", s.c, "u_m"), ("g_lambda", "λ", s.ratio, ""),
+        ("g_omega", "ω", s.omega, "u_rads"), ("g_m1", "m_{1}", s.m1, "u_kg"), ("g_m2", "m_{2}", s.m2, "u_kg"),
+        ("g_m3", "m_{3}", s.m3, "u_kg"), ("g_j2", "J_{C}", s.j2, "u_kgm2"), ("g_f", "f", s.f, ""),
+        ("g_d", "D", g.bore, "u_m"), ("g_p0", "p_{0}", g.ambient / 1e6, "u_MPa"),
+        ("g_strokes", "", float(len(g.indicator.names)), ""),
+    ]  # fmt: skip
+    told = [(w.say(k), sign, f"{w.number(v)} {w.say(u) if u else ''}".strip()) for k, sign, v, u in rows]
+    if g.speed.unevenness:
+        told.append((w.say("g_uneven"), "δ; n", f"{w.number(g.speed.unevenness)}; {w.number(g.speed.waves)}"))
+    w.table("t_given", [w.say("c_what"), w.say("c_sign"), w.say("c_value")], told)
+    scene, solved = drawn_at(w, c, chosen(c))
+    w.blocks.append(Drawn(w.figure("f_scheme", phi=chosen(c)), scene, solved, ("scheme",), False))
+
+
+def chosen(c: Calculation) -> float:
+    """The crank angle of the worked position, degrees."""
+    assert c.scene.mechanism is not None
+    return float(c.motion.phi_deg[c.at(c.scene.mechanism.drive.position % 360.0)])
+
+
+def drawn_at(w: Writer, c: Calculation, phi_deg: float) -> tuple[Scene, Position]:
+    """The plans of one position, the gas force of that moment on the piston."""
+    k = c.at(phi_deg)
+    assert c.scene.mechanism is not None
+    mechanism = loaded(c.scene.mechanism, c.given.shape, float(c.motion.gas[k]))
+    drive = replace(
+        mechanism.drive, position=phi_deg, velocity=float(c.motion.omega[k]), acceleration=float(c.motion.epsilon[k])
+    )
+    scene = replace(c.scene, mechanism=replace(mechanism, drive=drive), find=None)
+    plans, wanted = plans_of(scene)
+    return scene, position(scene, plans, wanted, phi_deg, None, w.lang)
+
+
+def write_kinematics(w: Writer, c: Calculation) -> None:
+    """Both ways, the plans, the results over a turn."""
+    w.head("h_kin", 1)
+    _points(w, c)
+    _plane(w, c)
+    w.head("h_plans")
+    scene, solved = drawn_at(w, c, chosen(c))
+    w.blocks.append(Drawn(w.figure("f_kinplans", phi=chosen(c)), scene, solved, ("velocity", "acceleration")))
+    _results(w, c)
+
+
+def _points(w: Writer, c: Calculation) -> None:
+    s, k = c.given.shape, c.at(chosen(c))
+    w.head("h_points")
+    w.text("k_points", k=s.c / s.l)
+    w.formula(r"x_A=r\cos\varphi,\quad y_A=r\sin\varphi,\quad x_B=r\cos\varphi+\sqrt{l^2-r^2\sin^2\varphi},\quad y_B=0,")
+    w.formula(r"x_C=r\cos\varphi+k\,l\cos\beta,\quad y_C=(1-k)\,r\sin\varphi", "1")
+    w.text("k_derive")
+    w.formula(r"v_{xA}=-\omega r\sin\varphi,\quad v_{yA}=\omega r\cos\varphi,\quad"
+              r"v_B=-\omega r\sin\varphi-\omega\,\frac{r^2\sin\varphi\cos\varphi}{s},")  # fmt: skip
+    w.formula(r"v_{xC}=-\omega r\sin\varphi-k\,\omega\,\frac{r^2\sin\varphi\cos\varphi}{s},\quad"
+              r"v_{yC}=(1-k)\,\omega r\cos\varphi", "2")  # fmt: skip
+    w.formula(r"a_B=-\omega^2\left[r\cos\varphi+\frac{r^2\cos 2\varphi}{s}+\frac{r^4\sin^2\varphi\cos^2\varphi}{s^3}\right]"
+              r"-\varepsilon\left[r\sin\varphi+\frac{r^2\sin\varphi\cos\varphi}{s}\right],", "3")  # fmt: skip
+    w.formula(r"a_{xC}=-\omega^2\left[r\cos\varphi+k\frac{r^2\cos 2\varphi}{s}+k\frac{r^4\sin^2\varphi\cos^2\varphi}{s^3}"
+              r"\right]-\varepsilon\left[r\sin\varphi+k\frac{r^2\sin\varphi\cos\varphi}{s}\right],")  # fmt: skip
+    w.formula(r"a_{yC}=(1-k)\,r\,(\varepsilon\cos\varphi-\omega^2\sin\varphi)", "3")
+    _mistake_3(w, c)
+    _numbers(w, c, k)
+
+
+def _mistake_3(w: Writer, c: Calculation) -> None:
+    if not c.given.speed.unevenness:
+        w.mistake("m_3", size=w.say("m_3_none"))
+        return
+    s = c.given.shape
+    off = np.abs(text_acceleration(s, c.motion) - c.points.a["B"]) / (s.omega**2 * s.r)
+    w.mistake("m_3", size=w.say("m_3_size", percent=float(100 * off.max())))
+
+
+def _numbers(w: Writer, c: Calculation, k: int) -> None:
+    s, p, t = c.given.shape, c.points, w.tex
+    phi, omega = float(c.motion.phi_deg[k]), float(c.motion.omega[k])
+    w.text("k_at", phi=phi, omega=omega, eps=float(c.motion.epsilon[k]))
+    root = math.sqrt(s.l**2 - (s.r * math.sin(math.radians(phi))) ** 2)
+    angle = f"{t(phi)}\\degree"
+    w.formula(rf"s=\sqrt{{{t(s.l)}^2-{t(s.r)}^2\sin^2{angle}}}={t(root)}[m],\quad x_B={t(s.r)}\cos{angle}+{t(root)}="
+              rf"{t(p.r['B'][k].real)}[m]")  # fmt: skip
+    w.formula(rf"v_B=-{t(omega)}\cdot{t(s.r)}\sin{angle}-{t(omega)}\,\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}="
+              rf"{t(p.v['B'][k].real)}[m/s]")  # fmt: skip
+    e = float(c.motion.epsilon[k])
+    tail = "" if not e else (rf"-{t(e, bracket=True)}\left[{t(s.r)}\sin{angle}+"
+                             rf"\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}\right]")  # fmt: skip
+    w.formula(rf"a_B=-{t(omega)}^2\left[{t(s.r)}\cos{angle}+\frac{{{t(s.r)}^2\cos{t(2 * phi)}\degree}}{{{t(root)}}}+"
+              rf"\frac{{{t(s.r)}^4\sin^2{angle}\cos^2{angle}}}{{{t(root)}^3}}\right]{tail}={t(p.a['B'][k].real)}[m/s^2]")
+    w.formula(rf"v_C=\sqrt{{v_{{xC}}^2+v_{{yC}}^2}}=\sqrt{{{t(p.v['C'][k].real, bracket=True)}^2+"
+              rf"{t(p.v['C'][k].imag, bracket=True)}^2}}={t(abs(p.v['C'][k]))}[m/s],\quad"
+              rf"a_C=\sqrt{{{t(p.a['C'][k].real, bracket=True)}^2+{t(p.a['C'][k].imag, bracket=True)}^2}}="
+              rf"{t(abs(p.a['C'][k]))}[m/s^2]")  # fmt: skip
+
+
+def _plane(w: Writer, c: Calculation) -> None:
+    s, k, t = c.given.shape, c.at(chosen(c)), w.tex
+    phi, omega, eps = (float(v[k]) for v in (c.motion.phi_deg, c.motion.omega, c.motion.epsilon))
+    beta = math.degrees(float(swing(s, np.radians(phi))))
+    turning = -float(c.plane.omega[k])
+    w.head("h_plane")
+    w.text("k_plane")
+    w.formula(r"v_A=\omega r", "4")
+    w.formula(r"AP=\frac{l\cos\beta}{|\cos\varphi|},\quad BP=\frac{l\,|\sin(\varphi+\beta)|}{|\cos\varphi|},\quad"
+              r"\omega_{AB}=\frac{v_A}{AP}=\frac{\omega r|\cos\varphi|}{l\cos\beta}", "5")  # fmt: skip
+    w.formula(r"v_B=\omega r\,\frac{\sin(\varphi+\beta)}{\cos\beta},\quad v_C=\omega_{AB}\cdot CP,\quad"
+              r"CP^2=AC^2+AP^2-2\,AC\cdot AP\cos(\varphi+\beta)", "6, 7")  # fmt: skip
+    w.mistake("m_5")
+    w.text("k_accel")
+    w.formula(r"a_A^n=\omega^2r,\quad a_A^\tau=\varepsilon r,\quad a_{BA}^n=\omega_{AB}^2\,l,", "8, 9")
+    w.formula(r"a_{BA}^\tau=\frac{a_A^n\sin\varphi-a_A^\tau\cos\varphi-a_{BA}^n\sin\beta}{\cos\beta},\quad"
+              r"a_B=a_A^n\cos\varphi+a_A^\tau\sin\varphi+a_{BA}^n\cos\beta-a_{BA}^\tau\sin\beta", "11")  # fmt: skip
+    w.formula(r"a_{Cx}=a_A^n\cos\varphi+a_A^\tau\sin\varphi+k\,(a_{BA}^n\cos\beta-a_{BA}^\tau\sin\beta),")
+    w.formula(r"a_{Cy}=a_A^n\sin\varphi-a_A^\tau\cos\varphi-k\,(a_{BA}^n\sin\beta+a_{BA}^\tau\cos\beta)", "13")
+    w.text("k_at", phi=phi, omega=omega, eps=eps)
+    tangent = float(c.plane.epsilon[k]) * s.l
+    w.formula(rf"\beta=\arcsin\frac{{{t(s.r)}\sin{t(phi)}\degree}}{{{t(s.l)}}}={t(beta)}\degree,\quad"
+              rf"\omega_{{AB}}=\frac{{{t(omega)}\cdot{t(s.r)}\cos{t(phi)}\degree}}{{{t(s.l)}\cos{t(beta, bracket=True)}\degree}}="
+              rf"{t(turning)}[rad/s]")  # fmt: skip
+    w.formula(rf"|v_B|={t(omega)}\cdot{t(s.r)}\,\frac{{|\sin{t(phi + beta)}\degree|}}{{\cos{t(beta, bracket=True)}\degree}}="
+              rf"{t(abs(c.plane.v['B'][k]))}[m/s],\quad a_{{BA}}^n={t(turning, bracket=True)}^2\cdot{t(s.l)}="
+              rf"{t(turning**2 * s.l)}[m/s^2]")  # fmt: skip
+    w.formula(rf"a_{{BA}}^\tau={t(tangent)}[m/s^2],\quad \varepsilon_{{AB}}=\frac{{a_{{BA}}^\tau}}{{l}}="
+              rf"{t(tangent / s.l)}[rad/s^2],\quad a_B={t(-c.plane.a['B'][k].real)}[m/s^2]")  # fmt: skip
+
+
+def _results(w: Writer, c: Calculation) -> None:
+    s, a = c.given.shape, c.agreement
+    w.head("h_kintable")
+    w.text("k_agree", step=c.given.step_deg)
+    rows = [(w.say(k), *(f"{part[k]:.1e}" for part in (a.velocity, a.acceleration, a.omega, a.epsilon)))
+            for k in ("points_plane", "points_plans", "plane_plans")]  # fmt: skip
+    w.table("t_agree", [w.say("c_ways"), "v", "a", "ω_{AB}", "ε_{AB}"], rows)
+    turn, unit, rate = c.turn, s.omega * s.r, s.omega**2 * s.r
+    phi = c.motion.phi_deg[turn]
+    steps = range(0, len(phi), max(1, round(30 / c.given.step_deg)))
+    p, q = c.points, c.plane
+    table = [(w.number(phi[i]), *(w.number(v) for v in (
+        p.r["B"][i].real, abs(p.v["A"][i]), p.v["B"][i].real, abs(p.v["C"][i]), abs(p.a["A"][i]), p.a["B"][i].real,
+        abs(p.a["C"][i]), q.omega[i], q.epsilon[i]))) for i in steps]  # fmt: skip
+    w.table("t_kin", ["φ, °", "x_{B}", "v_{A}", "v_{B}", "v_{C}", "a_{A}", "a_{B}", "a_{C}", "ω_{AB}", "ε_{AB}"], table)
+    w.chart("f_7a", "x_phi", "y_v", [Curve(phi, np.abs(p.v[n][turn]) / unit, n, i) for i, n in enumerate("ABC")], ticks=30)
+    w.chart("f_7b", "x_phi", "y_a", [Curve(phi, np.abs(p.a[n][turn]) / rate, n, i) for i, n in enumerate("ABC")], ticks=30)
+    w.chart("f_omega", "x_phi", "y_w", [Curve(phi, q.omega[turn] / s.omega, "ω_AB/ω", 0),
+            Curve(phi, q.epsilon[turn] / s.omega**2, "ε_AB/ω²", 1)], ticks=30)  # fmt: skip

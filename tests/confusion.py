@@ -1,0 +1,224 @@
+"""Many drawings with one mistake or none, checked, and counted in a confusion table.
+
+`python tests/confusion.py [DRAWINGS OF EACH]` prints the table of all samples.
+"""
+
+from __future__ import annotations
+
+import random
+import statistics
+import sys
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import cache, partial
+from pathlib import Path
+
+import drawings
+import drawings_force
+import sample_oracle
+from drawings import NONE, SHAKY, Care, Hand, Mistake
+
+from planes.checking import Asked, Bench, grade, prepare, readable
+from planes.paper import Paper, Spot
+from planes.scene import load
+
+SAMPLES = Path(__file__).parents[1] / "samples"
+PAPER_MM = 500.0  # what leads off the paper is noticed by its maker
+
+
+@dataclass(frozen=True)
+class Easel:
+    """One plan of one sample, ready to be drawn many times."""
+
+    sample: str
+    plan: str
+    mu: float
+    mu_v: float
+
+    def draw(self, mistake: Mistake | None, hand: Hand) -> tuple[dict[str, complex], list[tuple[str, str]]]:
+        """Marks from the pole (of a force plan: vectors in their order), and mistakes it could hold."""
+        scheme_mu = bench(self.sample, self.plan).given["mu_position"]
+        if self.plan.startswith("force"):
+            f = forces(self.sample)
+            group = next((g for g in f.model.groups if self.plan == f"force:{'-'.join(g)}"), None)
+            if group:
+                sheet = drawings_force.draw_group(f, group, self.mu, scheme_mu, hand, mistake)
+            else:
+                sheet = drawings_force.draw_driver(f, self.mu, hand, mistake)
+            return dict(sheet.vectors), sheet.made
+        m = motion(self.sample)
+        if self.plan == "velocity":
+            drawn = drawings.draw_velocity(m, hand, self.mu, scheme_mu, mistake)
+        else:
+            velocity = drawings.draw_velocity(m, hand, self.mu_v, scheme_mu)
+            drawn = drawings.draw_acceleration(m, hand, self.mu, scheme_mu, velocity, self.mu_v, mistake)
+        return drawn.marks, drawn.made
+
+
+@cache
+def motion(sample: str) -> drawings.Motion:
+    return drawings.Motion(sample_oracle.numeric(sample), sample_oracle.truth(sample))
+
+
+@cache
+def forces(sample: str) -> drawings_force.Forces:
+    return drawings_force.Forces(sample_oracle.numeric(sample), sample_oracle.truth(sample))
+
+
+@cache
+def bench(sample: str, plan: str) -> Bench:
+    return prepare(Asked(load(SAMPLES / f"{sample}.yaml"), plan))
+
+
+def easels() -> Iterator[Easel]:
+    """Every plan of every sample that is more than a point."""
+    for sample in sample_oracle.SKETCHES:
+        f = forces(sample)
+        drive = f.scene["drive"]
+        moving = float(drive.get("omega", drive.get("velocity", 0))) != 0
+        plans = ["velocity", "acceleration"] if moving else []
+        plans += [f"force:{'-'.join(g)}" for g in f.model.groups] + [f"force:{f.model.driver}"]
+        for plan in plans:
+            b = bench(sample, plan)
+            yield Easel(sample, plan, b.said_mu, b.given["mu_velocity"])
+
+
+@dataclass
+class Tally:
+    """What came of the drawings."""
+
+    right: int = 0
+    accepted: int = 0
+    mistakes: int = 0
+    found: int = 0
+    blamed: int = 0
+    named: int = 0
+    innocent: int = 0
+    innocent_blamed: int = 0
+    table: Counter[tuple[str, str]] = field(default_factory=Counter)
+    failures: list[str] = field(default_factory=list)
+
+
+def possible(easel: Easel) -> list[Mistake]:
+    """The mistakes this drawing could hold, each in its variants."""
+    _, made = easel.draw(None, Hand(NONE, random.Random(0)))
+    found = []
+    for name, where in dict.fromkeys(made):
+        kinds = (0, 1) if name in TWOFOLD else (0,)
+        found += [Mistake(name, where, k) for k in kinds]
+    return [m for m in found if size(easel, m) > 3]
+
+
+TWOFOLD = ("along_link", "wrong_link", "across_guide", "tangential_along_link", "weight_missing", "force_missing",
+           "mass_for_weight", "force_doubled", "inertia_along_acceleration", "reaction_not_reversed")
+
+
+@cache
+def spread(easel: Easel) -> dict[str, float]:
+    """Standard deviation of every mark over shaky hands, mm."""
+    drawn = [easel.draw(None, Hand(SHAKY, random.Random(k)))[0] for k in range(40)]
+    names = set.intersection(*(set(d) for d in drawn))
+    return {n: max(statistics.pstdev([d[n].real for d in drawn]), statistics.pstdev([d[n].imag for d in drawn]), 0.1)
+            for n in names}
+
+
+def size(easel: Easel, mistake: Mistake) -> float:
+    """By how many standard deviations of a shaky hand the mistake moves the mark it moves most."""
+    right, _ = easel.draw(None, Hand(NONE, random.Random(0)))
+    try:
+        wrong, _ = easel.draw(mistake, Hand(NONE, random.Random(0)))
+    except ZeroDivisionError:
+        return 0.0  # the lines never meet: nobody can make this mistake here
+    if max(map(abs, wrong.values())) > PAPER_MM or len([z for z in wrong.values() if abs(z) > 1e-9]) < 2:
+        return 0.0
+    sigma, found = spread(easel), [0.0]
+    for name, z in right.items():
+        if name in sigma:
+            moved = abs(wrong.get(name, 0j if easel.plan.startswith("force") else z) - z)
+            found.append(moved / sigma[name])
+    return max(found)
+
+
+def hand_in(easel: Easel, mistake: Mistake | None, care: Care, rng: random.Random) -> Paper:
+    """One drawing as a table, its pole anywhere, numbers to a tenth of a millimetre."""
+    marks, _ = easel.draw(mistake, Hand(care, rng))
+    origin = complex(rng.uniform(20, 200), rng.uniform(20, 200))
+    if easel.plan.startswith("force"):
+        rows, z = [("p", origin)], origin
+        for name, vector in marks.items():
+            z += vector
+            rows.append((name, z))
+    else:
+        rows = [("p", origin), *((n, origin + z) for n, z in marks.items())]
+    spots = [Spot(n, complex(round(z.real, 1), round(z.imag, 1)), 0.03) for n, z in rows]
+    return Paper("drawn", spots)
+
+
+def try_one(easel: Easel, mistake: Mistake | None, care: Care, rng: random.Random, tally: Tally) -> None:
+    """Draw, check, count."""
+    paper = hand_in(easel, mistake, care, rng)
+    graded = grade(bench(easel.sample, easel.plan), paper)
+    assert graded is not None
+    judged, why = graded.judgement, readable(graded)
+    gap = graded.gap_wrong
+    blamed = judged.first_wrong or (graded.rebuilt.closing if gap and graded.rebuilt else None)
+    name = judged.named.mistake if judged.named else ("not_closed" if gap and not judged.wrong else None)
+    told = "unreadable" if why else name or ("right" if not blamed else "unclear")
+    tally.table[mistake.name.partition(":")[0] if mistake else "right", told] += 1
+    where = f"{easel.sample} {easel.plan} {mistake} -> {told} at {blamed}"
+    if mistake is None:
+        tally.right += 1
+        tally.accepted += told == "right"
+        if told != "right":
+            tally.failures.append(where)
+        return
+    tally.mistakes += 1
+    tally.found += told != "right"
+    tally.blamed += blamed == mistake.where
+    tally.named += name == mistake.name.partition(":")[0]
+    if name != mistake.name.partition(":")[0] or blamed != mistake.where:
+        tally.failures.append(where)
+    others = [v for m, v in graded.verdicts.items() if m.rpartition(":")[2] != mistake.where and v != "unread"]
+    tally.innocent += len(others)
+    tally.innocent_blamed += others.count("wrong")
+
+
+def run_all(each: int, care: Care, chosen: list[Easel] | None = None) -> Tally:
+    """Every mistake of every plan ``each`` times, and as many right drawings as mistakes."""
+    tally, rng = Tally(), random.Random(1)
+    for easel in chosen or easels():
+        mistakes = possible(easel)
+        for k in range(each):
+            for mistake in mistakes:
+                try_one(easel, mistake, care, rng, tally)
+            for _ in range(max(3, len(mistakes) // 3)):
+                try_one(easel, None, care, rng, tally)
+            rng.seed(k + 2)
+    return tally
+
+
+def told(tally: Tally) -> str:
+    """The confusion table and the shares as text."""
+    share = partial(lambda a, b: f"{a}/{b} = {100 * a / max(b, 1):.2f} %")
+    lines = [
+        f"right accepted   {share(tally.accepted, tally.right)}",
+        f"mistakes found   {share(tally.found, tally.mistakes)}",
+        f"right step blamed {share(tally.blamed, tally.mistakes)}",
+        f"named            {share(tally.named, tally.mistakes)}",
+        f"right steps not blamed {share(tally.innocent - tally.innocent_blamed, tally.innocent)}", "",
+    ]
+    for name in sorted({n for n, _ in tally.table}):
+        row = sorted(((c, t) for (n, t), c in tally.table.items() if n == name), reverse=True)
+        lines.append(f"{name:28}" + "  ".join(f"{t} {c}" for c, t in row))
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    EACH = int(sys.argv[1]) if len(sys.argv) > 1 else 2
+    for CARE in (Care(), SHAKY):
+        FOUND = run_all(EACH, CARE)
+        print(CARE)
+        print(told(FOUND))
+        if len(sys.argv) > 2:
+            print("\n".join(FOUND.failures))
