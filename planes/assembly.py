@@ -32,7 +32,7 @@ def resolve(draft: Draft, choices: list[Choice], mechanism: Mechanism, file: str
         words = WORDS_OF_KIND[choice.group.kind]
         if said is None:
             line = mechanism.where.get(("assembly",), mechanism.where.get(("links",)))
-            raise SceneError(_question(draft, program, choice), file, line)
+            raise SceneError(_question(draft, program, choice, bool(mechanism.assembly)), file, line)
         if said.near is not None:
             draft.given[choice.side] = _nearer(draft, program, choice, key, said.near, mechanism, file)
         elif said.order in words:
@@ -95,12 +95,14 @@ def _nearer(
     return min(places, key=lambda found: abs(found[1] - near))[0]
 
 
-def _question(draft: Draft, program: Program, choice: Choice) -> Phrase:
+def _question(draft: Draft, program: Program, choice: Choice, more: bool) -> Phrase:
+    """What the scene does not say, and the words that say it; ``more`` if there is an assembly to add them to."""
     g, words = choice.group, WORDS_OF_KIND[choice.group.kind]
-    offers = [Phrase("assembly_offer", key=choice.key, word=word) for word in words]
+    offer = "assembly_more" if more else "assembly_offer"
+    offers = [Phrase(offer, key=choice.key, word=word) for word in words]
     if g.kind != 3:
         for side, place in _places(draft, program, choice, choice.key):
             index = 0 if side > 0 else 1
             offers[index] = Phrase(
-                "assembly_offer_at", key=choice.key, word=words[index], x=place.real, y=place.imag)
-    return Phrase("two_assemblies", links=g.links, name=g.name, offers=tuple(offers))
+                f"{offer}_at", key=choice.key, word=words[index], x=place.real, y=place.imag)
+    return Phrase("two_more_assemblies" if more else "two_assemblies", links=g.links, name=g.name, offers=tuple(offers))

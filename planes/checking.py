@@ -22,7 +22,7 @@ from planes.polygons import Rebuilt, rebuild
 from planes.program import Program
 from planes.scales import extent, kind_of, scales
 from planes.scene import Scene
-from planes.steps import Cross, CrossArc, CrossArcs, Same
+from planes.steps import Cross, CrossArc, CrossArcs, LayOff, Same
 from planes.wording import PlanesError, valid_names
 from planes.words import Phrase
 
@@ -65,6 +65,23 @@ class Grading:
             return None
         sigma = math.sqrt(2 * self.hand.tool.skill.point_mm ** 2 + 2 * gap.error_mm ** 2)
         return abs(gap.place) if abs(gap.place) > self.judgement.limit * sigma else None
+
+    @property
+    def left_out(self) -> str | None:
+        """A known force that is not in the polygon and that nothing read was drawn from."""
+        if self.rebuilt is None or self.judgement.wrong:
+            return None
+        used = set(self.judgement.misses)
+        for step in reversed(self.hand.program.steps):
+            if step.makes in used:
+                used.update(n for n, kind in step.reads() if kind == "mark" and n not in self.judgement.misses)
+        for mark in self.marks:
+            step = next(s for s in self.hand.program.steps if s.makes == mark)
+            if isinstance(step, LayOff) and mark not in used:
+                miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
+                if miss.sigmas > self.judgement.limit:
+                    return label_of(mark)
+        return None
 
     @property
     def verdicts(self) -> dict[str, str]:
@@ -121,7 +138,7 @@ def align(bench: Bench, plan: str, paper: Paper) -> tuple[dict[str, Spot], Rebui
     if kind_of(plan) == "force":
         if pole is None:
             raise PlanesError(Phrase("check_no_pole"))
-        rebuilt = rebuild(bench.plans, plan, paper.spots)
+        rebuilt = rebuild(bench.plans, plan, paper.spots, paper.whole)
         return rebuilt.spots, rebuilt, rebuilt.unknown
     found: dict[str, Spot] = {}
     unknown = []
@@ -161,7 +178,7 @@ def grade(bench: Bench, paper: Paper) -> Grading | None:
     taken |= _earlier(bench)
     best: tuple[float, Grading] | None = None
     for mu, share in _scales(bench, taken):
-        found = _grade_at(bench, mu, share, taken)
+        found = _grade_at(bench, mu, share, taken, rebuilt.absent if rebuilt else set())
         said = mu == bench.said_mu
         score = _worth(found) + (0.0 if said else OWN_SCALE)
         found.said_mu = said
@@ -206,7 +223,7 @@ def _scales(bench: Bench, taken: Mapping[str, Taken]) -> list[tuple[float, float
     return found[:8]
 
 
-def _grade_at(bench: Bench, mu: float, share: float, taken: Mapping[str, Taken]) -> Grading:
+def _grade_at(bench: Bench, mu: float, share: float, taken: Mapping[str, Taken], absent: set[str]) -> Grading:
     """Grade at one scale."""
     plan, skill = bench.asked.plan, bench.asked.skill
     name = mu_of(plan)
@@ -217,7 +234,7 @@ def _grade_at(bench: Bench, mu: float, share: float, taken: Mapping[str, Taken])
     free = Hand(bench.program, given, skill, {m: t for m, t in taken.items() if m not in bench.marks}, unsure)
     apart = {m: _apart(free, m, taken[m]) for m in bench.marks if m in taken}
     size = extent(truth, plan)
-    judgement = judge(hand, bench.marks, _variants(bench, hand, mu), size)
+    judgement = judge(hand, bench.marks, _variants(bench, hand, mu), size, absent)
     return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart)
 
 

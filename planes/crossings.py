@@ -12,12 +12,13 @@ from planes.tools import Env, Tool
 
 @dataclass(frozen=True)
 class Cross(Step):
-    """Cross two lines."""
+    """Cross two lines. A ``supposed`` crossing is a trial: lines that never meet give no mark instead of failing."""
 
     start: str
     along: str
     other: str
     across: str
+    supposed: bool = False
 
     def reads(self) -> tuple[Read, ...]:
         return marks(self.start, self.other) + directions(self.along, self.across)
@@ -27,6 +28,8 @@ class Cross(Step):
         place, sharpness, gap = plane.lines(env[self.start], u, env[self.other], w)
         tool.sharpen(self.makes, abs(sharpness))
         met = abs(sharpness) > tool.flat
+        if self.supposed:
+            return tool.ar.where(met, tool.mark(place), complex("nan"))
         apart = abs(gap) > tool.slack * (abs(env[self.start]) + abs(env[self.other]))
         tool.require(met | apart, self, "coincident", gap_mm=gap)
         tool.require(met, self, "parallel", gap_mm=gap)

@@ -12,7 +12,9 @@ from typing import Any
 from planes.equations import Equation, Term
 from planes.reckoning import Calculate, Drop, Measure, Product
 from planes.steps import Aim, Cross, CrossArc, CrossArcs, LayOff, Put, Similar, Step, Through, Turn
+from planes.thing_names import called
 from planes.wording import ProgramError
+from planes.words import Phrase, Told
 
 POLE = "p"
 
@@ -27,6 +29,13 @@ def at(plan: str, label: str) -> str:
 def label_of(mark: str) -> str:
     """The label of a mark without its plan."""
     return mark.rpartition(":")[2]
+
+
+def _told(name: str) -> Told:
+    """A mark with the plan it is on, or a value, as a sentence names it."""
+    kind = name.partition(":")[0]
+    plan = Phrase("plan_force", links=name.split(":")[1]) if kind == "force" else Phrase(f"plan_{kind}")
+    return Phrase("mark_of_plan", mark=called(name), plan=plan) if ":" in name else called(name)
 
 
 @dataclass(frozen=True)
@@ -75,7 +84,7 @@ class Draft:
         """Add a step, unless it is there already; a direction or value named as another one is primed."""
         while step.makes in self.given or self.steps.setdefault(step.makes, step) != step:
             if step.kind == "mark" or step.makes.startswith(_READ_BY_NAME):
-                raise ProgramError(f"two things of the drawing would both be named {step.makes}; rename one point")
+                raise ProgramError(Phrase("named_twice", name=_told(step.makes)))
             step = replace(step, makes=step.makes + "′")
         return step.makes
 

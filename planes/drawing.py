@@ -9,6 +9,7 @@ from typing import Any
 from planes.instruments import Exact, Hand, Instrument
 from planes.program import Program
 from planes.wording import ProgramError, valid_names
+from planes.words import Phrase
 
 NOWHERE = complex("nan+nanj")  # the mark of a drawing of many that could not be drawn
 
@@ -25,7 +26,8 @@ class Drawing:
         try:
             return self.things[name]
         except KeyError:
-            raise ProgramError(f"the drawing has no {name}{valid_names(name, list(self.things))}") from None
+            valid = valid_names(name, list(self.things))
+            raise ProgramError(Phrase("not_drawn", name=name, valid=valid)) from None
 
     def __contains__(self, name: object) -> bool:
         return name in self.things
@@ -51,7 +53,7 @@ def run(program: Program, given: Mapping[str, Any], instrument: Instrument | Non
     """
     missing = [n for n in program.givens if n not in given]
     if missing:
-        raise ProgramError(f"to draw this, give {', '.join(missing)}")
+        raise ProgramError(Phrase("give_first", names=tuple(missing)))
     things = dict(given)
     shapes = [v.shape for v in things.values() if hasattr(v, "shape") and v.shape]
     many = bool(shapes)

@@ -87,6 +87,8 @@ def _resolve_from(start: str, texts: Mapping[str, str], values: dict[str, float]
 
 def _cycle(path: list[str], name: str) -> Phrase:
     loop = [*path[path.index(name) :], name]
+    if len(loop) == 2:
+        return Phrase("circle_of_one", name=name)
     words = loop if len(loop) <= 8 else [*loop[:6], "…", name]
     return Phrase("circle", names=tuple(words))
 
@@ -106,7 +108,9 @@ def _tokens(text: str) -> list[tuple[str, str]]:
     while place < len(text):
         match = _TOKEN.match(text, place)
         if match is None or (match[2] and not is_name(match[2])):
-            raise _refusal(text, _stray(text[place:].lstrip()[0]))
+            char = text[place:].lstrip()[0]
+            unit = char in "·/²³%" and [kind for kind, _ in found[-2:]] == ["number", "name"]
+            raise _refusal(text, Phrase("unit_written", word=shown(found[-1][1])) if unit else _stray(char))
         kind = ("number", "name", "sign")[(match.lastindex or 1) - 1]
         found.append((kind, match[match.lastindex or 1]))
         place = match.end()
@@ -155,6 +159,8 @@ class _Parser:
                 return Phrase("decimal_point", number=f"{self.tokens[self.at - 1][1]}.{after[1]}")
         if kind == "end":
             return Phrase("end_absent")
+        if kind == "name" and word not in (*self.valid, *RESERVED) and self.tokens[self.at - 1][0] == "number":
+            return Phrase("unit_written", word=shown(word))
         return Phrase("unexpected" if kind == "sign" else "unexpected_operand", word=shown(word))
 
     def sign(self, *signs: str) -> str:

@@ -6,6 +6,7 @@ comes true is kept. None, or two different ones, is self-locking.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import product
 
 from planes.drafting import at, mu_of
@@ -23,8 +24,11 @@ def sliding_sense(acting: Acting, pair: Pair) -> str:
     return acting.b.draft.step(Sense(f"slides_{pair.link}", *reading.ends, reading.along, tuple(motion.driven)))
 
 
-def meet_with_friction(acting: Acting, plan: str, lines: list[Term], x: str, pairs: list[Pair]) -> None:
-    """Cross two lines of reactions at mark ``x``, those of the rubbing ``pairs`` leaning, by trial of each side."""
+def meet_with_friction(acting: Acting, plan: str, lines: list[Term], x: str, pairs: list[Pair]) -> dict[str, Term]:
+    """Cross two lines of reactions at mark ``x``, those of the rubbing ``pairs`` leaning, by trial of each side.
+
+    Returns the leaning terms by name, now with the direction they turned out to have.
+    """
     d = acting.b.draft
     rubbing = [(t, p) for t in lines for p in pairs if t.name in (_on_slider(p), force_name(p.other, p.link))]
     trials = []
@@ -34,10 +38,17 @@ def meet_with_friction(acting: Acting, plan: str, lines: list[Term], x: str, pai
         mark = at(plan, f"{x}{tag}")
         starts = [at(plan, t.start) for t in lines]
         along = [leaning.get(t.name, t.direction or "") for t in lines]
-        d.step(Cross(mark, starts[0], along[0], starts[1], along[1]))
+        d.step(Cross(mark, starts[0], along[0], starts[1], along[1], supposed=True))
         pushes = tuple(_push(acting, plan, t, p, mark, tag) for t, p in rubbing)
         trials.append(Trial(mark, pushes, signs))
     d.step(Choose(at(plan, x), tuple(trials), at(plan, lines[0].start), mu_of(plan)))
+    return {t.name: _leant(acting, plan, t, x) for t, _ in rubbing}
+
+
+def _leant(acting: Acting, plan: str, term: Term, x: str) -> Term:
+    ends = at(plan, term.start), at(plan, x)
+    along = acting.b.draft.through(f"∡{term.name}", *(ends if term.sign > 0 else reversed(ends)))
+    return replace(term, direction=along)
 
 
 def _on_slider(pair: Pair) -> str:

@@ -11,9 +11,10 @@ from dataclasses import dataclass, field, fields
 from typing import Any, Protocol
 
 from planes.arithmetic import Arithmetic, Many, One, Point, Real, Truth
-from planes.drafting import label_of
 from planes.tools import Tool
+from planes.thing_names import called, called_line
 from planes.wording import PlanFailure
+from planes.words import Told
 
 
 class Instrument(Protocol):
@@ -65,13 +66,13 @@ class Hand:
             self.notes.append((reason, step, ok))
 
 
-def names_of(step: Any) -> dict[str, str]:
-    """The names a sentence about the step may use: labels without their plans."""
-    found = {}
-    for f in fields(step):
-        value = getattr(step, f.name)
-        if isinstance(value, str):
-            found[f.name] = label_of(value)
+def names_of(step: Any) -> dict[str, Told]:
+    """The names a sentence about the step may use; ``line`` and ``other_line`` are what it crosses."""
+    named = {f.name: value for f in fields(step) if isinstance(value := getattr(step, f.name), str)}
+    found = {name: called(value) for name, value in named.items()}
+    for line, along, start in (("line", "along", "start"), ("other_line", "across", "other")):
+        if along in named and start in named:
+            found[line] = called_line(named[along], named[start])
     return found
 
 

@@ -7,16 +7,18 @@ Every mistake is a hypothesis with the likelihood of the drawing under it, mark 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from planes.drafting import label_of
 from planes.handwork import Hand, Miss, Variant
 
-FALSE_ALARM = 0.01  # of right drawings, how many a hand as shaky as supposed would see refused
+FALSE_ALARM = 0.02  # of right drawings, how many a hand as shaky as supposed would see refused
 WARN = 2.486  # as rare in two dimensions as 2σ in one
 SLIP = 0.02  # the share of marks that are wrong for a reason of their own
 OTHER_CAUSE = 0.1  # the weight of "some other cause" beside a named mistake
+UNDRAWN = 0.1  # the weight of "drawn wrongly" beside "left out", for a mark that is not on the drawing
+LEFT_OUT = ("_missing", "_along_loaded_link")
 MARGIN = 0.7  # the logarithm of how much better than the runner-up a mistake must be
 
 
@@ -53,8 +55,10 @@ class Judgement:
         return label_of(self.wrong[0]) if self.wrong else None
 
 
-def judge(hand: Hand, marks: Sequence[str], variants: Iterable[Variant], extent_mm: float) -> Judgement:
-    """Grade the marks of a hand, in order of drawing, and name the first mistake."""
+def judge(
+    hand: Hand, marks: Sequence[str], variants: Iterable[Variant], extent_mm: float, absent: Collection[str] = ()
+) -> Judgement:
+    """Grade the marks of a hand, in order of drawing, and name the first mistake; ``absent`` are not there at all."""
     misses = hand.misses(marks)
     limit = limit_of(len(misses))
     found = Judgement(limit, misses)
@@ -62,7 +66,7 @@ def judge(hand: Hand, marks: Sequence[str], variants: Iterable[Variant], extent_
     found.wrong = [m for m, miss in misses.items() if not miss.sigmas <= limit]
     found.score = sum(_mixed(miss, broad) for miss in misses.values())
     if found.wrong:
-        _name(hand, found, variants, broad)
+        _name(hand, found, variants, broad, absent)
     return found
 
 
@@ -76,16 +80,19 @@ def _mixed(miss: Miss, broad: float) -> float:
     return best + math.log(math.exp(top - best) + math.exp(rest - best))
 
 
-def _name(hand: Hand, found: Judgement, variants: Iterable[Variant], broad: float) -> None:
+def _name(
+    hand: Hand, found: Judgement, variants: Iterable[Variant], broad: float, absent: Collection[str]
+) -> None:
     """Score the variants that touch the first wrong mark, and keep the best if it is good enough."""
     first = found.wrong[0]
     scored, under = [], {}
+    drawn = {label_of(m) for m in found.misses} - set(absent)
     for variant in variants:
         new = hand.misses(list(found.misses), hand.under(variant))
         if first not in new or not math.isfinite(new[first].sigmas):
             continue
         gain = sum(_mixed(miss, broad) - _mixed(found.misses[m], broad) for m, miss in new.items())
-        scored.append(Named(gain + math.log(variant.weight), variant))
+        scored.append(Named(gain + math.log(variant.weight * _likely(variant, drawn)), variant))
         under[id(variant)] = new
     ranked = _by_mistake(scored)
     if not ranked:
@@ -100,6 +107,11 @@ def _name(hand: Hand, found: Judgement, variants: Iterable[Variant], broad: floa
         found.explained = frozenset(m for m in new if new[m].sigmas <= found.limit)
     else:
         found.runner_up = best.variant
+
+
+def _likely(variant: Variant, drawn: set[str]) -> float:
+    """What is not on the drawing was most likely left out, what is on it was not."""
+    return 1.0 if (variant.blames in drawn) != variant.mistake.endswith(LEFT_OUT) else UNDRAWN
 
 
 def _by_mistake(scored: Sequence[Named]) -> list[Named]:

@@ -59,7 +59,7 @@ class Teller:
             if step.kind == "value" and self.tells(step):
                 readings.append(step)
             tells = step.kind == "mark" or isinstance(step, s.Touch)
-            if not tells or step in put or step.makes.endswith(("+", "-")):
+            if not tells or step in put or step.makes in self.drawing.program.trials:
                 continue
             found += self.readings(readings)
             readings = []

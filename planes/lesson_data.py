@@ -21,7 +21,7 @@ from planes.solving import failed
 from planes.steps import Cross, CrossArc, CrossArcs
 from planes.units import mu_text
 from planes.wording import PlanFailure, SceneError
-from planes.words import Lang
+from planes.words import Lang, Phrase
 
 POSITIONS = 360
 LANGS: tuple[Lang, ...] = ("ru", "en")
@@ -30,13 +30,13 @@ LANGS: tuple[Lang, ...] = ("ru", "en")
 def lesson_data(scene: Scene) -> dict[str, Any]:
     """The lesson of a scene. :class:`SceneError` where there is no mechanism or its own position fails."""
     if scene.mechanism is None:
-        raise SceneError("this scene states vectors and has no mechanism to turn", scene.file, 1)
+        raise SceneError(Phrase("vectors_alone"), scene.file, scene.where.get(("vectors",), 1))
     plans = state(scene.mechanism, scene.file)
     try:
         mus = scales(plans, scene.mu)
         drawing = run(plans.program, {**plans.given, **mus})
     except PlanFailure as failure:
-        raise SceneError(f"the lesson's own position cannot be drawn: {failure}", scene.file, 1) from None
+        raise SceneError(Phrase("lesson_fails", failure=failure.phrase), scene.file, plans.mechanism.where.get(("drive",), 1)) from None
     values, index = _values(plans)
     return {
         "title": dict(scene.title),
@@ -143,7 +143,7 @@ def _turn(plans: Plans, mus: Mapping[str, float], values: list[float]) -> dict[s
     marks, rates = {}, {}
     for step in drawing.program.steps:
         thing = drawing[step.makes]
-        if step.kind == "mark" and not step.makes.endswith(("+", "-")):
+        if step.kind == "mark" and step.makes not in drawing.program.trials:
             marks[step.makes] = [column(numpy.real(thing), 2), column(numpy.imag(thing), 2)]
         elif step.kind == "value" and step.makes.startswith(("omega", "epsilon")):
             rates[step.makes] = column(thing, 4)

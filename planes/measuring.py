@@ -203,7 +203,7 @@ class Reader:
         """Sine of the angle at which the lines of each crossed mark meet."""
         found = {}
         for name, sharpness in self.drawing.sharpness.items():
-            if name.rpartition(":")[0] == plan and not name.endswith(("+", "-")):
+            if name.rpartition(":")[0] == plan and name not in self.drawing.program.trials:
                 one = sharpness[self.pick] if _many(sharpness) and self.pick is not None else sharpness
                 found[label_of(name)] = float(one)
         return found

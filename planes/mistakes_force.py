@@ -90,12 +90,14 @@ def _moments(w: Ways, step: LayOff) -> Iterator[Variant]:
     if not isinstance(formula, Calculate):
         return
     count = max(1, len(formula.terms))
-    for i, term in enumerate(formula.terms):
+    for i, term in enumerate(formula.terms if count > 1 else ()):
         name = next((n for n, _ in term.factors), "")
         inertia = name.startswith("MI_")
         mistake = "inertia_moment_reversed" if inertia else "moment_sign"
         turned = _replaced(formula, i, replace(term, coefficient=-term.coefficient))
         yield _of_moments(w, step, mistake, (turned,), 1.0 if inertia else 1 / count, name)
+    for i, term in enumerate(formula.terms):
+        name = next((n for n, _ in term.factors), "")
         arm = next((n for n, _ in term.factors if isinstance(w.steps.get(n), Drop)), None)
         if arm:
             yield from _arm(w, step, formula, i, arm, name)

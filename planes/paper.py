@@ -39,14 +39,14 @@ class Spot:
 
 @dataclass
 class Paper:
-    """Everything read from what was handed in, in its order. ``start`` is the mark each vector was seen to start at,
-    where that is known better than by the order (of a force plan)."""
+    """Everything read from what was handed in, in its order. It is ``whole`` if nothing can have been overlooked."""
 
     file: str = ""
     spots: list[Spot] = field(default_factory=list)
     segments: list[tuple[str, float]] = field(default_factory=list)
     results: list[tuple[str, float, str]] = field(default_factory=list)
     scale_mark: str | None = None  # the vector the picture's scale was taken from
+    whole: bool = True
     notes: list[Phrase] = field(default_factory=list)
 
     def refuse(self, key: str, **parts: object) -> PlanesError:

@@ -32,6 +32,7 @@ class Rebuilt:
     spots: dict[str, Spot] = field(default_factory=dict)
     gap: Spot | None = None
     closing: str = ""
+    absent: set[str] = field(default_factory=set)  # known forces that are not there
     unknown: list[str] = field(default_factory=list)
 
 
@@ -53,8 +54,11 @@ def loads_of(plans: Plans, plan: str) -> set[str]:
     return {label for where, _, label in steps if where == plan}
 
 
-def rebuild(plans: Plans, plan: str, spots: Sequence[Spot]) -> Rebuilt:
-    """The person's vectors, each from the end of the row before it, laid off in the program's order."""
+def rebuild(plans: Plans, plan: str, spots: Sequence[Spot], whole: bool = True) -> Rebuilt:
+    """The person's vectors, each from the end of the row before it, laid off in the program's order.
+
+    Of a ``whole`` polygon what is not listed is not there; else it may have been overlooked.
+    """
     sides = {s.name: s for s in sides_of(plans, plan)}
     names, out = Names(sides), Rebuilt()
     vectors: dict[str, tuple[complex, float]] = {}
@@ -72,11 +76,13 @@ def rebuild(plans: Plans, plan: str, spots: Sequence[Spot]) -> Rebuilt:
             old = vectors.get(name, (0j, 0.0))
             vectors[name] = old[0] + vector, max(error, old[1])
         before = spot
-    _lay(out, sides, vectors, loads_of(plans, plan))
+    _lay(out, sides, vectors, loads_of(plans, plan), whole)
     return out
 
 
-def _lay(out: Rebuilt, sides: dict[str, Side], vectors: dict[str, tuple[complex, float]], loads: set[str]) -> None:
+def _lay(
+    out: Rebuilt, sides: dict[str, Side], vectors: dict[str, tuple[complex, float]], loads: set[str], whole: bool
+) -> None:  # fmt: skip
     """Marks from vectors: a side of which one end is known gives the other; a second way to a mark gives the gap."""
     places: dict[str, complex] = {POLE: 0j}
     hidden: set[str] = set()  # left out, or hidden in the next vector
@@ -85,16 +91,19 @@ def _lay(out: Rebuilt, sides: dict[str, Side], vectors: dict[str, tuple[complex,
         known = [n for n, s in left.items() if _ready(s, places, n in vectors, loads)]
         if not known:
             return
-        name = known[0]
+        name = next((n for n in known if left[n].start in places), known[0])
         side = left.pop(name)
         if name not in vectors:
             places[side.end] = places[side.start]
             hidden.add(side.end)
+            if whole:
+                out.absent.add(side.end)
+                out.spots[side.end] = Spot(side.end, places[side.end], 0.0)
             continue
         vector, error = vectors[name]
         if side.start in places and side.end in places:
             gap = places[side.start] + vector - places[side.end]
-            if not hidden & {side.start, side.end} and (out.gap is None or abs(gap) > abs(out.gap.place)):
+            if (whole or not hidden & {side.start, side.end}) and (out.gap is None or abs(gap) > abs(out.gap.place)):
                 out.gap, out.closing = Spot(name, gap, error), name
         elif side.start in places:
             places[side.end] = places[side.start] + vector

@@ -52,12 +52,11 @@ class DriverForces:
         normal = self.d.square(f"⊥{guide}", guide)
         reaction = Term(key, start, key, None, normal, normal)
         force = Term(f"Fb_{self.link}", POLE, key, None, guide, guide, False, -1)
-        equation = Equation(self.plan, ((*terms, reaction), (force,)))
         if self.pair.guide in self.b.mechanism.friction:
-            meet_with_friction(self.s.acting, self.plan, [reaction, force], key, [self.pair])
-            self.d.conclude(equation)
+            leant = meet_with_friction(self.s.acting, self.plan, [reaction, force], key, [self.pair])
+            self.d.conclude(Equation(self.plan, ((*terms, leant[key]), (force,))))
         else:
-            self.d.draw(equation)
+            self.d.draw(Equation(self.plan, ((*terms, reaction), (force,))))
         self.s.balancing = force.name
         found = self.s.react(self.pair, self.plan, at(self.plan, start), at(self.plan, key))
         self.s.seat(found, self.link, self.b.foot(self.pair), self.forces, self.couples)

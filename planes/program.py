@@ -48,6 +48,11 @@ class Program:
         names = (name for s in self.steps for name, _ in s.reads())
         return tuple(dict.fromkeys(n for n in names if n not in self.made))
 
+    @cached_property
+    def trials(self) -> frozenset[str]:
+        """Marks that are only suppositions (friction): nothing is read off them but which came true."""
+        return frozenset(s.makes for s in self.steps if isinstance(s, Cross) and s.supposed)
+
     def sliced(self, wanted: Iterable[str]) -> Program:
         """The program without the steps that lead to none of the wanted names."""
         needed = set(wanted)

@@ -67,11 +67,9 @@ def reached(program: Program, given: Mapping[str, Any]) -> tuple[Drawing, PlanFa
 
 def extent(drawing: Drawing, plan: str) -> float:
     """The larger side of the box around a plan's marks, in SI when drawn at unit scale."""
-    marks = [
-        drawing[s.makes]
-        for s in drawing.program.steps
-        if s.kind == "mark" and s.makes.rpartition(":")[0] == plan and "°" not in s.makes and label_of(s.makes) != POLE
-    ]
+    made = [s.makes for s in drawing.program.steps if s.kind == "mark" and s.makes not in drawing.program.trials]
+    own = [m for m in made if m.rpartition(":")[0] == plan and "°" not in m and label_of(m) != POLE]
+    marks = [drawing[m] for m in own]
     if plan != "position":
         marks.append(0j)
     marks = [m for m in marks if cmath.isfinite(m)]

@@ -87,7 +87,7 @@ class Reader:
     def number(self, node: Node, what: Told) -> float:
         """The finite value of a number or an expression."""
         if not isinstance(node, Text):
-            hint = Phrase("decimal_fraction") if isinstance(node, Items) and len(node.items) == 2 else ""
+            hint = Phrase("decimal_fraction") if isinstance(node, Items) and _comma(node) else ""
             raise self.error(Phrase("number_needed", what=what, kind=kind(node), hint=hint), node)
         if node.absent:
             raise self.error(Phrase("no_value", what=what), node)
@@ -146,10 +146,16 @@ class Reader:
 
     def _pair(self, node: Items, what: Told) -> complex:
         if len(node.items) != 2:
-            hint = Phrase("decimal_no_comma") if len(node.items) > 2 else ""
+            hint = Phrase("decimal_no_comma") if _comma(node) else ""
             raise self.error(Phrase("pair_needed", what=what, count=len(node.items), hint=hint), node)
         x, y = (self.number(item, part(axis, what)) for axis, item in zip("xy", node.items, strict=True))
         return complex(x, y)
+
+
+def _comma(node: Items) -> bool:
+    """Whether a list was torn by decimal commas: digits right after a comma, in "0,5" or "[0,1, 0,2]"."""
+    glued = [isinstance(item, Text) and item.glued and item.text.isdigit() for item in node.items]
+    return any(glued) and (len(glued) == 2 or not all(glued[1:]))
 
 
 def part(key: str, what: Told) -> Phrase:

@@ -16,7 +16,7 @@ from planes.scales import FIT_MM, scales
 from planes.scene import Scene
 from planes.structure import Structure
 from planes.wording import PlanFailure, SceneError
-from planes.words import Lang, say
+from planes.words import Lang, Phrase, Told, say
 
 TOLD = 20  # for how many failed positions the nearest working one is looked for
 PENCILS = 200  # how many draughtsmen draw a plan to see how far apart they end
@@ -63,7 +63,7 @@ def structure_json(s: Structure) -> dict[str, Any]:
 def plans_of(scene: Scene) -> tuple[Plans, list[Quantity] | None]:
     """The plans of a scene, cut to what it asks for, and the quantities asked (None: all)."""
     if scene.mechanism is None:
-        raise SceneError("this scene states vectors and has no mechanism", scene.file, 1)
+        raise SceneError(Phrase("vectors_alone"), scene.file, scene.where.get(("vectors",), 1))
     plans = state(scene.mechanism, scene.file)
     if scene.find is None:
         return plans, None
@@ -94,9 +94,9 @@ def failed(failure: PlanFailure, value: float, kind: str, near: float | None, la
     return sentence + ("" if near is None else say("nearest", lang, name=name, value=told(round(near, 4), kind)))
 
 
-def told(value: float, kind: str) -> str:
+def told(value: float, kind: str) -> Told:
     """A value of the drive in words."""
-    return f"{value:.10g}°" if kind == "phi" else f"{value:.10g} m"
+    return f"{value:.10g}°" if kind == "phi" else Phrase("in_m", value=f"{value:.10g}")
 
 
 def key_of(plans: Plans) -> str:

@@ -31,11 +31,12 @@ _REASONS = {errno.EACCES: "no_permission", errno.ENAMETOOLONG: "name_too_long", 
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """A scalar, as written; ``plain`` if it stood without quotes."""
+    """A scalar, as written; ``plain`` if it stood without quotes, ``glued`` if right after a comma."""
 
     text: str
     line: int
     plain: bool = True
+    glued: bool = False
 
     @property
     def absent(self) -> bool:
@@ -161,7 +162,7 @@ class _Builder:
     """Makes the tree out of the reader's events."""
 
     def __init__(self, file: str) -> None:
-        self.file, self.line = file, 1
+        self.file, self.line, self.end = file, 1, -2  # the end of the last scalar
         self.stack: list[_Open] = []
         self.root: Node | None = None
         self.documents = 0
@@ -195,7 +196,8 @@ class _Builder:
         if isinstance(event, yaml.ScalarEvent):
             text = event.value
             text = unicodedata.normalize("NFC", text) if len(text) <= 1000 else text
-            self._add(Text(text, self.line, event.style in (None, "")))
+            self._add(Text(text, self.line, event.style in (None, ""), event.start_mark.index == self.end + 1))
+            self.end = event.end_mark.index
             return
         node = Table({}, self.line) if isinstance(event, yaml.MappingStartEvent) else Items([], self.line)
         self._add(node)

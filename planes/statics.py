@@ -74,13 +74,13 @@ class _GroupForces:
 
     def solve(self, chain: tuple[Term, ...], back: Term, x: str) -> None:
         """Cross two known lines at X, leaning ones by trial."""
-        equation = Equation(self.plan, (chain, (back,)))
         pairs = [p for p in (self.g.first_outer, self.g.inner, self.g.last_outer) if self.rubs(p)]
-        if pairs:
-            meet_with_friction(self.s.acting, self.plan, [chain[-1], back], x, pairs)
-            self.d.conclude(equation)
-        else:
-            self.d.draw(equation)
+        if not pairs:
+            self.d.draw(Equation(self.plan, (chain, (back,))))
+            return
+        leant = meet_with_friction(self.s.acting, self.plan, [chain[-1], back], x, pairs)
+        drawn = (*chain[:-1], leant.get(chain[-1].name, chain[-1]))
+        self.d.conclude(Equation(self.plan, (drawn, (leant.get(back.name, back),))))
 
     def close(self, chain: tuple[Term, ...], last: Term) -> None:
         """The remaining reaction closes the polygon: both its length and direction are read."""

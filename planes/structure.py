@@ -91,10 +91,10 @@ def analyse(mechanism: Mechanism, file: str = "") -> Structure:
     pair_count = finder.pair_count()
     freedom = 3 * len(mechanism.links) - 2 * pair_count
     if freedom != 1:
-        hint = Phrase("freedom_more" if freedom > 1 else "freedom_less")
+        hint = Phrase("freedom_more") if freedom > 1 else Phrase("freedom_less", count=1 - freedom)
         raise finder.error(Phrase(
             "wrong_freedom", links=len(mechanism.links), pairs=pair_count, freedom=freedom, hint=hint,
-            listed=finder.pair_words()))
+            listed=finder.pair_words()), "links", finder.suspect(freedom > 1))
     drive_pair = finder.drive_pair()
     groups = finder.groups()
     redundant = freedom - 6 * len(mechanism.links) + 5 * pair_count
@@ -127,6 +127,14 @@ class _Finder:
         """Number of one-freedom pairs: k - 1 for a hinge of k links, one for each slide."""
         return sum(len(h) - 1 for h in self.holders.values()) + len(self.slides)
 
+    def suspect(self, loose: bool) -> str:
+        """The link a wrong W is put down to: that of the fewest pairs, or of the most; of equals the last."""
+        count = {name: sum(name in h for h in self.holders.values() if len(h) > 1) for name in self.links}
+        for slide in self.slides:
+            for name in {slide.link, slide.other} - {FRAME}:
+                count[name] += 1
+        return (min if loose else max)(reversed(self.links), key=lambda name: count[name])
+
     def pair_words(self) -> tuple[Phrase, ...]:
         """The pairs in words, for the sentence of a wrong W."""
         hinges = [Phrase("hinge_pair", point=p, links=tuple(h)) for p, h in self.holders.items() if len(h) > 1]
@@ -141,7 +149,7 @@ class _Finder:
         fitting = [p for p in found if p.kind == wanted]
         if len(found) != 1 or not fitting:
             need = Phrase("need_hinge" if wanted == "R" else "need_guide")
-            have = tuple(p.point or p.guide for p in found) or Phrase("none")
+            have = tuple(_pair_word(p) for p in found) or Phrase("none")
             raise self.error(Phrase("driver_pair", link=drive.link, kind=drive.kind, need=need, have=have), "drive")
         return fitting[0]
 
@@ -213,6 +221,10 @@ class _Finder:
             inside = [h for h in holders if h in known]
             count += max(0, len(inside) - max(1, sum(h in self.order for h in inside)))
         return count + sum(s.link in known and s.other in known for s in self.slides if {s.link, s.other} & set(chosen))
+
+
+def _pair_word(pair: Pair) -> Phrase:
+    return Phrase("a_hinge", name=pair.point) if pair.kind == "R" else Phrase("a_slide", name=pair.guide)
 
 
 def link_must_be(name: str, mechanism: Mechanism) -> str:

@@ -67,6 +67,8 @@ def _read(text: str, plan: str) -> tuple[float, str]:
     brief = text if len(text) <= 60 else text[:59] + "…"
     if len(text) <= 60 and plan in ("position", "vectors") and (scale := _SCALE.fullmatch(text)):
         return _checked(1000.0, float(scale[1]), float(scale[2]), brief), "position"
+    if len(text) <= 60 and _SCALE.fullmatch(text):
+        raise UnitError(Phrase("mu_scale", mu=brief, plan=Phrase(f"scale_{plan}"), units=fitting_units(plan)))
     if len(text) > 60 or not (match := _NUMBER.match(text)):
         raise UnitError(Phrase("mu_not_number", mu=brief, units=fitting_units(plan)))
     number, unit = _number(match[1], brief), text[match.end() :]
@@ -76,7 +78,7 @@ def _read(text: str, plan: str) -> tuple[float, str]:
 
 def _number(text: str, brief: str) -> float:
     if "," in text:
-        raise UnitError(Phrase("mu_comma", mu=brief, number=text.replace(",", ".")))
+        raise UnitError(Phrase("mu_comma", mu=brief, number=brief.replace(",", ".")))
     number = float(text.replace("−", "-").lstrip("-+.") if "n" in text.lower() else text.replace("−", "-"))
     if not (math.isfinite(number) and number > 0.0):
         raise UnitError(Phrase("mu_not_positive", mu=brief))

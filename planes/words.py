@@ -21,22 +21,22 @@ Lang = Literal["ru", "en"]
 WORDS: dict[str, tuple[str, str]] = {
     # failures of a construction: {makes} {start} {end} {along} {across} {other} and numbers
     "parallel": (
-        "прямые {along} через {start} и {across} через {other} параллельны и отстоят на {gap_mm} мм: {makes} "
+        "прямые {line} и {other_line} параллельны и отстоят на {gap_mm} мм: {makes} "
         "бесконечно далеко, механизм в особом положении; измените положение ведущего звена",
-        "the lines {along} through {start} and {across} through {other} are parallel, {gap_mm} mm apart: {makes} is "
-        "infinitely far, the mechanism is at a dead point; take another position of the driver",
+        "the lines {line} and {other_line} are parallel, {gap_mm} mm apart: {makes} is infinitely far, the mechanism "
+        "is at a dead point; take another position of the driver",
     ),
     "coincident": (
-        "прямые {along} через {start} и {across} через {other} совпадают: {makes} на них не определена (0/0), "
-        "механизм в точке разветвления; возьмите соседнее положение",
-        "the lines {along} through {start} and {across} through {other} coincide: any point of them could be {makes} "
-        "(0/0), the mechanism is at a change point; take a neighbouring position",
+        "прямые {line} и {other_line} совпадают: {makes} на них не определена (0/0), механизм в точке "
+        "разветвления; возьмите соседнее положение",
+        "the lines {line} and {other_line} coincide: any point of them could be {makes} (0/0), the mechanism is at a "
+        "change point; take a neighbouring position",
     ),
     "arc_short": (
-        "дуга радиуса {radius} из {centre} не достаёт до прямой {along} через {start} на {miss_mm} мм: {makes} не "
-        "построить; механизм в этом положении не собирается",
-        "the arc {radius} about {centre} misses the line {along} through {start} by {miss_mm} mm: {makes} cannot be "
-        "drawn; the mechanism does not assemble in this position",
+        "дуга радиуса {radius} из {centre} не достаёт до прямой {line} на {miss_mm} мм: {makes} не построить; механизм в "
+        "этом положении не собирается",
+        "the arc {radius} about {centre} misses the line {line} by {miss_mm} mm: {makes} cannot be drawn; the mechanism "
+        "does not assemble in this position",
     ),
     "arcs_apart": (
         "дуги {radius} из {centre} и {other_radius} из {other} не встречаются, не хватает {miss_mm} мм: {makes} не "
@@ -65,13 +65,14 @@ WORDS: dict[str, tuple[str, str]] = {
         "one of the lengths {radius}, {other_radius} is zero, so no arcs give {makes}; give the link a length",
     ),
     "circle_large": (
-        "точка {end} ближе к {start}, чем смещение направляющей, на {miss_mm} мм: касательную {makes} не провести; "
+        "точка {end} ближе к {start}, чем смещение направляющей, на {miss_mm} мм: по касательной {makes} "
+        "не провести; "
         "механизм в этом положении не собирается",
-        "{end} is closer to {start} than the guide's offset, by {miss_mm} mm: no tangent {makes} can be drawn; the "
-        "mechanism does not assemble in this position",
+        "{end} is closer to {start} than the guide's offset, by {miss_mm} mm: {makes} cannot be drawn as a "
+        "tangent; the mechanism does not assemble in this position",
     ),
     "points_meet": (
-        "точки {start} и {end} совпали: направление {makes} не определено; возьмите соседнее положение",
+        "точки {start} и {end} совпали: направление {makes:of} не определено; возьмите соседнее положение",
         "{start} and {end} coincide: the direction {makes} is not determined; take a neighbouring position",
     ),
     "self_locking": (
@@ -98,6 +99,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "plan_motion": ("план аналогов скоростей", "velocity plan of a unit drive"),
     "plan_acceleration": ("план ускорений", "acceleration plan"),
     "plan_force": ("план сил звеньев {links}", "force plan of links {links}"),
+    "plan_vectors": ("план векторов", "plan of vectors"),
     "plan_lever": ("рычаг Жуковского", "Zhukovsky's lever"),
     # tables
     "points": ("Точки", "Points"),
@@ -121,6 +123,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "rad/s²": ("рад/с²", "rad/s²"),
     "N": ("Н", "N"),
     "N·m": ("Н·м", "N·m"),
+    "in_m": ("{value} м", "{value} m"),
     "nearest": ("; ближайшее рабочее положение: {name} = {value}", "; the nearest that works: {name} = {value}"),
     "at": ("при {name} = {value}: ", "at {name} = {value}: "),
 }

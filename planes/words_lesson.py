@@ -1,39 +1,45 @@
-"""Words of the lesson and the note: one sentence for each kind of step, in Russian and in English.
+"""Words of the lesson and the note: what each kind of step does and why, in Russian and in English.
 
 Names in ⟨…⟩ are marks, vectors or values; who shows the sentence letters them (v_CB with its index lowered).
+Numbers come through the slots of :mod:`planes.formulas`.
 """
 
 from __future__ import annotations
 
 LESSON: dict[str, tuple[str, str]] = {
     "fixed": (
-        "Наносим неподвижные точки и направляющие: {names}. Масштаб {mu}: отрезок на чертеже = длина · μ.",
-        "Put the fixed points and guides: {names}. The scale is {mu}: a segment on paper is the length times μ.",
+        "Наносим неподвижное: {names}. Масштаб {mu}: отрезок на чертеже равен длине, умноженной на μ.",
+        "Put what is fixed: {names}. The scale is {mu}: a segment on paper is the length times μ.",
     ),
     "pole": ("Выбираем полюс ⟨{end}⟩ и масштаб {mu}.", "Choose the pole ⟨{end}⟩ and the scale {mu}."),
     "driver": (
-        "Ведущее звено в заданном положении: от ⟨{start}⟩ откладываем ⟨{length}⟩ = {value} {unit}, это {mm} мм, и "
+        "Ведущее звено: от ⟨{start}⟩ под его углом откладываем ⟨{length}⟩ = {value} {unit}, на чертеже {mm} мм, и "
         "получаем ⟨{end}⟩.",
-        "The driver in its given position: from ⟨{start}⟩ lay off ⟨{length}⟩ = {value} {unit}, that is {mm} mm, to "
-        "⟨{end}⟩.",
+        "The driver: from ⟨{start}⟩ at its angle lay off ⟨{length}⟩ = {value} {unit}, {mm} mm on paper, to ⟨{end}⟩.",
     ),
     "along": (
-        "Вдоль звена от ⟨{start}⟩ откладываем ⟨{length}⟩ = {value} {unit}, это {mm} мм: точка ⟨{end}⟩.",
-        "Along the link lay off ⟨{length}⟩ = {value} {unit} from ⟨{start}⟩, that is {mm} mm: the point ⟨{end}⟩.",
+        "От ⟨{start}⟩ {way} откладываем ⟨{length}⟩ = {value} {unit}, это {mm} мм: точка ⟨{end}⟩.",
+        "From ⟨{start}⟩ {way} lay off ⟨{length}⟩ = {value} {unit}, that is {mm} mm: the point ⟨{end}⟩.",
     ),
     "lay_off": (
-        "{formula}: откладываем {mm} мм от ⟨{start}⟩ ({action}), конец вектора — ⟨{end}⟩.",
-        "{formula}: lay off {mm} mm from ⟨{start}⟩ ({action}); the vector ends at ⟨{end}⟩.",
+        "{formula}. Откладываем {mm} мм от ⟨{start}⟩ {way}; конец вектора — ⟨{end}⟩.",
+        "{formula}. Lay off {mm} mm from ⟨{start}⟩, {way}; the vector ends at ⟨{end}⟩.",
+    ),
+    "load": (
+        "Заданная сила ⟨{name}⟩ = {value} {unit}: откладываем {mm} мм от ⟨{start}⟩ {way}, до ⟨{end}⟩.",
+        "The given force ⟨{name}⟩ = {value} {unit}: lay off {mm} mm from ⟨{start}⟩, {way}, to ⟨{end}⟩.",
+    ),
+    "found": (
+        "Из уравнения моментов ⟨{name}⟩ = {value} {unit}: откладываем {mm} мм от ⟨{start}⟩ {way}, до ⟨{end}⟩.",
+        "From the moment equation ⟨{name}⟩ = {value} {unit}: lay off {mm} mm from ⟨{start}⟩, {way}, to ⟨{end}⟩.",
     ),
     "carried": (
-        "Найденную раньше силу ⟨{name}⟩ = {value} {unit} (обратную найденной реакции) откладываем от ⟨{start}⟩: "
-        "{mm} мм, конец — ⟨{end}⟩.",
-        "The force ⟨{name}⟩ = {value} {unit}, opposite to the reaction found before, is laid off from ⟨{start}⟩: "
-        "{mm} mm, to ⟨{end}⟩.",
+        "⟨{name}⟩ = {value} {unit} — реакция, найденная раньше: откладываем {mm} мм от ⟨{start}⟩ до ⟨{end}⟩.",
+        "⟨{name}⟩ = {value} {unit} is the reaction found before: lay off {mm} mm from ⟨{start}⟩ to ⟨{end}⟩.",
     ),
     "arcs": (
         "Засечки: из ⟨{centre}⟩ радиусом {radius_mm} мм и из ⟨{other}⟩ радиусом {other_mm} мм; из двух точек "
-        "пересечения дуг берём заданную сборкой ⟨{end}⟩.",
+        "пересечения берём заданную сборкой ⟨{end}⟩.",
         "Two arcs: {radius_mm} mm about ⟨{centre}⟩ and {other_mm} mm about ⟨{other}⟩; of their two crossings the "
         "assembly names ⟨{end}⟩.",
     ),
@@ -42,7 +48,7 @@ LESSON: dict[str, tuple[str, str]] = {
         "An arc of {radius_mm} mm about ⟨{centre}⟩ cuts the line {action} through ⟨{start}⟩ at ⟨{end}⟩.",
     ),
     "touch": (
-        "Направление {action}: прямая через ⟨{start}⟩, от которой ⟨{end}⟩ отстоит на заданное смещение.",
+        "Направление {action}: прямая через ⟨{start}⟩ и ⟨{end}⟩ с заданным смещением.",
         "The direction {action}: the line through ⟨{start}⟩ that passes ⟨{end}⟩ at the given offset.",
     ),
     "cross": (
@@ -50,37 +56,197 @@ LESSON: dict[str, tuple[str, str]] = {
         "Through ⟨{start}⟩ draw a line {action}, through ⟨{other}⟩ a line {across}; they cross at ⟨{end}⟩.",
     ),
     "similar": (
-        "По подобию: ⟨{end}⟩ делит ⟨{first}⟩⟨{second}⟩ так же, как точка на звене делит своё звено "
+        "По подобию: ⟨{end}⟩ делит отрезок ⟨{first}⟩⟨{second}⟩ так же, как точка на звене делит своё звено "
         "(отношение {ratio}).",
         "By similarity: ⟨{end}⟩ stands to ⟨{first}⟩⟨{second}⟩ as the point stands on its link (ratio {ratio}).",
     ),
     "image": (
-        "По подобию со схемой: фигура на ⟨{first}⟩⟨{second}⟩ подобна фигуре звена и читается в ту же сторону; её "
-        "вершина — ⟨{end}⟩.",
-        "By similarity with the scheme: the figure on ⟨{first}⟩⟨{second}⟩ is similar to the link and reads the same "
-        "way round; its vertex is ⟨{end}⟩.",
+        "По подобию со схемой: на ⟨{first}⟩⟨{second}⟩ строим фигуру, подобную звену; её вершина — ⟨{end}⟩.",
+        "By similarity with the scheme: the figure on ⟨{first}⟩⟨{second}⟩ is similar to the link; its vertex is "
+        "⟨{end}⟩.",
     ),
     "same": (
-        "Звено не вращается: ⟨{end}⟩ совпадает с ⟨{start}⟩.",
+        "Звено не поворачивается относительно стойки: ⟨{end}⟩ совпадает с ⟨{start}⟩.",
         "The link does not turn: ⟨{end}⟩ coincides with ⟨{start}⟩.",
     ),
     "carry": (
-        "Поворачиваем отрезок ⟨{first}⟩⟨{second}⟩ на 90° и получаем ⟨{end}⟩ рычага.",
-        "Turn the segment ⟨{first}⟩⟨{second}⟩ by 90° to ⟨{end}⟩ of the lever.",
+        "Поворачиваем отрезок ⟨{first}⟩⟨{second}⟩ плана скоростей на 90° и получаем ⟨{end}⟩ рычага.",
+        "Turn the segment ⟨{first}⟩⟨{second}⟩ of the velocity plan by 90° to ⟨{end}⟩ of the lever.",
     ),
     "choose": (
-        "Трение: реакция отклонена от нормали на arctg f против скольжения; из двух построений верно то, где "
-        "направляющая действительно прижата с предположенной стороны: ⟨{end}⟩.",
-        "Friction: the reaction leans from the normal by arctan f against the sliding; of the two drawings the one "
-        "whose supposed side really bears is right: ⟨{end}⟩.",
+        "Трение отклоняет реакции от нормалей; прямые пересекаются в ⟨{end}⟩.",
+        "Friction leans the reactions from the normals; the lines cross at ⟨{end}⟩.",
     ),
     "measured": ("Измеряем: {readings}.", "Measure: {readings}."),
-    "reading": ("⟨{name}⟩ = {mm} мм : μ = {value} {unit}", "⟨{name}⟩ = {mm} mm : μ = {value} {unit}"),
-    "moments": (
-        "Сумма моментов относительно ⟨{about}⟩ (звенья {links}), кроме искомого: {terms}; отсюда ⟨{unknown}⟩ = {value} {unit}.",
-        "The moments about ⟨{about}⟩ (links {links}) but for the one sought: {terms}; hence ⟨{unknown}⟩ = {value} {unit}.",
+    "closing": (
+        "Многоугольник замкнут. Измеряем реакции: {readings}.",
+        "The polygon is closed. Measure the reactions: {readings}.",
     ),
-    "sense_ccw": ("против часовой стрелки", "counter-clockwise"),
-    "sense_cw": ("по часовой стрелке", "clockwise"),
-    "towards": ("от ⟨{one}⟩ к ⟨{other}⟩", "from ⟨{one}⟩ to ⟨{other}⟩"),
+    "reading": ("⟨{name}⟩ = {mm} мм / μ = {value} {unit}", "⟨{name}⟩ = {mm} mm / μ = {value} {unit}"),
+    "moments": (
+        "Моменты относительно ⟨{about}⟩ ({links}): {head} = {letters} = {numbers}{result}.",
+        "Moments about ⟨{about}⟩ ({links}): {head} = {letters} = {numbers}{result}.",
+    ),
+    "moments_none": (
+        "Моменты относительно ⟨{about}⟩ ({links}): все силы проходят через ⟨{about}⟩, поэтому и реакция ⟨{force}⟩ "
+        "проходит через неё.",
+        "Moments about ⟨{about}⟩ ({links}): every force passes through ⟨{about}⟩, so the reaction ⟨{force}⟩ passes "
+        "through it too.",
+    ),
+    "link": ("звено {links}", "link {links}"),
+    "links": ("звенья {links}", "links {links}"),
+    "lever_of": ("рычаг Жуковского", "Zhukovsky's lever"),
+    "ccw": ("против часовой стрелки", "counter-clockwise"),
+    "cw": ("по часовой стрелке", "clockwise"),
+    "still": ("звено не вращается", "the link does not turn"),
+    # ways a length is laid off
+    "way_across": ("перпендикулярно {line}", "perpendicular to {line}"),
+    "way_along": ("параллельно {line}", "along {line}"),
+    "way_towards": ("от ⟨{one}⟩ к ⟨{other}⟩", "from ⟨{one}⟩ to ⟨{other}⟩"),
+    "way_down": ("вниз", "downwards"),
+    "way_against": ("против ⟨{vector}⟩", "against ⟨{vector}⟩"),
+    "way_with": ("в сторону ⟨{vector}⟩", "the way of ⟨{vector}⟩"),
+    "way_given": ("под заданным углом", "at its given angle"),
+    "way_own": ("в её направлении", "in its direction"),
 }
+
+WHY: dict[str, tuple[str, str]] = {
+    "fixed": (
+        "Стойка неподвижна; от неё строится всё остальное.",
+        "The frame stands still; everything else is drawn from it.",
+    ),
+    "pole": (
+        "В полюсе концы векторов всех неподвижных точек.",
+        "The vectors of all fixed points end at the pole.",
+    ),
+    "pole_force": (
+        "Группа в равновесии вместе с силами инерции (принцип Даламбера): сумма всех сил равна нулю.",
+        "With its forces of inertia the group is in balance (d'Alembert's principle): all forces add up to nothing.",
+    ),
+    "pole_lever": (
+        "Теорема Жуковского: план скоростей, повёрнутый на 90° и нагруженный силами, находится в равновесии как рычаг.",
+        "Zhukovsky's theorem: the velocity plan turned by 90° and loaded with the forces is in balance as a lever.",
+    ),
+    "driver": ("Положение ведущего звена задано.", "The position of the driver is given."),
+    "along": ("Расстояние на звене не меняется.", "A distance on a link does not change."),
+    "arcs": (
+        "Каждая точка звена движется по окружности около своего шарнира; обе длины известны, не известны направления.",
+        "Each end runs on a circle about its pivot: both lengths are known, both directions are sought.",
+    ),
+    "arc": (
+        "Длина звена известна, а вдоль направляющей не известно расстояние.",
+        "The length of the link is known, the distance along the guide is sought.",
+    ),
+    "touch": ("Ползун держится направления направляющей.", "The slider keeps the direction of its guide."),
+    "driver_v": (
+        "Точка вращается вокруг неподвижного центра: скорость перпендикулярна радиусу, в сторону вращения.",
+        "The point turns about a fixed centre: its velocity is perpendicular to the radius, the way it turns.",
+    ),
+    "slide_v": ("Ведущее звено движется вдоль направляющей.", "The driver moves along its guide."),
+    "normal": (
+        "Нормальное ускорение v²/l направлено к центру вращения.",
+        "The normal acceleration v²/l points to the centre of rotation.",
+    ),
+    "normal_w": (
+        "Нормальное ускорение ω²l направлено к центру вращения.",
+        "The normal acceleration ω²l points to the centre of rotation.",
+    ),
+    "tangential": (
+        "Касательное ускорение εl перпендикулярно радиусу; знак минус меняет направление.",
+        "The tangential acceleration εl is perpendicular to the radius; a minus reverses it.",
+    ),
+    "coriolis": (
+        "Направляющая поворачивается: кориолисово ускорение 2ωv — относительная скорость, повёрнутая на 90° в сторону ω.",
+        "The guide turns: Coriolis's acceleration 2ωv is the relative velocity turned by 90° in the sense of ω.",
+    ),
+    "weight": ("Сила тяжести mg направлена вниз.", "The weight mg points down."),
+    "inertia": (
+        "Сила инерции ma_S противоположна ускорению центра масс.",
+        "The force of inertia m·a_S is opposite to the acceleration of the mass centre.",
+    ),
+    "load": ("Сила задана.", "The force is given."),
+    "found": (
+        "Касательная часть реакции найдена моментами; знак минус меняет направление.",
+        "The tangential part of a reaction comes from moments; a minus reverses it.",
+    ),
+    "carried": (
+        "Действие равно противодействию и противоположно ему.",
+        "Action and reaction are equal and opposite.",
+    ),
+    "cross_position": (
+        "Точка лежит на обеих прямых.", "The point lies on both lines.",
+    ),
+    "across_velocity": (
+        "⟨{name}⟩ ⊥ {line}: относительная скорость перпендикулярна звену",
+        "⟨{name}⟩ ⊥ {line}: the relative velocity is perpendicular to the link",
+    ),
+    "along_velocity": (
+        "⟨{name}⟩ ∥ {line}: относительное движение идёт вдоль направляющей",
+        "⟨{name}⟩ ∥ {line}: the relative motion runs along the guide",
+    ),
+    "across_acceleration": (
+        "⟨{name}⟩ ⊥ {line}: касательное ускорение перпендикулярно звену",
+        "⟨{name}⟩ ⊥ {line}: the tangential acceleration is perpendicular to the link",
+    ),
+    "along_acceleration": (
+        "⟨{name}⟩ ∥ {line}: относительное ускорение идёт вдоль направляющей",
+        "⟨{name}⟩ ∥ {line}: the relative acceleration runs along the guide",
+    ),
+    "across_force": (
+        "⟨{name}⟩ ⊥ {line}: реакция направляющей без трения нормальна к ней",
+        "⟨{name}⟩ ⊥ {line}: without friction a guide pushes along its normal",
+    ),
+    "along_force": (
+        "⟨{name}⟩ ∥ {line}: направление известно, длина — из замыкания",
+        "⟨{name}⟩ ∥ {line}: its direction is known, closing gives its length",
+    ),
+    "similar": (
+        "Теорема подобия: фигура концов векторов подобна звену и обходится в ту же сторону.",
+        "The theorem of similarity: the ends of the vectors form a figure similar to the link, read the same way round.",
+    ),
+    "same": (
+        "У поступательного движения одна скорость на все точки.",
+        "In translation all points share one vector.",
+    ),
+    "carry": (
+        "Плечо силы на таком рычаге пропорционально её мощности.",
+        "The arm of a force on this lever is in proportion to its power.",
+    ),
+    "choose": (
+        "Реакция отклонена от нормали на arctg f против скольжения; из пробных построений верно то, где направляющая "
+        "прижата с предположенной стороны.",
+        "The reaction leans from the normal by arctan f against the sliding; of the trials the one whose supposed side "
+        "of the guide really bears is right.",
+    ),
+    "measured": (
+        "Длина отрезка, делённая на μ, — сама величина; угловая величина — линейная, делённая на длину звена.",
+        "A segment over μ is the quantity itself; an angular one is the linear one over the length of the link.",
+    ),
+    "closing": (
+        "Силы, отложенные друг за другом, вернулись в начало: их сумма равна нулю.",
+        "Laid end to end the forces came back to the start: they add up to nothing.",
+    ),
+    "moments": (
+        "Относительно шарнира его собственная реакция плеча не имеет: в уравнении одна неизвестная.",
+        "About a hinge its own reaction has no arm: one unknown is left.",
+    ),
+    "moments_lever": (
+        "Плечи сил измерены на рычаге; пары умножены на угловые скорости. Это уравнение мощностей.",
+        "Arms are measured on the lever, couples are multiplied by angular velocities: an equation of power.",
+    ),
+}  # fmt: skip
+
+
+def tell(key: str, lang: str, **names: object) -> str:
+    """A sentence of the lesson with its names."""
+    return _said(LESSON, key, lang, names)
+
+
+def why(key: str, lang: str, **names: object) -> str:
+    """Why a step is done so."""
+    return _said(WHY, key, lang, names)
+
+
+def _said(table: dict[str, tuple[str, str]], key: str, lang: str, names: dict[str, object]) -> str:
+    text = table[key][0 if lang == "ru" else 1]
+    return text.format(**names) if names else text

@@ -9,13 +9,18 @@ METHOD: dict[str, tuple[str, str]] = {
     ),
     "freedom_more": ("в замкнутых контурах не хватает звена или пары",
                      "a link or a pair is missing from the closed loops"),
-    "freedom_less": ("есть лишняя пара", "a pair is too many"),
+    "freedom_less": (
+        "лишних связей {count}: проверьте имена, ведь точки с одним именем в двух звеньях образуют шарнир",
+        "it has {count} constraint(s) too many: check the names, for points of one name in two links make a hinge",
+    ),
     "hinge_pair": ("{point} звеньев {links}", "{point} of links {links}"),
     "slide_pair": ("{link} скользит по {guide} звена {owner}", "{link} slides on {guide} of {owner}"),
     "driver_pair": (
-        "ведущему звену {link}, заданному через {kind}, {need}, имеется: {have}",
-        "the driver {link} given by {kind} needs exactly {need}, it has: {have}",
+        "ведущему звену {link}, заданному через {kind}, {need}, а со стойкой его соединяют: {have}",
+        "the driver {link} given by {kind} needs exactly {need}, but what joins it to the frame is: {have}",
     ),
+    "a_hinge": ("шарнир {name}", "hinge {name}"),
+    "a_slide": ("направляющая {name} (поступательная пара)", "guide {name} (a sliding pair)"),
     "need_hinge": ("нужен ровно один шарнир на стойке", "one hinge on the frame"),
     "need_guide": ("нужна ровно одна направляющая стойки", "one guide of the frame to slide on"),
     "three_slides": (
@@ -32,9 +37,9 @@ METHOD: dict[str, tuple[str, str]] = {
     ),
     "higher_class": (
         "звенья {names} образуют группу Ассура III класса или выше, а планами групп II класса её не построить; "
-        "возьмите ведущим другое звено или разделите группу",
+        "возьмите ведущим другое звено или измените механизм",
         "links {names} form an Assur group of class III or higher, which plans of class II groups cannot draw: take "
-        "another link as the driver or split the group",
+        "another link as the driver or change the mechanism",
     ),
     "loose_links": (
         "звенья {names} не присоединяются к ведущему звену и уже найденным группам; проверьте их общие точки",
@@ -62,12 +67,36 @@ METHOD: dict[str, tuple[str, str]] = {
         "{offers: или }",
         "links {links} ({name}) can be assembled in two ways and the scene does not say which; add {offers: or }",
     ),
+    "two_more_assemblies": (
+        "группу звеньев {links} ({name}) можно собрать двумя способами, а каким, в сцене не сказано; допишите в "
+        "assembly: {offers: или }",
+        "links {links} ({name}) can be assembled in two ways and the scene does not say which; add to assembly: "
+        "{offers: or }",
+    ),
+    "assembly_more": ("{key}: {word}", "{key}: {word}"),
+    "assembly_more_at": (
+        "{key}: {word} (тогда {key} в ({x:.5g}, {y:.5g}))", "{key}: {word} for {key} at ({x:.5g}, {y:.5g})",
+    ),
     "assembly_offer": ("assembly: {{{key}: {word}}}", "assembly: {{{key}: {word}}}"),
     "assembly_offer_at": (
         "assembly: {{{key}: {word}}} (тогда {key} в ({x:.5g}, {y:.5g}))",
         "assembly: {{{key}: {word}}} for {key} at ({x:.5g}, {y:.5g})",
     ),
+    # things of a drawing
+    "line_through": ("{along} через {start}", "{along} through {start}"),
+    "line_guide": ("направляющей {name}", "of guide {name}"),
+    "line_beside": ("точки {point} вдоль направляющей {name}", "of {point} along guide {name}"),
+    "beside_guide": ("линия точки {point} вдоль направляющей {guide}", "the line of {point} along guide {guide}"),
+    "foot_on_guide": ("проекция {point} на {guide}", "the foot of {point} on {guide}"),
+    "start_of_stroke": ("начало отсчёта s точки {point}", "the place s of {point} is counted from"),
     # programs of steps
+    "not_drawn": ("на чертеже нет {name}{valid}", "the drawing has no {name}{valid}"),
+    "give_first": ("чтобы это начертить, задайте {names}", "to draw this, give {names}"),
+    "named_twice": (
+        "две вещи на чертеже получили бы одно имя {name}; переименуйте одну из точек",
+        "two things of the drawing would both be named {name}; rename one of the points",
+    ),
+    "mark_of_plan": ("{mark} ({plan})", "{mark} ({plan})"),
     "step_needs": (
         "{step} для {makes}: нужна величина {name} ({kind}), но построение до неё не дошло{valid}",
         "{step} of {makes} needs the {kind} {name}, but the drawing has not reached it{valid}",
@@ -84,6 +113,12 @@ METHOD: dict[str, tuple[str, str]] = {
     "kind_direction": ("направление", "direction"),
     "kind_value": ("число", "value"),
     "kind_place": ("место", "place"),
+    # scenes of vectors where a mechanism is needed
+    "vectors_alone": ("в сцене одни векторы без механизма", "this scene states vectors and has no mechanism"),
+    "lesson_fails": (
+        "положение, с которого начинается урок, не построить: {failure}; задайте в drive другое",
+        "the position the lesson starts from cannot be drawn: {failure}; give another under drive",
+    ),
     # what is asked
     "range_not_number": (
         "{option} {text}: это не число и не начало:конец:шаг, например 0:360:30",

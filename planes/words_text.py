@@ -122,6 +122,11 @@ TEXT: dict[str, tuple[str, str]] = {
     "takes_more": ("у {name} чисел должно быть два или больше{hint}", "{name} takes two or more numbers{hint}"),
     "hint_point": ("; десятичную дробь пишут через точку", "; for a decimal point write ."),
     "call_without_value": ("{name}({given}) не имеет значения", "{name}({given}) has no value"),
+    "unit_written": (
+        "{word} здесь лишнее: единиц не пишут, все значения в СИ, углы в градусах",
+        "{word} is not expected here: units are not written, all values are in SI, angles in degrees",
+    ),
+    "circle_of_one": ("параметр {name} определён через самого себя", "{name} refers to itself"),
     "circle": (
         "параметры определены друг через друга по кругу: {names: -> }",
         "the parameters define one another in a circle: {names: -> }",
@@ -133,6 +138,10 @@ TEXT: dict[str, tuple[str, str]] = {
         'μ "{mu}" is not a number with a unit; write it in {units}',
     ),
     "mu_comma": ('μ "{mu}": пишите десятичную точку: {number}', 'μ "{mu}": write a decimal point: {number}'),
+    "mu_scale": (
+        'μ "{mu}": так пишут только масштаб плана положения; для {plan:of} запишите в {units}',
+        'μ "{mu}": only the scale of the position plan is written so; that of the {plan} is in {units}',
+    ),
     "mu_not_positive": (
         'μ "{mu}": нужно положительное конечное число',
         'μ "{mu}" must be a positive finite number',

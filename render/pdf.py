@@ -68,6 +68,13 @@ def write_pages(
     return save(data.getvalue(), path)
 
 
+def draw_marks(canvas: Any, marks: Iterable[Mark]) -> None:
+    """Marks on a canvas whose unit is one millimetre."""
+    _font()
+    canvas.setLineJoin(_ROUND)
+    _Page(canvas).draw(marks)
+
+
 @lru_cache(maxsize=1)
 def font_path() -> Path:
     """The file of the font for invisible text; it comes with matplotlib."""

@@ -34,8 +34,9 @@ class Plotted:
 
     def labels(self, plan: str) -> list[str]:
         """Labels of all marks of a plan in the order they were drawn, the helping ones left out."""
-        made = [s.makes.rpartition(":") for s in self.drawing.program.steps if s.kind == "mark"]
-        return [m for p, _, m in made if p == plan and "°" not in m and not m.endswith(("+", "-"))]
+        program = self.drawing.program
+        made = [s.makes.rpartition(":") for s in program.steps if s.kind == "mark" and s.makes not in program.trials]
+        return [m for p, _, m in made if p == plan and "°" not in m]
 
     def mu(self, plan: str) -> float:
         """μ of a plan, mm per SI unit."""

@@ -4,21 +4,19 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-import shapely
-
 from planes.bodies import SCHEME
-from planes.drafting import at
 from planes.mechanism import FRAME, Link
 from planes.solving import Position
 from render import labels, symbols
 from render.footprints import ink
 from render.marks import Line, Mark
 from render.names import Naming, lettered
+from render.places import NEAR_MM, Places, degrees, nearest, outline_of
 from render.style import BLOCK_MM, HINGE_MM
 
-NEAR_MM = 0.4
 RAIL_MM = 17.0  # of a guide shown on each side of its slider
 ROD_MM = 12.0  # of a moving guide shown beyond its slider
 LETTER_MM = 5.0
@@ -32,6 +30,8 @@ class Scheme:
 
     position: Position
     naming: Naming
+    only: tuple[str, ...] = ()  # the links that are drawn; none named: all
+    framed: bool = True  # whether the frame is drawn
     axes: list[Mark] = field(default_factory=list)
     rails: list[Mark] = field(default_factory=list)
     guides: list[Mark] = field(default_factory=list)
@@ -46,17 +46,20 @@ class Scheme:
         self.mechanism, self.shared = self.places.mechanism, self.places.shared
         self.links = [x for n, x in self.mechanism.links.items() if not self.only or n in self.only]
 
-    def drawn(self, arrows: bool = True) -> tuple[Mark, ...]:
-        """All marks: guides, sliders, bars, hinges, letters, and the driver's arrows."""
-        for link in self.mechanism.links.values():
+    def drawn(
+        self, arrows: bool = True, marks: Sequence[Mark] = (), named: Sequence[labels.Label] = ()
+    ) -> tuple[Mark, ...]:
+        """All marks: guides, sliders, bars, hinges, letters, the driver's arrows; and what is drawn on top."""
+        for link in self.links:
             if all(map(self.places.has, link.points)):
                 self.link(link)
         self.pairs()
         self.letters()
         ground: list[Mark] = [*self.axes, *self.rails, *self.guides, *self.blocks, *self.bars, *self.hinges]
+        ground += marks
         if arrows:
             ground += self.driver_arrows(ground)
-        return (*ground, *labels.place(self.named, ground).marks)
+        return (*ground, *labels.place([*self.named, *named], ground).marks)
 
     # links
 
@@ -96,7 +99,7 @@ class Scheme:
         """The slider's block: on rails if its guide is the frame's, smaller where it is held in another block."""
         assert link.slides
         angle = degrees(along)
-        if self.mechanism.owner(link.slides.guide) != FRAME:
+        if self.mechanism.owner(link.slides.guide) != FRAME or not self.framed:
             self.blocks += symbols.block(foot, angle, size=SMALL_MM if self.places.doubled(link) else BLOCK_MM)
             return
         size = LARGE_MM if self.places.doubled(link) else BLOCK_MM
@@ -170,10 +173,10 @@ class Scheme:
     def pairs(self) -> None:
         """Hinges, those on the frame with their legs."""
         for point, owners in self.shared.items():
-            if not self.places.has(point):
+            if not self.places.has(point) or not any(link.name in owners for link in self.links):
                 continue
             z = self.places.at(point)
-            if FRAME in owners:
+            if FRAME in owners and self.framed:
                 self.hinges += symbols.fixed_hinge(z, self.base_angle(point))
             else:
                 self.hinges += symbols.hinge(z)
@@ -192,11 +195,9 @@ class Scheme:
     def letters(self) -> None:
         """Letters of all points."""
         done: list[tuple[complex, str]] = []
-        for link in (self.mechanism.frame, *self.mechanism.links.values()):
+        for link in self.links:
             for p in link.points:
                 if not self.places.has(p) or any(p == name for _, name in done):
-                    continue
-                if link.name == FRAME and p not in self.shared:
                     continue
                 z, hinged = self.places.at(p), p in self.shared
                 done.append((z, p))
@@ -237,4 +238,5 @@ class Scheme:
 
     def ways_from(self, pivot: complex) -> list[complex]:
         """Ways from the pivot to the driver's other points."""
-        return [self.places.at(p) - pivot for p in self.mechanism.links[self.mechanism.drive.link].points if self.places.has(p)]
+        points = self.mechanism.links[self.mechanism.drive.link].points
+        return [self.places.at(p) - pivot for p in points if self.places.has(p)]

@@ -247,7 +247,7 @@ def driver_points(plan: Plan, quick: bool) -> tuple[str, str] | None:
     pivot = next(p for p in points if p in m.frame)
     shared = [p for p in points if p != pivot and any(p in b["points"] for n, b in m.links() if n != link)]
     name = (shared + [p for p in points if p != pivot])[0]
-    line = plan.at(name) - plan.at(pivot)
+    line = plan.hand.ray(m.place(name) - m.place(pivot))  # drawn by protractor
     length = abs(m.place(name) - m.place(pivot))
     omega, epsilon = float(drive.get("omega", 0)), float(drive.get("epsilon", 0))
     label = m.label(name, quick)
@@ -286,7 +286,7 @@ def drawn_turn(plan: Plan, leg: Leg) -> complex:
     """How far the drawn scheme's link is turned from the true one: a guide's direction is taken off the scheme."""
     link = next((link for g, link, _ in plan.m.sol.guides.values() if g == leg.guide), "0")
     held = [n for n in plan.m.scene["links"].get(link, {"points": {}})["points"] if n in plan.scheme]
-    if link == "0" or len(held) < 2:
+    if link in ("0", plan.m.model.driver) or len(held) < 2:
         return 1 + 0j
     far = max(held, key=lambda n: abs(plan.m.place(n) - plan.m.place(held[0])))
     drawn, true = plan.scheme[far] - plan.scheme[held[0]], plan.m.place(far) - plan.m.place(held[0])
@@ -449,7 +449,7 @@ def normal_part(plan: Plan, task: Task, leg: Leg, speeds: Mapping[str, complex],
     inward = plan.at(leg.hinge) - plan.at(task.place)
     speed = measured(plan, speeds[leg.known], speeds[task.new], mu_v)
     if plan.is_now("normal_wrong_velocity", name):
-        wrong = [abs(speeds[t]) for t in speeds if t and abs(abs(speeds[t]) - speed) > 0.05 * speed]
+        wrong = [abs(speeds[t]) for t in speeds if abs(speeds[t]) > 0 and abs(abs(speeds[t]) - speed) > 0.05 * speed]
         speed = wrong[0] if wrong else 0.0
     size = speed**2 / abs(plan.m.place(leg.hinge) - plan.m.place(task.place)) * plan.mu
     if plan.is_now("normal_outward", name):

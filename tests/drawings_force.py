@@ -32,6 +32,7 @@ class Polygon:
 
     vectors: list[tuple[str, complex]] = field(default_factory=list)
     made: list[tuple[str, str]] = field(default_factory=list)
+    found: dict[tuple[str, str], complex] = field(default_factory=dict)
 
 
 @dataclass
@@ -60,6 +61,8 @@ class Forces:
 
     def __init__(self, scene: Mapping[str, Any], sol: Solution) -> None:
         self.scene, self.sol, self.model = scene, sol, read(scene)
+        self.rates: Mapping[str, complex] = {}  # accelerations as a person drew them, by point, m/s²
+        self.drawn: dict[tuple[str, str], complex] = {}  # reactions as a person drew them, N
 
     def on(self, link: str) -> list[Force]:
         """Weights, inertia and loads of a link."""
@@ -70,11 +73,21 @@ class Forces:
                 if a.kind == "load":
                     count += 1
                 tail = f"_{count}" if letter == "P" and count > 1 else ""
-                found.append(Force(f"{letter}_{link}{tail}", link, a.force, a.place, a.kind))
+                force = self.inertia(link, a.force) if letter == "I" else a.force
+                found.append(Force(f"{letter}_{link}{tail}", link, force, a.place, a.kind))
         return found
+
+    def inertia(self, link: str, force: complex) -> complex:
+        """-m·a with the acceleration as it was drawn."""
+        body = self.scene["links"][link]
+        centre = str(body.get("centre", next(iter(body["points"]))))
+        return -float(body["mass"]) * self.rates[centre] if centre in self.rates else force
 
     def reaction(self, on: str, by: str) -> complex:
         """The force on one link from another."""
+        for (i, j), force in self.drawn.items():
+            if (on, by) in ((i, j), (j, i)):
+                return force if (on, by) == (i, j) else -force
         for (i, j), r in self.sol.reactions.items():
             force = r[0] if isinstance(r, tuple) else r
             if (i, j) == (on, by):
@@ -110,7 +123,7 @@ class Forces:
 
 def draw_group(f: Forces, pair: tuple[str, str], mu: float, scheme_mu: float, hand: Hand,
                mistake: Mistake | None = None) -> Polygon:
-    """The polygon of one group."""
+    """The polygon of one group, after those of the groups that hang on it."""
     later = f.model.groups[f.model.groups.index(pair) + 1:]
     after = {n for g in later for n in g}
     halves = {n: f.half(n, pair[1 - k], after) for k, n in enumerate(pair)}
@@ -178,6 +191,9 @@ class Drawer:
         if self.now("not_closed", tail[1][0]):
             tail[1] = tail[1][0], tail[1][1] * 1.15 + 3
         self.sheet.vectors = [*((n, v) for n, v in flat if v != 0), *tail]
+        for half in (self.first, self.last):
+            parts = [v for n, v in self.sheet.vectors if n in (half.name, half.name + "n", half.name + "t")]
+            self.sheet.found[half.link, half.mate] = sum(parts, 0j) / self.mu
         return self.sheet
 
     def sliding_inside(self, e_a: complex, e_b: complex) -> complex:
@@ -205,7 +221,7 @@ class Drawer:
         if friction and abs(self.f.sol.speeds[half.pair.i]) > 0 and self.now("friction_along_motion", self.part(self.last)):
             guide = next(u for g, _, u in self.f.sol.guides.values() if g == half.pair.name)
             u = (u / guide).conjugate() * guide * -1
-        if not friction and self.inner.u is None and self.now("guide_reaction_not_normal", self.part(self.last)):
+        if not friction and half is self.last and self.inner.u is None and self.now("guide_reaction_not_normal", self.part(self.last)):
             u = 1j * u
         return self.hand.ray(u)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -12,6 +13,7 @@ from planes.units import quantity
 from planes.words import Lang
 
 Words = Mapping[str, tuple[str, str]]
+_PLACE = re.compile(r"(?<![_^])\{(\w+)\}")
 
 SUBSCRIPTS: dict[str, tuple[str, str]] = {
     "cw": ("пр", "cw"), "rod": ("ш", "rod"), "eq": ("экв", "eq"), "b": ("и", "b"), "t": ("кр", "t"), "p": ("п", "p"),
@@ -135,9 +137,9 @@ class Writer:
     tables: int = 0
 
     def say(self, key: str, **parts: object) -> str:
-        """The words of a key."""
-        told = {k: self.number(v) if isinstance(v, float) else v for k, v in parts.items()}
-        return self.words[key][0 if self.lang == "ru" else 1].format(**told)
+        """The words of a key; {name} stands for a part, _{…} and ^{…} are indices."""
+        told = {k: self.number(v) if isinstance(v, float) else str(v) for k, v in parts.items()}
+        return _PLACE.sub(lambda found: told[found[1]], self.words[key][0 if self.lang == "ru" else 1])
 
     def number(self, value: float, digits: int = 4) -> str:
         """A number as it stands in a text."""

@@ -67,8 +67,8 @@ KINEMATICS: dict[str, tuple[str, str]] = {
     ),
     "m_3_none": ("В этом расчёте ε = 0, поэтому числа не меняются.", "Here ε = 0, so the numbers do not change."),
     "m_3_size": (
-        "В этом расчёте без них a_{{B}} ошибочно до {percent} % от ω²r.",
-        "Here a_{{B}} without them is wrong by up to {percent} % of ω²r.",
+        "В этом расчёте без них a_{B} ошибочно до {percent} % от ω²r.",
+        "Here a_{B} without them is wrong by up to {percent} % of ω²r.",
     ),
     "h_plane": ("2.2 Плоское движение шатуна", "2.2 Plane motion of the rod"),
     "k_plane": (
@@ -92,16 +92,19 @@ KINEMATICS: dict[str, tuple[str, str]] = {
     "h_kintable": ("2.4 Результаты за оборот", "2.4 Results over a turn"),
     "k_agree": (
         "Наибольшие расхождения путей по всем положениям цикла (через {step}°): скорости — в долях ωr, ускорения — в долях "
-        "ω²r, ω_{{AB}} и ε_{{AB}} — в долях ω и ω². Это ошибки округления, пути совпадают.",
+        "ω²r, ω_{AB} и ε_{AB} — в долях ω и ω². Это ошибки округления, пути совпадают.",
         "The largest differences of the ways over all positions of the cycle (every {step}°): velocities in parts of ωr, "
-        "accelerations of ω²r, ω_{{AB}} and ε_{{AB}} of ω and ω². These are rounding errors: the ways agree.",
+        "accelerations of ω²r, ω_{AB} and ε_{AB} of ω and ω². These are rounding errors: the ways agree.",
     ),
     "t_agree": ("Расхождения трёх путей", "Differences of the three ways"),
     "points_plane": ("точка — плоское движение", "points – plane motion"),
     "points_plans": ("точка — планы", "points – plans"),
     "plane_plans": ("плоское движение — планы", "plane motion – plans"),
     "c_ways": ("Пути", "Ways"),
-    "t_kin": ("Кинематика за оборот", "Kinematics over a turn"),
+    "t_kin": (
+        "Кинематика за оборот; м, м/с, м/с², рад/с, рад/с²; v_{B} и a_{B} — проекции на ось x",
+        "Kinematics over a turn; m, m/s, m/s², rad/s, rad/s²; v_{B} and a_{B} are projections on x",
+    ),
     "f_7a": ("Безразмерные скорости точек A, B, C", "Dimensionless velocities of A, B, C"),
     "f_7b": ("Безразмерные ускорения точек A, B, C", "Dimensionless accelerations of A, B, C"),
     "f_omega": ("Угловая скорость и угловое ускорение шатуна", "Angular velocity and acceleration of the rod"),

@@ -1,0 +1,38 @@
+"""What a thing of the drawing is called in a sentence: guides and feet by their names, never the program's own marks.
+
+A helper mark is named "°y-y" (where a guide stands), "H°CL" (the line of H beside a guide), "H⊥CL" (the foot of H on
+it), "B°s" (where a driver's stroke is counted from); a direction "∥CL", "⊥BC" or, by a vector, "∠v_C" and "→v_C".
+"""
+
+from __future__ import annotations
+
+import re
+
+from planes.words import Phrase, Told
+
+_HELPER = re.compile(r"(?P<point>[^°⊥∥]*)(?P<sign>[°⊥∥])(?P<guide>[^°⊥∥]+)")
+
+
+def called(name: str) -> Told:
+    """A mark, direction or value as a sentence names it; ``name`` may carry its plan."""
+    label = name.rpartition(":")[2].rstrip("′").replace("⊥∥", "⊥")
+    found = _HELPER.fullmatch(label)
+    if found is None:
+        return label.strip("|‖∠→") or label
+    if found["guide"] == "s" and found["point"]:
+        return Phrase("start_of_stroke", point=found["point"])
+    if found["point"]:
+        key = "beside_guide" if found["sign"] == "°" else "foot_on_guide"
+        return Phrase(key, point=found["point"], guide=found["guide"])
+    return label if found["sign"] == "⊥" else Phrase("guide_named", name=found["guide"])
+
+
+def called_line(along: str, start: str) -> Phrase:
+    """A line through a mark: the guide itself where it is one."""
+    mark, (_, parallel, guide) = start.rpartition(":")[2], along.rstrip("′").partition("∥")
+    point, sign, other = next((mark.partition(s) for s in "°⊥" if s in mark), ("", "", ""))
+    if parallel and sign and other.rstrip("′") == guide:
+        if sign == "°" and point:
+            return Phrase("line_beside", point=point, name=guide)
+        return Phrase("line_guide", name=guide)
+    return Phrase("line_through", along=along.replace("⊥∥", "⊥"), start=called(start))

@@ -1,0 +1,141 @@
+"""Pictures as plain paths: what matplotlib draws (charts, mathematics), kept as strokes for SVG and for PDF alike.
+
+Units are points, y up. Text has become outlines, so a page needs no font and no network.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+from matplotlib.backend_bases import RendererBase
+from matplotlib.path import Path
+from matplotlib.textpath import TextPath
+from matplotlib.transforms import Affine2D
+
+Piece = tuple[str, tuple[float, ...]]  # "M", "L", "C" with coordinates, "Z" with none
+
+
+@dataclass(frozen=True)
+class Stroke:
+    """A path with its pen: ``line`` and ``fill`` are colours (#rrggbb, "" for none)."""
+
+    pieces: tuple[Piece, ...]
+    line: str = ""
+    width: float = 0.0
+    dashes: tuple[float, ...] = ()
+    fill: str = ""
+
+
+@dataclass
+class Picture:
+    """Strokes on a paper of ``width`` × ``height`` points; ``depth`` below the base line of a formula."""
+
+    width: float
+    height: float
+    strokes: list[Stroke] = field(default_factory=list)
+    depth: float = 0.0
+
+    def svg(self, label: str, scale: float = 1.0, css: str = "") -> str:
+        """An inline SVG element; ``label`` is read aloud in its place."""
+        body = "".join(_element(s, self.height) for s in self.strokes)
+        size = f'width="{self.width * scale:.1f}pt" height="{self.height * scale:.1f}pt"'
+        box = f'viewBox="0 0 {self.width:.2f} {self.height:.2f}"'
+        return f'<svg {size} {box} role="img" aria-label="{escaped(label)}"{css}>{body}</svg>'
+
+    def draw(self, canvas: Any) -> None:
+        """Draw on a reportlab canvas, the lower left corner in its origin."""
+        for s in self.strokes:
+            path = canvas.beginPath()
+            for kind, at in s.pieces:
+                {"M": path.moveTo, "L": path.lineTo, "C": path.curveTo, "Z": path.close}[kind](*at)
+            if s.line:
+                canvas.setStrokeColor(s.line)
+                canvas.setLineWidth(s.width)
+                canvas.setDash(list(s.dashes))
+            if s.fill:
+                canvas.setFillColor(s.fill)
+            canvas.drawPath(path, stroke=int(bool(s.line)), fill=int(bool(s.fill)))
+        canvas.setDash()
+
+
+def escaped(text: str) -> str:
+    """Text safe within HTML, attributes too."""
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace('"', "&quot;")
+
+
+def _element(s: Stroke, height: float) -> str:
+    flipped = []
+    for kind, at in s.pieces:
+        xy = (f"{v:.2f}".rstrip("0").rstrip(".") if i % 2 == 0 else f"{height - v:.2f}".rstrip("0").rstrip(".")
+              for i, v in enumerate(at))  # fmt: skip
+        flipped.append(kind + " ".join(xy))
+    looks = f' fill="{s.fill or "none"}"'
+    if s.line:
+        looks += f' stroke="{s.line}" stroke-width="{s.width:.2f}" stroke-linejoin="round"'
+    if s.dashes:
+        looks += f' stroke-dasharray="{" ".join(f"{d:.1f}" for d in s.dashes)}"'
+    return f'<path d="{"".join(flipped)}"{looks}/>'
+
+
+def pieces_of(path: Path, transform: Any = None, clip: Any = None) -> tuple[Piece, ...]:
+    """A matplotlib path as moves, lines and cubic curves."""
+    found: list[Piece] = []
+    x = y = 0.0
+    for points, code in path.iter_segments(transform or Affine2D(), simplify=False, clip=clip, curves=True):
+        at = tuple(float(v) for v in points)
+        if code == Path.CURVE3:
+            (cx, cy), (ex, ey) = at[:2], at[2:]
+            at = (x + 2 / 3 * (cx - x), y + 2 / 3 * (cy - y), ex + 2 / 3 * (cx - ex), ey + 2 / 3 * (cy - ey), ex, ey)
+        if code == Path.CLOSEPOLY:
+            found.append(("Z", ()))
+            continue
+        found.append(({Path.MOVETO: "M", Path.LINETO: "L"}.get(code, "C"), at))
+        x, y = at[-2:]
+    return tuple(found)
+
+
+class StrokeRenderer(RendererBase):
+    """matplotlib's drawing commands, caught as strokes."""
+
+    def __init__(self, width: float, height: float) -> None:
+        super().__init__()
+        self.picture = Picture(width, height)
+
+    def draw_path(self, gc: Any, path: Path, transform: Any, rgbFace: Any = None) -> None:  # noqa: N803
+        """Keep one path with its pen."""
+        box = gc.get_clip_rectangle()
+        clip = None if box is None or rgbFace is not None else tuple(box.extents)
+        width = gc.get_linewidth()
+        offset, dashes = gc.get_dashes()
+        line = _hex(gc.get_rgb()) if width > 0 and gc.get_rgb()[3] > 0 else ""
+        fill = _hex(rgbFace) if rgbFace is not None and (len(rgbFace) < 4 or rgbFace[3] > 0) else ""
+        kept = tuple(float(d) for d in dashes) if dashes is not None else ()
+        if line or fill:
+            self.picture.strokes.append(Stroke(pieces_of(path, transform, clip), line, float(width), kept, fill))
+
+    def draw_text(
+        self, gc: Any, x: float, y: float, s: str, prop: Any, angle: float, ismath: Any = False, mtext: Any = None
+    ) -> None:
+        """Text as its outlines."""
+        path = TextPath((0, 0), s, size=prop.get_size_in_points(), prop=prop)
+        placed = Affine2D().rotate_deg(angle).translate(x, y)
+        self.picture.strokes.append(Stroke(pieces_of(path, placed), fill=_hex(gc.get_rgb())))
+
+    def draw_image(self, *args: Any, **kwargs: Any) -> None:
+        """Charts hold no pictures."""
+        raise NotImplementedError("a chart of strokes holds no pictures")
+
+    def get_canvas_width_height(self) -> tuple[float, float]:
+        """The paper in points."""
+        return self.picture.width, self.picture.height
+
+    def flipy(self) -> bool:
+        """y goes up."""
+        return False
+
+
+def _hex(colour: Iterable[float]) -> str:
+    r, g, b = list(colour)[:3]
+    return "#" + "".join(f"{round(255 * v):02x}" for v in (r, g, b))
