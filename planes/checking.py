@@ -234,7 +234,7 @@ def _grade_at(bench: Bench, mu: float, share: float, taken: Mapping[str, Taken],
     free = Hand(bench.program, given, skill, {m: t for m, t in taken.items() if m not in bench.marks}, unsure)
     apart = {m: _apart(free, m, taken[m]) for m in bench.marks if m in taken}
     size = extent(truth, plan)
-    judgement = judge(hand, bench.marks, _variants(bench, hand, mu), size, absent)
+    judgement = judge(hand, bench.marks, variants_of(bench, hand, mu), size, absent)
     return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart)
 
 
@@ -245,7 +245,8 @@ def _apart(free: Hand, mark: str, own: Taken) -> Miss:
     return Miss(miss.off, (xx + own.error_mm**2, xy, yy + own.error_mm**2))
 
 
-def _variants(bench: Bench, hand: Hand, mu: float) -> Sequence[Variant]:
+def variants_of(bench: Bench, hand: Hand, mu: float) -> Sequence[Variant]:
+    """Every mistake of the catalogue that could be made in the plan."""
     ways = bench.ways()
     match kind_of(bench.asked.plan):
         case "position":

@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
 
 from planes.angles import read_range, read_span
+from planes.check_options import add_options
 from planes.scene import Scene, load
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
@@ -81,6 +82,7 @@ def _parser() -> argparse.ArgumentParser:
     sheet = _command(commands, "sheet", _sheet, _help("help_sheet"))
     _positions(sheet)
     sheet.add_argument("-o", "--output", required=True, metavar="FILE", help=_help("help_output"))
+    sheet.add_argument("--sheet", type=int, choices=(1, 2), help=_help("help_sheet_number"))
     cycle = _command(commands, "cycle", _cycle, _help("help_cycle"))
     _positions(cycle)
     cycle.add_argument("-o", "--output", required=True, metavar="FILE", help=_help("help_cycle_output"))
@@ -88,6 +90,9 @@ def _parser() -> argparse.ArgumentParser:
     chart = _command(commands, "chart", _chart, _help("help_chart"))
     chart.add_argument("-o", "--output", required=True, metavar="FILE", help=_help("help_chart_output"))
     chart.add_argument("--table", metavar="FILE", help=_help("help_table"))
+    check = _command(commands, "check", _check, _help("help_check"))
+    _positions(check)
+    add_options(check, _help)
     return parser
 
 
@@ -134,6 +139,7 @@ def _solve(args: argparse.Namespace) -> int:
     from planes.tables import report
 
     scene = load(args.scene, args.variant)
+    values = _values(args, scene)
     if scene.mechanism is None:
         return _solve_vectors(args, scene)
     if args.explain:
@@ -142,7 +148,7 @@ def _solve(args: argparse.Namespace) -> int:
         print(explain(scene, args.lang), end="")
         return 0
     instrument = Pencil(seed=args.seed) if args.pencil else Exact()
-    solved = solve(scene, _values(args, scene), instrument, args.lang)
+    solved = solve(scene, values, instrument, args.lang)
     for failure in solved.failed:
         print(failure["error"], file=sys.stderr)
     if args.json:
@@ -175,11 +181,19 @@ def _structure(args: argparse.Namespace) -> int:
     return 0
 
 
+def _check(args: argparse.Namespace) -> int:
+    from planes.cli_check import run
+
+    scene = load(args.scene, args.variant)
+    values = _values(args, scene)
+    return run(args, scene, values[0] if values else None)
+
+
 def _sheet(args: argparse.Namespace) -> int:
     from planes.roof import draw_sheet
 
     scene = load(args.scene, args.variant)
-    draw_sheet(scene, _values(args, scene), args.output, args.lang)
+    draw_sheet(scene, _values(args, scene), args.output, args.lang, args.sheet)
     return 0
 
 

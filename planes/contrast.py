@@ -18,7 +18,7 @@ from planes.mechanism import FRAME
 from planes.plans import Plans
 from planes.structure import Pair
 
-TOLERANCE, MOST = 1e-8, 50  # as solvers are left at
+TOLERANCE, MOST = 1e-12, 50
 
 
 @dataclass(frozen=True)
@@ -31,11 +31,6 @@ class Loops:
     def links(self) -> list[str]:
         return list(self.plans.mechanism.links)
 
-    @property
-    def pairs(self) -> list[Pair]:
-        s = self.plans.structure
-        return [s.drive_pair, *(p for g in s.groups for p in (g.first_outer, g.inner, g.last_outer))]
-
     def pose(self, q: Any, link: str) -> tuple[complex, float]:
         if link == FRAME:
             return 0j, 0.0
@@ -45,7 +40,7 @@ class Loops:
     def residual(self, q: Any, phi: float) -> Any:
         """What the constraints lack of holding, the drive's last."""
         found: list[float] = []
-        for pair in self.pairs:
+        for pair in self.plans.structure.pairs:
             found += self._hinge(q, pair) if pair.kind == "R" else self._slider(q, pair)
         return np.array([*found, self.pose(q, self.plans.mechanism.drive.link)[1] - phi])
 
@@ -69,15 +64,47 @@ class Loops:
         return [aside, self.pose(q, pair.link)[1] - along - math.radians(slides.angle_deg or 0.0)]
 
     def jacobian(self, q: Any, phi: float) -> Any:
-        """Slopes of the constraints by central differences."""
-        h = 1e-6
-        steps = np.eye(len(q)) * h
-        return np.array([(self.residual(q + d, phi) - self.residual(q - d, phi)) / (2 * h) for d in steps]).T
+        """Slopes of the constraints."""
+        rows: list[Any] = []
+        for pair in self.plans.structure.pairs:
+            rows += self._hinge_slopes(q, pair) if pair.kind == "R" else self._slider_slopes(q, pair)
+        drive = np.zeros(len(q))
+        drive[3 * self.links.index(self.plans.mechanism.drive.link) + 2] = 1.0
+        return np.array([*rows, drive])
+
+    def _fill(self, rows: Any, q: Any, link: str, place: complex, unit: complex, sign: float) -> None:
+        """How the parts of a place of a link along 1/unit and across it move with the link's pose."""
+        if link == FRAME:
+            return
+        k = 3 * self.links.index(link)
+        arm = place - self.pose(q, link)[0]
+        for column, way in ((k, 1 + 0j), (k + 1, 1j), (k + 2, 1j * arm)):
+            part = sign * way * unit
+            rows[:, column] += (part.real, part.imag)
+
+    def _hinge_slopes(self, q: Any, pair: Pair) -> list[Any]:
+        rows = np.zeros((2, len(q)))
+        for link, sign in ((pair.link, 1.0), (pair.other, -1.0)):
+            self._fill(rows, q, link, self.place(q, link, pair.point), 1 + 0j, sign)
+        return list(rows)
+
+    def _slider_slopes(self, q: Any, pair: Pair) -> list[Any]:
+        mechanism, rows, turns = self.plans.mechanism, np.zeros((2, len(q))), np.zeros(len(q))
+        guide = mechanism.guide(pair.guide)
+        _, turn = self.pose(q, pair.other)
+        back = cmath.exp(-1j * (turn + math.radians(guide.angle_deg)))
+        first = self.place(q, pair.link, mechanism.link(pair.link).first_point)
+        self._fill(rows, q, pair.link, first, back, 1.0)
+        self._fill(rows, q, pair.other, first, back, -1.0)  # the guide's line carried along as a body
+        for link, sign in ((pair.link, 1.0), (pair.other, -1.0)):
+            if link != FRAME:
+                turns[3 * self.links.index(link) + 2] = sign
+        return [rows[1], turns]
 
     def newton(self, q: Any, phi: float) -> Any:
         """The pose nearest by iteration; no look is taken at whether it came out."""
         for _ in range(MOST):
-            step = np.linalg.lstsq(self.jacobian(q, phi), -self.residual(q, phi), rcond=None)[0]
+            step = np.linalg.solve(self.jacobian(q, phi), -self.residual(q, phi))
             q = q + step
             if np.abs(step).max() < TOLERANCE:
                 break
@@ -87,11 +114,11 @@ class Loops:
         """Velocities and accelerations of the pose, from the linear system of the constraints."""
         slopes = self.jacobian(q, phi)
         drive = np.zeros(len(q))
-        drive[-1] = 1.0
-        v = np.linalg.lstsq(slopes, drive * omega, rcond=None)[0]
-        h = 1e-4 / max(1.0, float(np.abs(v).max()))
+        drive[-1] = 1.0  # its equation is the last
+        v = np.linalg.solve(slopes, drive * omega)
+        h = 1e-5 / max(1.0, float(np.abs(v).max()))
         turned = (self.jacobian(q + h * v, phi) @ v - self.jacobian(q - h * v, phi) @ v) / (2 * h)
-        a = np.linalg.lstsq(slopes, drive * epsilon - turned, rcond=None)[0]
+        a = np.linalg.solve(slopes, drive * epsilon - turned)
         return v, a
 
     def points(self, q: Any, v: Any, a: Any) -> dict[str, tuple[complex, complex, complex]]:

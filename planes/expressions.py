@@ -22,14 +22,12 @@ _NUMBER = re.compile(r"[-+−]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
 _TOKEN = re.compile(r"\s*(?:((?a:\d+\.?\d*|\.\d+)(?a:[eE][-+]?\d+)?)|([^\W\d][\w'′″]*)|(\*\*|[-+*/^(),]))")
 _NAME = re.compile(r"[^\W\d][\w'′″]*")
 
-
 _FUNCTIONS: dict[str, tuple[Callable[..., float], int, int]] = {
     "sqrt": (math.sqrt, 1, 1), "abs": (abs, 1, 1), "min": (min, 2, MAX_LENGTH), "max": (max, 2, MAX_LENGTH),
     "hypot": (math.hypot, 2, MAX_LENGTH), "sin": (sin_deg, 1, 1), "cos": (cos_deg, 1, 1), "tan": (tan_deg, 1, 1),
     "asin": (asin_deg, 1, 1), "acos": (acos_deg, 1, 1), "atan": (atan_deg, 1, 1), "atan2": (atan2_deg, 2, 2),
 }
-RESERVED = ("pi", *_FUNCTIONS)
-"""Names a parameter cannot have."""
+RESERVED = ("pi", *_FUNCTIONS)  # names a parameter cannot have
 
 
 def evaluate(text: str, names: Mapping[str, float], valid: Iterable[str] | None = None) -> float:
@@ -37,10 +35,8 @@ def evaluate(text: str, names: Mapping[str, float], valid: Iterable[str] | None 
 
     ``valid`` are the names a message offers, if they are more than ``names``.
     """
-    if len(text) <= 30 and _NUMBER.fullmatch(text):
-        value = float(text.replace("−", "-"))
-    else:
-        value = _Parser(text, names, names if valid is None else valid).value()
+    plain = len(text) <= 30 and _NUMBER.fullmatch(text)
+    value = float(text.replace("−", "-")) if plain else _Parser(text, names, valid or names).value()
     if not math.isfinite(value):
         raise _refusal(text, Phrase("value_large"))
     return value
@@ -87,10 +83,8 @@ def _resolve_from(start: str, texts: Mapping[str, str], values: dict[str, float]
 
 def _cycle(path: list[str], name: str) -> Phrase:
     loop = [*path[path.index(name) :], name]
-    if len(loop) == 2:
-        return Phrase("circle_of_one", name=name)
     words = loop if len(loop) <= 8 else [*loop[:6], "…", name]
-    return Phrase("circle", names=tuple(words))
+    return Phrase("circle_of_one", name=name) if len(loop) == 2 else Phrase("circle", names=tuple(words))
 
 
 def _refusal(text: str, why: Phrase) -> ExpressionError:
@@ -108,16 +102,16 @@ def _tokens(text: str) -> list[tuple[str, str]]:
     while place < len(text):
         match = _TOKEN.match(text, place)
         if match is None or (match[2] and not is_name(match[2])):
-            char = text[place:].lstrip()[0]
-            unit = char in "·/²³%" and [kind for kind, _ in found[-2:]] == ["number", "name"]
-            raise _refusal(text, Phrase("unit_written", word=shown(found[-1][1])) if unit else _stray(char))
+            raise _refusal(text, _stray(text[place:].lstrip()[0], found))
         kind = ("number", "name", "sign")[(match.lastindex or 1) - 1]
         found.append((kind, match[match.lastindex or 1]))
         place = match.end()
     return found
 
 
-def _stray(char: str) -> Phrase:
+def _stray(char: str, before: list[tuple[str, str]]) -> Phrase:
+    if char == "·" and [kind for kind, _ in before[-2:]] == ["number", "name"]:
+        return Phrase("unit_written", word=shown(before[-1][1]))
     if char == "°":
         return Phrase("degree_sign")
     if char in "×·":
@@ -159,7 +153,9 @@ class _Parser:
                 return Phrase("decimal_point", number=f"{self.tokens[self.at - 1][1]}.{after[1]}")
         if kind == "end":
             return Phrase("end_absent")
-        if kind == "name" and word not in (*self.valid, *RESERVED) and self.tokens[self.at - 1][0] == "number":
+        if [kind for kind, _ in self.tokens[self.at - 1 : self.at + 2]] in (
+            ["number", "name", "end"], ["number", "name", "sign"]
+        ) and word not in (*self.valid, *RESERVED):
             return Phrase("unit_written", word=shown(word))
         return Phrase("unexpected" if kind == "sign" else "unexpected_operand", word=shown(word))
 

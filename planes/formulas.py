@@ -91,7 +91,9 @@ def formula(step: Calculate, lang: Lang) -> str:
     return f"⟨{step.makes}⟩ = {symbols} = {numbers} = {value(step.makes)} {unit(step.makes, lang)}"
 
 
-def sides(step: Calculate, shown: Callable[[str], str], without: str = "", drop: frozenset[int] = frozenset()) -> tuple[str, str]:
+def sides(
+    step: Calculate, shown: Callable[[str], str], without: str = "", drop: frozenset[int] = frozenset()
+) -> tuple[str, str]:
     """The right side in letters (``shown`` names a value) and in numbers, multiplied by the value ``without``."""
     terms = [_clear(t, without) for i, t in enumerate(step.terms) if i not in drop]
     letters = _sum([_product(t, lambda n: f"⟨{shown(n)}⟩") for t in terms])
@@ -99,7 +101,7 @@ def sides(step: Calculate, shown: Callable[[str], str], without: str = "", drop:
 
 
 def _clear(term: Product, without: str) -> Product:
-    return Product(term.coefficient, tuple(f for f in term.factors if f[0] != without))
+    return Product(term.coefficient, tuple(f for f in term.factors if f != (without, -1)))
 
 
 def _product(term: Product, say: Callable[[str], str]) -> tuple[bool, str]:

@@ -11,8 +11,8 @@ from dataclasses import dataclass, field, fields
 from typing import Any, Protocol
 
 from planes.arithmetic import Arithmetic, Many, One, Point, Real, Truth
-from planes.tools import Tool
 from planes.thing_names import called, called_line
+from planes.tools import Tool
 from planes.wording import PlanFailure
 from planes.words import Told
 

@@ -1,7 +1,7 @@
-"""A lesson: the program and its drawing as numbered frames, each a sentence of what is done and why.
+"""A lesson: the program and its drawing as numbered frames, each a sentence of what is done and one of why.
 
-One frame a mark: the directions and calculations a mark needs are told with it; what is measured after an equation
-is drawn is a frame of its own, and so is each moment equation.
+One frame a mark; what is measured after an equation is drawn is a frame of its own, and so is each moment equation.
+Numbers stand in slots (:mod:`planes.formulas`), so a frame serves every position of the mechanism.
 """
 
 from __future__ import annotations
@@ -11,44 +11,51 @@ from dataclasses import dataclass
 from typing import Any
 
 from planes import steps as s
-from planes.drafting import POLE, Moments, label_of, mu_of
+from planes.drafting import POLE, Moments, at, label_of, mu_of
 from planes.drawing import Drawing
 from planes.equations import Equation
-from planes.formulas import bracketed, formula, number, unit_of
+from planes.formulas import SLOT, number, paper, unit, value
+from planes.lesson_moments import moment_words
+from planes.lesson_steps import StepWords, lettered, whole
 from planes.plans import Plans
-from planes.reckoning import Calculate, Choose, Measure
+from planes.reckoning import Calculate
 from planes.scales import kind_of
 from planes.units import mu_text
 from planes.words import Lang
-from planes.words_lesson import LESSON
+from planes.words_lesson import tell, why
+
+LANGS: tuple[Lang, ...] = ("ru", "en")
 
 
 @dataclass(frozen=True)
 class Frame:
     """One frame of a lesson. ``makes`` are the marks it adds, ``uses`` those it stands on (full names); ``equation``
-    is the index of the vector equation being solved, ``terms`` the vectors in hand; ``said`` the words by language."""
+    is the index of the vector equation being solved, ``terms`` the vectors in hand; ``said`` and ``why`` its words by
+    language; ``moments`` the index of the moment equation it states."""
 
+    key: str
     plan: str
     makes: tuple[str, ...]
     uses: tuple[str, ...]
     equation: int | None
     terms: tuple[str, ...]
     said: Mapping[Lang, str]
-
-
-def tell(key: str, lang: Lang, **names: object) -> str:
-    """A sentence of the lesson with its names and numbers."""
-    return LESSON[key][0 if lang == "ru" else 1].format(**names)
+    why: Mapping[Lang, str]
+    moments: int | None = None
 
 
 class Teller:
-    """Tells the steps of one drawing at its scales."""
+    """Tells the steps of one drawing at its scales; ``cycle`` is the drawing (of many positions) by which a term
+    counts as nothing."""
 
-    def __init__(self, plans: Plans, drawing: Drawing, scales: Mapping[str, float]) -> None:
+    def __init__(
+        self, plans: Plans, drawing: Drawing, scales: Mapping[str, float], cycle: Drawing | None = None
+    ) -> None:
         self.plans, self.drawing, self.scales = plans, drawing, scales
+        self.cycle = cycle or drawing
         self.made = {step.makes: step for step in drawing.program.steps}
-        self.moments = {m.unknown: m for m in plans.moments}
-        self.sizes = {f.name: f.size for forces in plans.acting.forces.values() for f in forces}
+        self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
+        self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured for the lesson alone
 
     def frames(self) -> list[Frame]:
         """All frames, in the order of the drawing."""
@@ -58,152 +65,154 @@ class Teller:
         for step in self.drawing.program.steps:
             if step.kind == "value" and self.tells(step):
                 readings.append(step)
-            tells = step.kind == "mark" or isinstance(step, s.Touch)
-            if not tells or step in put or step.makes in self.drawing.program.trials:
+            if step in put or step.makes.endswith(("+", "-")) or not self.shown(step):
                 continue
-            found += self.readings(readings)
+            found += self.readings(readings, found)
             readings = []
-            if kind_of(self.plan(step)) != "motion" and step.makes != "position:p":
-                found.append(self.mark(step))
-        return found + self.readings(readings)
+            plan = plan_of(step)
+            if found and found[-1].plan != plan and found[-1].plan.startswith("force"):
+                found += self.closing(found[-1].plan)
+            found.append(self.mark(step))
+        found += self.readings(readings, found)
+        last = next((f.plan for f in reversed(found) if f.plan != "position"), "")
+        done = any(f.key == "closing" and f.plan == last for f in found)
+        return found + (self.closing(last) if last.startswith("force") and not done else [])
 
-    def plan(self, step: s.Step) -> str:
-        """The plan a mark stands on (a tangent's, the scheme)."""
-        return step.makes.rpartition(":")[0] or "position"
+    def shown(self, step: s.Step) -> bool:
+        """Whether a step has a frame of its own."""
+        if kind_of(plan_of(step)) == "motion" or step.makes == at("position", POLE):
+            return False
+        return isinstance(step, s.Touch) or step.kind == "mark"
 
     def tells(self, step: s.Step) -> bool:
-        """Whether a value is told on its own: angular rates, moment equations, balancing loads."""
-        return step.makes in self.moments or step.makes.startswith(("omega", "epsilon"))
+        """Whether a value is told: angular rates, moment equations, balancing loads."""
+        return step.makes in self.moments or step.makes.startswith(("omega_", "epsilon_"))
 
     def fixed(self, put: list[s.Step]) -> Frame:
         """The fixed points together."""
         names = ", ".join(f"⟨{label_of(p.makes).lstrip('°')}⟩" for p in put)
-        return self.frame("position", tuple(p.makes for p in put), (), "fixed", names=names)
+        return self.frame("fixed", "position", tuple(p.makes for p in put), (), names=names)
 
-    def frame(self, plan: str, makes: tuple[str, ...], uses: tuple[str, ...], key: str, **names: Any) -> Frame:
-        """A frame with its sentence in both languages; callables among the names are asked per language."""
+    def frame(
+        self, key: str, plan: str, makes: tuple[str, ...], uses: tuple[str, ...], reason: Any = None, **names: Any
+    ) -> Frame:
+        """A frame with its words in both languages; what is callable is asked per language."""
         index, terms = self.equation_of(plan, makes)
+        terms = names.pop("terms", terms)
+        moments = names.pop("moments", None)
         said: dict[Lang, str] = {}
-        for lang in ("ru", "en"):
-            mu = mu_text(self.scales[mu_of(plan)], "velocity" if plan in ("lever", "motion") else kind_of(plan), lang)
+        told: dict[Lang, str] = {}
+        for lang in LANGS:
+            kind = "velocity" if plan == "lever" else kind_of(plan)
             here = {k: v(lang) if callable(v) else v for k, v in names.items()}
-            said[lang] = tell(key, lang, **{**here, "mu": mu})
-        return Frame(plan, makes, uses, index, terms, said)
+            said[lang] = tell(key, lang, **{**here, "mu": mu_said(self.scales[mu_of(plan)], kind, lang)})
+            told[lang] = reason(lang) if callable(reason) else why(reason or key, lang)
+        return Frame(key, plan, makes, uses, index, terms, said, told, moments)
 
     def equation_of(self, plan: str, makes: tuple[str, ...]) -> tuple[int | None, tuple[str, ...]]:
         """The equation on this plan with a term that ends at one of the marks, and those terms."""
         labels = {label_of(m) for m in makes} - {POLE}
         for index, equation in enumerate(self.plans.equations):
-            terms = tuple(t.name for t in equation.terms if t.end in labels and not t.drawn)
+            terms = tuple(whole(equation, t.name) for t in equation.terms if t.end in labels and not t.drawn)
             if equation.plan == plan and terms:
                 return index, terms
-        return None, ()
+        first = next((e for e in self.plans.segments if e.plan == plan and e.end in labels and e.start == POLE), None)
+        return None, (first.name,) if first else ()
 
     def mark(self, step: s.Step) -> Frame:
-        """The frame of one mark."""
-        uses = tuple(name for name, kind in step.reads() if kind == "mark")
-        names = {f: label_of(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
-        key, more = self.words(step)
-        return self.frame(self.plan(step), (step.makes,), uses, key, **{**names, "end": label_of(step.makes), **more})
+        """The frame of one mark, or of a tangent."""
+        uses = tuple(dict.fromkeys(name for name, kind in step.reads() if kind == "mark" and name[-1] not in "+-"))
+        names = {f: lettered(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
+        words = StepWords(self.plans, self.drawing, self.made)
+        key, reason, more = words.of(step)
+        makes = () if isinstance(step, s.Touch) else (step.makes,)
+        return self.frame(key, plan_of(step), makes, uses, reason, **{**names, "end": lettered(step.makes), **more})
 
-    def words(self, step: s.Step) -> tuple[str, dict[str, Any]]:
-        """The key of the sentence of a step, and what it says besides the step's own names."""
-        mm = self.mm
-        match step:
-            case s.Put():
-                return "pole", {}
-            case s.LayOff():
-                return self.lay_off(step)
-            case s.Touch():
-                return "touch", {"action": self.action(step.makes), "end": label_of(step.end)}
-            case s.Cross():
-                return "cross", {"action": self.action(step.along), "across": self.action(step.across)}
-            case s.CrossArc():
-                return "arc", {"action": self.action(step.along), "radius_mm": mm(step.radius, step.mu)}
-            case s.CrossArcs():
-                return "arcs", {"radius_mm": mm(step.radius, step.mu), "other_mm": mm(step.other_radius, step.mu)}
-            case s.Similar():
-                ratio = self.drawing[step.ratio]
-                return "similar", {
-                    "first": label_of(step.start), "second": label_of(step.end),
-                    "ratio": lambda lang: number(abs(ratio), lang),
-                }  # fmt: skip
-            case s.Image():
-                return "image", {"first": label_of(step.image[0]), "second": label_of(step.image[1])}
-            case s.Same():
-                return "same", {"start": label_of(step.of)}
-            case s.Carry():
-                return "carry", {}
-            case Choose():
-                return "choose", {}
-        raise AssertionError(step)
-
-    def lay_off(self, step: s.LayOff) -> tuple[str, dict[str, Any]]:
-        """A known vector: with the formula of its length where it was calculated."""
-        value = self.drawing[step.length]
-        more = {"mm": self.mm(step.length, step.mu), "action": self.action(step.along)}
-        source = self.made.get(step.length)
-        if isinstance(source, Calculate):
-            return "lay_off", {**more, "formula": lambda lang: str(formula(source, self.drawing, lang))}
-        if isinstance(source, Measure):
-            name = label_of(step.makes)
-            told = lambda lang: number(value, lang)  # noqa: E731
-            return "carried", {**more, "name": name, "value": told, "unit": unit_of(name), "length": step.length}
-        along = self.made[step.along]
-        driven = isinstance(along, s.Turn) and along.of == f"x_{self.plans.mechanism.drive.link}"
-        told = lambda lang: number(value, lang)  # noqa: E731
-        return "driver" if driven else "along", {**more, "value": told, "unit": "m", "length": step.length}
-
-    def mm(self, value: str, mu: str) -> Any:
-        """A length on paper, as each language writes it."""
-        size = abs(self.drawing[value] * self.drawing[mu])
-        return lambda lang: number(round(size, 1), lang)
-
-    def action(self, direction: str) -> str:
-        """A line of action as it is written: ⊥BC, ∥y-y, C→B."""
-        return direction.replace("⊥∥", "⊥")
-
-    def readings(self, values: list[s.Step]) -> list[Frame]:
+    def readings(self, values: list[s.Step], before: list[Frame]) -> list[Frame]:
         """Frames of what was reckoned since the last mark: rates together, each moment equation alone."""
         rates = [v for v in values if v.makes not in self.moments and isinstance(v, Calculate)]
-        found = []
-        if rates:
-            plan = self.plan_of_value(rates[0])
-            told = lambda lang: "; ".join(str(formula(v, self.drawing, lang)) for v in rates)  # noqa: E731
-            uses = tuple(n for v in rates for n in self.marks_of(v))
-            found.append(self.frame(plan, (), uses, "measured", readings=told))
-        found += [self.moment(self.moments[v.makes]) for v in values if v.makes in self.moments]
-        return found
+        crossed = bool(before) and before[-1].key == "cross" and before[-1].plan in ("velocity", "acceleration")
+        found = [self.measured(rates, before)] if rates or crossed else []
+        return found + [f for v in values if v.makes in self.moments for f in self.moment(v)]
 
-    def marks_of(self, step: s.Step) -> list[str]:
-        """Marks of the segments a calculated value was measured on."""
-        sources = [self.made.get(name) for name, _ in step.reads()]
-        return [m for source in sources if isinstance(source, Measure) for m in (source.start, source.end)]
+    def measured(self, rates: list[Calculate], before: list[Frame]) -> Frame:
+        """What is read off a plan of rates once an equation is solved, and the angular rates that follow."""
+        plan = next((f.plan for f in reversed(before) if f.plan in ("velocity", "acceleration")), "velocity")
+        index = next((f.equation for f in reversed(before) if f.plan == plan and f.equation is not None), None)
+        solved = self.plans.equations[index] if index is not None else None
+        names = self.sought(solved) if solved else []
+        words = StepWords(self.plans, self.drawing, self.made)
 
-    def plan_of_value(self, step: s.Step) -> str:
-        """The plan whose segments a value was measured on."""
-        marks = self.marks_of(step)
-        return marks[0].rpartition(":")[0] if marks else "velocity"
+        def told(lang: Lang) -> str:
+            parts = [self.reading(n, plan, lang) for n in names]
+            return "; ".join(parts + [words.rate(r, lang) for r in rates])
 
-    def moment(self, m: Moments) -> Frame:
+        uses = tuple(dict.fromkeys(m for n in names for m in self.span(n, plan)))
+        return self.frame("measured", plan, (), uses, readings=told, terms=tuple(names))
+
+    def sought(self, equation: Equation) -> list[str]:
+        """Vectors whose lengths an equation gives: its unknown terms and its total."""
+        names = [whole(equation, t.name) for t in equation.terms if not t.drawn and t.length is None]
+        return list(dict.fromkeys([*names, *([equation.total] if equation.total else [])]))
+
+    def span(self, name: str, plan: str) -> tuple[str, ...]:
+        """The ends of the segment of that name."""
+        found = next((x for x in self.plans.segments if x.name == name and x.plan == plan and x.start != x.end), None)
+        return (at(plan, found.start), at(plan, found.end)) if found else ()
+
+    def reading(self, name: str, plan: str, lang: Lang) -> str:
+        """A segment measured: its millimetres and its value."""
+        span = self.span(name, plan)
+        if not span:
+            return f"⟨{name}⟩ = 0"
+        read = f"‖{name}‖"
+        self.spans[read] = (span[0], span[1], mu_of(plan))
+        names = {"mm": paper(read, mu_of(plan)), "mu": number(self.scales[mu_of(plan)], lang), "value": value(read)}
+        return tell("reading", lang, name=name, unit=unit(name, lang), **names)
+
+    def closing(self, plan: str) -> list[Frame]:
+        """The reactions read off a force plan that has closed."""
+        names = [r.key for r in self.plans.reactions.values() if r.plan == plan and self.span(r.key, plan)]
+        if self.plans.balancing.startswith("Fb_") and plan == f"force:{self.plans.mechanism.drive.link}":
+            names.append(self.plans.balancing)
+        names = list(dict.fromkeys(names))
+        told = lambda lang: "; ".join(self.reading(n, plan, lang) for n in names)  # noqa: E731
+        uses = tuple(dict.fromkeys(m for n in names for m in self.span(n, plan)))
+        return [self.frame("closing", plan, (), uses, readings=told, terms=tuple(names))] if names else []
+
+    def moment(self, step: s.Step) -> list[Frame]:
         """A moment equation with its numbers."""
+        index = self.moments[step.makes]
+        m: Moments = self.plans.moments[index]
+        if not isinstance(step, Calculate):
+            return []
         plan = "lever" if m.links == ("lever",) else "position"
-
-        def terms(lang: Lang) -> str:
-            parts: list[str] = []
-            for force, arm in m.terms:
-                size = number(self.drawing[self.sizes.get(force, force)], lang)
-                arm_text = f" · {bracketed(number(self.drawing[arm], lang))}" if arm else ""
-                parts.append(f"{bracketed(size) if parts else size}{arm_text}")
-            return " + ".join(parts) or "0"
-
-        value = self.drawing[m.unknown]
-        return self.frame(
-            plan, (), (), "moments", about=m.about, links=", ".join(m.links), terms=terms, unknown=m.unknown,
-            value=lambda lang: number(value, lang), unit=unit_of(m.unknown),
-        )  # fmt: skip
+        key, names, terms = moment_words(m, step, self.cycle)
+        reason = "moments_lever" if plan == "lever" else "moments"
+        return [self.frame(key, plan, (), (), reason, terms=terms, moments=index, **names)]
 
 
-def equation_terms(equation: Equation) -> list[str]:
-    """Names of the terms of an equation, in order."""
-    return [t.name for t in equation.terms]
+def plan_of(step: s.Step) -> str:
+    """The plan a mark stands on (a tangent's, the scheme)."""
+    return step.makes.rpartition(":")[0] or "position"
+
+
+def mu_said(mu: float, kind: str, lang: Lang) -> str:
+    """A scale as the language writes it."""
+    text = mu_text(mu, kind, lang)
+    return text.replace(".", ",") if lang == "ru" else text
+
+
+def needed(frames: list[Frame]) -> list[str]:
+    """Names of all values the sentences need, in order."""
+    texts = [text for f in frames for text in f.said.values()]
+    return list(dict.fromkeys(m[2] for text in texts for m in SLOT.finditer(text)))
+
+
+def value_of(name: str, teller: Teller, drawing: Drawing) -> Any:
+    """A value of a drawing (of one position or many) by the name a slot gives it."""
+    if name in teller.spans:
+        start, end, mu = teller.spans[name]
+        return abs(drawing[end] - drawing[start]) / drawing[mu]
+    return drawing[name]
+

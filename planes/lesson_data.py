@@ -5,50 +5,65 @@ The page draws lines between these marks and reckons nothing: what it shows at a
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
-from planes.drafting import at, mu_of
+from planes.drafting import at, label_of, mu_of
 from planes.drawing import Drawing, run
 from planes.equations import Equation, Term
-from planes.lesson import Teller
+from planes.formulas import slots
+from planes.lesson import LANGS, Teller, mu_said, needed, value_of
+from planes.lesson_scheme import arms, feet, related, scheme
+from planes.lesson_steps import action, whole
+from planes.lesson_zones import reasons, zones
 from planes.measuring import say_plan
-from planes.mechanism import FRAME
 from planes.plans import Plans, state
+from planes.practice import Practice
+from planes.reckoning import Choose
 from planes.scales import kind_of, scales
 from planes.scene import Scene
-from planes.solving import failed
-from planes.steps import Cross, CrossArc, CrossArcs
-from planes.units import mu_text
+from planes.steps import Cross, CrossArc, CrossArcs, Step
 from planes.wording import PlanFailure, SceneError
-from planes.words import Lang, Phrase
 
 POSITIONS = 360
-LANGS: tuple[Lang, ...] = ("ru", "en")
+Progress = Callable[[int, int], None]
 
 
-def lesson_data(scene: Scene) -> dict[str, Any]:
+def lesson_data(scene: Scene, progress: Progress | None = None) -> dict[str, Any]:
     """The lesson of a scene. :class:`SceneError` where there is no mechanism or its own position fails."""
     if scene.mechanism is None:
-        raise SceneError(Phrase("vectors_alone"), scene.file, scene.where.get(("vectors",), 1))
+        raise SceneError("this scene states vectors and has no mechanism to turn", scene.file, 1)
     plans = state(scene.mechanism, scene.file)
     try:
         mus = scales(plans, scene.mu)
-        drawing = run(plans.program, {**plans.given, **mus})
+        given = {**plans.given, **mus}
+        drawing = run(plans.program, given)
     except PlanFailure as failure:
-        raise SceneError(Phrase("lesson_fails", failure=failure.phrase), scene.file, plans.mechanism.where.get(("drive",), 1)) from None
+        raise SceneError(f"the lesson's own position cannot be drawn: {failure}", scene.file, 1) from None
     values, index = _values(plans)
+    cycle = _cycle(plans, given, values)
+    teller = Teller(plans, drawing, mus, cycle)
+    frames = teller.frames()
+    names = needed(frames)
     return {
         "title": dict(scene.title),
-        "formula": plans.structure.formula,
+        "formula": plans.structure.formula.replace("->", "→"),
+        "frame": scene.frame_number,
         "drive": {"symbol": "φ" if plans.mechanism.drive.kind == "phi" else "s", "values": values, "at": index},
+        "mus": mus,
         "plans": [_plan(p, mus) for p in plans.drawn if p != "motion"],
         "segments": _segments(plans, drawing),
         "traces": _traces(drawing),
-        "scheme": _scheme(plans),
+        "scheme": scheme(plans, cycle),
+        "moments": arms(plans),
+        "related": related(plans),
         "equations": [_equation(e) for e in plans.equations],
-        "frames": [_frame(f) for f in Teller(plans, drawing, mus).frames()],
-        **_turn(plans, mus, values),
+        "frames": [_frame(f) for f in frames],
+        "values": _columns({n: value_of(n, teller, cycle) for n in names}, len(values)),
+        "practice": Practice(plans, given, drawing, frames).tasks(progress),
+        **_turn(plans, cycle, len(values)),
+        "zones": zones(plans, cycle, values),
+        "failed": reasons(plans, given, values, cycle, progress),
     }
 
 
@@ -64,113 +79,129 @@ def _values(plans: Plans) -> tuple[list[float], int]:
     return [drive.position + reach * (i - half) / half for i in range(POSITIONS + 1)], half
 
 
+def _cycle(plans: Plans, given: Mapping[str, Any], values: list[float]) -> Drawing:
+    import numpy
+
+    return run(plans.program, {**given, plans.drive_given: numpy.array(values)})
+
+
 def _plan(plan: str, mus: Mapping[str, float]) -> dict[str, Any]:
     kind = "velocity" if plan == "lever" else kind_of(plan)
-    mu = {lang: mu_text(mus[mu_of(plan)], kind, lang) for lang in LANGS}
-    return {"key": plan, "mu": mu, "title": {lang: say_plan(plan, lang) for lang in LANGS}}
+    mu = {lang: mu_said(mus[mu_of(plan)], kind, lang) for lang in LANGS}
+    return {"key": plan, "mu": mu, "title": {lang: _capital(say_plan(plan, lang)) for lang in LANGS}}
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
 
 
 def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
-    found: dict[tuple[str, str, str], dict[str, str]] = {}
+    """Each vector of the plans once, by its ends, with every name it goes by."""
+    found: dict[tuple[str, str, str], dict[str, Any]] = {}
+    named = {t.name: whole(e, t.name) for e in plans.equations for t in e.terms}
     for s in plans.segments:
         if s.start != s.end and s.plan not in ("position", "motion") and at(s.plan, s.end) in drawing:
-            found.setdefault((s.plan, s.start, s.end), {"plan": s.plan, "start": s.start, "end": s.end, "name": s.name})
+            new: dict[str, Any] = {"plan": s.plan, "start": s.start, "end": s.end, "names": []}
+            names = found.setdefault((s.plan, s.start, s.end), new)["names"]
+            name = named.get(s.name, s.name)
+            names += [name] * (name not in names)
     return list(found.values())
 
 
 def _traces(drawing: Drawing) -> dict[str, Any]:
     """For each crossed mark, the marks its lines come through, or its arcs are drawn about."""
     found: dict[str, Any] = {}
+    steps: dict[str, Step] = {s.makes: s for s in drawing.program.steps}
     for step in drawing.program.steps:
+        name = step.makes
+        if isinstance(step, Choose):
+            step = steps[step.trials[0].mark]
         match step:
             case Cross():
-                found[step.makes] = {"lines": [step.start, step.other]}
+                found[name] = {"lines": [step.start, step.other]}
             case CrossArc():
-                found[step.makes] = {"lines": [step.start], "arcs": [step.centre]}
+                found[name] = {"lines": [step.start], "arcs": [step.centre]}
             case CrossArcs():
-                found[step.makes] = {"arcs": [step.centre, step.other]}
+                found[name] = {"arcs": [step.centre, step.other]}
     return found
 
 
-def _scheme(plans: Plans) -> dict[str, Any]:
-    """What the scheme is drawn from: links by their points, guides by a mark and a direction, sliders."""
-    m = plans.mechanism
-    links = [
-        {
-            "name": x.name,
-            "points": [at("position", p) for p in x.points],
-            "slides": x.slides.guide if x.slides else None,
-        }
-        for x in m.links.values()
-    ]
-    guides = [
-        {"name": g.name, "link": link.name, "mark": at("position", g.through_point or f"°{g.name}")}
-        for link in (m.frame, *m.links.values())
-        for g in link.guides.values()
-    ]
-    pivots = [at("position", p) for p in m.frame.points if any(p in x.points for x in m.links.values())]
-    return {"links": links, "guides": guides, "pivots": pivots, "driver": m.drive.link, "frame": FRAME}
-
-
 def _equation(e: Equation) -> dict[str, Any]:
-    chains = [[_term(e.plan, t) for t in chain] for chain in e.chains]
-    return {"plan": e.plan, "total": e.total, "chains": chains}
+    """An equation as it is written: without the vectors that are nothing, a vector along the frame's guide itself."""
+    total: dict[str, Any] | None = {"name": e.total, "action": "", "known": 0} if e.total else None
+    sides = []
+    for chain in e.chains:
+        alone = [t for t in chain if total and whole(e, t.name) == e.total and t.name != e.total]
+        if alone and total:
+            total.update(action=_acted(alone[0]), known=alone[0].known)
+        elif chain:
+            sides.append([_term(e.plan, t) for t in chain])
+    return {"plan": e.plan, "total": total, "sides": sides}
 
 
 def _term(plan: str, t: Term) -> dict[str, Any]:
-    return {"name": t.name, "end": at(plan, t.end), "action": t.action.replace("⊥∥", "⊥"), "known": t.known}
+    ends = (t.start, t.end) if t.sign > 0 else (t.end, t.start)
+    return {
+        "name": t.name, "start": at(plan, ends[0]), "end": at(plan, ends[1]), "at": at(plan, t.end),
+        "action": _acted(t), "known": t.known,
+    }  # fmt: skip
+
+
+def _acted(t: Term) -> str:
+    """The line of action beneath a term."""
+    text = t.action
+    if text in ("", "=0") or text.startswith(("→", "∠", "l_")) or "→" in text:
+        return "" if text.startswith(("→", "∠")) else text
+    return text if text.startswith(("-", "+", "↓")) else action(text)
 
 
 def _frame(frame: Any) -> dict[str, Any]:
     return {
-        "plan": frame.plan, "makes": frame.makes, "uses": frame.uses, "equation": frame.equation,
-        "terms": frame.terms, "said": dict(frame.said),
+        "key": frame.key, "plan": frame.plan, "makes": frame.makes, "uses": frame.uses, "equation": frame.equation,
+        "terms": frame.terms, "said": dict(frame.said), "why": dict(frame.why), "moments": frame.moments,
+        "values": sorted(slots(frame.said["en"])),
     }  # fmt: skip
 
 
-def _turn(plans: Plans, mus: Mapping[str, float], values: list[float]) -> dict[str, Any]:
-    """Marks (mm), directions of guides (degrees), rates and sharpness over the turn; why positions fail."""
+def _columns(things: Mapping[str, Any], count: int, digits: int = 8) -> dict[str, Any]:
+    """Values over the turn to so many digits; one number where it never changes."""
     import numpy
 
-    drawing = run(plans.program, {**plans.given, **mus, plans.drive_given: numpy.array(values)})
-    bad = drawing.failed()
-    count = len(values)
-
-    def column(thing: Any, digits: int) -> list[float | None]:
-        full = numpy.broadcast_to(thing, (count,))
-        return [None if not numpy.isfinite(v) else round(float(v), digits) + 0.0 for v in full]
-
-    marks, rates = {}, {}
-    for step in drawing.program.steps:
-        thing = drawing[step.makes]
-        if step.kind == "mark" and step.makes not in drawing.program.trials:
-            marks[step.makes] = [column(numpy.real(thing), 2), column(numpy.imag(thing), 2)]
-        elif step.kind == "value" and step.makes.startswith(("omega", "epsilon")):
-            rates[step.makes] = column(thing, 4)
-    for name in (plans.balancing, plans.zhukovsky):
-        rates[name] = column(drawing[name], 4)
-    turned = {g: column(numpy.degrees(numpy.angle(drawing[f"∥{g}"])), 2) for g in _guides(plans) if f"∥{g}" in drawing}
-    sharp = numpy.ones(count)
-    for value in drawing.sharpness.values():
-        sharp = numpy.fmin(sharp, numpy.broadcast_to(value, (count,)))
-    return {
-        "marks": marks, "rates": rates, "turned": turned, "sharp": column(sharp, 3),
-        "failed": {} if bad is None else _reasons(plans, mus, values, numpy.flatnonzero(bad).tolist()),
-    }  # fmt: skip
-
-
-def _guides(plans: Plans) -> list[str]:
-    m = plans.mechanism
-    return [g for link in (m.frame, *m.links.values()) for g in link.guides]
-
-
-def _reasons(plans: Plans, mus: Mapping[str, float], values: list[float], indices: list[int]) -> dict[str, Any]:
-    """Why each failed position fails, in both languages."""
-    found = {}
-    for index in indices:
-        try:
-            run(plans.program, {**plans.given, **mus, plans.drive_given: values[index]})
-        except PlanFailure as failure:
-            kind = plans.mechanism.drive.kind
-            found[str(index)] = {lang: failed(failure, values[index], kind, None, lang) for lang in LANGS}
+    found: dict[str, Any] = {}
+    for name, thing in things.items():
+        full = numpy.broadcast_to(thing, (count,)).astype(float)
+        good = full[numpy.isfinite(full)]
+        if len(good) and (numpy.ndim(thing) == 0 or numpy.all(good == good[0])):
+            found[name] = float(good[0])
+        else:
+            found[name] = [None if not numpy.isfinite(v) else float(f"{v:.{digits}g}") + 0.0 for v in full]
     return found
+
+
+def _turn(plans: Plans, cycle: Drawing, count: int) -> dict[str, Any]:
+    """Marks (mm) and directions (degrees) over the turn."""
+    import numpy
+
+    def column(thing: Any) -> list[float | None]:
+        full = numpy.broadcast_to(thing, (count,))
+        return [None if not numpy.isfinite(v) else round(float(v), 2) + 0.0 for v in full]
+
+    marks: dict[str, Any] = {}
+    for step in cycle.program.steps:
+        shown = step.kind == "mark" and not label_of(step.makes).endswith(("+", "-"))
+        if shown and not step.makes.startswith("motion:"):
+            marks[step.makes] = cycle[step.makes]
+    marks |= feet(plans, cycle)
+    angles = {d: numpy.degrees(numpy.angle(cycle[d])) for d in _directions(plans, cycle)}
+    return {
+        "marks": {n: [column(numpy.real(z)), column(numpy.imag(z))] for n, z in marks.items()},
+        "turned": {n: column(a) for n, a in angles.items()},
+    }
+
+
+def _directions(plans: Plans, cycle: Drawing) -> list[str]:
+    """Directions the page draws: of guides, and of the forces in moment equations."""
+    m = plans.mechanism
+    guides = [f"∥{g}" for link in (m.frame, *m.links.values()) for g in link.guides]
+    forces = [f["along"] for moment in arms(plans) for f in moment["forces"]]
+    return [d for d in dict.fromkeys([*guides, *forces]) if d in cycle]

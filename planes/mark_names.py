@@ -10,6 +10,11 @@ _PRIMES = str.maketrans(dict.fromkeys("’‘′ʹ`´", "'"))
 _POLES = {"π": "p", "p'": "p", "π'": "p", "полюс": "p", "pole": "p", "P": "p"}
 
 
+def latin(name: str) -> str:
+    """The name with every Cyrillic letter that looks like a Latin one replaced by it."""
+    return name.translate(_ALIKE)
+
+
 def tidy(name: str) -> str:
     """A name without markup: Latin letters, straight primes, no indices' signs."""
     text = unicodedata.normalize("NFKC", name).strip().translate(_PRIMES).replace("″", "''")

@@ -117,4 +117,4 @@ def _ready(side: Side, places: dict[str, complex], read: bool, loads: set[str]) 
     """Whether a side can be laid now: read and reached, or a load that nobody read."""
     if not read:
         return side.end in loads and side.start in places and side.end not in places
-    return side.start in places or side.end in places and side.end not in loads
+    return side.start in places or (side.end in places and side.end not in loads)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from types import MappingProxyType
 
+from planes.mark_names import latin
 from planes.mechanism import FRAME, Guide, Link, Slide
 from planes.scene_reader import Reader, part
 from planes.source import Node, Table, Text
@@ -33,6 +35,7 @@ def read_links(reader: Reader, node: Node, frame: Link) -> dict[str, Link]:
     if FRAME in table.entries:
         raise reader.error(Phrase("link_zero"), table.lines[FRAME])
     links = {name: _link(reader, name, entry) for name, entry in table.entries.items()}
+    _check_alike(reader, table, (frame, *links.values()))
     owners = _owners(reader, table, links, frame)
     for link in links.values():
         if link.slides:
@@ -107,6 +110,19 @@ def _slide(reader: Reader, node: Node, what: Phrase) -> Slide:
     offset = reader.optional(table, "offset")
     return Slide(guide, reader.angle(table, slides),
                  None if offset is None else reader.number(offset, part("offset", what)))
+
+
+def _check_alike(reader: Reader, table: Table, links: Iterable[Link]) -> None:
+    """C and С, one of them Cyrillic, are two points to a program and one to a reader."""
+    seen: dict[str, tuple[str, Phrase]] = {}
+    for link in links:
+        owner = Phrase("the_frame") if link.name == FRAME else Phrase("link", name=link.name)
+        for point in link.points:
+            first, other = seen.setdefault(latin(point), (point, owner))
+            if first != point:
+                one, two = Phrase("point", name=point, owner=owner), Phrase("point", name=first, owner=other)
+                line = table.line if link.name == FRAME else _at(table, link.name, "points", point)
+                raise reader.error(Phrase("points_alike", one=one, two=two), line)
 
 
 def _owners(reader: Reader, table: Table, links: dict[str, Link], frame: Link) -> dict[str, str]:

@@ -196,8 +196,9 @@ class _Builder:
         if isinstance(event, yaml.ScalarEvent):
             text = event.value
             text = unicodedata.normalize("NFC", text) if len(text) <= 1000 else text
-            self._add(Text(text, self.line, event.style in (None, ""), event.start_mark.index == self.end + 1))
-            self.end = event.end_mark.index
+            start, end = (mark.index if mark else 0 for mark in (event.start_mark, event.end_mark))
+            self._add(Text(text, self.line, event.style in (None, ""), start == self.end + 1))
+            self.end = end
             return
         node = Table({}, self.line) if isinstance(event, yaml.MappingStartEvent) else Items([], self.line)
         self._add(node)

@@ -30,6 +30,7 @@ class VectorPlan:
     spans: dict[str, tuple[str, str]] = field(default_factory=dict)
     known: dict[str, tuple[str | None, str | None]] = field(default_factory=dict)  # name -> (length, direction)
     choices: list[tuple[str, str]] = field(default_factory=list)  # (given ±1, the vector whose direction it decides)
+    solved: dict[str, tuple[int, str]] = field(default_factory=dict)  # mark -> number and text of its equation
 
     def error(self, index: int, phrase: Told) -> SceneError:
         return SceneError(phrase, self.scene.file, self.scene.equation_lines[index])
@@ -76,7 +77,7 @@ class VectorPlan:
     def _solve_one(self, left: dict[int, Sides]) -> list[int]:
         for index, sides in left.items():
             if len(self.unknowns(sides)) == 2:
-                self._draw(index, sides.left, sides.right)
+                self._draw(index, sides.text, sides.left, sides.right)
                 return [index]
         return []
 
@@ -87,13 +88,21 @@ class VectorPlan:
                 if i < j and len(one.left) == 1 and one.left == two.left:
                     both = Sides(f"{one.text}, {two.text}", one.right, two.right)
                     if len(self.unknowns(both)) == 2:
-                        self._draw(i, one.right, two.right, one.left[0])
+                        self._draw(i, both.text, one.right, two.right, one.left[0])
                         return [i, j]
         return []
 
-    def _draw(self, index: int, left: tuple[str, ...], right: tuple[str, ...], total: str | None = None) -> None:
+    def failure(self, failure: PlanFailure) -> SceneError:
+        """What an equation cannot be drawn for, in words of vectors."""
+        index, text = self.solved.get(str(failure.numbers.get("makes")), (0, self.scene.equations[0]))
+        return self.error(index, Phrase(f"vectors_{failure.reason}", **{**failure.numbers, "text": text}))
+
+    def _draw(
+        self, index: int, text: str, left: tuple[str, ...], right: tuple[str, ...], total: str | None = None
+    ) -> None:
         named = ends(total or (right or left)[-1])
         target = named[1] if named and not self.draft.has(PLAN, named[1]) else f"e{index + 1}"
+        self.solved[target] = index, text
         chains = self._chain(left, target), self._chain(right, target)
         if not chains[1]:
             chains = self._chain(left, POLE), ()
@@ -184,7 +193,7 @@ def solve_vectors(scene: Scene) -> VectorResults:
         mu = scene.mu.get("vectors") or standard_mu(max(abs(drawing[m]) for m in _marks(program)), 100.0)
         return VectorResults(scene, plan, run(program, {**given, mu_of(PLAN): mu}), mu)
     except PlanFailure as failure:
-        raise SceneError(failure.phrase, scene.file, scene.equation_lines[0]) from None
+        raise plan.failure(failure) from None
 
 
 def _marks(program: Program) -> list[str]:

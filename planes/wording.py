@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from difflib import get_close_matches
 from itertools import islice
 
+from planes.mark_names import latin
 from planes.words import Lang, Phrase, Told
 
 
@@ -74,10 +75,15 @@ class ExpressionError(PlanesError, ValueError):
 
 def valid_names(given: str, names: list[str] | tuple[str, ...], what: str = "valid") -> Told:
     """Words that name what would have been valid: "; valid: a, b; did you mean a?". ``what`` is their key."""
-    return Phrase(what, names=tuple(names), near=_near(get_close_matches(given, names, n=1))) if names else ""
+    return Phrase(what, names=tuple(names), near=_near(given, names, 0.6)) if names else ""
 
 
-def _near(found: list[str]) -> Told:
+def _near(given: str, names: Iterable[str], cutoff: float) -> Told:
+    """Words with the name that is meant, if one is near, or looks the same in other letters."""
+    known = list(names)
+    if alike := next((name for name in known if latin(name) == latin(given)), None):
+        return Phrase("near_alike", name=alike)
+    found = get_close_matches(given, known, n=1, cutoff=cutoff)
     return Phrase("near_name", name=found[0]) if found else ""
 
 
@@ -92,8 +98,9 @@ def choices(given: str, names: Iterable[str], limit: int = 40) -> Told:
     known = [name for name in islice(names, 2000) if len(name) <= limit]
     if not known:
         return ""
-    near = get_close_matches(given[:limit], known, n=1, cutoff=0.5)
+    near = _near(given[:limit], known, 0.5)
     if len(known) <= limit:
-        return Phrase("valid", names=tuple(known), near=_near(near))
-    some = (*near, *(name for name in known[:12] if name not in near))
-    return Phrase("valid_some", names=some, near=_near(near))
+        return Phrase("valid", names=tuple(known), near=near)
+    meant = [str(near.parts["name"])] if isinstance(near, Phrase) else []
+    some = (*meant, *(name for name in known[:12] if name not in meant))
+    return Phrase("valid_some", names=some, near=near)

@@ -33,10 +33,10 @@ WORDS: dict[str, tuple[str, str]] = {
         "change point; take a neighbouring position",
     ),
     "arc_short": (
-        "дуга радиуса {radius} из {centre} не достаёт до прямой {line} на {miss_mm} мм: {makes} не построить; механизм в "
-        "этом положении не собирается",
-        "the arc {radius} about {centre} misses the line {line} by {miss_mm} mm: {makes} cannot be drawn; the mechanism "
-        "does not assemble in this position",
+        "дуга радиуса {radius} из {centre} не достаёт до прямой {line} на {miss_mm} мм: {makes} не построить; механизм "
+        "в этом положении не собирается",
+        "the arc {radius} about {centre} misses the line {line} by {miss_mm} mm: {makes} cannot be drawn; the "
+        "mechanism does not assemble in this position",
     ),
     "arcs_apart": (
         "дуги {radius} из {centre} и {other_radius} из {other} не встречаются, не хватает {miss_mm} мм: {makes} не "
@@ -65,15 +65,14 @@ WORDS: dict[str, tuple[str, str]] = {
         "one of the lengths {radius}, {other_radius} is zero, so no arcs give {makes}; give the link a length",
     ),
     "circle_large": (
-        "точка {end} ближе к {start}, чем смещение направляющей, на {miss_mm} мм: по касательной {makes} "
-        "не провести; "
-        "механизм в этом положении не собирается",
-        "{end} is closer to {start} than the guide's offset, by {miss_mm} mm: {makes} cannot be drawn as a "
-        "tangent; the mechanism does not assemble in this position",
+        "точка {end} ближе к {start}, чем смещение направляющей, на {miss_mm} мм: касательной для {makes:of} не "
+        "провести; механизм в этом положении не собирается",
+        "{end} is closer to {start} than the guide's offset, by {miss_mm} mm: no tangent for {makes} can be "
+        "drawn; the mechanism does not assemble in this position",
     ),
     "points_meet": (
         "точки {start} и {end} совпали: направление {makes:of} не определено; возьмите соседнее положение",
-        "{start} and {end} coincide: the direction {makes} is not determined; take a neighbouring position",
+        "{start} and {end} coincide: the direction of {makes} is not determined; take a neighbouring position",
     ),
     "self_locking": (
         "силы в {makes} с трением не уравновесить ({solutions} решений вместо одного): самоторможение; уменьшите "

@@ -71,7 +71,23 @@ CHECK: dict[str, tuple[str, str]] = {
     "check_text": ("{file}: файл не читается как текст UTF-8", "{file}: the file cannot be read as UTF-8 text"),
     "check_no_file": ("{file}: файл не открывается: {why}", "{file}: the file cannot be opened: {why}"),
     "check_option": ("{option} {text}: ожидается {form}", "{option} {text}: expected {form}"),
+    "check_suffix": (
+        "{file}: по расширению {suffix} не понять, что это; читаются .csv, .json, .svg, .dxf, .png, .jpg, .pdf",
+        "{file}: the suffix {suffix} says nothing; .csv, .json, .svg, .dxf, .png, .jpg and .pdf are read",
+    ),
+    # help of the command line
+    "help_check": ("проверить чертёж человека", "check a person's drawing"),
+    "help_drawing": ("чертёж: таблица, SVG, DXF или картинка", "the drawing: a table, SVG, DXF or a picture"),
+    "help_plan": ("что на чертеже: velocity, force:2-3…", "which plan it is: velocity, force:2-3…"),
+    "help_mu": ("масштаб чертежа", "scale of the drawing"),
+    "help_with": ("чертёж более раннего плана того же человека", "the same person's drawing of an earlier plan"),
+    "help_pole": ("место полюса на картинке", "where the pole is on the picture"),
+    "help_mark": ("место отметки на картинке", "where a mark is on the picture"),
+    "help_work": ("допуски: от руки или на компьютере", "tolerances: by hand or on a computer"),
+    "help_report": ("отчёт: .html, .pdf, .png, .json", "the report: .html, .pdf, .png, .json"),
     # the table of a report
+    "check_marks": ("Отметки", "Marks"),
+    "check_numbers": ("Результаты", "Results"),
     "check_mark": ("отметка", "mark"),
     "check_deviation": ("отклонение, мм", "deviation, mm"),
     "check_tolerance": ("допуск, мм", "tolerance, mm"),

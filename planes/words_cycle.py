@@ -76,4 +76,46 @@ CYCLE: dict[str, tuple[str, str]] = {
         "длинными числами чертится одно положение за раз; передавайте положения по одному",
         "long numbers draw one position at a time; give the positions one by one",
     ),
+    # charts
+    "method_scalar": ("точно, по одному", "exact, one by one"),
+    "method_batch": ("точно, массивом", "exact, by arrays"),
+    "method_fused": ("точно, одним циклом", "exact, one compiled loop"),
+    "method_single": ("24-битные числа", "24-bit numbers"),
+    "method_digits": ("{number} знаков", "{number} digits"),
+    "method_differences": ("разности положений", "differences of places"),
+    "method_newton": ("итерации Ньютона", "Newton's iteration"),
+    "method_pencil": ("карандаш, {number} мм", "pencil, {number} mm"),
+    "chart_pencils": (
+        "карандаш: от {worst} мм\nдо {best} мм (лист, линейка)",
+        "pencil: from {worst} mm\nto {best} mm (sheet, ruler)",
+    ),
+    "chart_method": ("способ", "method"),
+    "chart_seconds": ("время на одно положение, с", "time per position, s"),
+    "chart_error": (
+        "наибольшая относительная погрешность за цикл",
+        "largest relative error over the cycle",
+    ),
+    "chart_error_short": ("погрешность", "error"),
+    "chart_speed": ("Скорость и точность", "Speed and accuracy"),
+    "chart_front": ("граница Парето", "Pareto front"),
+    "chart_stability": ("Устойчивость у предела сборки", "Stability at the limit of assembly"),
+    "chart_distance": (
+        "расстояние до предела φ = {angle}°, рад",
+        "distance to the limit φ = {angle}°, rad",
+    ),
+    "chart_at": ("относительная погрешность в положении", "relative error at the position"),
+    "chart_sharpness": ("синус угла встречи", "sine of the meeting angle"),
+    "chart_claim": ("заявленная погрешность", "claimed error"),
+    "chart_no_limit": (
+        "Скорость и точность (предела сборки у механизма нет)",
+        "Speed and accuracy (the mechanism has no limit of assembly)",
+    ),
+    "chart_suffix": (
+        "{file}: такой рисунок записать нельзя; подходят {suffixes}",
+        "{file}: no figure can be written with this suffix; valid: {suffixes}",
+    ),
+    "no_working": (
+        "механизм не собирается ни в одном положении",
+        "the mechanism assembles in no position",
+    ),
 }

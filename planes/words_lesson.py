@@ -82,7 +82,7 @@ LESSON: dict[str, tuple[str, str]] = {
         "Многоугольник замкнут. Измеряем реакции: {readings}.",
         "The polygon is closed. Measure the reactions: {readings}.",
     ),
-    "reading": ("⟨{name}⟩ = {mm} мм / μ = {value} {unit}", "⟨{name}⟩ = {mm} mm / μ = {value} {unit}"),
+    "reading": ("⟨{name}⟩ = {mm} мм / {mu} = {value} {unit}", "⟨{name}⟩ = {mm} mm / {mu} = {value} {unit}"),
     "moments": (
         "Моменты относительно ⟨{about}⟩ ({links}): {head} = {letters} = {numbers}{result}.",
         "Moments about ⟨{about}⟩ ({links}): {head} = {letters} = {numbers}{result}.",
@@ -99,6 +99,22 @@ LESSON: dict[str, tuple[str, str]] = {
     "ccw": ("против часовой стрелки", "counter-clockwise"),
     "cw": ("по часовой стрелке", "clockwise"),
     "still": ("звено не вращается", "the link does not turn"),
+    "zone_bad": (
+        "Здесь механизм не собирается: план не построить.",
+        "Here the mechanism cannot be assembled: there is no plan to draw.",
+    ),
+    "zone_blunt": (
+        "Здесь прямые, дающие ⟨{mark}⟩ ({plan}), сходятся под углом до {angle}°: погрешность построения растёт как "
+        "1/sin этого угла, у особого положения — без предела.",
+        "Here the lines that give ⟨{mark}⟩ ({plan}) meet at an angle down to {angle}°: the error of drawing grows as 1 "
+        "over the sine of it, at a dead point without limit.",
+    ),
+    # practice
+    "other_direction": (
+        "Направление не то: {reason}", "That is not the direction: {reason}",
+    ),
+    "other_length": ("Длина не та: {reason}", "That is not the length: {reason}"),
+    "other_place": ("Не здесь: {reason}", "Not there: {reason}"),
     # ways a length is laid off
     "way_across": ("перпендикулярно {line}", "perpendicular to {line}"),
     "way_along": ("параллельно {line}", "along {line}"),

@@ -11,6 +11,12 @@ LINKS: dict[str, tuple[str, str]] = {
         "{what}: точку нельзя назвать p, это полюс каждого плана; напишите P",
         "{what}: a point cannot be named p, the pole of every plan; write P",
     ),
+    "points_alike": (
+        "{one} и {two} выглядят одинаково, но написаны разными буквами (латиница и кириллица); если это одна точка, "
+        "напишите её везде одинаково",
+        "{one} and {two} look the same but are written in different letters (Latin and Cyrillic); if they are one "
+        "point, write it the same everywhere",
+    ),
     "link_zero": (
         "звено нельзя назвать 0, это номер стойки; точки стойки записывают в frame",
         "a link cannot be named 0, the frame's own name; write its points under frame",
@@ -70,6 +76,51 @@ LINKS: dict[str, tuple[str, str]] = {
     ),
     "friction_no_guide": ('friction: нет направляющей "{name}"{valid}', 'friction: there is no guide "{name}"{valid}'),
     # vectors and equations
+    "vectors_parallel": (
+        "{text}: векторы {along} и {across} параллельны, и многоугольник не замкнуть; измените направление одного из "
+        "них",
+        "{text}: {along} and {across} are parallel, so the polygon cannot close; change the direction of one of them",
+    ),
+    "vectors_coincident": (
+        "{text}: векторы {along} и {across} лежат на одной прямой, и их длины не определены (0/0); задайте одну из них "
+        "или измените направление",
+        "{text}: {along} and {across} lie on one line, so their lengths are not determined (0/0); give one of them or "
+        "change a direction",
+    ),
+    "vectors_arc_short": (
+        "{text}: вектор {radius} короче, чем нужно, чтобы достать до прямой вектора {along}, на {miss_mm}; увеличьте "
+        "его или измените направление",
+        "{text}: {radius} is too short to reach the line of {along}, by {miss_mm}; make it longer or change a "
+        "direction",
+    ),
+    "vectors_arcs_apart": (
+        "{text}: векторы {radius} и {other_radius} вместе короче, чем нужно, на {miss_mm}, и многоугольник не "
+        "замкнуть; увеличьте один из них",
+        "{text}: {radius} and {other_radius} together are too short by {miss_mm}, so the polygon cannot close; make "
+        "one of them longer",
+    ),
+    "vectors_arcs_inside": (
+        "{text}: один из векторов {radius} и {other_radius} длиннее, чем нужно, на {miss_mm}, и многоугольник не "
+        "замкнуть; измените их величины",
+        "{text}: one of {radius} and {other_radius} is too long by {miss_mm}, so the polygon cannot close; change "
+        "their values",
+    ),
+    "vectors_arcs_coincide": (
+        "{text}: векторы {radius} и {other_radius} равны по величине, а остальные в сумме дают ноль, и направление "
+        "может быть любым (0/0); задайте одно из направлений",
+        "{text}: {radius} and {other_radius} are equally long and the rest add up to zero, so any direction would do "
+        "(0/0); give one of the directions",
+    ),
+    "vectors_no_length": (
+        "{text}: величина {radius} равна нулю, и направление у этого вектора не найти; задайте её больше нуля",
+        "{text}: the value of {radius} is zero, so it has no direction to find; give it more than zero",
+    ),
+    "vectors_no_lengths": (
+        "{text}: одна из величин {radius}, {other_radius} равна нулю, и направление у этого вектора не найти; задайте "
+        "её больше нуля",
+        "{text}: one of the values {radius}, {other_radius} is zero, so it has no direction to find; give it more than "
+        "zero",
+    ),
     "vectors_empty": ("vectors: здесь пусто; назовите хотя бы один вектор", "vectors is empty; name at least one"),
     "bad_vector": (
         "{name} не может быть именем вектора; допустимы буквы, цифры, _ ^ и ' без пробелов, не больше {most} знаков",

@@ -156,6 +156,10 @@ METHOD: dict[str, tuple[str, str]] = {
     "help_object": ("печатать объект для программ", "print an object for programs"),
     "help_pencil": ("чертить с погрешностями карандаша, а не точно", "draw with a pencil's errors instead of exactly"),
     "help_seed": ("какие именно погрешности у карандаша", "which errors the pencil makes"),
+    "help_sheet_number": (
+        "лист проекта: 1 (структура и кинематика) или 2 (силовой расчёт); без него всё на одном листе",
+        "a sheet of a project: 1 (structure and kinematics) or 2 (forces); without it all stands on one page",
+    ),
     "help_output": ("какой файл записать (.svg, .pdf, .png)", "the file to write (.svg, .pdf, .png)"),
     "help_scene": ("файл сцены (YAML)", "the scene file (YAML)"),
     "help_variant": ("какой вариант чисел сцены взять", "which variant of the scene's numbers"),

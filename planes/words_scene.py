@@ -47,6 +47,10 @@ SCENE: dict[str, tuple[str, str]] = {
     "valid_some": ("; допустимо (часть): {names}{near}", "; valid (some of them): {names}{near}"),
     "valid_drawn": ("; уже построено: {names}{near}", "; drawn so far: {names}{near}"),
     "near_name": ("; имелось в виду {name}?", "; did you mean {name}?"),
+    "near_alike": (
+        "; {name} выглядит так же, но написано другими буквами (латиница и кириллица)",
+        "; {name} looks the same but is written in other letters (Latin and Cyrillic)",
+    ),
     "none_defined": ("; {of:of} там не задано", "; no {of} is defined there"),
     # any value
     "table_needed": (

@@ -89,8 +89,8 @@ class Composer:
         """The scheme in the calculated position."""
         plotted, mu = of_position(position), position.scales[mu_of("position")]
         title = f"{say('scheme', self.lang)}, {self.mu(plotted, 'position')}"
-        drawn = lambda: Scheme(position, self.naming).drawn()  # noqa: E731
-        return self.once(("scheme", mu), lambda: view("scheme", title, drawn(), figure=True))
+        found = Scheme(position, self.naming)
+        return self.once(("scheme", mu), lambda: view("scheme", title, found.drawn(), figure=True))
 
     def plan(self, plotted: Plotted, plan: str) -> View:
         """A plan of rates or forces."""

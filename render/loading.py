@@ -45,7 +45,8 @@ class Loading:
                     way = complex(self.drawing[force.along])
                     self.force(force.name, complex(self.drawing[force.point]), way * _sign(self.drawing[force.size]))
             for k, couple in enumerate(c for c in acting.couples[link] if not c.name.startswith("MR_")):
-                if couple.value in self.drawing and abs(value := float(self.drawing[couple.value]) * couple.sign) > 1e-9:
+                value = float(self.drawing[couple.value]) * couple.sign if couple.value in self.drawing else 0.0
+                if abs(value) > 1e-9:
                     self.couple(couple.name, link, value, k)
 
     def reactions(self, plan: str) -> None:
@@ -63,6 +64,14 @@ class Loading:
                 arm = arm if math.isfinite(arm) and abs(arm) < 10 else 0.0
                 point = foot + arm * along * self.position.scales[f"mu_{SCHEME}"]
             self.force(name, point, way / abs(way), from_outside=True)
+
+    def balancing(self) -> None:
+        """The balancing couple on the driver."""
+        plans = self.position.plans
+        if plans.balancing in self.drawing and plans.mechanism.drive.kind == "phi":
+            taken = len([c for c in plans.acting.couples[plans.structure.driver] if not c.name.startswith("MR_")])
+            name = self.naming.balancing(True)
+            self.couple(name, plans.structure.driver, float(self.drawing[plans.balancing]), taken, name)
 
     def parts(self, plan: str) -> dict[str, complex]:
         """Names and segments (mm) of the unknown forces of a plan, the inner ones left out."""
@@ -108,7 +117,7 @@ class Loading:
         far = ends[0] if from_outside else ends[1]
         self.named.append(labels.Label(self.naming.vector(name), (far, (far + point) / 2), NAME_MM, name=name))
 
-    def couple(self, name: str, link: str, value: float, number: int) -> None:
+    def couple(self, name: str, link: str, value: float, number: int, text: str = "") -> None:
         """A curved arrow about the mass centre of its link, or the middle of its bar."""
         body = self.places.mechanism.links[link]
         centre = self.places.at(body.mass_centre)
@@ -116,7 +125,7 @@ class Loading:
         start = 100.0 if sense > 0 else 80.0
         self.marks += symbols.turn_arrow(centre, radius, start, sense * 150, "thick", "force")
         middle = centre + radius * cmath.rect(1, math.radians(start + sense * 75))
-        self.named.append(labels.Label(self.naming.vector(name), middle, NAME_MM, clear=0.4, name=name))
+        self.named.append(labels.Label(text or self.naming.vector(name), middle, NAME_MM, clear=0.4, name=name))
 
     def arms(self, equations: list[Moments]) -> None:
         """Thin perpendiculars from the centre of moments to the lines of action, which are drawn out to meet them."""
@@ -134,7 +143,7 @@ class Loading:
                 self.marks.append(Line((point, foot), "construction", "construction"))
                 self.marks.append(Line((about, foot), "thin", "dimension"))
                 text = f"h_{{{''.join(c for c in self.naming.vector(name) if c not in '_^{}')}}}"
-                self.named.append(labels.Label(text, (about, foot), 2.5, name=f"arm {name}"))
+                self.named.append(labels.Label(text, (about, foot), NAME_MM, name=f"arm {name}"))
 
 
 def _sign(value: object) -> float:

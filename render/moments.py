@@ -27,7 +27,7 @@ class MomentLines:
         """All equations (those of some links) that say anything, from the top down."""
         setter, y = Setter(self.letter), 0.0
         for equation in self.position.plans.moments:
-            wanted = equation.links != ("lever",) if links is None else equation.links == links
+            wanted = equation.links != ("lever",) if links is None else set(equation.links) <= set(links)
             words = self.words(equation) if wanted else []
             if words:
                 y = setter.row(words, y) - 1.9 * self.letter
@@ -45,28 +45,31 @@ class MomentLines:
         if not shown:
             return []
         about = _flat(self.naming.point(equation.about))
-        links = ",".join(self.naming.link(x) for x in equation.links)
-        arm = float(self.position.drawing[equation.arm]) if equation.arm else 1.0
+        links = ",".join(self.naming.link(x) for x in equation.links if x != "lever")
+        factor = self.common(equation, made)
+        by = float(self.position.drawing[factor]) if factor else 1.0
         found = float(self.position.drawing[equation.unknown])
-        head = self.unknown(equation) + (self.naming.vector(equation.arm) if equation.arm else "")
-        unit = say("N·m", self.naming.lang)
-        words = [Word(f"ΣM_{{{about}}}^{{({links})}}:", vector=False, value=unit)]
-        words.append(Word(head, vector=False, value=self.number(found * arm)))
+        head = self.unknown(equation) + (self.naming.vector(factor) if factor else "")
+        unit = say("W" if factor != equation.arm else "N·m", self.naming.lang)
+        words = [Word(f"ΣM_{{{about}}}" + (f"^{{({links})}}:" if links else ":"), vector=False, value=unit)]
+        words.append(Word(head, vector=False, value=self.number(found * by)))
         for k, (name, lever, value) in enumerate(shown):
-            sign = "=" if k == 0 else "+" if value > 0 else "−"
-            if k == 0 and value < 0:
-                sign = "= −"
+            sign = ("= −" if value * by < 0 else "=") if k == 0 else "−" if value * by < 0 else "+"
             words.append(Word(sign, vector=False))
-            words.append(Word(self.product(name, lever), vector=False, value=self.number(abs(value) * arm)))
+            words.append(Word(self.product(name, lever), vector=False, value=self.number(abs(value * by))))
         if not equation.arm:
             return words
         result = f";  {self.unknown(equation)} = {self.number(found)} {say('N', self.naming.lang)}"
         return [*words, Word(result, vector=False)]
 
+    def common(self, equation: Moments, made: Calculate) -> str:
+        """What every product is divided by: the unknown's arm, or on the lever the driver's rate; "" for nothing."""
+        return next((name for name, power in made.terms[0].factors if power < 0), "")
+
     def unknown(self, equation: Moments) -> str:
         """The letter of what the equation is solved for."""
         drive = self.position.plans.mechanism.drive
-        if equation.unknown == self.position.plans.balancing:
+        if equation.unknown in (self.position.plans.balancing, self.position.plans.zhukovsky):
             return self.naming.balancing(drive.kind == "phi")
         if equation.unknown.startswith("MR_"):
             return f"M({self.naming.vector(equation.unknown.removeprefix('MR_'))})"
@@ -77,7 +80,9 @@ class MomentLines:
         if name.startswith("MR_"):
             return f"M({self.naming.vector(name.removeprefix('MR_'))})"
         text = self.naming.vector(name)
-        return text + (f"h_{{{_flat(text)}}}" if lever else "")
+        if lever.startswith(("omega", "v_")):
+            return text + self.naming.vector(lever)
+        return text + (f"{'H' if lever.startswith('H_') else 'h'}_{{{_flat(text)}}}" if lever else "")
 
     def value(self, term: object) -> float:
         """One product of the sum."""

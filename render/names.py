@@ -50,7 +50,10 @@ class Naming:
             letter = "Φ"
         elif letter == "MI":
             letter, index = "M", "Φ" + index
+        elif letter == "T" and index.startswith("F_"):
+            index = self.reaction(index[2:])
         elif letter in ("v", "a"):
+            index = index.removeprefix("slide_")
             index = self.grounded(index)
         elif letter == "Fb":
             return self.balancing(False)

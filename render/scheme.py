@@ -7,7 +7,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from planes.bodies import SCHEME
 from planes.mechanism import FRAME, Link
 from planes.solving import Position
 from render import labels, symbols
@@ -21,6 +20,7 @@ RAIL_MM = 17.0  # of a guide shown on each side of its slider
 ROD_MM = 12.0  # of a moving guide shown beyond its slider
 LETTER_MM = 5.0
 SMALL_MM = (8.0, 4.6)  # a block held inside another
+ALONE_MM = 13.0  # of the axis of a guide that is not drawn, on each side of its slider
 LARGE_MM = (14.0, 10.5)  # the block that holds it
 
 
@@ -101,6 +101,8 @@ class Scheme:
         angle = degrees(along)
         if self.mechanism.owner(link.slides.guide) != FRAME or not self.framed:
             self.blocks += symbols.block(foot, angle, size=SMALL_MM if self.places.doubled(link) else BLOCK_MM)
+            if not self.framed and self.mechanism.owner(link.slides.guide) not in self.only:
+                self.axes.append(Line((foot - ALONE_MM * along, foot + ALONE_MM * along), "axis", "axis"))
             return
         size = LARGE_MM if self.places.doubled(link) else BLOCK_MM
         side = self.rail_side(foot, along)
@@ -214,7 +216,8 @@ class Scheme:
         found: list[Mark] = []
         for rate, letter, radius in ((drive.velocity, "ω", 9.0), (drive.acceleration, "ε", 12.5)):
             if rate:
-                arrow, middle = self.free_arc(self.places.at(pair.point), radius, math.copysign(1, rate), [*ground, *found])
+                pivot, sense = self.places.at(pair.point), math.copysign(1, rate)
+                arrow, middle = self.free_arc(pivot, radius, sense, [*ground, *found])
                 found += arrow
                 text = f"{letter}_{{{self.naming.link(drive.link)}}}"
                 self.named.append(labels.Label(text, middle, LETTER_MM, clear=0.5, name=text))

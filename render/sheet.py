@@ -12,6 +12,7 @@ from planes.words import Lang
 from render.frame import FORMATS, Paper, sheet_number
 from render.layout import GAP_MM, pack
 from render.marks import Mark
+from render.typeset import plain
 from render.view import View
 from render.words import say
 
@@ -42,7 +43,7 @@ class Sheet:
         return self.paper.size
 
 
-def compose(scene: Scene, views: Views, free: bool, lang: Lang) -> Sheet:
+def compose(scene: Scene, views: Views, free: bool, lang: Lang, number: int | None = None) -> Sheet:
     """The sheet of a scene: the smallest format, or the one it names, on which all views find room.
 
     ``free`` says whether the scene leaves any μ open, so that plans may grow and shrink.
@@ -51,14 +52,20 @@ def compose(scene: Scene, views: Views, free: bool, lang: Lang) -> Sheet:
     formats = [wanted_format(str(chosen), scene, lang)] if chosen and chosen != "auto" else list(FORMATS)
     tried: list[View] = []
     for name in formats:
-        paper = Paper(name)
-        sizes = (*FACTORS, *SMALLER) if name == formats[-1] else FACTORS
-        for factor, letter, together in product(sizes if free else (1.0,), LETTERS[name], (True, False)):
+        for factor, letter, together in _tries(name, free, name == formats[-1]):
             tried, fillers = views(factor, letter, together)
-            places = arranged(tried, fillers, paper)
+            places = arranged(tried, fillers, Paper(name))
             if places:
-                return finished(scene, paper, places, lang)
+                return finished(scene, Paper(name), places, lang, number)
     raise no_room(tried, Paper(formats[-1]), lang)
+
+
+def _tries(name: str, free: bool, last: bool) -> list[tuple[float, float, bool]]:
+    """Sizes of plans, letter heights and whether equations stand under their plans, the best looking first."""
+    large = [f for f in FACTORS if f >= 1.0] if free else [1.0]
+    small = [f for f in FACTORS if f < 1.0] + list(SMALLER if last else ()) if free else []
+    first = [*product(large, LETTERS[name], (True,)), *product(large, LETTERS[name], (False,))]
+    return [*first, *product(small, LETTERS[name], (True, False))]
 
 
 def arranged(views: list[View], fillers: list[View], paper: Paper) -> list[tuple[View, float, float]] | None:
@@ -71,14 +78,16 @@ def arranged(views: list[View], fillers: list[View], paper: Paper) -> list[tuple
     return None
 
 
-def finished(scene: Scene, paper: Paper, places: Sequence[tuple[View, float, float]], lang: Lang) -> Sheet:
+def finished(
+    scene: Scene, paper: Paper, places: Sequence[tuple[View, float, float]], lang: Lang, number: int | None = None
+) -> Sheet:
     """The views in their places within frame and title block."""
     marks = [m for v, left, top in places for m in v.placed(left, top)]
     title = scene.title.get(lang, "")
-    return Sheet(paper, (*paper.marks(cells(scene, lang), lang), *marks), tuple(places), title)
+    return Sheet(paper, (*paper.marks(cells(scene, lang, number), lang), *marks), tuple(places), title)
 
 
-def cells(scene: Scene, lang: Lang) -> dict[str, str]:
+def cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str, str]:
     """What the title block says."""
     said = {key: str(value) for key, value in scene.sheet.items()}
     plain = ("student", "teacher", "date", "checked", "approved", "material", "letter", "mass")
@@ -88,8 +97,10 @@ def cells(scene: Scene, lang: Lang) -> dict[str, str]:
     company = [said.get(key, "") for key in ("company", "university", "department", "group")]
     found["company"] = " ".join(text for text in company if text)
     found["scale"] = said.get("scale_note", "")
-    found["sheet"] = sheet_number(lang, "Лист", said.get("sheet", "").removesuffix(".0"))
-    found["sheets"] = sheet_number(lang, "Листов", said.get("sheets", "1").removesuffix(".0"))
+    if number:
+        found["title"] += f". {say(f'sheet_{number}', lang)}" if "title" not in said else ""
+    found["sheet"] = sheet_number(lang, "Лист", said.get("sheet", str(number or "")).removesuffix(".0"))
+    found["sheets"] = sheet_number(lang, "Листов", said.get("sheets", "2" if number else "1").removesuffix(".0"))
     return found
 
 
@@ -108,7 +119,7 @@ def no_room(views: Sequence[View], paper: Paper, lang: Lang) -> SceneError:
     width, height = round(largest.width), round(largest.height)
     names = list(FORMATS)
     larger = names[names.index(paper.name) + 1 :]
-    title = largest.title or largest.key
+    title = plain(largest.title or largest.key)
     if not larger:
         return SceneError(say("no_room_at_all", lang, view=title, width=width, height=height))
     need = sum((v.width + GAP_MM) * (v.height + GAP_MM) for v in views) * 1.1

@@ -28,6 +28,14 @@ WORDS: dict[str, tuple[str, str]] = {
     "reactions_table": ("Реакции", "Reactions"),
     "check_table": ("Уравновешивание и проверка", "Balancing and check"),
     "structure": ("Структура механизма", "Structure of the mechanism"),
+    "primary": ("первичный механизм: I класс", "primary mechanism: class I"),
+    "loaded": ("Схема нагружения", "Loads on the mechanism"),
+    "loaded_group": ("Группа {links} с силами", "Group {links} with its forces"),
+    "loaded_driver": ("Первичный механизм {links} с силами", "Primary mechanism {links} with its forces"),
+    "diagrams_slider": ("Диаграммы движения ползуна {link}", "Motion diagrams of slider {link}"),
+    "diagrams_link": ("Диаграммы движения звена {link}", "Motion diagrams of link {link}"),
+    "sheet_1": ("Структурный и кинематический анализ", "Structure and kinematics"),
+    "sheet_2": ("Силовой расчёт", "Force analysis"),
     "point": ("Точка", "Point"),
     "link": ("Звено", "Link"),
     "slider": ("Ползун", "Slider"),
@@ -58,6 +66,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "rad/s": ("рад/с", "rad/s"),
     "rad/s²": ("рад/с²", "rad/s²"),
     "N": ("Н", "N"),
+    "W": ("Вт", "W"),
     "N·m": ("Н·м", "N·m"),
     "no_room": (
         "лист {format}: вид «{view}» ({width} × {height} мм) не помещается; поместится на формате {larger} или при "

@@ -74,7 +74,7 @@ def test_parameters_of_one_another():
 
 
 @pytest.mark.parametrize(("texts", "piece", "parameter"), [
-    ({"a": "a"}, "a -> a", "a"), ({"a": "b", "b": "c+1", "c": "a"}, "a -> b -> c -> a", "c"),
+    ({"a": "a"}, "a refers to itself", "a"), ({"a": "b", "b": "c+1", "c": "a"}, "a -> b -> c -> a", "c"),
     ({"x": "1", "a": "x+q", "q": "a"}, "a -> q -> a", "q"), ({"a": "2", "b": "a+zz"}, "valid: a, b, pi", "b"),
     ({"a": "b", "b": "1/0"}, "division by zero", "b"), ({"a": "0,5"}, "decimal point", "a"),
 ])

@@ -93,9 +93,9 @@ CASES: dict[str, tuple[str, str, str]] = {  # scene, in Russian, in English
     ),
     "arc short": (
         SLIDER.replace("C: 0.3", "C: 0.03"),
-        "дуга радиуса l_BC из B не достаёт до прямой ∥x-x через °x-x на 20 мм: C не построить; механизм в этом "
+        "дуга радиуса l_BC из B не достаёт до прямой направляющей x-x на 20 мм: C не построить; механизм в этом "
         "положении не собирается",
-        "the arc l_BC about B misses the line ∥x-x through °x-x by 20 mm: C cannot be drawn; the mechanism does not "
+        "the arc l_BC about B misses the line of guide x-x by 20 mm: C cannot be drawn; the mechanism does not "
         "assemble in this position",
     ),
     "dead point of RRR": (
@@ -122,29 +122,31 @@ CASES: dict[str, tuple[str, str, str]] = {  # scene, in Russian, in English
     ),
     "guides parallel": (
         CROSS_SLIDE.replace("phi: 30", "phi: 0"),
-        "прямые ∥g через °g и ∥x-x через °x-x параллельны и отстоят на 100 мм: C бесконечно далеко, механизм в "
+        "прямые направляющей g и направляющей x-x параллельны и отстоят на 100 мм: C бесконечно далеко, механизм в "
         "особом положении; измените положение ведущего звена",
-        "the lines ∥g through °g and ∥x-x through °x-x are parallel, 100 mm apart: C is infinitely far, the mechanism "
+        "the lines of guide g and of guide x-x are parallel, 100 mm apart: C is infinitely far, the mechanism "
         "is at a dead point; take another position of the driver",
     ),
     "guides coincide": (
         CROSS_SLIDE.replace("phi: 30", "phi: 0").replace("y: 0.2", "y: 0.3"),
-        "прямые ∥g через °g и ∥x-x через °x-x совпадают: C на них не определена (0/0), механизм в точке "
+        "прямые направляющей g и направляющей x-x совпадают: C на них не определена (0/0), механизм в точке "
         "разветвления; возьмите соседнее положение",
-        "the lines ∥g through °g and ∥x-x through °x-x coincide: any point of them could be C (0/0), the mechanism is "
+        "the lines of guide g and of guide x-x coincide: any point of them could be C (0/0), the mechanism is "
         "at a change point; take a neighbouring position",
     ),
     "offset circle too large": (
         ROCKER.replace("through: D", "through: [0, 0.15]").replace("phi: 60", "phi: 0"),
-        "точка B ближе к D, чем смещение направляющей, на 50 мм: касательную ∥g не провести; механизм в этом "
+        "точка B ближе к D, чем смещение направляющей, на 50 мм: касательной для направляющей g не провести; "
+        "механизм в этом "
         "положении не собирается",
-        "B is closer to D than the guide's offset, by 50 mm: no tangent ∥g can be drawn; the mechanism does not "
+        "B is closer to D than the guide's offset, by 50 mm: no tangent for guide g can be drawn; the "
+        "mechanism does not "
         "assemble in this position",
     ),
     "points meet": (
         ROCKER.replace("D: [0.2, 0]", "D: [0.1, 0]").replace("phi: 60", "phi: 0"),
-        "точки D и B совпали: направление ∥g не определено; возьмите соседнее положение",
-        "D and B coincide: the direction ∥g is not determined; take a neighbouring position",
+        "точки D и B совпали: направление направляющей g не определено; возьмите соседнее положение",
+        "D and B coincide: the direction of guide g is not determined; take a neighbouring position",
     ),
 }
 

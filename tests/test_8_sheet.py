@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 import shapely
+from scene_texts import SIX_LINK
+
 from planes.cli import main
 from planes.roof import draw_sheet, sheet_of
 from planes.scene import load, loads
@@ -19,7 +21,6 @@ from render.footprints import conflicts
 from render.layout import GAP_MM, pack
 from render.marks import Arrow, Line, Text
 from render.typeset import layout, plain
-from scene_texts import SIX_LINK
 
 SAMPLES = sorted((Path(__file__).parent.parent / "samples").glob("*.yaml"))
 NAMES = [path.stem for path in SAMPLES]

@@ -21,7 +21,7 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "words_text",
     "fused_text plane reading symbols tools words_check",
     "step words",
-    "crossings reckoning wording yaml_words",
+    "crossings reckoning thing_names wording yaml_words",
     "angles equations expressions paper program source statement steps structure units",
     "drafting scene_reader",
     "bodies crank_slider.reading_table instruments scene_links scene_motion scene_settings scene_vectors",

@@ -141,8 +141,9 @@ class Writer:
         told = {k: self.number(v) if isinstance(v, float) else str(v) for k, v in parts.items()}
         return _PLACE.sub(lambda found: told[found[1]], self.words[key][0 if self.lang == "ru" else 1])
 
-    def number(self, value: float, digits: int = 4) -> str:
-        """A number as it stands in a text."""
+    def number(self, value: float, digits: int = 4, near: float = 0.0) -> str:
+        """A number as it stands in a text; rounding noise of numbers ``near`` that large is zero."""
+        value = 0.0 if abs(value) < 1e-12 * near else value
         text = quantity(float(value), digits=digits, true_minus=True)
         return text.replace(".", ",") if self.lang == "ru" else text
 
@@ -174,6 +175,8 @@ class Writer:
                  "kg": ("кг", "kg"), "J": ("Дж", "J"), "mm": ("мм", "mm"), "m": ("м", "m"), "kW": ("кВт", "kW")}  # fmt: skip
         for unit, pair in units.items():
             tex = tex.replace(f"[{unit}]", f"\\ \\mathrm{{{pair[0 if self.lang == 'ru' else 1]}}}")
+        tex = tex.replace(r"\frac", r"\dfrac").replace(r"\tan", r"\,\mathrm{tg}\," if self.lang == "ru" else r"\,\tan ")
+        tex = re.sub(r"\\(sin|cos)(?=[^a-z]|$)", r"\\,\\\1\\,", tex).replace(r"\,^", "^")
         self.blocks.append(Formula(tex, number))
 
     def table(self, key: str, head: Sequence[str], rows: Sequence[Sequence[str]], **parts: object) -> None:

@@ -14,6 +14,9 @@ from planes.crank_slider.pages import Curve, Drawn, Writer
 from planes.scene import Scene
 from planes.solving import Position, plans_of, position
 
+FITS = {"position": 110.0, "velocity": 58.0, "acceleration": 58.0, "force": 62.0, "motion": 58.0}
+"""How large a plan may be in the report, mm."""
+
 
 def write_given(w: Writer, c: Calculation) -> None:
     """What the calculation starts from."""
@@ -51,7 +54,7 @@ def drawn_at(w: Writer, c: Calculation, phi_deg: float) -> tuple[Scene, Position
     )
     scene = replace(c.scene, mechanism=replace(mechanism, drive=drive), find=None)
     plans, wanted = plans_of(scene)
-    return scene, position(scene, plans, wanted, phi_deg, None, w.lang)
+    return scene, position(scene, plans, wanted, phi_deg, None, w.lang, FITS)
 
 
 def write_kinematics(w: Writer, c: Calculation) -> None:
@@ -157,11 +160,11 @@ def _results(w: Writer, c: Calculation) -> None:
     phi = c.motion.phi_deg[turn]
     steps = range(0, len(phi), max(1, round(30 / c.given.step_deg)))
     p, q = c.points, c.plane
-    table = [(w.number(phi[i]), *(w.number(v) for v in (
-        p.r["B"][i].real, abs(p.v["A"][i]), p.v["B"][i].real, abs(p.v["C"][i]), abs(p.a["A"][i]), p.a["B"][i].real,
-        abs(p.a["C"][i]), q.omega[i], q.epsilon[i]))) for i in steps]  # fmt: skip
+    columns = [phi, p.r["B"].real, abs(p.v["A"]), p.v["B"].real, abs(p.v["C"]), abs(p.a["A"]), p.a["B"].real,
+               abs(p.a["C"]), q.omega, q.epsilon]  # fmt: skip
+    table = [[w.number(x[i], near=float(np.max(np.abs(x)))) for x in columns] for i in steps]
     w.table("t_kin", ["φ, °", "x_{B}", "v_{A}", "v_{B}", "v_{C}", "a_{A}", "a_{B}", "a_{C}", "ω_{AB}", "ε_{AB}"], table)
     w.chart("f_7a", "x_phi", "y_v", [Curve(phi, np.abs(p.v[n][turn]) / unit, n, i) for i, n in enumerate("ABC")], ticks=30)
     w.chart("f_7b", "x_phi", "y_a", [Curve(phi, np.abs(p.a[n][turn]) / rate, n, i) for i, n in enumerate("ABC")], ticks=30)
-    w.chart("f_omega", "x_phi", "y_w", [Curve(phi, q.omega[turn] / s.omega, "ω_AB/ω", 0),
-            Curve(phi, q.epsilon[turn] / s.omega**2, "ε_AB/ω²", 1)], ticks=30)  # fmt: skip
+    w.chart("f_omega", "x_phi", "y_w", [Curve(phi, q.omega[turn] / s.omega, r"$\omega_{AB}/\omega$", 0),
+            Curve(phi, q.epsilon[turn] / s.omega**2, r"$\varepsilon_{AB}/\omega^2$", 1)], ticks=30)  # fmt: skip

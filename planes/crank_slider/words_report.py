@@ -32,7 +32,7 @@ GENERAL: dict[str, tuple[str, str]] = {
     "g_d": ("диаметр поршня", "bore"),
     "g_p0": ("давление под поршнем", "pressure behind the piston"),
     "g_strokes": ("тактов в цикле", "strokes in a cycle"),
-    "f_scheme": ("Схема механизма при φ = {phi}°, μ по чертежу", "Scheme of the mechanism at φ = {phi}°"),
+    "f_scheme": ("Схема механизма при φ = {phi}°", "Scheme of the mechanism at φ = {phi}°"),
     "u_m": ("м", "m"),
     "u_kg": ("кг", "kg"),
     "u_N": ("Н", "N"),
@@ -111,5 +111,5 @@ KINEMATICS: dict[str, tuple[str, str]] = {
     "x_phi": ("угол поворота кривошипа φ, °", "crank angle φ, °"),
     "y_v": ("v/(ωr)", "v/(ωr)"),
     "y_a": ("a/(ω²r)", "a/(ω²r)"),
-    "y_w": ("ω_AB/ω;  ε_AB/ω²", "ω_AB/ω;  ε_AB/ω²"),
+    "y_w": (r"$\omega_{AB}/\omega$;  $\varepsilon_{AB}/\omega^2$", r"$\omega_{AB}/\omega$;  $\varepsilon_{AB}/\omega^2$"),
 }

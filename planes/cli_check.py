@@ -1,0 +1,103 @@
+"""``planes check``: what is read by the file's suffix, checked and printed."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+from planes.checking import Asked, prepare
+from planes.nudging import HAND, cad
+from planes.paper import Paper, read_table
+from planes.scales import kind_of
+from planes.scene import Scene
+from planes.tables import table
+from planes.units import UnitError, read_mu
+from planes.verdict import STATUS, Outcome, as_json, check, mark_rows, result_rows
+from planes.wording import PlanesError
+from planes.words import Lang, Phrase, say
+
+TABLES = (".csv", ".json", ".txt", ".tsv")
+_PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?[\d.]+)\s*[,;]\s*([-+]?[\d.]+)\s*")
+
+
+def run(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
+    """Check, print, and give the exit status: 0 right, 1 wrong, 2 unreadable."""
+    asked = ask(args, scene, value)
+    found = check(asked, read_paper(args.drawing, asked, args))
+    if args.json:
+        print(json.dumps(as_json(found, args.lang), ensure_ascii=False, allow_nan=False))
+    else:
+        print(told(found, args.lang))
+    return STATUS[found.verdict]
+
+
+def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:
+    """The question of the command line."""
+    plan = args.plan
+    mu = _mu(args.mu, plan)
+    asked = Asked(scene, plan, value, mu)
+    others = {}
+    for pair in args.others:
+        name, _, file = pair.partition("=")
+        if not file:
+            raise PlanesError(Phrase("check_option", option="--with", text=pair, form="velocity=FILE"))
+        others[name] = read_paper(file, asked, args)
+    skill = HAND
+    if args.work == "cad":
+        skill = cad(_size(asked))
+    return Asked(scene, plan, value, mu, skill, others)
+
+
+def _mu(text: str | None, plan: str) -> float | None:
+    if text is None:
+        return None
+    try:
+        return read_mu(text, kind_of(plan))
+    except UnitError as error:
+        raise PlanesError(str(error)) from None
+
+
+def _size(asked: Asked) -> float:
+    """How large the plan is, mm."""
+    from planes.drawing import run as draw
+    from planes.scales import extent
+
+    bench = prepare(asked)
+    return max(extent(draw(bench.program, bench.given), asked.plan), 10.0)
+
+
+def read_paper(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
+    """What was handed in, by the suffix of its file."""
+    suffix = Path(file).suffix.lower()
+    if suffix in TABLES:
+        return read_table(file)
+    raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
+
+
+def place(text: str, option: str) -> tuple[str, complex]:
+    """NAME=X,Y or X,Y of the command line."""
+    match = _PLACE.fullmatch(text)
+    if not match:
+        raise PlanesError(Phrase("check_option", option=option, text=text, form="X,Y"))
+    return (match[1] or "").strip(), complex(float(match[2]), float(match[3]))
+
+
+def told(found: Outcome, lang: Lang) -> str:
+    """The outcome for people: the sentence, then the tables."""
+    lines = [found.sentence.told(lang)]
+    rows = [[r["mark"], _mm(r["deviation_mm"]), _mm(r["tolerance_mm"]), say(f"verdict_{r['verdict']}", lang)
+             + (" !" if "warning" in r else "")] for r in mark_rows(found)]  # fmt: skip
+    head = [say(k, lang) for k in ("check_mark", "check_deviation", "check_tolerance", "check_verdict")]
+    lines += table(say("check_marks", lang), head, rows)
+    numbers = [[r["name"], f"{r['given']:.4g}", f"{r['true']:.4g}", say(f"verdict_{r['verdict']}", lang)]
+               for r in result_rows(found)]  # fmt: skip
+    head = [say(k, lang) for k in ("check_result", "check_given", "check_true", "check_verdict")]
+    lines += table(say("check_numbers", lang), head, numbers)
+    return "\n".join(lines + [f"! {n.told(lang)}" for n in found.notes])
+
+
+def _mm(value: Any) -> str:
+    return "—" if value is None else f"{value:.1f}"

@@ -1,0 +1,26 @@
+"""The report of a calculation as a document, and its numbers as an object for programs."""
+
+from __future__ import annotations
+
+from planes.crank_slider.calculation import Calculation
+from planes.crank_slider.pages import Document, Writer
+from planes.crank_slider.pages_balance import write_balance
+from planes.crank_slider.pages_forces import write_forces
+from planes.crank_slider.pages_kinematics import write_given, write_kinematics
+from planes.crank_slider.pages_rod import write_rod, write_summary
+from planes.crank_slider.pages_shaft import write_shaft
+from planes.crank_slider.words_forces import FORCES
+from planes.crank_slider.words_report import GENERAL, KINEMATICS
+from planes.crank_slider.words_strength import STRENGTH
+from planes.words import Lang
+
+CHAPTERS = (write_given, write_kinematics, write_forces, write_balance, write_shaft, write_rod, write_summary)
+
+
+def document(c: Calculation, lang: Lang) -> Document:
+    """The whole report in one language."""
+    writer = Writer(lang, {**GENERAL, **KINEMATICS, **FORCES, **STRENGTH})
+    for chapter in CHAPTERS:
+        chapter(writer, c)
+    title = c.scene.title.get(lang) or next(iter(c.scene.title.values()), c.scene.file)
+    return Document(title, lang, tuple(writer.blocks))
