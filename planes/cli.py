@@ -90,6 +90,9 @@ def _parser() -> argparse.ArgumentParser:
     chart = _command(commands, "chart", _chart, _help("help_chart"))
     chart.add_argument("-o", "--output", required=True, metavar="FILE", help=_help("help_chart_output"))
     chart.add_argument("--table", metavar="FILE", help=_help("help_table"))
+    crank = _command(commands, "crank-slider", _crank_slider, _help("help_crank_slider"))
+    crank.add_argument("-o", "--output", metavar="FILE", help=_help("help_report"))
+    crank.add_argument("--json", action="store_true", help=_help("help_object"))
     check = _command(commands, "check", _check, _help("help_check"))
     _positions(check)
     add_options(check, _help)
@@ -211,6 +214,12 @@ def _chart(args: argparse.Namespace) -> int:
 
     draw_chart(load(args.scene, args.variant), args.output, args.table, args.lang)
     return 0
+
+
+def _crank_slider(args: argparse.Namespace) -> int:
+    from planes.roof_crank_slider import run
+
+    return run(load(args.scene, args.variant), args.output, args.json, args.lang)
 
 
 if __name__ == "__main__":

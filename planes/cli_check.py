@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import re
 from pathlib import Path
 from typing import Any
@@ -74,7 +75,30 @@ def read_paper(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
     suffix = Path(file).suffix.lower()
     if suffix in TABLES:
         return read_table(file)
+    if not Path(file).is_file():
+        raise PlanesError(Phrase("check_no_file", file=file, why=os.strerror(2)))
+    if suffix in (".svg", ".dxf"):
+        return _from_lines(file, asked, args)
     raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
+
+
+def _from_lines(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
+    """The marks of a drawing of lines; --pole and --mark are in its own units, y down."""
+    from planes.matching import paper_of, scaled
+    from planes.read_dxf import read_dxf
+    from planes.read_svg import read_svg, units
+
+    bench = prepare(asked)
+    sketch = read_svg(file) if file.lower().endswith(".svg") else read_dxf(file)
+    turn = units(file) if file.lower().endswith(".svg") else (lambda z: z)
+    pole = turn(place(args.pole, "--pole")[1]) if args.pole else None
+    marks = dict(place(m, "--mark") for m in args.mark)
+    sketch, by = scaled(sketch, bench, pole, {n: turn(z) for n, z in marks.items()})
+    paper = paper_of(sketch, bench)
+    paper.scale_mark = by
+    if by:
+        paper.notes.append(Phrase("check_scale_vector", mark=by))
+    return paper
 
 
 def place(text: str, option: str) -> tuple[str, complex]:

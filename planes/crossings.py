@@ -56,8 +56,8 @@ class CrossArc(Step):
         place, sharpness, miss = plane.line_arc(env[self.start], u, env[self.centre], radius, env[self.side], tool.ar)
         tool.sharpen(self.makes, sharpness)
         slack = tool.slack * (abs(env[self.start]) + abs(env[self.centre]) + radius)
-        tool.require(miss <= slack, self, "arc_short", miss_mm=miss)
         tool.require(radius > 0, self, "no_length")
+        tool.require(miss <= slack, self, "arc_short", miss_mm=miss)
         return tool.mark(place)
 
 
@@ -81,10 +81,10 @@ class CrossArcs(Step):
         place, sharpness, far, near = plane.arcs(centre, r, other, s, env[self.side], tool.ar)
         tool.sharpen(self.makes, sharpness)
         slack = tool.slack * (abs(centre) + abs(other) + r + s)
+        tool.require((r > 0) & (s > 0), self, "no_lengths")
         tool.require(far <= slack, self, "arcs_apart", miss_mm=far)
         tool.require(near <= slack, self, "arcs_inside", miss_mm=near)
         tool.require(abs(other - centre) > slack, self, "arcs_coincide")
-        tool.require((r > 0) & (s > 0), self, "no_lengths")
         return tool.mark(place)
 
 

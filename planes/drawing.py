@@ -8,7 +8,8 @@ from typing import Any
 
 from planes.instruments import Exact, Hand, Instrument
 from planes.program import Program
-from planes.wording import ProgramError, valid_names
+from planes.thing_names import called
+from planes.wording import PlanFailure, ProgramError, valid_names
 from planes.words import Phrase
 
 NOWHERE = complex("nan+nanj")  # the mark of a drawing of many that could not be drawn
@@ -66,9 +67,18 @@ def run(program: Program, given: Mapping[str, Any], instrument: Instrument | Non
     if many:
         _run_many(program, things, hand)
     else:
-        for step in program.steps:
-            things[step.makes] = step.draw(things, hand)
+        _run_one(program, things, hand)
     return Drawing(program, things, hand)
+
+
+def _run_one(program: Program, things: dict[str, Any], hand: Hand) -> None:
+    name = ""
+    try:
+        for step in program.steps:
+            name = step.makes
+            things[name] = step.draw(things, hand)
+    except (OverflowError, ZeroDivisionError):  # numbers so far apart that no double holds them
+        raise PlanFailure("no_digits", makes=called(name)) from None
 
 
 def _run_many(program: Program, things: dict[str, Any], hand: Hand) -> None:

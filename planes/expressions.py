@@ -147,15 +147,13 @@ class _Parser:
 
     def _unexpected(self) -> Phrase:
         kind, word = self.tokens[self.at]
-        if word == "," and self.at and self.tokens[self.at - 1][0] == "number":
-            after = self.tokens[self.at + 1]
-            if after[0] == "number":
-                return Phrase("decimal_point", number=f"{self.tokens[self.at - 1][1]}.{after[1]}")
+        near = self.tokens[max(self.at - 1, 0) : self.at + 2]
+        kinds = "-".join(kind for kind, _ in near)
+        if word == "," and kinds == "number-sign-number":
+            return Phrase("decimal_point", number=f"{near[0][1]}.{near[2][1]}")
         if kind == "end":
             return Phrase("end_absent")
-        if [kind for kind, _ in self.tokens[self.at - 1 : self.at + 2]] in (
-            ["number", "name", "end"], ["number", "name", "sign"]
-        ) and word not in (*self.valid, *RESERVED):
+        if kinds in ("number-name-end", "number-name-sign") and word not in (*self.valid, *RESERVED):
             return Phrase("unit_written", word=shown(word))
         return Phrase("unexpected" if kind == "sign" else "unexpected_operand", word=shown(word))
 

@@ -7,7 +7,6 @@ once. Coefficients are those of fdlibm (Sun Microsystems, 1993), correct to with
 from __future__ import annotations
 
 import struct
-from collections.abc import Mapping
 
 from planes.tape import TESTS, Tape
 

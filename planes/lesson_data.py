@@ -11,7 +11,7 @@ from typing import Any
 from planes.drafting import at, label_of, mu_of
 from planes.drawing import Drawing, run
 from planes.equations import Equation, Term
-from planes.formulas import slots
+from planes.formulas import slots, unit
 from planes.lesson import LANGS, Teller, mu_said, needed, value_of
 from planes.lesson_scheme import arms, feet, related, scheme
 from planes.lesson_steps import action, whole
@@ -59,7 +59,8 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> dict[str, Any
         "related": related(plans),
         "equations": [_equation(e) for e in plans.equations],
         "frames": [_frame(f) for f in frames],
-        "values": _columns({n: value_of(n, teller, cycle) for n in names}, len(values)),
+        "results": (results := _results(plans)),
+        "values": _columns({n: value_of(n, teller, cycle) for n in [*names, *(r["value"] for r in results)]}, len(values)),
         "practice": Practice(plans, given, drawing, frames).tasks(progress),
         **_turn(plans, cycle, len(values)),
         "zones": zones(plans, cycle, values),
@@ -161,6 +162,13 @@ def _frame(frame: Any) -> dict[str, Any]:
         "terms": frame.terms, "said": dict(frame.said), "why": dict(frame.why), "moments": frame.moments,
         "values": sorted(slots(frame.said["en"])),
     }  # fmt: skip
+
+
+def _results(plans: Plans) -> list[dict[str, Any]]:
+    """Rates and balancing loads shown beneath the plans at every position."""
+    rates = [*(link.omega for link in plans.links.values()), *(link.epsilon for link in plans.links.values())]
+    names = [*dict.fromkeys(n for n in rates if n in plans.program.made), plans.balancing, plans.zhukovsky]
+    return [{"name": n, "value": n, "unit": {lang: unit(n, lang) for lang in LANGS}} for n in names]
 
 
 def _columns(things: Mapping[str, Any], count: int, digits: int = 8) -> dict[str, Any]:

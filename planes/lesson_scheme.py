@@ -43,6 +43,8 @@ def _reach(plans: Plans, cycle: Drawing, guide: str, mark: str) -> list[float]:
     """From where to where along a guide its sliders run, mm from its mark, in most positions."""
     import numpy
 
+    joints = [cycle[at("position", p)] for x in plans.mechanism.links.values() for p in x.points]
+    size = max((float(numpy.nanmedian(abs(a - b))) for a in joints for b in joints), default=0.0)
     found = [0.0]
     for link in plans.mechanism.links.values():
         if link.slides and link.slides.guide == guide and f"∥{guide}" in cycle:
@@ -50,7 +52,7 @@ def _reach(plans: Plans, cycle: Drawing, guide: str, mark: str) -> list[float]:
             run = numpy.real(numpy.atleast_1d(way))
             run = run[numpy.isfinite(run)]
             found += [round(float(v), 1) for v in numpy.percentile(run, SPREAD)] if len(run) else []
-    return [min(found), max(found)]
+    return [round(max(min(found), -size), 1), round(min(max(found), size), 1)]
 
 
 def arms(plans: Plans) -> list[dict[str, Any]]:

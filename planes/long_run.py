@@ -96,7 +96,7 @@ def tell(table: Cycle, gaps: list[Gap], kind: str, lang: Lang) -> None:
 
 def reason(table: Cycle, gap: Gap, lang: Lang) -> str:
     """The sentence of the first position of a range, drawn by itself at full size."""
-    full = {name: 1000.0 for name in table.mus}
+    full = dict.fromkeys(table.mus, 1000.0)
     try:
         run(table.program, {**table.given, **full, table.plans.drive_given: gap.first})
     except PlanFailure as failure:

@@ -14,7 +14,7 @@ from planes.mechanism import FRAME
 from planes.plans import Plans
 from planes.scales import kind_of
 from planes.units import UNIT, mu_text
-from planes.wording import PlanFailure, SceneError, valid_names
+from planes.wording import PlanFailure, SceneError, choices
 from planes.words import Lang, Phrase, say
 
 BLUNT = math.sin(math.radians(15))
@@ -72,7 +72,7 @@ def asked(st: Plans, find: Iterable[str], file: str = "") -> list[Quantity]:
     for name in find:
         if name not in known:
             line = st.mechanism.where.get(("find",))
-            raise SceneError(Phrase("no_quantity", name=name, valid=valid_names(name, list(known))), file, line)
+            raise SceneError(Phrase("no_quantity", name=name, valid=choices(name, known)), file, line)
         chosen.append(known[name])
     return chosen
 

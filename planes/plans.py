@@ -20,6 +20,7 @@ from planes.reactions import Reaction, Statics
 from planes.reckoning import Protractor
 from planes.statics import draw_forces
 from planes.structure import Structure, analyse
+from planes.wording import ProgramError, SceneError
 
 
 @dataclass(frozen=True)
@@ -76,6 +77,13 @@ class Plans:
 def state(mechanism: Mechanism, file: str = "") -> Plans:
     """State every plan of a mechanism. :class:`StructureError` or :class:`SceneError` where it cannot be done."""
     structure = analyse(mechanism, file)
+    try:
+        return _state(mechanism, structure, file)
+    except ProgramError as error:
+        raise SceneError(error.phrase, file, mechanism.where.get(("links",))) from None
+
+
+def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
     draft = Draft()
     bodies = Bodies(mechanism, structure, draft, file)
     place_all(bodies)

@@ -17,7 +17,7 @@ from planes.drafting import mu_of
 from planes.drawing import Drawing, run
 from planes.handwork import Variant
 from planes.lesson import LANGS, Frame
-from planes.lesson_steps import action, lettered
+from planes.lesson_steps import action, lettered, line_of
 from planes.mistakes import Ways, motion_variants
 from planes.mistakes_force import force_variants
 from planes.mistakes_position import position_variants
@@ -99,7 +99,7 @@ class Practice:
             return None
         if not cmath.isfinite(place) or abs(place - self.drawing[mark]) < APART_MM:
             return None
-        names = {"mark": variant.blames, **variant.about}
+        names = {"mark": variant.blames, "line": line_of(getattr(self.steps[mark], "along", "")), **variant.about}
         shown = {**dict.fromkeys(PARTS, ""), **{k: f"⟨{v.lstrip('°')}⟩" if v else "" for k, v in names.items()}}
         said = {lang: say(f"mistake_{variant.mistake}", lang, **shown) for lang in LANGS}
         swap = variant.swaps.get(mark)

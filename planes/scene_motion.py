@@ -7,7 +7,7 @@ from typing import cast
 
 from planes.mechanism import FRAME, Assembly, Drive, Link, Load, Order, Sense
 from planes.scene_reader import Reader, part, section
-from planes.source import Node, Table, Text
+from planes.source import Items, Node, Table, Text
 from planes.words import Phrase
 
 _ORDERS = ("left", "right", "ahead", "behind")
@@ -23,6 +23,7 @@ def read_assembly(reader: Reader, node: Node, frame: Link, links: Links) -> dict
     guides = {guide: None for link in (*links.values(), frame) for guide in link.guides}
     for name, line in table.lines.items():
         if name not in points and name not in guides:
+            reader.check_colon(table, name, (*points, *guides))
             valid = reader.offer(name, (*points, *guides), Phrase("points_all"))
             raise reader.error(Phrase("assembly_name", name=name[:60], valid=valid), line)
     return {name: _assembly(reader, name, entry) for name, entry in table.entries.items()}
@@ -39,6 +40,8 @@ def _assembly(reader: Reader, name: str, node: Node) -> Assembly:
 def read_drive(reader: Reader, node: Node, frame: Link, links: Links) -> Drive:
     """The driver, where it stands and how it moves."""
     what = section("drive")
+    if isinstance(node, Items):
+        raise reader.error(Phrase("one_drive"), node)
     table = reader.table(node, what, ("link", "phi", "omega", "epsilon", "s", "velocity", "acceleration"))
     link = _moving(reader, reader.required(table, "link", what), part("link", what), links)
     kind = reader.one_of(table, ("phi", "s"), what)

@@ -11,6 +11,7 @@ from planes.source import Items, Node, Table, Text
 from planes.wording import ExpressionError, SceneError, choices, shown
 from planes.words import Phrase, Told
 
+LEAST, MOST = 1e-50, 1e50  # of a number: products of several stay far from overflow
 MAX_NAME = 40
 _NAME = re.compile(r"[\w'′″-]*\w[\w'′″-]*")
 
@@ -32,9 +33,17 @@ class Reader:
             raise self.error(Phrase("table_needed", what=what, kind=kind(node)), node)
         for key in node.entries if keys is not None else ():
             if key not in (keys or ()):
+                self.check_colon(node, key, keys or ())
                 valid = choices(key, keys or ())
                 raise self.error(Phrase("no_key", what=what, key=shown(key), valid=valid), node.lines[key])
         return node
+
+    def check_colon(self, table: Table, key: str, names: Iterable[str]) -> None:
+        """In {phi 30} the colon is forgotten, and all of it is a key."""
+        first, _, rest = key.partition(" ")
+        value = table.entries[key]
+        if rest and first in names and isinstance(value, Text) and value.absent:
+            raise self.error(Phrase("colon_after", key=shown(first), text=shown(key)), table.lines[key])
 
     def names(self, node: Node, what: Told, of: Phrase) -> Table:
         """The node as a table whose keys are names; ``of`` says of what: "a point"."""
@@ -92,9 +101,12 @@ class Reader:
         if node.absent:
             raise self.error(Phrase("no_value", what=what), node)
         try:
-            return evaluate(node.text, self.parameters)
+            value = evaluate(node.text, self.parameters)
         except ExpressionError as error:
             raise self.error(Phrase("about", what=what, why=error.phrase), node) from None
+        if value and not LEAST <= abs(value) <= MOST:
+            raise self.error(Phrase("out_of_range", what=what, value=value, least=LEAST, most=MOST), node)
+        return value
 
     def positive(self, node: Node, what: Told) -> float:
         """A number that is not negative."""

@@ -17,6 +17,7 @@ Words = dict[str, str]
 SHEET_KEYS = ("title", "number", "designation", "group", "student", "teacher", "checked", "approved", "department",
               "university", "company", "material", "letter", "scale_note", "mass", "reactions", "mu_convention",
               "font", "format", "language", "lang", "positions", "views", "layout", "date", "sheet", "sheets")
+MOST_MU = 1e20  # mm per SI unit
 _NUMERIC = ("mass", "font", "positions", "views", "layout", "sheet", "sheets")
 _WORDS = {"reactions": ("on-from", "from-on"), "mu_convention": ("mm_per_unit", "unit_per_mm"),
           "language": ("ru", "en"), "lang": ("ru", "en")}
@@ -103,9 +104,13 @@ def _mu(reader: Reader, node: Node, plan: str) -> float | None:
     if isinstance(node, Text) and (node.absent or node.text == "auto"):
         return None
     try:
-        return read_mu(reader.text(node, part("mu", Phrase("the_plan", plan=Phrase(f"scale_{plan}")))), plan)
+        text = reader.text(node, part("mu", Phrase("the_plan", plan=Phrase(f"scale_{plan}"))))
+        mu = read_mu(text, plan)
     except UnitError as error:
         raise reader.error(error.phrase, node) from None
+    if not 1.0 / MOST_MU <= mu <= MOST_MU:
+        raise reader.error(Phrase("mu_range", mu=text, units="auto"), node)
+    return mu
 
 
 def read_vector_mu(reader: Reader, node: Node | None) -> tuple[float | None, str | None]:

@@ -240,7 +240,7 @@ class _Builder:
         if last.text.count("(") > last.text.count(")"):
             written = shown(f"{last.text}, {key}")
             raise self.error(Phrase("quotes_needed", written=written), last.line)
-        if key.isdigit() and last.text[-1:].isdigit():
+        if key[0].isdigit() and last.text[-1:].isdigit():
             why = Phrase("decimal_point", number=f"{_brief(last.text)}.{_brief(key)}")
             raise self.error(Phrase("about", what=shown(f"{last.text},{key}"), why=why), last.line)
 

@@ -21,7 +21,7 @@ class Writer(Protocol):
 
     def write(self, block: Block) -> None: ...
 
-    def close(self) -> None: ...
+    def close(self, whole: bool = True) -> None: ...
 
 
 class Heading:
@@ -44,14 +44,18 @@ def opened(path: Path, heading: Heading, count: int) -> Iterator[Writer]:
     if make is None:
         raise PlanesError(Phrase("cycle_suffix", file=str(path), suffixes=", ".join(WRITERS)))
     part = path.with_name(f".{path.name}.part")
+    writer = None
     try:
         writer = make(part, heading, count)
         yield writer
         writer.close()
+        writer = None
         os.replace(part, path)
     except OSError as error:
         raise PlanesError(Phrase("cannot_write", file=str(path), reason=error.strerror or str(error))) from None
     finally:
+        if writer:
+            writer.close(whole=False)
         part.unlink(missing_ok=True)
 
 
@@ -69,7 +73,7 @@ class Csv:
         text = (f"{line},{self.reasons[code]}\n" for line, code in zip(lines, block.codes.tolist(), strict=True))
         self.file.write("".join(text).replace("nan", ""))
 
-    def close(self) -> None:
+    def close(self, whole: bool = True) -> None:
         """End the file."""
         self.file.close()
 
@@ -89,7 +93,7 @@ class Npy:
             part[name] = row
         self.at += len(block.values)
 
-    def close(self) -> None:
+    def close(self, whole: bool = True) -> None:
         """Everything is on the disk."""
         self.array.flush()
 
@@ -105,10 +109,12 @@ class Npz:
         """Records first; columns when all are there."""
         self.npy.write(block)
 
-    def close(self) -> None:
+    def close(self, whole: bool = True) -> None:
         """Columns out of records, a piece at a time."""
         try:
             self.npy.close()
+            if not whole:
+                return
             with zipfile.ZipFile(self.path, "w", zipfile.ZIP_STORED, allowZip64=True) as archive:
                 for name in self.npy.array.dtype.names or ():
                     self._column(archive, name)
@@ -148,7 +154,7 @@ class Parquet:
         columns: list[Any] = [block.values, *block.table, self.reasons[block.codes]]
         self.writer.write_table(self.arrow.table([self.arrow.array(c) for c in columns], schema=self.schema))
 
-    def close(self) -> None:
+    def close(self, whole: bool = True) -> None:
         """Write the footer."""
         self.writer.close()
 

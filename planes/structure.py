@@ -195,6 +195,8 @@ class _Finder:
         one, two = links
         if letters == "PPP":
             raise self.error(Phrase("three_slides", one=one, two=two), "links", one)
+        if letters == "PRP" and a.mate(one) == b.mate(two):
+            raise self.error(Phrase("locked_slides", one=one, two=two, owner=a.mate(one)), "links", two)
         swap = letters in ("PRR", "PPR") or (letters == "RPR" and inner.other == one)
         if swap:
             one, two, a, b = two, one, b, a

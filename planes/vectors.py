@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -15,7 +16,7 @@ from planes.program import Program
 from planes.scene import Scene, VectorGiven
 from planes.statement import Sides, ends, read_equation
 from planes.units import mu_text, standard_mu
-from planes.wording import EquationError, PlanFailure, SceneError, valid_names
+from planes.wording import EquationError, PlanFailure, SceneError, choices
 from planes.words import Phrase, Told
 
 PLAN = "vectors"
@@ -56,15 +57,14 @@ class VectorPlan:
         return length, direction
 
     def _read(self, index: int, text: str) -> Sides:
+        for name in re.findall(r"[^\W\d][\w^'′]*", text):
+            if name not in self.known:
+                valid = choices(name, self.known)
+                raise self.error(index, Phrase("no_vector", text=text, name=name, valid=valid))
         try:
-            sides = read_equation(text)
+            return read_equation(text)
         except EquationError as error:
             raise self.error(index, error.phrase) from None
-        for name in sides.left + sides.right:
-            if name not in self.known:
-                valid = valid_names(name, list(self.known))
-                raise self.error(index, Phrase("no_vector", text=text, name=name, valid=valid))
-        return sides
 
     def unknowns(self, sides: Sides) -> list[Phrase]:
         """What the equation does not know, in words."""

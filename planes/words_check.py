@@ -75,6 +75,17 @@ CHECK: dict[str, tuple[str, str]] = {
         "{file}: по расширению {suffix} не понять, что это; читаются .csv, .json, .svg, .dxf, .png, .jpg, .pdf",
         "{file}: the suffix {suffix} says nothing; .csv, .json, .svg, .dxf, .png, .jpg and .pdf are read",
     ),
+    "check_svg": ("{file}: это не SVG: {why}", "{file}: this is not an SVG: {why}"),
+    "check_dxf": ("{file}: это не DXF: {why}", "{file}: this is not a DXF: {why}"),
+    "check_needs": (
+        "для этого нужен пакет {what}: pip install planes[check]",
+        "this needs the package {what}: pip install planes[check]",
+    ),
+    "check_crowd": (
+        "На чертеже слишком много линий ({count} концов), чтобы узнать в них план.",
+        "The drawing has too many lines ({count} ends) to tell the plan among them.",
+    ),
+    "check_no_lines": ("На чертеже нет линий.", "The drawing has no lines."),
     # help of the command line
     "help_check": ("проверить чертёж человека", "check a person's drawing"),
     "help_drawing": ("чертёж: таблица, SVG, DXF или картинка", "the drawing: a table, SVG, DXF or a picture"),

@@ -145,6 +145,12 @@ CRANK_SLIDER: dict[str, tuple[str, str]] = {
         "при φ = {phi:g}° общий расчёт планов не дал чисел",
         "at φ = {phi:g}° the general plans give no numbers",
     ),
+    "help_crank_slider": (
+        "комплексный расчёт кривошипно-ползунного механизма: кинематика, силы, уравновешивание, прочность",
+        "the integrated calculation of a crank-slider: kinematics, forces, balancing, strength",
+    ),
+    "help_report": ("файл отчёта: .html, .pdf или .json", "the report's file: .html, .pdf or .json"),
+    "cs_unwritable": ("{file}: записать нельзя: {reason}", "{file}: cannot be written: {reason}"),
     "cs_suffix": (
         "{file}: отчёт пишется в .html, .pdf или .json",
         "{file}: the report is written as .html, .pdf or .json",

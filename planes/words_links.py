@@ -45,6 +45,10 @@ LINKS: dict[str, tuple[str, str]] = {
         'assembly: нет ни точки, ни направляющей "{name}"{valid}',
         'assembly: there is no point or guide "{name}"{valid}',
     ),
+    "one_drive": (
+        "drive: здесь список, а ведущее звено может быть только одно; пишите drive: {{link: 1, phi: 30}}",
+        "drive is a list, but there is only one driver; write drive: {{link: 1, phi: 30}}",
+    ),
     "drive_no_slide": (
         "drive задаёт s, но звено {link} не скользит по направляющей стойки; пишите phi или задайте slides звена "
         "{link}",

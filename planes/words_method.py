@@ -29,6 +29,11 @@ METHOD: dict[str, tuple[str, str]] = {
         "links {one} and {two} meet each other and the rest in three sliding pairs: they cannot turn, so W is wrong "
         "there; make one of the pairs a hinge",
     ),
+    "locked_slides": (
+        "звенья {one} и {two} скользят по направляющим одного и того же звена {owner}, поэтому относительно него "
+        "неподвижны; проверьте их slides",
+        "links {one} and {two} both slide on guides of link {owner} and cannot move against it; check their slides",
+    ),
     "overconstrained": (
         "звенья {names}: лишних пар {count} (W = {freedom}), а другие звенья не закреплены; проверьте, какие точки у "
         "них общие",

@@ -82,6 +82,10 @@ SCENE: dict[str, tuple[str, str]] = {
         "{what}: значение не может быть отрицательным, а дано {value:g}",
         "{what} cannot be negative, but is {value:g}",
     ),
+    "out_of_range": (
+        "{what}: {value:g} вне пределов, в которых можно считать; нужен 0 или число от {least:g} до {most:g} по модулю",
+        "{what} is {value:g}, beyond what can be calculated with; write 0 or {least:g} to {most:g} in size",
+    ),
     "needs_key": ("{what}: нужен ключ {key}", "{what} needs the key {key}"),
     "needs_one_key": ("{what}: нужен один из ключей {keys}", "{what} needs one of the keys {keys}"),
     "both_keys": (

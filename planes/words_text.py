@@ -55,6 +55,7 @@ TEXT: dict[str, tuple[str, str]] = {
     ),
     # what is not YAML
     "colon_missing": ("после ключа нет «:»", "a ':' is missing after a key"),
+    "colon_after": ("{text}: после ключа {key} нет «:»", "{text}: a ':' is missing after the key {key}"),
     "colon_second": (
         "второе «:» в одном значении или неверный отступ; такой текст берут в кавычки",
         "a second ':' in one value, or wrong indentation; put such a text in quotes",
@@ -138,6 +139,10 @@ TEXT: dict[str, tuple[str, str]] = {
         'μ "{mu}" is not a number with a unit; write it in {units}',
     ),
     "mu_comma": ('μ "{mu}": пишите десятичную точку: {number}', 'μ "{mu}": write a decimal point: {number}'),
+    "mu_range": (
+        'μ "{mu}": с таким масштабом ничего не начертить; возьмите значение ближе к обычным, например {units}',
+        'μ "{mu}": nothing can be drawn at this scale; take a more usual value, for example {units}',
+    ),
     "mu_scale": (
         'μ "{mu}": так пишут только масштаб плана положения; для {plan:of} запишите в {units}',
         'μ "{mu}": only the scale of the position plan is written so; that of the {plan} is in {units}',

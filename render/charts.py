@@ -66,9 +66,10 @@ def chart(
 def _frame(plot: Any, curves: Sequence[CurveLike], axes: Axes, lang: str) -> None:
     plot.set_xlabel(axes.x)
     plot.set_ylabel(axes.y)
-    plot.axhline(0.0, color="#000000", linewidth=0.6)
+    plot.axhline(0.0, color="#000000", linewidth=0.6, zorder=1)
     if axes.equal:
-        plot.axvline(0.0, color="#000000", linewidth=0.6)
+        plot.axvline(0.0, color="#000000", linewidth=0.6, zorder=1)
+        plot.margins(0.08)
         plot.set_aspect("equal", adjustable="datalim")
     else:
         low, high = min(float(min(c.x)) for c in curves), max(float(max(c.x)) for c in curves)

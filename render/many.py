@@ -82,5 +82,5 @@ class Many:
         for number, result in enumerate(self.twelve):
             if result and self.near(result):
                 z, pivot = self.place(result, ends[0]), self.place(result, pair.point)
-                found.append(labels.Label(str(number), z, 3.5, side=z - pivot, clear=1.6, name=f"position {number}"))
+                found.append(labels.Label(str(number), z, 2.5, side=z - pivot, clear=1.6, name=f"position {number}"))
         return found

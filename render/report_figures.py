@@ -10,8 +10,10 @@ from render import charts
 from render.compose import Composer
 from render.marks import Arc, Arrow, Line, Mark, Text
 from render.plotted import of_position
+from render.polygon import Polygon
+from render.scheme import Scheme
 from render.strokes import Picture
-from render.view import View, bounds
+from render.view import View, bounds, stacked, view
 
 WIDTH_MM = 170.0
 GAP_MM = 8.0
@@ -32,16 +34,20 @@ def chart(block: Chart, lang: Lang) -> Picture:
     return charts.chart(block.curves, axes, notes, (WIDTH_MM, block.height_mm), lang)
 
 
-def drawn(block: Drawn, lang: Lang) -> list[Figure]:
-    """The plans of one position: side by side where two fit, else one beneath the other."""
+def drawn(block: Drawn, lang: Lang) -> tuple[list[Figure], str]:
+    """The plans of one position, side by side where they fit, and their title with every μ."""
     composer, plotted = Composer(block.scene, lang), of_position(block.position)
-    views = []
+    views, names = [], []
     for name in block.views:
         if name == "scheme":
-            views.append(composer.scheme(block.position))
+            marks = Scheme(block.position, composer.naming).drawn()
+            names.append(composer.mu(plotted, "position"))
         else:
-            views += composer.plans(plotted, [name], 2.5, block.equations)[:1]
-    return rows([v for v in views if v])
+            marks = Polygon(plotted, name, composer.naming).drawn()
+            names.append(f"{composer.plan_name(name).lower()}, {composer.mu(plotted, name)}")
+        said = composer.formulas(plotted, (name,), 2.5, "") if block.equations and name != "scheme" else None
+        views.append(stacked(name, [v for v in (view(name, "", marks), said) if v]))
+    return rows(views), f"{block.title}: {'; '.join(names)}"
 
 
 def rows(views: list[View]) -> list[Figure]:
@@ -67,7 +73,7 @@ def _row(views: list[View]) -> Figure:
 
 def sketch(block: Sketch) -> Figure:
     """The crankshaft as a broken bar: bearings, webs, pin, counterweights, lengths."""
-    scale = 130.0 / block.span
+    scale = 105.0 / block.span
     left, right = scale * block.webs, scale * (block.span - block.webs)
     pin, end = scale * block.pin, scale * block.span
     up, down = scale * block.r, -scale * block.radius

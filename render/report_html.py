@@ -33,7 +33,7 @@ figure{margin:1.4rem 0;overflow-x:auto}figure svg{max-width:100%;height:auto;dis
 figcaption,caption{font-size:.92rem;color:#333;padding:.4rem 0;text-align:left}figcaption{text-align:center}
 .wide{overflow-x:auto;margin:1.2rem 0}table{border-collapse:collapse;font-size:.85rem;width:100%}
 th,td{border:1px solid #bbb;padding:.15rem .4rem;text-align:right;white-space:nowrap}
-th{background:#f2f2f2;text-align:center}td:first-child{text-align:left;white-space:normal}
+th{background:#f2f2f2;text-align:center}td.word{text-align:left;white-space:normal}
 sub,sup{font-size:.72em;line-height:0}nav{font-size:.95rem}nav a{color:#124}
 @media print{body{max-width:none;margin:0}figure,table,.formula,.mistake{break-inside:avoid}h2,h3{break-after:avoid}}
 """
@@ -81,8 +81,8 @@ class _Page:
                 picture = report_figures.chart(block, self.document.lang)
                 return self.figure([picture.svg(block.title, 1.05)], block.title)
             case Drawn():
-                figures = report_figures.drawn(block, self.document.lang)
-                return self.figure([self.marks(f, block.title) for f in figures], block.title)
+                drawn, title = report_figures.drawn(block, self.document.lang)
+                return self.figure([self.marks(f, title) for f in drawn], title)
             case Sketch():
                 return self.figure([self.marks(report_figures.sketch(block), block.title)], block.title)
 
@@ -96,7 +96,7 @@ class _Page:
     def table(self, block: TableBlock) -> str:
         """A table that scrolls by itself on a narrow screen."""
         head = "".join(f'<th scope="col">{rich(cell)}</th>' for cell in block.head)
-        rows = "".join("<tr>" + "".join(f"<td>{rich(cell)}</td>" for cell in row) + "</tr>" for row in block.rows)
+        rows = "".join("<tr>" + "".join(_cell(cell) for cell in row) + "</tr>" for row in block.rows)
         return (f'<div class="wide"><table><caption>{rich(block.title)}</caption><thead><tr>{head}</tr></thead>'
                 f"<tbody>{rows}</tbody></table></div>")  # fmt: skip
 
@@ -109,6 +109,15 @@ class _Page:
         text = svg.write(figure.marks, figure.size, title, lang=self.document.lang).decode()
         text = re.sub(r"^<\?xml[^>]*>\s*", "", text)
         return re.sub(r' id="[^"]*"', "", text)
+
+
+def is_number(text: str) -> bool:
+    """Whether a cell holds a number, so that it stands on the right."""
+    return bool(re.match(r"^[−-]?[\d∞…—]", text))
+
+
+def _cell(text: str) -> str:
+    return f"<td>{rich(text)}</td>" if is_number(text) else f'<td class="word">{rich(text)}</td>'
 
 
 def plain(tex: str) -> str:

@@ -32,18 +32,20 @@ from render import report_figures
 from render.mathematics import formula
 from render.pdf import POINTS_PER_MM, draw_marks, font_path
 from render.report_figures import Figure
+from render.report_html import is_number
 from render.strokes import Picture, escaped
 
 FONT, BOLD = "DejaVuSans", "DejaVuSans-Bold"
 WIDTH = A4[0] - 40 * mm
-BODY = ParagraphStyle("body", fontName=FONT, fontSize=9.5, leading=13.5, spaceAfter=5)
+BODY = ParagraphStyle("body", fontName=FONT, fontSize=9.5, leading=13.5, spaceBefore=5, spaceAfter=5)
+LEADING = ParagraphStyle("leading", parent=BODY, keepWithNext=1)
 TITLE = ParagraphStyle("title", parent=BODY, fontName=BOLD, fontSize=16, leading=20, spaceAfter=10)
 HEADS = {
     1: ParagraphStyle("h1", parent=BODY, fontName=BOLD, fontSize=13, leading=17, spaceBefore=12, spaceAfter=6, keepWithNext=1),
     2: ParagraphStyle("h2", parent=BODY, fontName=BOLD, fontSize=10.5, leading=14, spaceBefore=8, spaceAfter=4, keepWithNext=1),
 }
 MISTAKE = ParagraphStyle("mistake", parent=BODY, borderColor=HexColor("#aa3333"), borderWidth=0.8, borderPadding=5,
-                         backColor=HexColor("#fdf4f2"), spaceBefore=8, spaceAfter=10, leftIndent=6, rightIndent=6)  # fmt: skip
+                         backColor=HexColor("#fdf4f2"), spaceBefore=12, spaceAfter=14, leftIndent=6, rightIndent=6)  # fmt: skip
 CAPTION = ParagraphStyle("caption", parent=BODY, fontSize=8.5, leading=11, alignment=TA_CENTER, spaceAfter=8)
 ABOVE = ParagraphStyle("above", parent=BODY, fontSize=8.5, leading=11, spaceBefore=6, spaceAfter=2, keepWithNext=1)
 
@@ -101,20 +103,20 @@ def _block(block: Block, document: Document) -> list[Any]:
         case Heading(text, level):
             return [Words(rich(text), HEADS[level])]
         case Paragraph(text):
-            return [Words(rich(text), BODY)]
+            return [Words(rich(text), LEADING if text.endswith(":") else BODY)]
         case Mistake(text):
-            return [Words(rich(text), MISTAKE)]
+            return [KeepTogether([Words(rich(text), MISTAKE)])]
         case Formula(tex, number):
             return [_Line(formula(tex, 9.5), number)]
         case TableBlock():
             return _table(block)
         case Chart():
-            return [KeepTogether([_Drawing(report_figures.chart(block, document.lang)), Words(rich(block.title), CAPTION)])]
+            return [_Drawing(report_figures.chart(block, document.lang), True), Words(rich(block.title), CAPTION)]
         case Drawn():
-            figures = [_Marks(f) for f in report_figures.drawn(block, document.lang)]
-            return [*figures[:-1], KeepTogether([figures[-1], Words(rich(block.title), CAPTION)])]
+            drawn, title = report_figures.drawn(block, document.lang)
+            return [*(_Marks(f) for f in drawn), Words(rich(title), CAPTION)]
         case Sketch():
-            return [KeepTogether([_Marks(report_figures.sketch(block)), Words(rich(block.title), CAPTION)])]
+            return [_Marks(report_figures.sketch(block)), Words(rich(block.title), CAPTION)]
 
 
 def _table(block: TableBlock) -> list[Any]:
@@ -125,15 +127,14 @@ def _table(block: TableBlock) -> list[Any]:
     total = max(sum(longest), 60)
     widths = [WIDTH * n / total for n in longest]
     rows = [[Words(rich(c), head) for c in block.head]]
-    rows += [[Words(rich(c), cell if k == 0 else right) for k, c in enumerate(row)] for row in block.rows]
+    rows += [[Words(rich(c), right if is_number(c) else cell) for c in row] for row in block.rows]
     table = Table(rows, widths, repeatRows=1, hAlign="LEFT")
     table.setStyle(TableStyle([
         ("GRID", (0, 0), (-1, -1), 0.4, HexColor("#999999")), ("BACKGROUND", (0, 0), (-1, 0), HexColor("#f2f2f2")),
         ("TOPPADDING", (0, 0), (-1, -1), 1.5), ("BOTTOMPADDING", (0, 0), (-1, -1), 2), ("VALIGN", (0, 0), (-1, -1), "MIDDLE"),
         ("LEFTPADDING", (0, 0), (-1, -1), 3), ("RIGHTPADDING", (0, 0), (-1, -1), 3),
     ]))  # fmt: skip
-    title = Words(rich(block.title), ABOVE)
-    return [KeepTogether([title, table, Spacer(1, 6)])] if len(rows) < 28 else [title, table, Spacer(1, 6)]
+    return [KeepTogether([Words(rich(block.title), ABOVE), table, Spacer(1, 6)])]
 
 
 def _length(text: str) -> int:
@@ -143,9 +144,10 @@ def _length(text: str) -> int:
 class _Drawing(Flowable):  # type: ignore[misc]
     """A picture of strokes in the middle of the column, made smaller if it is wider."""
 
-    def __init__(self, picture: Picture) -> None:
+    def __init__(self, picture: Picture, with_next: bool = False) -> None:
         super().__init__()
         self.picture = picture
+        self.keepWithNext = int(with_next)
         self.scale = min(1.0, WIDTH / picture.width)
 
     def wrap(self, *_: float) -> tuple[float, float]:
@@ -183,6 +185,7 @@ class _Marks(Flowable):  # type: ignore[misc]
     def __init__(self, figure: Figure) -> None:
         super().__init__()
         self.figure = figure
+        self.keepWithNext = 1
         self.scale = POINTS_PER_MM * min(1.0, WIDTH / (figure.size[0] * POINTS_PER_MM), 230 / figure.size[1])
 
     def wrap(self, *_: float) -> tuple[float, float]:

@@ -10,10 +10,10 @@ from dataclasses import dataclass, field
 from planes.mechanism import FRAME, Link
 from planes.solving import Position
 from render import labels, symbols
-from render.footprints import ink
 from render.marks import Line, Mark
 from render.names import Naming, lettered
 from render.places import NEAR_MM, Places, degrees, nearest, outline_of
+from render.senses import driver_arrows, parted
 from render.style import BLOCK_MM, HINGE_MM
 
 RAIL_MM = 17.0  # of a guide shown on each side of its slider
@@ -58,8 +58,11 @@ class Scheme:
         ground: list[Mark] = [*self.axes, *self.rails, *self.guides, *self.blocks, *self.bars, *self.hinges]
         ground += marks
         if arrows:
-            ground += self.driver_arrows(ground)
-        return (*ground, *labels.place([*self.named, *named], ground).marks)
+            turning, letters = driver_arrows(self.places, self.naming, ground)
+            ground += turning
+            self.named += letters
+        placed = labels.place([*self.named, *named], ground)
+        return (*parted(ground, placed.texts), *placed.marks)
 
     # links
 
@@ -100,11 +103,12 @@ class Scheme:
         assert link.slides
         angle = degrees(along)
         if self.mechanism.owner(link.slides.guide) != FRAME or not self.framed:
-            self.blocks += symbols.block(foot, angle, size=SMALL_MM if self.places.doubled(link) else BLOCK_MM)
+            blocks = self.rails if self.size(link) == LARGE_MM else self.blocks
+            blocks += symbols.block(foot, angle, size=self.size(link))
             if not self.framed and self.mechanism.owner(link.slides.guide) not in self.only:
                 self.axes.append(Line((foot - ALONE_MM * along, foot + ALONE_MM * along), "axis", "axis"))
             return
-        size = LARGE_MM if self.places.doubled(link) else BLOCK_MM
+        size = self.size(link)
         side = self.rail_side(foot, along)
         self.rails += symbols.frame_guide(foot, angle, RAIL_MM, RAIL_MM, "rail", side, size[1])
         self.rails += symbols.block(foot, angle, size=size)
@@ -114,6 +118,16 @@ class Scheme:
         for letter, end in ((first, foot + reach * along), (second, foot - reach * along)):
             if letter:
                 self.named.append(labels.Label(lettered(letter), end, 3.5, name=f"guide {link.slides.guide}"))
+
+    def size(self, link: Link) -> tuple[float, float]:
+        """The size of a slider's block: of two in one place the frame's (or the later one) holds the other."""
+        other = self.places.doubled(link)
+        if other is None:
+            return BLOCK_MM
+        grounded = [bool(x.slides and self.mechanism.owner(x.slides.guide) == FRAME) for x in (link, other)]
+        order = list(self.mechanism.links)
+        later = order.index(link.name) > order.index(other.name)
+        return LARGE_MM if (grounded[0] and not grounded[1]) or (grounded[0] == grounded[1] and later) else SMALL_MM
 
     def rail_side(self, foot: complex, along: complex) -> int:
         """The side of the slider that is away from the rest of the mechanism."""
@@ -156,7 +170,12 @@ class Scheme:
             ends = max(zip(outline, outline[1:] + outline[:1], strict=True), key=lambda e: abs(e[1] - e[0]))
         elif link.slides:
             foot, along = self.places.foot(link)
-            ends, clear = (foot - BLOCK_MM[0] / 2 * along, foot + BLOCK_MM[0] / 2 * along), BLOCK_MM[1] / 2
+            long, wide = self.size(link)
+            if long < BLOCK_MM[0]:
+                edge = foot + (long / 2 + 1j * wide / 2) * along
+                self.named.append(labels.Label(text, edge, LETTER_MM, name=f"link {link.name}"))
+                return
+            ends, clear = (foot - long / 2 * along, foot + long / 2 * along), wide / 2
         else:
             self.rod_number(link, text)
             return
@@ -207,39 +226,3 @@ class Scheme:
                     self.hinges += symbols.dot(z)
                 clear = HINGE_MM if hinged else 0.8
                 self.named.append(labels.Label(self.naming.point(p), z, LETTER_MM, clear=clear, priority=1, name=p))
-
-    def driver_arrows(self, ground: list[Mark]) -> list[Mark]:
-        """Curved arrows of the driver's ω and ε about its pivot, or a straight one of a sliding driver's v."""
-        drive, pair = self.mechanism.drive, self.position.plans.structure.drive_pair
-        if drive.kind == "s" or not self.places.has(pair.point):
-            return []
-        found: list[Mark] = []
-        for rate, letter, radius in ((drive.velocity, "ω", 9.0), (drive.acceleration, "ε", 12.5)):
-            if rate:
-                pivot, sense = self.places.at(pair.point), math.copysign(1, rate)
-                arrow, middle = self.free_arc(pivot, radius, sense, [*ground, *found])
-                found += arrow
-                text = f"{letter}_{{{self.naming.link(drive.link)}}}"
-                self.named.append(labels.Label(text, middle, LETTER_MM, clear=0.5, name=text))
-        return found
-
-    def free_arc(
-        self, pivot: complex, radius: float, sense: float, ground: list[Mark]
-    ) -> tuple[tuple[Mark, ...], complex]:
-        """A curved arrow where it crosses nothing, near the crank; and the middle of its arc."""
-        crank = math.degrees(cmath.phase(max(self.ways_from(pivot), key=abs, default=1 + 0j)))
-        inked = ink(ground)
-        best: tuple[int, tuple[Mark, ...], float] | None = None
-        for turn in (15, 30, 60, 100, 140, 180, 220, 260, -110, -80):
-            start = crank + sense * turn
-            arrow = symbols.turn_arrow(pivot, radius, start, sense * 60)
-            hits = len(inked.within(ink(arrow).shapes, 0.6)[0])
-            if best is None or hits < best[0]:
-                best = hits, arrow, start + sense * 30
-        assert best
-        return best[1], pivot + radius * symbols.unit(best[2])
-
-    def ways_from(self, pivot: complex) -> list[complex]:
-        """Ways from the pivot to the driver's other points."""
-        points = self.mechanism.links[self.mechanism.drive.link].points
-        return [self.places.at(p) - pivot for p in points if self.places.has(p)]

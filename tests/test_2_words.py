@@ -108,7 +108,7 @@ def patterns(node):
         case ast.IfExp():
             yield from (*patterns(node.body), *patterns(node.orelse))
         case ast.JoinedStr():
-            yield "".join(re.escape(p.value) if isinstance(p, ast.Constant) else "[a-z_]+" for p in node.values)
+            yield "".join(re.escape(p.value) if isinstance(p, ast.Constant) else "[A-Za-z_]+" for p in node.values)
 
 
 def test_every_key_that_is_told_is_in_the_table():

@@ -89,7 +89,7 @@ class Chart:
     notes: tuple[Note, ...] = ()
     equal: bool = False
     ticks: float = 0.0
-    height_mm: float = 72.0
+    height_mm: float = 62.0
 
 
 @dataclass(frozen=True)

@@ -46,9 +46,9 @@ def _gas(w: Writer, c: Calculation) -> None:
     w.text("s_gas_at", phi=worked(c), p=float(mpa[k]), top=float(mpa[top]), at=float(c.motion.phi_deg[top]))
     w.formula(rf"P_§gas§=(p-p_0)\frac{{\pi D^2}}{{4}}=({t(mpa[k])}-{t(g.ambient / 1e6)})\cdot10^6\,"
               rf"\frac{{\pi\cdot{t(g.bore)}^2}}{{4}}={t(float(c.motion.gas[k]))}[N]")  # fmt: skip
-    w.chart("f_gas", "x_phi", "y_p", [Curve(c.motion.phi_deg, mpa, "", 0)], ticks=60, height_mm=58)
+    w.chart("f_gas", "x_phi", "y_p", [Curve(c.motion.phi_deg, mpa, "", 0)], ticks=60, height_mm=50)
     path = (s.r + s.l - c.points.r["B"].real) / (2 * s.r)
-    w.chart("f_pv", "x_path", "y_p", [Curve(path, mpa, "", 0)], height_mm=58)
+    w.chart("f_pv", "x_path", "y_p", [Curve(path, mpa, "", 0)], height_mm=54)
 
 
 def _masses(w: Writer, c: Calculation) -> None:
@@ -128,7 +128,7 @@ def _equation_numbers(w: Writer, c: Calculation) -> None:
 def _cycle(w: Writer, c: Calculation) -> None:
     f, m, a = c.forces, c.motion, c.agreement
     w.head("h_cycle")
-    w.text("s_equal", count=len(m.phi_deg), forces=f"{a.forces:.1e}", torque=f"{a.torque:.1e}", lever=f"{a.lever:.1e}")
+    w.text("s_equal", count=len(m.phi_deg), forces=w.number(a.forces, 2), torque=w.number(a.torque, 2), lever=w.number(a.lever, 2))
     inertia = c.given.shape.m3 * c.plane.a["B"].real
     columns = [m.phi_deg, c.pressure / 1e6, m.gas * KN, inertia * KN, f.P * KN, f.N * KN, f.S * KN, f.T * KN, f.K * KN, f.torque]
     steps = range(0, len(m.phi_deg), max(1, round(30 / c.given.step_deg)))
@@ -155,7 +155,7 @@ def _polar(w: Writer, c: Calculation) -> None:
     notes, kept = [], []
     for i in range(0, len(phi) - 1, every):
         at = complex(-f.K[i] * KN, f.T[i] * KN)
-        clear = all(abs(at - other) > 0.06 * far for other in kept)
+        clear = all(abs(at - other) > 0.1 * far for other in kept)
         kept += [at] if clear else []
         notes.append(Note(at.real, at.imag, f"{phi[i]:g}°" if clear else ""))
     curve = Curve(-f.K * KN, f.T * KN, "", 0)
@@ -178,4 +178,4 @@ def _torque(w: Writer, c: Calculation) -> None:
     w.text("s_uneven", uneven=d.unevenness, allowed=c.given.allowed_unevenness)
     w.formula(rf"\Delta A={t(d.excess)}[J],\quad J_§fly§=\frac{{\Delta A}}{{[\delta]\,\omega^2}}="
               rf"\frac{{{t(d.excess)}}}{{{t(c.given.allowed_unevenness)}\cdot{t(c.given.shape.omega)}^2}}={t(d.flywheel)}[kgm2]")
-    w.chart("f_excess", "x_phi", "y_J", [Curve(phi, d.curve, "", 0)], ticks=60, height_mm=58)
+    w.chart("f_excess", "x_phi", "y_J", [Curve(phi, d.curve, "", 0)], ticks=60, height_mm=50)

@@ -143,7 +143,7 @@ FORCES: dict[str, tuple[str, str]] = {
         "The mean torque is negative: over the cycle the mechanism takes energy (a compressor).",
     ),
     "f_torque": ("Крутящий момент за цикл и его среднее значение", "Torque over the cycle and its mean"),
-    "f_excess": ("Избыточная работа ∫(M − M_ср)dφ", "Excess work ∫(M − M_m)dφ"),
+    "f_excess": ("Избыточная работа ∫(M − M_{ср})dφ", "Excess work ∫(M − M_{m})dφ"),
     "y_M": ("M, Н·м", "M, N·m"),
     "y_J": ("Дж", "J"),
 }

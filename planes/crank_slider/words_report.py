@@ -34,6 +34,7 @@ GENERAL: dict[str, tuple[str, str]] = {
     "g_strokes": ("тактов в цикле", "strokes in a cycle"),
     "f_scheme": ("Схема механизма при φ = {phi}°", "Scheme of the mechanism at φ = {phi}°"),
     "u_m": ("м", "m"),
+    "u_kW": ("кВт", "kW"),
     "u_kg": ("кг", "kg"),
     "u_N": ("Н", "N"),
     "u_kN": ("кН", "kN"),

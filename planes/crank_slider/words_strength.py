@@ -39,8 +39,8 @@ STRENGTH: dict[str, tuple[str, str]] = {
     "w_chosen": ("принятые", "those chosen"),
     "w_part": ("вращающиеся и {part} поступательных", "rotating and {part} of the translating"),
     "b_second": (
-        "Вторая гармоника точнее λm_{пост}rω²: формула отбрасывает высшие степени λ.",
-        "The true second harmonic differs from λm_{tr}rω², which drops higher powers of λ.",
+        "Действительная вторая гармоника больше λm_{пост}rω²: формула отбрасывает высшие степени λ.",
+        "The true second harmonic is above λm_{tr}rω², which drops higher powers of λ.",
     ),
     "f_shaking": (
         "Сила инерции механизма на стойке за оборот при разных противовесах",

@@ -1,0 +1,148 @@
+"""Lines and words of a drawing, whatever it was read from: straight strokes in mm, y up, and texts with their boxes."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+Stroke = tuple[complex, complex]
+SHORT_MM = 0.8  # shorter strokes are ticks, dots and pieces of letters
+CROSSINGS = 400  # of more strokes than this crossings are not looked for
+CROWD = 0.03  # nodes per mm² beyond which any place would do for a mark
+
+
+@dataclass(frozen=True)
+class Words:
+    """A piece of text: where its lower left corner is, its direction, height and width, mm."""
+
+    text: str
+    place: complex
+    height: float = 3.5
+    width: float = 0.0
+    along: complex = 1 + 0j
+
+    def distance(self, z: complex) -> float:
+        """From a place to the text's box."""
+        local = (z - self.place) * self.along.conjugate()
+        width = self.width or 0.7 * self.height * max(len(self.text), 1)
+        return math.hypot(max(-local.real, 0.0, local.real - width), max(-local.imag, 0.0, local.imag - self.height))
+
+
+@dataclass
+class Sketch:
+    """What was found on a drawing. ``error_mm`` is how surely an end of a stroke is where it was found."""
+
+    file: str = ""
+    strokes: list[Stroke] = field(default_factory=list)
+    words: list[Words] = field(default_factory=list)
+    error_mm: float = 0.05
+    arrows: list[complex] = field(default_factory=list)  # tips of arrowheads
+
+    def add(self, points: Sequence[complex], closed: bool = False) -> None:
+        """A polyline's strokes."""
+        line = [*points, points[0]] if closed and len(points) > 2 else list(points)
+        for a, b in pairwise(line):
+            if abs(b - a) >= SHORT_MM and all(map(_finite, (a, b))):
+                self.strokes.append((a, b))
+
+
+def _finite(z: complex) -> bool:
+    return math.isfinite(z.real) and math.isfinite(z.imag)
+
+
+class Nodes:
+    """Places where strokes end or cross, those nearer than ``near`` taken for one."""
+
+    def __init__(self, strokes: Sequence[Stroke], near: float = 0.6) -> None:
+        self.near = near
+        self.places: list[complex] = []
+        self.weights: list[int] = []
+        self.cells: dict[tuple[int, int], list[int]] = defaultdict(list)
+        self.ends: dict[tuple[int, int], int] = {}
+        for k, stroke in enumerate(strokes):
+            for side, z in enumerate(stroke):
+                self.ends[k, side] = self._add(z)
+        self.corners = len(self.places)
+        if len(strokes) <= CROSSINGS:
+            for z in crossings(strokes):
+                self._add(z)
+
+    def _add(self, z: complex) -> int:
+        found = self.nearest(z, self.near)
+        if found is not None:
+            weight = self.weights[found]
+            self.places[found] = (self.places[found] * weight + z) / (weight + 1)
+            self.weights[found] += 1
+            return found
+        self.places.append(z)
+        self.weights.append(1)
+        self.cells[self._cell(z)].append(len(self.places) - 1)
+        return len(self.places) - 1
+
+    def _cell(self, z: complex) -> tuple[int, int]:
+        return math.floor(z.real / 4), math.floor(z.imag / 4)
+
+    def within(self, z: complex, reach: float) -> list[int]:
+        """Nodes no farther than ``reach``, the nearest first."""
+        if not _finite(z) or abs(z) > 1e6:
+            return []
+        cx, cy = self._cell(z)
+        steps = math.ceil(reach / 4) + 1
+        found = [i for dx in range(-steps, steps + 1) for dy in range(-steps, steps + 1)
+                 for i in self.cells.get((cx + dx, cy + dy), ()) if abs(self.places[i] - z) <= reach]  # fmt: skip
+        return sorted(found, key=lambda i: abs(self.places[i] - z))
+
+    def nearest(self, z: complex, reach: float) -> int | None:
+        """The nearest node, if any is that near."""
+        found = self.within(z, reach)
+        return found[0] if found else None
+
+    @property
+    def crowded(self) -> bool:
+        """Whether there are so many that anything would match."""
+        if len(self.places) < 60:
+            return False
+        xs, ys = [z.real for z in self.places], [z.imag for z in self.places]
+        area = max((max(xs) - min(xs)) * (max(ys) - min(ys)), 1.0)
+        return len(self.places) / area > CROWD or len(self.places) > 3000
+
+
+def crossings(strokes: Sequence[Stroke]) -> Iterable[complex]:
+    """Places where strokes cross inside each other."""
+    for i, (a, b) in enumerate(strokes):
+        u = b - a
+        for c, d in strokes[:i]:
+            w = d - c
+            turn = (u.conjugate() * w).imag
+            if abs(turn) < 0.05 * abs(u) * abs(w):
+                continue
+            s, t = ((c - a).conjugate() * w).imag / turn, ((c - a).conjugate() * u).imag / turn
+            if -0.01 <= s <= 1.01 and -0.01 <= t <= 1.01:
+                yield a + s * u
+
+
+def covered(strokes: Sequence[Stroke], a: complex, b: complex, reach: float = 0.9) -> float:
+    """The share of the way from ``a`` to ``b`` that some stroke runs along."""
+    way = b - a
+    length = abs(way)
+    if length < 2 * reach:
+        return 1.0
+    u = way / length
+    spans = []
+    for c, d in strokes:
+        p, q = (c - a) * u.conjugate(), (d - a) * u.conjugate()
+        if abs(p.imag) > reach and abs(q.imag) > reach and p.imag * q.imag > 0:
+            continue
+        if abs((q - p).imag) > 0.06 * abs(q - p) + reach or max(abs(p.imag), abs(q.imag)) > 4 * reach:
+            continue
+        low, high = sorted((p.real, q.real))
+        spans.append((max(low, 0.0), min(high, length)))
+    total, reached = 0.0, 0.0
+    for low, high in sorted(spans):
+        if high > max(low, reached):
+            total += high - max(low, reached)
+            reached = high
+    return total / length

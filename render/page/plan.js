@@ -1,0 +1,54 @@
+"use strict";
+// A plan of velocities, accelerations or forces, or Zhukovsky's lever, as far as it is drawn.
+
+class Plan extends Figure {
+  own(key) {
+    return Object.keys(this.data.marks).filter(n => n.slice(0, n.lastIndexOf(":")) === key && !/[⊥°]/.test(n));
+  }
+  frame(key, i) { // the plan in its own position fills the panel; one that grows is followed, up to three times
+    const { drive } = this.data, marks = this.own(key), now = this.box(marks, i);
+    let own = this.box(marks, drive.at) || now || [0, 0, 1, 1];
+    if (!now || i === drive.at) return own;
+    const far = 3 * Math.max(own[2] - own[0], own[3] - own[1], 10), mx = (own[0] + own[2]) / 2, my = (own[1] + own[3]) / 2;
+    const held = [Math.max(now[0], mx - far), Math.max(now[1], my - far), Math.min(now[2], mx + far), Math.min(now[3], my + far)];
+    return Math.hypot(now[2] - now[0], now[3] - now[1]) < 0.2 * far ? own : union(own, held);
+  }
+  show(key, i, seen, frame, hidden) {
+    const lit = new Set(frame ? frame.terms : []), force = key.startsWith("force"), lever = key === "lever";
+    this.start(this.frame(key, i));
+    const there = n => seen.has(n) && this.at(n, i) && this.px(this.at(n, i));
+    for (const m of frame && !hidden ? frame.makes : []) this.trace(this.data.traces[m], m, i);
+    const names = [];
+    const upto = frame ? this.data.frames.indexOf(frame) - (hidden ? 1 : 0) : this.data.frames.length;
+    const begun = s => !force || s.names.some(n => born(n, key) <= upto);
+    for (const s of this.data.segments) if (s.plan === key && begun(s)) this.segment(s, there, lit, force, names);
+    if (lever) this.lever(there);
+    const pole = there(`${key}:p`);
+    if (pole) svg("circle", { cx: pole[0], cy: pole[1], r: 3, class: "pole" }, this.node);
+    for (const m of frame && !hidden ? frame.makes : []) {
+      const q = there(m);
+      if (q && m.startsWith(key + ":")) svg("circle", { cx: q[0], cy: q[1], r: 5.5, class: "fresh" }, this.node);
+    }
+    if (lever && frame && frame.moments !== null) Scheme.prototype.forces.call(this, this.data.moments[frame.moments], i, frame.terms);
+    if (force) for (const [a, b, n] of names) this.along(a, b, n, key);
+    else for (const g of this.groups(this.own(key).filter(n => seen.has(n)), i, 5)) this.beside(g.q, this.fixed(g.names, key), key);
+  }
+  fixed(names, key) { // fixed points of the scheme end at the pole
+    if (!names.includes("p")) return names;
+    const prime = key === "acceleration" ? "'" : "";
+    const poles = this.data.scheme.pivots.map(n => n.slice(n.indexOf(":") + 1).toLowerCase() + prime);
+    return [...names, ...(key === "lever" ? [] : poles)];
+  }
+  segment(s, there, lit, force, names) {
+    const a = there(`${s.plan}:${s.start}`), b = there(`${s.plan}:${s.end}`);
+    if (!a || !b) return;
+    const whole = force ? s.names.some(n => !n.includes("^")) : s.start === "p" && !/^[nk]_/.test(s.end);
+    const on = s.names.some(n => lit.has(n));
+    this.arrow(a, b, (whole ? "result" : "part") + (on ? " lit" : ""), s.names.join(" "));
+    if (force && Math.hypot(b[0] - a[0], b[1] - a[1]) > 1) names.push([a, b, s.names]);
+  }
+  lever(there) {
+    const pole = there("lever:p");
+    for (const n of this.own("lever")) { const q = there(n); if (pole && q && n !== "lever:p") this.line(pole, q, "link"); }
+  }
+}

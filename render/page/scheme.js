@@ -1,0 +1,124 @@
+"use strict";
+// The scheme of the mechanism: links, hinges, guides, sliders; forces and arms of a moment equation.
+
+class Scheme extends Figure {
+  constructor(node, data, size) {
+    super(node, data, size);
+    this.names = Object.keys(data.marks).filter(n => n.startsWith("position:") && n !== "position:p" && !/[⊥°]/.test(n));
+    this.common = this.usual();
+  }
+  usual() { // what is in view in most positions; the rest is followed as it leaves
+    const boxes = this.data.drive.values.map((_, i) => this.box(this.names, i)).filter((b, i) => b && !this.data.failed[i]);
+    const own = this.box(this.names, this.data.drive.at);
+    const part = (k, share) => boxes.map(b => b[k]).sort((a, b) => a - b)[Math.floor(share * (boxes.length - 1))];
+    if (!boxes.length) return own;
+    const usual = union(own, [part(0, 0.12), part(1, 0.12), part(2, 0.88), part(3, 0.88)]);
+    const side = 0.95 * Math.max(own[2] - own[0], own[3] - own[1]), mx = (own[0] + own[2]) / 2, my = (own[1] + own[3]) / 2;
+    return union(own, [Math.max(usual[0], mx - side), Math.max(usual[1], my - side), Math.min(usual[2], mx + side), Math.min(usual[3], my + side)]);
+  }
+  draw(i, seen, frame) {
+    const { scheme, turned } = this.data, lit = new Set(frame ? [...frame.makes, ...frame.uses] : []);
+    const now = this.box(this.names.filter(n => seen.has(n)), i);
+    this.start(now ? union(this.common, now) : this.common);
+    const there = n => seen.has(n) && this.at(n, i) && this.px(this.at(n, i));
+    for (const g of scheme.guides) this.guide(g, there(g.mark), (turned["∥" + g.name] || [])[i], i, there);
+    for (const l of scheme.links) this.link(l, there);
+    for (const l of scheme.links) if (l.slides) this.slider(l, there(l.points[0]), (turned["∥" + l.slides] || [])[i]);
+    for (const n of scheme.pivots) { const p = there(n); if (p) this.ground(p); }
+    this.hinges(there, lit);
+    if (frame && frame.moments !== null) this.forces(this.data.moments[frame.moments], i, frame.terms);
+    for (const m of frame ? frame.makes : []) if (m.startsWith("position:")) this.trace(this.data.traces[m], m, i);
+    const joints = [...new Set([...scheme.links.flatMap(l => l.points), ...scheme.pivots])];
+    for (const g of this.groups(joints.filter(n => seen.has(n)), i, 6)) {
+      this.beside(g.q, g.names, "position", 9).dataset.name = g.names.map(n => "position:" + n).join(" ");
+    }
+  }
+  guide(g, p, angle, i, there) {
+    if (!p || angle == null) return;
+    const c = Math.cos(angle * Math.PI / 180), s = -Math.sin(angle * Math.PI / 180), fixed = g.link === "0";
+    let [lo, hi] = g.reach;
+    for (const l of this.data.scheme.links) if (l.slides === g.name) { // never short of its slider
+      const q = there(l.points[0]);
+      if (q) { const t = ((q[0] - p[0]) * c + (q[1] - p[1]) * s) / this.k; lo = Math.min(lo, t); hi = Math.max(hi, t); }
+    }
+    const over = 34 / this.k, ends = [lo - (fixed || lo < 0 ? over : 0), hi + over].map(t => [p[0] + t * this.k * c, p[1] + t * this.k * s]);
+    this.line(ends[0], ends[1], fixed ? "axis" : "rail", fixed ? "" : "link:" + g.link, true);
+  }
+  link(l, there) {
+    const pts = l.points.map(there).filter(Boolean), cls = "link" + (l.name === this.data.scheme.driver ? " driver" : "");
+    const shape = hull(pts);
+    if (shape.length > 2) {
+      svg("polygon", { points: shape.map(p => p.map(v => v.toFixed(1)).join(",")).join(" "), class: cls, "data-name": "link:" + l.name }, this.node);
+      shape.forEach((p, k, a) => this.strokes.push([p, a[(k + 1) % a.length]]));
+    } else if (shape.length === 2) this.line(shape[0], shape[1], cls, "link:" + l.name);
+    if (pts.length > 1) { // the number of the link, at its middle
+      const m = [(pts[0][0] + pts[1][0]) / 2, (pts[0][1] + pts[1][1]) / 2], n = Math.hypot(pts[1][0] - pts[0][0], pts[1][1] - pts[0][1]);
+      if (n > 34) this.number(l.name, pts[0], pts[1], m, n);
+    }
+  }
+  number(name, a, b, m, n) {
+    const x = m[0] - (b[1] - a[1]) / n * 13, y = m[1] + (b[0] - a[0]) / n * 13;
+    svg("text", { class: "number", x, y: y + 4, "text-anchor": "middle", "data-name": "link:" + name }, this.node).textContent = name;
+    this.taken.push([x, y, 6]);
+  }
+  slider(l, p, angle) {
+    if (!p || angle == null) return;
+    const u = this.size ? 0.75 : 1, turn = `translate(${p[0].toFixed(1)} ${p[1].toFixed(1)}) rotate(${-angle})`;
+    svg("rect", { x: -20 * u, y: -11 * u, width: 40 * u, height: 22 * u, class: "block", transform: turn, "data-name": "link:" + l.name }, this.node);
+    const c = Math.cos(angle * Math.PI / 180) * 20 * u, s = -Math.sin(angle * Math.PI / 180) * 20 * u, w = [s * 0.55, -c * 0.55];
+    for (const k of [1, -1]) this.strokes.push([[p[0] - c + k * w[0], p[1] - s + k * w[1]], [p[0] + c + k * w[0], p[1] + s + k * w[1]]]);
+  }
+  hinges(there, lit) {
+    const hinges = new Set(this.data.scheme.links.flatMap(l => l.hinges));
+    for (const n of new Set(this.data.scheme.links.flatMap(l => l.points))) {
+      const p = there(n);
+      if (!p) continue;
+      const r = hinges.has(n) ? (this.size ? 3.4 : 4.6) : 2.6;
+      svg("circle", { cx: p[0], cy: p[1], r, class: (hinges.has(n) ? "hinge" : "point") + (lit.has(n) ? " lit" : ""), "data-name": n }, this.node);
+    }
+  }
+  ground(p) {
+    const [x, y] = p, u = this.size ? 0.75 : 1;
+    svg("path", { class: "ground", d: `M${x} ${y}l${-11 * u} ${19 * u}h${22 * u}z` }, this.node);
+    let d = "";
+    for (let k = -2; k < 4; k++) d += `M${x + k * 5 * u} ${y + 19 * u}l${-5 * u} ${6 * u}`;
+    svg("path", { class: "hatch", d: d + `M${x - 15 * u} ${y + 19 * u}h${30 * u}` }, this.node);
+    this.strokes.push([[x, y], [x - 11 * u, y + 19 * u]], [[x, y], [x + 11 * u, y + 19 * u]], [[x - 11 * u, y + 19 * u], [x + 11 * u, y + 19 * u]]);
+  }
+  forces(m, i, terms) { // each force where it acts, its arm to the point of the moments; not to scale
+    const about = this.at(m.about, i) && this.px(this.at(m.about, i)), beside = {};
+    for (const f of m.forces) {
+      const p = this.at(f.mark, i) && this.px(this.at(f.mark, i)), angle = (this.data.turned[f.along] || [])[i];
+      if (!p || angle == null || !terms.includes(f.name)) continue;
+      const size = value(this.data, f.size, i), back = size < 0 ? -1 : 1;
+      const c = back * Math.cos(angle * Math.PI / 180), s = -back * Math.sin(angle * Math.PI / 180), long = this.size ? 34 : 52;
+      const foot = f.foot && this.at(f.foot, i) && this.px(this.at(f.foot, i));
+      const key = `${p.map(Math.round)}${Math.round(angle * back)}`;
+      beside[key] = (beside[key] || 0) + 1;
+      const shift = (beside[key] - 1) * 5, a = [p[0] - s * shift, p[1] + c * shift], b = [a[0] + c * long, a[1] + s * long];
+      if (foot && about) {
+        this.line(a, foot, "trace", "", false);
+        this.line(about, foot, "arm", f.name);
+      }
+      this.arrow(a, b, "force", f.name);
+      this.along(a, b, [f.name], "force");
+    }
+    if (about) svg("circle", { cx: about[0], cy: about[1], r: 8, class: "about" }, this.node);
+  }
+}
+function value(data, name, i) {
+  const v = data.values[name];
+  return Array.isArray(v) ? v[i] : v === undefined ? null : v;
+}
+function hull(points) { // the outline of a link of three points or more; of points in line, the two ends
+  const p = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+  if (p.length < 3) return p;
+  const turn = (o, a, b) => (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+  const half = list => {
+    const h = [];
+    for (const q of list) { while (h.length > 1 && turn(h[h.length - 2], h[h.length - 1], q) <= 1) h.pop(); h.push(q); }
+    return h.slice(0, -1);
+  };
+  const all = [...half(p), ...half(p.reverse())];
+  return all.length > 2 ? all : [p[0], p[p.length - 1]];
+}
