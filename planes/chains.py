@@ -28,9 +28,9 @@ def force_chain(sketch: Sketch, nodes: Nodes, bench: Bench, paper: Paper) -> Pap
             continue
         words = named_edges(sketch.words, nodes, edges, truth)
         best: tuple[float, list[Spot], bool] | None = None
-        for chain in _chains(edges, pole):
+        for chain in _chains(edges, pole, _twice(sketch, nodes)):
             rows = _rows(chain, nodes, words, truth, sketch.error_mm)
-            whole = len(chain) - 1 == len(edges) and chain[0] == chain[-1]
+            whole = len(chain) - 1 in (len(edges), len(sketch.strokes)) and chain[0] == chain[-1]
             if rows and (best is None or rows[0] + 2 * whole > best[0]):
                 best = rows[0] + 2 * whole, rows[1], whole
         if best and (best[2] or split or best[0] > 0.6 * len(truth)):
@@ -104,7 +104,13 @@ def _pole(words: Sequence[Words], nodes: Nodes) -> int | None:
     return None
 
 
-def _chains(edges: Sequence[Edge], pole: int | None) -> Iterator[list[int]]:
+def _twice(sketch: Sketch, nodes: Nodes) -> set[Edge]:
+    """Edges along which two vectors lie, there and back."""
+    ends = [tuple(sorted((nodes.ends[k, 0], nodes.ends[k, 1]))) for k in range(len(sketch.strokes))]
+    return {(a, b) for a, b in ends if ends.count((a, b)) > 1}
+
+
+def _chains(edges: Sequence[Edge], pole: int | None, twice: set[Edge]) -> Iterator[list[int]]:
     """Ways round the polygon, from the pole or from anywhere."""
     beside: dict[int, list[int]] = {}
     for a, b in edges:
@@ -118,7 +124,7 @@ def _chains(edges: Sequence[Edge], pole: int | None) -> Iterator[list[int]]:
             way = stack.pop()
             seen += 1
             for n in beside[way[-1]]:
-                if n == start and len(way) > 2:
+                if n == start and (len(way) > 2 or (min(way), max(way)) in twice):
                     count += 1
                     yield [*way, n]
                 elif n not in way and len(way) <= LONGEST:
@@ -135,7 +141,8 @@ def _rows(
     """The chain's vectors named, with how well names and directions fit."""
     ends = [nodes.places[i] for i in chain]
     vectors = [b - a for a, b in pairwise(ends)]
-    said = [words.get((min(a, b), max(a, b))) for a, b in pairwise(chain)]
+    keys = [(min(a, b), max(a, b)) for a, b in pairwise(chain)]
+    said = [words.get(k) if keys.count(k) == 1 else None for k in keys]
     left = {n: v for n, v in truth.items() if n not in said and abs(v) > 0.5}
     pairs = sorted((abs(v - t) / (abs(t) + 5), i, n) for i, v in enumerate(vectors) if not said[i]
                    for n, t in left.items())  # fmt: skip

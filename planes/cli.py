@@ -83,6 +83,11 @@ def _parser() -> argparse.ArgumentParser:
     _positions(sheet)
     sheet.add_argument("-o", "--output", required=True, metavar="FILE", help=_help("help_output"))
     sheet.add_argument("--sheet", type=int, choices=(1, 2), help=_help("help_sheet_number"))
+    lesson = _command(commands, "lesson", _lesson, _help("help_lesson"))
+    lesson.add_argument("-o", "--output", required=True, metavar="FILE", help=_help("help_lesson_output"))
+    note = _command(commands, "note", _note, _help("help_note"))
+    _positions(note)
+    note.add_argument("-o", "--output", required=True, metavar="FILE", help=_help("help_note_output"))
     cycle = _command(commands, "cycle", _cycle, _help("help_cycle"))
     _positions(cycle)
     cycle.add_argument("-o", "--output", required=True, metavar="FILE", help=_help("help_cycle_output"))
@@ -197,6 +202,21 @@ def _sheet(args: argparse.Namespace) -> int:
 
     scene = load(args.scene, args.variant)
     draw_sheet(scene, _values(args, scene), args.output, args.lang, args.sheet)
+    return 0
+
+
+def _lesson(args: argparse.Namespace) -> int:
+    from planes.roof_lesson import write_lesson
+
+    write_lesson(load(args.scene, args.variant), args.output, args.lang)
+    return 0
+
+
+def _note(args: argparse.Namespace) -> int:
+    from planes.roof_lesson import write_note
+
+    scene = load(args.scene, args.variant)
+    write_note(scene, _values(args, scene), args.output, args.lang)
     return 0
 
 

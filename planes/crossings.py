@@ -38,7 +38,10 @@ class Cross(Step):
 
 @dataclass(frozen=True)
 class CrossArc(Step):
-    """Cross a line with an arc of a given radius (SI) about a mark; ``side`` +1 is ahead along the line."""
+    """Cross a line with an arc of a given radius (SI) about a mark; ``side`` +1 is ahead along the line.
+
+    ``arm`` names the mark, direction and length the centre was laid off by, for instruments without errors.
+    """
 
     start: str
     along: str
@@ -46,16 +49,24 @@ class CrossArc(Step):
     radius: str
     mu: str
     side: str
+    arm: tuple[str, str, str] | None = None
 
     def reads(self) -> tuple[Read, ...]:
-        return marks(self.start, self.centre) + directions(self.along) + values(self.radius, self.mu, self.side)
+        hub, ray, length = self.arm or (None, None, None)
+        lines = directions(self.along, ray)
+        return marks(self.start, self.centre, hub) + lines + values(self.radius, self.mu, self.side, length)
 
     def draw(self, env: Env, tool: Tool) -> Any:
         radius = abs(env[self.radius] * env[self.mu])
         u = tool.ray(env[self.along])
-        place, sharpness, miss = plane.line_arc(env[self.start], u, env[self.centre], radius, env[self.side], tool.ar)
+        arm = None
+        if self.arm and not tool.doubt_mm:
+            hub, ray, length = self.arm
+            arm = env[hub], env[ray], env[length] * env[self.mu]
+        start, centre, side = env[self.start], env[self.centre], env[self.side]
+        place, sharpness, miss = plane.line_arc(start, u, centre, radius, side, tool.ar, arm)
         tool.sharpen(self.makes, sharpness)
-        slack = tool.slack * (abs(env[self.start]) + abs(env[self.centre]) + radius)
+        slack = tool.slack * (abs(start) + abs(centre) + radius)
         tool.require(radius > 0, self, "no_length")
         tool.require(miss <= slack, self, "arc_short", miss_mm=miss)
         return tool.mark(place)

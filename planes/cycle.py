@@ -56,7 +56,9 @@ class Cycle:
     ``known`` overrides givens by name; with an array among them each position has its own.
     """
 
-    def __init__(self, plans: Plans, names: Iterable[str] | None = None, known: Mapping[str, Any] | None = None) -> None:
+    def __init__(
+        self, plans: Plans, names: Iterable[str] | None = None, known: Mapping[str, Any] | None = None
+    ) -> None:
         quantities = None if names is None else asked(plans, names)
         self.plans, self.columns = plans, columns_of(plans, quantities)
         self.program: Program = plans.program.sliced([n for c in self.columns for n in c.needs])

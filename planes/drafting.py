@@ -201,11 +201,16 @@ class Draft:
         if one.direction and two.direction:
             self.step(Cross(mark, start, one.direction, other, two.direction))
         elif one.direction and two.length:
-            self.step(CrossArc(mark, start, one.direction, other, two.length, mu, side))
+            self.step(CrossArc(mark, start, one.direction, other, two.length, mu, side, self._arm(other)))
         elif two.direction and one.length:
-            self.step(CrossArc(mark, other, two.direction, start, one.length, mu, side))
+            self.step(CrossArc(mark, other, two.direction, start, one.length, mu, side, self._arm(start)))
         elif one.length and two.length:
             self.step(CrossArcs(mark, start, one.length, other, two.length, mu, side))
+
+    def _arm(self, mark: str) -> tuple[str, str, str] | None:
+        """How a mark was laid off, if it was: from which mark, along which direction, which length."""
+        step = self.steps[mark]
+        return (step.start, step.along, step.length) if isinstance(step, LayOff) else None
 
 
 def mu_of(plan: str) -> str:

@@ -147,7 +147,7 @@ class Text:
             case "max" | "min":
                 return t.select(t(f"fcmp {'ugt' if op == 'max' else 'ult'} double {a[0]}, {a[1]}"), a[0], a[1])
             case "sel":
-                return t.select(*a)  # type: ignore[arg-type]
+                return t.select(*a)
             case "and" | "or":
                 return t(f"{op} i1 {a[0]}, {a[1]}")
             case "not":

@@ -56,6 +56,7 @@ class Teller:
         self.made = {step.makes: step for step in drawing.program.steps}
         self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
         self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured for the lesson alone
+        self.still = {p for p in ("velocity", "acceleration") if p in plans.drawn and self.stands(p)}
 
     def frames(self) -> list[Frame]:
         """All frames, in the order of the drawing."""
@@ -78,9 +79,17 @@ class Teller:
         done = any(f.key == "closing" and f.plan == last for f in found)
         return found + (self.closing(last) if last.startswith("force") and not done else [])
 
+    def stands(self, plan: str) -> bool:
+        """Whether every mark of a plan stands in its pole in every position: there is nothing to draw."""
+        import numpy
+
+        own = [s.makes for s in self.drawing.program.steps if s.kind == "mark" and plan_of(s) == plan]
+        sizes = [numpy.abs(numpy.atleast_1d(self.cycle[m])) for m in own]
+        return all(float(numpy.nanmax(z)) < 1e-6 for z in sizes if not numpy.all(numpy.isnan(z)))
+
     def shown(self, step: s.Step) -> bool:
         """Whether a step has a frame of its own."""
-        if kind_of(plan_of(step)) == "motion" or step.makes == at("position", POLE):
+        if kind_of(plan_of(step)) == "motion" or step.makes == at("position", POLE) or plan_of(step) in self.still:
             return False
         return isinstance(step, s.Touch) or step.kind == "mark"
 
@@ -131,6 +140,8 @@ class Teller:
     def readings(self, values: list[s.Step], before: list[Frame]) -> list[Frame]:
         """Frames of what was reckoned since the last mark: rates together, each moment equation alone."""
         rates = [v for v in values if v.makes not in self.moments and isinstance(v, Calculate)]
+        if not any(f.plan in ("velocity", "acceleration") for f in before):
+            rates = []
         crossed = bool(before) and before[-1].key == "cross" and before[-1].plan in ("velocity", "acceleration")
         found = [self.measured(rates, before)] if rates or crossed else []
         return found + [f for v in values if v.makes in self.moments for f in self.moment(v)]

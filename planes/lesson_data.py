@@ -24,6 +24,7 @@ from planes.scales import kind_of, scales
 from planes.scene import Scene
 from planes.steps import Cross, CrossArc, CrossArcs, Step
 from planes.wording import PlanFailure, SceneError
+from planes.words import Phrase
 
 POSITIONS = 360
 Progress = Callable[[int, int], None]
@@ -32,14 +33,14 @@ Progress = Callable[[int, int], None]
 def lesson_data(scene: Scene, progress: Progress | None = None) -> dict[str, Any]:
     """The lesson of a scene. :class:`SceneError` where there is no mechanism or its own position fails."""
     if scene.mechanism is None:
-        raise SceneError("this scene states vectors and has no mechanism to turn", scene.file, 1)
+        raise SceneError(Phrase("vectors_alone"), scene.file, 1)
     plans = state(scene.mechanism, scene.file)
     try:
         mus = scales(plans, scene.mu)
         given = {**plans.given, **mus}
         drawing = run(plans.program, given)
     except PlanFailure as failure:
-        raise SceneError(f"the lesson's own position cannot be drawn: {failure}", scene.file, 1) from None
+        raise SceneError(Phrase("lesson_fails", failure=failure.phrase), scene.file, 1) from None
     values, index = _values(plans)
     cycle = _cycle(plans, given, values)
     teller = Teller(plans, drawing, mus, cycle)

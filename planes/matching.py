@@ -109,8 +109,10 @@ def _look(
     for guess, share in _guesses(bench, hand, mark, step):
         for i in nodes.within(origin + guess, reach * share):
             z = nodes.places[i]
-            fresh = all(abs(z - u) > 0.7 for u in used) or abs(guess) < 1 or (near is not None and i in near)
-            drawn = near is not None or any(covered(sketch.strokes, s, z) >= ALONG for s in starts if abs(s - z) > 1)
+            fresh = all(abs(z - u) > 0.7 for u in used) or (near is not None and i in near)
+            fresh = fresh or any(abs(u - origin - guess) < 1.2 for u in used)  # two marks where one should be
+            drawn = near is not None or any(
+                covered(sketch.strokes, s, z) >= ALONG for s in starts)
             if fresh and drawn and (near is None or i in near):
                 return z
     fresh_near = {i: d for i, d in (near or {}).items() if all(abs(nodes.places[i] - u) > 0.7 for u in used)}

@@ -6,7 +6,7 @@ import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -120,15 +120,14 @@ class Bench:
     def newton(self, values: Any) -> Any:
         """Closed loops by iteration, each position begun from the one before."""
         drive, loops = self.plans.mechanism.drive, Loops(self.plans)
-        q = loops.start(run(self.plans.program, {**self.cycle.given, self.plans.drive_given: float(values[0])}).__getitem__)
-        rows = []
+        begun = run(self.plans.program, {**self.cycle.given, self.plans.drive_given: float(values[0])})
+        q, rows = loops.start(begun.__getitem__), []
         for value in values:
             phi = math.radians(value)
             phi += 2 * math.pi * round((loops.pose(q, drive.link)[1] - phi) / (2 * math.pi))
             q = loops.newton(q, phi)
             known = loops.points(q, *loops.rates(q, phi, drive.velocity, drive.acceleration))
-            points = [known[p]["rva".index(letter)] for letter in "rva" for p in self.points]
-            rows.append({f"{x}_{p}": z for (x, p), z in zip(((x, p) for x in "rva" for p in self.points), points, strict=True)})
+            rows.append({f"{letter}_{p}": known[p][k] for k, letter in enumerate("rva") for p in self.points})
         return np.array([[_part(row, c.name) for c in self.cycle.columns] for row in rows]).T
 
 
@@ -171,7 +170,7 @@ def measure(plans: Plans) -> list[Method]:
         add("method_fused", "", lambda v: bench.many(v, True), long, lambda v: bench.through(v, True))
     add("method_single", "", bench.single, long)
     for digits in (30, 50):
-        add("method_digits", str(digits), lambda v, d=digits: _long(bench, v, d), values[:12])
+        add("method_digits", str(digits), partial(_long, bench, digits=digits), values[:12])
     if plans.mechanism.drive.kind == "phi":
         add("method_differences", "", bench.differences, long)
         if all(x.points or x.name == FRAME for x in plans.mechanism.links.values()):
@@ -194,9 +193,10 @@ def _pencils(bench: Bench, values: Any, truth: Any) -> list[Method]:
             given = {**bench.cycle.given, **mus, bench.plans.drive_given: values}
             drawing = run(bench.cycle.program, given, pencil)
             with np.errstate(all="ignore"):
-                error = np.nanmax(bench.error(np.array([_ruled(c, drawing, mus, ruler) for c in bench.cycle.columns]), truth))
+                ruled = np.array([_ruled(c, drawing, mus, ruler) for c in bench.cycle.columns])
+                error = np.nanmax(bench.error(ruled, truth))
             one = {**given, bench.plans.drive_given: float(values[0])}
-            seconds = clock(lambda given=one, pencil=pencil: _try(bench, given, pencil), 20)
+            seconds = clock(partial(_try, bench, one, pencil), 20)
             found.append(Method("method_pencil", f"{sheet}, {ruler:g}", seconds, float(error)))
     return found
 

@@ -39,16 +39,34 @@ def lines(p: Point, u: Point, q: Point, w: Point) -> tuple[Point, Real, Real]:
     return p + u * (cross(q - p, w) / safe), sharpness, gap
 
 
-def line_arc(p: Point, u: Point, centre: Point, radius: Real, side: Real, ar: Arithmetic) -> tuple[Point, Real, Real]:
+Arm = tuple[Point, Point, Real]  # a place, a direction, a length: how another place was reached
+
+
+def line_arc(
+    p: Point, u: Point, centre: Point, radius: Real, side: Real, ar: Arithmetic, arm: Arm | None = None
+) -> tuple[Point, Real, Real]:
     """Where a line meets a circle, ahead (``side`` +1) or behind (-1) of the foot of its centre.
 
     Returns the place, the sharpness and by how much the line misses the circle (negative: it does not).
-    The half chord is √((r-h)(r+h)): h is never squared.
+    The half chord is √((r-h)(r+h)): h is never squared. Where the ``arm`` leads to the centre, r-h is made of
+    lengths that are known: a crank as long as its rod folds without losing digits.
     """
     height = cross(u, centre - p)
     miss = abs(height) - radius
     half = ar.sqrt((radius - height) * (radius + height))
+    if arm:
+        reach, chord = _folded(p, u, radius, arm, ar)
+        half = ar.where(abs(reach - centre) <= 4 * ar.eps * (abs(centre) + abs(arm[2])), chord, half)
     return centre + u * (side * half) - 1j * u * height, half / (radius + (radius == 0)), miss
+
+
+def _folded(p: Point, u: Point, radius: Real, arm: Arm, ar: Arithmetic) -> tuple[Point, Real]:
+    """The end of the arm, and the half chord by h = h₀ + l sin ψ, 1 - |sin ψ| = cos²ψ / (1 + |sin ψ|)."""
+    hub, ray, length = arm
+    rise, sine, cosine = cross(u, hub - p), cross(u, ray), dot(u, ray)
+    above = ar.where(sine < 0, -1.0, 1.0)
+    short = (radius - length - above * rise) + length * cosine * (cosine / (1 + abs(sine)))
+    return hub + ray * length, ar.sqrt(short * (radius + above * (rise + length * sine)))
 
 
 def arcs(c: Point, r: Real, d: Point, s: Real, side: Real, ar: Arithmetic) -> tuple[Point, Real, Real, Real]:

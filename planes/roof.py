@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import lru_cache
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +26,7 @@ from render.view import View
 from render.words import say
 
 FREE = ("position", "velocity", "acceleration", "force")
-SUFFIXES = (".svg", ".pdf", ".png")
+SUFFIXES = (".svg", ".pdf", ".png", ".dxf")
 
 
 def draw_sheet(
@@ -120,9 +121,21 @@ def write(sheet: Sheet, path: Path, lang: Lang) -> None:
                 from render import pdf
 
                 pdf.write(sheet.marks, sheet.size, sheet.title, path, lang=lang)
+            case ".dxf":
+                dxf = _dxf(lang)
+                dxf.write(sheet.marks, sheet.size, sheet.title, path, lang=lang)
             case _:
                 from render import png
 
                 png.write(sheet.marks, sheet.size, sheet.title, path)
     except OSError as error:
         raise PlanesError(say("unwritable", lang, file=str(path), reason=error.strerror or str(error))) from None
+
+
+def _dxf(lang: Lang) -> Any:
+    """The writer of DXF, if ezdxf is installed."""
+    if find_spec("ezdxf") is None:
+        raise PlanesError(say("needs_ezdxf", lang))
+    from render import dxf
+
+    return dxf

@@ -11,7 +11,7 @@ from planes.source import Items, Node, Table, Text
 from planes.wording import ExpressionError, SceneError, choices, shown
 from planes.words import Phrase, Told
 
-LEAST, MOST = 1e-50, 1e50  # of a number: products of several stay far from overflow
+MOST = 1e50  # the largest number of a scene: products of several stay far from overflow
 MAX_NAME = 40
 _NAME = re.compile(r"[\w'′″-]*\w[\w'′″-]*")
 
@@ -104,8 +104,8 @@ class Reader:
             value = evaluate(node.text, self.parameters)
         except ExpressionError as error:
             raise self.error(Phrase("about", what=what, why=error.phrase), node) from None
-        if value and not LEAST <= abs(value) <= MOST:
-            raise self.error(Phrase("out_of_range", what=what, value=value, least=LEAST, most=MOST), node)
+        if abs(value) > MOST:
+            raise self.error(Phrase("out_of_range", what=what, value=value, most=MOST), node)
         return value
 
     def positive(self, node: Node, what: Told) -> float:

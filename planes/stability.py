@@ -55,7 +55,7 @@ def _works(bench: Bench, value: Any, instrument: Any = None) -> bool:
     return True
 
 
-def _edge(bench: Bench) -> tuple[Any, int]| None:
+def _edge(bench: Bench) -> tuple[Any, int] | None:
     """The limit at 50 digits, and on which side of it positions work (+1: above)."""
     here = bench.plans.mechanism.drive.position
     offsets = np.arange(0.0, 181.0, 1.0)
@@ -95,13 +95,14 @@ def _measured(bench: Bench, limit: float, values: Any, distances: Any) -> Approa
         "method_batch": lambda v: bench.many(v, False),
         "method_single": bench.single,
         "method_newton": bench.newton,
-        "method_differences": lambda v: bench.differences(v),
+        "method_differences": bench.differences,
     }
     if fused.available():
         ways["method_fused"] = lambda v: bench.many(v, True)
     ways["method_digits"] = lambda v: np.array([[float(x) for x in bench.one(float(x), Digits(30))] for x in v]).T
     sharp = [min(_sharpness(bench, float(v)).values(), default=1.0) for v in values]
-    return Approach(limit, distances, np.array(sharp), np.max(claims / spread, axis=0), {k: error(w) for k, w in ways.items()})
+    errors = {key: error(work) for key, work in ways.items()}
+    return Approach(limit, distances, np.array(sharp), np.max(claims / spread, axis=0), errors)
 
 
 def _starts(bench: Bench) -> list[int]:

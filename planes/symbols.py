@@ -151,7 +151,7 @@ def _product(a: Num, b: Num) -> Num:
     tape = a.tape
     for one, two in ((a, b), (b, a)):
         if one.op == "neg":
-            return -(one.arg() * two)
+            return -_product(one.arg(), two)
     return number(tape, "mul", a, b)
 
 
@@ -181,7 +181,7 @@ class Vec:
         return Vec(self.real - x, self.imag - y)
 
     def __rsub__(self, other: Any) -> Vec:
-        return -self + other
+        return (-self).__add__(other)
 
     def __mul__(self, other: Any) -> Vec:
         (a, b), (x, y) = _parts(self), _parts(other)

@@ -140,7 +140,7 @@ def trace(
     The outputs marked in ``must`` have to be finite numbers: that is the last condition, "no_digits".
     """
     tape = Tape()
-    hand = TracingHand(Recording(), True, tape=tape, errors=errors)
+    hand = TracingHand(Recording(), True, tape=tape, errors=errors, doubt_mm=errors[0] if errors else 0.0)
     things: dict[str, Any] = {n: known[n] if n in known else _given(tape, n, given[n]) for n in given}
     for step in program.steps:
         before = len(hand.failures)

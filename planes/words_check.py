@@ -85,6 +85,18 @@ CHECK: dict[str, tuple[str, str]] = {
         "На чертеже слишком много линий ({count} концов), чтобы узнать в них план.",
         "The drawing has too many lines ({count} ends) to tell the plan among them.",
     ),
+    "check_picture": ("{file}: картинка не читается", "{file}: the picture cannot be read"),
+    "check_three_marks": (
+        "Видны только три угловые метки бланка из четырёх.", "Only three of the blank's four corner marks are seen."
+    ),
+    "check_points": (
+        "По этим --pole и --mark масштаб не найти: точки слишком близко или не на картинке.",
+        "These --pole and --mark give no scale: they are too near or not on the picture.",
+    ),
+    "check_no_marks": (
+        "На картинке нет угловых меток бланка; укажите --pole x,y и --mark имя=x,y (пиксели от левого верхнего угла).",
+        "The picture has no corner marks of a blank; name --pole x,y and --mark name=x,y (pixels from the top left).",
+    ),
     "check_no_lines": ("На чертеже нет линий.", "The drawing has no lines."),
     # help of the command line
     "help_check": ("проверить чертёж человека", "check a person's drawing"),

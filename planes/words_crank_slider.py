@@ -6,8 +6,8 @@ CRANK_SLIDER: dict[str, tuple[str, str]] = {
         "the scene has no key crank_slider, which gives the bore, the indicator diagram and the sizes of the parts",
     ),
     "cs_not_one": (
-        "это не кривошипно-ползунный механизм: нужны кривошип на стойке, шатун и ползун на направляющей стойки, "
-        "а строение здесь {formula}",
+        "это не кривошипно-ползунный механизм: нужны кривошип на стойке, шатун и ползун на направляющей стойки, а "
+        "строение здесь {formula}",
         "this is no crank-slider: it needs a crank on the frame, a rod and a slider on a guide of the frame, but the "
         "structure is {formula}",
     ),
@@ -71,8 +71,8 @@ CRANK_SLIDER: dict[str, tuple[str, str]] = {
     "cs_stages": (
         "indicator: нет хода {stage}; четырёхтактная диаграмма состоит из intake, compression, expansion, exhaust, "
         "двухтактная из compression, expansion",
-        "indicator: the stage {stage} is missing; a four-stroke diagram has intake, compression, expansion, exhaust, a "
-        "two-stroke one compression, expansion",
+        "indicator: the stage {stage} is missing; a four-stroke diagram has intake, compression, expansion, exhaust, "
+        "a two-stroke one compression, expansion",
     ),
     "cs_two_points": (
         "{what}: нужны хотя бы две точки [{variable}, p]",
@@ -84,13 +84,16 @@ CRANK_SLIDER: dict[str, tuple[str, str]] = {
         "{what}: {variable} must run from {start:g} to {end:g}, but {two:g} follows {one:g}",
     ),
     "cs_ends": (
-        "{what}: ход начинается при {variable} = {start:g} и кончается при {end:g}, а таблица идёт от {one:g} до {two:g}",
+        "{what}: ход начинается при {variable} = {start:g} и кончается при {end:g}, а таблица идёт от {one:g} до "
+        "{two:g}",
         "{what}: the stage begins at {variable} = {start:g} and ends at {end:g}, but the table goes from {one:g} to "
         "{two:g}",
     ),
     "cs_joint": (
-        "indicator: ход {one} кончается давлением {first:g}, а ход {two} начинается с {second:g}; концы должны совпадать",
-        "indicator: the stage {one} ends with the pressure {first:g}, but {two} begins with {second:g}; they must meet",
+        "indicator: ход {one} кончается давлением {first:g}, а ход {two} начинается с {second:g}; концы должны "
+        "совпадать",
+        "indicator: the stage {one} ends with the pressure {first:g}, but {two} begins with {second:g}; they must "
+        "meet",
     ),
     "cs_pressure": (
         "{what}: абсолютное давление не бывает отрицательным, а дано {value:g}",
@@ -104,8 +107,8 @@ CRANK_SLIDER: dict[str, tuple[str, str]] = {
     "cs_span": (
         "shaft: щёки в {webs:g} м от опор не умещаются по сторонам шатунной шейки (она в {left:g} м от опоры A и в "
         "{right:g} м от опоры B)",
-        "shaft: the webs, {webs:g} m from the bearings, find no place beside the crank pin ({left:g} m from bearing A, "
-        "{right:g} m from bearing B)",
+        "shaft: the webs, {webs:g} m from the bearings, find no place beside the crank pin ({left:g} m from bearing "
+        "A, {right:g} m from bearing B)",
     ),
     "cs_thin": (
         "{what}: сечение слишком тонкое: {inner:g} м не меньше {outer:g} м, материала не остаётся",
@@ -127,15 +130,15 @@ CRANK_SLIDER: dict[str, tuple[str, str]] = {
     "cs_crank_mass": (
         "статический момент кривошипа по links ({link:.4g} кг·м) расходится с shaft.masses ({shaft:.4g} кг·м); "
         "исправьте массу и центр масс звена {name} или массы вала",
-        "the crank's static moment by links ({link:.4g} kg·m) differs from shaft.masses ({shaft:.4g} kg·m); correct the "
-        "mass and centre of link {name} or the masses of the shaft",
+        "the crank's static moment by links ({link:.4g} kg·m) differs from shaft.masses ({shaft:.4g} kg·m); correct "
+        "the mass and centre of link {name} or the masses of the shaft",
     ),
     "cs_needs": ("{what} нужен для {other}; добавьте его", "{what} is needed for {other}; add it"),
     "cs_pin_length": (
         "piston_pin: между бобышками {gap:g} м, а втулка шатуна {bush:g} м и палец {length:g} м; нужно втулка ≤ "
         "зазор < палец",
-        "piston_pin: the bosses are {gap:g} m apart, the bush is {bush:g} m and the pin {length:g} m; it must be bush ≤ "
-        "gap < pin",
+        "piston_pin: the bosses are {gap:g} m apart, the bush is {bush:g} m and the pin {length:g} m; it must be "
+        "bush ≤ gap < pin",
     ),
     "cs_locked": (
         "при φ = {phi:g}° поршень с трением f = {f:g} заклинивает: условие f·tg β < 1 не выполнено",

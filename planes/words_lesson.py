@@ -117,7 +117,7 @@ LESSON: dict[str, tuple[str, str]] = {
     "other_place": ("Не здесь: {reason}", "Not there: {reason}"),
     # ways a length is laid off
     "way_across": ("перпендикулярно {line}", "perpendicular to {line}"),
-    "way_along": ("параллельно {line}", "along {line}"),
+    "way_along": ("вдоль {line}", "along {line}"),
     "way_towards": ("от ⟨{one}⟩ к ⟨{other}⟩", "from ⟨{one}⟩ to ⟨{other}⟩"),
     "way_down": ("вниз", "downwards"),
     "way_against": ("против ⟨{vector}⟩", "against ⟨{vector}⟩"),
@@ -177,8 +177,8 @@ WHY: dict[str, tuple[str, str]] = {
     ),
     "weight": ("Сила тяжести mg направлена вниз.", "The weight mg points down."),
     "inertia": (
-        "Сила инерции ma_S противоположна ускорению центра масс.",
-        "The force of inertia m·a_S is opposite to the acceleration of the mass centre.",
+        "Сила инерции m·a противоположна ускорению центра масс.",
+        "The force of inertia m·a is opposite to the acceleration of the mass centre.",
     ),
     "load": ("Сила задана.", "The force is given."),
     "found": (

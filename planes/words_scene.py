@@ -83,8 +83,8 @@ SCENE: dict[str, tuple[str, str]] = {
         "{what} cannot be negative, but is {value:g}",
     ),
     "out_of_range": (
-        "{what}: {value:g} вне пределов, в которых можно считать; нужен 0 или число от {least:g} до {most:g} по модулю",
-        "{what} is {value:g}, beyond what can be calculated with; write 0 or {least:g} to {most:g} in size",
+        "{what}: {value:g} вне пределов, в которых можно считать; наибольшее допустимое число {most:g}",
+        "{what} is {value:g}, beyond what can be calculated with; the largest number that may be given is {most:g}",
     ),
     "needs_key": ("{what}: нужен ключ {key}", "{what} needs the key {key}"),
     "needs_one_key": ("{what}: нужен один из ключей {keys}", "{what} needs one of the keys {keys}"),

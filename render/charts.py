@@ -13,8 +13,15 @@ from matplotlib.ticker import FuncFormatter, MultipleLocator
 from render.strokes import Picture, StrokeRenderer
 
 MM = 72 / 25.4
-LOOKS = (("#000000", "-"), ("#c1440e", "--"), ("#1f5fa8", "-."), ("#2f7d32", ":"), ("#7a3b8f", (0, (8, 2))), ("#777777", "-"))
-STYLE = {
+LOOKS = (
+    ("#000000", "-"),
+    ("#c1440e", "--"),
+    ("#1f5fa8", "-."),
+    ("#2f7d32", ":"),
+    ("#7a3b8f", (0, (8, 2))),
+    ("#777777", "-"),
+)
+STYLE: Any = {
     "font.family": "DejaVu Sans", "font.size": 8.0, "axes.linewidth": 0.7, "lines.linewidth": 1.3, "axes.grid": True,
     "grid.linewidth": 0.4, "grid.color": "#cccccc", "legend.frameon": False, "mathtext.fontset": "dejavusans",
     "axes.unicode_minus": True, "path.simplify": False,

@@ -20,7 +20,7 @@ LOOK = {  # of a method: colour, marker, dashes
     "method_digits": (6, "X", "-"), "method_pencil": (6, "_", "-"),
 }  # fmt: skip
 FLOOR = 1e-17  # errors below the last place of a double are drawn here
-CHARTS = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path"}
+CHARTS: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path"}
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,9 @@ def draw(path: Path, title: str, spots: Sequence[Spot], front: Sequence[Spot], w
         figure.savefig(path, metadata=METADATA[path.suffix.lower()])
 
 
-METADATA: dict[str, dict[str, Any]] = {".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
+METADATA: dict[str, dict[str, Any]] = {
+    ".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None},
+}  # fmt: skip
 
 
 def _speed(plot: Any, spots: Sequence[Spot], front: Sequence[Spot], lang: Lang) -> None:

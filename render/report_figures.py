@@ -8,7 +8,7 @@ from planes.crank_slider.pages import Chart, Drawn, Sketch
 from planes.words import Lang
 from render import charts
 from render.compose import Composer
-from render.marks import Arc, Arrow, Line, Mark, Text
+from render.marks import Anchor, Arc, Arrow, Line, Mark, Text
 from render.plotted import of_position
 from render.polygon import Polygon
 from render.scheme import Scheme
@@ -82,7 +82,8 @@ def sketch(block: Sketch) -> Figure:
     for x in (left, right):
         marks += [Line((complex(x, 0), complex(x, down)), "thin"), Arc(complex(x, down), 3.0)]
     for x, name in ((0.0, "A"), (end, "B")):
-        marks += [Line((complex(x - 5, -8), complex(x, 0), complex(x + 5, -8)), closed=True), Arc(complex(x, 0), 1.5, fill="paper"),
+        marks += [Line((complex(x - 5, -8), complex(x, 0), complex(x + 5, -8)), closed=True),
+                  Arc(complex(x, 0), 1.5, fill="paper"),
                   Text(name, complex(x - 9 if x == 0 else x + 6, -9), 5)]  # fmt: skip
     marks += _loads(block, left, right, pin, up, down)
     low = down - 14
@@ -96,11 +97,15 @@ def sketch(block: Sketch) -> Figure:
 
 def _loads(block: Sketch, left: float, right: float, pin: float, up: float, down: float) -> list[Mark]:
     said = block.labels
-    found: list[Mark] = [Arrow(complex(pin, up), complex(pin, up + 18), name="N_c"), Text(said["load"], complex(pin + 3, up + 12), 3.5)]
+    found: list[Mark] = [
+        Arrow(complex(pin, up), complex(pin, up + 18), name="N_c"),
+        Text(said["load"], complex(pin + 3, up + 12), 3.5),
+    ]
     for k, x in enumerate((left, right)):
         side = -1 if k == 0 else 1
-        anchor = "end" if k == 0 else "start"
-        found += [Arrow(complex(x, up), complex(x, up + 13), name="Φ"), Arrow(complex(x, down - 3), complex(x, down - 12), name="Φ_cw"),
+        anchor: Anchor = "end" if k == 0 else "start"
+        found += [Arrow(complex(x, up), complex(x, up + 13), name="Φ"),
+                  Arrow(complex(x, down - 3), complex(x, down - 12), name="Φ_cw"),
                   Text(said["web"], complex(x + 2.5 * side, up + 7), 3.5, anchor),
                   Text(said[f"weight_{k}"], complex(x + 4.5 * side, down - 8), 3.5, anchor)]  # fmt: skip
     return found
@@ -112,5 +117,3 @@ def _size(a: float, b: float, y: float, name: str) -> list[Mark]:
     ticks: list[Mark] = [Line((z - 2j, z + 3j), "thin", "dimension") for z in ends]
     return [*ticks, Arrow(middle, ends[0], "thin", "dimension"), Arrow(middle, ends[1], "thin", "dimension"),
             Text(name, middle + 1j, 3.5, "middle")]  # fmt: skip
-
-

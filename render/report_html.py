@@ -26,7 +26,8 @@ body{font:16px/1.5 "PT Serif","DejaVu Serif",Georgia,"Times New Roman",serif;col
  margin:2rem auto;padding:0 1rem}
 h1{font-size:1.7rem;line-height:1.25}h2{font-size:1.35rem;margin-top:2.4rem;border-bottom:1px solid #999}
 h3{font-size:1.1rem;margin-top:1.6rem}
-.formula{display:flex;align-items:center;margin:.55rem 0;overflow-x:auto}.formula svg{flex:none;max-width:100%;height:auto}
+.formula{display:flex;align-items:center;margin:.55rem 0;overflow-x:auto}
+.parts{display:flex;flex-wrap:wrap;align-items:center;gap:.3rem 1.1rem}.parts svg{max-width:100%;height:auto}
 .formula .number{margin-left:auto;padding-left:1rem;color:#444}
 .mistake{border:1px solid #a33;border-left:5px solid #a33;padding:.5rem .8rem;margin:1rem 0;background:#fdf4f2}
 figure{margin:1.4rem 0;overflow-x:auto}figure svg{max-width:100%;height:auto;display:block;margin:0 auto}
@@ -34,7 +35,7 @@ figcaption,caption{font-size:.92rem;color:#333;padding:.4rem 0;text-align:left}f
 .wide{overflow-x:auto;margin:1.2rem 0}table{border-collapse:collapse;font-size:.85rem;width:100%}
 th,td{border:1px solid #bbb;padding:.15rem .4rem;text-align:right;white-space:nowrap}
 th{background:#f2f2f2;text-align:center}td.word{text-align:left;white-space:normal}
-sub,sup{font-size:.72em;line-height:0}nav{font-size:.95rem}nav a{color:#124}
+.mu{white-space:nowrap}sub,sup{font-size:.72em;line-height:0}nav{font-size:.95rem}nav a{color:#124}
 @media print{body{max-width:none;margin:0}figure,table,.formula,.mistake{break-inside:avoid}h2,h3{break-after:avoid}}
 """
 
@@ -46,15 +47,17 @@ def write(document: Document) -> bytes:
     links = "".join(f'<li><a href="#c{n}">{text}</a></li>' for n, text in made.chapters)
     return (
         f'<!DOCTYPE html>\n<html lang="{document.lang}">\n<head>\n<meta charset="utf-8">\n'
-        f'<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>{escaped(document.title)}</title>\n'
+        f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        f'<title>{escaped(document.title)}</title>\n'
         f"<style>{CSS}</style>\n</head>\n<body>\n<h1>{escaped(document.title)}</h1>\n"
-        f'<nav><ul>{links}</ul></nav>\n<main>\n{body}\n</main>\n</body>\n</html>\n'
+        f"<nav><ul>{links}</ul></nav>\n<main>\n{body}\n</main>\n</body>\n</html>\n"
     ).encode()
 
 
 def rich(text: str) -> str:
     """_{…} and ^{…} as lower and upper indices."""
-    text = re.sub(r"_\{([^}]*)\}", r"<sub>\1</sub>", escaped(text))
+    text = re.sub(r"(μ_\{\w\} = [^;,]+(?:,\d[^;,]*)?)", r'<span class="mu">\1</span>', escaped(text))
+    text = re.sub(r"_\{([^}]*)\}", r"<sub>\1</sub>", text)
     return re.sub(r"\^\{([^}]*)\}", r"<sup>\1</sup>", text)
 
 
@@ -74,7 +77,8 @@ class _Page:
                 return f'<p class="mistake" role="note">{rich(text)}</p>'
             case Formula(tex, number):
                 tail = f'<span class="number">({number})</span>' if number else ""
-                return f'<div class="formula">{formula(tex).svg(plain(tex), 1.15)}{tail}</div>'
+                parts = "".join(formula(t).svg(plain(t), 1.15) for t in tex.split(r"\quad"))
+                return f'<div class="formula"><span class="parts">{parts}</span>{tail}</div>'
             case TableBlock():
                 return self.table(block)
             case Chart():

@@ -41,11 +41,16 @@ BODY = ParagraphStyle("body", fontName=FONT, fontSize=9.5, leading=13.5, spaceBe
 LEADING = ParagraphStyle("leading", parent=BODY, keepWithNext=1)
 TITLE = ParagraphStyle("title", parent=BODY, fontName=BOLD, fontSize=16, leading=20, spaceAfter=10)
 HEADS = {
-    1: ParagraphStyle("h1", parent=BODY, fontName=BOLD, fontSize=13, leading=17, spaceBefore=12, spaceAfter=6, keepWithNext=1),
-    2: ParagraphStyle("h2", parent=BODY, fontName=BOLD, fontSize=10.5, leading=14, spaceBefore=8, spaceAfter=4, keepWithNext=1),
+    1: ParagraphStyle(
+        "h1", parent=BODY, fontName=BOLD, fontSize=13, leading=17, spaceBefore=12, spaceAfter=6, keepWithNext=1
+    ),
+    2: ParagraphStyle(
+        "h2", parent=BODY, fontName=BOLD, fontSize=10.5, leading=14, spaceBefore=8, spaceAfter=4, keepWithNext=1
+    ),
 }
 MISTAKE = ParagraphStyle("mistake", parent=BODY, borderColor=HexColor("#aa3333"), borderWidth=0.8, borderPadding=5,
-                         backColor=HexColor("#fdf4f2"), spaceBefore=12, spaceAfter=14, leftIndent=6, rightIndent=6)  # fmt: skip
+                         backColor=HexColor("#fdf4f2"), spaceBefore=12, spaceAfter=14,
+                         leftIndent=6, rightIndent=6)  # fmt: skip
 CAPTION = ParagraphStyle("caption", parent=BODY, fontSize=8.5, leading=11, alignment=TA_CENTER, spaceAfter=8)
 ABOVE = ParagraphStyle("above", parent=BODY, fontSize=8.5, leading=11, spaceBefore=6, spaceAfter=2, keepWithNext=1)
 
@@ -88,7 +93,7 @@ class _Template(BaseDocTemplate):  # type: ignore[misc]
         canvas.drawString(20 * mm, 10 * mm, self.heading[:100])
         canvas.drawRightString(A4[0] - 20 * mm, 10 * mm, str(canvas.getPageNumber()))
 
-    def afterFlowable(self, flowable: Any) -> None:  # noqa: N802 - reportlab's name
+    def afterFlowable(self, flowable: Any) -> None:
         """Headings stand in the PDF's outline."""
         style = getattr(getattr(flowable, "style", None), "name", "")
         if style in ("h1", "h2"):
@@ -131,7 +136,8 @@ def _table(block: TableBlock) -> list[Any]:
     table = Table(rows, widths, repeatRows=1, hAlign="LEFT")
     table.setStyle(TableStyle([
         ("GRID", (0, 0), (-1, -1), 0.4, HexColor("#999999")), ("BACKGROUND", (0, 0), (-1, 0), HexColor("#f2f2f2")),
-        ("TOPPADDING", (0, 0), (-1, -1), 1.5), ("BOTTOMPADDING", (0, 0), (-1, -1), 2), ("VALIGN", (0, 0), (-1, -1), "MIDDLE"),
+        ("TOPPADDING", (0, 0), (-1, -1), 1.5), ("BOTTOMPADDING", (0, 0), (-1, -1), 2),
+        ("VALIGN", (0, 0), (-1, -1), "MIDDLE"),
         ("LEFTPADDING", (0, 0), (-1, -1), 3), ("RIGHTPADDING", (0, 0), (-1, -1), 3),
     ]))  # fmt: skip
     return [KeepTogether([Words(rich(block.title), ABOVE), table, Spacer(1, 6)])]

@@ -103,12 +103,12 @@ class StrokeRenderer(RendererBase):
         super().__init__()
         self.picture = Picture(width, height)
 
-    def draw_path(self, gc: Any, path: Path, transform: Any, rgbFace: Any = None) -> None:  # noqa: N803
+    def draw_path(self, gc: Any, path: Path, transform: Any, rgbFace: Any = None) -> None:
         """Keep one path with its pen."""
         box = gc.get_clip_rectangle()
         clip = None if box is None or rgbFace is not None else tuple(box.extents)
         width = gc.get_linewidth()
-        offset, dashes = gc.get_dashes()
+        _, dashes = gc.get_dashes()
         line = _hex(gc.get_rgb()) if width > 0 and gc.get_rgb()[3] > 0 else ""
         fill = _hex(rgbFace) if rgbFace is not None and (len(rgbFace) < 4 or rgbFace[3] > 0) else ""
         kept = tuple(float(d) for d in dashes) if dashes is not None else ()

@@ -83,6 +83,10 @@ WORDS: dict[str, tuple[str, str]] = {
         "{file}: the file of a sheet must end in {known}",
     ),
     "unwritable": ("{file}: не записать: {reason}", "{file}: cannot be written: {reason}"),
+    "needs_ezdxf": (
+        "для файла .dxf нужна библиотека ezdxf: pip install ezdxf",
+        "a .dxf file needs the library ezdxf: pip install ezdxf",
+    ),
     "bad_format": (
         "sheet: формат {format} неизвестен; допустимы {known}",
         "sheet: there is no format {format}; valid: {known}",

@@ -30,7 +30,9 @@ def two_stroke() -> str:
     """The sample with a two-stroke diagram over the crank angle."""
     start, end = SAMPLE.index("  indicator:"), SAMPLE.index("  step: 1")
     text = SAMPLE[:start] + TWO_STROKE + SAMPLE[end:]
-    return changed(("positions: [30, 120, 380, 450]", "positions: [200, 390]"), ("ambient: 0.1", "ambient: 1"), text=text)
+    return changed(
+        ("positions: [30, 120, 380, 450]", "positions: [200, 390]"), ("ambient: 0.1", "ambient: 1"), text=text
+    )
 
 
 def calculated(text: str = SAMPLE, variant: str | None = None) -> Calculation:

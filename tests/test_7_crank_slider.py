@@ -19,7 +19,9 @@ from planes.crank_slider.misprints import printed
 from planes.crank_slider.shape import Shape
 
 VARYING = ("  flywheel:", "  speed: {unevenness: 0.1, waves: 2, phase: 40}\n  flywheel:")
-MASSLESS = Shape("1", "2", "3", "O", "A", "B", "C", 0.1, 0.35, 0.105, 0.1, 20 / 9.81, 1e-15, 25 / 9.81, 0.0, 1e-15, 9.81, 0.0, 30.0)
+MASSLESS = Shape(
+    "1", "2", "3", "O", "A", "B", "C", 0.1, 0.35, 0.105, 0.1, 20 / 9.81, 1e-15, 25 / 9.81, 0.0, 1e-15, 9.81, 0.0, 30.0
+)
 
 
 def still(phi_rad: float, omega: float = 30.0, epsilon: float = 0.0, gas: float = 0.0) -> Motion:
@@ -54,7 +56,7 @@ def _bare(text: str) -> str:
 
 @pytest.mark.parametrize("phi", [0.3, 1.9, 3.4, 5.1])
 def test_motion_is_the_derivative_of_the_coordinates(phi):
-    """φ(t) = φ₀ + 30 t + 100 t²: ω = 30, ε = 200 at t = 0. Coordinates (1) are differentiated numerically in 40 digits."""
+    """φ(t) = φ₀ + 30 t + 100 t²: ω = 30, ε = 200 at t = 0. Coordinates (1) are differentiated in 40 digits."""
     shape, m = MASSLESS, still(phi, 30.0, 200.0)
     mpmath.mp.dps = 40
 
@@ -133,8 +135,8 @@ def test_the_text_is_wrong_by_hand_worked_numbers():
     assert (f.T[0], f.K[0]) == (pytest.approx(639.3, abs=0.05), pytest.approx(523.0, abs=0.05))
     assert f.torque[0] == pytest.approx(62.40, abs=0.01)
     wrong = printed(MASSLESS, m, way, f, 0)
-    assert wrong.R_B == pytest.approx(28.64, abs=0.01)
-    assert (wrong.T, wrong.K) == (pytest.approx(523.0, abs=0.05), pytest.approx(621.0, abs=0.05))
+    assert pytest.approx(28.64, abs=0.01) == wrong.R_B
+    assert (pytest.approx(523.0, abs=0.05), pytest.approx(621.0, abs=0.05)) == (wrong.T, wrong.K)
 
 
 def test_the_usual_formulas_hold_where_the_rod_is_two_points():
@@ -156,7 +158,11 @@ def test_the_rod_is_replaced_by_two_and_three_points():
     assert (parts.at_a, parts.at_b) == (pytest.approx(1.26), pytest.approx(0.54))
     assert parts.error == pytest.approx(0.0021698)
     assert parts.percent == pytest.approx(14.964, abs=1e-3)
-    assert parts.three == (pytest.approx(1.09599, abs=1e-5), pytest.approx(0.23429, abs=1e-5), pytest.approx(0.46971, abs=1e-5))
+    assert parts.three == (
+        pytest.approx(1.09599, abs=1e-5),
+        pytest.approx(0.23429, abs=1e-5),
+        pytest.approx(0.46971, abs=1e-5),
+    )
     assert parts.three[0] * 0.063**2 + parts.three[2] * 0.147**2 == pytest.approx(0.0145)
 
 

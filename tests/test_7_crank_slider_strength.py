@@ -69,9 +69,10 @@ def test_first_order_forces_with_and_without_counterweights():
 def test_bearings_and_moments_of_the_broken_bar():
     """L = 0.3, n = 0.1, m = 0.05, r = 0.06, ω = 188.5; pin 6000 N outwards, 3000 N along its motion, no counterweights.
 
-    Φ = ½(2·0.06 + 3·0.02)·188.5² = 3197.9 N on each web. A′ = Φ + 6000·0.1/0.3 = 5197.9, B′ = 6000 + 2·3197.9 − 5197.9 =
-    7197.9; A″ = 1000, B″ = 2000. Moments at the pin, 0.2 from A: A′·0.2 − Φ·0.15 = 559.9, from the other side B′·0.1 −
-    Φ·0.05 = 559.9; A″·0.2 = 200; torsion A″·0.06 = 60. Journal B: B′·0.05 = 359.9, 2000·0.05 = 100, 3000·0.06 = 180.
+    Φ = ½(2·0.06 + 3·0.02)·188.5² = 3197.9 N on each web. A′ = Φ + 6000·0.1/0.3 = 5197.9,
+    B′ = 6000 + 2·3197.9 − 5197.9 = 7197.9; A″ = 1000, B″ = 2000. Moments at the pin, 0.2 from A:
+    A′·0.2 − Φ·0.15 = 559.9, from the other side B′·0.1 − Φ·0.05 = 559.9; A″·0.2 = 200; torsion
+    A″·0.06 = 60. Journal B: B′·0.05 = 359.9, 2000·0.05 = 100, 3000·0.06 = 180.
     """
     c = calculated()
     s = supports(c.given.shape, BAR, None, None, loads(c, 6000.0, 3000.0))
@@ -133,7 +134,7 @@ def test_fatigue_of_a_journal_by_hand():
 
 
 def test_the_worst_point_of_the_edge_is_found():
-    """A load that turns with the section's 45° line bends it there and back: the worst point is at 45° (or opposite)."""
+    """A load that turns with the section's 45° line bends it there and back: the worst point is at 45°."""
     z = np.array([300.0, -300.0])
     section = Section("crankpin", 0.0, z, z, 0 * z, np.abs(z), 0 * z)
     found = checked(section, Round(0.04), steel("45"), Concentration(1.0, 1.0, 1.0, 1.0))
@@ -162,14 +163,15 @@ def test_buckling_of_a_short_and_of_a_slender_rod():
 
 
 def _lightly() -> str:
-    text = SAMPLE[SAMPLE.index("crank_slider:"):]
+    text = SAMPLE[SAMPLE.index("crank_slider:") :]
     start, end = text.index("  # коленчатый вал"), text.index("  # стержень шатуна")
     return (text[:start] + text[end:]).split("  fatigue:")[0].replace("shaft: 45, ", "")
 
 
 def test_the_piston_pin_as_a_beam():
-    """P = 20 kN, d = 30, bore 18 (α = 0.6), pin 80, bush 34, gap 38 mm. Halves: bush P/2 at 34/4 = 8.5 mm from the middle;
-    boss, a triangle on (80 − 38)/2 = 21 mm falling outwards, P/2 at 19 + 21/3 = 26 mm: M = 10·(26 − 8.5) = 175 N·m.
+    """P = 20 kN, d = 30, bore 18 (α = 0.6), pin 80, bush 34, gap 38 mm.
+    Halves: bush P/2 at 34/4 = 8.5 mm from the middle; boss, a triangle on (80 − 38)/2 = 21 mm falling
+    outwards, P/2 at 19 + 21/3 = 26 mm: M = 10·(26 − 8.5) = 175 N·m.
     W = π·30³/32·(1 − 0.1296) = 2307.2 mm³: σ = 75.85 MPa. τ = 0.85·P(1 + α + α²)/((1 − α⁴)d²) = 42.5 MPa.
     q = 20000/(30·34) = 19.6 and 20000/(30·42) = 15.9 MPa.
     """

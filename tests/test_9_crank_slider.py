@@ -17,7 +17,8 @@ REFUSALS = [
     (("mass: 1.8", "mass: -1.8"), "cannot be negative"),
     (("mass: 1.4", ""), "needs the key mass"),
     (("inertia: 0.0145", ""), "needs the key inertia"),
-    (("    exhaust: [[1, 0.26], [0.9, 0.15], [0.7, 0.118], [0.3, 0.112], [0, 0.11]]\n", ""), "stage exhaust is missing"),
+    (("    exhaust: [[1, 0.26], [0.9, 0.15], [0.7, 0.118], [0.3, 0.112], [0, 0.11]]\n", ""),
+     "stage exhaust is missing"),
     (("[[0, 0.11], [0.15", "[[0.1, 0.11], [0.15"), "begins at s/S = 0"),
     (("[0.6, 0.162], [0.4", "[0.3, 0.162], [0.4"), "0.4 follows 0.3"),
     (("[0, 2.9]]\n    expansion", "[0, 2.5]]\n    expansion"), "they must meet"),
@@ -66,7 +67,9 @@ def test_other_scenes_are_told_what_is_missing(tmp_path, capsys):
     samples = Path(__file__).parent.parent / "samples"
     assert main(["crank-slider", str(samples / "six-link.yaml"), "--lang", "en"]) == 2
     assert "crank_slider" in capsys.readouterr().err
-    assert main(["crank-slider", str(samples / "crank-slider.yaml"), "-o", str(tmp_path / "x.doc"), "--lang", "en"]) == 2
+    assert (
+        main(["crank-slider", str(samples / "crank-slider.yaml"), "-o", str(tmp_path / "x.doc"), "--lang", "en"]) == 2
+    )
     assert ".html, .pdf or .json" in capsys.readouterr().err
 
 
@@ -77,7 +80,9 @@ def write(tmp_path: Path, text: str, suffix: str, lang: str = "ru") -> bytes:
     return out.read_bytes()
 
 
-@pytest.mark.parametrize("lang, words", [("ru", ("Кинетостатика", "Планы сил", "МПа")), ("en", ("Kinetostatics", "Force plans", "MPa"))])
+@pytest.mark.parametrize(
+    "lang, words", [("ru", ("Кинетостатика", "Планы сил", "МПа")), ("en", ("Kinetostatics", "Force plans", "MPa"))]
+)
 def test_the_page_stands_alone(tmp_path, lang, words):
     page = write(tmp_path, SAMPLE, ".html", lang).decode()
     assert not re.search(r'(?:src|href)="(?!#)', page) and "@import" not in page and "url(" not in page
@@ -119,5 +124,7 @@ def test_the_object(tmp_path, capsys):
     assert len(found["forces"]["T"]) == len(found["kinematics"]["phi_deg"]) == 721
     assert found["balance"]["needed"] == pytest.approx([1.568571, 1.568571], abs=1e-6)
     assert {one["name"]: one["holds"] for one in found["checks"]}["fatigue_shaft"] is True
-    assert write(tmp_path, SAMPLE, ".json") and main(["crank-slider", str(tmp_path / "scene.yaml"), "--lang", "en"]) == 0
+    assert (
+        write(tmp_path, SAMPLE, ".json") and main(["crank-slider", str(tmp_path / "scene.yaml"), "--lang", "en"]) == 0
+    )
     assert "shaft, fatigue factor" in capsys.readouterr().out

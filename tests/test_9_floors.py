@@ -17,7 +17,7 @@ LONGEST_BODY = 25  # lines, of nine functions in ten
 
 STOREYS = (  # a module imports only from the storeys above its own in this list
     "arithmetic crank_slider.indicator crank_slider.materials crank_slider.sections degrees mark_names "
-    "mechanism tape words_crank_slider words_lesson words_links words_method words_mistakes words_scene "
+    "mechanism tape words_crank_slider words_cycle words_lesson words_links words_method words_mistakes words_scene "
     "words_text",
     "fused_text plane reading symbols tools words_check",
     "step words",
@@ -25,7 +25,7 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "angles equations expressions paper program source statement steps structure units",
     "drafting scene_reader",
     "bodies crank_slider.reading_table instruments scene_links scene_motion scene_settings scene_vectors",
-    "drawing nudging positions scene tracing",
+    "digits drawing nudging positions scene tracing",
     "assembly crank_slider.shape formulas fused handwork legs vectors",
     "crank_slider.given judging kinematics",
     "crank_slider.reading_parts loads",
@@ -33,22 +33,24 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "lever primary",
     "statics",
     "plans",
-    "mistakes polygons scales",
+    "contrast mistakes polygons scales",
     "crank_slider.engine lesson measuring mistakes_force mistakes_position nearest",
     "checking columns crank_slider.kinematics solving",
-    "crank_slider.forces cycle lesson_data roof tables",
-    "cli crank_slider.balance",
-    "crank_slider.shaft",
-    "crank_slider.fatigue",
+    "crank_slider.forces cycle explaining lesson_data roof tables",
+    "claims crank_slider.balance methods streams",
+    "crank_slider.shaft long_run stability",
+    "crank_slider.fatigue roof_charts",
     "crank_slider.rod",
     "crank_slider.calculation",
+    "cli",
 )
 FLOORS = {f"planes.{name}": floor for floor, names in enumerate(STOREYS) for name in names.split()}
-ROOFS = {"planes.cli", "planes.roof"}  # alone may hand drawings to the renderer
+# alone may hand drawings to the renderer
+ROOFS = {"planes.cli", "planes.roof", "planes.roof_charts", "planes.roof_crank_slider"}
 READ_BY_RENDER = {  # what drawings are made of, and words: nothing that states or solves mechanics
     f"planes.{name}" for name in (
-        "bodies", "drafting", "drawing", "equations", "lesson", "measuring", "mechanism", "plans", "reckoning",
-        "scales", "scene", "solving", "steps", "structure", "units", "vectors", "wording", "words")
+        "bodies", "crank_slider.pages", "drafting", "drawing", "equations", "lesson", "measuring", "mechanism",
+        "plans", "reckoning", "scales", "scene", "solving", "steps", "structure", "units", "vectors", "wording", "words")
 }  # fmt: skip
 
 

@@ -144,7 +144,11 @@ def _check_thin(c: Calculation) -> None:
 def _agreement(given: Given, m: Motion, points: Way, plane: Way, found: Found, f: Forces, done: Work) -> Agreement:
     w = given.shape.omega
     speed, rate = w * given.shape.r, w**2 * given.shape.r
-    ways = {"points_plane": (points, plane), "points_plans": (points, found), "plane_plans": (plane, found)}
+    ways: dict[str, tuple[Way, Way | Found]] = {
+        "points_plane": (points, plane),
+        "points_plans": (points, found),
+        "plane_plans": (plane, found),
+    }
     pairs = [
         (f.on_pin, -found.on_rod_from_crank), (-f.on_rod_at_b, found.on_slider_from_rod), (f.N, found.push),
         (f.on_crank_from_frame, found.on_crank_from_frame),

@@ -55,7 +55,9 @@ def balance(shape: Shape, m: Motion, way: Way) -> Forces:
     spin = shape.s * (pull.real * crank.imag - pull.imag * crank.real) - shape.j1 * m.epsilon
     along_rod = -(on_rod * np.exp(1j * beta)).real
     torque = turned.imag * shape.r + spin
-    return Forces(-along - rub, push, along_rod, turned.imag, -turned.real, rub, on_rod, on_pin, -on_pin - crank, torque)
+    return Forces(
+        -along - rub, push, along_rod, turned.imag, -turned.real, rub, on_rod, on_pin, -on_pin - crank, torque
+    )
 
 
 def _crank_acceleration(shape: Shape, m: Motion) -> Array:

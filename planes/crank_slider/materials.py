@@ -44,8 +44,8 @@ class Material:
 
 
 def made(
-    name: str, strength: float, yields: float, alloyed: bool, fatigue: float | None = None, torsion: float | None = None,
-    elasticity: float = ELASTICITY_MPA,
+    name: str, strength: float, yields: float, alloyed: bool, fatigue: float | None = None,
+    torsion: float | None = None, elasticity: float = ELASTICITY_MPA,
 ) -> Material:  # fmt: skip
     """A material; the fatigue limits not given are estimated from the strength."""
     bending = fatigue or (0.35 * strength + 120.0 if alloyed else 0.43 * strength)

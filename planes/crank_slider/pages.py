@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from planes.solving import Position
 from planes.scene import Scene
+from planes.solving import Position
 from planes.units import quantity
 from planes.words import Lang
 
@@ -22,6 +22,13 @@ SUBSCRIPTS: dict[str, tuple[str, str]] = {
     "boss": ("б", "boss"), "tr": ("пост", "tr"), "c": ("сж", "c"), "tens": ("р", "t"),
 }  # fmt: skip
 """Subscripts of formulas, written §cw§, in both languages."""
+
+UNITS: dict[str, tuple[str, str]] = {
+    "m/s^2": ("м/с²", "m/s²"), "m/s": ("м/с", "m/s"), "rad/s^2": ("рад/с²", "rad/s²"), "rad/s": ("рад/с", "rad/s"),
+    "MPa": ("МПа", "MPa"), "Nm": ("Н·м", "N·m"), "N": ("Н", "N"), "kgm2": ("кг·м²", "kg·m²"), "kg": ("кг", "kg"),
+    "J": ("Дж", "J"), "m": ("м", "m"), "kW": ("кВт", "kW"),
+}  # fmt: skip
+"""Units of formulas, written [kW], in both languages."""
 
 
 @dataclass(frozen=True)
@@ -170,10 +177,7 @@ class Writer:
         """A formula; ``§key§`` in it is a subscript of the table."""
         for key, pair in SUBSCRIPTS.items():
             tex = tex.replace(f"§{key}§", f"\\mathrm{{{pair[0 if self.lang == 'ru' else 1]}}}")
-        units = {"m/s^2": ("м/с²", "m/s²"), "m/s": ("м/с", "m/s"), "rad/s^2": ("рад/с²", "rad/s²"), "rad/s": ("рад/с", "rad/s"),
-                 "MPa": ("МПа", "MPa"), "Nm": ("Н·м", "N·m"), "N": ("Н", "N"), "kgm2": ("кг·м²", "kg·m²"),
-                 "kg": ("кг", "kg"), "J": ("Дж", "J"), "mm": ("мм", "mm"), "m": ("м", "m"), "kW": ("кВт", "kW")}  # fmt: skip
-        for unit, pair in units.items():
+        for unit, pair in UNITS.items():
             tex = tex.replace(f"[{unit}]", f"\\ \\mathrm{{{pair[0 if self.lang == 'ru' else 1]}}}")
         tex = tex.replace(r"\frac", r"\dfrac").replace(r"\tan", r"\,\mathrm{tg}\," if self.lang == "ru" else r"\,\tan ")
         tex = re.sub(r"\\(sin|cos)(?=[^a-z]|$)", r"\\,\\\1\\,", tex).replace(r"\,^", "^")

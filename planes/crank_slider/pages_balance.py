@@ -24,8 +24,12 @@ def write_balance(w: Writer, c: Calculation) -> None:
     w.formula(rf"\Phi_R=m_R\,\omega^2r={t(b.rotating)}\cdot{t(s.omega)}^2\cdot{t(s.r)}={t(b.force)}[N]", "27")
     w.text("b_conditions")
     w.formula(r"m_1+m_2=m_R\frac{r}{R_§cw§},\quad m_1a=m_2b", "28, 29")
-    w.formula(rf"m_1=\frac{{m_Rr}}{{R_§cw§}}\cdot\frac{{b}}{{a+b}}=\frac{{{t(b.rotating)}\cdot{t(s.r)}}}{{{t(weights.radius)}}}"
-              rf"\cdot\frac{{{t(b.right)}}}{{{t(b.left + b.right)}}}={t(b.needed[0])}[kg],\quad m_2={t(b.needed[1])}[kg]", "30")
+    w.formula(
+        rf"m_1=\frac{{m_Rr}}{{R_§cw§}}\cdot\frac{{b}}{{a+b}}="
+        rf"\frac{{{t(b.rotating)}\cdot{t(s.r)}}}{{{t(weights.radius)}}}"
+        rf"\cdot\frac{{{t(b.right)}}}{{{t(b.left + b.right)}}}={t(b.needed[0])}[kg],\quad m_2={t(b.needed[1])}[kg]",
+        "30",
+    )
     w.text("b_chosen", one=b.chosen[0], two=b.chosen[1], force=abs(b.residual_force), moment=abs(b.residual_moment))
     w.text("b_first", mass=b.translating)
     _cases(w, c, b)

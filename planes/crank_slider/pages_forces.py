@@ -55,12 +55,16 @@ def _masses(w: Writer, c: Calculation) -> None:
     s, parts, t = c.given.shape, c.parts, w.tex
     w.head("h_mass")
     w.text("s_two")
-    w.formula(rf"m_A=m_2\frac{{l-AC}}{{l}}={t(s.m2)}\cdot\frac{{{t(s.l)}-{t(s.c)}}}{{{t(s.l)}}}={t(parts.at_a)}[kg],\quad"
+    w.formula(rf"m_A=m_2\frac{{l-AC}}{{l}}={t(s.m2)}\cdot\frac{{{t(s.l)}-{t(s.c)}}}{{{t(s.l)}}}="
+              rf"{t(parts.at_a)}[kg],\quad"
               rf"m_B=m_2\frac{{AC}}{{l}}={t(parts.at_b)}[kg]")  # fmt: skip
     w.formula(rf"\Delta J=m_2\,AC\,(l-AC)-J_C={t(parts.inertia)}-{t(s.j2)}={t(parts.error)}[kgm2]")
     couple = abs(parts.error) * float(np.max(np.abs(c.plane.epsilon)))
-    w.text("s_two_err", percent=abs(parts.percent), sign=w.say("s_more" if parts.error > 0 else "s_less"), moment=couple)
-    w.formula(rf"m_A=\frac{{J_C}}{{AC\cdot l}}={t(parts.three[0])}[kg],\quad m_B=\frac{{J_C}}{{(l-AC)\,l}}={t(parts.three[2])}[kg],"
+    w.text(
+        "s_two_err", percent=abs(parts.percent), sign=w.say("s_more" if parts.error > 0 else "s_less"), moment=couple
+    )
+    w.formula(rf"m_A=\frac{{J_C}}{{AC\cdot l}}={t(parts.three[0])}[kg],\quad m_B=\frac{{J_C}}{{(l-AC)\,l}}="
+              rf"{t(parts.three[2])}[kg],"
               rf"\quad m_C=m_2-m_A-m_B={t(parts.three[1])}[kg]")  # fmt: skip
     if parts.three[1] < 0:
         w.text("s_three_neg")
@@ -79,18 +83,26 @@ def _inertia(w: Writer, c: Calculation) -> None:
     w.text("k_at", phi=worked(c), omega=float(c.motion.omega[k]), eps=float(c.motion.epsilon[k]))
     w.formula(rf"\Phi_B=m_3|a_B|={t(s.m3)}\cdot{t(abs(p.a['B'][k]))}={t(s.m3 * abs(p.a['B'][k]))}[N],\quad"
               rf"\Phi_C=m_2a_C={t(s.m2)}\cdot{t(abs(a_c))}={t(s.m2 * abs(a_c))}[N],", "17, 18")  # fmt: skip
-    w.formula(rf"M_{{AB}}^\Phi=J_C|\varepsilon_{{AB}}|={t(s.j2)}\cdot{t(abs(p.epsilon[k]))}={t(s.j2 * abs(p.epsilon[k]))}[Nm]", "19")
+    w.formula(
+        rf"M_{{AB}}^\Phi=J_C|\varepsilon_{{AB}}|={t(s.j2)}\cdot{t(abs(p.epsilon[k]))}="
+        rf"{t(s.j2 * abs(p.epsilon[k]))}[Nm]",
+        "19",
+    )
     w.mistake("m_20", printed=printed(s, c.motion, p, c.forces, k).J_C, true=s.j2)
 
 
 def _equations(w: Writer, c: Calculation) -> None:
     w.head("h_balance")
     w.text("s_balance")
-    w.formula(r"P_§p§=P_§gas§+m_3a_{Bx}+f\,|N|\,\mathrm{sgn}\,v_{Bx},\quad N=m_3g+P_§p§\tan\beta-\frac{M_A}{l\cos\beta},")
+    w.formula(
+        r"P_§p§=P_§gas§+m_3a_{Bx}+f\,|N|\,\mathrm{sgn}\,v_{Bx},\quad N=m_3g+P_§p§\tan\beta-\frac{M_A}{l\cos\beta},"
+    )
     w.formula(r"M_A=-m_2\left[(x_C-x_A)(a_{Cy}+g)-(y_C-y_A)\,a_{Cx}\right]-J_C\varepsilon_{AB}")
     w.formula(r"X_B=-P_§p§,\quad Y_B=N-m_3g,\quad S=-X_B\cos\beta+Y_B\sin\beta,")
     w.formula(r"X_A=X_B-m_2a_{Cx},\quad Y_A=Y_B-m_2(a_{Cy}+g),")
-    w.formula(r"T=-X_A\sin\varphi+Y_A\cos\varphi,\quad K=-X_A\cos\varphi-Y_A\sin\varphi,\quad M=T\,r-m_1g\,x_{S1}")
+    spin = r"-(J_1+m_1\,OS_1^2)\,\varepsilon" if c.given.speed.unevenness else ""
+    w.formula(r"T=-X_A\sin\varphi+Y_A\cos\varphi,\quad K=-X_A\cos\varphi-Y_A\sin\varphi,\quad "
+              rf"M=T\,r-m_1g\,x_{{S1}}{spin}")  # fmt: skip
     if c.given.shape.f:
         w.text("s_friction")
     _equation_numbers(w, c)
@@ -108,13 +120,16 @@ def _equation_numbers(w: Writer, c: Calculation) -> None:
     at_b, at_a = complex(f.on_rod_at_b[k]), complex(f.on_pin[k])
     gas, a_b, push = float(c.motion.gas[k]), float(p.a["B"][k].real), float(f.N[k])
     w.text("k_at", phi=phi, omega=float(c.motion.omega[k]), eps=float(c.motion.epsilon[k]))
-    w.formula(rf"M_A=-{t(s.m2)}\left[{t(arm.real)}({t(a_c.imag)}+{t(s.g)})-{t(arm.imag, bracket=True)}\cdot"
-              rf"{t(a_c.real, bracket=True)}\right]-{t(s.j2)}\cdot{t(float(p.epsilon[k]), bracket=True)}={t(moment)}[Nm]")
+    w.formula(
+        rf"M_A=-{t(s.m2)}\left[{t(arm.real)}({t(a_c.imag)}+{t(s.g)})-{t(arm.imag, bracket=True)}\cdot"
+        rf"{t(a_c.real, bracket=True)}\right]-{t(s.j2)}\cdot{t(float(p.epsilon[k]), bracket=True)}={t(moment)}[Nm]"
+    )
     sense = -1 if float(f.rubbing[k]) > 0 else 1
     rub = rf"{'+' if sense > 0 else '-'}{t(s.f)}\cdot{t(abs(push))}" if s.f and float(f.rubbing[k]) else ""
     w.formula(rf"P_§p§={t(gas)}+{t(s.m3)}\cdot{t(a_b, bracket=True)}{rub}={t(float(f.P[k]))}[N]")
     w.formula(rf"N={t(s.m3)}\cdot{t(s.g)}+{t(float(f.P[k]), bracket=True)}\tan{t(beta, bracket=True)}\degree-"
-              rf"\frac{{{t(moment)}}}{{{t(s.l)}\cos{t(beta, bracket=True)}\degree}}={t(push)}[N]", "22, 23")  # fmt: skip
+              rf"\frac{{{t(moment)}}}{{{t(s.l)}\cos{t(beta, bracket=True)}\degree}}="
+              rf"{t(push)}[N]", "22, 23")  # fmt: skip
     w.formula(rf"S={t(-at_b.real, bracket=True)}\cos{t(beta, bracket=True)}\degree+{t(at_b.imag, bracket=True)}"
               rf"\sin{t(beta, bracket=True)}\degree={t(float(f.S[k]))}[N]", "23")  # fmt: skip
     w.formula(rf"X_A={t(at_b.real)}-{t(s.m2)}\cdot{t(a_c.real, bracket=True)}={t(at_a.real)}[N],\quad"
@@ -128,17 +143,34 @@ def _equation_numbers(w: Writer, c: Calculation) -> None:
 def _cycle(w: Writer, c: Calculation) -> None:
     f, m, a = c.forces, c.motion, c.agreement
     w.head("h_cycle")
-    w.text("s_equal", count=len(m.phi_deg), forces=w.number(a.forces, 2), torque=w.number(a.torque, 2), lever=w.number(a.lever, 2))
+    w.text(
+        "s_equal",
+        count=len(m.phi_deg),
+        forces=w.number(a.forces, 2),
+        torque=w.number(a.torque, 2),
+        lever=w.number(a.lever, 2),
+    )
     inertia = c.given.shape.m3 * c.plane.a["B"].real
-    columns = [m.phi_deg, c.pressure / 1e6, m.gas * KN, inertia * KN, f.P * KN, f.N * KN, f.S * KN, f.T * KN, f.K * KN, f.torque]
+    columns = [
+        m.phi_deg,
+        c.pressure / 1e6,
+        m.gas * KN,
+        inertia * KN,
+        f.P * KN,
+        f.N * KN,
+        f.S * KN,
+        f.T * KN,
+        f.K * KN,
+        f.torque,
+    ]
     steps = range(0, len(m.phi_deg), max(1, round(30 / c.given.step_deg)))
     rows = [[w.number(float(x[i]), near=float(np.max(np.abs(x)))) for x in columns] for i in steps]
     gas = "P_{г}" if w.lang == "ru" else "P_{g}"
     whole = "P_{п}" if w.lang == "ru" else "P_{p}"
     w.table("t_forces", ["φ, °", "p", gas, "m_{3}a_{B}", whole, "N", "S", "T", "K", "M"], rows)
     phi = m.phi_deg
-    w.chart("f_P", "x_phi", "y_kN", [Curve(phi, m.gas * KN, w.say("l_gas"), 1), Curve(phi, inertia * KN, w.say("l_inertia"), 2),
-            Curve(phi, f.P * KN, w.say("l_sum"), 0)], ticks=60)  # fmt: skip
+    along = (("l_gas", m.gas, 1), ("l_inertia", inertia, 2), ("l_sum", f.P, 0))
+    w.chart("f_P", "x_phi", "y_kN", [Curve(phi, y * KN, w.say(key), look) for key, y, look in along], ticks=60)
     w.chart("f_NS", "x_phi", "y_kN", [Curve(phi, f.S * KN, "S", 0), Curve(phi, f.N * KN, "N", 1)], ticks=60)
     w.chart("f_TK", "x_phi", "y_kN", [Curve(phi, f.T * KN, "T", 0), Curve(phi, f.K * KN, "K", 1)], ticks=60)
     _polar(w, c)
@@ -152,7 +184,8 @@ def _polar(w: Writer, c: Calculation) -> None:
     f, phi = c.forces, c.motion.phi_deg
     every = max(1, round(30 / c.given.step_deg))
     far = float(np.max(np.abs(f.on_pin))) * KN
-    notes, kept = [], []
+    notes: list[Note] = []
+    kept: list[complex] = []
     for i in range(0, len(phi) - 1, every):
         at = complex(-f.K[i] * KN, f.T[i] * KN)
         clear = all(abs(at - other) > 0.1 * far for other in kept)
@@ -166,16 +199,21 @@ def _torque(w: Writer, c: Calculation) -> None:
     d, t, phi = c.work, w.tex, c.motion.phi_deg
     w.head("h_torque")
     w.text("s_torque_var" if c.given.speed.unevenness else "s_torque")
-    w.formula(rf"A=\oint M\,d\varphi={t(d.torque)}[J],\quad A_§gas§={t(d.gas)}[J],\quad A_§fr§={t(d.friction)}[J],\quad"
+    w.formula(rf"A=\oint\!\,\,M\,d\varphi={t(d.torque)}[J],\quad A_§gas§={t(d.gas)}[J],\quad A_§fr§={t(d.friction)}[J],\quad"
               rf"A_§gas§+A_§fr§={t(d.gas + d.friction)}[J]")  # fmt: skip
     cycle = len(c.given.indicator.names)
-    w.formula(rf"M_§m§=\frac{{A}}{{{cycle}\pi}}=\frac{{{t(d.torque)}}}{{{cycle}\pi}}={t(d.mean)}[Nm],\quad"
-              rf"M_§max§={t(d.largest)}[Nm],\quad M_§min§={t(d.smallest)}[Nm],\quad N_e=M_§m§\omega={t(d.power * 1e-3)}[kW]")
+    w.formula(
+        rf"M_§m§=\frac{{A}}{{{cycle}\pi}}=\frac{{{t(d.torque)}}}{{{cycle}\pi}}={t(d.mean)}[Nm],\quad"
+        rf"M_§max§={t(d.largest)}[Nm],\quad M_§min§={t(d.smallest)}[Nm],\quad N_e=M_§m§\omega={t(d.power * 1e-3)}[kW]"
+    )
     if d.mean < 0:
         w.text("s_negative")
     w.chart("f_torque", "x_phi", "y_M", [Curve(phi, c.forces.torque, "M", 0),
             Curve(phi, np.full_like(phi, d.mean), w.say("l_mean"), 1)], ticks=60)  # fmt: skip
     w.text("s_uneven", uneven=d.unevenness, allowed=c.given.allowed_unevenness)
-    w.formula(rf"\Delta A={t(d.excess)}[J],\quad J_§fly§=\frac{{\Delta A}}{{[\delta]\,\omega^2}}="
-              rf"\frac{{{t(d.excess)}}}{{{t(c.given.allowed_unevenness)}\cdot{t(c.given.shape.omega)}^2}}={t(d.flywheel)}[kgm2]")
+    w.formula(
+        rf"\Delta A={t(d.excess)}[J],\quad J_§fly§=\frac{{\Delta A}}{{[\delta]\,\omega^2}}="
+        rf"\frac{{{t(d.excess)}}}{{{t(c.given.allowed_unevenness)}\cdot{t(c.given.shape.omega)}^2}}="
+        rf"{t(d.flywheel)}[kgm2]"
+    )
     w.chart("f_excess", "x_phi", "y_J", [Curve(phi, d.curve, "", 0)], ticks=60, height_mm=50)

@@ -72,16 +72,20 @@ def _points(w: Writer, c: Calculation) -> None:
     s, k = c.given.shape, c.at(chosen(c))
     w.head("h_points")
     w.text("k_points", k=s.c / s.l)
-    w.formula(r"x_A=r\cos\varphi,\quad y_A=r\sin\varphi,\quad x_B=r\cos\varphi+\sqrt{l^2-r^2\sin^2\varphi},\quad y_B=0,")
+    w.formula(
+        r"x_A=r\cos\varphi,\quad y_A=r\sin\varphi,\quad x_B=r\cos\varphi+\sqrt{l^2-r^2\sin^2\varphi},\quad y_B=0,"
+    )
     w.formula(r"x_C=r\cos\varphi+k\,l\cos\beta,\quad y_C=(1-k)\,r\sin\varphi", "1")
     w.text("k_derive")
     w.formula(r"v_{xA}=-\omega r\sin\varphi,\quad v_{yA}=\omega r\cos\varphi,\quad"
               r"v_B=-\omega r\sin\varphi-\omega\,\frac{r^2\sin\varphi\cos\varphi}{s},")  # fmt: skip
     w.formula(r"v_{xC}=-\omega r\sin\varphi-k\,\omega\,\frac{r^2\sin\varphi\cos\varphi}{s},\quad"
               r"v_{yC}=(1-k)\,\omega r\cos\varphi", "2")  # fmt: skip
-    w.formula(r"a_B=-\omega^2\left[r\cos\varphi+\frac{r^2\cos 2\varphi}{s}+\frac{r^4\sin^2\varphi\cos^2\varphi}{s^3}\right]"
+    w.formula(r"a_B=-\omega^2\left[r\cos\varphi+\frac{r^2\cos 2\varphi}{s}+\frac{r^4\sin^2\varphi\cos^2"
+              r"\varphi}{s^3}\right]"
               r"-\varepsilon\left[r\sin\varphi+\frac{r^2\sin\varphi\cos\varphi}{s}\right],", "3")  # fmt: skip
-    w.formula(r"a_{xC}=-\omega^2\left[r\cos\varphi+k\frac{r^2\cos 2\varphi}{s}+k\frac{r^4\sin^2\varphi\cos^2\varphi}{s^3}"
+    w.formula(r"a_{xC}=-\omega^2\left[r\cos\varphi+k\frac{r^2\cos 2\varphi}{s}+k\frac{r^4\sin^2\varphi\cos^2"
+              r"\varphi}{s^3}"
               r"\right]-\varepsilon\left[r\sin\varphi+k\frac{r^2\sin\varphi\cos\varphi}{s}\right],")  # fmt: skip
     w.formula(r"a_{yC}=(1-k)\,r\,(\varepsilon\cos\varphi-\omega^2\sin\varphi)", "3")
     _mistake_3(w, c)
@@ -105,13 +109,16 @@ def _numbers(w: Writer, c: Calculation, k: int) -> None:
     angle = f"{t(phi)}\\degree"
     w.formula(rf"s=\sqrt{{{t(s.l)}^2-{t(s.r)}^2\sin^2{angle}}}={t(root)}[m],\quad x_B={t(s.r)}\cos{angle}+{t(root)}="
               rf"{t(p.r['B'][k].real)}[m]")  # fmt: skip
-    w.formula(rf"v_B=-{t(omega)}\cdot{t(s.r)}\sin{angle}-{t(omega)}\,\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}="
+    w.formula(rf"v_B=-{t(omega)}\cdot{t(s.r)}\sin{angle}-{t(omega)}\,"
+              rf"\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}="
               rf"{t(p.v['B'][k].real)}[m/s]")  # fmt: skip
     e = float(c.motion.epsilon[k])
     tail = "" if not e else (rf"-{t(e, bracket=True)}\left[{t(s.r)}\sin{angle}+"
                              rf"\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}\right]")  # fmt: skip
-    w.formula(rf"a_B=-{t(omega)}^2\left[{t(s.r)}\cos{angle}+\frac{{{t(s.r)}^2\cos{t(2 * phi)}\degree}}{{{t(root)}}}+"
-              rf"\frac{{{t(s.r)}^4\sin^2{angle}\cos^2{angle}}}{{{t(root)}^3}}\right]{tail}={t(p.a['B'][k].real)}[m/s^2]")
+    w.formula(
+        rf"a_B=-{t(omega)}^2\left[{t(s.r)}\cos{angle}+\frac{{{t(s.r)}^2\cos{t(2 * phi)}\degree}}{{{t(root)}}}+"
+        rf"\frac{{{t(s.r)}^4\sin^2{angle}\cos^2{angle}}}{{{t(root)}^3}}\right]{tail}={t(p.a['B'][k].real)}[m/s^2]"
+    )
     w.formula(rf"v_C=\sqrt{{v_{{xC}}^2+v_{{yC}}^2}}=\sqrt{{{t(p.v['C'][k].real, bracket=True)}^2+"
               rf"{t(p.v['C'][k].imag, bracket=True)}^2}}={t(abs(p.v['C'][k]))}[m/s],\quad"
               rf"a_C=\sqrt{{{t(p.a['C'][k].real, bracket=True)}^2+{t(p.a['C'][k].imag, bracket=True)}^2}}="
@@ -140,9 +147,11 @@ def _plane(w: Writer, c: Calculation) -> None:
     w.text("k_at", phi=phi, omega=omega, eps=eps)
     tangent = float(c.plane.epsilon[k]) * s.l
     w.formula(rf"\beta=\arcsin\frac{{{t(s.r)}\sin{t(phi)}\degree}}{{{t(s.l)}}}={t(beta)}\degree,\quad"
-              rf"\omega_{{AB}}=\frac{{{t(omega)}\cdot{t(s.r)}\cos{t(phi)}\degree}}{{{t(s.l)}\cos{t(beta, bracket=True)}\degree}}="
+              rf"\omega_{{AB}}=\frac{{{t(omega)}\cdot{t(s.r)}\cos{t(phi)}\degree}}{{{t(s.l)}"
+              rf"\cos{t(beta, bracket=True)}\degree}}="
               rf"{t(turning)}[rad/s]")  # fmt: skip
-    w.formula(rf"|v_B|={t(omega)}\cdot{t(s.r)}\,\frac{{|\sin{t(phi + beta)}\degree|}}{{\cos{t(beta, bracket=True)}\degree}}="
+    w.formula(rf"|v_B|={t(omega)}\cdot{t(s.r)}\,\frac{{|\sin{t(phi + beta)}\degree|}}{{"
+              rf"\cos{t(beta, bracket=True)}\degree}}="
               rf"{t(abs(c.plane.v['B'][k]))}[m/s],\quad a_{{BA}}^n={t(turning, bracket=True)}^2\cdot{t(s.l)}="
               rf"{t(turning**2 * s.l)}[m/s^2]")  # fmt: skip
     w.formula(rf"a_{{BA}}^\tau={t(tangent)}[m/s^2],\quad \varepsilon_{{AB}}=\frac{{a_{{BA}}^\tau}}{{l}}="
@@ -164,7 +173,11 @@ def _results(w: Writer, c: Calculation) -> None:
                abs(p.a["C"]), q.omega, q.epsilon]  # fmt: skip
     table = [[w.number(x[i], near=float(np.max(np.abs(x)))) for x in columns] for i in steps]
     w.table("t_kin", ["φ, °", "x_{B}", "v_{A}", "v_{B}", "v_{C}", "a_{A}", "a_{B}", "a_{C}", "ω_{AB}", "ε_{AB}"], table)
-    w.chart("f_7a", "x_phi", "y_v", [Curve(phi, np.abs(p.v[n][turn]) / unit, n, i) for i, n in enumerate("ABC")], ticks=30)
-    w.chart("f_7b", "x_phi", "y_a", [Curve(phi, np.abs(p.a[n][turn]) / rate, n, i) for i, n in enumerate("ABC")], ticks=30)
+    w.chart(
+        "f_7a", "x_phi", "y_v", [Curve(phi, np.abs(p.v[n][turn]) / unit, n, i) for i, n in enumerate("ABC")], ticks=30
+    )
+    w.chart(
+        "f_7b", "x_phi", "y_a", [Curve(phi, np.abs(p.a[n][turn]) / rate, n, i) for i, n in enumerate("ABC")], ticks=30
+    )
     w.chart("f_omega", "x_phi", "y_w", [Curve(phi, q.omega[turn] / s.omega, r"$\omega_{AB}/\omega$", 0),
             Curve(phi, q.epsilon[turn] / s.omega**2, r"$\varepsilon_{AB}/\omega^2$", 1)], ticks=30)  # fmt: skip

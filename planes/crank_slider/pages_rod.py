@@ -22,13 +22,18 @@ def _rod(w: Writer, c: Calculation, r: RodStrength, of: Shank) -> None:
     steel = c.given.materials["rod"]
     w.head("h_rod")
     w.text("s_rod", area=of.area * 1e6, modulus=of.modulus * 1e9, phi_c=r.squeezed_deg, phi_p=r.pulled_deg)
-    w.formula(rf"\sigma_§c§=\frac{{S_§max§}}{{F}}=\frac{{{t(r.squeezed)}}}{{{t(of.area * 1e6)}}}={t(r.sigma_c)}[MPa],\quad"
+    w.formula(rf"\sigma_§c§=\frac{{S_§max§}}{{F}}=\frac{{{t(r.squeezed)}}}{{{t(of.area * 1e6)}}}="
+              rf"{t(r.sigma_c)}[MPa],\quad"
               rf"\sigma_§tens§=\frac{{{t(r.pulled)}}}{{{t(of.area * 1e6)}}}={t(r.sigma_p)}[MPa]")  # fmt: skip
     w.text("s_whip", phi=r.bending_deg)
-    w.formula(rf"M_§b§={t(r.bending)}[Nm],\quad\sigma_§b§=\frac{{M_§b§}}{{W}}=\frac{{{t(r.bending * 1e3)}}}{{{t(of.modulus * 1e9)}}}="
+    w.formula(rf"M_§b§={t(r.bending)}[Nm],\quad\sigma_§b§=\frac{{M_§b§}}{{W}}="
+              rf"\frac{{{t(r.bending * 1e3)}}}{{{t(of.modulus * 1e9)}}}="
               rf"{t(r.sigma_b)}[MPa]")  # fmt: skip
     w.text("s_rod_sum", phi=r.sigma_deg)
-    w.formula(rf"\sigma={t(r.sigma)}[MPa],\quad n=\frac{{\sigma_§Y§}}{{\sigma}}=\frac{{{t(steel.yields)}}}{{{t(r.sigma)}}}={t(r.n)}")
+    w.formula(
+        rf"\sigma={t(r.sigma)}[MPa],\quad n=\frac{{\sigma_§Y§}}{{\sigma}}="
+        rf"\frac{{{t(steel.yields)}}}{{{t(r.sigma)}}}={t(r.n)}"
+    )
     w.text("s_buckling", limit=r.limit)
     rows = [(w.say(f"b_plane_{i}"), *(w.number(v) for v in (b.mu, b.slenderness, b.critical, r.sigma_c, b.n)))
             for i, b in enumerate(r.planes)]  # fmt: skip
@@ -42,17 +47,26 @@ def _pin(w: Writer, c: Calculation, p: PinStrength, of: PistonPin) -> None:
     d, ratio = of.section.d * mm, of.section.bore / of.section.d
     w.head("h_pin")
     w.text("s_pin", force=p.force, phi=p.force_deg)
-    w.formula(rf"M=\frac{{P}}{{2}}\left(\frac{{l_p+2b}}{{6}}-\frac{{l_§bush§}}{{4}}\right)=\frac{{{t(p.force)}}}{{2}}\left("
-              rf"\frac{{{t(of.length)}+2\cdot{t(of.gap)}}}{{6}}-\frac{{{t(of.bush)}}}{{4}}\right)={t(p.moment)}[Nm]")
+    w.formula(
+        rf"M=\frac{{P}}{{2}}\left(\frac{{l_p+2b}}{{6}}-\frac{{l_§bush§}}{{4}}\right)=\frac{{{t(p.force)}}}{{2}}\left("
+        rf"\frac{{{t(of.length)}+2\cdot{t(of.gap)}}}{{6}}-\frac{{{t(of.bush)}}}{{4}}\right)={t(p.moment)}[Nm]"
+    )
     w.text("s_pin_stress", ratio=ratio)
-    w.formula(rf"\sigma=\frac{{32M}}{{\pi d^3(1-\alpha^4)}}=\frac{{32\cdot{t(p.moment * 1e3)}}}{{\pi\cdot{t(d)}^3(1-{t(ratio)}^4)}}="
+    w.formula(rf"\sigma=\frac{{32M}}{{\pi d^3(1-\alpha^4)}}="
+              rf"\frac{{32\cdot{t(p.moment * 1e3)}}}{{\pi\cdot{t(d)}^3(1-{t(ratio)}^4)}}="
               rf"{t(p.sigma)}[MPa],")  # fmt: skip
-    w.formula(rf"\tau=\frac{{4}}{{3}}\cdot\frac{{P}}{{2F}}\cdot\frac{{1+\alpha+\alpha^2}}{{1+\alpha^2}}=\frac{{4}}{{3}}\cdot"
-              rf"\frac{{{t(p.force)}}}{{2\cdot{t(of.section.area * 1e6)}}}\cdot\frac{{{t(1 + ratio + ratio**2)}}}{{{t(1 + ratio**2)}}}="
+    w.formula(rf"\tau=\frac{{4}}{{3}}\cdot\frac{{P}}{{2F}}\cdot\frac{{1+\alpha+\alpha^2}}{{1+\alpha^2}}="
+              rf"\frac{{4}}{{3}}\cdot"
+              rf"\frac{{{t(p.force)}}}{{2\cdot{t(of.section.area * 1e6)}}}\cdot"
+              rf"\frac{{{t(1 + ratio + ratio**2)}}}{{{t(1 + ratio**2)}}}="
               rf"{t(p.tau)}[MPa]")  # fmt: skip
     w.text("s_pin_sum", stress=p.equivalent, n=p.n)
-    w.formula(rf"q_§bush§=\frac{{P}}{{d\,l_§bush§}}=\frac{{{t(p.force)}}}{{{t(d)}\cdot{t(of.bush * mm)}}}={t(p.bush)}[MPa],\quad"
-              rf"q_§boss§=\frac{{P}}{{d\,(l_p-b)}}=\frac{{{t(p.force)}}}{{{t(d)}\cdot{t((of.length - of.gap) * mm)}}}={t(p.boss)}[MPa]")
+    w.formula(
+        rf"q_§bush§=\frac{{P}}{{d\,l_§bush§}}=\frac{{{t(p.force)}}}{{{t(d)}\cdot{t(of.bush * mm)}}}="
+        rf"{t(p.bush)}[MPa],\quad"
+        rf"q_§boss§=\frac{{P}}{{d\,(l_p-b)}}=\frac{{{t(p.force)}}}{{{t(d)}\cdot{t((of.length - of.gap) * mm)}}}="
+        rf"{t(p.boss)}[MPa]"
+    )
     holds = p.bush <= limits.bush_mpa and p.boss <= limits.boss_mpa
     w.text("s_pressure_ok" if holds else "s_pressure_bad", bush=limits.bush_mpa, boss=limits.boss_mpa)
 
@@ -65,8 +79,20 @@ def write_summary(w: Writer, c: Calculation) -> None:
             for name, found, low, high, ok in checks(c)]  # fmt: skip
     if rows:
         w.table("t_summary", [w.say(k) for k in ("c_check", "c_found", "c_needed", "c_verdict")], rows)
-    numbers = {"3": "(3)", "5": "(5), (7)", "20": "(20), (21)", "22": "(22)", "24": "(24)–(26)", "32": "(31), (32)", "35": "(35)"}
-    w.table("t_wrong", [w.say("c_formula"), w.say("c_error")], [(number, w.say(f"e_{key}")) for key, number in numbers.items()])
+    numbers = {
+        "3": "(3)",
+        "5": "(5), (7)",
+        "20": "(20), (21)",
+        "22": "(22)",
+        "24": "(24)–(26)",
+        "32": "(31), (32)",
+        "35": "(35)",
+    }
+    w.table(
+        "t_wrong",
+        [w.say("c_formula"), w.say("c_error")],
+        [(number, w.say(f"e_{key}")) for key, number in numbers.items()],
+    )
 
 
 def checks(c: Calculation) -> list[tuple[str, float, float | None, float | None, bool]]:
@@ -77,7 +103,11 @@ def checks(c: Calculation) -> list[tuple[str, float, float | None, float | None,
         found.append((name, value, low, high, (low is None or value >= low) and (high is None or value <= high)))
 
     if c.sections:
-        add("c_static_shaft", c.given.materials["shaft"].yields / max(float(s.equivalent.max()) for s in c.sections.values()), g.static)
+        add(
+            "c_static_shaft",
+            c.given.materials["shaft"].yields / max(float(s.equivalent.max()) for s in c.sections.values()),
+            g.static,
+        )
         add("c_fatigue_shaft", min(f.n for f in c.fatigue), *g.fatigue)
     if c.rod:
         add("c_rod_static", c.rod.n, g.static)

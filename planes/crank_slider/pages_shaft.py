@@ -32,11 +32,13 @@ def cases(c: Calculation) -> tuple[int, int]:
 
 def _materials(w: Writer, c: Calculation) -> None:
     w.head("h_material")
-    rows = [(w.say(f"p_{key}"), m.name, *(w.number(v) for v in (m.strength, m.yields, m.fatigue, m.fatigue_torsion, m.psi,
-            m.psi_torsion))) for key, m in c.given.materials.items()]  # fmt: skip
+    rows = []
+    for key, m in c.given.materials.items():
+        values = (m.strength, m.yields, m.fatigue, m.fatigue_torsion, m.psi, m.psi_torsion)
+        rows.append((w.say(f"p_{key}"), m.name, *map(w.number, values)))
     ru = w.lang == "ru"
-    head = [w.say("c_part"), w.say("c_steel"), "σ_{в}" if ru else "σ_{u}", "σ_{т}" if ru else "σ_{y}", "σ_{−1}", "τ_{−1}",
-            "ψ_{σ}", "ψ_{τ}"]  # fmt: skip
+    head = [w.say("c_part"), w.say("c_steel"), "σ_{в}" if ru else "σ_{u}", "σ_{т}" if ru else "σ_{y}",
+            "σ_{−1}", "τ_{−1}", "ψ_{σ}", "ψ_{τ}"]  # fmt: skip
     w.table("t_material", head, rows)
     w.text("s_material")
 
@@ -50,7 +52,9 @@ def _bearings(w: Writer, c: Calculation, shaft: Shaft, s: Supports) -> None:
     labels = {"load": "N_{c1}, P_{t1}", "web": "Φ", "weight_0": f"Φ_{{1{cw}}}", "weight_1": f"Φ_{{2{cw}}}"}
     title = w.figure("f_sketch", a=shaft.left, b=shaft.right)
     radius = weights.radius if weights else c.given.shape.r
-    w.blocks.append(Sketch(title, shaft.span, shaft.span - shaft.pin_from_b, shaft.webs, c.given.shape.r, radius, labels))
+    w.blocks.append(
+        Sketch(title, shaft.span, shaft.span - shaft.pin_from_b, shaft.webs, c.given.shape.r, radius, labels)
+    )
     w.formula(rf"\Phi=\frac{{1}}{{2}}(m_{{k1}}r+m_{{k2}}\rho)\,\omega^2={t(s.web)}[N],\quad"
               rf"\Phi_1=m_1R_§cw§\,\omega^2={t(s.left_weight)}[N],\quad\Phi_2={t(s.right_weight)}[N]")  # fmt: skip
     w.text("s_reactions")
@@ -70,12 +74,19 @@ def _case(w: Writer, c: Calculation, shaft: Shaft, s: Supports, name: str, k: in
     out, a1, a2, b1, b2, load = (float(v[k]) for v in (s.out, s.A1, s.A2, s.B1, s.B2, s.T))
     left, right = s.web - s.left_weight, s.web - s.right_weight
     w.text("s_case_at", case=name, phi=float(c.motion.phi_deg[k]))
-    w.formula(rf"A'=\frac{{{t(left)}\cdot{t(span - m)}+{t(out, bracket=True)}\cdot{t(n)}+{t(right, bracket=True)}\cdot{t(m)}}}"
-              rf"{{{t(span)}}}={t(a1)}[N],\quad A''=\frac{{{t(load)}\cdot{t(n)}}}{{{t(span)}}}={t(a2)}[N],")
+    w.formula(
+        rf"A'=\frac{{{t(left)}\cdot{t(span - m)}+{t(out, bracket=True)}\cdot{t(n)}+{t(right, bracket=True)}"
+        rf"\cdot{t(m)}}}"
+        rf"{{{t(span)}}}={t(a1)}[N],\quad A''=\frac{{{t(load)}\cdot{t(n)}}}{{{t(span)}}}={t(a2)}[N],"
+    )
     w.formula(rf"B'={t(out)}+{t(left, bracket=True)}+{t(right, bracket=True)}-{t(a1, bracket=True)}={t(b1)}[N],\quad"
               rf"B''={t(load)}-{t(a2, bracket=True)}={t(b2)}[N]")  # fmt: skip
     d = along(c.given.shape, shaft, s, k)
-    curves = (Curve(d.x, d.z, w.say("l_Mz"), 0), Curve(d.x, d.y, w.say("l_My"), 1), Curve(d.x, d.torque, w.say("l_Mx"), 2))
+    curves = (
+        Curve(d.x, d.z, w.say("l_Mz"), 0),
+        Curve(d.x, d.y, w.say("l_My"), 1),
+        Curve(d.x, d.torque, w.say("l_Mx"), 2),
+    )
     title = w.figure("f_moments", case=name)
     w.blocks.append(Chart(title, w.say("x_shaft"), w.say("y_Nm"), curves, height_mm=58))
 
@@ -87,8 +98,11 @@ def _static(w: Writer, c: Calculation) -> None:
     w.formula(r"\sigma_§eq§=\sqrt{\sigma_§b§^2+4\tau_§t§^2}\leq[\sigma],\quad\sigma_§b§=\frac{M_§b§}{W},\quad"
               r"\tau_§t§=\frac{M_§t§}{2W},\quad W=\frac{\pi d^3}{32}(1-\alpha^4)", "33, 34")  # fmt: skip
     steps = dict(zip(CASES, cases(c), strict=True))
-    rows = [(f"{w.say(f'x_{s.name}')}, {name}", *(w.number(float(v[k])) for v in (s.bending_z, s.bending_y, s.torsion, s.sigma,
-            s.tau, s.equivalent))) for s in c.sections.values() for name, k in steps.items()]  # fmt: skip
+    rows = []
+    for s in c.sections.values():
+        columns = (s.bending_z, s.bending_y, s.torsion, s.sigma, s.tau, s.equivalent)
+        for name, k in steps.items():
+            rows.append((f"{w.say(f'x_{s.name}')}, {name}", *(w.number(float(v[k])) for v in columns)))
     eq = "экв" if w.lang == "ru" else "eq"
     w.table("t_static", [w.say("c_section"), "M_{z}", "M_{y}", "M_{x}", "σ", "τ", f"σ_{{{eq}}}"], rows)
     worst = dangerous(c)
@@ -97,7 +111,8 @@ def _static(w: Writer, c: Calculation) -> None:
     top, allowed, t = float(worst.equivalent[at]), steel.yields / limits.static, w.tex
     sigma, tau = float(worst.sigma[at]), float(worst.tau[at])
     sign = r"\leq" if top <= allowed else ">"
-    w.formula(rf"\sigma_§eq§=\sqrt{{{t(sigma)}^2+4\cdot{t(tau)}^2}}={t(top)}[MPa]\ {sign}\ [\sigma]=\frac{{{t(steel.yields)}}}"
+    w.formula(rf"\sigma_§eq§=\sqrt{{{t(sigma)}^2+4\cdot{t(tau)}^2}}={t(top)}[MPa]\ {sign}\ [\sigma]="
+              rf"\frac{{{t(steel.yields)}}}"
               rf"{{{t(limits.static)}}}={t(allowed)}[MPa]", "34")  # fmt: skip
     w.text("s_ok" if top <= allowed else "s_bad")
 
@@ -115,14 +130,21 @@ def _fatigue(w: Writer, c: Calculation) -> None:
     w.formula(r"n_\sigma=\frac{\sigma_{-1}}{\frac{k_\sigma}{\varepsilon_\sigma}\sigma_a+\psi_\sigma\sigma_m},\quad"
               r"n_\tau=\frac{\tau_{-1}}{\frac{k_\tau}{\varepsilon_\tau}\tau_a+\psi_\tau\tau_m},\quad"
               r"n=\frac{n_\sigma n_\tau}{\sqrt{n_\sigma^2+n_\tau^2}}", "35")  # fmt: skip
-    rows = [(w.say(f"x_{f.section}"), *(w.number(v) for v in (f.angle_deg, f.sigma_a, f.sigma_m, f.tau_a, f.tau_m, f.n_sigma,
-            f.n_tau, f.n))) for f in c.fatigue]  # fmt: skip
-    w.table("t_fatigue", [w.say("c_section").partition(",")[0], "θ, °", "σ_{a}", "σ_{m}", "τ_{a}", "τ_{m}", "n_{σ}", "n_{τ}", "n"], rows)
+    rows = []
+    for f in c.fatigue:
+        values = (f.angle_deg, f.sigma_a, f.sigma_m, f.tau_a, f.tau_m, f.n_sigma, f.n_tau, f.n)
+        rows.append((w.say(f"x_{f.section}"), *map(w.number, values)))
+    w.table(
+        "t_fatigue",
+        [w.say("c_section").partition(",")[0], "θ, °", "σ_{a}", "σ_{m}", "τ_{a}", "τ_{m}", "n_{σ}", "n_{τ}", "n"],
+        rows,
+    )
     f = min(c.fatigue, key=lambda one: one.n)
     k = c.given.concentration["crankpin" if f.section == "crankpin" else "journal"]
     steel = c.given.materials["shaft"]
     w.text("s_fatigue_at", section=w.say(f"x_{f.section}"))
-    w.formula(rf"n_\sigma=\frac{{{t(steel.fatigue)}}}{{\frac{{{t(k.k_sigma)}}}{{{t(k.size_sigma)}}}\cdot{t(f.sigma_a)}+{t(steel.psi)}"
+    w.formula(rf"n_\sigma=\frac{{{t(steel.fatigue)}}}{{\frac{{{t(k.k_sigma)}}}{{{t(k.size_sigma)}}}"
+              rf"\cdot{t(f.sigma_a)}+{t(steel.psi)}"
               rf"\cdot{t(max(f.sigma_m, 0.0))}}}={t(f.n_sigma)},\quad n={t(f.n)}")  # fmt: skip
     w.text("s_limits", low=low, high=high)
     w.text("s_fat_low" if f.n < low else "s_fat_high" if f.n > high else "s_fat_ok", n=f.n)

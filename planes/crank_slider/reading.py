@@ -71,7 +71,9 @@ def _speed(top: Values) -> Speed:
     table = top.inner("speed", ("unevenness", "waves", "phase"))
     if table is None:
         return Speed()
-    return Speed(table.between("unevenness", 0.0, 0.5), table.between("waves", 0.5, 20, 1.0), table.number("phase", 0.0))
+    return Speed(
+        table.between("unevenness", 0.0, 0.5), table.between("waves", 0.5, 20, 1.0), table.number("phase", 0.0)
+    )
 
 
 def _flywheel(top: Values) -> float:

@@ -79,8 +79,9 @@ def _material(table: Values, key: str) -> Material:
         name = table.reader.text(node, table.named(key))
         found = steel(name)
         if found is None:
-            words = Phrase("cs_no_steel", what=Phrase("about", what=table.named(key), why=shown(name)),
-                           valid=choices(name, STEELS))
+            words = Phrase(
+                "cs_no_steel", what=Phrase("about", what=table.named(key), why=shown(name)), valid=choices(name, STEELS)
+            )
             raise table.error(words, key)
         return found
     inner = table.needed(key, _MATERIAL)
@@ -91,9 +92,9 @@ def _material(table: Values, key: str) -> Material:
     name = key if name_node is None else inner.reader.text(name_node, inner.named("name"))
     alloyed = inner.reader.optional(inner.table, "alloyed")
     is_alloyed = alloyed is not None and inner.reader.word(alloyed, inner.named("alloyed"), ("yes", "no")) == "yes"
-    limits = [inner.above(k) if k in inner.table.entries else None for k in ("fatigue_MPa", "fatigue_torsion_MPa")]
+    bending, torsion = (inner.above(k) if k in inner.table.entries else None for k in _MATERIAL[4:6])
     elasticity = inner.above("elasticity_MPa", ELASTICITY_MPA)
-    return made(name, strength, yields, is_alloyed, *limits, elasticity=elasticity)
+    return made(name, strength, yields, is_alloyed, bending, torsion, elasticity)
 
 
 def read_concentration(top: Values) -> dict[str, Concentration]:

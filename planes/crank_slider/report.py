@@ -9,18 +9,22 @@ from planes.crank_slider.pages_forces import write_forces
 from planes.crank_slider.pages_kinematics import write_given, write_kinematics
 from planes.crank_slider.pages_rod import write_rod, write_summary
 from planes.crank_slider.pages_shaft import write_shaft
+from planes.crank_slider.words_balance import BALANCE
 from planes.crank_slider.words_forces import FORCES
 from planes.crank_slider.words_report import GENERAL, KINEMATICS
+from planes.crank_slider.words_rod import ROD
 from planes.crank_slider.words_strength import STRENGTH
 from planes.tables import table
 from planes.words import Lang
 
 CHAPTERS = (write_given, write_kinematics, write_forces, write_balance, write_shaft, write_rod, write_summary)
 
+WORDS = {**GENERAL, **KINEMATICS, **FORCES, **BALANCE, **STRENGTH, **ROD}
+
 
 def document(c: Calculation, lang: Lang) -> Document:
     """The whole report in one language."""
-    writer = Writer(lang, {**GENERAL, **KINEMATICS, **FORCES, **STRENGTH})
+    writer = Writer(lang, WORDS)
     for chapter in CHAPTERS:
         chapter(writer, c)
     title = c.scene.title.get(lang) or next(iter(c.scene.title.values()), c.scene.file)
@@ -29,7 +33,7 @@ def document(c: Calculation, lang: Lang) -> Document:
 
 def summary(c: Calculation, lang: Lang) -> str:
     """The checks and the torque as lines for a terminal."""
-    writer = Writer(lang, {**GENERAL, **KINEMATICS, **FORCES, **STRENGTH})
+    writer = Writer(lang, WORDS)
     write_summary(writer, c)
     lines = [c.scene.title.get(lang, "")]
     lines += [f"{writer.say('l_mean')} M = {writer.number(c.work.mean)} {writer.say('u_Nm')}; "

@@ -15,8 +15,8 @@ from planes.crank_slider.given import PistonPin
 from planes.crank_slider.kinematics import Way, swing
 from planes.crank_slider.materials import Material
 from planes.crank_slider.sections import Shank
-from planes.crank_slider.shape import Shape
 from planes.crank_slider.shaft import MPA
+from planes.crank_slider.shape import Shape
 
 Array = Any
 

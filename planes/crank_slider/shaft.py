@@ -1,4 +1,4 @@
-"""The crankshaft as a broken bar on two supports, (31)–(34): reactions, moments along it, stresses, every angle at once.
+"""The crankshaft as a broken bar on two supports, (31)–(34): reactions, moments, stresses, every angle at once.
 
 z runs from the shaft's axis to the crank pin, y along the pin's motion, x along the shaft from bearing A to B; power
 is taken off at B. The text's A′, B′ are opposed to z, A″, B″ to y. The rod's rotating mass is in the pin's load

@@ -4,14 +4,14 @@ GENERAL: dict[str, tuple[str, str]] = {
     "table": ("Таблица", "Table"),
     "figure": ("Рисунок", "Figure"),
     "lead": (
-        "Расчёт идёт в порядке «кинематика — силы — уравновешивание — прочность». Движение и силы найдены двумя путями: "
-        "по формулам и общим расчётом планов механизма; расхождения показаны. В скобках справа — номера формул исходного "
-        "текста (Невенчанная, Павловский, Пономарева). Каждая формула перед применением выведена заново; места, где текст "
-        "ошибочен, выделены рамкой.",
-        "The calculation goes from kinematics to forces, balancing and strength. Motion and forces are found in two ways: "
-        "by formulas and by the general plans of the mechanism; the differences are shown. Numbers in brackets on the "
-        "right are those of the formulas in the source text (Nevenchannaya, Pavlovsky, Ponomareva). Every formula was "
-        "derived anew before use; a frame marks the places where the text is wrong.",
+        "Расчёт идёт в порядке «кинематика — силы — уравновешивание — прочность». Движение и силы найдены двумя "
+        "путями: по формулам и общим расчётом планов механизма; расхождения показаны. В скобках справа — номера "
+        "формул исходного текста (Невенчанная, Павловский, Пономарева). Каждая формула перед применением выведена "
+        "заново; места, где текст ошибочен, выделены рамкой.",
+        "The calculation goes from kinematics to forces, balancing and strength. Motion and forces are found in two "
+        "ways: by formulas and by the general plans of the mechanism; the differences are shown. Numbers in brackets "
+        "on the right are those of the formulas in the source text (Nevenchannaya, Pavlovsky, Ponomareva). Every "
+        "formula was derived anew before use; a frame marks the places where the text is wrong.",
     ),
     "h_given": ("1 Исходные данные", "1 Given"),
     "t_given": ("Исходные данные", "What is given"),
@@ -50,21 +50,24 @@ KINEMATICS: dict[str, tuple[str, str]] = {
     "k_points": (
         "Оси: O — опора кривошипа, x — по оси цилиндра, φ — от оси x против часовой стрелки. Координаты точек A, B и "
         "центра масс C; k = AC/AB = {k}, β = arcsin(r·sin φ / l):",
-        "Axes: O is the crank's pivot, x runs along the cylinder, φ from x counter-clockwise. Coordinates of A, B and the "
-        "mass centre C; k = AC/AB = {k}, β = arcsin(r·sin φ / l):",
+        "Axes: O is the crank's pivot, x runs along the cylinder, φ from x counter-clockwise. Coordinates of A, B "
+        "and the mass centre C; k = AC/AB = {k}, β = arcsin(r·sin φ / l):",
     ),
     "k_derive": (
-        "Скорости — первые производные по времени, dφ/dt = ω; проекции ускорений — вторые, с dω/dt = ε. Обозначим "
-        "s = √(l² − r²·sin²φ) = l·cos β:",
-        "Velocities are the first derivatives in time, dφ/dt = ω, accelerations the second ones, dω/dt = ε. With "
-        "s = √(l² − r²·sin²φ) = l·cos β:",
+        "Скорости — первые производные по времени, dφ/dt = ω; проекции ускорений — вторые, с dω/dt = ε. Обозначим s "
+        "= √(l² − r²·sin²φ) = l·cos β:",
+        "Velocities are the first derivatives in time, dφ/dt = ω, accelerations the second ones, dω/dt = ε. With s = "
+        "√(l² − r²·sin²φ) = l·cos β:",
     ),
-    "k_at": ("При φ = {phi}°, ω = {omega} рад/с, ε = {eps} рад/с²:", "At φ = {phi}°, ω = {omega} rad/s, ε = {eps} rad/s²:"),
+    "k_at": (
+        "При φ = {phi}°, ω = {omega} рад/с, ε = {eps} рад/с²:",
+        "At φ = {phi}°, ω = {omega} rad/s, ε = {eps} rad/s²:",
+    ),
     "m_3": (
-        "Формула (3) текста верна только при ω = const, хотя закон φ = ∫ω dt объявлен общим: пропущены слагаемые с ε. "
-        "Здесь они добавлены. {size}",
-        "Formula (3) of the text holds for ω = const only, though the general law φ = ∫ω dt is announced: the terms with ε "
-        "are missing. Here they are added. {size}",
+        "Формула (3) текста верна только при ω = const, хотя закон φ = ∫ω dt объявлен общим: пропущены слагаемые с "
+        "ε. Здесь они добавлены. {size}",
+        "Formula (3) of the text holds for ω = const only, though the general law φ = ∫ω dt is announced: the terms "
+        "with ε are missing. Here they are added. {size}",
     ),
     "m_3_none": ("В этом расчёте ε = 0, поэтому числа не меняются.", "Here ε = 0, so the numbers do not change."),
     "m_3_size": (
@@ -79,23 +82,24 @@ KINEMATICS: dict[str, tuple[str, str]] = {
     "m_5": (
         "Над (5) величина ω_{AB} названа угловым ускорением; это угловая скорость. В (5) и (7) у AP, BP и скоростей "
         "пропущены знаки модуля, а при φ = 90° и 270° формулы дают 0·∞; (5*) свободна от этого, предел v_{C} = ωr.",
-        "Above (5) the text calls ω_{AB} an angular acceleration; it is the angular velocity. In (5) and (7) the signs of "
-        "modulus are missing, and at φ = 90° and 270° they give 0·∞; (5*) is free of this, the limit is v_{C} = ωr.",
+        "Above (5) the text calls ω_{AB} an angular acceleration; it is the angular velocity. In (5) and (7) the "
+        "signs of modulus are missing, and at φ = 90° and 270° they give 0·∞; (5*) is free of this, the limit is "
+        "v_{C} = ωr.",
     ),
     "k_accel": (
-        "Теорема об ускорениях с полюсом A: a_{B} = a_{A}^{n} + a_{A}^{τ} + a_{BA}^{n} + a_{BA}^{τ}. В проекциях (a_{B} "
-        "положительно влево, a_{BA}^{τ} — при ε_{AB} против часовой стрелки):",
-        "Accelerations about the pole A: a_{B} = a_{A}^{n} + a_{A}^{τ} + a_{BA}^{n} + a_{BA}^{τ}. In projections (a_{B} "
-        "positive to the left, a_{BA}^{τ} with ε_{AB} counter-clockwise):",
+        "Теорема об ускорениях с полюсом A: a_{B} = a_{A}^{n} + a_{A}^{τ} + a_{BA}^{n} + a_{BA}^{τ}. В проекциях "
+        "(a_{B} положительно влево, a_{BA}^{τ} — при ε_{AB} против часовой стрелки):",
+        "Accelerations about the pole A: a_{B} = a_{A}^{n} + a_{A}^{τ} + a_{BA}^{n} + a_{BA}^{τ}. In projections "
+        "(a_{B} positive to the left, a_{BA}^{τ} with ε_{AB} counter-clockwise):",
     ),
     "h_plans": ("2.3 Планы скоростей и ускорений", "2.3 Velocity and acceleration plans"),
     "f_kinplans": ("Планы при φ = {phi}°", "Plans at φ = {phi}°"),
     "h_kintable": ("2.4 Результаты за оборот", "2.4 Results over a turn"),
     "k_agree": (
-        "Наибольшие расхождения путей по всем положениям цикла (через {step}°): скорости — в долях ωr, ускорения — в долях "
-        "ω²r, ω_{AB} и ε_{AB} — в долях ω и ω². Это ошибки округления, пути совпадают.",
-        "The largest differences of the ways over all positions of the cycle (every {step}°): velocities in parts of ωr, "
-        "accelerations of ω²r, ω_{AB} and ε_{AB} of ω and ω². These are rounding errors: the ways agree.",
+        "Наибольшие расхождения путей по всем положениям цикла (через {step}°): скорости — в долях ωr, ускорения — в "
+        "долях ω²r, ω_{AB} и ε_{AB} — в долях ω и ω². Это ошибки округления, пути совпадают.",
+        "The largest differences of the ways over all positions of the cycle (every {step}°): velocities in parts of "
+        "ωr, accelerations of ω²r, ω_{AB} and ε_{AB} of ω and ω². These are rounding errors: the ways agree.",
     ),
     "t_agree": ("Расхождения трёх путей", "Differences of the three ways"),
     "points_plane": ("точка — плоское движение", "points – plane motion"),
@@ -112,5 +116,8 @@ KINEMATICS: dict[str, tuple[str, str]] = {
     "x_phi": ("угол поворота кривошипа φ, °", "crank angle φ, °"),
     "y_v": ("v/(ωr)", "v/(ωr)"),
     "y_a": ("a/(ω²r)", "a/(ω²r)"),
-    "y_w": (r"$\omega_{AB}/\omega$;  $\varepsilon_{AB}/\omega^2$", r"$\omega_{AB}/\omega$;  $\varepsilon_{AB}/\omega^2$"),
+    "y_w": (
+        "$\\omega_{AB}/\\omega$;  $\\varepsilon_{AB}/\\omega^2$",
+        "$\\omega_{AB}/\\omega$;  $\\varepsilon_{AB}/\\omega^2$",
+    ),
 }

@@ -1,6 +1,7 @@
 "use strict";
 // A panel of ink: maps millimetres of paper to pixels, draws lines and arrows between exported marks, places labels.
 const NS = "http://www.w3.org/2000/svg";
+let frameNumber = "0"; // as the scene numbers the frame
 const GREEK = { omega: "ω", epsilon: "ε", phi: "φ" };
 
 function lettered(name, plan) { // "v_CB" -> [["v", ""], ["CB", "sub"]], "a_CB^t" -> … ["t", "sup"]
@@ -13,7 +14,10 @@ function lettered(name, plan) { // "v_CB" -> [["v", ""], ["CB", "sub"]], "a_CB^t
   let index = rest.join(",");
   if (/^[hH]$/.test(letter) && rest.length) index = rest.slice(0, letter === "h" ? -1 : undefined).join("").replace(/^I/, "Φ");
   if (!rest.length) { const m = body.match(/^([^\d⊥∥]+)(\d+)$/); if (m) [letter, index] = [m[1], m[2]]; }
+  if (letter === "F" && /^..$/.test(index)) index = index.replace(/0/g, frameNumber);
+  if (letter === "F") index = index.replace(/^0,|,0$/, z => z.replace("0", frameNumber));
   if (letter === "I" && index) letter = "Φ";
+  if (letter === "Fb") [letter, index] = ["F", document.documentElement.lang === "ru" ? "ур" : "b"];
   if (letter === "MI") [letter, index] = ["M", "Φ" + index];
   if (letter === "MZ" || letter === "FZ") return [[letter[0], ""], [index, "sub"], [document.documentElement.lang === "ru" ? "Ж" : "Z", "sup"]];
   if (letter === "MR") return [["M(", ""], ...lettered(rest.join("_")), [")", ""]];
@@ -60,7 +64,7 @@ function union(a, b) {
 }
 
 class Figure { // millimetres y up -> pixels y down
-  constructor(node, data, size) { this.node = node; this.data = data; this.size = size; }
+  constructor(node, data, size) { this.node = node; this.data = data; this.size = size; this.kept = new Map(); }
   get letter() { return this.size ? 13 : 17; }
   at(name, i) {
     const m = this.data.marks[name];
@@ -77,7 +81,7 @@ class Figure { // millimetres y up -> pixels y down
   start(box) {
     this.node.textContent = "";
     const [w, h] = this.size || [this.node.clientWidth || 600, this.node.clientHeight || 380];
-    const pad = this.size ? 26 : 44, bw = Math.max(box[2] - box[0], 1), bh = Math.max(box[3] - box[1], 1);
+    const pad = (this.size ? 26 : 44) + (this.more || 0), bw = Math.max(box[2] - box[0], 1), bh = Math.max(box[3] - box[1], 1);
     this.k = Math.min((w - 2 * pad) / bw, (h - 2 * pad) / bh, 14);
     this.dx = w / 2 - this.k * (box[0] + box[2]) / 2;
     this.dy = h / 2 + this.k * (box[1] + box[3]) / 2;
@@ -112,9 +116,14 @@ class Figure { // millimetres y up -> pixels y down
   }
   put(names, spots, plan, joint) { // a label at the best of some places: clear of strokes and of other labels
     const size = this.letter, half = wide(names, plan, size) / 2, tall = size * 0.5;
+    const key = names.join(" "), kept = this.kept.get(key), all = spots(half, tall);
     let best = null;
-    for (const [x, y, own] of spots(half, tall)) {
-      let cost = own;
+    for (let k = -1; k < all.length; k++) { // first where it was last time: a label does not jump for little
+      const n = k < 0 ? kept : k;
+      if (n === undefined || n >= all.length || (k >= 0 && n === kept)) continue;
+      const [x, y, own] = all[n];
+      let cost = own - (k < 0 ? 0.6 : 0);
+      if (best && cost >= best[0]) continue;
       for (const s of this.strokes) for (const o of [-0.8, 0, 0.8]) {
         const d = gap([x + o * half, y], s);
         if (d < tall + 3) cost += (tall + 3 - d) / tall;
@@ -124,8 +133,10 @@ class Figure { // millimetres y up -> pixels y down
         if (ox > 0 && oy > 0) cost += 4;
       }
       if (x - half < 2 || x + half > this.w - 2 || y - tall < 2 || y + tall > this.h - 2) cost += 6;
-      if (!best || cost < best[0]) best = [cost, x, y];
+      if (!best || cost < best[0]) best = [cost, x, y, n];
+      if (k < 0 && cost <= 0) break;
     }
+    this.kept.set(key, best[3]);
     this.taken.push([best[1], best[2], half]);
     return letters(this.node, names, best[1].toFixed(1), (best[2] + size * 0.34).toFixed(1), size, plan, joint);
   }

@@ -1,6 +1,7 @@
 "use strict";
 // The stepper, the crank, the languages and the handout: reads the exported lesson, keeps its place in the address.
 const data = JSON.parse(document.getElementById("data").textContent);
+frameNumber = data.frame;
 const words = JSON.parse(document.getElementById("words").textContent);
 const $ = id => document.getElementById(id);
 const scheme = new Scheme($("scheme"), data), plan = new Plan($("plan"), data);
@@ -101,11 +102,12 @@ function lines(e, current, f, frame, i, plainly) {
   return `<div class="equation${current ? " current" : ""}">${body}</div>`;
 }
 function term(t, key, f, frame, i, plainly) { // a vector: its own small segment, its letters, underlines, line of action
-  const lit = !plainly && f.terms.includes(t.name), later = born(t.name, key) > frame;
-  const action = t.action === "=0" ? "= 0" : t.action === "↓" ? "↓" : acted(t.action);
-  const known = plainly && practice.asking(t.name) ? practice.given(t.name) : t.known;
+  const lit = !plainly && f.terms.includes(t.name), later = born(t.name, key) > frame - (plainly ? 1 : 0);
+  const secret = plainly && later; // what the reader is to find
+  const action = secret ? "" : t.action === "=0" ? "= 0" : t.action === "↓" ? "↓" : acted(t.action);
+  const known = secret ? practice.given(t.name) : t.known;
   return `<span class="term known${known}${lit ? " lit" : ""}${later ? " later" : ""}" data-name="${t.name}">` +
-    `${mini(t, later || plainly, i)}<b>${html(t.name, key)}</b><small>${action}</small></span>`;
+    `${secret ? '<svg class="mini"></svg>' : mini(t, later, i)}<b>${html(t.name, key)}</b><small>${action}</small></span>`;
 }
 function acted(text) { return text.replace(/^([-+])([va]q?_\w+)$/, (_, s, v) => `${s === "-" ? "↑↓" : "↑↑"} ${html(v)}`); }
 function mini(t, later, i) { // the segment itself, as small as a word: an arrow, or only its line while its length is sought

@@ -15,6 +15,7 @@ class Plan extends Figure {
   }
   show(key, i, seen, frame, hidden) {
     const lit = new Set(frame ? frame.terms : []), force = key.startsWith("force"), lever = key === "lever";
+    this.more = lever || hidden ? (this.size ? 14 : 44) : 0;
     this.start(this.frame(key, i));
     const there = n => seen.has(n) && this.at(n, i) && this.px(this.at(n, i));
     for (const m of frame && !hidden ? frame.makes : []) this.trace(this.data.traces[m], m, i);

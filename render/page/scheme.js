@@ -26,7 +26,7 @@ class Scheme extends Figure {
     for (const l of scheme.links) if (l.slides) this.slider(l, there(l.points[0]), (turned["∥" + l.slides] || [])[i]);
     for (const n of scheme.pivots) { const p = there(n); if (p) this.ground(p); }
     this.hinges(there, lit);
-    if (frame && frame.moments !== null) this.forces(this.data.moments[frame.moments], i, frame.terms);
+    if (frame && frame.moments !== null && frame.plan === "position") this.forces(this.data.moments[frame.moments], i, frame.terms);
     for (const m of frame ? frame.makes : []) if (m.startsWith("position:")) this.trace(this.data.traces[m], m, i);
     const joints = [...new Set([...scheme.links.flatMap(l => l.points), ...scheme.pivots])];
     for (const g of this.groups(joints.filter(n => seen.has(n)), i, 6)) {

@@ -48,8 +48,11 @@ def bench_ours(benchmark, name: str, forces: bool, count: int, way: str) -> None
     if way == "one by one" and count > 1:
         pytest.skip("the time of one does not depend on how many")
     given = {**cycle.given, plans(name).drive_given: start}
-    work = (lambda: run(cycle.program, given)) if way == "one by one" else (lambda: through(cycle, span, way == "fused"))
-    timed(benchmark, f"{name}, {'with forces' if forces else 'motion'}, {count}", way, count, work)
+    group = f"{name}, {'with forces' if forces else 'motion'}, {count}"
+    if way == "one by one":
+        timed(benchmark, group, way, count, lambda: run(cycle.program, given))
+    else:
+        timed(benchmark, group, way, count, lambda: through(cycle, span, way == "fused"))
 
 
 def given(name: str, *keys: str) -> list[float]:
@@ -84,9 +87,10 @@ def bench_four_bar_by_hand(benchmark, count: int) -> None:
 @pytest.mark.parametrize("count", COUNTS[1:])
 def bench_six_link_by_hand(benchmark, count: int) -> None:
     m, d = plans("six-link").mechanism, plans("six-link").given["place_D"]
-    numbers = [*given("six-link", "l_AB", "l_BC", "l_DC"), d.real, d.imag, plans("six-link").given["side_C"], 0.2, -0.42]
-    masses = [m.drive.velocity, m.drive.acceleration, *(x for k in "123" for x in (m.links[k].mass, m.links[k].inertia))]
-    numbers += [*masses, m.links["5"].mass, 6000.0, m.gravity]
+    numbers = [*given("six-link", "l_AB", "l_BC", "l_DC"), d.real, d.imag, plans("six-link").given["side_C"]]
+    numbers += [0.2, -0.42, m.drive.velocity, m.drive.acceleration]
+    numbers += [x for k in "123" for x in (m.links[k].mass, m.links[k].inertia)]
+    numbers += [m.links["5"].mass, 6000.0, m.gravity]
     phis, out = angles("six-link", count), np.empty((52, count))
     kernels.six_link(phis, out, *numbers)
     same("six-link", kernels.SIX_LINK_NAMES, phis, out)

@@ -31,4 +31,5 @@ def pytest_terminal_summary(terminalreporter, config):
         for b in sorted(found, key=lambda b: b.stats.median / b.extra_info["positions"]):
             each = b.stats.median / b.extra_info["positions"]
             base = ours.stats.median / ours.extra_info["positions"]
-            terminalreporter.write_line(f"  {b.extra_info['what']:34} {each * 1e9:12.1f} ns/position  x{each / base:.2f}")
+            what = b.extra_info["what"]
+            terminalreporter.write_line(f"  {what:34} {each * 1e9:12.1f} ns/position  x{each / base:.2f}")

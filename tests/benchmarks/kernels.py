@@ -90,7 +90,8 @@ def six_link(phis, out, r, l2, l3, dx, dy, side, s2, x5, omega, epsilon, m1, j1,
         f30 = complex(-t3 * u3.imag + n3 * u3.real, t3 * u3.real + n3 * u3.imag)
         moment = b.real * f21.imag - b.imag * f21.real + j1 * epsilon
         power = wx * vs.real + wy * vs.imag - j2 * e2 * w2 - j3 * e3 * w3 + y5 * vh - j1 * epsilon * omega
-        out[0, i], out[1, i], out[2, i], out[3, i], out[4, i], out[5, i] = b.real, b.imag, v.real, v.imag, a.real, a.imag
+        out[0, i], out[1, i], out[2, i], out[3, i] = b.real, b.imag, v.real, v.imag
+        out[4, i], out[5, i] = a.real, a.imag
         out[6, i], out[7, i], out[8, i], out[9, i] = c.real, c.imag, vc.real, vc.imag
         out[10, i], out[11, i], out[12, i], out[13, i] = ac.real, ac.imag, rs.real, rs.imag
         out[14, i], out[15, i], out[16, i], out[17, i] = vs.real, vs.imag, as2.real, as2.imag
