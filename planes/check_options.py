@@ -16,5 +16,12 @@ def add_options(parser: argparse.ArgumentParser, told: Callable[[str], str]) -> 
     parser.add_argument("--pole", metavar="X,Y", help=told("help_pole"))
     parser.add_argument("--mark", action="append", default=[], metavar="NAME=X,Y", help=told("help_mark"))
     parser.add_argument("--work", choices=("hand", "cad"), default="hand", help=told("help_work"))
-    parser.add_argument("-o", "--output", metavar="FILE", help=told("help_report"))
+    parser.add_argument("-o", "--output", metavar="FILE", help=told("help_check_output"))
     parser.add_argument("--json", action="store_true", help=told("help_json"))
+
+
+def add_blank_options(parser: argparse.ArgumentParser, told: Callable[[str], str]) -> None:
+    """What ``planes blank`` takes beside the scene."""
+    parser.add_argument("--plan", default="velocity", metavar="PLAN", help=told("help_plan"))
+    parser.add_argument("--mu", metavar="MU", help=told("help_mu"))
+    parser.add_argument("-o", "--output", required=True, metavar="FILE", help=told("help_blank_output"))

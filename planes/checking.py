@@ -235,6 +235,8 @@ def _grade_at(bench: Bench, mu: float, share: float, taken: Mapping[str, Taken],
     apart = {m: _apart(free, m, taken[m]) for m in bench.marks if m in taken}
     size = extent(truth, plan)
     judgement = judge(hand, bench.marks, variants_of(bench, hand, mu), size, absent)
+    wrong, at_home = judgement.wrong, {m for m, miss in apart.items() if miss.sigmas <= judgement.limit}
+    judgement.wrong = wrong[:1] + [m for m in wrong[1:] if m not in at_home]  # off a wrong mark, but where it should be
     return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart)
 
 

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
 
 from planes.angles import read_range, read_span
-from planes.check_options import add_options
+from planes.check_options import add_blank_options, add_options
 from planes.scene import Scene, load
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
@@ -98,9 +98,14 @@ def _parser() -> argparse.ArgumentParser:
     crank = _command(commands, "crank-slider", _crank_slider, _help("help_crank_slider"))
     crank.add_argument("-o", "--output", metavar="FILE", help=_help("help_report"))
     crank.add_argument("--json", action="store_true", help=_help("help_object"))
+    crank.add_argument("--sheet", metavar="FILE", help=_help("help_force_sheet"))
+    crank.add_argument("--phi", type=float, metavar="A", help=_help("help_sheet_phi"))
     check = _command(commands, "check", _check, _help("help_check"))
     _positions(check)
     add_options(check, _help)
+    blank = _command(commands, "blank", _blank, _help("help_blank"))
+    _positions(blank)
+    add_blank_options(blank, _help)
     return parser
 
 
@@ -197,6 +202,14 @@ def _check(args: argparse.Namespace) -> int:
     return run(args, scene, values[0] if values else None)
 
 
+def _blank(args: argparse.Namespace) -> int:
+    from planes.cli_check import write_blank
+
+    scene = load(args.scene, args.variant)
+    values = _values(args, scene)
+    return write_blank(args, scene, values[0] if values else None)
+
+
 def _sheet(args: argparse.Namespace) -> int:
     from planes.roof import draw_sheet
 
@@ -239,7 +252,7 @@ def _chart(args: argparse.Namespace) -> int:
 def _crank_slider(args: argparse.Namespace) -> int:
     from planes.roof_crank_slider import run
 
-    return run(load(args.scene, args.variant), args.output, args.json, args.lang)
+    return run(load(args.scene, args.variant), args, args.lang)
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ import argparse
 import json
 import os
 import re
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,8 @@ from planes.verdict import STATUS, Outcome, as_json, check, mark_rows, result_ro
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
 
+LINES = (".svg", ".dxf")
+PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
 TABLES = (".csv", ".json", ".txt", ".tsv")
 _PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?[\d.]+)\s*[,;]\s*([-+]?[\d.]+)\s*")
 
@@ -27,12 +30,54 @@ _PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?[\d.]+)\s*[,;]\s*([-+]?[\d.]+)\s*
 def run(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
     """Check, print, and give the exit status: 0 right, 1 wrong, 2 unreadable."""
     asked = ask(args, scene, value)
+    if Path(args.drawing).is_dir():
+        return _class(args, asked)
     found = check(asked, read_paper(args.drawing, asked, args))
+    if args.output:
+        from planes.roof_check import write_report
+
+        write_report(found, args.output, args.lang)
     if args.json:
         print(json.dumps(as_json(found, args.lang), ensure_ascii=False, allow_nan=False))
     else:
         print(told(found, args.lang))
     return STATUS[found.verdict]
+
+
+def _class(args: argparse.Namespace, asked: Asked) -> int:
+    """Every drawing of a folder: a row for each, and the objects with --json."""
+    files = [f for f in sorted(Path(args.drawing).iterdir()) if f.suffix.lower() in (*TABLES, *LINES, *PICTURES)]
+    if not files:
+        raise PlanesError(Phrase("check_empty_folder", file=args.drawing))
+    rows, objects, worst = [], [], 0
+    for file in _shown(files):
+        try:
+            found = check(asked, read_paper(str(file), asked, args))
+        except PlanesError as error:
+            rows.append([file.name, say("verdict_unreadable", args.lang), "", error.told(args.lang)])
+            worst = 2
+            continue
+        worst = max(worst, STATUS[found.verdict])
+        first = found.first_wrong if found.verdict == "wrong" else None
+        verdict = say(f"verdict_{found.verdict}", args.lang)
+        rows.append([file.name, verdict, first or "", found.sentence.told(args.lang) if first else ""])
+        objects.append({"file": file.name, **as_json(found, args.lang)})
+    head = [say(k, args.lang) for k in ("check_file", "check_verdict", "check_mark", "check_first")]
+    lines = table(say("check_class", args.lang), head, rows)
+    print(json.dumps(objects, ensure_ascii=False, allow_nan=False) if args.json else "\n".join(lines).lstrip())
+    return worst
+
+
+def _shown(files: list[Path]) -> Iterable[Path]:
+    """The files, with a bar where a person waits."""
+    import sys
+
+    if not sys.stderr.isatty():
+        return files
+    from tqdm import tqdm
+
+    shown: Iterable[Path] = tqdm(files, unit="", leave=False)
+    return shown
 
 
 def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:
@@ -77,8 +122,13 @@ def read_paper(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
         return read_table(file)
     if not Path(file).is_file():
         raise PlanesError(Phrase("check_no_file", file=file, why=os.strerror(2)))
-    if suffix in (".svg", ".dxf"):
+    if suffix in LINES:
         return _from_lines(file, asked, args)
+    if suffix in PICTURES:
+        from planes.photograph import paper_of_picture
+
+        pole = place(args.pole, "--pole")[1] if args.pole else None
+        return paper_of_picture(file, prepare(asked), pole, dict(place(m, "--mark") for m in args.mark))
     raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
 
 
@@ -121,6 +171,14 @@ def told(found: Outcome, lang: Lang) -> str:
     head = [say(k, lang) for k in ("check_result", "check_given", "check_true", "check_verdict")]
     lines += table(say("check_numbers", lang), head, numbers)
     return "\n".join(lines + [f"! {n.told(lang)}" for n in found.notes])
+
+
+def write_blank(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
+    """``planes blank``: a sheet to draw a plan on."""
+    from planes.roof_check import write_blank as write
+
+    write(Asked(scene, args.plan, value, _mu(args.mu, args.plan)), args.output, args.lang)
+    return 0
 
 
 def _mm(value: Any) -> str:

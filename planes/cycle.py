@@ -24,6 +24,7 @@ from planes.program import Program
 from planes.scales import unit_scales
 from planes.tracing import Trace, given_values, trace
 
+CHUNK = 4096
 PAYS = 200_000
 """From how many positions on a compiled loop is worth compiling."""
 
@@ -83,7 +84,7 @@ class Cycle:
         return loop.bound(given_values(self.given))
 
     def blocks(
-        self, values: Any, chunk: int = ROW, fast: bool | None = None, instrument: Instrument | None = None
+        self, values: Any, chunk: int = CHUNK, fast: bool | None = None, instrument: Instrument | None = None
     ) -> Iterator[Block]:
         """Blocks of at most ``chunk`` positions. ``fast`` says whether to compile; by itself when that pays."""
         if not hasattr(values, "__getitem__"):
@@ -129,7 +130,7 @@ class Cycle:
 
 
 def cycle(
-    plans: Plans, values: Any, names: Iterable[str] | None = None, chunk: int = ROW, fast: bool | None = None
+    plans: Plans, values: Any, names: Iterable[str] | None = None, chunk: int = CHUNK, fast: bool | None = None
 ) -> Iterator[Block]:
     """Results of a mechanism for many values of its drive (degrees, or metres), in blocks of ``chunk``."""
     return Cycle(plans, names).blocks(values, chunk, fast)

@@ -6,7 +6,7 @@ The patterns are this project's own; they need no library to print, and OpenCV's
 from __future__ import annotations
 
 SIDE_MM = 12.0  # of the black square, its border included
-INSET_MM = (26.0, 12.0)  # centres from the left and the other edges of a sheet
+INSET_MM = (30.0, 15.0)  # centres from the left and the other edges of a sheet
 # rows of 5 bits, 1 is white; no turn of one is nearer than 10 bits to another or to a turn of itself
 PATTERNS = (
     (0b11001, 0b11000, 0b01011, 0b00000, 0b11000),

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from planes.fused_text import ROW, module
+from planes.fused_text import STRIDE, module
 from planes.reading import read
 from planes.tracing import Trace
 
@@ -48,11 +48,11 @@ class Bound:
     fixed: Any
 
     def __call__(self, rows: Any) -> tuple[Any, Any]:
-        """Outputs (a row for each) and reason codes, from at most ``ROW`` positions (a row for each input)."""
+        """Outputs (a row for each) and reason codes, of one block of positions (a row for each input)."""
         count = rows.shape[1]
-        taken = np.empty((len(self.fused.inputs), ROW))
+        taken = np.empty((len(self.fused.inputs), STRIDE))
         taken[:, :count] = rows
-        out = np.empty((len(self.fused.trace.outputs) + 1, ROW))
+        out = np.empty((len(self.fused.trace.outputs) + 1, STRIDE))
         _compiled(self.fused.text)(taken.ctypes.data, out.ctypes.data, self.fixed.ctypes.data, count)
         return out[:-1, :count], out[-1, :count]
 

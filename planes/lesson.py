@@ -130,7 +130,7 @@ class Teller:
 
     def mark(self, step: s.Step) -> Frame:
         """The frame of one mark, or of a tangent."""
-        uses = tuple(dict.fromkeys(name for name, kind in step.reads() if kind == "mark" and name[-1] not in "+-"))
+        uses = tuple(dict.fromkeys(name for name, kind in step.reads() if kind == "mark" and shown_mark(name)))
         names = {f: lettered(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
         words = StepWords(self.plans, self.drawing, self.made)
         key, reason, more = words.of(step)
@@ -206,6 +206,11 @@ class Teller:
 def plan_of(step: s.Step) -> str:
     """The plan a mark stands on (a tangent's, the scheme)."""
     return step.makes.rpartition(":")[0] or "position"
+
+
+def shown_mark(name: str) -> bool:
+    """Whether a mark stands on a plan that is shown: no trial of friction, no plan of a unit drive."""
+    return name[-1] not in "+-" and not name.startswith("motion:")
 
 
 def mu_said(mu: float, kind: str, lang: Lang) -> str:

@@ -61,7 +61,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> dict[str, Any
         "equations": [_equation(e) for e in plans.equations],
         "frames": [_frame(f) for f in frames],
         "results": (results := _results(plans)),
-        "values": _columns({n: value_of(n, teller, cycle) for n in [*names, *(r["value"] for r in results)]}, len(values)),
+        "values": _columns({n: value_of(n, teller, cycle) for n in (*names, *(r["value"] for r in results))}, values),
         "practice": Practice(plans, given, drawing, frames).tasks(progress),
         **_turn(plans, cycle, len(values)),
         "zones": zones(plans, cycle, values),
@@ -172,13 +172,13 @@ def _results(plans: Plans) -> list[dict[str, Any]]:
     return [{"name": n, "value": n, "unit": {lang: unit(n, lang) for lang in LANGS}} for n in names]
 
 
-def _columns(things: Mapping[str, Any], count: int, digits: int = 8) -> dict[str, Any]:
+def _columns(things: Mapping[str, Any], values: list[float], digits: int = 8) -> dict[str, Any]:
     """Values over the turn to so many digits; one number where it never changes."""
     import numpy
 
     found: dict[str, Any] = {}
     for name, thing in things.items():
-        full = numpy.broadcast_to(thing, (count,)).astype(float)
+        full = numpy.broadcast_to(thing, (len(values),)).astype(float)
         good = full[numpy.isfinite(full)]
         if len(good) and (numpy.ndim(thing) == 0 or numpy.all(good == good[0])):
             found[name] = float(good[0])

@@ -73,9 +73,8 @@ def _forces(m: Moments, steps: dict[str, Step]) -> list[dict[str, Any]]:
     for (name, arm), term in zip(m.terms, terms, strict=False):
         drop = steps.get(arm)
         if isinstance(drop, Drop):
-            found.append({
-                "name": name, "mark": drop.point, "along": drop.along, "size": term.factors[0][0], "foot": _foot(arm, drop),
-            })  # fmt: skip
+            own = {"name": name, "mark": drop.point, "along": drop.along, "size": term.factors[0][0]}
+            found.append({**own, "foot": _foot(arm, drop)})
     return found
 
 

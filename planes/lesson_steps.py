@@ -134,7 +134,7 @@ class StepWords:
             return "load", "load", shown
         if isinstance(source, Calculate):
             told = {**named, "formula": lambda lang: formula(source, lang)}
-            return "lay_off", _kind_of_vector(label, kind, step), told
+            return "lay_off", _kind_of_vector(label, kind, source), told
         if isinstance(source, Measure):
             return "carried", "carried", shown
         return "load", "slide_v", shown
@@ -165,12 +165,13 @@ def _reason(term: Term, name: str, kind: str, lang: Lang) -> str:
     return why(f"{'across' if across else 'along'}_{kind}", lang, name=name, line=line_of(direction))
 
 
-def _kind_of_vector(label: str, kind: str, step: s.LayOff) -> str:
+def _kind_of_vector(label: str, kind: str, source: Calculate) -> str:
     """Which reason a calculated vector has."""
     if kind == "force":
         return {"G": "weight", "I": "inertia"}.get(label.partition("_")[0], "load")
     if kind == "velocity":
         return "driver_v"
     if label.startswith("n_"):
-        return "normal_w" if label.count("_") == 1 and len(label) == 3 else "normal"
+        turning = any(n.startswith("omega_") for n, _ in source.terms[0].factors)
+        return "normal_w" if turning else "normal"
     return "coriolis" if label.startswith("k_") else "tangential"

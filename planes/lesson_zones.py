@@ -27,7 +27,8 @@ def zones(plans: Plans, cycle: Drawing, values: list[float]) -> list[dict[str, A
     rows = [numpy.broadcast_to(cycle.sharpness[n], (count,)) for n in names]
     table = numpy.nan_to_num(numpy.array(rows), nan=1.0) if rows else numpy.ones((1, count))
     worst = table.argmin(axis=0)
-    kinds = ["bad" if b else names[w] if s < BLUNT else "" for b, w, s in zip(bad, worst, table.min(axis=0), strict=True)]
+    least = table.min(axis=0)
+    kinds = ["bad" if b else names[w] if s < BLUNT else "" for b, w, s in zip(bad, worst, least, strict=True)]
     found, start = [], 0
     for i in range(1, count + 1):
         if i == count or kinds[i] != kinds[start]:

@@ -87,7 +87,7 @@ def tell(table: Cycle, gaps: list[Gap], kind: str, lang: Lang) -> None:
     """Say on stderr where and why positions failed."""
     failed = [gap for gap in gaps if gap.code]
     for gap in failed[:TOLD]:
-        first, last = (told(v, kind) for v in (gap.first, gap.last))
+        first, last = (told(v, kind, lang) for v in (gap.first, gap.last))
         name, why = "φ" if kind == "phi" else "s", reason(table, gap, lang)
         print(say("cycle_failed", lang, name=name, first=first, last=last, count=gap.count, why=why), file=sys.stderr)
     if len(failed) > TOLD:

@@ -21,12 +21,15 @@ from planes.strokes import Nodes, Sketch, Words, covered
 from planes.words import Phrase
 
 NEAR_WORD_MM = 12.0  # a word farther from a node names something else
+POLE_MM = 2.7  # ends nearer than this to a printed pole are at it
 ALONG = 0.7  # the share of a vector that must be drawn for its end to count
 
 
-def paper_of(sketch: Sketch, bench: Bench) -> Paper:
-    """The marks of a plan found on a sketch."""
+def paper_of(sketch: Sketch, bench: Bench, pole: complex | None = None) -> Paper:
+    """The marks of a plan found on a sketch; its pole may be known beforehand."""
     paper = Paper(sketch.file, whole=False)
+    if pole is not None:
+        sketch.strokes = [(_at(pole, a), _at(pole, b)) for a, b in sketch.strokes if _at(pole, a) != _at(pole, b)]
     nodes = Nodes(sketch.strokes)
     if not nodes.places:
         paper.notes.append(Phrase("check_no_lines"))
@@ -38,13 +41,18 @@ def paper_of(sketch: Sketch, bench: Bench) -> Paper:
     if nodes.crowded and len(near) < 2:
         paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))
         return paper
-    origin = _pole(nodes, bench, near)
+    origin = pole if pole is not None else _pole(nodes, bench, near)
     if origin is None:
         return paper
     places = _marks(bench, sketch, nodes, origin, near)
     paper.spots = [Spot(POLE, origin, sketch.error_mm)]
     paper.spots += [Spot(n, places[n], sketch.error_mm) for n in labels if n in places]
     return paper
+
+
+def _at(pole: complex, z: complex) -> complex:
+    """An end so near the pole that it must be there."""
+    return pole if abs(z - pole) < POLE_MM else z
 
 
 Candidates = dict[str, dict[int, float]]
@@ -110,7 +118,8 @@ def _look(
         for i in nodes.within(origin + guess, reach * share):
             z = nodes.places[i]
             fresh = all(abs(z - u) > 0.7 for u in used) or (near is not None and i in near)
-            fresh = fresh or any(abs(u - origin - guess) < 1.2 for u in used)  # two marks where one should be
+            if share == 1.0:  # two marks where one should be
+                fresh = fresh or any(abs(u - origin - guess) < reach for u in used)
             drawn = near is not None or any(
                 covered(sketch.strokes, s, z) >= ALONG for s in starts)
             if fresh and drawn and (near is None or i in near):

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from typing import Any
@@ -84,7 +84,7 @@ class Note:
     def say(self, key: str, **names: object) -> str:
         return note_said(key, self.lang, **names)
 
-    def table(self, key: str, head: tuple[str, ...], rows: list[tuple[str, ...]]) -> Iterator[Block]:
+    def table(self, key: str, head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> Iterator[Block]:
         """A numbered table, unless it is empty."""
         if rows:
             self.tables += 1
@@ -100,7 +100,7 @@ class Note:
         title = self.scene.title.get(self.lang) or next(iter(self.scene.title.values()), "")
         yield Heading(f"{self.say('note')}. {title}" if title else self.say("note"), 0)
         yield Heading(self.say("note_given"))
-        where = told(self.position.value, drive.kind)
+        where = told(self.position.value, drive.kind, self.lang)
         where = f"{'φ' if drive.kind == 'phi' else 's'} = {where.replace('.', ',') if self.lang == 'ru' else where}"
         yield Prose(self.say("note_task", title=title, drive=where))
         rows = []
@@ -183,7 +183,7 @@ class Note:
         yield Heading(self.say("note_results"))
         v, a, w, e, n = (unit(x, self.lang) for x in ("v", "a", "omega", "epsilon", "F"))
         angle = self.say("angle")
-        head = (self.say("point"), f"v, {v}", angle, f"a, {a}", angle)
+        head: tuple[str, ...] = (self.say("point"), f"v, {v}", angle, f"a, {a}", angle)
         rows = [(f"⟨{p}⟩", *self.vector(x.get("v")), *self.vector(x.get("a"))) for p, x in r.get("points", {}).items()]
         yield from self.table("note_points_table", head, rows)
         head = (self.say("link"), f"ω, {w}", f"ε, {e}")

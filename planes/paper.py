@@ -47,6 +47,7 @@ class Paper:
     results: list[tuple[str, float, str]] = field(default_factory=list)
     scale_mark: str | None = None  # the vector the picture's scale was taken from
     whole: bool = True
+    picture: bytes = b""  # the flat picture of a blank, for the report
     notes: list[Phrase] = field(default_factory=list)
 
     def refuse(self, key: str, **parts: object) -> PlanesError:

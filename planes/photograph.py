@@ -12,7 +12,7 @@ from planes.mark_names import Names
 from planes.matching import paper_of
 from planes.paper import Paper, Spot
 from planes.pencil_lines import lines_of
-from planes.picture import Flat, by_points, flatten, load
+from planes.picture import Flat, by_points, cv, flatten, load
 from planes.scales import kind_of
 from planes.strokes import Sketch, Words
 from planes.wording import PlanesError
@@ -36,14 +36,22 @@ def paper_of_picture(
         return paper
     sketch.file = file
     sketch.words = _words(bench, flat, pole if named else None, marks if named else {}, grey.shape[0])
-    found = paper_of(sketch, bench)
+    found = paper_of(sketch, bench, 0j if named else blank_pole(bench))
     found.notes = paper.notes + found.notes
     found.scale_mark = named
+    found.picture = b"" if named else shown(flat)
     if named:
         found.notes.append(Phrase("check_scale_vector", mark=named))
     if kind_of(bench.asked.plan) != "force":
         found.spots = [s for s in found.spots if s.name == "p" or _surely(sketch, s)]
     return found
+
+
+def shown(flat: Flat) -> bytes:
+    """The flat picture, small enough for a page."""
+    cv2 = cv()
+    small = cv2.resize(flat.grey, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
+    return bytes(cv2.imencode(".jpg", small, [cv2.IMWRITE_JPEG_QUALITY, 75])[1])
 
 
 def _by_hand(bench: Bench, grey: object, pole: complex | None, marks: Mapping[str, complex]) -> tuple[Flat, str]:

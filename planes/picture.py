@@ -96,10 +96,14 @@ def find_marks(grey: Any) -> dict[int, Any]:
     parameters = cv2.aruco.DetectorParameters()
     parameters.cornerRefinementMethod = cv2.aruco.CORNER_REFINE_SUBPIX
     parameters.adaptiveThreshWinSizeMax = 53
-    corners, numbers, _ = cv2.aruco.ArucoDetector(dictionary(), parameters).detectMarkers(grey)
+    detector = cv2.aruco.ArucoDetector(dictionary(), parameters)
     found: dict[int, Any] = {}
-    for quad, number in zip(corners, [] if numbers is None else numbers.ravel(), strict=False):
-        found.setdefault(int(number), quad.reshape(4, 2))
+    for factor in (1.0, 0.6, 0.35):
+        if len(found) < 4:
+            small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA) if factor < 1 else grey
+            corners, numbers, _ = detector.detectMarkers(small)
+            for quad, number in zip(corners, [] if numbers is None else numbers.ravel(), strict=False):
+                found.setdefault(int(number), (quad.reshape(4, 2) + 0.5) / factor - 0.5)
     return found
 
 

@@ -27,9 +27,9 @@ from planes.reckoning import Choose
 from planes.scales import kind_of
 from planes.steps import Cross, CrossArc, CrossArcs, Image, LayOff, Similar, Step
 from planes.wording import PlanesError
-from planes.words import say
+from planes.words import Lang, say
 
-Said = dict[str, str]
+Said = dict[Lang, str]
 APART_MM = 2.5  # a wrong place nearer than this to the right one cannot be told from it
 SHORT_MM = 2.0  # a vector too short to be asked for
 TURN_DEG = 12.0

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import html
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 
 from planes.lesson_data import lesson_data
@@ -26,6 +28,19 @@ from render.view import View, view
 
 NOTES = (".html", ".pdf", ".docx")
 LETTER_MM = 3.5
+
+
+@dataclass(frozen=True)
+class Lesson:
+    """A lesson that a notebook shows in its own frame."""
+
+    scene: Scene
+    lang: Lang = "ru"
+    height: int = 900
+
+    def _repr_html_(self) -> str:
+        inner = html.escape(page(lesson_data(self.scene), self.lang), quote=True)
+        return f'<iframe srcdoc="{inner}" style="width: 100%; height: {self.height}px; border: 0"></iframe>'
 
 
 def write_lesson(scene: Scene, output: str, lang: Lang) -> None:

@@ -16,7 +16,7 @@ from planes.scales import FIT_MM, scales
 from planes.scene import Scene
 from planes.structure import Structure
 from planes.wording import PlanFailure, SceneError
-from planes.words import Lang, Phrase, Told, say
+from planes.words import Lang, Phrase, say
 
 TOLD = 20  # for how many failed positions the nearest working one is looked for
 PENCILS = 200  # how many draughtsmen draw a plan to see how far apart they end
@@ -90,13 +90,13 @@ def solve(
 def failed(failure: PlanFailure, value: float, kind: str, near: float | None, lang: Lang) -> str:
     """The sentence of a position that did not come out, with the nearest one that does."""
     name = "φ" if kind == "phi" else "s"
-    sentence = say("at", lang, name=name, value=told(value, kind)) + failure.sentence(lang)
-    return sentence + ("" if near is None else say("nearest", lang, name=name, value=told(round(near, 4), kind)))
+    sentence = say("at", lang, name=name, value=told(value, kind, lang)) + failure.sentence(lang)
+    return sentence + ("" if near is None else say("nearest", lang, name=name, value=told(round(near, 4), kind, lang)))
 
 
-def told(value: float, kind: str) -> Told:
+def told(value: float, kind: str, lang: Lang) -> str:
     """A value of the drive in words."""
-    return f"{value:.10g}°" if kind == "phi" else Phrase("in_m", value=f"{value:.10g}")
+    return f"{value:.10g}°" if kind == "phi" else say("in_m", lang, value=f"{value:.10g}")
 
 
 def key_of(plans: Plans) -> str:

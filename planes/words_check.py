@@ -107,7 +107,25 @@ CHECK: dict[str, tuple[str, str]] = {
     "help_pole": ("место полюса на картинке", "where the pole is on the picture"),
     "help_mark": ("место отметки на картинке", "where a mark is on the picture"),
     "help_work": ("допуски: от руки или на компьютере", "tolerances: by hand or on a computer"),
-    "help_report": ("отчёт: .html, .pdf, .png, .json", "the report: .html, .pdf, .png, .json"),
+    "help_check_output": ("отчёт: .html, .pdf, .png, .json", "the report: .html, .pdf, .png, .json"),
+    "help_blank": ("бланк, на котором чертят план", "a blank to draw a plan on"),
+    "help_blank_output": ("файл бланка: .pdf, .svg, .png", "the file of the blank: .pdf, .svg, .png"),
+    "check_output": (
+        "{file}: отчёт пишется в .html, .pdf, .svg, .png или .json", "{file}: write to .html, .pdf, .svg, .png or .json"
+    ),
+    "check_page_own": ("чертёж", "the drawing"),
+    "check_page_next": ("куда ведёт построение из ваших точек", "where your own marks lead"),
+    "check_page_true": ("верный план", "the right plan"),
+    "check_page_picture": ("снимок", "the picture"),
+    "check_page_save": ("сохранить отметки", "save the marks"),
+    "check_page_drag": (
+        "Отметку, прочитанную не там, перетащите; сохранённую таблицу можно проверить снова.",
+        "Drag a mark that was read in a wrong place; the saved table can be checked again.",
+    ),
+    "check_class": ("Работы", "Papers"),
+    "check_file": ("файл", "file"),
+    "check_first": ("первая ошибка", "first mistake"),
+    "check_empty_folder": ("{file}: в папке нет чертежей", "{file}: there are no drawings in the folder"),
     # the table of a report
     "check_marks": ("Отметки", "Marks"),
     "check_numbers": ("Результаты", "Results"),

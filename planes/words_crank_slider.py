@@ -153,6 +153,18 @@ CRANK_SLIDER: dict[str, tuple[str, str]] = {
         "the integrated calculation of a crank-slider: kinematics, forces, balancing, strength",
     ),
     "help_report": ("файл отчёта: .html, .pdf или .json", "the report's file: .html, .pdf or .json"),
+    "help_force_sheet": (
+        "ещё и чертёжный лист с планами одного положения: .svg, .pdf, .png или .dxf",
+        "also a drawing sheet with the plans of one position: .svg, .pdf, .png or .dxf",
+    ),
+    "help_sheet_phi": (
+        "положение для листа, градусы (без него — самое нагруженное из positions)",
+        "the sheet's position, degrees (without it the most loaded of positions)",
+    ),
+    "cs_phi": (
+        "--phi {value:g}: цикл идёт от {low:g}° до {high:g}°",
+        "--phi {value:g}: the cycle goes from {low:g}° to {high:g}°",
+    ),
     "cs_unwritable": ("{file}: записать нельзя: {reason}", "{file}: cannot be written: {reason}"),
     "cs_suffix": (
         "{file}: отчёт пишется в .html, .pdf или .json",

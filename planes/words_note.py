@@ -33,8 +33,8 @@ NOTE: dict[str, tuple[str, str]] = {
     "note_difference": (
         "Уравновешивающая нагрузка из плана сил {found} {unit}, по рычагу Жуковского {check} {unit}; расхождение "
         "{percent} %.",
-        "The balancing load is {found} {unit} by the force plan and {check} {unit} by Zhukovsky's lever; they differ by "
-        "{percent} %.",
+        "The balancing load is {found} {unit} by the force plan and {check} {unit} by Zhukovsky's lever; they differ "
+        "by {percent} %.",
     ),
     "note_figure": ("Рисунок {number} — {title}", "Figure {number}. {title}"),
     "note_table": ("Таблица {number} — {title}", "Table {number}. {title}"),

@@ -38,7 +38,8 @@ class Composer:
     @property
     def naming(self) -> Naming:
         """How this sheet names things."""
-        return Naming(self.lang, self.scene.frame_number, self.scene.sheet.get("reactions") == "from-on")
+        driver = self.scene.mechanism.drive.link if self.scene.mechanism else ""
+        return Naming(self.lang, self.scene.frame_number, self.scene.sheet.get("reactions") == "from-on", driver)
 
     def once(self, key: tuple[object, ...], make: Callable[[], View | None]) -> View | None:
         """The view of that key, made the first time it is asked for."""

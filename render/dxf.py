@@ -11,6 +11,7 @@ import cmath
 import io
 import math
 from collections.abc import Iterable, Sequence
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -29,8 +30,7 @@ def write(
     marks: Iterable[Mark], size_mm: tuple[float, float], title: str, path: str | Path | None = None, *, lang: str = "ru"
 ) -> bytes:
     """The sheet as a DXF file (R2010) in millimetres, 1:1; also written to ``path`` if one is given."""
-    import ezdxf
-
+    ezdxf: Any = import_module("ezdxf")
     fixed = ezdxf.options.write_fixed_meta_data_for_testing
     ezdxf.options.write_fixed_meta_data_for_testing = True
     try:

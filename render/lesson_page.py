@@ -20,6 +20,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "ccw": ("против часовой стрелки", "counter-clockwise"),
     "cw": ("по часовой стрелке", "clockwise"),
     "still": ("звено не вращается", "the link does not turn"),
+    "shifted": ("векторы одной прямой раздвинуты", "vectors of one line are drawn side by side"),
     "practise": ("Практика", "Practice"),
     "score": ("Верно с первого раза", "Right at once"),
     "over": ("Построение закончено. Верно с первого раза:", "The drawing is done. Right at once:"),
@@ -30,7 +31,8 @@ WORDS: dict[str, tuple[str, str]] = {
     "list": ("Выбрать из отмеченных мест", "Choose among marked places"),
     "millimetres": ("мм", "mm"),
     "ask_known": (
-        "Что известно о каждом векторе? Нажимайте: две черты — всё, одна — направление или величина, ни одной — ничего.",
+        "Что известно о каждом векторе? Нажимайте: две черты — всё, одна — направление или величина, ни одной — "
+        "ничего.",
         "What is known of each vector? Press: two lines — all, one — direction or length, none — nothing.",
     ),
     "ask_direction": ("Куда направлен {name} от {start}?", "Which way does {name} run from {start}?"),
@@ -40,12 +42,15 @@ WORDS: dict[str, tuple[str, str]] = {
         "We look for {mark}. Which line goes through {through}?",
     ),
     "ask_place": ("Где {mark}? Нажмите на чертеже.", "Where is {mark}? Click on the drawing."),
-    "ask_similar": ("Где {mark} по подобию? Нажмите на чертеже.", "Where is {mark} by similarity? Click on the drawing."),
+    "ask_similar": (
+        "Где {mark} по подобию? Нажмите на чертеже.",
+        "Where is {mark} by similarity? Click on the drawing.",
+    ),
     "why_known": (
-        "Две черты — построенные раньше и вычисленные векторы (нормальные, кориолисовы); одна — те, у которых известна "
-        "только линия действия; полный искомый вектор не подчёркивают.",
-        "Two lines: vectors drawn before and calculated ones (normal, Coriolis); one line: those of which only the line "
-        "of action is known; the sought whole vector has none.",
+        "Две черты — построенные раньше и вычисленные векторы (нормальные, кориолисовы); одна — те, у которых "
+        "известна только линия действия; полный искомый вектор не подчёркивают.",
+        "Two lines: vectors drawn before and calculated ones (normal, Coriolis); one line: those of which only the "
+        "line of action is known; the sought whole vector has none.",
     ),
 }
 SCRIPTS = ("figure", "scheme", "plan", "lesson", "practice")

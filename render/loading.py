@@ -66,9 +66,14 @@ class Loading:
             self.force(name, point, way / abs(way), from_outside=True)
 
     def balancing(self) -> None:
-        """The balancing couple on the driver."""
+        """The balancing couple (or force) on the driver."""
         plans = self.position.plans
-        if plans.balancing in self.drawing and plans.mechanism.drive.kind == "phi":
+        if plans.balancing not in self.drawing:
+            return
+        if plans.mechanism.drive.kind == "s":
+            foot, along = self.places.foot(plans.mechanism.links[plans.structure.driver])
+            self.force(plans.balancing, foot, along * _sign(self.drawing[plans.balancing]))
+        else:
             taken = len([c for c in plans.acting.couples[plans.structure.driver] if not c.name.startswith("MR_")])
             name = self.naming.balancing(True)
             self.couple(name, plans.structure.driver, float(self.drawing[plans.balancing]), taken, name)

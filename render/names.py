@@ -20,6 +20,7 @@ class Naming:
     lang: Lang = "ru"
     frame: str = "0"
     from_on: bool = False
+    driver: str = "1"
 
     def link(self, name: str) -> str:
         """A link's number; the frame's is the scene's."""
@@ -53,7 +54,7 @@ class Naming:
         elif letter == "T" and index.startswith("F_"):
             index = self.reaction(index[2:])
         elif letter in ("v", "a"):
-            index = index.removeprefix("slide_")
+            index = self.driver if index == "drive" else index.removeprefix("slide_")
             index = self.grounded(index)
         elif letter == "Fb":
             return self.balancing(False)

@@ -13,14 +13,22 @@ from render.names import Naming
 from render.view import View
 
 STYLE = """
-body { max-width: 46rem; margin: 2rem auto; padding: 0 1rem; font: 17px/1.5 "PT Serif", Georgia, "DejaVu Serif", serif; color: #14171c; }
+body { max-width: 46rem; margin: 2rem auto; padding: 0 1rem; color: #14171c; }
+body { font: 17px/1.5 "PT Serif", Georgia, "DejaVu Serif", serif; }
 h1 { font-size: 1.5rem; } h2 { font-size: 1.2rem; margin: 2rem 0 .5rem; border-bottom: 1px solid #bbb; }
-p { margin: .5rem 0; } .why { color: #555; font-style: italic; margin-top: 0; } .number { color: #777; margin-right: .4em; }
-figure { margin: 1rem 0; text-align: center; } figure svg { max-width: 100%; height: auto; } figcaption { font-size: .92rem; }
+p { margin: .5rem 0; } .why { color: #555; font-style: italic; margin-top: 0; }
+.number { color: #777; margin-right: .4em; }
+figure { margin: 1rem 0; text-align: center; } figure svg { max-width: 100%; height: auto; }
+figcaption { font-size: .92rem; }
 table { border-collapse: collapse; margin: .3rem 0 1rem; } caption { text-align: left; padding: .3rem 0; }
-th, td { border: 1px solid #999; padding: .15rem .6rem; text-align: right; } th:first-child, td:first-child { text-align: left; }
+th, td { border: 1px solid #999; padding: .15rem .6rem; text-align: right; }
+th:first-child, td:first-child { text-align: left; }
 sub, sup { line-height: 0; } i { white-space: nowrap; }
-@media print { @page { size: A4; margin: 20mm 10mm 20mm 25mm; } body { margin: 0; font-size: 11pt; } figure, table { break-inside: avoid; } h2 { break-after: avoid; } }
+@media print {
+  @page { size: A4; margin: 20mm 10mm 20mm 25mm; }
+  body { margin: 0; max-width: none; font-size: 11pt; }
+  figure, table { break-inside: avoid; } h2 { break-after: avoid; }
+}
 """
 
 
@@ -30,8 +38,8 @@ def write(blocks: Sequence[Block], figures: Mapping[str, View], naming: Naming) 
     body = "\n".join(_block(b, figures, naming) for b in blocks)
     return (
         f'<!doctype html>\n<html lang="{naming.lang}"><head><meta charset="utf-8"><meta name="viewport" '
-        f'content="width=device-width, initial-scale=1"><title>{html.escape(title)}</title><style>{STYLE}</style></head>'
-        f"<body>\n{body}\n</body></html>\n"
+        f'content="width=device-width, initial-scale=1"><title>{html.escape(title)}</title><style>{STYLE}</style>'
+        f"</head><body>\n{body}\n</body></html>\n"
     ).encode()
 
 
@@ -62,7 +70,7 @@ def _figure(block: Figure, figures: Mapping[str, View], naming: Naming) -> str:
         return ""
     width, height = view.width + 4, view.height + 4
     text = svg.write(view.placed(2, height - 2), (width, height), block.caption, lang=naming.lang).decode()
-    text = re.sub(r"^<\\?xml[^>]*>\\s*", "", text.replace('<?xml version="1.0" encoding="UTF-8"?>', "")).strip()
+    text = text.replace('<?xml version="1.0" encoding="UTF-8"?>', "").strip()
     key = re.sub(r"\W", "-", block.key)
     text = re.sub(r'\bid="', f'id="{key}-', text)
     caption = f"<figcaption>{html.escape(block.caption)}</figcaption>" if block.caption else ""

@@ -60,13 +60,17 @@ class _Setter:
         from reportlab.lib.styles import ParagraphStyle
 
         self.naming, self.figures = naming, figures
-        self.plain = ParagraphStyle("plain", fontName="Note", fontSize=10.5, leading=15, spaceBefore=4, firstLineIndent=28)
-        self.why = ParagraphStyle("why", self.plain, fontName="NoteItalic", fontSize=9.5, leading=13, textColor="#444444")
+        one = {"fontName": "Note", "fontSize": 10.5, "leading": 15, "spaceBefore": 4, "firstLineIndent": 28}
+        self.plain = ParagraphStyle("plain", **one)
+        small = {"fontName": "NoteItalic", "fontSize": 9.5, "leading": 13, "textColor": "#444444"}
+        self.why = ParagraphStyle("why", self.plain, **small)
         self.small = ParagraphStyle("small", self.plain, firstLineIndent=0, alignment=1, spaceBefore=2, spaceAfter=8)
         self.left = ParagraphStyle("left", self.small, alignment=0)
         self.cell = ParagraphStyle("cell", self.small, fontSize=9.5, leading=12, spaceBefore=0, spaceAfter=0)
         self.heads = [
-            ParagraphStyle(f"h{k}", fontName="NoteBold", fontSize=s, leading=s * 1.3, spaceBefore=b, spaceAfter=6, keepWithNext=1)
+            ParagraphStyle(
+                f"h{k}", fontName="NoteBold", fontSize=s, leading=s * 1.3, spaceBefore=b, spaceAfter=6, keepWithNext=1
+            )
             for k, (s, b) in enumerate(((15, 0), (12.5, 14)))
         ]  # fmt: skip
 

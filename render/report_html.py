@@ -28,7 +28,7 @@ h1{font-size:1.7rem;line-height:1.25}h2{font-size:1.35rem;margin-top:2.4rem;bord
 h3{font-size:1.1rem;margin-top:1.6rem}
 .formula{display:flex;align-items:center;margin:.55rem 0;overflow-x:auto}
 .parts{display:flex;flex-wrap:wrap;align-items:center;gap:.3rem 1.1rem}.parts svg{max-width:100%;height:auto}
-.formula .number{margin-left:auto;padding-left:1rem;color:#444}
+.formula .number{white-space:nowrap;margin-left:auto;padding-left:1rem;color:#444}
 .mistake{border:1px solid #a33;border-left:5px solid #a33;padding:.5rem .8rem;margin:1rem 0;background:#fdf4f2}
 figure{margin:1.4rem 0;overflow-x:auto}figure svg{max-width:100%;height:auto;display:block;margin:0 auto}
 figcaption,caption{font-size:.92rem;color:#333;padding:.4rem 0;text-align:left}figcaption{text-align:center}

@@ -140,7 +140,7 @@ def _table(block: TableBlock) -> list[Any]:
         ("VALIGN", (0, 0), (-1, -1), "MIDDLE"),
         ("LEFTPADDING", (0, 0), (-1, -1), 3), ("RIGHTPADDING", (0, 0), (-1, -1), 3),
     ]))  # fmt: skip
-    return [KeepTogether([Words(rich(block.title), ABOVE), table, Spacer(1, 6)])]
+    return [Words(rich(block.title), ABOVE), table, Spacer(1, 6)]
 
 
 def _length(text: str) -> int:

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from planes.mechanism import FRAME, Link
 from planes.solving import Position
 from render import labels, symbols
+from render.footprints import ink
 from render.marks import Line, Mark
 from render.names import Naming, lettered
 from render.places import NEAR_MM, Places, degrees, nearest, outline_of
@@ -203,15 +204,18 @@ class Scheme:
                 self.hinges += symbols.hinge(z)
 
     def base_angle(self, point: str) -> float:
-        """The turn of a fixed hinge's base that keeps clear of the bars: upright if it can be."""
-        ways = [w / abs(w) for w in self.ways.get(point, []) if abs(w) > NEAR_MM]
+        """The turn of a fixed hinge's base that keeps clear of its own bars and then of others: upright if it can."""
+        z, ways = self.places.at(point), [w / abs(w) for w in self.ways.get(point, []) if abs(w) > NEAR_MM]
+        bars = ink([*self.bars, *self.guides])
 
-        def room(turn: int) -> float:
+        def hits(turn: int) -> tuple[int, int]:
             leg = -1j * symbols.unit(turn)
-            return min((math.degrees(abs(cmath.phase(w / leg))) for w in ways), default=180.0)
+            room = min((math.degrees(abs(cmath.phase(w / leg))) for w in ways), default=180.0)
+            own = 3 if room < 25 else 1 if room < 50 else 0
+            feet = [m for m in symbols.fixed_hinge(z, turn) if isinstance(m, Line)]
+            return own, len(set(bars.within(ink(feet).shapes, 0.5)[1])) if len(bars.shapes) else 0
 
-        turns = (0, 90, 270, 180)
-        return float(next((t for t in turns if room(t) > 50), max(turns, key=room)))
+        return float(min((0, 90, 270, 180), key=lambda turn: (sum(hits(turn)), hits(turn))))
 
     def letters(self) -> None:
         """Letters of all points."""

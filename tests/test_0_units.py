@@ -42,7 +42,8 @@ BAD = [
     ("0,5 mm/m", "position", "decimal point: 0.5 mm/m"), ("", "force", "a number"),
     ("mm/m", "position", "a number"), ("30 mm/(m/s", "velocity", "fit"), ("30 mm//m", "position", "fit"),
     ("30 mm/m)", "position", "fit"), ("30 kgf/mm", "force", "mm/N or N/mm"), ("1:0", "position", "positive"),
-    ("1:4", "velocity", "only the scale of the position plan"), ("9" * 100 + " mm/m", "position", "not a number with a unit"),
+    ("1:4", "velocity", "only the scale of the position plan"),
+    ("9" * 100 + " mm/m", "position", "not a number with a unit"),
     ("30 mm/m", "volume", "no plan named volume"), ("5 N", "vectors", "mm/(m/s)"),
     ("30 m m", "position", "fit"), ("30 /mm", "position", "fit"), ("30 mm/()m", "position", "fit"),
 ]

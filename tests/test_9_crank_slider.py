@@ -128,3 +128,12 @@ def test_the_object(tmp_path, capsys):
         write(tmp_path, SAMPLE, ".json") and main(["crank-slider", str(tmp_path / "scene.yaml"), "--lang", "en"]) == 0
     )
     assert "shaft, fatigue factor" in capsys.readouterr().out
+
+
+def test_the_force_plans_stand_on_a_sheet(tmp_path, capsys):
+    (tmp_path / "scene.yaml").write_text(SAMPLE, encoding="utf-8")
+    scene, sheet = str(tmp_path / "scene.yaml"), tmp_path / "sheet.svg"
+    assert main(["crank-slider", scene, "--sheet", str(sheet), "--phi", "380", "--lang", "en"]) == 0
+    assert "F_{32}" in sheet.read_text(encoding="utf-8") or "F_32" in sheet.read_text(encoding="utf-8")
+    assert main(["crank-slider", scene, "--sheet", str(sheet), "--phi", "900", "--lang", "en"]) == 2
+    assert "from 0° to 720°" in capsys.readouterr().err

@@ -16,41 +16,49 @@ LONGEST_FILE = 260
 LONGEST_BODY = 25  # lines, of nine functions in ten
 
 STOREYS = (  # a module imports only from the storeys above its own in this list
-    "arithmetic crank_slider.indicator crank_slider.materials crank_slider.sections degrees mark_names "
-    "mechanism tape words_crank_slider words_cycle words_lesson words_links words_method words_mistakes words_scene "
-    "words_text",
-    "fused_text plane reading symbols tools words_check",
+    "arithmetic check_options crank_slider.indicator crank_slider.materials crank_slider.sections "
+    "crank_slider.words_balance crank_slider.words_forces crank_slider.words_report crank_slider.words_rod "
+    "crank_slider.words_strength degrees fiducials mark_names mechanism strokes tape words_crank_slider words_cycle "
+    "words_links words_method words_mistakes words_note words_scene words_text words_why",
+    "fused_text plane reading symbols tools words_check words_lesson",
     "step words",
     "crossings reckoning thing_names wording yaml_words",
-    "angles equations expressions paper program source statement steps structure units",
-    "drafting scene_reader",
-    "bodies crank_slider.reading_table instruments scene_links scene_motion scene_settings scene_vectors",
-    "digits drawing nudging positions scene tracing",
-    "assembly crank_slider.shape formulas fused handwork legs vectors",
-    "crank_slider.given judging kinematics",
+    "angles equations expressions instruments paper picture program read_dxf read_svg source statement steps "
+    "structure units",
+    "digits drafting drawing formulas nudging pencil_lines scene_reader tracing",
+    "assembly bodies crank_slider.reading_table fused handwork lesson_moments scene_links scene_motion "
+    "scene_settings scene_vectors",
+    "judging positions scene",
+    "crank_slider.shape legs vectors",
+    "crank_slider.given kinematics",
     "crank_slider.reading_parts loads",
     "crank_slider.reading friction reactions",
     "lever primary",
     "statics",
     "plans",
-    "contrast mistakes polygons scales",
-    "crank_slider.engine lesson measuring mistakes_force mistakes_position nearest",
-    "checking columns crank_slider.kinematics solving",
-    "crank_slider.forces cycle explaining lesson_data roof tables",
-    "claims crank_slider.balance methods streams",
-    "crank_slider.shaft long_run stability",
-    "crank_slider.fatigue roof_charts",
-    "crank_slider.rod",
+    "contrast lesson_scheme mistakes polygons scales",
+    "crank_slider.engine lesson_steps measuring mistakes_force mistakes_position nearest",
+    "checking columns crank_slider.kinematics figures lesson solving",
+    "chains crank_slider.forces crank_slider.pages cycle explaining lesson_zones note practice roof tables verdict",
+    "claims crank_slider.balance crank_slider.misprints lesson_data matching methods streams",
+    "crank_slider.shaft long_run photograph roof_lesson stability",
+    "crank_slider.fatigue roof_charts roof_check",
+    "cli_check crank_slider.rod",
     "crank_slider.calculation",
+    "crank_slider.pages_balance crank_slider.pages_kinematics crank_slider.pages_rod crank_slider.pages_shaft",
+    "crank_slider.numbers crank_slider.pages_forces",
+    "crank_slider.report",
+    "roof_crank_slider",
     "cli",
 )
 FLOORS = {f"planes.{name}": floor for floor, names in enumerate(STOREYS) for name in names.split()}
 # alone may hand drawings to the renderer
-ROOFS = {"planes.cli", "planes.roof", "planes.roof_charts", "planes.roof_crank_slider"}
+ROOFS = {"planes.cli", "planes.roof", "planes.roof_charts", "planes.roof_crank_slider", "planes.roof_lesson"}
 READ_BY_RENDER = {  # what drawings are made of, and words: nothing that states or solves mechanics
     f"planes.{name}" for name in (
         "bodies", "crank_slider.pages", "drafting", "drawing", "equations", "lesson", "measuring", "mechanism",
-        "plans", "reckoning", "scales", "scene", "solving", "steps", "structure", "units", "vectors", "wording", "words")
+        "note", "plans", "reckoning", "scales", "scene", "solving", "steps", "structure", "units", "vectors",
+        "wording", "words")
 }  # fmt: skip
 
 

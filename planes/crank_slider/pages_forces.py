@@ -199,12 +199,14 @@ def _torque(w: Writer, c: Calculation) -> None:
     d, t, phi = c.work, w.tex, c.motion.phi_deg
     w.head("h_torque")
     w.text("s_torque_var" if c.given.speed.unevenness else "s_torque")
-    w.formula(rf"A=\oint\!\,\,M\,d\varphi={t(d.torque)}[J],\quad A_§gas§={t(d.gas)}[J],\quad A_§fr§={t(d.friction)}[J],\quad"
+    w.formula(rf"A=\oint\!\,\,M\,d\varphi={t(d.torque)}[J],\quad A_§gas§={t(d.gas)}[J],\quad "
+        rf"A_§fr§={t(d.friction)}[J],\quad"
               rf"A_§gas§+A_§fr§={t(d.gas + d.friction)}[J]")  # fmt: skip
     cycle = len(c.given.indicator.names)
     w.formula(
         rf"M_§m§=\frac{{A}}{{{cycle}\pi}}=\frac{{{t(d.torque)}}}{{{cycle}\pi}}={t(d.mean)}[Nm],\quad"
-        rf"M_§max§={t(d.largest)}[Nm],\quad M_§min§={t(d.smallest)}[Nm],\quad N_e=M_§m§\omega={t(d.power * 1e-3)}[kW]"
+        rf"M_§max§={t(d.largest)}[Nm],\quad M_§min§={t(d.smallest)}[Nm],\quad "
+        rf"N_e=M_§m§\omega={t(d.power * 1e-3)}[kW]"
     )
     if d.mean < 0:
         w.text("s_negative")

@@ -41,20 +41,27 @@ def write_given(w: Writer, c: Calculation) -> None:
 def chosen(c: Calculation) -> float:
     """The crank angle of the worked position, degrees."""
     assert c.scene.mechanism is not None
-    return float(c.motion.phi_deg[c.at(c.scene.mechanism.drive.position % 360.0)])
+    asked = c.scene.mechanism.drive.position % 360.0
+    turned = asked if asked >= c.given.indicator.start_deg else asked + 360.0
+    return float(c.motion.phi_deg[c.at(turned)])
 
 
 def drawn_at(w: Writer, c: Calculation, phi_deg: float) -> tuple[Scene, Position]:
     """The plans of one position, the gas force of that moment on the piston."""
+    scene = scene_at(c, phi_deg)
+    plans, wanted = plans_of(scene)
+    return scene, position(scene, plans, wanted, phi_deg, None, w.lang, FITS)
+
+
+def scene_at(c: Calculation, phi_deg: float) -> Scene:
+    """The scene in one position of the cycle, the gas force of that moment as its load."""
     k = c.at(phi_deg)
     assert c.scene.mechanism is not None
     mechanism = loaded(c.scene.mechanism, c.given.shape, float(c.motion.gas[k]))
     drive = replace(
         mechanism.drive, position=phi_deg, velocity=float(c.motion.omega[k]), acceleration=float(c.motion.epsilon[k])
     )
-    scene = replace(c.scene, mechanism=replace(mechanism, drive=drive), find=None)
-    plans, wanted = plans_of(scene)
-    return scene, position(scene, plans, wanted, phi_deg, None, w.lang, FITS)
+    return replace(c.scene, mechanism=replace(mechanism, drive=drive), find=None)
 
 
 def write_kinematics(w: Writer, c: Calculation) -> None:
@@ -112,13 +119,15 @@ def _numbers(w: Writer, c: Calculation, k: int) -> None:
     w.formula(rf"v_B=-{t(omega)}\cdot{t(s.r)}\sin{angle}-{t(omega)}\,"
               rf"\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}="
               rf"{t(p.v['B'][k].real)}[m/s]")  # fmt: skip
-    e = float(c.motion.epsilon[k])
-    tail = "" if not e else (rf"-{t(e, bracket=True)}\left[{t(s.r)}\sin{angle}+"
-                             rf"\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}\right]")  # fmt: skip
-    w.formula(
-        rf"a_B=-{t(omega)}^2\left[{t(s.r)}\cos{angle}+\frac{{{t(s.r)}^2\cos{t(2 * phi)}\degree}}{{{t(root)}}}+"
-        rf"\frac{{{t(s.r)}^4\sin^2{angle}\cos^2{angle}}}{{{t(root)}^3}}\right]{tail}={t(p.a['B'][k].real)}[m/s^2]"
-    )
+    e, a_b = float(c.motion.epsilon[k]), t(p.a["B"][k].real)
+    w.formula(rf"a_B=-{t(omega)}^2\left[{t(s.r)}\cos{angle}+"
+              rf"\frac{{{t(s.r)}^2\cos{t(2 * phi)}\degree}}{{{t(root)}}}+"
+              rf"\frac{{{t(s.r)}^4\sin^2{angle}\cos^2{angle}}}{{{t(root)}^3}}\right]"
+              + ("-" if e else f"={a_b}[m/s^2]"))  # fmt: skip
+    if e:
+        w.formula(rf"-{t(e, bracket=True)}\left[{t(s.r)}\sin{angle}+"
+                  rf"\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}"
+                  rf"\right]={a_b}[m/s^2]")  # fmt: skip
     w.formula(rf"v_C=\sqrt{{v_{{xC}}^2+v_{{yC}}^2}}=\sqrt{{{t(p.v['C'][k].real, bracket=True)}^2+"
               rf"{t(p.v['C'][k].imag, bracket=True)}^2}}={t(abs(p.v['C'][k]))}[m/s],\quad"
               rf"a_C=\sqrt{{{t(p.a['C'][k].real, bracket=True)}^2+{t(p.a['C'][k].imag, bracket=True)}^2}}="

@@ -64,7 +64,8 @@ function union(a, b) {
 }
 
 class Figure { // millimetres y up -> pixels y down
-  constructor(node, data, size) { this.node = node; this.data = data; this.size = size; this.kept = new Map(); }
+  constructor(node, data, size) { this.node = node; this.data = data; this.size = size; this.real = [600, 380]; this.kept = new Map(); }
+  measure() { this.real = [this.node.clientWidth || 600, this.node.clientHeight || 380]; }
   get letter() { return this.size ? 13 : 17; }
   at(name, i) {
     const m = this.data.marks[name];
@@ -80,7 +81,7 @@ class Figure { // millimetres y up -> pixels y down
   }
   start(box) {
     this.node.textContent = "";
-    const [w, h] = this.size || [this.node.clientWidth || 600, this.node.clientHeight || 380];
+    const [w, h] = this.size || this.real;
     const pad = (this.size ? 26 : 44) + (this.more || 0), bw = Math.max(box[2] - box[0], 1), bh = Math.max(box[3] - box[1], 1);
     this.k = Math.min((w - 2 * pad) / bw, (h - 2 * pad) / bh, 14);
     this.dx = w / 2 - this.k * (box[0] + box[2]) / 2;

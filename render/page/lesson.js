@@ -55,7 +55,12 @@ function draw() {
   state.waiting = false;
   const f = data.frames[state.frame], practising = typeof practice !== "undefined" && practice.on;
   const seen = practising ? practice.seen() : seenAt(state.frame), key = planOf(state.frame);
-  document.querySelector(".panels").classList.toggle("alone", key === "position");
+  if (draw.alone !== (key === "position") || draw.resized) {
+    draw.alone = key === "position";
+    draw.resized = false;
+    document.querySelector(".panels").classList.toggle("alone", draw.alone);
+    scheme.measure(); plan.measure();
+  }
   scheme.draw(state.index, seen, practising ? null : f);
   $("scheme-title").textContent = `${say("scheme")}, μ = ${data.plans[0].mu[state.lang]}`;
   if (key !== "position") {
@@ -64,13 +69,16 @@ function draw() {
     $("plan-title").textContent = `${p.title[state.lang]}, μ = ${p.mu[state.lang]}`;
   }
   if (practising) practice.paint(); else told(f, key);
-  $("equations").innerHTML = written(f, key, state.frame, state.index, practising);
+  put("equations", written(f, key, state.frame, state.index, practising));
   crank();
+}
+function put(id, text) { // only what has changed
+  if (put[id] !== text) $(id).innerHTML = put[id] = text;
 }
 function told(f, key) {
   $("number").textContent = `${state.frame + 1} / ${data.frames.length}`;
-  $("sentence").innerHTML = sentence(f.said[state.lang], state.index, f.plan);
-  $("why").innerHTML = sentence(f.why[state.lang], state.index, f.plan);
+  put("sentence", sentence(f.said[state.lang], state.index, f.plan));
+  put("why", sentence(f.why[state.lang], state.index, f.plan));
   const plain = filled(f.said[state.lang], state.index).replace(/[⟨⟩]/g, "");
   $("scheme").setAttribute("aria-label", `${say("scheme")}. ${plain}`);
   $("plan").setAttribute("aria-label", plain);
@@ -83,11 +91,15 @@ function born(name, key) { // the frame of its plan in which a vector is first i
   if (!born.of) {
     born.of = {};
     data.frames.forEach((f, k) => { if (f.moments === null) for (const t of f.terms) born.of[f.plan + " " + t] ??= k; });
+    for (const s of data.segments) { // what no frame speaks of is there with its end
+      const k = data.frames.findIndex(f => f.makes.includes(`${s.plan}:${s.end}`));
+      for (const n of s.names) born.of[s.plan + " " + n] ??= k;
+    }
   }
   return born.of[key + " " + name] ?? -1;
 }
 function written(f, key, frame, i, plainly) { // the equations of a plan: those begun, the one in hand framed
-  const begun = e => key.startsWith("force") || terms(e).some(t => born(t.name, key) <= frame);
+  const begun = e => key.startsWith("force") || terms(e).some(t => t.action !== "=0" && born(t.name, key) <= frame);
   const own = e => f.terms.length && terms(e).some(t => f.terms.includes(t.name));
   const index = f.equation !== null ? f.equation : data.equations.findIndex(e => e.plan === key && own(e));
   return data.equations.map((e, k) => e.plan === key && key !== "position" && begun(e) ? lines(e, !plainly && k === index, f, frame, i, plainly) : "").join("");
@@ -129,8 +141,8 @@ function crank() {
   $("home").disabled = i === data.drive.at;
   const zone = data.zones.find(z => z.from <= i && i <= z.to), failed = data.failed[i];
   $("zone").className = failed ? "bad" : "";
-  $("zone").innerHTML = failed ? "⚠ " + failed[state.lang] : zone ? "⚠ " + sentence(zone.said[state.lang], i, "") : "";
-  $("rates").innerHTML = data.results.map(r => `<span><i class="name" data-name="${r.name}">${html(r.name)}</i> = ${number(value(data, r.value, i))} ${r.unit[state.lang]}</span>`).join("");
+  put("zone", failed ? "⚠ " + failed[state.lang] : zone ? "⚠ " + sentence(zone.said[state.lang], i, "") : "");
+  put("rates", data.results.map(r => `<span><i class="name" data-name="${r.name}">${html(r.name)}</i> = ${number(value(data, r.value, i))} ${r.unit[state.lang]}</span>`).join(""));
 }
 function zones() { // positions that fail, and blunt ones, marked over the slider by pattern as well as colour
   const n = data.drive.values.length;
@@ -216,5 +228,5 @@ addEventListener("keydown", e => {
 addEventListener("mouseover", e => { const t = e.target.closest("[data-name]"); if (t) light(t.dataset.name.split(" "), true); });
 addEventListener("mouseout", e => { const t = e.target.closest("[data-name]"); if (t) light(t.dataset.name.split(" "), false); });
 addEventListener("hashchange", () => { readAddress(); language(); draw(); });
-addEventListener("resize", later);
+addEventListener("resize", () => { draw.resized = true; later(); });
 addEventListener("beforeprint", handout);

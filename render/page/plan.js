@@ -20,10 +20,13 @@ class Plan extends Figure {
     const there = n => seen.has(n) && this.at(n, i) && this.px(this.at(n, i));
     for (const m of frame && !hidden ? frame.makes : []) this.trace(this.data.traces[m], m, i);
     const names = [];
+    this.places = [];
+    this.shifted = false;
     const upto = frame ? this.data.frames.indexOf(frame) - (hidden ? 1 : 0) : this.data.frames.length;
     const begun = s => !force || s.names.some(n => born(n, key) <= upto);
     for (const s of this.data.segments) if (s.plan === key && begun(s)) this.segment(s, there, lit, force, names);
     if (lever) this.lever(there);
+    if (this.shifted) this.remark();
     const pole = there(`${key}:p`);
     if (pole) svg("circle", { cx: pole[0], cy: pole[1], r: 3, class: "pole" }, this.node);
     for (const m of frame && !hidden ? frame.makes : []) {
@@ -34,6 +37,10 @@ class Plan extends Figure {
     if (force) for (const [a, b, n] of names) this.along(a, b, n, key);
     else for (const g of this.groups(this.own(key).filter(n => seen.has(n)), i, 5)) this.beside(g.q, this.fixed(g.names, key), key);
   }
+  remark() {
+    const text = svg("text", { class: "bar-text", x: this.w - 8, y: this.h - 8, "text-anchor": "end" }, this.node);
+    text.textContent = say("shifted");
+  }
   fixed(names, key) { // fixed points of the scheme end at the pole
     if (!names.includes("p")) return names;
     const prime = key === "acceleration" ? "'" : "";
@@ -41,15 +48,36 @@ class Plan extends Figure {
     return [...names, ...(key === "lever" ? [] : poles)];
   }
   segment(s, there, lit, force, names) {
-    const a = there(`${s.plan}:${s.start}`), b = there(`${s.plan}:${s.end}`);
+    let a = there(`${s.plan}:${s.start}`), b = there(`${s.plan}:${s.end}`);
     if (!a || !b) return;
     const whole = force ? s.names.some(n => !n.includes("^")) : s.start === "p" && !/^[nk]_/.test(s.end);
     const on = s.names.some(n => lit.has(n));
+    if (force) [a, b] = this.aside(a, b);
     this.arrow(a, b, (whole ? "result" : "part") + (on ? " lit" : ""), s.names.join(" "));
     if (force && Math.hypot(b[0] - a[0], b[1] - a[1]) > 1) names.push([a, b, s.names]);
+  }
+  aside(a, b) { // a force that would lie upon another one of the same line is drawn beside it
+    const n = Math.hypot(b[0] - a[0], b[1] - a[1]);
+    if (n < 1) return [a, b];
+    let x = (b[1] - a[1]) / n, y = (a[0] - b[0]) / n;
+    if (x < -1e-6 || (Math.abs(x) <= 1e-6 && y < 0)) [x, y] = [-x, -y];
+    for (const k of [0, 1, -1, 2, -2, 3, -3]) {
+      const d = k * (this.size ? 4 : 6), p = [a[0] + x * d, a[1] + y * d], q = [b[0] + x * d, b[1] + y * d];
+      if (this.places.some(o => upon(p, q, o))) continue;
+      this.places.push([p, q]);
+      if (k) this.shifted = true;
+      return [p, q];
+    }
+    return [a, b];
   }
   lever(there) {
     const pole = there("lever:p");
     for (const n of this.own("lever")) { const q = there(n); if (pole && q && n !== "lever:p") this.line(pole, q, "link"); }
   }
+}
+function upon(p, q, [a, b]) { // whether two strokes of one line share more than a few pixels
+  const n = Math.hypot(b[0] - a[0], b[1] - a[1]), ux = (b[0] - a[0]) / n, uy = (b[1] - a[1]) / n;
+  const along = r => (r[0] - a[0]) * ux + (r[1] - a[1]) * uy, off = r => Math.abs((r[0] - a[0]) * uy - (r[1] - a[1]) * ux);
+  if (Math.max(off(p), off(q)) > 3) return false;
+  return Math.min(Math.max(along(p), along(q)), n) - Math.max(Math.min(along(p), along(q)), 0) > 4;
 }
