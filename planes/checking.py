@@ -119,7 +119,8 @@ def prepare(asked: Asked) -> Bench:
     if asked.mu:
         given[mu_of(asked.plan)] = asked.mu
     marks = marks_of(plans, asked.plan)
-    program = plans.program.sliced(marks)
+    speeds = marks_of(plans, "velocity") if asked.plan == "acceleration" else []  # any may be taken for another
+    program = plans.program.sliced([*marks, *speeds])
     return Bench(asked, plans, given, program, marks, given[mu_of(asked.plan)])
 
 

@@ -69,6 +69,8 @@ def placed(scene: Scene, values: list[float] | None, lang: Lang) -> Position:
     if scene.mechanism is None:
         raise SceneError(Phrase("vectors_alone"), scene.file, 1)
     plans = state(scene.mechanism, scene.file)
+    if values and len(values) != 1:
+        raise PlanesError(note_said("note_one", lang, count=len(values)))
     value = values[0] if values else plans.mechanism.drive.position
     try:
         return position(scene, plans, None, value, None, lang)

@@ -63,7 +63,6 @@ CRANK_SLIDER: dict[str, tuple[str, str]] = {
         "{what}: нужно число от {low:g} до {high:g}, а дано {value:g}",
         "{what} must lie between {low:g} and {high:g}, but is {value:g}",
     ),
-    "cs_whole": ("{what}: нужно целое число от 1, а дано {value:g}", "{what} must be a whole number, but is {value:g}"),
     "cs_step": (
         "{what}: шаг должен целое число раз укладываться в 15°, а дано {value:g}",
         "{what} must go a whole number of times into 15°, but is {value:g}",

@@ -61,6 +61,10 @@ NOTE: dict[str, tuple[str, str]] = {
     "note_suffix": (
         "{file}: записка пишется в .html, .pdf или .docx", "{file}: a note is written as .html, .pdf or .docx",
     ),
+    "note_one": (
+        "записка пишется для одного положения, а задано {count}; укажите одно значение",
+        "a note is written for one position, but {count} were asked for; give one value",
+    ),
     "lesson_suffix": ("{file}: урок пишется в .html", "{file}: a lesson is written as .html"),
     "no_docx": (
         "для .docx нужен пакет python-docx: pip install python-docx; или укажите .html или .pdf",

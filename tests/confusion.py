@@ -154,7 +154,8 @@ def alike(easel: Easel, mistake: Mistake) -> frozenset[tuple[str, str]]:
                 other = easel.draw(Mistake(name, where, k), Hand(NONE, random.Random(0)))[0]
             except ZeroDivisionError:
                 continue
-            if other.keys() == mine.keys() and all(abs(other[n] - z) < 0.5 * sigma.get(n, 0.3) for n, z in mine.items()):
+            near = (abs(other.get(n, 1e9) - z) < 0.5 * sigma.get(n, 0.3) for n, z in mine.items())
+            if other.keys() == mine.keys() and all(near):
                 found.add((name.partition(":")[0], where))
     return frozenset(found - {(mistake.name.partition(":")[0], mistake.where)})
 

@@ -98,7 +98,7 @@ class Motion:
         self.scene, self.sol, self.model = scene, sol, read(scene)
         self.letters = dict(letters or {})
         self.owner = {g: n for n, b in [("0", scene["frame"]), *self.links()] for g in b.get("guides") or {}}
-        for n, b in [("0", scene["frame"]), *self.links()]:
+        for _, b in [("0", scene["frame"]), *self.links()]:
             for g, spec in (b.get("guides") or {}).items():
                 if spec.get("mark"):
                     self.letters[f"{g}"] = spec["mark"]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -218,10 +217,12 @@ class Drawer:
         if half.pair.u is not None and not half.pair.friction:
             u = 1j * next(u for g, _, u in self.f.sol.guides.values() if g == half.pair.name)
         friction = half.pair.friction
-        if friction and abs(self.f.sol.speeds[half.pair.i]) > 0 and self.now("friction_along_motion", self.part(self.last)):
+        where = self.part(self.last)
+        if friction and abs(self.f.sol.speeds[half.pair.i]) > 0 and self.now("friction_along_motion", where):
             guide = next(u for g, _, u in self.f.sol.guides.values() if g == half.pair.name)
             u = (u / guide).conjugate() * guide * -1
-        if not friction and half is self.last and self.inner.u is None and self.now("guide_reaction_not_normal", self.part(self.last)):
+        outer = not friction and half is self.last and self.inner.u is None
+        if outer and self.now("guide_reaction_not_normal", where):
             u = 1j * u
         return self.hand.ray(u)
 

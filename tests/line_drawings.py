@@ -52,7 +52,8 @@ def labels(marks: Mapping[str, complex], rng: random.Random, height: float = 3.5
             u = out_ / abs(out_) * complex(math.cos(k * math.pi / 6), math.sin(k * math.pi / 6))
             corner = z + u * (1.5 + height / 2) + complex(u.real, 0) * width / 2 - complex(width, height) / 2
             near = sum(abs(corner - c) < height + 2 for _, c in out)
-            near += sum(abs(corner + complex(width, height) / 2 - w) < height for n, w in marks.items() if n != name) + 0.05 * k
+            middle = corner + complex(width, height) / 2
+            near += sum(abs(middle - w) < height for n, w in marks.items() if n != name) + 0.05 * k
             if near < worst:
                 best, worst = corner, near
         out.append((name, best))

@@ -72,7 +72,8 @@ def sheet(strokes: list[Stroke], words: list[tuple[str, complex]], pole: complex
     if camera.letters:
         for text, z in words:
             x, y = px(z + pole)
-            cv2.putText(page, text, (x // 16, y // 16), cv2.FONT_HERSHEY_SIMPLEX, k * 0.12, 60, max(1, round(0.35 * k)), cv2.LINE_AA)
+            width = max(1, round(0.35 * k))
+            cv2.putText(page, text, (x // 16, y // 16), cv2.FONT_HERSHEY_SIMPLEX, k * 0.12, 60, width, cv2.LINE_AA)
     return page
 
 

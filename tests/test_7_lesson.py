@@ -251,6 +251,8 @@ def test_a_note_is_refused_in_a_sentence(tmp_path: Path, capsys) -> None:
     assert "записка пишется" in capsys.readouterr().err
     assert cli.main(["note", str(SIX), "--phi", "90", "-o", str(tmp_path / "n.html"), "--lang", "en"]) == 2
     assert "φ = 90°" in capsys.readouterr().err
+    with pytest.raises(PlanesError, match="one position, but 3"):
+        placed(load(str(SIX)), [150.0, 160.0, 170.0], "en")
     with pytest.raises(PlanesError):
         placed(load(str(ROOT / "vectors.yaml")), None, "en")
     assert not list(tmp_path.iterdir())

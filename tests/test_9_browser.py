@@ -10,6 +10,9 @@ from typing import Any
 import pytest
 from browser import chromium
 
+from planes.drawing import run
+from planes.formulas import fill
+from planes.lesson import LANGS, Teller, value_of
 from planes.lesson_data import lesson_data
 from planes.plans import state
 from planes.scales import scales
@@ -105,6 +108,29 @@ def test_what_is_shown_at_any_position_is_what_is_solved(page: Any, index: int) 
         mark = {"v": marks.velocity, "a": marks.acceleration, "r": marks.position}[letter]
         x, y = page.evaluate(f'plan.at("{mark}", state.index)')
         assert abs(complex(x, y) - complex(*drawn.results["points"][point][letter]) * mus[f"mu_{plan}"]) < 0.1
+
+
+@pytest.mark.parametrize("name", ["six-link", "kind-3-rpr", "sliding-driver"])
+def test_every_sentence_at_other_positions_has_the_numbers_reckoned_there(
+    browser: Any, tmp_path: Path, name: str
+) -> None:
+    scene = load(str(ROOT / f"{name}.yaml"))
+    exported = lesson_data(scene)
+    target = tmp_path / "lesson.html"
+    target.write_text(written(exported, "en"), encoding="utf-8")
+    page = browser.new_page()
+    page.goto(target.as_uri())
+    plans, mus = state(scene.mechanism), exported["mus"]
+    teller = Teller(plans, run(plans.program, {**plans.given, **mus}), mus)
+    teller.frames()
+    for index in [i for i in range(0, 360, 23) if str(i) not in exported["failed"]]:
+        there = run(plans.program, {**plans.given, **mus, plans.drive_given: exported["drive"]["values"][index]})
+        for lang in LANGS:
+            page.evaluate(f"state.lang = '{lang}'")
+            shown = page.evaluate(f"data.frames.map(f => filled(f.said['{lang}'], {index}))")
+            texts = [fill(f["said"][lang], lambda n: float(value_of(n, teller, there)), lang) for f in exported["frames"]]
+            assert shown == texts
+    page.close()
 
 
 def test_the_crank_turns_everything(page: Any) -> None:

@@ -36,8 +36,6 @@ GENERAL: dict[str, tuple[str, str]] = {
     "u_m": ("м", "m"),
     "u_kW": ("кВт", "kW"),
     "u_kg": ("кг", "kg"),
-    "u_N": ("Н", "N"),
-    "u_kN": ("кН", "kN"),
     "u_Nm": ("Н·м", "N·m"),
     "u_MPa": ("МПа", "MPa"),
     "u_rads": ("рад/с", "rad/s"),

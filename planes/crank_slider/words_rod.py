@@ -69,7 +69,6 @@ ROD: dict[str, tuple[str, str]] = {
     "c_pin_static": ("палец, запас по текучести", "piston pin, factor against yield"),
     "c_pin_bush": ("палец, давление во втулке, МПа", "piston pin, pressure in the bush, MPa"),
     "c_pin_boss": ("палец, давление в бобышках, МПа", "piston pin, pressure in the bosses, MPa"),
-    "c_unbalanced": ("остаточная сила вращающихся масс, Н", "unbalanced force of rotating masses, N"),
     "t_wrong": ("Ошибки исходного текста", "Errors of the source text"),
     "c_formula": ("Формула", "Formula"),
     "c_error": ("Что не так", "What is wrong"),

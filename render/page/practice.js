@@ -136,6 +136,10 @@ const practice = {
         const a = p.at(n, state.index) && p.px(p.at(n, state.index)), d = a ? Math.hypot(q[0] - a[0], q[1] - a[1]) : 0;
         if (d > 0.5) p.line([a[0] - (q[0] - a[0]) * far / d, a[1] - (q[1] - a[1]) * far / d], [a[0] + (q[0] - a[0]) * far / d, a[1] + (q[1] - a[1]) * far / d], "trace", "", false);
       }
+      for (const n of (data.traces[t.mark] || {}).arcs || []) {
+        const a = p.px(p.at(n, state.index));
+        svg("circle", { cx: a[0], cy: a[1], r: Math.hypot(q[0] - a[0], q[1] - a[1]), class: "trace" }, p.node);
+      }
       if (this.list) this.spots().forEach((s, k) => circle(p.px(s.at), k + 1, "spot" + k));
       else p.node.classList.add("place");
     }

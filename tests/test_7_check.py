@@ -1,0 +1,216 @@
+"""Checking a person's drawing: tables, lines, pictures; what is found, where it is blamed, how it is named."""
+
+from __future__ import annotations
+
+import json
+import random
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import confusion
+import drawings
+import line_drawings
+import pytest
+from confusion import SAMPLES, Easel, easels, run_all, told
+from drawings import Care, Hand, Mistake
+
+from planes.checking import Asked
+from planes.cli import main
+from planes.matching import paper_of
+from planes.paper import Paper, Spot, read_table
+from planes.read_dxf import read_dxf
+from planes.read_svg import read_svg
+from planes.scene import load
+from planes.verdict import as_json, check
+from planes.wording import PlanesError
+
+SIX = str(SAMPLES / "six-link.yaml")
+RIGHT = {"p": 0j, "b": 30 + 51.96j, "c": 71.66 - 8.11j, "s2": 57.77 + 11.91j, "l": 41.13 - 29.28j, "h": 30.03j}
+KEYS = {"planes", "scene", "phi_deg", "plan", "verdict", "marks", "first_wrong", "mistake", "runner_up", "sentence",
+        "results"}  # fmt: skip
+
+
+def csv(marks: dict[str, complex], separator: str = ",", comma: str = ".", origin: complex = 100 + 80j) -> str:
+    rows = [[n, f"{(z + origin).real:.2f}", f"{(z + origin).imag:.2f}"] for n, z in marks.items()]
+    lines = [["mark", "x_mm", "y_mm"], *[[r[0], *(c.replace(".", comma) for c in r[1:])] for r in rows]]
+    return "\n".join(separator.join(line) for line in lines) + "\n"
+
+
+def asked(plan: str = "velocity", **options: Any) -> Asked:
+    return Asked(load(SIX), plan, **options)
+
+
+def run(capsys: pytest.CaptureFixture[str], *args: str) -> tuple[int, dict[str, Any]]:
+    status = main(["check", SIX, *args, "--json"])
+    out = capsys.readouterr().out
+    return status, json.loads(out) if out else {}
+
+
+@pytest.mark.parametrize(("separator", "comma"), [(",", "."), (";", ","), (";", "."), ("\t", ",")])
+def test_a_right_table_is_right(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], separator: str, comma: str
+) -> None:
+    file = tmp_path / "v.csv"
+    file.write_text(csv(RIGHT, separator, comma), encoding="utf-8-sig")
+    status, found = run(capsys, str(file), "--plan", "velocity")
+    assert status == 0 and found["verdict"] == "right" and found["first_wrong"] is None and found["mistake"] is None
+    assert set(found) >= KEYS and {m["mark"] for m in found["marks"]} == set(RIGHT) - {"p"}
+    assert all(m["verdict"] == "right" and m["deviation_mm"] < 0.1 for m in found["marks"])
+    assert found["phi_deg"] == 150.0 and set(found["sentence"]) == {"ru", "en"}
+
+
+def test_what_follows_is_not_blamed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "v.csv"
+    file.write_text(csv({n: -z for n, z in RIGHT.items()}), encoding="utf-8")
+    status, found = run(capsys, str(file), "--plan", "velocity")
+    assert status == 1 and (found["first_wrong"], found["mistake"]) == ("b", "omega1_reversed")
+    verdicts = {m["mark"]: m["verdict"] for m in found["marks"]}
+    assert verdicts == {"b": "wrong", "c": "follows", "s2": "follows", "l": "follows", "h": "follows"}
+
+
+def test_names_of_all_alphabets_and_a_missing_normal(tmp_path: Path) -> None:
+    easel = next(e for e in easels() if e.sample == "kind-1-rrr" and e.plan == "acceleration")
+    marks, _ = easel.draw(Mistake("normal_missing", "n_CB"), Hand(drawings.NONE, random.Random(1)))
+    odd = {"n_B": "n_В", "b'": "b’", "c'": "с′", "n_CD": "n CD"}
+    file = tmp_path / "a.csv"
+    file.write_text(csv({"π": 0j, **{odd.get(n, n): z for n, z in marks.items()}}, ";", ","), encoding="utf-8")
+    found = check(Asked(load(SAMPLES / "kind-1-rrr.yaml"), "acceleration"), read_table(file))
+    assert (found.first_wrong, found.mistake) == ("n_CB", "normal_missing")
+
+
+@pytest.mark.parametrize(
+    ("rows", "plan", "first", "mistake"),
+    [
+        ([("v_C", 2.4, "m/s"), ("omega_2", 8.12, "рад/с")], "velocity", None, None),
+        ([("v_C", 2404.0, "мм/с")], "velocity", None, None),
+        ([("v_C", 2.4 * 900, "m/s"), ("omega_2", 8.12, "")], "velocity", "v_C", "mu_inverted"),
+        ([("v_C", 72.1, "m/s")], "velocity", "v_C", "mm_for_value"),
+        ([("omega_2", 8.12 / 250, "rad/s")], "velocity", "omega_2", "omega_without_mu_l"),
+        ([("omega_2", 8.12, ""), ("omega_3", 16.0, "")], "velocity", "omega_3", "sense_wrong"),
+    ],
+)
+def test_results(rows: list[tuple[str, float, str]], plan: str, first: str | None, mistake: str | None) -> None:
+    found = as_json(check(asked(plan), Paper("t", results=rows)))
+    assert (found["first_wrong"], found["mistake"]) == (first, mistake)
+    assert [r["name"] for r in found["results"]] == [n for n, _, _ in rows]
+
+
+def test_epsilon_from_the_total() -> None:
+    scene = load(SAMPLES / "kind-1-rrr.yaml")
+    b = confusion.bench("kind-1-rrr", "acceleration", False)
+    m = confusion.motion("kind-1-rrr")
+    c, d = (m.sol.points[n] for n in "CD")
+    total = abs(c[2] - d[2]) / abs(c[0] - d[0])
+    true = m.sol.links["3"][2]
+    if abs(total / abs(true) - 1) < 0.2:
+        pytest.skip("the normal part is too small here to tell")
+    found = check(Asked(scene, "acceleration"), Paper("t", results=[("epsilon_3", total if true > 0 else -total, "")]))
+    assert found.mistake == "epsilon_from_total" and b is not None
+
+
+def test_segments_with_another_scale() -> None:
+    lengths = {"pb": 60.0, "bc": 73.1, "pc": 72.1, "ps2": 59.0}
+    for factor in (1.0, 0.5, 1.7):
+        found = check(asked(), Paper("t", segments=[(n, v * factor) for n, v in lengths.items()]))
+        assert found.verdict == "right", factor
+    wrong = check(asked(), Paper("t", segments=[("pb", 60.0), ("bc", 73.1), ("pc", 120.0)]))
+    assert wrong.verdict == "wrong"
+
+
+def test_the_scale_is_free_but_a_stated_one_is_not() -> None:
+    paper = Paper("t", [Spot(n, 0.6 * z + 30, 0.05) for n, z in RIGHT.items()])
+    found = as_json(check(asked(), paper))
+    assert found["verdict"] == "right" and "18" in " ".join(found["warnings"])
+    assert as_json(check(asked(mu=30.0), paper))["first_wrong"] == "b"
+
+
+def test_the_same_persons_velocities_count() -> None:
+    """Coriolis and normals are judged from the velocities the person really drew."""
+    easel = next(e for e in easels() if e.sample == "kind-3-rpr" and e.plan == "acceleration")
+    m, hand = confusion.motion("kind-3-rpr"), Hand(drawings.NONE, random.Random(1))
+    mu_scheme = confusion.bench("kind-3-rpr", "acceleration").given["mu_position"]
+    velocity = drawings.draw_velocity(m, hand, easel.mu_v, mu_scheme, Mistake("relative_from_pole", "b3"))
+    drawn = drawings.draw_acceleration(m, hand, easel.mu, mu_scheme, velocity, easel.mu_v)
+    papers = [Paper("t", [Spot("p", 0j), *(Spot(n, z) for n, z in s.marks.items())]) for s in (velocity, drawn)]
+    scene = load(SAMPLES / "kind-3-rpr.yaml")
+    alone = check(Asked(scene, "acceleration"), papers[1])
+    both = check(Asked(scene, "acceleration", others={"velocity": papers[0]}), papers[1])
+    assert alone.verdict != "right" and both.verdict == "right"
+
+
+@pytest.mark.parametrize("text", ["", "x", "a,b\n1,2\n", "mark,x_mm,y_mm\nb,one,2\n", "mark,x_mm,y_mm\np,nan,0\n",
+                                  "{", "[1]", '{"marks": 5}', "mark,x_mm,y_mm\np,1\n"])  # fmt: skip
+def test_bad_tables_are_one_sentence(tmp_path: Path, text: str) -> None:
+    file = tmp_path / "t.csv"
+    file.write_text(text, encoding="utf-8")
+    done = subprocess.run([sys.executable, "-m", "planes.cli", "check", SIX, str(file), "--plan", "velocity"],
+                          capture_output=True, text=True, check=False)  # fmt: skip
+    assert done.returncode == 2 and "Traceback" not in done.stderr + done.stdout
+
+
+def test_another_drawing_is_unreadable() -> None:
+    for other in ("kind-1-rrr", "kind-2-rrp"):
+        easel = next(e for e in easels() if e.sample == other and e.plan == "velocity")
+        paper = confusion.hand_in(easel, None, Care(), random.Random(1))
+        found = as_json(check(Asked(load(SIX), "velocity", mu=30.0), paper))
+        assert found["verdict"] == "unreadable" and found["first_wrong"] is None, other
+    with pytest.raises(PlanesError, match="velocity"):
+        check(asked("speed"), paper)
+
+
+def test_confusion_table(capsys: pytest.CaptureFixture[str]) -> None:
+    """All samples' velocity, acceleration and force plans, drawn with a pencil, right or with one mistake each."""
+    found = run_all(1, Care())
+    with capsys.disabled():
+        print("\n" + told(found))
+    assert found.right > 200 and found.mistakes > 600
+    assert found.accepted >= 0.98 * found.right
+    assert found.found >= 0.98 * found.mistakes
+    assert found.blamed >= 0.95 * found.mistakes
+    assert found.named >= 0.90 * found.mistakes
+    assert found.innocent_blamed <= 0.02 * found.innocent
+
+
+Writer = Callable[[list[tuple[complex, complex]], list[tuple[str, complex]], complex], str]
+
+
+def sketch_of(easel: Easel, mistake: Mistake | None, seed: int = 1) -> tuple[list[Any], list[Any]]:
+    """A plan as strokes and words."""
+    marks, _ = easel.draw(mistake, Hand(Care(), random.Random(seed)))
+    if not easel.plan.startswith("force"):
+        quick = easel.plan == "acceleration"
+        strokes = line_drawings.motion_strokes(confusion.motion(easel.sample), marks, quick)
+        return strokes, line_drawings.labels({"p": 0j, **marks}, random.Random(seed))
+    strokes, z = [], 0j
+    for v in marks.values():
+        strokes.append((z, z + v))
+        z += v
+    return strokes, line_drawings.vector_labels(list(marks.items()))
+
+
+@pytest.mark.parametrize("program", [line_drawings.inkscape, line_drawings.illustrator, line_drawings.dxf])
+def test_files_of_lines(tmp_path: Path, program: Writer) -> None:
+    right = count = 0
+    for easel in easels():
+        file = tmp_path / f"t.{'dxf' if program is line_drawings.dxf else 'svg'}"
+        file.write_text(program(*sketch_of(easel, None), 200 + 150j), encoding="utf-8")
+        sketch = read_dxf(file) if file.suffix == ".dxf" else read_svg(file)
+        b = confusion.bench(easel.sample, easel.plan)
+        right += check(b.asked, paper_of(sketch, b)).verdict == "right"
+        count += 1
+    print(program.__name__, right, count)
+    assert right >= 0.95 * count
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_noise_is_never_right(seed: int, tmp_path: Path) -> None:
+    rng = random.Random(seed)
+    spots = [complex(rng.uniform(0, 400), rng.uniform(0, 280)) for _ in range(20000 if seed == 0 else 80)]
+    lines = list(zip(spots[::2], spots[1::2], strict=True))
+    file = tmp_path / "noise.svg"
+    file.write_text(line_drawings.inkscape(lines, [], 0j), encoding="utf-8")
+    b = confusion.bench("six-link", "velocity")
+    assert check(b.asked, paper_of(read_svg(file), b)).verdict == "unreadable"
