@@ -14,6 +14,7 @@ from planes.polygons import sides_of
 from planes.strokes import Nodes, Sketch, Words
 
 NEAR_MM = 9.0
+NO_WORD, FAR_WORD, UNLIKE, TOO_FAR = 5.0, 9.0, 7.0, 13.0  # what a name may cost, mm of distance from its word
 LONGEST = 26  # vectors in a polygon
 Edge = tuple[int, int]
 
@@ -26,14 +27,14 @@ def force_chain(sketch: Sketch, nodes: Nodes, bench: Bench, paper: Paper) -> Pap
         edges = _edges(sketch, nodes, split)
         if not edges or len(edges) > 4 * LONGEST:
             continue
-        words = named_edges(sketch.words, nodes, edges, truth)
+        words = beside(sketch.words, nodes, edges, truth)
         best: tuple[float, list[Spot], bool] | None = None
         for chain in _chains(edges, pole, _twice(sketch, nodes)):
             rows = _rows(chain, nodes, words, truth, sketch.error_mm)
             whole = len(chain) - 1 in (len(edges), len(sketch.strokes)) and chain[0] == chain[-1]
-            if rows and (best is None or rows[0] + 2 * whole > best[0]):
-                best = rows[0] + 2 * whole, rows[1], whole
-        if best and (best[2] or split or best[0] > 0.6 * len(truth)):
+            if rows and (best is None or rows[0] + 0.5 * whole > best[0]):
+                best = rows[0] + 0.5 * whole, rows[1], whole
+        if best and (best[2] or split or best[0] > 0.4 * len(truth)):
             paper.spots, paper.whole = best[1], best[2]
             return paper
     return paper
@@ -69,11 +70,12 @@ def _edges(sketch: Sketch, nodes: Nodes, split: bool) -> list[Edge]:
     return list(found)
 
 
-def named_edges(
+def beside(
     words: Sequence[Words], nodes: Nodes, edges: Sequence[Edge], truth: Mapping[str, complex]
-) -> dict[Edge, str]:
-    """Edges with a vector's name beside them, the nearest pairs first."""
-    known, pairs = Names(truth), []
+) -> dict[str, dict[Edge, float]]:
+    """How far every vector's name stands from the middle part of every edge near it."""
+    known = Names(truth)
+    found: dict[str, dict[Edge, float]] = {}
     for word in words:
         name = known.find(word.text)
         if name is None or name == POLE:
@@ -81,14 +83,9 @@ def named_edges(
         for edge in edges:
             a, b = nodes.places[edge[0]], nodes.places[edge[1]]
             near = min(word.distance(a + (b - a) * t / 8) for t in range(1, 8))
-            middle = abs((a + b) / 2 - word.place) / max(abs(b - a), 1.0)
             if near <= NEAR_MM:
-                unlike = min(abs(b - a - truth[name]), abs(a - b - truth[name])) / (abs(truth[name]) + 3)
-                pairs.append((near + 2 * middle + 4 * min(unlike, 1.0), name, edge))
-    found: dict[Edge, str] = {}
-    for _, name, edge in sorted(pairs):
-        if edge not in found and name not in found.values():
-            found[edge] = name
+                middle = abs((a + b) / 2 - word.place) / max(abs(b - a), 5.0)
+                found.setdefault(name, {})[edge] = near + 2 * min(middle, 1.0)
     return found
 
 
@@ -112,55 +109,50 @@ def _twice(sketch: Sketch, nodes: Nodes) -> set[Edge]:
 
 def _chains(edges: Sequence[Edge], pole: int | None, twice: set[Edge]) -> Iterator[list[int]]:
     """Ways round the polygon, from the pole or from anywhere."""
-    beside: dict[int, list[int]] = {}
+    next_to: dict[int, list[int]] = {}
     for a, b in edges:
-        beside.setdefault(a, []).append(b)
-        beside.setdefault(b, []).append(a)
-    starts = [pole] if pole is not None and pole in beside else list(beside)
+        next_to.setdefault(a, []).append(b)
+        next_to.setdefault(b, []).append(a)
+    starts = [pole] if pole is not None and pole in next_to else list(next_to)
     count, seen = 0, 0
     for start in starts[:20]:
         stack = [[start]]
         while stack and seen < 20000:
             way = stack.pop()
             seen += 1
-            for n in beside[way[-1]]:
+            for n in next_to[way[-1]]:
                 if n == start and (len(way) > 2 or (min(way), max(way)) in twice):
                     count += 1
                     yield [*way, n]
                 elif n not in way and len(way) <= LONGEST:
                     stack.append([*way, n])
-            if len(way) > 2 and pole is not None and all(n in way for n in beside[way[-1]]):
+            if len(way) > 2 and pole is not None and all(n in way for n in next_to[way[-1]]):
                 yield way
             if count > 400:
                 return
 
 
 def _rows(
-    chain: list[int], nodes: Nodes, words: Mapping[Edge, str], truth: Mapping[str, complex], error_mm: float
-) -> tuple[float, list[Spot]] | None:
-    """The chain's vectors named, with how well names and directions fit."""
+    chain: list[int], nodes: Nodes, words: Mapping[str, Mapping[Edge, float]], truth: Mapping[str, complex],
+    error_mm: float,
+) -> tuple[float, list[Spot]] | None:  # fmt: skip
+    """The chain's vectors named by the words beside them and by their likeness, with how well all this fits."""
     ends = [nodes.places[i] for i in chain]
     vectors = [b - a for a, b in pairwise(ends)]
     keys = [(min(a, b), max(a, b)) for a, b in pairwise(chain)]
-    said = [words.get(k) if keys.count(k) == 1 else None for k in keys]
-    left = {n: v for n, v in truth.items() if n not in said and abs(v) > 0.5}
-    pairs = sorted((abs(v - t) / (abs(t) + 5), i, n) for i, v in enumerate(vectors) if not said[i]
-                   for n, t in left.items())  # fmt: skip
-    names: list[str | None] = list(said)
-    taken: set[str] = set()
-    for cost, i, n in pairs:
-        if names[i] is None and n not in taken and cost < 1.0:
-            names[i] = n
-            taken.add(n)
+    costs = []
+    for i, (v, key) in enumerate(zip(vectors, keys, strict=True)):
+        for n, t in truth.items():
+            far = NO_WORD if n not in words else words[n].get(key, FAR_WORD)
+            costs.append((far + UNLIKE * min(1.0, abs(v - t) / (abs(t) + 3)), i, n))
+    names: list[str | None] = [None] * len(vectors)
     score = 0.0
-    for name, v in zip(names, vectors, strict=True):
-        if name:
-            t = truth[name]
-            score += 3.0 * (name in said) + max(-1.0, 1.0 - abs(v - t) / (abs(t) + 3))
-        else:
-            score -= 1.5
+    for cost, i, n in sorted(costs):
+        if names[i] is None and n not in names and cost < TOO_FAR:
+            names[i] = n
+            score += TOO_FAR - cost
     if not any(names):
         return None
     start = Spot(POLE, ends[0], error_mm)
-    return score, [start, *(Spot(n or f"?{i}", z, error_mm) for i, (n, z) in
-                            enumerate(zip(names, ends[1:], strict=True)))]  # fmt: skip
+    rows = [Spot(n or f"?{i}", z, error_mm) for i, (n, z) in enumerate(zip(names, ends[1:], strict=True))]
+    return (score - 3 * names.count(None)) / TOO_FAR, [start, *rows]

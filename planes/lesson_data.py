@@ -172,7 +172,7 @@ def _results(plans: Plans) -> list[dict[str, Any]]:
     return [{"name": n, "value": n, "unit": {lang: unit(n, lang) for lang in LANGS}} for n in names]
 
 
-def _columns(things: Mapping[str, Any], values: list[float], digits: int = 8) -> dict[str, Any]:
+def _columns(things: Mapping[str, Any], values: list[float], digits: int = 10) -> dict[str, Any]:
     """Values over the turn to so many digits; one number where it never changes."""
     import numpy
 

@@ -220,7 +220,21 @@ class Reader:
         for reason, step, ok in self.drawing.hand.notes:
             if self.pick is None or not (ok[self.pick] if _many(ok) else ok):
                 said.append(say(reason, lang, makes=str(getattr(step, "makes", "")).partition("_")[2]))
-        return said
+        faint = self.faint()
+        return said + ([say("faint", lang, makes=", ".join(faint))] if faint else [])
+
+    def faint(self) -> list[str]:
+        """Rates of points of which rounding leaves no digit: not zero, yet nothing beside the largest of their plan."""
+        found = []
+        for letter, plan in (("v", "velocity"), ("a", "acceleration")):
+            sizes = {}
+            for point, marks in self.st.points.items():
+                mark = marks.velocity if letter == "v" else marks.acceleration
+                if mark in self.drawing:
+                    sizes[point] = abs(self.number(mark))
+            limit = 4e-15 * max(sizes.values(), default=0.0) / min([1.0, *self.sharpness(plan).values()])
+            found += [f"{letter}_{point}" for point, size in sizes.items() if 0 < size <= limit]
+        return found
 
 
 def _many(value: Any) -> bool:

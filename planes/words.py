@@ -89,6 +89,10 @@ WORDS: dict[str, tuple[str, str]] = {
         "{makes}: скорость равна нулю, сила или трение, зависящие от её направления, приняты равными нулю",
         "{makes}: the speed is zero, so the load or friction that depends on its sense is taken as zero",
     ),
+    "faint": (
+        "{makes}: нуль с точностью до округления, верных цифр нет",
+        "{makes}: zero to within rounding, no digit of it is certain",
+    ),
     "blunt": (
         "{makes}: линии встречаются под углом {angle_deg}° (меньше 15°), чертёж здесь неточен",
         "{makes}: the lines meet at {angle_deg}° (less than 15°), a drawing is inaccurate here",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -128,8 +129,8 @@ def test_every_sentence_at_other_positions_has_the_numbers_reckoned_there(
         for lang in LANGS:
             page.evaluate(f"state.lang = '{lang}'")
             shown = page.evaluate(f"data.frames.map(f => filled(f.said['{lang}'], {index}))")
-            texts = [fill(f["said"][lang], lambda n: float(value_of(n, teller, there)), lang) for f in exported["frames"]]
-            assert shown == texts
+            read = partial(value_of, teller=teller, drawing=there)
+            assert shown == [fill(f["said"][lang], read, lang) for f in exported["frames"]]
     page.close()
 
 

@@ -21,19 +21,25 @@ function writeAddress() {
 function clamp(v, a, b) { return Math.min(b, Math.max(a, Number.isFinite(v) ? v : a)); }
 function say(key) { return words[key][state.lang]; }
 function local(text) { return state.lang === "ru" ? text.replace(".", ",") : text; }
+function fixed(x, digits) { // as the engine rounds: a tie goes to the even digit
+  const all = x.toFixed(Math.min(digits + 30, 100)), cut = all.indexOf(".") + 1 + digits;
+  if (!/^50*$/.test(all.slice(cut))) return x.toFixed(digits);
+  const low = all.slice(0, cut).replace(/\.$/, "");
+  return /[02468]$/.test(low) ? low : x.toFixed(digits);
+}
 function number(v) { // four digits, as the engine prints them
   if (v === null || v === undefined) return "—";
   if (v === 0) return "0";
   const [mantissa, exponent] = v.toExponential(3).split("e"), power = +exponent;
   const short = t => t.includes(".") ? t.replace(/0+$/, "").replace(/\.$/, "") : t;
   const raised = () => short(mantissa) + "·10" + String(power).replace(/./g, c => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]);
-  return local((power > -5 && power < 7 ? short(v.toFixed(Math.max(3 - power, 0))) : raised()).replace("-", "−"));
+  return local((power > -5 && power < 7 ? short(fixed(v, Math.max(3 - power, 0))) : raised()).replace("-", "−"));
 }
 function filled(text, i) { // the numbers of a sentence, for the position shown
   return text.replace(/⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧/g, (_, how, name, mu) => {
     const v = value(data, name, i);
     if (v === null) return "—";
-    if (how === "mm") return local(Math.abs(v * data.mus[mu]).toFixed(1).replace(/\.0$/, ""));
+    if (how === "mm") return local(fixed(Math.abs(v * data.mus[mu]), 1).replace(/\.0$/, ""));
     if (how === "s") return say(v > 0 ? "ccw" : v < 0 ? "cw" : "still");
     const shown = number(v);
     return how === "b" && shown.startsWith("−") ? `(${shown})` : shown;
