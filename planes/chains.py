@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
-from planes.checking import Bench
+from planes.bench import Bench
 from planes.drafting import POLE, at
 from planes.drawing import run
 from planes.mark_names import Names

@@ -3,43 +3,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
+from planes.bench import Bench, marks_of, variants_of
 from planes.drafting import POLE, at, label_of, mu_of
 from planes.drawing import Drawing, run
-from planes.handwork import Hand, Miss, Taken, Variant
+from planes.handwork import Hand, Miss, Taken
 from planes.judging import WARN, Judgement, judge, verdicts
 from planes.mark_names import Names
-from planes.mistakes import Ways, motion_variants
-from planes.mistakes_force import force_variants
-from planes.mistakes_position import position_variants
-from planes.nudging import HAND, Skill
 from planes.paper import Paper, Spot
-from planes.plans import Plans, state
+from planes.plans import Plans
 from planes.polygons import Rebuilt, rebuild
-from planes.program import Program
-from planes.scales import extent, kind_of, scales
-from planes.scene import Scene
+from planes.scales import extent, kind_of
 from planes.steps import Cross, CrossArc, CrossArcs, LayOff, Same
-from planes.wording import PlanesError, valid_names
+from planes.wording import PlanesError
 from planes.words import Phrase
 
 OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
 READABLE = 0.5  # the share of a plan's crossings that must be read
-
-
-@dataclass(frozen=True)
-class Asked:
-    """What is checked: a plan of a scene at a value of the drive, and what is known of the drawing beforehand."""
-
-    scene: Scene
-    plan: str
-    value: float | None = None
-    mu: float | None = None
-    skill: Skill = HAND
-    others: Mapping[str, Paper] = field(default_factory=dict)  # drawings of earlier plans
 
 
 @dataclass
@@ -88,48 +70,6 @@ class Grading:
         """right, wrong, follows or unread for every mark of the plan."""
         strayed = {m: miss.sigmas > self.judgement.limit for m, miss in self.free.items()}
         return verdicts(self.judgement, self.marks, strayed)
-
-
-@dataclass
-class Bench:
-    """All that does not depend on the drawing's scale."""
-
-    asked: Asked
-    plans: Plans
-    given: dict[str, Any]
-    program: Program
-    marks: list[str]
-    said_mu: float
-
-    def ways(self) -> Ways:
-        """The steps a mistake may change."""
-        return Ways(self.plans, self.program, self.asked.plan)
-
-
-def prepare(asked: Asked) -> Bench:
-    """The program of the plan, its marks and its stated scale. Errors name the plans there are."""
-    if asked.scene.mechanism is None:
-        raise PlanesError(Phrase("check_vectors", file=asked.scene.file))
-    plans = state(asked.scene.mechanism, asked.scene.file)
-    known = [p for p in plans.drawn if p not in ("lever", "motion")]
-    if asked.plan not in known:
-        raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=valid_names(asked.plan, known)))
-    moved = {} if asked.value is None else {plans.drive_given: asked.value}
-    given = {**plans.given, **scales(plans, asked.scene.mu, moved), **moved}
-    if asked.mu:
-        given[mu_of(asked.plan)] = asked.mu
-    marks = marks_of(plans, asked.plan)
-    speeds = marks_of(plans, "velocity") if asked.plan == "acceleration" else []  # any may be taken for another
-    program = plans.program.sliced([*marks, *speeds])
-    return Bench(asked, plans, given, program, marks, given[mu_of(asked.plan)])
-
-
-def marks_of(plans: Plans, plan: str) -> list[str]:
-    """The marks of a plan that a person draws, in order of drawing."""
-    own = [s.makes for s in plans.program.steps if s.kind == "mark" and s.makes.rpartition(":")[0] == plan]
-    labels = [label_of(m) for m in own]
-    return [m for m, label in zip(own, labels, strict=True)
-            if label != POLE and not set(label) & set("°⊥~") and label[-1] not in "+-"]  # fmt: skip
 
 
 def align(bench: Bench, plan: str, paper: Paper) -> tuple[dict[str, Spot], Rebuilt | None, list[str]]:
@@ -185,12 +125,25 @@ def grade(bench: Bench, paper: Paper) -> Grading | None:
         found.said_mu = said
         if best is None or score > best[0] + 1e-9:
             best = score, found
+        if said and not _rescaled(found):
+            break
     if best is None:
         return None
     best[1].rebuilt = rebuilt
     if unknown:
         best[1].notes.append(Phrase("check_unknown", names=", ".join(unknown)))
     return best[1]
+
+
+def _rescaled(found: Grading) -> bool:
+    """Whether another scale may be behind the wrong marks: of a force plan all forces would be wrong, not one."""
+    if not found.judgement.wrong:
+        return False
+    if found.rebuilt is None and kind_of(found.marks[0].rpartition(":")[0]) != "force":
+        return True
+    steps = {s.makes: s for s in found.hand.program.steps}
+    laid = [m for m in found.judgement.misses if isinstance(steps[m], LayOff)]
+    return len(laid) < 2 or sum(m in found.judgement.wrong for m in laid) > 1
 
 
 def _worth(found: Grading) -> float:
@@ -246,17 +199,6 @@ def _apart(free: Hand, mark: str, own: Taken) -> Miss:
     miss = free.miss(free.things[mark], own.place)
     xx, xy, yy = miss.cov
     return Miss(miss.off, (xx + own.error_mm**2, xy, yy + own.error_mm**2))
-
-
-def variants_of(bench: Bench, hand: Hand, mu: float) -> Sequence[Variant]:
-    """Every mistake of the catalogue that could be made in the plan."""
-    ways = bench.ways()
-    match kind_of(bench.asked.plan):
-        case "position":
-            return list(position_variants(ways, hand.taken, mu))
-        case "force":
-            return list(force_variants(ways))
-    return list(motion_variants(ways))
 
 
 def readable(grading: Grading) -> Phrase | None:

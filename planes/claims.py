@@ -13,17 +13,19 @@ from typing import Any
 
 import numpy as np
 
+from planes.columns import Column
 from planes.cycle import Block, Cycle
+from planes.drafting import mu_of
 from planes.instruments import Pencil
 from planes.reading import read
 from planes.tape import LEAVES, TESTS, Tape
-from planes.tracing import Trace, given_values, trace
+from planes.tracing import Take, Trace, given_values, trace
 
 SIGMAS = 6.0  # roundings add up as chances do; further than this none was ever seen
 BLIND = 0.25  # where the sharpness itself is so uncertain, relatively, nothing is claimed
 ROUNDED = {"hypot": 1.5, "sin": 1.5, "cos": 1.5, "atan2": 2.0}  # halves of the last place; other operations: 1
 EXACT = TESTS | {"neg", "abs", "sel", "max", "min", "floor", "given", "source"}
-PIECE = 64  # positions swept at once
+PIECE = 256  # positions swept at once
 
 Values = Mapping[int, Any]
 Slope = Callable[..., tuple[Any, ...]]
@@ -117,10 +119,13 @@ class Claims:
     """What a cycle of exact drawings claims of itself: ± of every column, for any values of the drive."""
 
     def __init__(self, cycle: Cycle) -> None:
-        self.cycle, self.tape = cycle, cycle.trace.tape
-        self.wanted = [*cycle.trace.outputs, *cycle.trace.pivots]
-        self.order = self.tape.needed(self.wanted)
-        self.count = len(cycle.trace.outputs)
+        self.cycle, self.count = cycle, len(cycle.columns)
+        self.inner = [k for k, c in enumerate(cycle.columns) if c.part]
+        ends = [_place(c, end) for c in (cycle.columns[k] for k in self.inner) for end in (c.start, c.end)]
+        drawn = trace(cycle.program, cycle.given, [*(c.take for c in cycle.columns), *ends], cycle.folded)
+        self.tape, self.pivots, self.ends = drawn.tape, drawn.pivots, drawn.outputs[self.count :]
+        self.wanted = [*drawn.outputs[: self.count], *drawn.pivots]
+        self.order = self.tape.needed([*self.wanted, *self.ends])
 
     def bounds(self, values: Any) -> Any:
         """A row for each column: no result is further from the truth; infinite where nothing can be claimed."""
@@ -136,12 +141,23 @@ class Claims:
             sweep(self.tape, self.order, found, self.wanted, sums)
             bound = np.broadcast_to(sums.bound(), (len(self.wanted), len(values)))
             doubt = self._doubt(found, bound, len(values))
-            return np.where(doubt < BLIND, bound[: self.count] / (1 - doubt) ** 4, np.inf)
+            bound = bound[: self.count] + self._steps(found, len(values))
+            return np.where(doubt < BLIND, bound / (1 - doubt) ** 4, np.inf)
+
+    def _steps(self, found: Values, count: int) -> Any:
+        """What a segment between two marks loses where they were marked, which a tape that sees F in (m + F) - m
+        knows nothing of; from a pole nothing is lost."""
+        lost = np.zeros((self.count, count))
+        for row, start, end in zip(self.inner, self.ends[::2], self.ends[1::2], strict=True):
+            one, two = np.abs(found[start]), np.abs(found[end])
+            mu = self.cycle.given[mu_of(self.cycle.columns[row].start.rpartition(":")[0])]
+            lost[row] = np.where(one > 0, np.spacing(one) + np.spacing(two), 0.0) / mu
+        return lost
 
     def _doubt(self, found: Values, bound: Any, count: int) -> Any:
         """How uncertain the least certain sharpness is, relatively."""
         worst = np.zeros(count)
-        for row, place in enumerate(self.cycle.trace.pivots, self.count):
+        for row, place in enumerate(self.pivots, self.count):
             doubt = bound[row] / np.abs(found[place])
             worst = np.maximum(worst, np.where(np.isnan(doubt), np.inf, doubt))
         return worst
@@ -153,16 +169,33 @@ class Claims:
             yield Block(block.values, np.vstack([block.table, claimed]), block.codes)
 
 
+def _place(column: Column, mark: str) -> Take:
+    """Where a mark stands, in the direction the column reads."""
+    way: dict[str, Callable[[Any], Any]] = {"x": lambda z: z.real, "y": lambda z: z.imag, "size": abs}
+    return lambda things, ar: way[column.part](things[mark])
+
+
+class Spread:
+    """Standard deviations over draughtsmen with the same pencil, carried to every column by first-order slopes."""
+
+    def __init__(self, cycle: Cycle, pencil: Pencil, mus: Mapping[str, float]) -> None:
+        errors = pencil.point_mm, math.radians(pencil.ray_deg), pencil.ruler_mm / math.sqrt(12.0)
+        self.cycle, given = cycle, {**cycle.given, **mus}
+        self.drawn = trace(cycle.program, given, [c.take for c in cycle.columns], mus, errors)
+
+    def bounds(self, values: Any) -> Any:
+        """A row for each column, of one standard deviation."""
+        pieces = []
+        for start in range(0, len(values), PIECE):
+            part = np.asarray(values[start : start + PIECE], float)
+            given = {**given_values(self.cycle.given), self.cycle.plans.drive_given: part}
+            pieces.append(_spread(self.drawn, given, len(part)))
+        return np.hstack(pieces)
+
+
 def pencil_spread(cycle: Cycle, pencil: Pencil, mus: Mapping[str, float], values: Any) -> Any:
-    """Standard deviations of every column over draughtsmen with the same pencil, carried by first-order slopes."""
-    errors = pencil.point_mm, math.radians(pencil.ray_deg), pencil.ruler_mm / math.sqrt(12.0)
-    given = {**cycle.given, **mus}
-    drawn = trace(cycle.program, given, [c.take for c in cycle.columns], mus, errors)
-    pieces = []
-    for start in range(0, len(values), PIECE):
-        part = np.asarray(values[start : start + PIECE], float)
-        pieces.append(_spread(drawn, {**given_values(given), cycle.plans.drive_given: part}, len(part)))
-    return np.hstack(pieces)
+    """Standard deviations of every column at these scales."""
+    return Spread(cycle, pencil, mus).bounds(values)
 
 
 def _spread(drawn: Trace, given: Mapping[str, Any], count: int) -> Any:

@@ -5,18 +5,17 @@ from __future__ import annotations
 import argparse
 import io
 import json
-import locale
 import os
 import sys
 from collections.abc import Callable, Sequence
-from typing import Any, NoReturn
+from typing import Any
 
 from planes.angles import read_range, read_span
 from planes.check_options import add_blank_options, add_options
+from planes.home import Parser, help_of, home_lang
 from planes.scene import Scene, load
 from planes.wording import PlanesError
-from planes.words import Lang, Phrase, say
-from planes.words_method import METHOD
+from planes.words import Phrase
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -43,90 +42,63 @@ def _json(thing: object) -> str:
     return json.dumps(thing, ensure_ascii=not wide, allow_nan=False)
 
 
-class _Parser(argparse.ArgumentParser):
-    """A reader of the command line that speaks the home language."""
-
-    def format_help(self) -> str:
-        return _at_home(super().format_help())
-
-    def format_usage(self) -> str:
-        return _at_home(super().format_usage())
-
-    def error(self, message: str) -> NoReturn:
-        self.exit(2, self.format_usage() + _at_home(f"{self.prog}: error: {message}\n"))
-
-
-def _at_home(text: str) -> str:
-    lang = _home_lang()
-    for key in METHOD if lang != "en" else ():
-        if key.startswith("usage_"):
-            text = text.replace(say(key), say(key, lang))
-    return text
-
-
-def _help(key: str) -> str:
-    return say(key, _home_lang())
-
-
 def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(prog="planes", description=_help("help_planes"))
+    parser = Parser(prog="planes", description=help_of("help_planes"))
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    solve = _command(commands, "solve", _solve, _help("help_solve"))
+    solve = _command(commands, "solve", _solve, help_of("help_solve"))
     _positions(solve)
-    solve.add_argument("--json", action="store_true", help=_help("help_json"))
-    solve.add_argument("--pencil", action="store_true", help=_help("help_pencil"))
-    solve.add_argument("--seed", type=int, default=1, help=_help("help_seed"))
-    solve.add_argument("--explain", action="store_true", help=_help("help_explain"))
-    structure = _command(commands, "structure", _structure, _help("help_structure"))
-    structure.add_argument("--json", action="store_true", help=_help("help_object"))
-    sheet = _command(commands, "sheet", _sheet, _help("help_sheet"))
+    solve.add_argument("--json", action="store_true", help=help_of("help_json"))
+    solve.add_argument("--pencil", action="store_true", help=help_of("help_pencil"))
+    solve.add_argument("--seed", type=int, default=1, help=help_of("help_seed"))
+    solve.add_argument("--explain", action="store_true", help=help_of("help_explain"))
+    solve.add_argument("--errors", action="store_true", help=help_of("help_errors"))
+    solve.add_argument("--remedy", action="store_true", help=help_of("help_remedy"))
+    structure = _command(commands, "structure", _structure, help_of("help_structure"))
+    structure.add_argument("--json", action="store_true", help=help_of("help_object"))
+    sheet = _command(commands, "sheet", _sheet, help_of("help_sheet"))
     _positions(sheet)
-    sheet.add_argument("-o", "--output", required=True, metavar="FILE", help=_help("help_output"))
-    sheet.add_argument("--sheet", type=int, choices=(1, 2), help=_help("help_sheet_number"))
-    lesson = _command(commands, "lesson", _lesson, _help("help_lesson"))
-    lesson.add_argument("-o", "--output", required=True, metavar="FILE", help=_help("help_lesson_output"))
-    note = _command(commands, "note", _note, _help("help_note"))
+    sheet.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_output"))
+    part = sheet.add_mutually_exclusive_group()
+    part.add_argument("--sheet", type=int, choices=(1, 2), help=help_of("help_sheet_number"))
+    part.add_argument("--view", metavar="NAME", help=help_of("help_view"))
+    lesson = _command(commands, "lesson", _lesson, help_of("help_lesson"))
+    lesson.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_lesson_output"))
+    note = _command(commands, "note", _note, help_of("help_note"))
     _positions(note)
-    note.add_argument("-o", "--output", required=True, metavar="FILE", help=_help("help_note_output"))
-    cycle = _command(commands, "cycle", _cycle, _help("help_cycle"))
+    note.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_note_output"))
+    cycle = _command(commands, "cycle", _cycle, help_of("help_cycle"))
     _positions(cycle)
-    cycle.add_argument("-o", "--output", required=True, metavar="FILE", help=_help("help_cycle_output"))
-    cycle.add_argument("--plain", action="store_true", help=_help("help_slow"))
-    chart = _command(commands, "chart", _chart, _help("help_chart"))
-    chart.add_argument("-o", "--output", required=True, metavar="FILE", help=_help("help_chart_output"))
-    chart.add_argument("--table", metavar="FILE", help=_help("help_table"))
-    crank = _command(commands, "crank-slider", _crank_slider, _help("help_crank_slider"))
-    crank.add_argument("-o", "--output", metavar="FILE", help=_help("help_report"))
-    crank.add_argument("--json", action="store_true", help=_help("help_object"))
-    crank.add_argument("--sheet", metavar="FILE", help=_help("help_force_sheet"))
-    crank.add_argument("--phi", type=float, metavar="A", help=_help("help_sheet_phi"))
-    check = _command(commands, "check", _check, _help("help_check"))
+    cycle.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_cycle_output"))
+    cycle.add_argument("--plain", action="store_true", help=help_of("help_slow"))
+    chart = _command(commands, "chart", _chart, help_of("help_chart"))
+    chart.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_chart_output"))
+    chart.add_argument("--table", metavar="FILE", help=help_of("help_table"))
+    crank = _command(commands, "crank-slider", _crank_slider, help_of("help_crank_slider"))
+    crank.add_argument("-o", "--output", metavar="FILE", help=help_of("help_report"))
+    crank.add_argument("--json", action="store_true", help=help_of("help_object"))
+    crank.add_argument("--sheet", metavar="FILE", help=help_of("help_force_sheet"))
+    crank.add_argument("--phi", type=float, metavar="A", help=help_of("help_sheet_phi"))
+    check = _command(commands, "check", _check, help_of("help_check"))
     _positions(check)
-    add_options(check, _help)
-    blank = _command(commands, "blank", _blank, _help("help_blank"))
+    add_options(check, help_of)
+    blank = _command(commands, "blank", _blank, help_of("help_blank"))
     _positions(blank)
-    add_blank_options(blank, _help)
+    add_blank_options(blank, help_of)
     return parser
 
 
 def _command(commands: Any, name: str, run: Callable[[argparse.Namespace], int], text: str) -> argparse.ArgumentParser:
     parser: argparse.ArgumentParser = commands.add_parser(name, help=text, description=text)
-    parser.add_argument("scene", metavar="SCENE", help=_help("help_scene"))
-    parser.add_argument("--variant", help=_help("help_variant"))
-    parser.add_argument("--lang", choices=("ru", "en"), default=_home_lang(), help=_help("help_lang"))
+    parser.add_argument("scene", metavar="SCENE", help=help_of("help_scene"))
+    parser.add_argument("--variant", help=help_of("help_variant"))
+    parser.add_argument("--lang", choices=("ru", "en"), default=home_lang(), help=help_of("help_lang"))
     parser.set_defaults(command=run)
     return parser
 
 
-def _home_lang() -> Lang:
-    """Russian where the system speaks Russian, Belarusian, Ukrainian or Kazakh; else English."""
-    said = next((os.environ[k] for k in ("LC_ALL", "LC_MESSAGES", "LANG") if os.environ.get(k)), "")
-    return "ru" if (said or locale.getlocale()[0] or "").lower().startswith(("ru", "be", "uk", "kk")) else "en"
-
-
 def _positions(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--phi", metavar="A[:B:STEP]", help=_help("help_phi"))
-    parser.add_argument("--s", metavar="A[:B:STEP]", help=_help("help_s"))
+    parser.add_argument("--phi", metavar="A[:B:STEP]", help=help_of("help_phi"))
+    parser.add_argument("--s", metavar="A[:B:STEP]", help=help_of("help_s"))
 
 
 def _values(args: argparse.Namespace, scene: Scene) -> list[float] | None:
@@ -147,29 +119,13 @@ def _range(args: argparse.Namespace, scene: Scene) -> tuple[str, str | None]:
 
 
 def _solve(args: argparse.Namespace) -> int:
-    from planes.instruments import Exact, Pencil
-    from planes.solving import solve
-    from planes.tables import report
+    from planes.cli_solve import run
 
     scene = load(args.scene, args.variant)
     values = _values(args, scene)
     if scene.mechanism is None:
         return _solve_vectors(args, scene)
-    if args.explain:
-        from planes.explaining import explain
-
-        print(explain(scene, args.lang), end="")
-        return 0
-    instrument = Pencil(seed=args.seed) if args.pencil else Exact()
-    solved = solve(scene, values, instrument, args.lang)
-    for failure in solved.failed:
-        print(failure["error"], file=sys.stderr)
-    if args.json:
-        if solved.positions or solved.failed:
-            print(_json(solved.json()))
-    elif solved.positions:
-        print(report(solved, args.lang), end="")
-    return 0 if solved.positions else 2
+    return run(args, scene, values, _json)
 
 
 def _solve_vectors(args: argparse.Namespace, scene: Scene) -> int:
@@ -214,7 +170,7 @@ def _sheet(args: argparse.Namespace) -> int:
     from planes.roof import draw_sheet
 
     scene = load(args.scene, args.variant)
-    draw_sheet(scene, _values(args, scene), args.output, args.lang, args.sheet)
+    draw_sheet(scene, _values(args, scene), args.output, args.lang, args.sheet, args.view)
     return 0
 
 

@@ -10,14 +10,15 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from planes.checking import Asked, prepare
+from planes.bench import Asked, prepare
 from planes.nudging import HAND, cad
 from planes.paper import Paper, read_table
 from planes.scales import kind_of
 from planes.scene import Scene
 from planes.tables import table
 from planes.units import UnitError, read_mu
-from planes.verdict import STATUS, Outcome, as_json, check, mark_rows, result_rows
+from planes.verdict import STATUS, Outcome, check
+from planes.verdict_rows import as_json, mark_rows, result_rows
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
 

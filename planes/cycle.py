@@ -54,23 +54,26 @@ class Reason:
 class Cycle:
     """A mechanism ready for any number of positions, cut down to what is asked (``names``; None: everything).
 
-    ``known`` overrides givens by name; with an array among them each position has its own.
+    ``known`` overrides givens by name; with an array among them each position has its own. ``columns`` may be
+    given as such, in place of ``names``.
     """
 
     def __init__(
-        self, plans: Plans, names: Iterable[str] | None = None, known: Mapping[str, Any] | None = None
-    ) -> None:
+        self, plans: Plans, names: Iterable[str] | None = None, known: Mapping[str, Any] | None = None,
+        columns: Iterable[Column] | None = None,
+    ) -> None:  # fmt: skip
         quantities = None if names is None else asked(plans, names)
-        self.plans, self.columns = plans, columns_of(plans, quantities)
+        self.plans, self.columns = plans, columns_of(plans, quantities) if columns is None else list(columns)
         self.program: Program = plans.program.sliced([n for c in self.columns for n in c.needs])
         self.mus = unit_scales(plans)
         self.given = {**plans.given, **self.mus, **(known or {})}
+        self.folded = {mu: 1.0 for mu in self.mus if mu not in (known or {})}
 
     @cached_property
     def trace(self) -> Trace:
-        """The program on a tape, drawn in SI."""
+        """The program on a tape, drawn in SI, or at the scales that are given."""
         must = [not c.beside for c in self.columns]  # an arm ends where its force does
-        return trace(self.program, self.given, [c.take for c in self.columns], self.mus, must=must)
+        return trace(self.program, self.given, [c.take for c in self.columns], self.folded, must=must)
 
     @cached_property
     def reasons(self) -> tuple[Reason, ...]:

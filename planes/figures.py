@@ -13,34 +13,7 @@ from planes.judging import MARGIN
 from planes.mark_names import Names
 from planes.measuring import Quantity
 from planes.plans import Plans
-from planes.reckoning import Calculate, Measure
-from planes.steps import LayOff
-
-SHARE = 0.03  # a number within 3 % is right, however steady the hand
-Things = Mapping[str, Any]
-
-
-@dataclass(frozen=True)
-class Figure:
-    """One number: as written (SI or mm), and how it is read off a drawing (an array over the errors' columns)."""
-
-    name: str
-    given: float
-    read: Callable[[Things], Any]
-    signed: bool = False
-    plan: str = ""
-    value: str = ""  # the program's name of it, if it has one
-
-
-@dataclass
-class Scored:
-    """A figure judged: true value, its standard deviation, right, wrong or follows, and a close call or not."""
-
-    figure: Figure
-    true: float
-    sigma: float
-    verdict: str
-    close: bool = False
+from planes.slips import SHARE, Figure, Scored, Things, first_of, number_mistake
 
 
 @dataclass
@@ -144,20 +117,20 @@ def account(
     first = found.first_wrong
     if first is None:
         return found
-    found.number_mistake = _number_mistake(first, free, plans)
+    found.number_mistake = number_mistake(first, free, plans)
     if found.number_mistake is None:
         _name(found, free, variants)
     return found
 
 
 def _judged(f: Figure, free: Hand, own: Hand | None, ruler_mm: float) -> Scored:
-    true = _first(f.read(free.things))
+    true = first_of(f.read(free.things))
     sigma = math.hypot(free.spread_of(f.read(free.things)), _ruler(f, free, ruler_mm))
     off = _off(f, true)
     if off <= max(3 * sigma, SHARE * abs(true)) + 1e-9 * abs(true):
         return Scored(f, true, sigma, "right", off > max(2 * sigma, SHARE * abs(true)))
     if own is not None:
-        mine = _first(f.read(own.things))
+        mine = first_of(f.read(own.things))
         if _off(f, mine) <= max(3 * own.spread_of(f.read(own.things)), SHARE * abs(mine)):
             return Scored(f, true, sigma, "follows")
     return Scored(f, true, sigma, "wrong")
@@ -177,73 +150,12 @@ def _off(f: Figure, true: float) -> float:
     return abs(f.given - true) if f.signed else abs(abs(f.given) - abs(true))
 
 
-def _first(value: Any) -> float:
-    shape = getattr(value, "shape", None)
-    return float(value[0] if shape else value)
-
-
-def _number_mistake(s: Scored, free: Hand, plans: Plans) -> str | None:
-    """Slips of reckoning that leave the drawing as it is."""
-    f, true = s.figure, s.true
-    if not true or not f.given:
-        return None
-    if f.signed and _near(f.given, -true, s):
-        return "sense_wrong"
-    for mistake, value in _slips(f, true, free, plans):
-        if value and _near(abs(f.given), abs(value), s):
-            return mistake
-    return None
-
-
-def _near(given: float, wanted: float, s: Scored) -> bool:
-    share = max(SHARE, 3 * s.sigma / abs(s.true))
-    return abs(given - wanted) <= min(share, 0.25) * abs(wanted)
-
-
-def _slips(f: Figure, true: float, free: Hand, plans: Plans) -> Iterable[tuple[str, float]]:
-    """Each slip with the number it gives."""
-    mu = float(free.number(mu_of(f.plan))) if f.plan and mu_of(f.plan) in free.things else 0.0
-    if mu and not f.value:
-        yield "mm_for_value", true * mu
-        yield "mu_inverted", true * mu * mu
-        yield "mu_inverted", true / (mu * mu)
-    if f.value.startswith(("omega", "epsilon")):
-        scheme = float(free.number(mu_of("position"))) if mu_of("position") in free.things else 0.0
-        for factor in (1 / scheme if scheme else 0.0, mu / scheme if scheme else 0.0, 1e-3):
-            yield "omega_without_mu_l", true * factor
-        if mu:
-            yield "mu_inverted", true * mu * mu
-    if f.value.startswith("epsilon"):
-        yield "epsilon_from_total", _from_total(f.value, free, plans)
-
-
-def _from_total(name: str, free: Hand, plans: Plans) -> float:
-    """ε from the whole relative acceleration instead of its tangential part."""
-    steps = {s.makes: s for s in plans.program.steps}
-    step = steps.get(name)
-    if not isinstance(step, Calculate):
-        return 0.0
-    for value, power in step.terms[0].factors:
-        part = steps.get(value)
-        if power == 1 and isinstance(part, Measure) and part.start in steps and part.mu in free.things:
-            normal, scale = steps[part.start], abs(_first(free.things[part.mu]))
-            whole = abs(_first_point(free, part.end) - _first_point(free, normal.start)) / scale if isinstance(
-                normal, LayOff) else 0.0  # fmt: skip
-            tangential = abs(_first(free.things[value]))
-            return abs(_first(free.things[name])) * whole / tangential if tangential else 0.0
-    return 0.0
-
-
-def _first_point(free: Hand, mark: str) -> complex:
-    return complex(free.number(mark))
-
-
 def _name(found: Account, free: Hand, variants: Iterable[Variant]) -> None:
     """The mistake in a plan that gives all the numbers as they are written."""
     best: dict[str, tuple[float, Variant]] = {}
     for variant in variants:
         things = {**free.things, **variant.givens, **free.under(variant)}
-        score = sum(_fit(s, _first(s.figure.read(things))) for s in found.scored) + math.log(variant.weight)
+        score = sum(_fit(s, first_of(s.figure.read(things))) for s in found.scored) + math.log(variant.weight)
         if score > best.get(variant.mistake, (-math.inf, variant))[0]:
             best[variant.mistake] = score, variant
     ranked = sorted(best.values(), key=lambda b: -b[0])
@@ -267,7 +179,7 @@ def _follow(found: Account, free: Hand) -> None:
     things = {**free.things, **found.named.givens, **free.under(found.named)}
     first = found.first_wrong
     for s in found.scored:
-        value = _first(s.figure.read(things))
+        value = first_of(s.figure.read(things))
         if s.verdict == "wrong" and s is not first and _fit(s, value) > -4.5:
             s.verdict = "follows"
 

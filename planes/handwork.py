@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from planes.nudging import Columns, Nudged, Skill
 from planes.program import Program
+from planes.reckoning import Measure
 from planes.steps import Same, Step
 
 LEAST_MM = 0.1  # no mark on paper is surer than this
@@ -100,7 +101,7 @@ class Hand:
                 self.tool.begin(step.makes)
                 done: Any = None
                 for one in way(step):
-                    done = things[one.makes] = one.draw(things, self.tool)
+                    done = things[one.makes] = self._draw(one, things)
                 for _, _, ok, _ in self.tool.failures[failures:]:
                     done = numpy.where(ok, done, numpy.nan)
                 made[step.makes] = done
@@ -109,6 +110,20 @@ class Hand:
                     error = max(mark.error_mm, self.tool.skill.point_mm) if isinstance(step, Same) else mark.error_mm
                     done = self.tool.taken(step.makes, mark.place, error)
                 things[step.makes] = done
+
+    def _draw(self, step: Step, things: dict[str, Any]) -> Any:
+        """A step's drawing; a person's own segment is measured as it lies, only its sign is by the direction."""
+        if isinstance(step, Measure) and step.along and self._own(step.start) and self._own(step.end):
+            way = self.tool.spread(things[step.end] - things[step.start] + 0j)[0]
+            along = self.tool.spread(things[step.along] + 0j)[0]
+            sign = -1.0 if (way * along.conjugate()).real < 0 else 1.0
+            return sign * replace(step, along=None).draw(things, self.tool)
+        return step.draw(things, self.tool)
+
+    def _own(self, mark: str) -> bool:
+        """Whether a mark is a person's own (the pole is)."""
+        plan, _, label = mark.rpartition(":")
+        return mark in self.taken or (label == "p" and any(m.startswith(plan + ":") for m in self.taken))
 
     def misses(self, marks: Sequence[str], made: Mapping[str, Any] | None = None) -> dict[str, Miss]:
         """What each of the marks misses by, for the steps as they are (or as ``made`` by a variant)."""

@@ -56,6 +56,8 @@ class Teller:
         self.made = {step.makes: step for step in drawing.program.steps}
         self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
         self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured for the lesson alone
+        marks = [x for x in drawing.program.steps if x.kind == "mark" and x.makes[-1] not in "+-"]
+        self.ends = {plan_of(x): x.makes for x in marks if x.makes.startswith("force")}  # the last mark of each
         self.still = {p for p in ("velocity", "acceleration") if p in plans.drawn and self.stands(p)}
 
     def frames(self) -> list[Frame]:
@@ -70,14 +72,10 @@ class Teller:
                 continue
             found += self.readings(readings, found)
             readings = []
-            plan = plan_of(step)
-            if found and found[-1].plan != plan and found[-1].plan.startswith("force"):
-                found += self.closing(found[-1].plan)
             found.append(self.mark(step))
-        found += self.readings(readings, found)
-        last = next((f.plan for f in reversed(found) if f.plan != "position"), "")
-        done = any(f.key == "closing" and f.plan == last for f in found)
-        return found + (self.closing(last) if last.startswith("force") and not done else [])
+            if step.makes == self.ends.get(plan_of(step)):
+                found += self.closing(plan_of(step))
+        return found + self.readings(readings, found)
 
     def stands(self, plan: str) -> bool:
         """Whether every mark of a plan stands in its pole in every position: there is nothing to draw."""

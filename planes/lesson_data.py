@@ -62,6 +62,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> dict[str, Any
         "frames": [_frame(f) for f in frames],
         "results": (results := _results(plans)),
         "values": _columns({n: value_of(n, teller, cycle) for n in (*names, *(r["value"] for r in results))}, values),
+        "units": {n: {lang: unit(n, lang) for lang in LANGS} for n in names if unit(n, "en")},
         "practice": Practice(plans, given, drawing, frames).tasks(progress),
         **_turn(plans, cycle, len(values)),
         "zones": zones(plans, cycle, values),

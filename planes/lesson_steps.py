@@ -98,9 +98,13 @@ class StepWords:
 
     def similar(self, step: s.Similar) -> Words:
         """Proportional division, or a similar figure."""
-        ratio = abs(self.drawing[step.ratio])
+        ratio = complex(self.drawing[step.ratio])
         names = {"first": lettered(step.start), "second": lettered(step.end)}
-        return "similar", "similar", {**names, "ratio": lambda lang: number(ratio, lang)}
+        if kind_of(step.makes) == "position":
+            return "point", "along", names
+        if abs(ratio.imag) > 1e-9 * abs(ratio):
+            return "image", "similar", names
+        return "similar", "similar", {**names, "ratio": lambda lang: number(ratio.real, lang)}
 
     def crossing(self, mark: str) -> str | Callable[[Lang], str]:
         """Why the lines that cross at a mark have their directions."""
@@ -127,7 +131,8 @@ class StepWords:
             along = self.made[step.along]
             driven = isinstance(along, s.Turn) and along.of == f"x_{self.plans.mechanism.drive.link}"
             key = "driver" if driven else "along"
-            return key, key, {**shown, "length": step.length, "unit": lambda lang: unit("l", lang)}
+            reason = "driver" if driven or step.length == "s" else "along"
+            return key, reason, {**shown, "length": step.length, "unit": lambda lang: unit("l", lang)}
         if any(m.unknown == step.length for m in self.plans.moments):
             return "found", "found", shown
         if label.startswith("P_"):
@@ -137,7 +142,7 @@ class StepWords:
             return "lay_off", _kind_of_vector(label, kind, source), told
         if isinstance(source, Measure):
             return "carried", "carried", shown
-        return "load", "slide_v", shown
+        return "given", "slide_v", shown
 
     def vector(self, step: s.LayOff) -> str:
         """The name of the vector a step lays off."""

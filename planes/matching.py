@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
+from planes.bench import Bench, variants_of
 from planes.chains import force_chain
-from planes.checking import Bench, variants_of
 from planes.drafting import POLE, at, label_of
 from planes.drawing import run
 from planes.handwork import Hand, Taken

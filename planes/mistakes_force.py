@@ -7,9 +7,9 @@ from dataclasses import replace
 
 from planes.drafting import label_of
 from planes.handwork import Variant
-from planes.mistakes import Ways
 from planes.reckoning import Calculate, Drop, Lean, Measure, Product
 from planes.steps import Cross, LayOff, Same, Step, Through
+from planes.ways import Ways
 
 
 def force_variants(w: Ways) -> Iterator[Variant]:

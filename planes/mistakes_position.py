@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from planes.drafting import label_of
 from planes.handwork import Taken, Variant
-from planes.mistakes import Ways
 from planes.steps import CrossArc, CrossArcs, LayOff, Step
+from planes.ways import Ways
 
 LEAST_SCALE = 0.04  # a link drawn longer or shorter by less is a matter of care, not of scale
 

@@ -15,6 +15,7 @@ WIDEST_MM = 1.4  # of a stroke
 LETTER_MM = 7.5  # smaller separate marks of ink are letters
 SHORTEST_MM = 2.2
 HEAD_MM = 6.0  # an arrowhead's length at most
+CAP_MM = 0.4  # the round end of a stroke and its blur
 JOIN_MM = 2.2  # ends nearer than this meet
 MOST = 1500  # lines; of more nothing can be told
 
@@ -153,6 +154,7 @@ def reached(flat: Flat, dark: Any, start: complex, end: complex) -> complex:
         else:
             white += step
         z += step * u
+    last -= CAP_MM * u
     return last if abs(last - end) < HEAD_MM - 0.5 and (last - start).real * u.real + (
         last - start).imag * u.imag > 0.5 else end  # fmt: skip
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from planes.checking import Bench
+from planes.bench import Bench
 from planes.drafting import at
 from planes.drawing import run
 from planes.fiducials import pole_place

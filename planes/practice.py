@@ -18,7 +18,7 @@ from planes.drawing import Drawing, run
 from planes.handwork import Variant
 from planes.lesson import LANGS, Frame
 from planes.lesson_steps import action, lettered, line_of
-from planes.mistakes import Ways, motion_variants
+from planes.mistakes import motion_variants
 from planes.mistakes_force import force_variants
 from planes.mistakes_position import position_variants
 from planes.plans import Plans
@@ -26,6 +26,7 @@ from planes.program import Program
 from planes.reckoning import Choose
 from planes.scales import kind_of
 from planes.steps import Cross, CrossArc, CrossArcs, Image, LayOff, Similar, Step
+from planes.ways import Ways
 from planes.wording import PlanesError
 from planes.words import Lang, say
 

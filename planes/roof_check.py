@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from planes.checking import Asked, Bench, prepare
+from planes.bench import Asked, Bench, prepare
 from planes.drafting import POLE, label_of
 from planes.fiducials import SHEET_MM, SIDE_MM, cells, centres
 from planes.measuring import say_plan
@@ -15,7 +15,8 @@ from planes.photograph import blank_pole
 from planes.polygons import sides_of
 from planes.scales import kind_of
 from planes.units import mu_text
-from planes.verdict import Outcome, as_json, mark_rows, result_rows
+from planes.verdict import Outcome
+from planes.verdict_rows import as_json, mark_rows, result_rows
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
 from render import blank, check_page, check_sheet, pdf, png, svg

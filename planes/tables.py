@@ -32,17 +32,22 @@ def report(solved: Solved, lang: Lang = "en") -> str:
     lines = [solved.scene.title.get(lang, ""), f"W = {s.W}, q = {s.q}, {s.formula}"]
     for p in solved.positions:
         lines += _position(p.results, key_of(solved.plans), lang)
+    if any("errors" in p.results for p in solved.positions):
+        pencil = solved.positions[0].drawing.hand.doubt_mm > 0
+        lines += ["", say("errors_pencil" if pencil else "errors_bound", lang)]
     return "\n".join(line for i, line in enumerate(lines) if line or i) + "\n"
 
 
 def _position(r: dict[str, Any], key: str, lang: Lang) -> list[str]:
     head = f"φ = {r[key]:.10g}°" if key == "phi_deg" else f"s = {r[key]:.10g} {say('m', lang)}"
     lines = ["", f"— {head} —"]
-    lines += _points(r.get("points", {}), lang) + _links(r.get("links", {}), lang) + _slides(r.get("slides", {}), lang)
+    e: dict[str, Any] | None = r.get("errors")
+    lines += _points(r.get("points", {}), lang, e) + _links(r.get("links", {}), lang, e)
+    lines += _slides(r.get("slides", {}), lang, e)
     for name, plan in r.get("plans", {}).items():
         if name != "position" and any(s["mm"] for s in plan["segments"].values()):
-            lines += _plan(name, plan, lang)
-    lines += _reactions(r.get("reactions", {}), lang) + _balance(r, lang)
+            lines += _plan(name, plan, lang, e)
+    lines += _reactions(r.get("reactions", {}), lang, e) + _balance(r, lang)
     return lines + [f"! {w}" for w in r["warnings"]]
 
 
@@ -70,40 +75,73 @@ def _vector(v: list[float] | None, beside: float = 0.0) -> tuple[str, str]:
     return _number(abs(z)), f"{180.0 if angle == -180 else angle + 0.0:.2f}"
 
 
-def _points(points: dict[str, Any], lang: Lang) -> list[str]:
+def error_of(errors: dict[str, Any] | None, *path: str) -> list[str]:
+    """The cell with a result's ± (of a vector: of its end), or no cell when none was asked."""
+    if errors is None:
+        return []
+    found: Any = errors
+    for key in path:
+        found = found.get(key, {}) if isinstance(found, dict) else {}
+    numbers = found if isinstance(found, list) else [found]
+    if found == {} or None in numbers:
+        return ["" if found == {} else "—"]
+    size = math.hypot(*numbers)
+    return [f"{size:.1e}" if size else "0"]
+
+
+def _points(points: dict[str, Any], lang: Lang, e: dict[str, Any] | None) -> list[str]:
     far, fast, quick = (_largest(points.values(), key) for key in ("r", "v", "a"))
     rows = []
     for name, p in points.items():
         x, y = (_number(c, far) for c in p["r"]) if "r" in p else ("", "")
-        rows.append([name, x, y, *_vector(p.get("v"), fast), *_vector(p.get("a"), quick)])
+        r, v, a = (error_of(e, "points", name, letter) for letter in "rva")
+        rows.append([name, x, y, *r, *_vector(p.get("v"), fast), *v, *_vector(p.get("a"), quick), *a])
     m, speed, rate = say("m", lang), say("m/s", lang), say("m/s²", lang)
-    return table(say("points", lang), ["", f"x, {m}", f"y, {m}", f"v, {speed}", "∠°", f"a, {rate}", "∠°"], rows)
+    o = pm(e)
+    head = ["", f"x, {m}", f"y, {m}", *o, f"v, {speed}", "∠°", *o, f"a, {rate}", "∠°", *o]
+    return table(say("points", lang), head, rows)
 
 
-def _links(links: dict[str, Any], lang: Lang) -> list[str]:
+def pm(errors: dict[str, Any] | None) -> list[str]:
+    """The head of a column of ±, where there is one."""
+    return [] if errors is None else ["±"]
+
+
+def _links(links: dict[str, Any], lang: Lang, e: dict[str, Any] | None) -> list[str]:
     keys = ("angle_deg", "omega", "epsilon")
     spin = _largest(links.values(), "omega")
     beside = {"angle_deg": 180.0, "omega": spin, "epsilon": max(_largest(links.values(), "epsilon"), spin * spin)}
-    rows = [[n, *(_number(v[k], beside[k]) if k in v else "" for k in keys)] for n, v in links.items()]
-    return table(say("links", lang), ["", "φ, °", f"ω, {say('rad/s', lang)}", f"ε, {say('rad/s²', lang)}"], rows)
+    rows = []
+    for n, v in links.items():
+        cells = ([_number(v[k], beside[k]) if k in v else "", *error_of(e, "links", n, k)] for k in keys)
+        rows.append([n, *(c for cell in cells for c in cell)])
+    head = ["", "φ, °", *pm(e), f"ω, {say('rad/s', lang)}", *pm(e), f"ε, {say('rad/s²', lang)}", *pm(e)]
+    return table(say("links", lang), head, rows)
 
 
-def _slides(slides: dict[str, Any], lang: Lang) -> list[str]:
+def _slides(slides: dict[str, Any], lang: Lang, e: dict[str, Any] | None) -> list[str]:
     rows, fast, quick = [], _largest(slides.values(), "v"), _largest(slides.values(), "a")
     for n, v in slides.items():
-        numbers = [_number(v[k], most) if k in v else "" for k, most in (("v", fast), ("a", quick))]
-        rows.append([n, str(v.get("guide", "")), *numbers, _vector(v.get("coriolis"), quick)[0]])
-    head = ["", say("guide", lang), f"v, {say('m/s', lang)}", f"a, {say('m/s²', lang)}", f"aᵏ, {say('m/s²', lang)}"]
+        numbers: list[str] = []
+        for k, most in (("v", fast), ("a", quick)):
+            numbers += [_number(v[k], most) if k in v else "", *error_of(e, "slides", n, k)]
+        turn = [_vector(v.get("coriolis"), quick)[0], *error_of(e, "slides", n, "coriolis")]
+        rows.append([n, str(v.get("guide", "")), *numbers, *turn])
+    rate, o = say("m/s²", lang), pm(e)
+    head = ["", say("guide", lang), f"v, {say('m/s', lang)}", *o, f"a, {rate}", *o, f"aᵏ, {rate}", *o]
     return table(say("slides", lang), head, rows)
 
 
-def _plan(name: str, plan: dict[str, Any], lang: Lang) -> list[str]:
+def _plan(name: str, plan: dict[str, Any], lang: Lang, e: dict[str, Any] | None) -> list[str]:
     most = _largest(plan["segments"].values(), "value")
-    rows = [[s["name"], key, f"{s['mm']:.2f}", _number(s["value"], most)] for key, s in plan["segments"].items()]
+    rows = []
+    for key, s in plan["segments"].items():
+        mm, value = (error_of(e, "plans", name, "segments", key, what) for what in ("mm", "value"))
+        rows.append([s["name"], key, f"{s['mm']:.2f}", *mm, _number(s["value"], most), *value])
     kind = name.partition(":")[0]
     unit = say({"velocity": "m/s", "acceleration": "m/s²", "force": "N"}[kind], lang)
     title = f"{say_plan(name, lang)}, μ = {say_mu(plan['mu'], lang)}"
-    return table(title, ["", say("segment", lang), say("mm", lang), unit], rows)
+    return table(title, ["", say("segment", lang), say("mm", lang), *pm(e), unit, *pm(e)], rows)
 
 
 def say_mu(text: str, lang: Lang) -> str:
@@ -112,17 +150,23 @@ def say_mu(text: str, lang: Lang) -> str:
     return mu_text(read_mu(text, plan), plan, lang)
 
 
-def _reactions(reactions: dict[str, Any], lang: Lang) -> list[str]:
+def _reactions(reactions: dict[str, Any], lang: Lang, e: dict[str, Any] | None) -> list[str]:
     forces = {name: r["force"] if isinstance(r, dict) else r for name, r in reactions.items()}
     most = max((math.hypot(*f) for f in forces.values()), default=0.0)
-    rows = []
+    rows, o = [], [""] * len(pm(e))
     for name, r in reactions.items():
-        more = [_number(r["arm"], 1.0), _number(r["moment"], most)] if isinstance(r, dict) else ["", ""]
-        rows.append([name, *(_number(c, most) for c in forces[name]), *_vector(forces[name], most), *more])
+        slides = isinstance(r, dict)
+        force = error_of(e, "reactions", name, *(["force"] if slides else []))
+        more = ["", *o, "", *o]
+        if slides:
+            arm, moment = (error_of(e, "reactions", name, key) for key in ("arm", "moment"))
+            more = [_number(r["arm"], 1.0), *arm, _number(r["moment"], most), *moment]
+        rows.append([name, *(_number(c, most) for c in forces[name]), *_vector(forces[name], most), *force, *more])
     if not any(map(_pressed, reactions.values())):
         return []
-    n, m = say("N", lang), say("m", lang)
-    head = ["", f"x, {n}", f"y, {n}", f"|F|, {n}", "∠°", f"{say('arm', lang)}, {m}", f"M, {say('N·m', lang)}"]
+    n, reach, couple = say("N", lang), f"{say('arm', lang)}, {say('m', lang)}", f"M, {say('N·m', lang)}"
+    o = pm(e)
+    head = ["", f"x, {n}", f"y, {n}", f"|F|, {n}", "∠°", *o, reach, *o, couple, *o]
     return table(say("reactions", lang), head, rows)
 
 
@@ -137,10 +181,12 @@ def _balance(r: dict[str, Any], lang: Lang) -> list[str]:
         return lines
     for what, unit in (("moment", "N·m"), ("force", "N")):
         found, check = r.get(f"balancing_{what}"), r.get(f"zhukovsky_{what}")
+        own, other = (error_of(r.get("errors"), f"{by}_{what}") for by in ("balancing", "zhukovsky"))
         if found is not None:
-            lines.append(f"{say(f'balancing_{what}', lang)}: {_number(found)} {say(unit, lang)}")
+            number = " ± ".join([_number(found), *own])
+            lines.append(f"{say(f'balancing_{what}', lang)}: {number} {say(unit, lang)}")
         if check is not None:
-            lines.append(f"{say('by_lever', lang)}: {_number(check)} {say(unit, lang)}")
+            lines.append(f"{say('by_lever', lang)}: {' ± '.join([_number(check), *other])} {say(unit, lang)}")
         if found is not None and check is not None:
             lines.append(f"{say('difference', lang)}: {difference_percent(found, check):.2g} %")
     return ["", *lines] if lines else []

@@ -14,6 +14,46 @@ CYCLE: dict[str, tuple[str, str]] = {
         "показать, какие шаги программы нужны для искомого, а какие отброшены",
         "list the steps of the program that lead to what is asked, and those dropped",
     ),
+    "help_errors": (
+        "± к каждому результату: граница погрешности, а с --pencil среднее квадратическое отклонение",
+        "give every result its ±: a bound of its error, or with --pencil one standard deviation",
+    ),
+    "help_remedy": (
+        "у мёртвого положения поступить как чертёжник: взять меньший масштаб или интерполировать между ±5°",
+        "near a dead point do what a draughtsman would: a smaller scale, or interpolation from ±5°",
+    ),
+    "errors_bound": (
+        "± — граница погрешности: дальше от точного значения результат не бывает",
+        "± is a bound: no result is further than this from the exact value",
+    ),
+    "errors_pencil": (
+        "± — среднее квадратическое отклонение у многих чертёжников с таким карандашом",
+        "± is one standard deviation over many draughtsmen with such a pencil",
+    ),
+    "remedy_scale": (
+        "{marks}: линии встречаются под углом {angle_deg}°, и при μ = {said} {plan} был бы {size_mm} мм; начерчен "
+        "при μ = {mu}",
+        "{marks}: the lines meet at {angle_deg}°, and at μ = {said} the {plan} would be {size_mm} mm across; it is "
+        "drawn at μ = {mu}",
+    ),
+    "remedy_between": (
+        "{why}; значения взяты посередине между {low} и {high}, расходятся с соседними (±0,01°) не более чем на {apart}",
+        "{why}; the values are halfway between those at {low} and {high}, within {apart} of the nearest ones (±0.01°)",
+    ),
+    "remedy_carried": (
+        "{why}; за этим положением движение может пойти двояко: значения продолжены с {low} и {high} по ходу, "
+        "расходятся с соседними (0,01°) не более чем на {apart}",
+        "{why}; past it the motion may go either way: the values are carried on from {low} and {high} as the driver "
+        "comes, within {apart} of the nearest ones (0.01°)",
+    ),
+    "remedy_no_forces": (
+        "; силы здесь не продолжаются и опущены",
+        "; forces do not go on smoothly here and are left out",
+    ),
+    "remedy_beside": (
+        "{why}; начерчено соседнее положение {there}",
+        "{why}; the neighbouring position {there} is drawn instead",
+    ),
     "help_chart": (
         "начертить скорость против точности и устойчивость вблизи особых положений",
         "chart speed against accuracy, and stability near dead points",

@@ -31,6 +31,14 @@ LESSON: dict[str, tuple[str, str]] = {
         "Заданная сила ⟨{name}⟩ = {value} {unit}: откладываем {mm} мм от ⟨{start}⟩ {way}, до ⟨{end}⟩.",
         "The given force ⟨{name}⟩ = {value} {unit}: lay off {mm} mm from ⟨{start}⟩, {way}, to ⟨{end}⟩.",
     ),
+    "given": (
+        "Дано ⟨{name}⟩ = {value} {unit}: откладываем {mm} мм от ⟨{start}⟩ {way}, до ⟨{end}⟩.",
+        "Given ⟨{name}⟩ = {value} {unit}: lay off {mm} mm from ⟨{start}⟩, {way}, to ⟨{end}⟩.",
+    ),
+    "point": (
+        "⟨{end}⟩ — точка того же звена: строим её на ⟨{first}⟩⟨{second}⟩ по размерам звена.",
+        "⟨{end}⟩ is a point of the same link: draw it on ⟨{first}⟩⟨{second}⟩ by the link's own dimensions.",
+    ),
     "found": (
         "Из уравнения моментов ⟨{name}⟩ = {value} {unit}: откладываем {mm} мм от ⟨{start}⟩ {way}, до ⟨{end}⟩.",
         "From the moment equation ⟨{name}⟩ = {value} {unit}: lay off {mm} mm from ⟨{start}⟩, {way}, to ⟨{end}⟩.",
@@ -58,9 +66,8 @@ LESSON: dict[str, tuple[str, str]] = {
         "Through ⟨{start}⟩ draw a line {action}, through ⟨{other}⟩ a line {across}; they cross at ⟨{end}⟩.",
     ),
     "similar": (
-        "По подобию: ⟨{end}⟩ делит отрезок ⟨{first}⟩⟨{second}⟩ так же, как точка на звене делит своё звено "
-        "(отношение {ratio}).",
-        "By similarity: ⟨{end}⟩ stands to ⟨{first}⟩⟨{second}⟩ as the point stands on its link (ratio {ratio}).",
+        "По подобию: ⟨{first}⟩⟨{end}⟩ = {ratio} · ⟨{first}⟩⟨{second}⟩, как на самом звене.",
+        "By similarity: ⟨{first}⟩⟨{end}⟩ = {ratio} · ⟨{first}⟩⟨{second}⟩, as on the link itself.",
     ),
     "image": (
         "По подобию со схемой: на ⟨{first}⟩⟨{second}⟩ строим фигуру, подобную звену; её вершина — ⟨{end}⟩.",
@@ -120,7 +127,7 @@ LESSON: dict[str, tuple[str, str]] = {
     # ways a length is laid off
     "way_across": ("перпендикулярно {line}", "perpendicular to {line}"),
     "way_along": ("вдоль {line}", "along {line}"),
-    "way_towards": ("от ⟨{one}⟩ к ⟨{other}⟩", "from ⟨{one}⟩ to ⟨{other}⟩"),
+    "way_towards": ("в направлении от ⟨{one}⟩ к ⟨{other}⟩", "from ⟨{one}⟩ to ⟨{other}⟩"),
     "way_down": ("вниз", "downwards"),
     "way_against": ("против ⟨{vector}⟩", "against ⟨{vector}⟩"),
     "way_with": ("в сторону ⟨{vector}⟩", "the way of ⟨{vector}⟩"),

@@ -155,8 +155,8 @@ METHOD: dict[str, tuple[str, str]] = {
                    "draw the plans of a scene and print what they measure"),
     "help_structure": ("напечатать W, q, группы Ассура и формулу строения",
                        "print W, q, Assur groups and the formula of structure"),
-    "help_sheet": ("начертить лист сцены: SVG, PDF или PNG по окончанию имени файла",
-                   "draw the sheet of a scene: SVG, PDF or PNG by the file's suffix"),
+    "help_sheet": ("начертить лист сцены: SVG, PDF, PNG или DXF по окончанию имени файла",
+                   "draw the sheet of a scene: SVG, PDF, PNG or DXF by the file's suffix"),
     "help_lesson": ("сделать урок: страницу, где планы строятся шаг за шагом",
                     "make a lesson: a page that draws the plans step by step"),
     "help_lesson_output": ("какую страницу записать (.html)", "the page to write (.html)"),
@@ -170,6 +170,12 @@ METHOD: dict[str, tuple[str, str]] = {
     "help_sheet_number": (
         "лист проекта: 1 (структура и кинематика) или 2 (силовой расчёт); без него всё на одном листе",
         "a sheet of a project: 1 (structure and kinematics) or 2 (forces); without it all stands on one page",
+    ),
+    "help_view": (
+        "один вид без рамки: position, velocity-plan, acceleration-plan, force-2-3, lever, equations…; неизвестное "
+        "имя назовёт все виды",
+        "one view without a frame: position, velocity-plan, acceleration-plan, force-2-3, lever, equations…; an "
+        "unknown name lists all",
     ),
     "help_output": ("какой файл записать (.svg, .pdf, .png, .dxf)", "the file to write (.svg, .pdf, .png, .dxf)"),
     "help_scene": ("файл сцены (YAML)", "the scene file (YAML)"),
@@ -190,5 +196,6 @@ METHOD: dict[str, tuple[str, str]] = {
     "usage_no_value": ("нужно значение", "expected one argument"),
     "usage_choice": ("не подходит ", "invalid choice: "),
     "usage_choices": (" (допустимо: ", " (choose from "),
+    "usage_not_with": ("нельзя указать вместе с ", "not allowed with argument "),
     "usage_number": ("нужно целое число, а не ", "invalid int value: "),
 }

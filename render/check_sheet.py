@@ -8,7 +8,7 @@ from render.marks import Arc, Arrow, Line, Mark, Text
 
 Vector = tuple[complex, complex]
 ROW = 6.5
-COLUMNS = (0.0, 32.0, 62.0, 92.0)
+COLUMNS = (0.0, 25.0, 66.0, 100.0)
 VERDICT_STYLE = {"wrong": 2.2, "follows": 1.4, "right": 1.0}
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from planes.drafting import POLE, label_of
 from planes.equations import Term
 from planes.steps import Image, Similar
-from render import labels
+from render import detail, labels
 from render.marks import Arrow, Layer, Line, Mark, Text
 from render.names import Naming
 from render.plotted import Plotted
@@ -56,8 +56,17 @@ class Polygon:
         self.vectors()
         ground = (*self.marks, *(dot(self.mark(POLE), 0.7, "plan") if self.of_rates else ()))
         named = self.mark_labels() if self.of_rates else self.vector_labels()
-        marks = (*ground, *labels.place(named, ground).marks)
+        details = detail.details(self.places.values(), self.letters())
+        circled = (*ground, *(d.circle() for d in details))
+        marks = (*circled, *labels.place([*named, *(d.named() for d in details)], circled).marks)
+        marks = detail.beside(marks, [d.drawn(ground, named) for d in details])
         return (*marks, *self.remark(marks)) if self.shifted else marks
+
+    def letters(self) -> list[str]:
+        """Letters for the details of this plan, every plan of a mechanism with its own."""
+        plans = list(dict.fromkeys(s.plan for s in self.plotted.segments))
+        free = detail.letters(map(label_of, self.plotted.drawing.things), self.naming.lang == "ru")
+        return free[plans.index(self.plan) :: len(plans)] or free
 
     def remark(self, marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
         """What must be known of vectors drawn side by side, beneath the plan."""

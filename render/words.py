@@ -91,6 +91,8 @@ WORDS: dict[str, tuple[str, str]] = {
         "sheet: формат {format} неизвестен; допустимы {known}",
         "sheet: there is no format {format}; valid: {known}",
     ),
+    "bad_view": ("вида {view} у этой сцены нет; есть {known}", "this scene has no view {view}; it has {known}"),
+    "empty_view": ("в виде {view} этой сцены нечего чертить", "the view {view} of this scene has nothing to draw"),
     "one_position": (
         "лист чертится для одного положения, а задано {count}; укажите одно значение",
         "a sheet is drawn for one position, but {count} were asked for; give one value",

@@ -19,7 +19,8 @@ import drawings_force
 import sample_oracle
 from drawings import NONE, SHAKY, Care, Hand, Mistake
 
-from planes.checking import Asked, Bench, grade, prepare, readable
+from planes.bench import Asked, Bench, prepare
+from planes.checking import grade, readable
 from planes.paper import Paper, Spot
 from planes.scene import load
 

@@ -28,7 +28,7 @@ TABLES = [table for name, table in vars(words).items() if name.isupper() and nam
 HOUSES = [Path(cli.__file__).parent, Path(cli.__file__).parents[1] / "render"]
 SOURCES = [p for house in HOUSES for p in house.rglob("*.py") if not p.name.startswith("words")]
 TREES = {f"{p.parent.name}/{p.name}": ast.parse(p.read_text(encoding="utf-8")) for p in SOURCES}
-TELLERS = ("Phrase", "say", "PlanFailure", "_help")
+TELLERS = ("Phrase", "say", "PlanFailure", "_help", "help_of")
 REFUSALS = ("PlanesError", "SceneError", "StructureError", "EquationError", "ExpressionError", "UnitError",
             "ProgramError")
 
@@ -108,7 +108,7 @@ def patterns(node):
         case ast.IfExp():
             yield from (*patterns(node.body), *patterns(node.orelse))
         case ast.JoinedStr():
-            yield "".join(re.escape(p.value) if isinstance(p, ast.Constant) else "[A-Za-z_]+" for p in node.values)
+            yield "".join(re.escape(p.value) if isinstance(p, ast.Constant) else "[A-Za-z0-9_]+" for p in node.values)
 
 
 def test_every_key_that_is_told_is_in_the_table():

@@ -83,11 +83,10 @@ def test_the_address_opens_a_frame(page: Any, lesson: str) -> None:
 
 
 def test_play_goes_on_by_itself(page: Any) -> None:
-    page.clock.install()
     page.click("#play")
-    page.clock.run_for(3600)
-    assert page.inner_text("#number").startswith("2 /")
+    page.wait_for_function("document.getElementById('number').textContent.startsWith('2 /')")
     page.click("#play")
+    assert page.inner_text("#play") == "▶▶"
 
 
 @pytest.mark.parametrize("index", [140, 150, 163, 180, 200, 303])
@@ -302,8 +301,16 @@ def test_it_is_there_at_once_and_turns_smoothly(browser: Any, lesson: str, recor
     for _ in range(3):
         page = browser.new_page()
         page.goto(lesson)
-        page.wait_for_function("performance.getEntriesByName('first-contentful-paint').length > 0")
-        first.append(page.evaluate("performance.getEntriesByName('first-contentful-paint')[0].startTime"))
+        page.bring_to_front()
+        first.append(page.evaluate("""() => new Promise(done => {
+            const paint = () => performance.getEntriesByName("first-contentful-paint")[0];
+            const look = () => {
+                if (paint()) done(paint().startTime);
+                else if (performance.now() > 4000) done(4000);
+                else setTimeout(look, 20);
+            };
+            look();
+        })"""))
         page.evaluate("go(24)")
         rate.append(page.evaluate("""async () => {
             let n = 0; const t0 = performance.now();

@@ -22,7 +22,7 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "words_links words_method words_mistakes words_note words_scene words_text words_why",
     "fused_text plane reading symbols tools words_check words_lesson",
     "step words",
-    "crossings reckoning thing_names wording yaml_words",
+    "crossings home reckoning thing_names wording yaml_words",
     "angles equations expressions instruments paper picture program read_dxf read_svg source statement steps "
     "structure units",
     "digits drafting drawing formulas nudging pencil_lines scene_reader tracing",
@@ -36,11 +36,13 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "lever primary",
     "statics",
     "plans",
-    "contrast lesson_scheme mistakes polygons scales",
-    "crank_slider.engine lesson_steps measuring mistakes_force mistakes_position nearest",
+    "contrast lesson_scheme polygons scales ways",
+    "mistakes mistakes_force mistakes_position",
+    "bench",
+    "crank_slider.engine lesson_steps measuring nearest slips",
     "checking columns crank_slider.kinematics figures lesson solving",
     "chains crank_slider.forces crank_slider.pages cycle explaining lesson_zones note practice roof tables verdict",
-    "claims crank_slider.balance crank_slider.misprints lesson_data matching methods streams",
+    "claims crank_slider.balance crank_slider.misprints lesson_data matching methods streams verdict_rows",
     "crank_slider.shaft long_run photograph roof_lesson stability",
     "crank_slider.fatigue roof_charts roof_check",
     "cli_check crank_slider.rod",
@@ -53,7 +55,8 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
 )
 FLOORS = {f"planes.{name}": floor for floor, names in enumerate(STOREYS) for name in names.split()}
 # alone may hand drawings to the renderer
-ROOFS = {"planes.cli", "planes.roof", "planes.roof_charts", "planes.roof_crank_slider", "planes.roof_lesson"}
+ROOFS = {"planes.cli", "planes.roof", "planes.roof_charts", "planes.roof_check", "planes.roof_crank_slider",
+         "planes.roof_lesson"}
 READ_BY_RENDER = {  # what drawings are made of, and words: nothing that states or solves mechanics
     f"planes.{name}" for name in (
         "bodies", "crank_slider.pages", "drafting", "drawing", "equations", "lesson", "measuring", "mechanism",

@@ -18,7 +18,9 @@ RUNS = re.findall(r"<!-- run: (.+?) -->\n```text\n(.*?)```", README, re.S)
 
 
 @pytest.mark.parametrize(("command", "shown"), RUNS, ids=[c for c, _ in RUNS])
-def test_shown_output(command: str, shown: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_shown_output(
+    command: str, shown: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.chdir(ROOT)
     assert main(shlex.split(command)[1:]) == 0
     assert capsys.readouterr().out == shown

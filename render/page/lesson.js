@@ -123,7 +123,7 @@ function term(t, key, f, frame, i, plainly) { // a vector: its own small segment
   const lit = !plainly && f.terms.includes(t.name), later = born(t.name, key) > frame - (plainly ? 1 : 0);
   const secret = plainly && later; // what the reader is to find
   const action = secret ? "" : t.action === "=0" ? "= 0" : t.action === "↓" ? "↓" : acted(t.action);
-  const known = secret ? practice.given(t.name) : t.known;
+  const known = secret || (plainly && practice.asking(t.name)) ? practice.given(t.name) : t.known;
   return `<span class="term known${known}${lit ? " lit" : ""}${later ? " later" : ""}" data-name="${t.name}">` +
     `${secret ? '<svg class="mini"></svg>' : mini(t, later, i)}<b>${html(t.name, key)}</b><small>${action}</small></span>`;
 }
@@ -152,9 +152,10 @@ function crank() {
 }
 function zones() { // positions that fail, and blunt ones, marked over the slider by pattern as well as colour
   const n = data.drive.values.length;
-  $("zones").innerHTML = data.zones.map(z => `<i class="${z.kind}" style="left:${100 * z.from / n}%;width:${100 * (z.to - z.from + 1) / n}%"></i>`).join("");
+  $("zones").innerHTML = data.zones.map(z => `<i class="${z.kind}" title="${filled(z.said[state.lang], 0).replace(/[⟨⟩]/g, "")}" style="left:${100 * z.from / n}%;width:${100 * (z.to - z.from + 1) / n}%"></i>`).join("");
 }
 function language() {
+  zones();
   document.documentElement.lang = state.lang;
   document.querySelectorAll("[data-word]").forEach(e => { e.textContent = say(e.dataset.word); });
   document.querySelectorAll("[data-title]").forEach(e => { e.title = say(e.dataset.title); e.setAttribute("aria-label", e.title); });

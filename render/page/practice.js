@@ -99,7 +99,7 @@ const practice = {
     } else if (this.now === "direction") body = this.rays().map((_, k) => button("ray" + k, k + 1)).join("");
     else if (this.now === "length") {
       const own = this.frame.terms[0], needs = this.frame.values.filter(n => this.frame.values.length === 1 || n !== own);
-      const given = needs.map(n => `⟨${n}⟩ = ⟦v¦${n}⟧`).join("; "), mu = data.plans.find(p => p.key === this.frame.plan).mu[state.lang];
+      const given = needs.map(n => `⟨${n}⟩ = ⟦v¦${n}⟧ ${(data.units[n] || {})[state.lang] || ""}`.trim()).join("; "), mu = data.plans.find(p => p.key === this.frame.plan).mu[state.lang];
       body = `<span>${sentence(given, state.index, this.frame.plan)}; μ = ${mu}</span><input id="length" type="text" inputmode="decimal" aria-label="${say("millimetres")}"> ${say("millimetres")} ${button("length", say("check"))}`;
     } else if (this.now.startsWith("line")) {
       body = t.lines[+this.now.slice(4)].options.map((o, k) => button("line" + k, o.text)).join("");
@@ -190,4 +190,4 @@ for (const [id, by] of [["back", -1], ["next", 1]]) $(id).addEventListener("clic
   practice.index = clamp(practice.index + by, 0, data.practice.length - 1);
   practice.said = null; practice.open();
 }, true);
-readAddress(); language(); zones(); draw();
+readAddress(); language(); draw();

@@ -1,0 +1,47 @@
+"""The home language of the command line: what its own reader of options says, in Russian or in English."""
+
+from __future__ import annotations
+
+import argparse
+import locale
+import os
+from typing import NoReturn
+
+from planes.words import Lang, say
+from planes.words_method import METHOD
+
+
+def home_lang() -> Lang:
+    """Russian where the system speaks Russian, Belarusian, Ukrainian or Kazakh; else English."""
+    said = next((os.environ[k] for k in ("LC_ALL", "LC_MESSAGES", "LANG") if os.environ.get(k)), "")
+    return "ru" if (said or locale.getlocale()[0] or "").lower().startswith(("ru", "be", "uk", "kk")) else "en"
+
+
+def at_home(text: str) -> str:
+    """A text of the reader of options, its own words replaced piece by piece."""
+    lang = home_lang()
+    for key in METHOD if lang != "en" else ():
+        if key.startswith("usage_"):
+            text = text.replace(say(key), say(key, lang))
+    return text
+
+
+def help_of(key: str) -> str:
+    """A help text in the home language."""
+    return say(key, home_lang())
+
+
+class Parser(argparse.ArgumentParser):
+    """A reader of the command line that speaks the home language."""
+
+    def format_help(self) -> str:
+        """The help, translated."""
+        return at_home(super().format_help())
+
+    def format_usage(self) -> str:
+        """The usage line, translated."""
+        return at_home(super().format_usage())
+
+    def error(self, message: str) -> NoReturn:
+        """Usage and what is wrong, and the end."""
+        self.exit(2, self.format_usage() + at_home(f"{self.prog}: error: {message}\n"))
