@@ -58,6 +58,7 @@ def _parser() -> argparse.ArgumentParser:
     sheet = _command(commands, "sheet", _sheet, help_of("help_sheet"))
     _positions(sheet)
     sheet.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_output"))
+    sheet.add_argument("--remedy", action="store_true", help=help_of("help_remedy"))
     part = sheet.add_mutually_exclusive_group()
     part.add_argument("--sheet", type=int, choices=(1, 2), help=help_of("help_sheet_number"))
     part.add_argument("--view", metavar="NAME", help=help_of("help_view"))
@@ -170,7 +171,13 @@ def _sheet(args: argparse.Namespace) -> int:
     from planes.roof import draw_sheet
 
     scene = load(args.scene, args.variant)
-    draw_sheet(scene, _values(args, scene), args.output, args.lang, args.sheet, args.view)
+    values = _values(args, scene)
+    if args.remedy and scene.mechanism:
+        from planes.remedies import for_sheet
+
+        scene, values, said = for_sheet(scene, values, args.lang)
+        print(*said, sep="\n", end="\n" if said else "", file=sys.stderr)
+    draw_sheet(scene, values, args.output, args.lang, args.sheet, args.view)
     return 0
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import pairwise
 
 from planes.bench import Bench
+from planes.chains import true_vectors
 from planes.drafting import at
 from planes.drawing import run
 from planes.fiducials import pole_place
@@ -17,6 +19,9 @@ from planes.scales import kind_of
 from planes.strokes import Sketch, Words
 from planes.wording import PlanesError
 from planes.words import Phrase
+
+LEAST_MM = 3.0  # smaller vectors are lost on a picture
+UNLIKE = 0.15  # a vector of a polygon that differs by more from the plan's own is not surely it
 
 
 def paper_of_picture(
@@ -42,9 +47,26 @@ def paper_of_picture(
     found.picture = b"" if named else shown(flat)
     if named:
         found.notes.append(Phrase("check_scale_vector", mark=named))
-    if kind_of(bench.asked.plan) != "force":
+    if kind_of(bench.asked.plan) == "force":
+        _only_sure(bench, found)
+    else:
         found.spots = [s for s in found.spots if s.name == "p" or _surely(sketch, s)]
     return found
+
+
+def _only_sure(bench: Bench, found: Paper) -> None:
+    """Vectors of a polygon have no names on a picture: keep them only if all but a few are like the plan's own."""
+    truth = true_vectors(bench)
+    unlike = 0
+    for before, spot in pairwise(found.spots):
+        true = truth.get(spot.name)
+        unlike += true is None or abs(spot.place - before.place - true) > UNLIKE * abs(true) + 2
+    seen = {s.name for s in found.spots}
+    missed = [n for n, v in truth.items() if n not in seen and abs(v) > LEAST_MM and not n.startswith("F_")]
+    closed = bool(found.spots) and abs(found.spots[-1].place - found.spots[0].place) < LEAST_MM
+    if not closed or unlike > 1 + len(truth) // 3 or len(missed) > 1 or len(found.spots) < 3:
+        found.spots = []
+        found.notes.append(Phrase("check_force_unsure"))
 
 
 def shown(flat: Flat) -> bytes:

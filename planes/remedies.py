@@ -14,7 +14,7 @@ from planes.nearest import works
 from planes.plans import Plans
 from planes.scales import FIT_MM, extent, kind_of
 from planes.scene import Scene
-from planes.solving import Position, Solved, key_of, plans_of, position, told
+from planes.solving import Position, Solved, failed, key_of, plans_of, position, told
 from planes.units import mu_text
 from planes.wording import PlanFailure
 from planes.words import Lang, say
@@ -59,9 +59,9 @@ def rescaled(
             large.setdefault(kind_of(plan), (plan, ", ".join(blunt), angle, size))
     if not large:
         return p
-    again = position(
-        replace(scene, mu={k: v for k, v in scene.mu.items() if k not in large}), plans, wanted, p.value, by, lang
-    )
+    fitting = replace(scene, mu={k: v for k, v in scene.mu.items() if k not in large})
+    again = position(fitting, plans, wanted, p.value, by, lang)
+    again.results["remedied"] = sorted(large)
     for kind, (plan, marks, angle, size) in large.items():
         said, now = (mu_text(x[mu_of(plan)], kind, lang) for x in (p.scales, again.scales))
         again.results["warnings"].append(
@@ -69,6 +69,27 @@ def rescaled(
                 plan=say_plan(plan, lang))
         )  # fmt: skip
     return again
+
+
+def for_sheet(scene: Scene, values: list[float] | None, lang: Lang) -> tuple[Scene, list[float] | None, list[str]]:
+    """What a sheet is drawn of instead, and sentences that say so: open scales, or the neighbour it was taken from."""
+    plans, wanted = plans_of(scene)
+    asked = [plans.mechanism.drive.position] if values is None else values
+    if len(asked) != 1:
+        return scene, values, []
+    try:
+        p = position(scene, plans, wanted, asked[0], None, lang)
+        p = rescaled(scene, plans, wanted, p, None, lang)
+    except PlanFailure as failure:
+        near = interpolated(plans, lambda v: position(scene, plans, wanted, v, None, lang), asked[0], "", lang)
+        if near is None:
+            return scene, values, []
+        there, kind = near.results["interpolated"][1], plans.mechanism.drive.kind
+        why = failed(failure, asked[0], kind, None, lang)
+        return scene, [there], [say("remedy_beside", lang, why=why, there=told(there, kind, lang))]
+    kinds = p.results.get("remedied", [])
+    said = p.results["warnings"][len(p.results["warnings"]) - len(kinds) :]
+    return replace(scene, mu={k: v for k, v in scene.mu.items() if k not in kinds}), values, said
 
 
 def interpolated(plans: Plans, draw: Draw, value: float, why: str, lang: Lang) -> Position | None:
@@ -139,6 +160,8 @@ def _apart(a: dict[str, Any], b: dict[str, Any]) -> float:
             gaps[kind] = max(gaps.get(kind, 0.0), gap)
 
     visit(a, b, "")
+    for slow, quick in (("epsilon", sizes.get("omega", 0.0) ** 2), ("coriolis", sizes.get("a", 0.0))):
+        sizes[slow] = max(sizes.get(slow, 0.0), quick)
     return max((gap / sizes[kind] for kind, gap in gaps.items() if gap > 1e-9 * sizes[kind]), default=0.0)
 
 

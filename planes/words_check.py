@@ -89,6 +89,10 @@ CHECK: dict[str, tuple[str, str]] = {
     "check_three_marks": (
         "Видны только три угловые метки бланка из четырёх.", "Only three of the blank's four corner marks are seen."
     ),
+    "check_force_unsure": (
+        "Векторы многоугольника сил на снимке не удаётся уверенно назвать; запишите их концы в таблицу mark,x_mm,y_mm.",
+        "The vectors of the force polygon cannot be told apart surely; write their ends into a table mark,x_mm,y_mm.",
+    ),
     "check_points": (
         "По этим --pole и --mark масштаб не найти: точки слишком близко или не на картинке.",
         "These --pole and --mark give no scale: they are too near or not on the picture.",

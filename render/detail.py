@@ -43,7 +43,8 @@ class Detail:
 
     def named(self) -> labels.Label:
         """The letter beside the circle."""
-        return labels.Label(self.letter, self.centre, LETTER_MM, clear=max(self.radius, LEAST_MM) + 0.3, name=self.title)
+        clear = max(self.radius, LEAST_MM) + 0.3
+        return labels.Label(self.letter, self.centre, LETTER_MM, clear=clear, name=self.title)
 
     def enlarged(self, z: complex) -> complex:
         """Where a place of the plan stands in the detail, whose centre is the origin."""
@@ -71,9 +72,8 @@ class Detail:
         ground: list[Mark] = [Arc(0j, reach, style="thin", layer="dimension")]
         for mark in marks:
             ground += self.part(mark)
-        told = labels.place([self.label(x) for x in named if self.shows(x)], ground, (-reach, -reach, reach, reach))
-        title = Text(self.title, complex(0, reach + TITLE_GAP), LETTER_MM, "middle", name=self.title)
-        return (*ground, *told.marks, title)
+        ground.append(Text(self.title, complex(0, reach + TITLE_GAP), LETTER_MM, "middle", name=self.title))
+        return (*ground, *labels.place([self.label(x) for x in named if self.shows(x)], ground).marks)
 
     def part(self, mark: Mark) -> list[Mark]:
         """What is seen of one mark."""
@@ -110,19 +110,29 @@ def _middle(mark: Arc | Shape) -> complex:
 
 def details(vectors: Iterable[Ends], letters: Sequence[str]) -> list[Detail]:
     """The details of the vectors that are too short; neighbours share one."""
+    found = []
+    for points, letter in zip(_groups(vectors), letters, strict=False):
+        centre = complex(_mean(z.real for z in points), _mean(z.imag for z in points))
+        radius = AROUND * max(abs(z - centre) for z in points)
+        times = max((t for t in ENLARGED if t * radius <= RADIUS_MM), default=ENLARGED[0])
+        found.append(Detail(centre, radius, times, letter))
+    return found
+
+
+def count(vectors: Iterable[Ends]) -> int:
+    """How many details the vectors need."""
+    return len(_groups(vectors))
+
+
+def _groups(vectors: Iterable[Ends]) -> list[list[complex]]:
+    """The ends of short vectors, those of neighbours together."""
     groups: list[list[complex]] = []
     for ends in vectors:
         if abs(ends[1] - ends[0]) < SHORT_MM:
             near = [g for g in groups if any(abs(z - w) < TOGETHER_MM for z in g for w in ends)]
             groups = [g for g in groups if g not in near]
             groups.append([z for g in near for z in g] + list(ends))
-    found = []
-    for points, letter in zip(groups, letters, strict=False):
-        centre = complex(_mean(z.real for z in points), _mean(z.imag for z in points))
-        radius = AROUND * max(abs(z - centre) for z in points)
-        times = max((t for t in ENLARGED if t * radius <= RADIUS_MM), default=ENLARGED[0])
-        found.append(Detail(centre, radius, times, letter))
-    return found
+    return groups
 
 
 def _mean(values: Iterable[float]) -> float:

@@ -63,10 +63,15 @@ class Polygon:
         return (*marks, *self.remark(marks)) if self.shifted else marks
 
     def letters(self) -> list[str]:
-        """Letters for the details of this plan, every plan of a mechanism with its own."""
-        plans = list(dict.fromkeys(s.plan for s in self.plotted.segments))
-        free = detail.letters(map(label_of, self.plotted.drawing.things), self.naming.lang == "ru")
-        return free[plans.index(self.plan) :: len(plans)] or free
+        """Letters for the details of this plan, after those of the plans before it."""
+        used = 0
+        plans = dict.fromkeys(s.plan for s in self.plotted.segments if s.plan not in ("lever", "motion"))
+        for plan in list(plans)[: list(plans).index(self.plan)] if self.plan in plans else ():
+            other = Polygon(self.plotted, plan, self.naming)
+            other.collect()
+            other.vectors()
+            used += detail.count(other.places.values())
+        return detail.letters(map(label_of, self.plotted.drawing.things), self.naming.lang == "ru")[used:]
 
     def remark(self, marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
         """What must be known of vectors drawn side by side, beneath the plan."""

@@ -55,7 +55,8 @@ def mechanism(seed: int, **how: Any) -> Cycle | None:
 def lengthened(tape: Tape) -> Tape:
     """The tape with its irrational constants at full length."""
     exact = {math.radians(1): PI / 180, math.degrees(1): 180 / PI}
-    return dataclasses.replace(tape, values={k: exact.get(v, v) if type(v) is float else v for k, v in tape.values.items()})
+    values = {k: exact.get(v, v) if type(v) is float else v for k, v in tape.values.items()}
+    return dataclasses.replace(tape, values=values)
 
 
 def truth(c: Cycle, values: Any) -> Any:

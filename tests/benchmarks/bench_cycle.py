@@ -99,11 +99,38 @@ def bench_six_link_by_hand(benchmark, count: int) -> None:
 
 
 @pytest.mark.parametrize("count", COUNTS[1:])
-@pytest.mark.parametrize("name", ["four-bar", "six-link"])
+def bench_slider_crank_by_hand(benchmark, count: int) -> None:
+    drive, foot = plans("slider-crank").mechanism.drive, plans("slider-crank").given["place_°q-q"]
+    way = math.radians(plans("slider-crank").given["angle_∥q-q"])
+    numbers = [*given("slider-crank", "l_AB", "l_BC"), foot.real, foot.imag, math.cos(way), math.sin(way)]
+    numbers += [1.0, drive.velocity, drive.acceleration]
+    phis, out = angles("slider-crank", count), np.empty((14, count))
+    kernels.slider_crank(phis, out, *numbers)
+    same("slider-crank", kernels.SLIDER_CRANK_NAMES, phis, out)
+    group = f"slider-crank, the columns of the kernel, {count}"
+    timed(benchmark, group, "hand-written kernel", count, lambda: kernels.slider_crank(phis, out, *numbers))
+
+
+@pytest.mark.parametrize("count", COUNTS[1:])
+def bench_slotted_lever_by_hand(benchmark, count: int) -> None:
+    drive, c = plans("slotted lever").mechanism.drive, plans("slotted lever").given["place_C"]
+    numbers = [*given("slotted lever", "l_AB"), c.real, c.imag, drive.velocity, drive.acceleration]
+    phis, out = angles("slotted lever", count), np.empty((4, count))
+    kernels.slotted_lever(phis, out, *numbers)
+    same("slotted lever", kernels.SLOTTED_NAMES, phis, out)
+    group = f"slotted lever, the columns of the kernel, {count}"
+    timed(benchmark, group, "hand-written kernel", count, lambda: kernels.slotted_lever(phis, out, *numbers))
+
+
+COLUMNS = {"four-bar": kernels.FOUR_BAR_NAMES, "slider-crank": kernels.SLIDER_CRANK_NAMES,
+           "slotted lever": kernels.SLOTTED_NAMES, "six-link": kernels.SIX_LINK_NAMES}  # fmt: skip
+
+
+@pytest.mark.parametrize("count", COUNTS[1:])
+@pytest.mark.parametrize("name", list(COLUMNS))
 @pytest.mark.parametrize("way", ["fused", "arrays"])
 def bench_kernel_columns(benchmark, name: str, count: int, way: str) -> None:
-    names = kernels.FOUR_BAR_NAMES if name == "four-bar" else kernels.SIX_LINK_NAMES
-    cycle = Cycle(plans(name), names)
+    cycle = Cycle(plans(name), COLUMNS[name])
     span = Span(plans(name).mechanism.drive.position - 5, 10 / count, count)
     timed(benchmark, f"{name}, the columns of the kernel, {count}", way, count,
           lambda: through(cycle, span, way == "fused"))  # fmt: skip
@@ -127,3 +154,21 @@ def bench_pylinkage(benchmark, count: int) -> None:
     linkage.step_fast_with_kinematics(count, 1.0)
     timed(benchmark, f"four-bar, the columns of the kernel, {count}", f"pylinkage {pylinkage.__version__}", count,
           lambda: linkage.step_fast_with_kinematics(count, 1.0))  # fmt: skip
+
+
+@pytest.mark.parametrize("count", COUNTS[1:])
+def bench_kinepy(benchmark, count: int) -> None:
+    kinepy = pytest.importorskip("kinepy")
+    p = plans("four-bar")
+    r, l2, l3, d = *given("four-bar", "l_AB", "l_BC", "l_DC"), p.given["place_D"]
+    system = kinepy.System()
+    one, two, three = (system.add_solid(name) for name in ("1", "2", "3"))
+    crank = system.add_revolute(0, one, (0, 0), (0, 0))
+    system.add_revolute(one, two, (r, 0), (0, 0))
+    system.add_revolute(two, three, (l2, 0), (l3, 0))
+    system.add_revolute(three, 0, (0, 0), (d.real, d.imag))
+    system.pilot(crank)
+    system.compile()
+    phis = np.radians(angles("four-bar", count))
+    timed(benchmark, f"four-bar, the columns of the kernel, {count}", "kinepy (differences)", count,
+          lambda: system.solve_kinematics(phis))  # fmt: skip

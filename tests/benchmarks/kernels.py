@@ -41,6 +41,52 @@ def four_bar(phis, out, r, l2, l3, dx, dy, side, omega, epsilon):
         out[12, i], out[13, i], out[14, i], out[15, i] = w2, w3, e2, e3
 
 
+SLIDER_CRANK_NAMES = ["r_B", "v_B", "a_B", "r_C", "v_C", "a_C", "omega_2", "epsilon_2"]
+SLOTTED_NAMES = ["omega_3", "epsilon_3", "v_slide_2", "a_slide_2"]
+
+
+@njit(error_model="numpy")
+def slider_crank(phis, out, r, l2, gx, gy, ux, uy, side, omega, epsilon):
+    """The slider's hinge on the guide through (gx, gy) along the unit (ux, uy)."""
+    for i in range(phis.shape[0]):
+        angle = phis[i] * (math.pi / 180)
+        bx, by = r * math.cos(angle), r * math.sin(angle)
+        dx, dy = bx - gx, by - gy
+        foot, off = dx * ux + dy * uy, ux * dy - uy * dx
+        reach = side * math.sqrt((l2 - off) * (l2 + off))
+        cx, cy = gx + (foot + reach) * ux, gy + (foot + reach) * uy
+        px, py = cx - bx, cy - by
+        vx, vy = -omega * by, omega * bx
+        ax, ay = -epsilon * by - omega * omega * bx, epsilon * bx - omega * omega * by
+        over = 1 / (px * ux + py * uy)
+        w2 = -(ux * vy - uy * vx) * over
+        vc = (vx - w2 * py) * ux + (vy + w2 * px) * uy
+        sx, sy = ax - w2 * w2 * px, ay - w2 * w2 * py
+        e2 = -(ux * sy - uy * sx) * over
+        ac = (sx - e2 * py) * ux + (sy + e2 * px) * uy
+        out[0, i], out[1, i], out[2, i], out[3, i], out[4, i], out[5, i] = bx, by, vx, vy, ax, ay
+        out[6, i], out[7, i], out[8, i], out[9, i] = cx, cy, vc * ux, vc * uy
+        out[10, i], out[11, i], out[12, i], out[13, i] = ac * ux, ac * uy, w2, e2
+
+
+@njit(error_model="numpy")
+def slotted_lever(phis, out, r, dx, dy, omega, epsilon):
+    """A slot through the hinge (dx, dy), the crank's pin in it; the slot's sense is from the hinge to the pin."""
+    for i in range(phis.shape[0]):
+        angle = phis[i] * (math.pi / 180)
+        bx, by = r * math.cos(angle), r * math.sin(angle)
+        px, py = bx - dx, by - dy
+        over = 1 / math.sqrt(px * px + py * py)
+        ux, uy = px * over, py * over
+        vx, vy = -omega * by, omega * bx
+        ax, ay = -epsilon * by - omega * omega * bx, epsilon * bx - omega * omega * by
+        w = (ux * vy - uy * vx) * over
+        vr = vx * ux + vy * uy
+        ar = ax * ux + ay * uy + w * w / over
+        e = ((ux * ay - uy * ax) - 2 * w * vr) * over
+        out[0, i], out[1, i], out[2, i], out[3, i] = w, e, vr, ar
+
+
 @njit(error_model="numpy")
 def six_link(phis, out, r, l2, l3, dx, dy, side, s2, x5, omega, epsilon, m1, j1, m2, j2, m3, j3, m5, load, g):
     for i in range(phis.shape[0]):

@@ -1,0 +1,44 @@
+"""Details: every vector too short to be read is drawn once more, enlarged by a standard scale, with its name."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from planes.roof import sheet_of
+from planes.scene import load
+from render.detail import ENLARGED, SHORT_MM, details, letters
+from render.marks import Arc, Arrow, Text
+
+SAMPLES = {path.stem: path for path in sorted((Path(__file__).parent.parent / "samples").glob("*.yaml"))}
+
+
+@pytest.mark.parametrize("name", ["kind-2-rrp", "kind-3-rpr", "sliding-driver", "assignment-12", "crank-slider"])
+def test_every_short_vector_is_drawn_again_larger(name):
+    found = sheet_of(load(SAMPLES[name]), None)
+    titles = [m.text for m in found.marks if isinstance(m, Text) and re.fullmatch(r"\w \(\d+:1\)", m.text)]
+    assert len({t[0] for t in titles}) == len(titles)
+    said = [m.text for m in found.marks if isinstance(m, Text)]
+    assert all(said.count(title[0]) == 1 for title in titles)  # the letter on the plan itself
+    plans = [v for v, _, _ in found.views if v.key in ("velocity", "acceleration") or v.key.startswith("force")]
+    arrows = [a for v in plans for a in v.marks if isinstance(a, Arrow)]
+    short = [a for a in arrows if a.name and abs(a.end - a.start) < SHORT_MM]
+    assert short
+    for one in short:
+        span = one.end - one.start
+        times = [(a.end - a.start) / span for a in arrows if not a.name]
+        assert any(abs(t - k) < 1e-6 * k for t in times for k in ENLARGED), one.name
+
+
+def test_neighbours_share_a_detail():
+    found = details([(0j, 2 + 0j), (2 + 0j, 2 + 1j), (50j, 51j), (0j, 80 + 0j)], "AB")
+    assert [(d.centre, d.title) for d in found] == [(1 + 0.5j, "A (10:1)"), (50.5j, "B (20:1)")]
+    assert isinstance(found[0].circle(), Arc)
+    assert found[0].holds(2 + 0j) and not found[0].holds(4 + 0j)
+
+
+def test_a_detail_is_not_called_like_a_point():
+    assert letters(["A", "B", "C", "O", "S2"], True)[:3] == ["Б", "Г", "Д"]
+    assert letters(["A", "B", "C"], False)[:2] == ["D", "E"]
