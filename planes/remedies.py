@@ -103,8 +103,10 @@ def interpolated(plans: Plans, draw: Draw, value: float, why: str, lang: Lang) -
     if drive.kind != "phi" or not all(works(plans, v) for v in near):
         return None
     way = math.copysign(ASIDE_DEG, drive.velocity)
-    ways = {"remedy_between": ((value - ASIDE_DEG, 0.5), (value + ASIDE_DEG, 0.5), near),
-            "remedy_carried": ((value - 2 * way, -1.0), (value - way, 2.0), [value - math.copysign(BESIDE_DEG, way)])}
+    ways = {
+        "remedy_between": ((value - ASIDE_DEG, 0.5), (value + ASIDE_DEG, 0.5), near),
+        "remedy_carried": ((value - 2 * way, -1.0), (value - way, 2.0), [value - math.copysign(BESIDE_DEG, way)]),
+    }
     for key, ((one, first), (two, second), ends) in ways.items():
         try:
             a, b = draw(one), draw(two)

@@ -37,7 +37,7 @@ CYCLE: dict[str, tuple[str, str]] = {
         "drawn at μ = {mu}",
     ),
     "remedy_between": (
-        "{why}; значения взяты посередине между {low} и {high}, от соседних (±0,01°) отличаются не более чем на {apart}",
+        "{why}; значения взяты посередине между {low} и {high}, от соседних (±0,01°) разнятся не более чем на {apart}",
         "{why}; the values are halfway between those at {low} and {high}, within {apart} of the nearest ones (±0.01°)",
     ),
     "remedy_carried": (

@@ -41,7 +41,8 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "bench",
     "crank_slider.engine lesson_steps measuring nearest slips",
     "checking columns crank_slider.kinematics figures lesson solving",
-    "chains crank_slider.forces crank_slider.pages cycle explaining lesson_zones note practice remedies roof tables verdict",
+    "chains crank_slider.forces crank_slider.pages cycle explaining lesson_zones note practice remedies roof "
+    "tables verdict",
     "claims crank_slider.balance crank_slider.misprints lesson_data matching methods streams verdict_rows",
     "crank_slider.shaft erring long_run photograph roof_lesson stability",
     "cli_solve crank_slider.fatigue roof_charts roof_check",
