@@ -182,14 +182,14 @@ def _sheet(args: argparse.Namespace) -> int:
 
 
 def _lesson(args: argparse.Namespace) -> int:
-    from planes.roof_lesson import write_lesson
+    from planes.roof.lesson import write_lesson
 
     write_lesson(load(args.scene, args.variant), args.output, args.lang)
     return 0
 
 
 def _note(args: argparse.Namespace) -> int:
-    from planes.roof_lesson import write_note
+    from planes.roof.lesson import write_note
 
     scene = load(args.scene, args.variant)
     write_note(scene, _values(args, scene), args.output, args.lang)
@@ -197,7 +197,7 @@ def _note(args: argparse.Namespace) -> int:
 
 
 def _cycle(args: argparse.Namespace) -> int:
-    from planes.long_run import write_cycle
+    from planes.cycle.long_run import write_cycle
 
     scene = load(args.scene, args.variant)
     kind, text = _range(args, scene)
@@ -206,14 +206,14 @@ def _cycle(args: argparse.Namespace) -> int:
 
 
 def _chart(args: argparse.Namespace) -> int:
-    from planes.roof_charts import draw_chart
+    from planes.roof.charts import draw_chart
 
     draw_chart(load(args.scene, args.variant), args.output, args.table, args.lang)
     return 0
 
 
 def _crank_slider(args: argparse.Namespace) -> int:
-    from planes.roof_crank_slider import run
+    from planes.roof.crank_slider import run
 
     return run(load(args.scene, args.variant), args, args.lang)
 

@@ -10,15 +10,15 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from planes.bench import Asked, prepare
-from planes.nudging import HAND, cad
-from planes.paper import Paper, read_table
+from planes.check.bench import Asked, prepare
+from planes.check.nudging import HAND, cad
+from planes.check.paper import Paper, read_table
+from planes.check.verdict import STATUS, Outcome, check
+from planes.check.verdict_rows import as_json, mark_rows, result_rows
 from planes.scales import kind_of
 from planes.scene import Scene
 from planes.tables import table
 from planes.units import UnitError, read_mu
-from planes.verdict import STATUS, Outcome, check
-from planes.verdict_rows import as_json, mark_rows, result_rows
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
 
@@ -35,7 +35,7 @@ def run(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
         return _class(args, asked)
     found = check(asked, read_paper(args.drawing, asked, args))
     if args.output:
-        from planes.roof_check import write_report
+        from planes.roof.check import write_report
 
         write_report(found, args.output, args.lang)
     if args.json:
@@ -126,7 +126,7 @@ def read_paper(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
     if suffix in LINES:
         return _from_lines(file, asked, args)
     if suffix in PICTURES:
-        from planes.photograph import paper_of_picture
+        from planes.check.photograph import paper_of_picture
 
         pole = place(args.pole, "--pole")[1] if args.pole else None
         return paper_of_picture(file, prepare(asked), pole, dict(place(m, "--mark") for m in args.mark))
@@ -135,9 +135,9 @@ def read_paper(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
 
 def _from_lines(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
     """The marks of a drawing of lines; --pole and --mark are in its own units, y down."""
-    from planes.matching import paper_of, scaled
-    from planes.read_dxf import read_dxf
-    from planes.read_svg import read_svg, units
+    from planes.check.matching import paper_of, scaled
+    from planes.check.read_dxf import read_dxf
+    from planes.check.read_svg import read_svg, units
 
     bench = prepare(asked)
     sketch = read_svg(file) if file.lower().endswith(".svg") else read_dxf(file)
@@ -176,7 +176,7 @@ def told(found: Outcome, lang: Lang) -> str:
 
 def write_blank(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
     """``planes blank``: a sheet to draw a plan on."""
-    from planes.roof_check import write_blank as write
+    from planes.roof.check import write_blank as write
 
     write(Asked(scene, args.plan, value, _mu(args.mu, args.plan)), args.output, args.lang)
     return 0

@@ -15,7 +15,7 @@ from planes.tables import report
 def run(args: argparse.Namespace, scene: Scene, values: list[float] | None, as_json: Callable[[object], str]) -> int:
     """Solve and print; the exit status."""
     if args.explain:
-        from planes.explaining import explain
+        from planes.cycle.explaining import explain
 
         print(explain(scene, args.lang), end="")
         return 0

@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from planes.equations import Equation, Term
-from planes.reckoning import Calculate, Drop, Measure, Product
 from planes.steps import Aim, Cross, CrossArc, CrossArcs, LayOff, Put, Similar, Step, Through, Turn
+from planes.steps.reckoning import Calculate, Drop, Measure, Product
 from planes.thing_names import called
 from planes.wording import ProgramError
 from planes.words import Phrase, Told

@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from planes.claims import Claims, Spread
-from planes.columns import Column, columns_of
 from planes.cycle import Cycle
+from planes.cycle.claims import Claims, Spread
+from planes.cycle.columns import Column, columns_of
 from planes.drafting import Segment, at, mu_of
 from planes.instruments import Instrument, Pencil
 from planes.measuring import Quantity, Reader, catalogue

@@ -8,7 +8,7 @@ import os
 from typing import NoReturn
 
 from planes.words import Lang, say
-from planes.words_method import METHOD
+from planes.words.method import METHOD
 
 
 def home_lang() -> Lang:

@@ -9,9 +9,9 @@ from typing import Any
 
 from planes.drafting import Segment, at, label_of, mu_of
 from planes.drawing import Drawing
-from planes.loads import force_name
 from planes.mechanism import FRAME
 from planes.plans import Plans
+from planes.plans.loads import force_name
 from planes.scales import kind_of
 from planes.units import UNIT, mu_text
 from planes.wording import PlanFailure, SceneError, choices

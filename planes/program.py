@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
-from planes.crossings import Cross
-from planes.step import Kind, Step
+from planes.steps.base import Kind, Step
+from planes.steps.crossings import Cross
 from planes.wording import ProgramError, valid_names
 from planes.words import Phrase
 

@@ -10,7 +10,7 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, MultipleLocator
 
-from render.strokes import Picture, StrokeRenderer
+from render.report.strokes import Picture, StrokeRenderer
 
 MM = 72 / 25.4
 LOOKS = (

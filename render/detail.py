@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from render import labels
 from render.marks import Arc, Arrow, Line, Mark, Shape, Text, moved
-from render.view import TITLE_GAP, bounds
+from render.views import TITLE_GAP, bounds
 
 SHORT_MM = 3.0  # a vector shorter than this is drawn again
 TOGETHER_MM = 3.0  # short vectors nearer to each other than this are drawn in one detail

@@ -60,7 +60,7 @@ NOSCRIPT = (
 
 
 def page(data: dict[str, Any], lang: str) -> str:
-    """The whole page; ``data`` is what :func:`planes.lesson_data.lesson_data` exports."""
+    """The whole page; ``data`` is what :func:`planes.lesson.data.lesson_data` exports."""
     words = {key: {"ru": ru, "en": en} for key, (ru, en) in WORDS.items()}
     folder = files("render") / "page"
     parts = {

@@ -19,9 +19,9 @@ import drawings_force
 import sample_oracle
 from drawings import NONE, SHAKY, Care, Hand, Mistake
 
-from planes.bench import Asked, Bench, prepare
-from planes.checking import grade, readable
-from planes.paper import Paper, Spot
+from planes.check import grade, readable
+from planes.check.bench import Asked, Bench, prepare
+from planes.check.paper import Paper, Spot
 from planes.scene import load
 
 SAMPLES = Path(__file__).parents[1] / "samples"

@@ -22,16 +22,15 @@ import numpy as np
 from mechanisms import KINDS, make, to_yaml
 from oracle import NoSolution
 
-from planes import fused
-from planes.claims import Claims
-from planes.cycle import Cycle
-from planes.digits import Digits
+from planes.cycle import Cycle, fused
+from planes.cycle.claims import Claims
+from planes.cycle.digits import Digits
+from planes.cycle.reading import read
+from planes.cycle.tape import Tape
+from planes.cycle.tracing import given_values
 from planes.drawing import run
 from planes.plans import state
-from planes.reading import read
 from planes.scene import loads
-from planes.tape import Tape
-from planes.tracing import given_values
 from planes.wording import PlanesError
 
 LONG = np.longdouble

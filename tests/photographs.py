@@ -10,7 +10,7 @@ from typing import Any
 import cv2
 import numpy as np
 
-from planes.fiducials import SHEET_MM, SIDE_MM, cells, centres
+from planes.check.fiducials import SHEET_MM, SIDE_MM, cells, centres
 
 Stroke = tuple[complex, complex]
 

@@ -6,8 +6,8 @@ import time
 import pytest
 import yaml
 
-from planes import source
-from planes.source import Items, Table, Text, lines, parse, read
+from planes.scene import source
+from planes.scene.source import Items, Table, Text, lines, parse, read
 from planes.wording import SceneError
 
 SIZE = 999_000

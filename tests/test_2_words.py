@@ -14,10 +14,10 @@ from test_2_scene_refusals import BAD, BAD_VECTORS
 
 from planes import cli, words
 from planes.angles import read_range
-from planes.expressions import evaluate
 from planes.scene import loads
+from planes.scene.expressions import evaluate
+from planes.scene.source import parse
 from planes.solving import solve
-from planes.source import parse
 from planes.statement import read_equation
 from planes.units import read_mu
 from planes.vectors import solve_vectors

@@ -12,15 +12,15 @@ from hypothesis import given, settings
 from mechanisms import KINDS, make, mechanisms, to_yaml
 from test_5_failures import FOUR_BAR, ROCKER, SLIDER
 
-import planes.reckoning
 import planes.steps
+import planes.steps.reckoning
 from planes.drawing import run
 from planes.measuring import asked
 from planes.plans import Plans, sliced, state
 from planes.program import Program
-from planes.reckoning import Calculate, Measure, Product, Protractor
 from planes.scene import loads
 from planes.steps import Aim, Carry, Cross, LayOff, Put, Step, Through, Turn
+from planes.steps.reckoning import Calculate, Measure, Product, Protractor
 from planes.wording import ProgramError
 
 LOADED = (
@@ -209,7 +209,7 @@ def test_changed_numbers_leave_a_random_program_the_same(case: Any) -> None:
 
 
 def all_steps() -> list[type[Step]]:
-    found = {v for m in (planes.steps, planes.reckoning) for v in vars(m).values() if isinstance(v, type)}
+    found = {v for m in (planes.steps, planes.steps.reckoning) for v in vars(m).values() if isinstance(v, type)}
     return sorted((s for s in found if issubclass(s, Step)), key=lambda s: s.__name__)
 
 

@@ -7,8 +7,8 @@ from pathlib import Path
 import mpmath
 import pytest
 
-from planes.columns import columns_of
-from planes.digits import Digits
+from planes.cycle.columns import columns_of
+from planes.cycle.digits import Digits
 from planes.drawing import Drawing, run
 from planes.plans import Plans, state
 from planes.scales import unit_scales

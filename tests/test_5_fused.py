@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planes import fused
-from planes.reading import read
-from planes.symbols import Num, Vec, number, place_of
-from planes.tape import Tape
-from planes.tracing import Recording, Trace
+from planes.cycle import fused
+from planes.cycle.reading import read
+from planes.cycle.symbols import Num, Vec, number, place_of
+from planes.cycle.tape import Tape
+from planes.cycle.tracing import Recording, Trace
 
 needs_compiler = pytest.mark.skipif(not fused.available(), reason="the extra planes[fast] is not installed")
 AR = Recording()

@@ -10,15 +10,15 @@ import numpy as np
 import pytest
 from mechanisms import KINDS, make, to_yaml
 
-from planes.claims import Claims, pencil_spread
 from planes.cycle import Cycle
-from planes.digits import Digits
+from planes.cycle.claims import Claims, pencil_spread
+from planes.cycle.digits import Digits
+from planes.cycle.stability import approach
 from planes.drawing import run
 from planes.instruments import Pencil
 from planes.plans import state
 from planes.scales import scales
 from planes.scene import load, loads
-from planes.stability import approach
 
 SAMPLES = Path(__file__).parents[1] / "samples"
 KIND_SAMPLES = ["kind-1-rrr", "kind-2-rrp", "kind-3-rpr", "kind-4-prp", "kind-5-rpp", "six-link"]

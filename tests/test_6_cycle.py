@@ -12,12 +12,11 @@ import numpy as np
 import pytest
 from mechanisms import KINDS, make, to_yaml
 
-from planes import fused
 from planes.angles import Span, read_span
-from planes.claims import Claims
 from planes.cli import main
-from planes.cycle import Cycle, cycle
-from planes.digits import Digits
+from planes.cycle import Cycle, cycle, fused
+from planes.cycle.claims import Claims
+from planes.cycle.digits import Digits
 from planes.drawing import run
 from planes.plans import Plans, state
 from planes.scene import load, loads

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from planes.cli import main
-from planes.digits import Digits
+from planes.cycle.digits import Digits
 from planes.drawing import run
 from planes.erring import add_errors
 from planes.instruments import Pencil

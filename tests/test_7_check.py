@@ -17,15 +17,15 @@ import pytest
 from confusion import SAMPLES, Easel, easels, run_all, told
 from drawings import Care, Hand, Mistake
 
-from planes.bench import Asked
+from planes.check.bench import Asked
+from planes.check.matching import paper_of
+from planes.check.paper import Paper, Spot, read_table
+from planes.check.read_dxf import read_dxf
+from planes.check.read_svg import read_svg
+from planes.check.verdict import check
+from planes.check.verdict_rows import as_json
 from planes.cli import main
-from planes.matching import paper_of
-from planes.paper import Paper, Spot, read_table
-from planes.read_dxf import read_dxf
-from planes.read_svg import read_svg
 from planes.scene import load
-from planes.verdict import check
-from planes.verdict_rows import as_json
 from planes.wording import PlanesError
 
 SIX = str(SAMPLES / "six-link.yaml")
@@ -223,7 +223,7 @@ def photographed(
     """A picture of a drawing on its blank; its marks and pole, None where it does not fit the sheet."""
     import photographs
 
-    from planes.photograph import blank_pole
+    from planes.check.photograph import blank_pole
 
     marks, _ = easel.draw(mistake, Hand(Care(), rng))
     pole = blank_pole(confusion.bench(easel.sample, easel.plan))
@@ -245,7 +245,7 @@ def test_pictures(kind: str, median: float, most: float, tmp_path: Path) -> None
 
     import photographs
 
-    from planes.photograph import paper_of_picture
+    from planes.check.photograph import paper_of_picture
 
     rng, errors, right, count, slow = random.Random(5), [], 0, 0, 0.0
     for easel in [e for e in easels() if not e.plan.startswith("force")][::3]:
@@ -335,8 +335,8 @@ def test_a_class(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
 @pytest.mark.parametrize("suffix", [".pdf", ".svg", ".png"])
 def test_a_printed_blank_is_found_by_its_corners(tmp_path: Path, suffix: str) -> None:
     pytest.importorskip("cv2")
-    from planes.picture import find_marks, flatten
-    from planes.picture import load as picture
+    from planes.check.picture import find_marks, flatten
+    from planes.check.picture import load as picture
 
     file = tmp_path / f"blank{suffix}"
     assert main(["blank", SIX, "--plan", "velocity", "-o", str(file)]) == 0

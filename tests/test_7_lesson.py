@@ -13,19 +13,19 @@ import pytest
 from planes import cli
 from planes.drafting import at
 from planes.drawing import run
-from planes.formulas import fill
 from planes.lesson import LANGS, Teller, needed, value_of
-from planes.lesson_data import lesson_data
+from planes.lesson.data import lesson_data
+from planes.lesson.formulas import fill
+from planes.lesson.note import Figure, Heading, Note, Prose, Table
 from planes.measuring import Reader, catalogue
-from planes.note import Figure, Heading, Note, Prose, Table
 from planes.plans import state
-from planes.roof_lesson import Lesson, figures, placed, set_note
+from planes.roof.lesson import Lesson, figures, placed, set_note
 from planes.scales import scales
 from planes.scene import load
 from planes.solving import solve
 from planes.wording import PlanesError, SceneError
-from render.compose import Composer
 from render.lesson_page import page
+from render.sheet.composer import Composer
 
 ROOT = Path(__file__).parent.parent / "samples"
 SAMPLES = [p for p in sorted(ROOT.glob("*.yaml")) if p.stem != "vectors"]

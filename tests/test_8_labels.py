@@ -8,8 +8,8 @@ import time
 
 import pytest
 
-from render.footprints import conflicts
 from render.labels import Label, place
+from render.labels.footprints import conflicts
 from render.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
 from render.typeset import layout
 

@@ -9,7 +9,7 @@ from itertools import pairwise
 import pytest
 
 from render import lettering
-from render.glyphs_signs import SAME, SHIFTED
+from render.lettering.signs import SAME, SHIFTED
 
 RUSSIAN = "АБВГДЕЁЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯ"
 BELARUSIAN = "АБВГДЕЁЖЗІЙКЛМНОПРСТУЎФХЦЧШЫЬЭЮЯ"

@@ -12,10 +12,10 @@ from planes.roof import draw_sheet, sheet_of
 from planes.scene import load
 from planes.wording import PlanesError
 from render import lettering
-from render.diagrams import pieces, unwound
-from render.footprints import conflicts
+from render.labels.footprints import conflicts
 from render.marks import Arrow, Line, Text
 from render.typeset import plain
+from render.views.diagrams import pieces, unwound
 
 SAMPLES = sorted((Path(__file__).parent.parent / "samples").glob("*.yaml"))
 SCENES = {path.stem: scene for path in SAMPLES if (scene := load(path)).mechanism}

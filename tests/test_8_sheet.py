@@ -16,9 +16,9 @@ from planes.scene import load, loads
 from planes.solving import solve
 from planes.wording import PlanesError
 from render import lettering, pdf, svg
-from render.footprints import conflicts
-from render.layout import GAP_MM, pack
+from render.labels.footprints import conflicts
 from render.marks import Arrow, Line, Text
+from render.sheet.layout import GAP_MM, pack
 from render.typeset import layout, plain
 
 SAMPLES = sorted((Path(__file__).parent.parent / "samples").glob("*.yaml"))
@@ -137,9 +137,9 @@ def test_result_lines_are_thick_and_lines_of_action_thin():
 
 def test_underlines_count_what_is_known():
     from planes.vectors import solve_vectors
-    from render.compose import Naming
-    from render.formulas import Formulas
-    from render.plotted import of_vectors
+    from render.sheet.composer import Naming
+    from render.views.formulas import Formulas
+    from render.views.plotted import of_vectors
 
     marks = Formulas(of_vectors(solve_vectors(load(SAMPLES[NAMES.index("vectors")]))), Naming()).drawn(("vectors",))
     at = {plain(m.text): m.place.real for m in marks if isinstance(m, Text) and m.name}

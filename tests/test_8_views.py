@@ -12,9 +12,9 @@ from planes.roof import picture, view_of
 from planes.scene import load
 from planes.solving import solve
 from planes.wording import PlanesError
-from render.footprints import conflicts
-from render.one_view import MARGIN_MM
-from render.view import bounds
+from render.labels.footprints import conflicts
+from render.views import bounds
+from render.views.single import MARGIN_MM
 
 SAMPLES = {path.stem: path for path in sorted((Path(__file__).parent.parent / "samples").glob("*.yaml"))}
 

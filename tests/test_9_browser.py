@@ -12,9 +12,9 @@ import pytest
 from browser import chromium
 
 from planes.drawing import run
-from planes.formulas import fill
 from planes.lesson import LANGS, Teller, value_of
-from planes.lesson_data import lesson_data
+from planes.lesson.data import lesson_data
+from planes.lesson.formulas import fill
 from planes.plans import state
 from planes.scales import scales
 from planes.scene import load

@@ -16,60 +16,61 @@ LONGEST_FILE = 260
 LONGEST_BODY = 25  # lines, of nine functions in ten
 
 STOREYS = (  # a module imports only from the storeys above its own in this list
-    "arithmetic check_options crank_slider.indicator crank_slider.materials crank_slider.sections "
-    "crank_slider.words_balance crank_slider.words_forces crank_slider.words_report crank_slider.words_rod "
-    "crank_slider.words_strength degrees fiducials mark_names mechanism strokes tape words_crank_slider words_cycle "
-    "words_links words_method words_mistakes words_note words_scene words_text words_why",
-    "fused_text plane reading symbols tools words_check words_lesson",
-    "step words",
-    "crossings home reckoning thing_names wording yaml_words",
-    "angles equations expressions instruments paper picture program read_dxf read_svg source statement steps "
-    "structure units",
-    "digits drafting drawing formulas nudging pencil_lines scene_reader tracing",
-    "assembly bodies crank_slider.reading_table fused handwork lesson_moments scene_links scene_motion "
-    "scene_settings scene_vectors",
-    "judging positions scene",
-    "crank_slider.shape legs vectors",
-    "crank_slider.given kinematics",
-    "crank_slider.reading_parts loads",
-    "crank_slider.reading friction reactions",
-    "lever primary",
-    "statics",
+    "arithmetic check.fiducials check.strokes check_options crank_slider crank_slider.indicator "
+    "crank_slider.materials crank_slider.sections crank_slider.words_balance crank_slider.words_forces "
+    "crank_slider.words_report crank_slider.words_rod crank_slider.words_strength cycle.tape degrees mark_names "
+    "mechanism words.crank_slider words.cycle words.links words.method words.mistakes words.note words.scene "
+    "words.text words.why",
+    "cycle.fused_text cycle.reading cycle.symbols plane tools words.check words.lesson",
+    "steps.base words",
+    "home scene.yaml_faults steps.crossings steps.reckoning thing_names wording",
+    "angles check.paper check.picture check.read_dxf check.read_svg equations instruments program "
+    "scene.expressions scene.source statement steps structure units",
+    "check.nudging check.pencil_lines cycle.digits cycle.tracing drafting drawing lesson.formulas scene.reader",
+    "check.handwork crank_slider.reading_table cycle.fused lesson.moments plans.assembly plans.bodies scene.links "
+    "scene.motion scene.settings scene.vectors",
+    "check.judging plans.positions scene",
+    "crank_slider.shape plans.legs vectors",
+    "crank_slider.given plans.kinematics",
+    "crank_slider.reading_parts plans.loads",
+    "crank_slider.reading plans.friction plans.reactions",
+    "plans.lever plans.primary",
+    "plans.statics",
     "plans",
-    "contrast lesson_scheme polygons scales ways",
-    "mistakes mistakes_force mistakes_position",
-    "bench",
-    "crank_slider.engine lesson_steps measuring nearest slips",
-    "checking columns crank_slider.kinematics figures lesson solving",
-    "chains crank_slider.forces crank_slider.pages cycle explaining lesson_zones note practice remedies roof "
-    "tables verdict",
-    "claims crank_slider.balance crank_slider.misprints lesson_data matching methods streams verdict_rows",
-    "crank_slider.shaft erring long_run photograph roof_lesson stability",
-    "cli_solve crank_slider.fatigue roof_charts roof_check",
+    "check.polygons check.slips check.ways cycle.contrast lesson.scheme scales",
+    "check.mistakes check.mistakes_force check.mistakes_position crank_slider.engine lesson.steps measuring "
+    "nearest",
+    "check.bench crank_slider.kinematics cycle.columns lesson lesson.figures solving",
+    "check check.chains crank_slider.forces crank_slider.pages cycle cycle.explaining lesson.note lesson.practice "
+    "lesson.zones remedies roof tables",
+    "check.matching check.verdict crank_slider.balance crank_slider.misprints cycle.claims cycle.methods "
+    "cycle.streams lesson.data",
+    "check.photograph check.verdict_rows crank_slider.shaft cycle.long_run cycle.stability erring roof.lesson",
+    "cli_solve crank_slider.fatigue roof.charts roof.check",
     "cli_check crank_slider.rod",
     "crank_slider.calculation",
     "crank_slider.pages_balance crank_slider.pages_kinematics crank_slider.pages_rod crank_slider.pages_shaft",
     "crank_slider.numbers crank_slider.pages_forces",
     "crank_slider.report",
-    "roof_crank_slider",
+    "roof.crank_slider",
     "cli",
 )
 FLOORS = {f"planes.{name}": floor for floor, names in enumerate(STOREYS) for name in names.split()}
 # alone may hand drawings to the renderer
-ROOFS = {"planes.cli", "planes.roof", "planes.roof_charts", "planes.roof_check", "planes.roof_crank_slider",
-         "planes.roof_lesson"}
+ROOFS = {"planes.cli", "planes.roof", "planes.roof.charts", "planes.roof.check", "planes.roof.crank_slider",
+         "planes.roof.lesson"}
 READ_BY_RENDER = {  # what drawings are made of, and words: nothing that states or solves mechanics
     f"planes.{name}" for name in (
-        "bodies", "crank_slider.pages", "drafting", "drawing", "equations", "lesson", "measuring", "mechanism",
-        "note", "plans", "reckoning", "scales", "scene", "solving", "steps", "structure", "units", "vectors",
-        "wording", "words")
+        "plans.bodies", "crank_slider.pages", "drafting", "drawing", "equations", "lesson", "measuring", "mechanism",
+        "lesson.note", "plans", "steps.reckoning", "scales", "scene", "solving", "steps", "structure", "units",
+        "vectors", "wording", "words")
 }  # fmt: skip
 
 
 def files(package: str) -> dict[str, Path]:
     """Modules of a package by name."""
-    found = sorted(f for f in (ROOT / package).rglob("*.py") if f.stem != "__init__")
-    return {".".join(f.relative_to(ROOT).with_suffix("").parts): f for f in found}
+    found = sorted(f for f in (ROOT / package).rglob("*.py") if f != ROOT / package / "__init__.py")
+    return {".".join(f.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__"): f for f in found}
 
 
 MODULES = {**files("planes"), **files("render")}
@@ -89,8 +90,9 @@ def imports(module: str) -> frozenset[str]:
             found |= {a.name for a in node.names}
         elif isinstance(node, ast.ImportFrom):
             assert not node.level, f"{module}: relative import in line {node.lineno}"
-            found |= {node.module or ""} | {f"{node.module}.{a.name}" for a in node.names}
-    return frozenset(found & set(MODULES))
+            whole = [f"{node.module}.{a.name}" for a in node.names]
+            found |= {name if name in MODULES else node.module or "" for name in whole}
+    return frozenset(found & set(MODULES)) - {module}
 
 
 def functions(path: Path) -> Iterator[tuple[str, int]]:

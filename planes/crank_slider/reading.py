@@ -10,7 +10,7 @@ from planes.crank_slider.reading_parts import read_concentration, read_materials
 from planes.crank_slider.reading_table import Values, read_indicator
 from planes.crank_slider.shape import Shape, shape_of
 from planes.scene import Scene
-from planes.scene_reader import Reader, section
+from planes.scene.reader import Reader, section
 from planes.wording import SceneError
 from planes.words import Phrase
 

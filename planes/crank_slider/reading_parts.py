@@ -6,7 +6,7 @@ from planes.crank_slider.given import Concentration, PistonPin, Shaft
 from planes.crank_slider.materials import ELASTICITY_MPA, STEELS, Material, made, steel
 from planes.crank_slider.reading_table import Values
 from planes.crank_slider.sections import Round, Shank, Web
-from planes.source import Text
+from planes.scene.source import Text
 from planes.wording import choices, shown
 from planes.words import Phrase
 

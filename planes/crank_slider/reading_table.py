@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from types import MappingProxyType
 
 from planes.crank_slider.indicator import FOUR, TWO, UNITS, Indicator, Points, span
-from planes.scene_reader import Reader, part
-from planes.source import Items, Node, Table
+from planes.scene.reader import Reader, part
+from planes.scene.source import Items, Node, Table
 from planes.wording import SceneError
 from planes.words import Phrase, Told
 

@@ -1,0 +1,222 @@
+"""Check a person's drawing of one plan: align it, find its scale, grade every mark, name the first mistake."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from planes.check.bench import Bench, marks_of, variants_of
+from planes.check.handwork import Hand, Miss, Taken
+from planes.check.judging import WARN, Judgement, judge, verdicts
+from planes.check.paper import Paper, Spot
+from planes.check.polygons import Rebuilt, rebuild
+from planes.drafting import POLE, at, label_of, mu_of
+from planes.drawing import Drawing, run
+from planes.mark_names import Names
+from planes.plans import Plans
+from planes.scales import extent, kind_of
+from planes.steps import Cross, CrossArc, CrossArcs, LayOff, Same
+from planes.wording import PlanesError
+from planes.words import Phrase
+
+OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
+READABLE = 0.5  # the share of a plan's crossings that must be read
+
+
+@dataclass
+class Grading:
+    """A drawing graded at one scale."""
+
+    plans: Plans
+    hand: Hand
+    truth: Drawing
+    marks: list[str]
+    mu: float
+    judgement: Judgement
+    free: Mapping[str, Miss]
+    said_mu: bool = True
+    rebuilt: Rebuilt | None = None
+    notes: list[Phrase] = field(default_factory=list)
+
+    @property
+    def gap_wrong(self) -> float | None:
+        """By how many mm a force polygon fails to close, where that is more than a hand's error."""
+        gap = self.rebuilt.gap if self.rebuilt else None
+        if gap is None:
+            return None
+        sigma = math.sqrt(2 * self.hand.tool.skill.point_mm ** 2 + 2 * gap.error_mm ** 2)
+        return abs(gap.place) if abs(gap.place) > self.judgement.limit * sigma else None
+
+    @property
+    def left_out(self) -> str | None:
+        """A known force that is not in the polygon and that nothing read was drawn from."""
+        if self.rebuilt is None or self.judgement.wrong:
+            return None
+        used = set(self.judgement.misses)
+        for step in reversed(self.hand.program.steps):
+            if step.makes in used:
+                used.update(n for n, kind in step.reads() if kind == "mark" and n not in self.judgement.misses)
+        for mark in self.marks:
+            step = next(s for s in self.hand.program.steps if s.makes == mark)
+            if isinstance(step, LayOff) and mark not in used:
+                miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
+                if miss.sigmas > self.judgement.limit:
+                    return label_of(mark)
+        return None
+
+    @property
+    def verdicts(self) -> dict[str, str]:
+        """right, wrong, follows or unread for every mark of the plan."""
+        strayed = {m: miss.sigmas > self.judgement.limit for m, miss in self.free.items()}
+        return verdicts(self.judgement, self.marks, strayed)
+
+
+def align(bench: Bench, plan: str, paper: Paper) -> tuple[dict[str, Spot], Rebuilt | None, list[str]]:
+    """The paper's marks by label, from the pole; the rebuilt polygon of a force plan; names that are no marks."""
+    names = Names(label_of(m) for m in marks_of(bench.plans, plan))
+    pole = next((s for s in paper.spots if names.find(s.name) == POLE), None)
+    if kind_of(plan) == "force":
+        if pole is None:
+            raise PlanesError(Phrase("check_no_pole"))
+        rebuilt = rebuild(bench.plans, plan, paper.spots, paper.whole)
+        return rebuilt.spots, rebuilt, rebuilt.unknown
+    found: dict[str, Spot] = {}
+    unknown = []
+    for spot in paper.spots:
+        name = names.find(spot.name)
+        if name is None and not _fixed(bench, spot.name):
+            unknown.append(spot.name)
+        elif name and name != POLE:
+            found.setdefault(name, spot)
+    origin = pole.place if pole else _origin(bench, plan, found)
+    moved = {n: Spot(n, s.place - origin, s.error_mm) for n, s in found.items()}
+    return moved, None, unknown
+
+
+def _fixed(bench: Bench, name: str) -> bool:
+    """Whether a name is that of a fixed point, which stands at the pole of a motion plan."""
+    return Names(bench.plans.mechanism.frame.points).find(name) is not None
+
+
+def _origin(bench: Bench, plan: str, found: Mapping[str, Spot]) -> complex:
+    """Where the pole is when it was not read: from a fixed point of the scheme."""
+    if plan != "position":
+        raise PlanesError(Phrase("check_no_pole"))
+    for name, place in bench.plans.mechanism.frame.points.items():
+        if name in found:
+            return complex(found[name].place - place * bench.given[mu_of(plan)])
+    raise PlanesError(Phrase("check_no_fixed", names=", ".join(bench.plans.mechanism.frame.points)))
+
+
+def grade(bench: Bench, paper: Paper) -> Grading | None:
+    """Grade a paper of marks at the scale that explains it best; None when no mark of the plan was read."""
+    plan = bench.asked.plan
+    spots, rebuilt, unknown = align(bench, plan, paper)
+    taken = {at(plan, n): Taken(s.place, s.error_mm) for n, s in spots.items()}
+    if not taken:
+        return None
+    taken |= _earlier(bench)
+    best: tuple[float, Grading] | None = None
+    for mu, share in _scales(bench, taken):
+        found = _grade_at(bench, mu, share, taken, rebuilt.absent if rebuilt else set())
+        said = mu == bench.said_mu
+        score = _worth(found) + (0.0 if said else OWN_SCALE)
+        found.said_mu = said
+        if best is None or score > best[0] + 1e-9:
+            best = score, found
+        if said and not _rescaled(found):
+            break
+    if best is None:
+        return None
+    best[1].rebuilt = rebuilt
+    if unknown:
+        best[1].notes.append(Phrase("check_unknown", names=", ".join(unknown)))
+    return best[1]
+
+
+def _rescaled(found: Grading) -> bool:
+    """Whether another scale may be behind the wrong marks: of a force plan all forces would be wrong, not one."""
+    if not found.judgement.wrong:
+        return False
+    if found.rebuilt is None and kind_of(found.marks[0].rpartition(":")[0]) != "force":
+        return True
+    steps = {s.makes: s for s in found.hand.program.steps}
+    laid = [m for m in found.judgement.misses if isinstance(steps[m], LayOff)]
+    return len(laid) < 2 or sum(m in found.judgement.wrong for m in laid) > 1
+
+
+def _worth(found: Grading) -> float:
+    """How much a grading is to be believed: few wrong marks, a named mistake rather than none."""
+    wrong = len([v for v in found.verdicts.values() if v == "wrong"])
+    return -6.0 * wrong - (0.0 if found.judgement.named or not wrong else 4.0)
+
+
+def _earlier(bench: Bench) -> dict[str, Taken]:
+    """Marks of earlier plans that were handed in too."""
+    found: dict[str, Taken] = {}
+    for plan, paper in bench.asked.others.items():
+        spots, _, _ = align(bench, plan, paper)
+        found |= {at(plan, n): Taken(s.place, s.error_mm) for n, s in spots.items()}
+    return found
+
+
+def _scales(bench: Bench, taken: Mapping[str, Taken]) -> list[tuple[float, float]]:
+    """Scales worth trying with their relative errors: the stated one, and what the drawing's vectors show."""
+    found = [(bench.said_mu, 0.0)]
+    if bench.asked.mu:
+        return found
+    truth = run(bench.program, bench.given)
+    pairs = [(truth[m], taken[m].place) for m in bench.marks if m in taken and abs(truth[m]) > 5.0]
+    tried: list[float] = [1.0]
+    for true, own in pairs:
+        ratio = abs(own) / abs(true)
+        if ratio > 0 and all(abs(ratio / t - 1) > 0.01 for t in tried):
+            tried.append(ratio)
+            found.append((bench.said_mu * ratio, 0.5 / abs(own)))
+    return found[:8]
+
+
+def _grade_at(bench: Bench, mu: float, share: float, taken: Mapping[str, Taken], absent: set[str]) -> Grading:
+    """Grade at one scale."""
+    plan, skill = bench.asked.plan, bench.asked.skill
+    name = mu_of(plan)
+    given = {**bench.given, name: mu}
+    unsure = {name: share} if share and name in bench.program.givens else {}
+    hand = Hand(bench.program, given, skill, taken, unsure)
+    truth = run(bench.program, given)
+    free = Hand(bench.program, given, skill, {m: t for m, t in taken.items() if m not in bench.marks}, unsure)
+    apart = {m: _apart(free, m, taken[m]) for m in bench.marks if m in taken}
+    size = extent(truth, plan)
+    judgement = judge(hand, bench.marks, variants_of(bench, hand, mu), size, absent)
+    wrong, at_home = judgement.wrong, {m for m, miss in apart.items() if miss.sigmas <= judgement.limit}
+    judgement.wrong = wrong[:1] + [m for m in wrong[1:] if m not in at_home]  # off a wrong mark, but where it should be
+    return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart)
+
+
+def _apart(free: Hand, mark: str, own: Taken) -> Miss:
+    """How far a mark is from the true plan, where drafting alone may lead a person astray."""
+    miss = free.miss(free.things[mark], own.place)
+    xx, xy, yy = miss.cov
+    return Miss(miss.off, (xx + own.error_mm**2, xy, yy + own.error_mm**2))
+
+
+def readable(grading: Grading) -> Phrase | None:
+    """None when enough was read to judge, else a sentence that says what is missing."""
+    steps = {s.makes: s for s in grading.plans.program.steps}
+    key = [m for m in grading.marks if isinstance(steps[m], Cross | CrossArc | CrossArcs)]
+    key = key or [m for m in grading.marks if not isinstance(steps[m], Same)]
+    found = [m for m in key if m in grading.judgement.misses]
+    if len(found) < READABLE * len(key):
+        missing = ", ".join(label_of(m) for m in key if m not in found)
+        return Phrase("check_too_little", found=len(found), count=len(key), names=missing)
+    count = len(grading.judgement.misses)
+    wrong = [m for m, v in grading.verdicts.items() if v == "wrong"]
+    if grading.judgement.named is None and count >= 3 and len(wrong) > 0.7 * count:
+        return Phrase("check_other_drawing", count=count, wrong=len(wrong))
+    return None
+
+
+def close_call(miss: Miss, limit: float) -> bool:
+    """Whether a mark is right by less than it should."""
+    return WARN < miss.sigmas <= limit

@@ -1,0 +1,142 @@
+"""Judging a hand's misses: which mark is the first wrong one, and which mistake of the catalogue explains it.
+
+Every mistake is a hypothesis with the likelihood of the drawing under it, mark by mark; "correct but for noise" and
+"wrong there for some other cause" are hypotheses too. A mistake is named when it beats them and the runner-up.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from planes.check.handwork import Hand, Miss, Variant
+from planes.drafting import label_of
+
+FALSE_ALARM = 0.02  # of right drawings, how many a hand as shaky as supposed would see refused
+WARN = 2.486  # as rare in two dimensions as 2σ in one
+SLIP = 0.02  # the share of marks that are wrong for a reason of their own
+OTHER_CAUSE = 0.1  # the weight of "some other cause" beside a named mistake
+UNDRAWN = 0.1  # the weight of "drawn wrongly" beside "left out", for a mark that is not on the drawing
+LEFT_OUT = ("_missing", "_along_loaded_link")
+MARGIN = 0.7  # the logarithm of how much better than the runner-up a mistake must be
+
+
+def limit_of(count: int) -> float:
+    """How many σ a mark may miss by: 3σ of a lone one, more where many could each be the unlucky one."""
+    return math.sqrt(-2 * math.log(FALSE_ALARM / max(count, 4)))
+
+
+@dataclass(frozen=True)
+class Named:
+    """A hypothesis with its logarithmic score against "correct but for noise"."""
+
+    score: float
+    variant: Variant
+
+
+@dataclass
+class Judgement:
+    """What was found: misses of every mark, the wrong ones in order of drawing, and what explains the first."""
+
+    limit: float
+    misses: dict[str, Miss]
+    wrong: list[str] = field(default_factory=list)
+    named: Variant | None = None
+    runner_up: Variant | None = None
+    explained: frozenset[str] = frozenset()
+    score: float = 0.0
+
+    @property
+    def first_wrong(self) -> str | None:
+        """The label of the mark where the drawing goes wrong."""
+        if self.named:
+            return self.named.blames
+        return label_of(self.wrong[0]) if self.wrong else None
+
+
+def judge(
+    hand: Hand, marks: Sequence[str], variants: Iterable[Variant], extent_mm: float, absent: Collection[str] = ()
+) -> Judgement:
+    """Grade the marks of a hand, in order of drawing, and name the first mistake; ``absent`` are not there at all."""
+    misses = hand.misses(marks)
+    limit = limit_of(len(misses))
+    found = Judgement(limit, misses)
+    broad = -2 * math.log(2 * max(extent_mm, 20.0))
+    found.wrong = [m for m, miss in misses.items() if not miss.sigmas <= limit]
+    found.score = sum(_mixed(miss, broad) for miss in misses.values())
+    if found.wrong:
+        _name(hand, found, variants, broad, absent)
+    return found
+
+
+def _mixed(miss: Miss, broad: float) -> float:
+    """Logarithm of the density of a miss: normal, but for now and then a slip."""
+    normal = miss.log_density if math.isfinite(miss.sigmas) else -math.inf
+    high, low = max(normal, broad), min(normal, broad)
+    shares = (math.log(1 - SLIP), math.log(SLIP)) if normal >= broad else (math.log(SLIP), math.log(1 - SLIP))
+    top, rest = high + shares[0], low + shares[1]
+    best = max(top, rest)
+    return best + math.log(math.exp(top - best) + math.exp(rest - best))
+
+
+def _name(
+    hand: Hand, found: Judgement, variants: Iterable[Variant], broad: float, absent: Collection[str]
+) -> None:
+    """Score the variants that touch the first wrong mark, and keep the best if it is good enough."""
+    first = found.wrong[0]
+    scored, under = [], {}
+    drawn = {label_of(m) for m in found.misses} - set(absent)
+    for variant in variants:
+        new = hand.misses(list(found.misses), hand.under(variant))
+        if first not in new or not math.isfinite(new[first].sigmas):
+            continue
+        gain = sum(_mixed(miss, broad) - _mixed(found.misses[m], broad) for m, miss in new.items())
+        scored.append(Named(gain + math.log(variant.weight * _likely(variant, drawn)), variant))
+        under[id(variant)] = new
+    ranked = _by_mistake(scored)
+    if not ranked:
+        return
+    best, rest = ranked[0], ranked[1:]
+    other = math.log(OTHER_CAUSE) + broad - _mixed(found.misses[first], broad)
+    second = rest[0].score if rest else -math.inf
+    if best.score >= max(0.0, other) and best.score - second >= MARGIN:
+        found.named = best.variant
+        found.runner_up = rest[0].variant if rest else None
+        new = under[id(best.variant)]
+        found.explained = frozenset(m for m in new if new[m].sigmas <= found.limit)
+    else:
+        found.runner_up = best.variant
+
+
+def _likely(variant: Variant, drawn: set[str]) -> float:
+    """What is not on the drawing was most likely left out, what is on it was not."""
+    return 1.0 if (variant.blames in drawn) != variant.mistake.endswith(LEFT_OUT) else UNDRAWN
+
+
+def _by_mistake(scored: Sequence[Named]) -> list[Named]:
+    """The best variant of every mistake, the best mistake first; its variants' likelihoods added up."""
+    groups: dict[str, list[Named]] = {}
+    for one in scored:
+        groups.setdefault(one.variant.mistake, []).append(one)
+    merged = []
+    for group in groups.values():
+        best = max(group, key=lambda n: n.score)
+        total = best.score + math.log(sum(math.exp(n.score - best.score) for n in group))
+        merged.append(Named(total, best.variant))
+    return sorted(merged, key=lambda n: -n.score)
+
+
+def verdicts(found: Judgement, order: Sequence[str], strayed: Mapping[str, bool]) -> dict[str, str]:
+    """right, wrong, follows or unread for every mark; ``strayed`` says which are off the true plan."""
+    out, upset = {}, False
+    for mark in order:
+        label = label_of(mark)
+        upset = upset or label == found.first_wrong
+        if mark not in found.misses:
+            out[mark] = "unread"
+        elif mark in found.wrong and not (mark in found.explained and label != found.first_wrong):
+            out[mark], upset = "wrong", True
+        else:
+            out[mark] = "follows" if (upset or mark in found.wrong) and strayed.get(mark) else "right"
+    return out

@@ -1,0 +1,154 @@
+"""A photograph or scan of a plan on paper, made straight and to scale: by the blank's corner marks or by two points."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from planes.check.fiducials import PATTERNS, SHEET_MM, SIDE_MM, centres
+from planes.wording import PlanesError
+from planes.words import Phrase
+
+PX_PER_MM = 8.0
+LARGEST_PX = 3200  # the longer side beyond which a picture is made smaller before it is looked at
+MOST_PIXELS = 120_000_000
+
+
+@dataclass
+class Flat:
+    """A picture made flat: grey, ``scale`` pixels to a millimetre, its lower left corner at ``corner`` (mm)."""
+
+    grey: Any
+    scale: float
+    corner: complex = 0j
+    by: str = "marks"  # what it was made flat by: "marks" of a blank, or "points" somebody named
+    source: Any = None
+    warp: Any = None
+    notes: list[Phrase] = field(default_factory=list)
+
+    def mm(self, x: float, y: float) -> complex:
+        """Pixels to millimetres, y up."""
+        return self.corner + complex(x, self.grey.shape[0] - 1 - y) / self.scale
+
+    def px(self, z: complex) -> tuple[float, float]:
+        """Millimetres to pixels."""
+        local = (z - self.corner) * self.scale
+        return local.real, self.grey.shape[0] - 1 - local.imag
+
+
+def cv() -> Any:
+    """OpenCV, or a sentence that says how to get it."""
+    try:
+        import cv2
+    except ImportError:
+        raise PlanesError(Phrase("check_needs", what="opencv-python-headless")) from None
+    return cv2
+
+
+def load(path: str | Path) -> Any:
+    """A picture (or the first page of a PDF) in grey. :class:`PlanesError` where it is none."""
+    import numpy
+
+    cv2 = cv()
+    try:
+        data = Path(path).read_bytes()
+    except OSError as error:
+        raise PlanesError(Phrase("check_no_file", file=str(path), why=error.strerror or "")) from None
+    if data[:5] == b"%PDF-":
+        return _page(data, str(path))
+    try:
+        found = cv2.imdecode(numpy.frombuffer(data, numpy.uint8), cv2.IMREAD_GRAYSCALE) if data else None
+    except cv2.error:
+        found = None
+    if found is None or min(found.shape) < 40 or found.size > MOST_PIXELS:
+        raise PlanesError(Phrase("check_picture", file=str(path)))
+    return found
+
+
+def _page(data: bytes, file: str) -> Any:
+    """A page of a PDF at 200 pixels per inch, in grey."""
+    import numpy
+    import pypdfium2
+
+    try:
+        document = pypdfium2.PdfDocument(data)
+        page = document[0].render(scale=200 / 72, grayscale=True).to_numpy()
+    except pypdfium2.PdfiumError:
+        raise PlanesError(Phrase("check_picture", file=file)) from None
+    return numpy.ascontiguousarray(page[..., 0] if page.ndim == 3 else page)
+
+
+def dictionary() -> Any:
+    """The blank's corner marks for OpenCV's detector."""
+    import numpy
+
+    aruco = cv().aruco
+    rows = [numpy.array([[bits >> (4 - c) & 1 for c in range(5)] for bits in p], numpy.uint8) for p in PATTERNS]
+    table = numpy.concatenate([aruco.Dictionary.getByteListFromBits(r) for r in rows])
+    return aruco.Dictionary(table, 5, 3)
+
+
+def find_marks(grey: Any) -> dict[int, Any]:
+    """Corners of the blank's marks in pixels, by their numbers."""
+    cv2 = cv()
+    parameters = cv2.aruco.DetectorParameters()
+    parameters.cornerRefinementMethod = cv2.aruco.CORNER_REFINE_SUBPIX
+    parameters.adaptiveThreshWinSizeMax = 53
+    detector = cv2.aruco.ArucoDetector(dictionary(), parameters)
+    found: dict[int, Any] = {}
+    for factor in (1.0, 0.6, 0.35):
+        if len(found) < 4:
+            small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA) if factor < 1 else grey
+            corners, numbers, _ = detector.detectMarkers(small)
+            for quad, number in zip(corners, [] if numbers is None else numbers.ravel(), strict=False):
+                found.setdefault(int(number), (quad.reshape(4, 2) + 0.5) / factor - 0.5)
+    return found
+
+
+def flatten(grey: Any, size_mm: tuple[float, float] = SHEET_MM) -> Flat | None:
+    """The sheet seen straight from above, if its corner marks (three at least) are found."""
+    import numpy
+
+    cv2 = cv()
+    factor = min(1.0, LARGEST_PX / max(grey.shape))
+    small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA) if factor < 1 else grey
+    marks = find_marks(small)
+    if len(marks) < 3:
+        return None
+    half, high = SIDE_MM / 2, size_mm[1]
+    seen, true = [], []
+    turns = (-half + 1j * half, half + 1j * half, half - 1j * half, -half - 1j * half)
+    for number, quad in marks.items():
+        z = centres(size_mm)[number]
+        for corner, d in zip(quad, turns, strict=True):
+            seen.append(corner)
+            true.append(((z + d).real * PX_PER_MM, (high - (z + d).imag) * PX_PER_MM))
+    warp, _ = cv2.findHomography(numpy.array(seen), numpy.array(true), cv2.RANSAC, 0.6 * PX_PER_MM)
+    if warp is None:
+        return None
+    width, height = (round(s * PX_PER_MM) for s in size_mm)
+    flat = cv2.warpPerspective(small, warp, (width, height), flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
+    return Flat(flat, PX_PER_MM, 0j, "marks", small, warp, _few(marks))
+
+
+def _few(marks: Mapping[int, Any]) -> list[Phrase]:
+    return [] if len(marks) == 4 else [Phrase("check_three_marks")]
+
+
+def by_points(grey: Any, pole: complex, mark: complex, length_mm: float) -> Flat:
+    """The picture as it is, its scale from two points in pixels (x right, y down); the pole becomes the origin."""
+    cv2 = cv()
+    apart = abs(mark - pole)
+    if apart < 10 or length_mm <= 0:
+        raise PlanesError(Phrase("check_points"))
+    factor = PX_PER_MM * length_mm / apart
+    if not 0.05 < factor < 8 or grey.size * factor * factor > MOST_PIXELS:
+        raise PlanesError(Phrase("check_points"))
+    how = cv2.INTER_AREA if factor < 1 else cv2.INTER_CUBIC
+    flat = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=how)
+    corner = -complex(pole.real * factor, flat.shape[0] - 1 - pole.imag * factor) / PX_PER_MM
+    return Flat(flat, PX_PER_MM, corner, "points", grey)
+
+

@@ -1,0 +1,213 @@
+"""Strokes and words of an SVG file as drawing programs write it: nested transforms, paths, polylines, symbols."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from xml.etree import ElementTree
+
+from planes.check.strokes import Sketch, Words
+from planes.wording import PlanesError
+from planes.words import Phrase
+
+LARGEST = 30_000_000  # bytes
+MOST = 60_000  # elements
+_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+_MM = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72, "pc": 25.4 / 6, "px": 25.4 / 96, "": 25.4 / 96}
+Affine = tuple[complex, complex, complex]  # z -> o + Re(z)·a + Im(z)·b
+SAME: Affine = (0j, 1 + 0j, 1j)
+_HREF = "{http://www.w3.org/1999/xlink}href"
+
+
+def read_svg(path: str | Path) -> Sketch:
+    """The strokes of a file in mm, y up. :class:`PlanesError` where it is not an SVG."""
+    data = Path(path).read_bytes()
+    try:
+        if len(data) > LARGEST or b"<!ENTITY" in data[:4000]:
+            raise ElementTree.ParseError("too large")
+        root = ElementTree.fromstring(data)
+    except ElementTree.ParseError as error:
+        raise PlanesError(Phrase("check_svg", file=str(path), why=str(error)[:80])) from None
+    if _tag(root) != "svg":
+        raise PlanesError(Phrase("check_svg", file=str(path), why=f"<{_tag(root)}>"))
+    reader = _Reader(Sketch(str(path)), {e.get("id", ""): e for e in root.iter() if e.get("id")})
+    reader.walk(root, _page(root), 0)
+    return reader.sketch
+
+
+def units(path: str | Path) -> Callable[[complex], complex]:
+    """From the file's own units, y down, to mm, y up."""
+    page = _page(ElementTree.fromstring(Path(path).read_bytes()))
+    return lambda z: _at(page, z)
+
+
+def _tag(e: ElementTree.Element) -> str:
+    return e.tag.rpartition("}")[2] if isinstance(e.tag, str) else ""
+
+
+def _length(text: str | None) -> float | None:
+    match = re.fullmatch(rf"\s*({_NUMBER})\s*(mm|cm|in|pt|pc|px|)\s*", text or "")
+    return float(match[1]) * _MM[match[2]] if match else None
+
+
+def _page(root: ElementTree.Element) -> Affine:
+    """User units to mm of paper, y turned up."""
+    width, height = _length(root.get("width")), _length(root.get("height"))
+    box = [float(n) for n in re.findall(_NUMBER, root.get("viewBox") or "")]
+    if len(box) == 4 and box[2] > 0 and box[3] > 0:
+        sides = [a / b for a, b in ((width, box[2]), (height, box[3])) if a]
+        scale = min(sides) if sides else 1.0
+        return complex(-box[0] * scale, box[1] * scale), scale + 0j, -1j * scale
+    scale = _MM["px"]
+    return 0j, scale + 0j, -1j * scale
+
+
+def _then(outer: Affine, inner: Affine) -> Affine:
+    """First the inner map, then the outer."""
+    o = _at(outer, inner[0])
+    return o, _at(outer, inner[1]) - outer[0], _at(outer, inner[2]) - outer[0]
+
+
+def _at(m: Affine, z: complex) -> complex:
+    return m[0] + m[1] * z.real + m[2] * z.imag
+
+
+def _transform(text: str | None) -> Affine:
+    """The ``transform`` attribute."""
+    import cmath
+    import math
+
+    found = SAME
+    for name, inside in re.findall(r"(\w+)\s*\(([^)]*)\)", text or ""):
+        v = [float(n) for n in re.findall(_NUMBER, inside)]
+        if name == "matrix" and len(v) == 6:
+            one: Affine = (complex(v[4], v[5]), complex(v[0], v[1]), complex(v[2], v[3]))
+        elif name == "translate" and v:
+            one = (complex(v[0], v[1] if len(v) > 1 else 0.0), 1 + 0j, 1j)
+        elif name == "scale" and v:
+            one = (0j, v[0] + 0j, 1j * (v[1] if len(v) > 1 else v[0]))
+        elif name == "rotate" and v:
+            u, c = cmath.rect(1, math.radians(v[0])), complex(*v[1:3]) if len(v) > 2 else 0j
+            one = (c - c * u, u, 1j * u)
+        elif name in ("skewX", "skewY") and v:
+            t = math.tan(math.radians(v[0]))
+            one = (0j, 1 + 0j, complex(t, 1)) if name == "skewX" else (0j, complex(1, t), 1j)
+        else:
+            continue
+        found = _then(found, one)
+    return found
+
+
+class _Reader:
+    """Walks the tree."""
+
+    def __init__(self, sketch: Sketch, named: dict[str, ElementTree.Element]) -> None:
+        self.sketch, self.named, self.count = sketch, named, 0
+
+    def walk(self, e: ElementTree.Element, m: Affine, depth: int, used: bool = False) -> None:
+        self.count += 1
+        tag = _tag(e)
+        if self.count > MOST or depth > 60:
+            return
+        if e.get("display") == "none" or "display:none" in (e.get("style") or "").replace(" ", ""):
+            return
+        m = _then(m, _transform(e.get("transform")))
+        if tag == "use":
+            self._use(e, m, depth)
+        elif tag == "text":
+            self._text(e, m)
+        elif tag in ("line", "polyline", "polygon", "path", "rect"):
+            self._shape(e, tag, m)
+        elif tag not in ("defs", "clipPath", "marker", "pattern", "mask") and (tag != "symbol" or used):
+            for child in e:
+                self.walk(child, m, depth + 1)
+
+    def _use(self, e: ElementTree.Element, m: Affine, depth: int) -> None:
+        target = self.named.get((e.get("href") or e.get(_HREF) or "").removeprefix("#"))
+        if target is not None and depth < 20:
+            shift = complex(float(e.get("x") or 0), float(e.get("y") or 0))
+            self.walk(target, _then(m, (shift, 1 + 0j, 1j)), depth + 1, True)
+
+    def _shape(self, e: ElementTree.Element, tag: str, m: Affine) -> None:
+        style = (e.get("style") or "").replace(" ", "")
+        stroke = e.get("stroke") or (re.search(r"stroke:([^;]+)", style) or ["", ""])[1]
+        fill = e.get("fill") or (re.search(r"fill:([^;]+)", style) or ["", ""])[1]
+        if stroke == "none" or (not stroke and fill not in ("", "none")):
+            self._arrowhead(e, tag, m)
+            return
+        for points, closed in _outline(e, tag):
+            self.sketch.add([_at(m, z) for z in points], closed)
+
+    def _arrowhead(self, e: ElementTree.Element, tag: str, m: Affine) -> None:
+        for points, _ in _outline(e, tag):
+            if 3 <= len(points) <= 5:
+                places = [_at(m, z) for z in points]
+                middle = sum(places) / len(places)
+                self.sketch.arrows.append(max(places, key=lambda z: abs(z - middle)))
+
+    def _text(self, e: ElementTree.Element, m: Affine) -> None:
+        text = "".join(e.itertext()).strip()
+        if not text or len(text) > 40:
+            return
+        first = next((c for c in e.iter() if c.get("x")), e)
+        z = complex(float(re.findall(_NUMBER, first.get("x") or "0")[0]),
+                    float(re.findall(_NUMBER, first.get("y") or "0")[0]))  # fmt: skip
+        m = _then(m, _transform(first.get("transform"))) if first is not e else m
+        sizes = [c.get("font-size") or (re.search(r"font-size:([^;]+)", c.get("style") or "") or ["", ""])[1]
+                 for c in (first, e)]  # fmt: skip
+        size = next((float(n[0]) for s in sizes if (n := re.findall(_NUMBER, s))), 12.0)
+        height, along = 0.73 * size * abs(m[2]), m[1] / abs(m[1]) if abs(m[1]) else 1 + 0j
+        anchor = e.get("text-anchor") or ("middle" if "text-anchor:middle" in (e.get("style") or "") else "start")
+        width = 0.7 * height * len(text)
+        back = {"middle": 0.5, "end": 1.0}.get(anchor, 0.0) * width
+        self.sketch.words.append(Words(text, _at(m, z) - along * back, height, width, along))
+
+
+def _outline(e: ElementTree.Element, tag: str) -> Iterator[tuple[list[complex], bool]]:
+    """The straight polylines of a shape."""
+    if tag == "line":
+        x1, y1, x2, y2 = (float((re.findall(_NUMBER, e.get(k) or "0") or ["0"])[0]) for k in ("x1", "y1", "x2", "y2"))
+        yield [complex(x1, y1), complex(x2, y2)], False
+    elif tag in ("polyline", "polygon"):
+        v = [float(n) for n in re.findall(_NUMBER, e.get("points") or "")]
+        yield [complex(x, y) for x, y in zip(v[::2], v[1::2], strict=False)], tag == "polygon"
+    elif tag == "path":
+        yield from path_lines(e.get("d") or "")
+
+
+def path_lines(d: str) -> Iterator[tuple[list[complex], bool]]:
+    """The straight pieces of a path; a curve is jumped over."""
+    points: list[complex] = []
+    at = start = 0j
+    for letter, inside in re.findall(r"([MmLlHhVvCcSsQqTtAaZz])([^MmLlHhVvCcSsQqTtAaZz]*)", d):
+        v = [float(n) for n in re.findall(_NUMBER, inside)]
+        base = letter.upper()
+        if base == "Z":
+            if len(points) > 1:
+                yield points, True
+            at, points = start, [start]
+            continue
+        step = {"M": 2, "L": 2, "T": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "A": 7}[base]
+        for k in range(0, len(v) - step + 1, step):
+            at = _end(base, v[k : k + step], at, letter.islower())
+            if base == "M" and k == 0:
+                if len(points) > 1:
+                    yield points, False
+                start, points = at, [at]
+            elif base in "MLHV":
+                points.append(at)
+            else:
+                if len(points) > 1:
+                    yield points, False
+                points = [at]
+    if len(points) > 1:
+        yield points, False
+
+
+def _end(base: str, v: list[float], at: complex, relative: bool) -> complex:
+    if base == "H":
+        return complex(v[0] + (at.real if relative else 0.0), at.imag)
+    if base == "V":
+        return complex(at.real, v[0] + (at.imag if relative else 0.0))
+    return complex(v[-2], v[-1]) + (at if relative else 0j)

@@ -1,0 +1,212 @@
+"""The outcome of a check: what was handed in, judged, as the object for programs and as words for people."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+
+from planes.check import Grading, grade, readable
+from planes.check.bench import Asked, Bench, prepare, variants_of
+from planes.check.handwork import Hand, Taken, Variant
+from planes.check.paper import Paper
+from planes.check.slips import Figure
+from planes.drafting import label_of, mu_of
+from planes.lesson.figures import Account, account, result_figures, segment_figures
+from planes.measuring import catalogue
+from planes.scales import kind_of
+from planes.units import mu_text
+from planes.wording import PlanesError
+from planes.words import Phrase
+
+STATUS = {"right": 0, "wrong": 1, "unreadable": 2}
+
+
+@dataclass
+class Outcome:
+    """Everything found in one drawing."""
+
+    bench: Bench
+    paper: Paper
+    grading: Grading | None = None
+    segments: Account | None = None
+    results: Account | None = None
+    unreadable: Phrase | None = None
+    notes: list[Phrase] = field(default_factory=list)
+
+    @property
+    def verdict(self) -> str:
+        """right, wrong or unreadable."""
+        if self.unreadable:
+            return "unreadable"
+        return "wrong" if self.first_wrong else "right"
+
+    @property
+    def first_wrong(self) -> str | None:
+        """The mark (or segment, or result) where the work goes wrong."""
+        g = self.grading
+        if g:
+            gap = g.rebuilt.closing if g.gap_wrong and g.rebuilt else None
+            if found := g.judgement.first_wrong or g.left_out or gap:
+                return found
+        for table in (self.segments, self.results):
+            if table and table.first_wrong:
+                return table.named.blames if table.named and table is self.segments else table.first_wrong.figure.name
+        return None
+
+    @property
+    def mistake(self) -> str | None:
+        """The named mistake, None when none explains the work best."""
+        if self.unreadable:
+            return None
+        g = self.grading
+        if g and g.judgement.first_wrong:
+            return g.judgement.named.mistake if g.judgement.named else None
+        if g and g.left_out:
+            return "weight_missing" if g.left_out.startswith("G_") else "force_missing"
+        if g and g.gap_wrong:
+            return "not_closed"
+        table = self._table
+        if table is None:
+            return None
+        return table.number_mistake or (table.named.mistake if table.named else None)
+
+    @property
+    def _table(self) -> Account | None:
+        return next((t for t in (self.segments, self.results) if t and t.first_wrong), None)
+
+    @property
+    def runner_up(self) -> str | None:
+        """The mistake that explains the work next best."""
+        if self.mistake is None and self.verdict != "wrong":
+            return None
+        g = self.grading
+        if g and g.judgement.first_wrong:
+            return g.judgement.runner_up.mistake if g.judgement.runner_up else None
+        return self._table.runner_up if self._table else None
+
+    @property
+    def sentence(self) -> Phrase:
+        """What is wrong and how to mend it."""
+        if self.unreadable:
+            return self.unreadable
+        first = self.first_wrong
+        if first is None:
+            key, parts = _plan_words(self.bench.asked.plan)
+            return Phrase("check_right", plan=Phrase(key, **parts))
+        if self.mistake:
+            return Phrase(f"mistake_{self.mistake}", **self._about(first))
+        return self._unclear(first)
+
+    def _about(self, first: str) -> dict[str, object]:
+        """Names for the sentence of the mistake."""
+        g, table = self.grading, self._table
+        named: Variant | None = g.judgement.named if g else None
+        if not named and table:
+            named = table.named
+        about: dict[str, object] = {"mark": first, **(named.about if named else {})}
+        if self.mistake == "not_closed" and g and g.gap_wrong:
+            about["gap"] = f"{g.gap_wrong:.1f}"
+        return about
+
+    def _unclear(self, first: str) -> Phrase:
+        g, table = self.grading, self._table
+        if g and g.judgement.wrong:
+            off = abs(g.judgement.misses[g.judgement.wrong[0]].off)
+            return Phrase("check_unclear", mark=first, off=f"{off:.1f}")
+        s = table.first_wrong if table else None
+        given, true = (s.figure.given, s.true) if s else (0.0, 0.0)
+        return Phrase("check_number_unclear", mark=first, given=f"{given:.4g}", true=f"{true:.4g}")
+
+
+def _plan_words(plan: str) -> tuple[str, dict[str, object]]:
+    kind, _, links = plan.partition(":")
+    return f"plan_{kind}", {"links": links.replace("-", ", ")}
+
+
+def check(asked: Asked, paper: Paper) -> Outcome:
+    """Check one paper. :class:`PlanesError` where the scene or the question is wrong."""
+    bench = prepare(asked)
+    out = Outcome(bench, paper, notes=list(paper.notes))
+    try:
+        _look(out)
+    except PlanesError as error:
+        out.unreadable = error.phrase if isinstance(error.phrase, Phrase) else Phrase("check_nothing_read", names="")
+    return out
+
+
+def _look(out: Outcome) -> None:
+    bench, paper = out.bench, out.paper
+    if paper.spots:
+        out.grading = grade(bench, paper)
+    if out.grading:
+        out.unreadable = readable(out.grading)
+        out.notes += out.grading.notes + _scale_notes(out)
+    if paper.segments:
+        _segments(out)
+    if paper.results:
+        _results(out)
+    if not (out.grading or (out.segments and out.segments.scored) or (out.results and out.results.scored)):
+        out.unreadable = Phrase("check_nothing_read", names=", ".join(label_of(m) for m in bench.marks))
+
+
+def _scale_notes(out: Outcome) -> list[Phrase]:
+    g, bench = out.grading, out.bench
+    if g is None or g.said_mu:
+        return []
+    kind = kind_of(bench.asked.plan)
+    text = mu_text(float(f"{g.mu:.3g}"), kind)
+    said = bench.asked.scene.mu.get(kind)
+    return [Phrase("check_mu", mu=text, said=mu_text(said, kind)) if said else Phrase("check_mu_found", mu=text)]
+
+
+def _free(bench: Bench, wanted: Iterable[str], mu: float, taken: dict[str, Taken]) -> Hand:
+    """The true plan with the errors of drafting carried through it, up to the wanted names."""
+    asked = bench.asked
+    program = bench.plans.program.sliced([*bench.marks, *(n for n in wanted if n)])
+    given = {**bench.given, mu_of(asked.plan): mu}
+    return Hand(program, given, asked.skill, taken)
+
+
+def _segments(out: Outcome) -> None:
+    bench = out.bench
+    labels = [label_of(m) for m in bench.marks]
+    figures, unknown = segment_figures(bench.plans, bench.asked.plan, labels, out.paper.segments)
+    out.notes += [Phrase("check_unknown", names=", ".join(unknown))] if unknown else []
+    if not figures:
+        return
+    best: tuple[int, int, Account] | None = None
+    for k, mu in enumerate(_segment_scales(bench, figures)):
+        free = _free(bench, [], mu, {})
+        found = account(figures, free, None, variants_of(bench, free, mu), bench.plans, bench.asked.skill.ruler_mm)
+        wrong = sum(s.verdict == "wrong" for s in found.scored) + (found.first_wrong is not None and not found.named)
+        if best is None or (wrong, k > 0) < best[:2]:
+            best = wrong, k > 0, found
+    out.segments = best[2] if best else None
+
+
+def _segment_scales(bench: Bench, figures: list[Figure]) -> list[float]:
+    """The stated scale and those the lengths themselves show."""
+    found = [bench.said_mu]
+    if bench.asked.mu:
+        return found
+    free = _free(bench, [], bench.said_mu, {})
+    for f in figures:
+        true = float(abs(f.read(free.things)[0]))
+        if true > 5 and f.given > 0 and all(abs(bench.said_mu * f.given / true / m - 1) > 0.01 for m in found):
+            found.append(bench.said_mu * f.given / true)
+    return found[:6]
+
+
+def _results(out: Outcome) -> None:
+    bench = out.bench
+    known = catalogue(bench.plans)
+    figures, unknown = result_figures(bench.plans, known, out.paper.results)
+    out.notes += [Phrase("check_unknown", names=", ".join(unknown))] if unknown else []
+    if not figures:
+        return
+    wanted = [n for q in known.values() for n in q.needs if any(f.name == q.name for f in figures)]
+    mu = out.grading.mu if out.grading else bench.said_mu
+    free = _free(bench, wanted, mu, {})
+    own = _free(bench, wanted, mu, dict(out.grading.hand.taken)) if out.grading else None
+    ways = replace(bench, program=free.program)
+    out.results = account(figures, free, own, [] if own else variants_of(ways, free, mu), bench.plans)

@@ -1,0 +1,142 @@
+"""Many positions of a mechanism at once: one program over blocks of the drive's values, from positions to forces.
+
+Memory is that of one block, however many values there are. A position that cannot be drawn has its reason, and NaN
+in what depends on what failed. Long runs go through the compiled loop (``fused``) where it is installed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from planes.cycle import fused
+from planes.cycle.columns import Column, columns_of
+from planes.cycle.fused_text import ROW
+from planes.cycle.tracing import Trace, given_values, trace
+from planes.drawing import run
+from planes.instruments import Exact, Instrument
+from planes.measuring import asked
+from planes.plans import Plans
+from planes.program import Program
+from planes.scales import unit_scales
+
+CHUNK = 4096
+PAYS = 200_000
+"""From how many positions on a compiled loop is worth compiling."""
+
+
+@dataclass(frozen=True)
+class Block:
+    """Results of successive positions: a row of ``table`` for each column; ``codes`` number the reasons (0: none)."""
+
+    values: Any
+    table: Any
+    codes: Any
+
+    @property
+    def failed(self) -> Any:
+        """Which positions could not be drawn: a mask."""
+        return self.codes != 0
+
+
+@dataclass(frozen=True)
+class Reason:
+    """Why positions fail: a key of the table of words, and what could not be made."""
+
+    key: str
+    makes: str
+
+
+class Cycle:
+    """A mechanism ready for any number of positions, cut down to what is asked (``names``; None: everything).
+
+    ``known`` overrides givens by name; with an array among them each position has its own. ``columns`` may be
+    given as such, in place of ``names``.
+    """
+
+    def __init__(
+        self, plans: Plans, names: Iterable[str] | None = None, known: Mapping[str, Any] | None = None,
+        columns: Iterable[Column] | None = None,
+    ) -> None:  # fmt: skip
+        quantities = None if names is None else asked(plans, names)
+        self.plans, self.columns = plans, columns_of(plans, quantities) if columns is None else list(columns)
+        self.program: Program = plans.program.sliced([n for c in self.columns for n in c.needs])
+        self.mus = unit_scales(plans)
+        self.given = {**plans.given, **self.mus, **(known or {})}
+        self.folded = {mu: 1.0 for mu in self.mus if mu not in (known or {})}
+
+    @cached_property
+    def trace(self) -> Trace:
+        """The program on a tape, drawn in SI, or at the scales that are given."""
+        must = [not c.beside for c in self.columns]  # an arm ends where its force does
+        return trace(self.program, self.given, [c.take for c in self.columns], self.folded, must=must)
+
+    @cached_property
+    def reasons(self) -> tuple[Reason, ...]:
+        """What each code means: code k is the reason k - 1."""
+        return tuple(Reason(r, makes) for r, makes, _ in self.trace.requires)
+
+    @cached_property
+    def compiled(self) -> fused.Bound:
+        """The compiled loop."""
+        loop = fused.fuse(self.trace, (self.plans.drive_given,))
+        return loop.bound(given_values(self.given))
+
+    def blocks(
+        self, values: Any, chunk: int = CHUNK, fast: bool | None = None, instrument: Instrument | None = None
+    ) -> Iterator[Block]:
+        """Blocks of at most ``chunk`` positions. ``fast`` says whether to compile; by itself when that pays."""
+        if not hasattr(values, "__getitem__"):
+            values = np.fromiter(values, float)
+        by_hand = instrument is not None and not isinstance(instrument, Exact)
+        if fast is None:
+            fast = not by_hand and fused.available() and ("compiled" in self.__dict__ or len(values) >= PAYS)
+        size = min(chunk, ROW) if fast else chunk
+        for start in range(0, len(values), size):
+            part = np.asarray(values[start : start + size], float)
+            yield self._whole(part, *(self.compiled(part[None, :]) if fast else self._drawn(part, instrument)))
+
+    def _drawn(self, part: Any, instrument: Instrument | None) -> tuple[Any, Any]:
+        """The same by arrays."""
+        drawing = run(self.program, {**self.given, self.plans.drive_given: part}, instrument)
+        table = np.empty((len(self.columns), len(part)))
+        with np.errstate(all="ignore"):
+            for row, column in zip(table, self.columns, strict=True):
+                row[:] = column.take(drawing.things, drawing.hand.ar)
+        numbered = {(r.key, r.makes): k for k, r in enumerate(self.reasons, 1)}
+        whole = np.array([not c.beside for c in self.columns])
+        codes = np.where(np.isfinite(table[whole].sum(axis=0)), 0, numbered.get(("no_digits", ""), 0))
+        for reason, step, ok, _ in reversed(drawing.hand.failures):
+            codes = np.where(ok, codes, numbered[reason, getattr(step, "makes", "")])
+        return table, codes
+
+    def _whole(self, part: Any, table: Any, codes: Any) -> Block:
+        """The block with NaN in everything that depends on what failed."""
+        codes = codes.astype(np.int16)
+        if codes.any():
+            for code in np.unique(codes[codes != 0]):
+                table[np.ix_(self._after[self.reasons[code - 1].makes], codes == code)] = np.nan
+        return Block(part, table, codes)
+
+    @cached_property
+    def _after(self) -> dict[str, list[int]]:
+        """The columns that depend on each thing that may fail."""
+        found: dict[str, list[int]] = {makes: [] for _, makes, _ in self.trace.requires}
+        for k, column in enumerate(self.columns):
+            for made in self.program.sliced(column.needs).made & found.keys():
+                found[made].append(k)
+        return {**found, "": list(range(len(self.columns)))}
+
+
+def cycle(
+    plans: Plans, values: Any, names: Iterable[str] | None = None, chunk: int = CHUNK, fast: bool | None = None
+) -> Iterator[Block]:
+    """Results of a mechanism for many values of its drive (degrees, or metres), in blocks of ``chunk``."""
+    return Cycle(plans, names).blocks(values, chunk, fast)
+
+
+__all__ = ["Block", "Column", "Cycle", "Reason", "cycle"]

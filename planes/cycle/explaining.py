@@ -1,0 +1,34 @@
+"""What ``planes solve --explain`` prints: the steps of a program that lead to what is asked, and those dropped."""
+
+from __future__ import annotations
+
+from planes.plans import state
+from planes.scene import Scene
+from planes.solving import plans_of
+from planes.steps.base import Step
+from planes.wording import PlanesError
+from planes.words import Lang, Phrase, say
+
+
+def explain(scene: Scene, lang: Lang = "en") -> str:
+    """The kept and the dropped steps of a scene, one on a line, in the order they would be drawn."""
+    if scene.mechanism is None:
+        raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
+    whole = state(scene.mechanism, scene.file).program
+    kept = plans_of(scene)[0].program
+    dropped = [s for s in whole.steps if s.makes not in kept.made]
+    lines = [say("explain_kept", lang, kept=len(kept.steps), all=len(whole.steps)), *_listed(kept.steps, lang)]
+    if dropped:
+        lines += ["", say("explain_dropped", lang, dropped=len(dropped)), *_listed(tuple(dropped), lang)]
+    return "\n".join(lines) + "\n"
+
+
+def _listed(steps: tuple[Step, ...], lang: Lang) -> list[str]:
+    return [f"  {_line(s, lang)}" for s in steps]
+
+
+def _line(step: Step, lang: Lang) -> str:
+    verb = say(f"step_{type(step).__name__}", lang)
+    names = ", ".join(dict.fromkeys(name for name, kind in step.reads() if not name.startswith("mu_")))
+    return f"{step.makes}: {verb}" + (f" ({say('explain_reads', lang, reads=names)})" if names else "")
+

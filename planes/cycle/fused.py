@@ -1,0 +1,100 @@
+"""A program as one compiled loop over positions (the extra ``planes[fast]``): made from a tape, kept in memory.
+
+The compiler is the one inside numba, spoken to directly: a tape has no types to guess and no branches to follow.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+
+from planes.cycle.fused_text import STRIDE, module
+from planes.cycle.reading import read
+from planes.cycle.tracing import Trace
+
+
+def available() -> bool:
+    """Whether the compiler is installed."""
+    return find_spec("llvmlite") is not None
+
+
+@dataclass(frozen=True)
+class Fused:
+    """A compiled trace: ``inputs`` names the givens that change from position to position."""
+
+    trace: Trace
+    inputs: tuple[str, ...]
+    fixed: tuple[int, ...]
+    text: str
+
+    def bound(self, given: Mapping[str, Any]) -> Bound:
+        """The loop with the numbers that stay the same in all positions."""
+        tape = self.trace.tape
+        found = read(tape, tape.needed(list(self.fixed)), given)
+        return Bound(self, np.array([float(found[p]) for p in self.fixed] or [0.0]))
+
+
+@dataclass(frozen=True)
+class Bound:
+    """A compiled loop ready to run."""
+
+    fused: Fused
+    fixed: Any
+
+    def __call__(self, rows: Any) -> tuple[Any, Any]:
+        """Outputs (a row for each) and reason codes, of one block of positions (a row for each input)."""
+        count = rows.shape[1]
+        taken = np.empty((len(self.fused.inputs), STRIDE))
+        taken[:, :count] = rows
+        out = np.empty((len(self.fused.trace.outputs) + 1, STRIDE))
+        _compiled(self.fused.text)(taken.ctypes.data, out.ctypes.data, self.fixed.ctypes.data, count)
+        return out[:-1, :count], out[-1, :count]
+
+
+_CALL = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)
+
+
+def fuse(trace: Trace, inputs: tuple[str, ...]) -> Fused:
+    """Write the loop of a trace; it is compiled when first run."""
+    tape = trace.tape
+    codes = [place for _, _, place in trace.requires]
+    wanted = [*trace.outputs, *codes]
+    moved = tape.moved_by(frozenset(inputs))
+    still = frozenset(range(len(tape.ops))) - moved
+    order = tape.needed(wanted, stop=still)
+    fixed = tuple(p for p in order if p in still and tape.ops[p][0] != "const")
+    places = trace.givens()
+    rows = [places[name] for name in inputs if name in places]
+    text = module(tape, [p for p in order if p in moved], rows, list(fixed), list(trace.outputs), codes)
+    return Fused(trace, tuple(n for n in inputs if n in places), fixed, text)
+
+
+@cache
+def _compiled(text: str) -> Callable[..., None]:
+    """The compiled loop; compiled once for each structure."""
+    import llvmlite.binding as llvm
+
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    target = llvm.Target.from_default_triple()
+    features = llvm.get_host_cpu_features().flatten()
+    machine = target.create_target_machine(cpu=llvm.get_host_cpu_name(), features=features, opt=3)
+    parsed = llvm.parse_assembly(text)
+    parsed.verify()
+    options = llvm.create_pipeline_tuning_options(speed_level=3)
+    options.loop_vectorization = True
+    builder = llvm.create_pass_builder(machine, options)
+    builder.getModulePassManager().run(parsed, builder)
+    engine = llvm.create_mcjit_compiler(parsed, machine)
+    engine.finalize_object()
+    _ENGINES.append(engine)
+    return _CALL(engine.get_function_address("run"))
+
+
+_ENGINES: list[Any] = []  # kept alive: their code runs

@@ -1,0 +1,105 @@
+"""The command ``planes cycle``: a table of many positions, with a progress bar, and ranges that failed in words."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from planes.angles import Span
+from planes.cycle import Block, Cycle
+from planes.cycle.streams import Heading, opened
+from planes.drawing import run
+from planes.plans import state
+from planes.scene import Scene
+from planes.solving import told
+from planes.wording import PlanesError, PlanFailure
+from planes.words import Lang, Phrase, say
+
+FULL_TURN = Span(0.0, 1.0, 361)
+TOLD = 20  # how many failed ranges are told in words
+
+
+@dataclass
+class Gap:
+    """Successive positions that failed for one reason."""
+
+    code: int
+    first: float
+    last: float
+    count: int
+
+
+def write_cycle(scene: Scene, values: Span | None, output: str, lang: Lang, fast: bool | None = None) -> int:
+    """Write the table; the exit status."""
+    if scene.mechanism is None:
+        raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
+    plans = state(scene.mechanism, scene.file)
+    table = Cycle(plans, scene.find)
+    kind = plans.mechanism.drive.kind
+    span = values or (FULL_TURN if kind == "phi" else Span(plans.mechanism.drive.position, 0.0, 1))
+    drive = ("phi", "°") if kind == "phi" else ("s", "m")
+    gaps: list[Gap] = []
+    heading = Heading(drive, [(c.name, c.unit) for c in table.columns], table.reasons)
+    with opened(Path(output), heading, len(span)) as writer:
+        for block in progress(table.blocks(span, fast=fast), len(span), lang):
+            writer.write(block)
+            collect(gaps, block)
+    tell(table, gaps, kind, lang)
+    failed = sum(gap.count for gap in gaps)
+    print(say("cycle_done", lang, file=output, count=len(span), failed=failed), file=sys.stderr)
+    return 0 if failed < len(span) else 2
+
+
+def progress(blocks: Iterator[Block], count: int, lang: Lang) -> Iterator[Block]:
+    """The blocks, with a bar where a person waits at a terminal."""
+    if not sys.stderr.isatty():
+        yield from blocks
+        return
+    from tqdm import tqdm
+
+    with tqdm(total=count, unit=f" {say('positions', lang)}", unit_scale=True, leave=False) as bar:
+        for block in blocks:
+            yield block
+            bar.update(len(block.values))
+
+
+def collect(gaps: list[Gap], block: Block) -> None:
+    """Join the failed positions of a block to the ranges found so far."""
+    codes: Any = block.codes
+    if not codes.any():
+        gaps.append(Gap(0, 0.0, 0.0, 0)) if gaps and gaps[-1].code else None
+        return
+    edges = np.flatnonzero(np.diff(codes)) + 1
+    for start, end in zip([0, *edges], [*edges, len(codes)], strict=True):
+        code, first, last = int(codes[start]), float(block.values[start]), float(block.values[end - 1])
+        if gaps and gaps[-1].code == code:
+            gaps[-1].last, gaps[-1].count = last, gaps[-1].count + int(end - start) * (code != 0)
+        else:
+            gaps.append(Gap(code, first, last, int(end - start) * (code != 0)))
+
+
+def tell(table: Cycle, gaps: list[Gap], kind: str, lang: Lang) -> None:
+    """Say on stderr where and why positions failed."""
+    failed = [gap for gap in gaps if gap.code]
+    for gap in failed[:TOLD]:
+        first, last = (told(v, kind, lang) for v in (gap.first, gap.last))
+        name, why = "φ" if kind == "phi" else "s", reason(table, gap, lang)
+        print(say("cycle_failed", lang, name=name, first=first, last=last, count=gap.count, why=why), file=sys.stderr)
+    if len(failed) > TOLD:
+        print(say("cycle_more", lang, count=len(failed) - TOLD), file=sys.stderr)
+
+
+def reason(table: Cycle, gap: Gap, lang: Lang) -> str:
+    """The sentence of the first position of a range, drawn by itself at full size."""
+    full = dict.fromkeys(table.mus, 1000.0)
+    try:
+        run(table.program, {**table.given, **full, table.plans.drive_given: gap.first})
+    except PlanFailure as failure:
+        return failure.sentence(lang)
+    why = table.reasons[gap.code - 1]
+    return say("no_digits", lang, makes=why.makes or "…")

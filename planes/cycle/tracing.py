@@ -1,0 +1,183 @@
+"""Record a program on a tape: the very steps that draw are drawn once with the numbers of ``symbols``."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from planes.arithmetic import One
+from planes.cycle.symbols import Num, Test, Vec, number, place_of
+from planes.cycle.tape import Tape
+from planes.instruments import Hand
+from planes.program import Program
+
+
+class Recording:
+    """The arithmetic of a tape; what is known already is reckoned at once."""
+
+    eps = One.eps
+
+    def __init__(self) -> None:
+        self.one = One()
+
+    def sqrt(self, x: Any) -> Any:
+        return number(x.tape, "sqrt", x) if isinstance(x, Num) else self.one.sqrt(x)
+
+    def maximum(self, a: Any, b: Any) -> Any:
+        tape = _tape(a, b)
+        return number(tape, "max", a, b) if tape else self.one.maximum(a, b)
+
+    def minimum(self, a: Any, b: Any) -> Any:
+        tape = _tape(a, b)
+        return number(tape, "min", a, b) if tape else self.one.minimum(a, b)
+
+    def where(self, ok: Any, a: Any, b: Any) -> Any:
+        if not isinstance(ok, Test):
+            return a if ok else b
+        if isinstance(a, Vec | complex) or isinstance(b, Vec | complex):
+            return Vec(self.where(ok, a.real, b.real), self.where(ok, a.imag, b.imag))
+        one, two = place_of(ok.tape, a), place_of(ok.tape, b)
+        return a if one == two else number(ok.tape, "sel", ok, a, b)
+
+    def cis_deg(self, angle: Any) -> Any:
+        if not isinstance(angle, Num):
+            return self.one.cis_deg(angle)
+        tape = angle.tape
+        quarter = number(tape, "floor", angle / 90 + 0.5)
+        rest = (angle - 90.0 * quarter) * math.radians(1)
+        cos, sin = number(tape, "cos", rest), number(tape, "sin", rest)
+        turns = quarter - 4.0 * number(tape, "floor", quarter * 0.25)
+        odd, left, below = (turns == 1) | (turns == 3), (turns == 1) | (turns == 2), turns >= 2
+        x, y = self.where(odd, sin, cos), self.where(odd, cos, sin)
+        return Vec(self.where(left, -x, x), self.where(below, -y, y))
+
+    def angle_deg(self, u: Any) -> Any:
+        if not isinstance(u, Vec):
+            return self.one.angle_deg(u)
+        tape = _tape(u.real, u.imag)
+        assert tape
+        angle = number(tape, "atan2", u.imag, u.real) * math.degrees(1)
+        return self.where(angle == -180.0, 180.0, angle)
+
+    def sign(self, x: Any) -> Any:
+        if not isinstance(x, Num):
+            return self.one.sign(x)
+        return self.where(x > 0, 1.0, self.where(x < 0, -1.0, x))
+
+    def power(self, x: Any, n: int) -> Any:
+        return x**n if isinstance(x, Num) else self.one.power(x, n)
+
+
+def _tape(*numbers: Any) -> Tape | None:
+    return next((x.tape for x in numbers if isinstance(x, Num)), None)
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where an instrument may err: the place on the tape of an error of standard deviation ``size``."""
+
+    place: int
+    size: float
+
+
+@dataclass
+class TracingHand(Hand):
+    """Draws on a tape. With ``errors`` (point mm, ray rad, ruler mm) every mark, ray and reading has its own."""
+
+    tape: Tape = field(default_factory=Tape)
+    errors: tuple[float, float, float] | None = None
+    sources: list[Source] = field(default_factory=list)
+
+    def mark(self, place: Any) -> Any:
+        return place + Vec(self._error(0), self._error(0)) if self.errors else place
+
+    def ray(self, direction: Any) -> Any:
+        return direction * Vec(1.0, self._error(1)) if self.errors else direction
+
+    def read(self, length_mm: Any) -> Any:
+        return length_mm + self._error(2) if self.errors else length_mm
+
+    def _error(self, which: int) -> Num:
+        assert self.errors
+        place = self.tape.leaf("source", len(self.sources))
+        self.sources.append(Source(place, self.errors[which]))
+        return Num(self.tape, place)
+
+    def require(self, ok: Any, step: object, reason: str, **numbers: Any) -> None:
+        if ok is not True:
+            self.failures.append((reason, step, ok, numbers))
+
+    def note(self, ok: Any, step: object, reason: str) -> None:
+        """A warning stops nothing, so a tape has none."""
+
+
+@dataclass(frozen=True)
+class Trace:
+    """A program on a tape: the places of the outputs and of each condition a drawing needs, with its reason."""
+
+    tape: Tape
+    outputs: tuple[int, ...]
+    requires: tuple[tuple[str, str, int], ...]  # reason, what the step makes, place of the condition
+    sources: tuple[Source, ...]
+    pivots: tuple[int, ...]  # places of the sharpnesses of crossings
+
+    def givens(self) -> dict[str, int]:
+        """Names of the given numbers (of a place, "name.x" and "name.y") and where they stand."""
+        return {v: k for k, v in self.tape.values.items() if self.tape.ops[k][0] == "given"}
+
+
+Take = Callable[[Mapping[str, Any], Any], Any]
+
+
+def trace(
+    program: Program, given: Mapping[str, Any], takes: list[Take], known: Mapping[str, Any],
+    errors: tuple[float, float, float] | None = None, must: Sequence[bool] = (),
+) -> Trace:  # fmt: skip
+    """Record a program. ``given`` shows which givens are places; those in ``known`` are folded in as constants.
+
+    The outputs marked in ``must`` have to be finite numbers: that is the last condition, "no_digits".
+    """
+    tape = Tape()
+    hand = TracingHand(Recording(), True, tape=tape, errors=errors, doubt_mm=errors[0] if errors else 0.0)
+    things: dict[str, Any] = {n: known[n] if n in known else _given(tape, n, given[n]) for n in given}
+    for step in program.steps:
+        before = len(hand.failures)
+        made = step.draw(things, hand)
+        for _, _, ok, _ in hand.failures[before:]:
+            made = hand.ar.where(ok, made, complex("nan+nanj") if isinstance(made, Vec | complex) else math.nan)
+        things[step.makes] = made
+    taken = [take(things, hand.ar) for take in takes]
+    outputs = tuple(place_of(tape, x) for x in taken)
+    if must:
+        hand.require(_finite(tape, [x for x, m in zip(taken, must, strict=True) if m]), None, "no_digits")
+    requires = tuple((r, str(getattr(s, "makes", "")), place_of(tape, ok)) for r, s, ok, _ in hand.failures)
+    pivots = tuple(x.at for x in hand.sharpness.values() if isinstance(x, Num))
+    return Trace(tape, outputs, requires, tuple(hand.sources), pivots)
+
+
+def _finite(tape: Tape, numbers: list[Any]) -> Any:
+    """Whether all are finite: nothing times each is nothing."""
+    total: Any = 0.0
+    for x in numbers:
+        if isinstance(x, Num):
+            total = number(tape, "mul", x, 0.0) + total
+    return total == 0.0
+
+
+def _given(tape: Tape, name: str, value: Any) -> Any:
+    if isinstance(value, complex):
+        return Vec(Num(tape, tape.leaf("given", name + ".x")), Num(tape, tape.leaf("given", name + ".y")))
+    return Num(tape, tape.leaf("given", name))
+
+
+def given_values(given: Mapping[str, Any]) -> dict[str, Any]:
+    """The givens of a tape by their names on it."""
+    flat: dict[str, Any] = {}
+    for name, value in given.items():
+        if isinstance(value, complex):
+            flat[name + ".x"], flat[name + ".y"] = value.real, value.imag
+        else:
+            flat[name] = value
+    return flat

@@ -1,0 +1,232 @@
+"""A lesson: the program and its drawing as numbered frames, each a sentence of what is done and one of why.
+
+One frame a mark; what is measured after an equation is drawn is a frame of its own, and so is each moment equation.
+Numbers stand in slots (:mod:`planes.lesson.formulas`), so a frame serves every position of the mechanism.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from planes import steps as s
+from planes.drafting import POLE, Moments, at, label_of, mu_of
+from planes.drawing import Drawing
+from planes.equations import Equation
+from planes.lesson.formulas import SLOT, number, paper, unit, value
+from planes.lesson.moments import moment_words
+from planes.lesson.steps import StepWords, lettered, whole
+from planes.plans import Plans
+from planes.scales import kind_of
+from planes.steps.reckoning import Calculate
+from planes.units import mu_text
+from planes.words import Lang
+from planes.words.lesson import tell, why
+
+LANGS: tuple[Lang, ...] = ("ru", "en")
+
+
+@dataclass(frozen=True)
+class Frame:
+    """One frame of a lesson. ``makes`` are the marks it adds, ``uses`` those it stands on (full names); ``equation``
+    is the index of the vector equation being solved, ``terms`` the vectors in hand; ``said`` and ``why`` its words by
+    language; ``moments`` the index of the moment equation it states."""
+
+    key: str
+    plan: str
+    makes: tuple[str, ...]
+    uses: tuple[str, ...]
+    equation: int | None
+    terms: tuple[str, ...]
+    said: Mapping[Lang, str]
+    why: Mapping[Lang, str]
+    moments: int | None = None
+
+
+class Teller:
+    """Tells the steps of one drawing at its scales; ``cycle`` is the drawing (of many positions) by which a term
+    counts as nothing."""
+
+    def __init__(
+        self, plans: Plans, drawing: Drawing, scales: Mapping[str, float], cycle: Drawing | None = None
+    ) -> None:
+        self.plans, self.drawing, self.scales = plans, drawing, scales
+        self.cycle = cycle or drawing
+        self.made = {step.makes: step for step in drawing.program.steps}
+        self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
+        self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured for the lesson alone
+        marks = [x for x in drawing.program.steps if x.kind == "mark" and x.makes[-1] not in "+-"]
+        self.ends = {plan_of(x): x.makes for x in marks if x.makes.startswith("force")}  # the last mark of each
+        self.still = {p for p in ("velocity", "acceleration") if p in plans.drawn and self.stands(p)}
+
+    def frames(self) -> list[Frame]:
+        """All frames, in the order of the drawing."""
+        put: list[s.Step] = [step for step in self.drawing.program.steps if isinstance(step, s.Put) and step.at]
+        found = [self.fixed(put)] if put else []
+        readings: list[s.Step] = []
+        for step in self.drawing.program.steps:
+            if step.kind == "value" and self.tells(step):
+                readings.append(step)
+            if step in put or step.makes.endswith(("+", "-")) or not self.shown(step):
+                continue
+            found += self.readings(readings, found)
+            readings = []
+            found.append(self.mark(step))
+            if step.makes == self.ends.get(plan_of(step)):
+                found += self.closing(plan_of(step))
+        return found + self.readings(readings, found)
+
+    def stands(self, plan: str) -> bool:
+        """Whether every mark of a plan stands in its pole in every position: there is nothing to draw."""
+        import numpy
+
+        own = [s.makes for s in self.drawing.program.steps if s.kind == "mark" and plan_of(s) == plan]
+        sizes = [numpy.abs(numpy.atleast_1d(self.cycle[m])) for m in own]
+        return all(float(numpy.nanmax(z)) < 1e-6 for z in sizes if not numpy.all(numpy.isnan(z)))
+
+    def shown(self, step: s.Step) -> bool:
+        """Whether a step has a frame of its own."""
+        if kind_of(plan_of(step)) == "motion" or step.makes == at("position", POLE) or plan_of(step) in self.still:
+            return False
+        return isinstance(step, s.Touch) or step.kind == "mark"
+
+    def tells(self, step: s.Step) -> bool:
+        """Whether a value is told: angular rates, moment equations, balancing loads."""
+        return step.makes in self.moments or step.makes.startswith(("omega_", "epsilon_"))
+
+    def fixed(self, put: list[s.Step]) -> Frame:
+        """The fixed points together."""
+        names = ", ".join(f"⟨{label_of(p.makes).lstrip('°')}⟩" for p in put)
+        return self.frame("fixed", "position", tuple(p.makes for p in put), (), names=names)
+
+    def frame(
+        self, key: str, plan: str, makes: tuple[str, ...], uses: tuple[str, ...], reason: Any = None, **names: Any
+    ) -> Frame:
+        """A frame with its words in both languages; what is callable is asked per language."""
+        index, terms = self.equation_of(plan, makes)
+        terms = names.pop("terms", terms)
+        moments = names.pop("moments", None)
+        said: dict[Lang, str] = {}
+        told: dict[Lang, str] = {}
+        for lang in LANGS:
+            kind = "velocity" if plan == "lever" else kind_of(plan)
+            here = {k: v(lang) if callable(v) else v for k, v in names.items()}
+            said[lang] = tell(key, lang, **{**here, "mu": mu_said(self.scales[mu_of(plan)], kind, lang)})
+            told[lang] = reason(lang) if callable(reason) else why(reason or key, lang)
+        return Frame(key, plan, makes, uses, index, terms, said, told, moments)
+
+    def equation_of(self, plan: str, makes: tuple[str, ...]) -> tuple[int | None, tuple[str, ...]]:
+        """The equation on this plan with a term that ends at one of the marks, and those terms."""
+        labels = {label_of(m) for m in makes} - {POLE}
+        for index, equation in enumerate(self.plans.equations):
+            terms = tuple(whole(equation, t.name) for t in equation.terms if t.end in labels and not t.drawn)
+            if equation.plan == plan and terms:
+                return index, terms
+        first = next((e for e in self.plans.segments if e.plan == plan and e.end in labels and e.start == POLE), None)
+        return None, (first.name,) if first else ()
+
+    def mark(self, step: s.Step) -> Frame:
+        """The frame of one mark, or of a tangent."""
+        uses = tuple(dict.fromkeys(name for name, kind in step.reads() if kind == "mark" and shown_mark(name)))
+        names = {f: lettered(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
+        words = StepWords(self.plans, self.drawing, self.made)
+        key, reason, more = words.of(step)
+        makes = () if isinstance(step, s.Touch) else (step.makes,)
+        return self.frame(key, plan_of(step), makes, uses, reason, **{**names, "end": lettered(step.makes), **more})
+
+    def readings(self, values: list[s.Step], before: list[Frame]) -> list[Frame]:
+        """Frames of what was reckoned since the last mark: rates together, each moment equation alone."""
+        rates = [v for v in values if v.makes not in self.moments and isinstance(v, Calculate)]
+        if not any(f.plan in ("velocity", "acceleration") for f in before):
+            rates = []
+        crossed = bool(before) and before[-1].key == "cross" and before[-1].plan in ("velocity", "acceleration")
+        found = [self.measured(rates, before)] if rates or crossed else []
+        return found + [f for v in values if v.makes in self.moments for f in self.moment(v)]
+
+    def measured(self, rates: list[Calculate], before: list[Frame]) -> Frame:
+        """What is read off a plan of rates once an equation is solved, and the angular rates that follow."""
+        plan = next((f.plan for f in reversed(before) if f.plan in ("velocity", "acceleration")), "velocity")
+        index = next((f.equation for f in reversed(before) if f.plan == plan and f.equation is not None), None)
+        solved = self.plans.equations[index] if index is not None else None
+        names = self.sought(solved) if solved else []
+        words = StepWords(self.plans, self.drawing, self.made)
+
+        def told(lang: Lang) -> str:
+            parts = [self.reading(n, plan, lang) for n in names]
+            return "; ".join(parts + [words.rate(r, lang) for r in rates])
+
+        uses = tuple(dict.fromkeys(m for n in names for m in self.span(n, plan)))
+        return self.frame("measured", plan, (), uses, readings=told, terms=tuple(names))
+
+    def sought(self, equation: Equation) -> list[str]:
+        """Vectors whose lengths an equation gives: its unknown terms and its total."""
+        names = [whole(equation, t.name) for t in equation.terms if not t.drawn and t.length is None]
+        return list(dict.fromkeys([*names, *([equation.total] if equation.total else [])]))
+
+    def span(self, name: str, plan: str) -> tuple[str, ...]:
+        """The ends of the segment of that name."""
+        found = next((x for x in self.plans.segments if x.name == name and x.plan == plan and x.start != x.end), None)
+        return (at(plan, found.start), at(plan, found.end)) if found else ()
+
+    def reading(self, name: str, plan: str, lang: Lang) -> str:
+        """A segment measured: its millimetres and its value."""
+        span = self.span(name, plan)
+        if not span:
+            return f"⟨{name}⟩ = 0"
+        read = f"‖{name}‖"
+        self.spans[read] = (span[0], span[1], mu_of(plan))
+        names = {"mm": paper(read, mu_of(plan)), "mu": number(self.scales[mu_of(plan)], lang), "value": value(read)}
+        return tell("reading", lang, name=name, unit=unit(name, lang), **names)
+
+    def closing(self, plan: str) -> list[Frame]:
+        """The reactions read off a force plan that has closed."""
+        names = [r.key for r in self.plans.reactions.values() if r.plan == plan and self.span(r.key, plan)]
+        if self.plans.balancing.startswith("Fb_") and plan == f"force:{self.plans.mechanism.drive.link}":
+            names.append(self.plans.balancing)
+        names = list(dict.fromkeys(names))
+        told = lambda lang: "; ".join(self.reading(n, plan, lang) for n in names)  # noqa: E731
+        uses = tuple(dict.fromkeys(m for n in names for m in self.span(n, plan)))
+        return [self.frame("closing", plan, (), uses, readings=told, terms=tuple(names))] if names else []
+
+    def moment(self, step: s.Step) -> list[Frame]:
+        """A moment equation with its numbers."""
+        index = self.moments[step.makes]
+        m: Moments = self.plans.moments[index]
+        if not isinstance(step, Calculate):
+            return []
+        plan = "lever" if m.links == ("lever",) else "position"
+        key, names, terms = moment_words(m, step, self.cycle)
+        reason = "moments_lever" if plan == "lever" else "moments"
+        return [self.frame(key, plan, (), (), reason, terms=terms, moments=index, **names)]
+
+
+def plan_of(step: s.Step) -> str:
+    """The plan a mark stands on (a tangent's, the scheme)."""
+    return step.makes.rpartition(":")[0] or "position"
+
+
+def shown_mark(name: str) -> bool:
+    """Whether a mark stands on a plan that is shown: no trial of friction, no plan of a unit drive."""
+    return name[-1] not in "+-" and not name.startswith("motion:")
+
+
+def mu_said(mu: float, kind: str, lang: Lang) -> str:
+    """A scale as the language writes it."""
+    text = mu_text(mu, kind, lang)
+    return text.replace(".", ",") if lang == "ru" else text
+
+
+def needed(frames: list[Frame]) -> list[str]:
+    """Names of all values the sentences need, in order."""
+    texts = [text for f in frames for text in f.said.values()]
+    return list(dict.fromkeys(m[2] for text in texts for m in SLOT.finditer(text)))
+
+
+def value_of(name: str, teller: Teller, drawing: Drawing) -> Any:
+    """A value of a drawing (of one position or many) by the name a slot gives it."""
+    if name in teller.spans:
+        start, end, mu = teller.spans[name]
+        return abs(drawing[end] - drawing[start]) / drawing[mu]
+    return drawing[name]
+

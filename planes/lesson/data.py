@@ -1,0 +1,217 @@
+"""All a lesson page shows, as one plain object: frames, equations, and every mark over the whole turn of the crank.
+
+The page draws lines between these marks and reckons nothing: what it shows at any position is a position drawn here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from planes.drafting import at, label_of, mu_of
+from planes.drawing import Drawing, run
+from planes.equations import Equation, Term
+from planes.lesson import LANGS, Teller, mu_said, needed, value_of
+from planes.lesson.formulas import slots, unit
+from planes.lesson.practice import Practice
+from planes.lesson.scheme import arms, feet, related, scheme
+from planes.lesson.steps import action, whole
+from planes.lesson.zones import reasons, zones
+from planes.measuring import say_plan
+from planes.plans import Plans, state
+from planes.scales import kind_of, scales
+from planes.scene import Scene
+from planes.steps import Cross, CrossArc, CrossArcs, Step
+from planes.steps.reckoning import Choose
+from planes.wording import PlanFailure, SceneError
+from planes.words import Phrase
+
+POSITIONS = 360
+Progress = Callable[[int, int], None]
+
+
+def lesson_data(scene: Scene, progress: Progress | None = None) -> dict[str, Any]:
+    """The lesson of a scene. :class:`SceneError` where there is no mechanism or its own position fails."""
+    if scene.mechanism is None:
+        raise SceneError(Phrase("vectors_alone"), scene.file, 1)
+    plans = state(scene.mechanism, scene.file)
+    try:
+        mus = scales(plans, scene.mu)
+        given = {**plans.given, **mus}
+        drawing = run(plans.program, given)
+    except PlanFailure as failure:
+        raise SceneError(Phrase("lesson_fails", failure=failure.phrase), scene.file, 1) from None
+    values, index = _values(plans)
+    cycle = _cycle(plans, given, values)
+    teller = Teller(plans, drawing, mus, cycle)
+    frames = teller.frames()
+    names = needed(frames)
+    return {
+        "title": dict(scene.title),
+        "formula": plans.structure.formula.replace("->", "→"),
+        "frame": scene.frame_number,
+        "drive": {"symbol": "φ" if plans.mechanism.drive.kind == "phi" else "s", "values": values, "at": index},
+        "mus": mus,
+        "plans": [_plan(p, mus) for p in plans.drawn if p != "motion"],
+        "segments": _segments(plans, drawing),
+        "traces": _traces(drawing),
+        "scheme": scheme(plans, cycle),
+        "moments": arms(plans),
+        "related": related(plans),
+        "equations": [_equation(e) for e in plans.equations],
+        "frames": [_frame(f) for f in frames],
+        "results": (results := _results(plans)),
+        "values": _columns({n: value_of(n, teller, cycle) for n in (*names, *(r["value"] for r in results))}, values),
+        "units": {n: {lang: unit(n, lang) for lang in LANGS} for n in names if unit(n, "en")},
+        "practice": Practice(plans, given, drawing, frames).tasks(progress),
+        **_turn(plans, cycle, len(values)),
+        "zones": zones(plans, cycle, values),
+        "failed": reasons(plans, given, values, cycle, progress),
+    }
+
+
+def _values(plans: Plans) -> tuple[list[float], int]:
+    """The values of the drive the page can show, the scene's own among them."""
+    drive = plans.mechanism.drive
+    if drive.kind == "phi":
+        start = drive.position % 1.0
+        values = [start + i for i in range(POSITIONS)]
+        return values, int(drive.position - start) % POSITIONS
+    reach = max((abs(v) for k, v in plans.given.items() if k.startswith("l_")), default=1.0)
+    half = POSITIONS // 2
+    return [drive.position + reach * (i - half) / half for i in range(POSITIONS + 1)], half
+
+
+def _cycle(plans: Plans, given: Mapping[str, Any], values: list[float]) -> Drawing:
+    import numpy
+
+    return run(plans.program, {**given, plans.drive_given: numpy.array(values)})
+
+
+def _plan(plan: str, mus: Mapping[str, float]) -> dict[str, Any]:
+    kind = "velocity" if plan == "lever" else kind_of(plan)
+    mu = {lang: mu_said(mus[mu_of(plan)], kind, lang) for lang in LANGS}
+    return {"key": plan, "mu": mu, "title": {lang: _capital(say_plan(plan, lang)) for lang in LANGS}}
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
+
+
+def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
+    """Each vector of the plans once, by its ends, with every name it goes by."""
+    found: dict[tuple[str, str, str], dict[str, Any]] = {}
+    named = {t.name: whole(e, t.name) for e in plans.equations for t in e.terms}
+    for s in plans.segments:
+        if s.start != s.end and s.plan not in ("position", "motion") and at(s.plan, s.end) in drawing:
+            new: dict[str, Any] = {"plan": s.plan, "start": s.start, "end": s.end, "names": []}
+            names = found.setdefault((s.plan, s.start, s.end), new)["names"]
+            name = named.get(s.name, s.name)
+            names += [name] * (name not in names)
+    return list(found.values())
+
+
+def _traces(drawing: Drawing) -> dict[str, Any]:
+    """For each crossed mark, the marks its lines come through, or its arcs are drawn about."""
+    found: dict[str, Any] = {}
+    steps: dict[str, Step] = {s.makes: s for s in drawing.program.steps}
+    for step in drawing.program.steps:
+        name = step.makes
+        if isinstance(step, Choose):
+            step = steps[step.trials[0].mark]
+        match step:
+            case Cross():
+                found[name] = {"lines": [step.start, step.other]}
+            case CrossArc():
+                found[name] = {"lines": [step.start], "arcs": [step.centre]}
+            case CrossArcs():
+                found[name] = {"arcs": [step.centre, step.other]}
+    return found
+
+
+def _equation(e: Equation) -> dict[str, Any]:
+    """An equation as it is written: without the vectors that are nothing, a vector along the frame's guide itself."""
+    total: dict[str, Any] | None = {"name": e.total, "action": "", "known": 0} if e.total else None
+    sides = []
+    for chain in e.chains:
+        alone = [t for t in chain if total and whole(e, t.name) == e.total and t.name != e.total]
+        if alone and total:
+            total.update(action=_acted(alone[0]), known=alone[0].known)
+        elif chain:
+            sides.append([_term(e.plan, t) for t in chain])
+    return {"plan": e.plan, "total": total, "sides": sides}
+
+
+def _term(plan: str, t: Term) -> dict[str, Any]:
+    ends = (t.start, t.end) if t.sign > 0 else (t.end, t.start)
+    return {
+        "name": t.name, "start": at(plan, ends[0]), "end": at(plan, ends[1]), "at": at(plan, t.end),
+        "action": _acted(t), "known": t.known,
+    }  # fmt: skip
+
+
+def _acted(t: Term) -> str:
+    """The line of action beneath a term."""
+    text = t.action
+    if text in ("", "=0") or text.startswith(("→", "∠", "l_")) or "→" in text:
+        return "" if text.startswith(("→", "∠")) else text
+    return text if text.startswith(("-", "+", "↓")) else action(text)
+
+
+def _frame(frame: Any) -> dict[str, Any]:
+    return {
+        "key": frame.key, "plan": frame.plan, "makes": frame.makes, "uses": frame.uses, "equation": frame.equation,
+        "terms": frame.terms, "said": dict(frame.said), "why": dict(frame.why), "moments": frame.moments,
+        "values": sorted(slots(frame.said["en"])),
+    }  # fmt: skip
+
+
+def _results(plans: Plans) -> list[dict[str, Any]]:
+    """Rates and balancing loads shown beneath the plans at every position."""
+    rates = [*(link.omega for link in plans.links.values()), *(link.epsilon for link in plans.links.values())]
+    names = [*dict.fromkeys(n for n in rates if n in plans.program.made), plans.balancing, plans.zhukovsky]
+    return [{"name": n, "value": n, "unit": {lang: unit(n, lang) for lang in LANGS}} for n in names]
+
+
+def _columns(things: Mapping[str, Any], values: list[float], digits: int = 10) -> dict[str, Any]:
+    """Values over the turn to so many digits; one number where it never changes."""
+    import numpy
+
+    found: dict[str, Any] = {}
+    for name, thing in things.items():
+        full = numpy.broadcast_to(thing, (len(values),)).astype(float)
+        good = full[numpy.isfinite(full)]
+        if len(good) and (numpy.ndim(thing) == 0 or numpy.all(good == good[0])):
+            found[name] = float(good[0])
+        else:
+            found[name] = [None if not numpy.isfinite(v) else float(f"{v:.{digits}g}") + 0.0 for v in full]
+    return found
+
+
+def _turn(plans: Plans, cycle: Drawing, count: int) -> dict[str, Any]:
+    """Marks (mm) and directions (degrees) over the turn."""
+    import numpy
+
+    def column(thing: Any) -> list[float | None]:
+        full = numpy.broadcast_to(thing, (count,))
+        return [None if not numpy.isfinite(v) else round(float(v), 2) + 0.0 for v in full]
+
+    marks: dict[str, Any] = {}
+    for step in cycle.program.steps:
+        shown = step.kind == "mark" and not label_of(step.makes).endswith(("+", "-"))
+        if shown and not step.makes.startswith("motion:"):
+            marks[step.makes] = cycle[step.makes]
+    marks |= feet(plans, cycle)
+    angles = {d: numpy.degrees(numpy.angle(cycle[d])) for d in _directions(plans, cycle)}
+    return {
+        "marks": {n: [column(numpy.real(z)), column(numpy.imag(z))] for n, z in marks.items()},
+        "turned": {n: column(a) for n, a in angles.items()},
+    }
+
+
+def _directions(plans: Plans, cycle: Drawing) -> list[str]:
+    """Directions the page draws: of guides, and of the forces in moment equations."""
+    m = plans.mechanism
+    guides = [f"∥{g}" for link in (m.frame, *m.links.values()) for g in link.guides]
+    forces = [f["along"] for moment in arms(plans) for f in moment["forces"]]
+    return [d for d in dict.fromkeys([*guides, *forces]) if d in cycle]

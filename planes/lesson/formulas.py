@@ -1,0 +1,126 @@
+"""Formulas of a lesson with slots for numbers, so that one sentence serves every position of the mechanism.
+
+A slot ⟦how¦name¦mu⟧ stands for a number of the drawing: ``v`` its value, ``b`` the value in brackets where it is
+negative, ``mm`` its length on paper, ``s`` its sense of rotation. Names of marks, vectors and values stand in ⟨…⟩.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from planes.steps.reckoning import Calculate, Product
+from planes.units import quantity
+from planes.words import Lang
+from planes.words.lesson import tell
+
+SLOT = re.compile(r"⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧")
+UNITS = (
+    ("omega", "rad/s"), ("epsilon", "rad/s²"), ("v", "m/s"), ("vq", "m/s"), ("a", "m/s²"), ("l", "m"), ("h", "m"),
+    ("e", "m"), ("r", "m"), ("arm", "m"), ("m", "kg"), ("J", "kg·m²"), ("g", "m/s²"), ("G", "N"), ("I", "N"),
+    ("P", "N"), ("F", "N"), ("N", "N"), ("T", "N"), ("M", "N·m"), ("MI", "N·m"), ("MR", "N·m"), ("MP", "N·m"),
+    ("MZ", "N·m"), ("FZ", "N"), ("Fb", "N"), ("s", "m"),
+)  # fmt: skip
+_RU = {"rad/s": "рад/с", "rad/s²": "рад/с²", "m/s": "м/с", "m/s²": "м/с²", "m": "м", "kg": "кг", "kg·m²": "кг·м²",
+       "N": "Н", "N·m": "Н·м", "mm": "мм"}  # fmt: skip
+_OWN = re.compile(r"^[|‖]|[|‖]$")
+
+
+def unit(name: str, lang: Lang) -> str:
+    """The SI unit of a value by its name, as the language writes it."""
+    found = dict(UNITS).get(_OWN.sub("", name).partition("_")[0], "")
+    return _RU.get(found, "") if lang == "ru" else found
+
+
+def value(name: str) -> str:
+    """A slot for a value."""
+    return f"⟦v¦{name}⟧"
+
+
+def bracketed(name: str) -> str:
+    """A slot for a value inside a formula."""
+    return f"⟦b¦{name}⟧"
+
+
+def paper(name: str, mu: str) -> str:
+    """A slot for a length in millimetres of paper."""
+    return f"⟦mm¦{name}¦{mu}⟧"
+
+
+def sense(name: str) -> str:
+    """A slot for "clockwise" or "counter-clockwise"."""
+    return f"⟦s¦{name}⟧"
+
+
+def number(size: float, lang: Lang, digits: int = 4) -> str:
+    """A number as the language writes it."""
+    text = quantity(size + 0.0, digits=digits, true_minus=True)
+    return text.replace(".", ",") if lang == "ru" else text
+
+
+def millimetres(size: float, lang: Lang) -> str:
+    """A length on paper, to a tenth."""
+    text = f"{abs(size):.1f}".removesuffix(".0")
+    return text.replace(".", ",") if lang == "ru" else text
+
+
+def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:
+    """A sentence with its numbers, as ``read`` gives them by name."""
+
+    def one(match: re.Match[str]) -> str:
+        how, name, mu = match.groups()
+        size = read(name)
+        if how == "mm":
+            return millimetres(size * read(mu), lang)
+        if how == "s":
+            return tell("ccw" if size > 0 else "cw" if size < 0 else "still", lang)
+        shown = number(size, lang)
+        return f"({shown})" if how == "b" and shown.startswith("−") else shown
+
+    return SLOT.sub(one, text)
+
+
+def slots(text: str) -> set[str]:
+    """Names of the values a sentence needs."""
+    return {m[2] for m in SLOT.finditer(text)}
+
+
+def formula(step: Calculate, lang: Lang) -> str:
+    """``name = symbols = numbers = value unit``."""
+    symbols, numbers = sides(step, lambda name: name)
+    return f"⟨{step.makes}⟩ = {symbols} = {numbers} = {value(step.makes)} {unit(step.makes, lang)}"
+
+
+def sides(
+    step: Calculate, shown: Callable[[str], str], without: str = "", drop: frozenset[int] = frozenset()
+) -> tuple[str, str]:
+    """The right side in letters (``shown`` names a value) and in numbers, multiplied by the value ``without``."""
+    terms = [_clear(t, without) for i, t in enumerate(step.terms) if i not in drop]
+    letters = _sum([_product(t, lambda n: f"⟨{shown(n)}⟩") for t in terms])
+    return letters, _sum([_product(t, bracketed) for t in terms])
+
+
+def _clear(term: Product, without: str) -> Product:
+    return Product(term.coefficient, tuple(f for f in term.factors if f != (without, -1)))
+
+
+def _product(term: Product, say: Callable[[str], str]) -> tuple[bool, str]:
+    """Whether the product is subtracted, and its text: factors over factors."""
+    size = abs(term.coefficient)
+    above = ([f"{size:g}"] if size != 1 else []) + [_power(say(n), p) for n, p in term.factors if p > 0]
+    below = [_power(say(n), -p) for n, p in term.factors if p < 0]
+    text = " · ".join(above) or "1"
+    if below:
+        text += " / " + (below[0] if len(below) == 1 else f"({' · '.join(below)})")
+    return term.coefficient < 0, text
+
+
+def _power(text: str, power: int) -> str:
+    return text + {1: "", 2: "²", 3: "³"}.get(power, f"^{power}")
+
+
+def _sum(parts: list[tuple[bool, str]]) -> str:
+    text = ""
+    for minus, part in parts:
+        text += (" − " if minus else " + ") + part if text else ("−" if minus else "") + part
+    return text or "0"

@@ -1,0 +1,182 @@
+"""Practice: what a reader is asked at each step of a lesson, the right answers and the wrong ones with their names.
+
+The wrong answers are drawn from the catalogue of mistakes: each of its variants is run, and where it puts the mark is
+the place a reader who makes that mistake would put it.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections import defaultdict
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from planes.check.handwork import Variant
+from planes.check.mistakes import motion_variants
+from planes.check.mistakes_force import force_variants
+from planes.check.mistakes_position import position_variants
+from planes.check.ways import Ways
+from planes.drafting import mu_of
+from planes.drawing import Drawing, run
+from planes.lesson import LANGS, Frame
+from planes.lesson.steps import action, lettered, line_of
+from planes.plans import Plans
+from planes.program import Program
+from planes.scales import kind_of
+from planes.steps import Cross, CrossArc, CrossArcs, Image, LayOff, Similar, Step
+from planes.steps.reckoning import Choose
+from planes.wording import PlanesError
+from planes.words import Lang, say
+
+Said = dict[Lang, str]
+APART_MM = 2.5  # a wrong place nearer than this to the right one cannot be told from it
+SHORT_MM = 2.0  # a vector too short to be asked for
+TURN_DEG = 12.0
+PARTS = ("mark", "line", "other", "value", "ratio", "start", "end", "guide", "normal", "force", "gap")
+
+
+@dataclass(frozen=True)
+class Wrong:
+    """Where a mistake puts a mark, with its name and sentence."""
+
+    mistake: str
+    place: complex
+    said: Said
+    step: Step | None
+
+
+class Practice:
+    """The tasks of one lesson in its own position."""
+
+    def __init__(self, plans: Plans, given: Mapping[str, Any], drawing: Drawing, frames: Sequence[Frame]) -> None:
+        self.plans, self.given, self.drawing, self.frames = plans, given, drawing, frames
+        self.steps: dict[str, Step] = {s.makes: s for s in plans.program.steps}
+
+    def tasks(self, progress: Callable[[int, int], None] | None = None) -> list[dict[str, Any]]:
+        """One task for every frame that draws a mark a reader can draw."""
+        wrongs = self.wrongs(progress)
+        found = []
+        for index, frame in enumerate(self.frames):
+            for mark in frame.makes[:1]:
+                task = self.task(mark, wrongs.get(mark, []))
+                if task and frame.key != "fixed":
+                    found.append({"frame": index, "mark": mark, **task})
+        return found
+
+    def wrongs(self, progress: Callable[[int, int], None] | None) -> dict[str, list[Wrong]]:
+        """The wrong places of every mark, by drawing every variant of the catalogue."""
+        found: dict[str, list[Wrong]] = defaultdict(list)
+        plans = [p for p in self.plans.drawn if kind_of(p) not in ("lever", "motion")]
+        for k, plan in enumerate(plans):
+            if progress:
+                progress(k + 1, len(plans))
+            wanted = [s.makes for s in self.plans.program.steps if s.makes.rpartition(":")[0] == plan]
+            ways = Ways(self.plans, self.plans.program.sliced(wanted), plan)
+            for variant in self.variants(ways):
+                wrong = self.drawn(ways, variant)
+                if wrong:
+                    found[f"{plan}:{variant.blames}"].append(wrong)
+        return found
+
+    def variants(self, ways: Ways) -> Iterator[Variant]:
+        """The mistakes of one plan."""
+        kind = kind_of(ways.plan)
+        if kind == "position":
+            return position_variants(ways, {}, self.given[mu_of("position")])
+        return force_variants(ways) if kind == "force" else motion_variants(ways)
+
+    def drawn(self, ways: Ways, variant: Variant) -> Wrong | None:
+        """Where the mark a mistake is blamed at would be; None if nothing can be told apart there."""
+        mark = f"{ways.plan}:{variant.blames}"
+        steps: list[Step] = []
+        for step in ways.program.steps:
+            steps += variant.swaps.get(step.makes, (step,))
+        try:
+            program = Program(tuple(steps)).sliced([mark])
+            place = run(program, {**self.given, **variant.givens})[mark]
+        except (PlanesError, ZeroDivisionError, OverflowError):
+            return None
+        if not cmath.isfinite(place) or abs(place - self.drawing[mark]) < APART_MM:
+            return None
+        names = {"mark": variant.blames, "line": line_of(getattr(self.steps[mark], "along", "")), **variant.about}
+        shown = {**dict.fromkeys(PARTS, ""), **{k: f"⟨{v.lstrip('°')}⟩" if v else "" for k, v in names.items()}}
+        said = {lang: say(f"mistake_{variant.mistake}", lang, **shown) for lang in LANGS}
+        swap = variant.swaps.get(mark)
+        return Wrong(variant.mistake, complex(place), said, swap[-1] if swap else None)
+
+    def task(self, mark: str, wrongs: list[Wrong]) -> dict[str, Any] | None:
+        """What is asked for one mark."""
+        step = self.steps[mark]
+        match step:
+            case LayOff():
+                return self.lay_off(step, wrongs)
+            case Cross() | CrossArc() | CrossArcs() | Choose():
+                lines = self.lines(step, wrongs) if isinstance(step, Cross) else []
+                return {"kind": "cross", "lines": lines, "places": _places(wrongs)}
+            case Similar() | Image():
+                return {"kind": "similar", "places": _places(wrongs)}
+        return None
+
+    def lay_off(self, step: LayOff, wrongs: list[Wrong]) -> dict[str, Any] | None:
+        """A known vector: which way, and how long."""
+        start = complex(self.drawing[step.start])
+        way = complex(self.drawing[step.makes]) - start
+        if abs(way) < SHORT_MM:
+            return None
+        turned: dict[str, Any] = {}
+        lengths = []
+        for w in wrongs:
+            off = (w.place - start) / way
+            angle = math.degrees(cmath.phase(off)) if abs(w.place - start) > SHORT_MM else 0.0
+            quarter = round(angle / 90.0) % 4
+            if abs(angle - 90 * round(angle / 90)) < TURN_DEG and quarter:
+                turned.setdefault(str(quarter), {"mistake": w.mistake, "said": w.said})
+            elif abs(angle) < TURN_DEG:
+                lengths.append({"mm": round(abs(w.place - start), 1), "mistake": w.mistake, "said": w.said})
+        return {
+            "kind": "lay_off", "start": step.start, "angle": round(math.degrees(cmath.phase(way)), 2),
+            "mm": round(abs(way), 2), "turned": turned, "lengths": lengths + self.scale_slips(step, abs(way)),
+            "places": _places(wrongs),
+        }  # fmt: skip
+
+    def scale_slips(self, step: LayOff, length: float) -> list[dict[str, Any]]:
+        """Lengths of who forgets the scale, or turns it over."""
+        mu, found = float(self.given[step.mu]), []
+        for mistake, slip in (("mm_for_value", length / mu), ("mu_inverted", length / mu / mu)):
+            if abs(slip / length - 1) > 0.05:
+                said = {lang: say(f"mistake_{mistake}", lang, mark=f"⟨{lettered(step.makes)}⟩") for lang in LANGS}
+                found.append({"mm": slip, "mistake": mistake, "said": said})
+        return found
+
+    def lines(self, step: Cross, wrongs: list[Wrong]) -> list[dict[str, Any]]:
+        """The two lines of a crossing, each with the directions to choose from."""
+        return [
+            {"through": through, "options": self.options(step, direction, side, wrongs)}
+            for side, through, direction in (("along", step.start, step.along), ("across", step.other, step.across))
+        ]
+
+    def options(self, step: Cross, direction: str, side: str, wrongs: list[Wrong]) -> list[dict[str, Any]]:
+        """The right direction among wrong ones, in an order that gives nothing away."""
+        found: dict[str, dict[str, Any]] = {action(direction): {"right": True}}
+        for w in wrongs:
+            other = getattr(w.step, side, direction) if isinstance(w.step, Cross) else direction
+            text = action(other.partition("~")[0])
+            if other != direction and len(found) < 4:
+                found.setdefault(text, {"mistake": w.mistake, "said": w.said})
+        right = action(direction)
+        flipped = ("∥" if right.startswith("⊥") else "⊥") + right.lstrip("⊥∥")
+        found.setdefault(flipped, {})
+        return [{"text": text, **more} for text, more in sorted(found.items())]
+
+
+def _places(wrongs: list[Wrong]) -> list[dict[str, Any]]:
+    """Wrong places, each once."""
+    found: dict[tuple[float, float], dict[str, Any]] = {}
+    for w in wrongs:
+        key = round(w.place.real, 1), round(w.place.imag, 1)
+        found.setdefault(key, {"at": list(key), "mistake": w.mistake, "said": w.said})
+    return list(found.values())
+
+

@@ -1,0 +1,182 @@
+"""The words of one drafting step: what is done, along what, with which numbers, and why."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from planes import steps as s
+from planes.drafting import label_of
+from planes.drawing import Drawing
+from planes.equations import Equation, Term
+from planes.lesson.formulas import formula, number, paper, sense, unit, value
+from planes.plans import Plans
+from planes.scales import kind_of
+from planes.steps.reckoning import Calculate, Choose, Measure
+from planes.words import Lang
+from planes.words.lesson import tell, why
+
+Words = tuple[str, Any, dict[str, Any]]  # the key of the sentence, of the reason (or the reason), names
+_TOWARDS = re.compile(r"^(\w+)→(\w+)$")
+_MOVING = re.compile(r"^([-+])([va]q?_\w+)$")
+
+
+def lettered(name: str) -> str:
+    """A mark's label as it is told: without its plan, a guide by its own name."""
+    return label_of(name).lstrip("°")
+
+
+def line_of(direction: str) -> str:
+    """The line a direction is parallel or perpendicular to: "BC" of ⊥BC, "y-y" of ⊥∥y-y."""
+    return direction.lstrip("⊥∥")
+
+
+def way(direction: str, lang: Lang) -> str:
+    """How a vector is laid off, in words."""
+    if m := _TOWARDS.match(direction):
+        return tell("way_towards", lang, one=m[1], other=m[2])
+    if m := _MOVING.match(direction):
+        vector = m[2].replace("vq_", "v_")
+        return tell("way_against" if m[1] == "-" else "way_with", lang, vector=vector)
+    if direction == "↓":
+        return tell("way_down", lang)
+    if direction.startswith("∠"):
+        return tell("way_given", lang)
+    if direction.startswith("⊥"):
+        return tell("way_across", lang, line=line_of(direction))
+    if direction.startswith(("→", "x_")):
+        return tell("way_own", lang)
+    return tell("way_along", lang, line=line_of(direction))
+
+
+def action(direction: str) -> str:
+    """A line of action as it is written: ⊥BC, ∥y-y; a bare name of two points is along them."""
+    plain = direction.replace("⊥∥", "⊥")
+    return plain if plain.startswith(("⊥", "∥")) else f"∥{plain}"
+
+
+@dataclass
+class StepWords:
+    """Finds the words of the steps of one drawing."""
+
+    plans: Plans
+    drawing: Drawing
+    made: Mapping[str, s.Step]
+
+    def of(self, step: s.Step) -> Words:
+        """The key of the sentence of a step, of its reason, and what it says besides the step's own names."""
+        match step:
+            case s.Put():
+                kind = kind_of(step.makes)
+                return "pole", f"pole_{kind}" if kind in ("force", "lever") else "pole", {}
+            case s.LayOff():
+                return self.lay_off(step)
+            case s.Touch():
+                return "touch", "touch", {"action": action(step.makes), "end": lettered(step.end)}
+            case s.Cross():
+                names = {"action": action(step.along), "across": action(step.across)}
+                return "cross", self.crossing(step.makes), names
+            case s.CrossArc():
+                return "arc", "arc", {"action": action(step.along), "radius_mm": paper(step.radius, step.mu)}
+            case s.CrossArcs():
+                radii = paper(step.radius, step.mu), paper(step.other_radius, step.mu)
+                return "arcs", "arcs", {"radius_mm": radii[0], "other_mm": radii[1]}
+            case s.Similar():
+                return self.similar(step)
+            case s.Image():
+                ends = {"first": lettered(step.image[0]), "second": lettered(step.image[1])}
+                return "image", "similar", ends
+            case s.Same():
+                return "same", "same", {"start": lettered(step.of)}
+            case s.Carry():
+                return "carry", "carry", {}
+            case Choose():
+                return "choose", "choose", {}
+        raise AssertionError(step)
+
+    def similar(self, step: s.Similar) -> Words:
+        """Proportional division, or a similar figure."""
+        ratio = complex(self.drawing[step.ratio])
+        names = {"first": lettered(step.start), "second": lettered(step.end)}
+        if kind_of(step.makes) == "position":
+            return "point", "along", names
+        if abs(ratio.imag) > 1e-9 * abs(ratio):
+            return "image", "similar", names
+        return "similar", "similar", {**names, "ratio": lambda lang: number(ratio.real, lang)}
+
+    def crossing(self, mark: str) -> str | Callable[[Lang], str]:
+        """Why the lines that cross at a mark have their directions."""
+        plan, label = mark.rpartition(":")[0], label_of(mark)
+        kind = kind_of(plan)
+        terms = [
+            t for e in self.plans.equations if e.plan == plan for t in e.terms
+            if t.end == label and t.direction and not t.length and not t.drawn
+        ]  # fmt: skip
+        if kind == "position" or not terms:
+            return "cross_position"
+        named = {t.name: whole(e, t.name) for e in self.plans.equations if e.plan == plan for t in e.terms}
+        return lambda lang: "; ".join(dict.fromkeys(_reason(t, named[t.name], kind, lang) for t in terms)) + "."
+
+    def lay_off(self, step: s.LayOff) -> Words:
+        """A known vector: with the formula of its length where it was calculated."""
+        label, kind = label_of(step.makes), kind_of(step.makes)
+        mm = paper(step.length, step.mu)
+        named = {"mm": mm, "way": lambda lang: way(step.along, lang), "action": action(step.along)}
+        source = self.made.get(step.length)
+        name = self.vector(step)
+        shown = {**named, "name": name, "value": value(step.length), "unit": lambda lang: unit(name, lang)}
+        if kind == "position":
+            along = self.made[step.along]
+            driven = isinstance(along, s.Turn) and along.of == f"x_{self.plans.mechanism.drive.link}"
+            key = "driver" if driven else "along"
+            reason = "driver" if driven or step.length == "s" else "along"
+            return key, reason, {**shown, "length": step.length, "unit": lambda lang: unit("l", lang)}
+        if any(m.unknown == step.length for m in self.plans.moments):
+            return "found", "found", shown
+        if label.startswith("P_"):
+            return "load", "load", shown
+        if isinstance(source, Calculate):
+            told = {**named, "formula": lambda lang: formula(source, lang)}
+            return "lay_off", _kind_of_vector(label, kind, source), told
+        if isinstance(source, Measure):
+            return "carried", "carried", shown
+        return "given", "slide_v", shown
+
+    def vector(self, step: s.LayOff) -> str:
+        """The name of the vector a step lays off."""
+        plan, label = step.makes.rpartition(":")[0], label_of(step.makes)
+        terms = [t.name for e in self.plans.equations if e.plan == plan for t in e.terms if t.end == label]
+        segments = [x.name for x in self.plans.segments if x.plan == plan and x.end == label]
+        return (terms or segments or [label])[0]
+
+    def rate(self, step: Calculate, lang: Lang) -> str:
+        """An angular rate with its formula and its sense."""
+        return f"{formula(step, lang)} ({sense(step.makes)})"
+
+
+def whole(equation: Equation, name: str) -> str:
+    """The name a term is told by: what a point does against a guide of the frame is its own vector."""
+    for chain in equation.chains:
+        if len(chain) == 2 and chain[0].action == "=0" and chain[0].name.endswith("0") and chain[1].name == name:
+            return equation.total or name
+    return name
+
+
+def _reason(term: Term, name: str, kind: str, lang: Lang) -> str:
+    direction = term.direction or ""
+    across = direction.startswith("⊥")
+    return why(f"{'across' if across else 'along'}_{kind}", lang, name=name, line=line_of(direction))
+
+
+def _kind_of_vector(label: str, kind: str, source: Calculate) -> str:
+    """Which reason a calculated vector has."""
+    if kind == "force":
+        return {"G": "weight", "I": "inertia"}.get(label.partition("_")[0], "load")
+    if kind == "velocity":
+        return "driver_v"
+    if label.startswith("n_"):
+        turning = any(n.startswith("omega_") for n, _ in source.terms[0].factors)
+        return "normal_w" if turning else "normal"
+    return "coriolis" if label.startswith("k_") else "tangential"

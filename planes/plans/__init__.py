@@ -1,0 +1,133 @@
+"""From a mechanism to all it asks for: one program, its givens, and where each result is read."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from planes.drafting import Draft, Moments, Segment, at
+from planes.equations import Equation
+from planes.mechanism import FRAME, Mechanism
+from planes.plans.assembly import Choice, resolve
+from planes.plans.bodies import SCHEME, Bodies, Body
+from planes.plans.kinematics import Rates, SlideReading
+from planes.plans.lever import draw_lever
+from planes.plans.loads import Acting
+from planes.plans.positions import place_all
+from planes.plans.reactions import Reaction, Statics
+from planes.plans.statics import draw_forces
+from planes.program import Program
+from planes.steps.reckoning import Protractor
+from planes.structure import Structure, analyse
+from planes.wording import ProgramError, SceneError
+
+
+@dataclass(frozen=True)
+class PointMarks:
+    """Where a point stands on the three plans (full names of marks)."""
+
+    position: str
+    velocity: str
+    acceleration: str
+
+
+@dataclass(frozen=True)
+class LinkValues:
+    """Names of a link's angle, angular velocity and angular acceleration ("" where it never turns)."""
+
+    angle: str
+    omega: str
+    epsilon: str
+
+
+@dataclass(frozen=True)
+class Plans:
+    """A mechanism stated: the whole program and the names of what is measured on it."""
+
+    mechanism: Mechanism
+    structure: Structure
+    program: Program
+    given: Mapping[str, Any]
+    equations: tuple[Equation, ...]
+    moments: tuple[Moments, ...]
+    segments: tuple[Segment, ...]
+    points: Mapping[str, PointMarks]
+    links: Mapping[str, LinkValues]
+    velocity_slides: Mapping[str, SlideReading]
+    acceleration_slides: Mapping[str, SlideReading]
+    reactions: Mapping[str, Reaction]
+    balancing: str
+    zhukovsky: str
+    acting: Acting
+    at_rest: bool
+
+    @property
+    def drive_given(self) -> str:
+        """Name of the given that moves the driver: its angle in degrees, or s in m."""
+        drive = self.mechanism.drive
+        return f"angle_x_{drive.link}" if drive.kind == "phi" else "s"
+
+    @property
+    def drawn(self) -> tuple[str, ...]:
+        """Plans in the order they are drawn: position, velocity, acceleration, force:2-3, …, force:1."""
+        return tuple(dict.fromkeys(s.makes.rpartition(":")[0] for s in self.program.steps if s.kind == "mark"))
+
+
+def state(mechanism: Mechanism, file: str = "") -> Plans:
+    """State every plan of a mechanism. :class:`StructureError` or :class:`SceneError` where it cannot be done."""
+    structure = analyse(mechanism, file)
+    try:
+        return _state(mechanism, structure, file)
+    except ProgramError as error:
+        raise SceneError(error.phrase, file, mechanism.where.get(("links",))) from None
+
+
+def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
+    draft = Draft()
+    bodies = Bodies(mechanism, structure, draft, file)
+    place_all(bodies)
+    resolve(draft, [Choice(*c) for c in bodies.choices], mechanism, file)
+    velocity, acceleration = Rates(bodies, "velocity"), Rates(bodies, "acceleration")
+    velocity.draw_all()
+    acceleration.draw_all()
+    at_rest = mechanism.drive.velocity == 0
+    motion = velocity
+    if at_rest:
+        motion = Rates(bodies, "motion")
+        motion.draw_all()
+    acting = Acting(bodies, motion, acceleration)
+    acting.gather()
+    statics = Statics(bodies, acting)
+    draw_forces(statics)
+    zhukovsky = draw_lever(statics)
+    links = {name: _link_values(draft, body, velocity, acceleration) for name, body in bodies.known.items()}
+    points = {p: _point_marks(p, velocity, acceleration) for p in _points(mechanism)}
+    return Plans(
+        mechanism, structure, Program(tuple(draft.steps.values())), draft.given, tuple(draft.equations),
+        tuple(draft.moments), tuple(dict.fromkeys(draft.segments)), points, links, velocity.slides,
+        acceleration.slides, statics.reactions, statics.balancing, zhukovsky, acting, at_rest,
+    )  # fmt: skip
+
+
+def _points(mechanism: Mechanism) -> dict[str, None]:
+    links = (mechanism.frame, *mechanism.links.values())
+    return dict.fromkeys(p for link in links for p in link.points)
+
+
+def _point_marks(name: str, velocity: Rates, acceleration: Rates) -> PointMarks:
+    return PointMarks(at(SCHEME, name), velocity.mark(name), acceleration.mark(name))
+
+
+def _link_values(draft: Draft, body: Body, velocity: Rates, acceleration: Rates) -> LinkValues:
+    if body.link.name == FRAME:
+        return LinkValues("", "", "")
+    angle = draft.step(Protractor(f"phi_{body.link.name}", body.axis))
+    if body.root == FRAME:
+        return LinkValues(angle, "", "")
+    return LinkValues(angle, velocity.spin(body.root), acceleration.spin(body.root))
+
+
+def sliced(plans: Plans, wanted: list[str]) -> Plans:
+    """The same plans with a program that draws only what leads to the wanted names."""
+    return replace(plans, program=plans.program.sliced(wanted))

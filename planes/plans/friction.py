@@ -1,0 +1,71 @@
+"""Coulomb friction in sliding pairs: the reaction leans by arctan f against the sliding, on the side that bears.
+
+Which side of the guide bears is known only once the plan is drawn; so each supposition is drawn and the one that
+comes true is kept. None, or two different ones, is self-locking.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import product
+
+from planes.drafting import at, mu_of
+from planes.equations import Term
+from planes.plans.loads import Acting, force_name
+from planes.steps import Cross
+from planes.steps.reckoning import Choose, Lean, Sense, Trial
+from planes.structure import Pair
+
+
+def sliding_sense(acting: Acting, pair: Pair) -> str:
+    """+1, -1 or 0: the way the slider of the pair slides along its guide."""
+    motion = acting.motion
+    reading = motion.slides[pair.link]
+    return acting.b.draft.step(Sense(f"slides_{pair.link}", *reading.ends, reading.along, tuple(motion.driven)))
+
+
+def meet_with_friction(acting: Acting, plan: str, lines: list[Term], x: str, pairs: list[Pair]) -> dict[str, Term]:
+    """Cross two lines of reactions at mark ``x``, those of the rubbing ``pairs`` leaning, by trial of each side.
+
+    Returns the leaning terms by name, now with the direction they turned out to have.
+    """
+    d = acting.b.draft
+    rubbing = [(t, p) for t in lines for p in pairs if t.name in (_on_slider(p), force_name(p.other, p.link))]
+    trials = []
+    for signs in product((1, -1), repeat=len(rubbing)):
+        tag = "".join("+" if sign > 0 else "-" for sign in signs)
+        leaning = {t.name: _lean(acting, p, sign) for (t, p), sign in zip(rubbing, signs, strict=True)}
+        mark = at(plan, f"{x}{tag}")
+        starts = [at(plan, t.start) for t in lines]
+        along = [leaning.get(t.name, t.direction or "") for t in lines]
+        d.step(Cross(mark, starts[0], along[0], starts[1], along[1], supposed=True))
+        pushes = tuple(_push(acting, plan, t, p, mark, tag) for t, p in rubbing)
+        trials.append(Trial(mark, pushes, signs))
+    d.step(Choose(at(plan, x), tuple(trials), at(plan, lines[0].start), mu_of(plan)))
+    return {t.name: _leant(acting, plan, t, x) for t, _ in rubbing}
+
+
+def _leant(acting: Acting, plan: str, term: Term, x: str) -> Term:
+    ends = at(plan, term.start), at(plan, x)
+    along = acting.b.draft.through(f"∡{term.name}", *(ends if term.sign > 0 else reversed(ends)))
+    return replace(term, direction=along)
+
+
+def _on_slider(pair: Pair) -> str:
+    return force_name(pair.link, pair.other)
+
+
+def _lean(acting: Acting, pair: Pair, sign: int) -> str:
+    d, guide = acting.b.draft, f"∥{pair.guide}"
+    coefficient = d.give(f"f_{pair.guide}", acting.b.mechanism.friction[pair.guide])
+    normal = d.square(f"⊥{guide}", guide)
+    tag = "+" if sign > 0 else "-"
+    return d.step(Lean(f"lean_{pair.link}{tag}", normal, guide, coefficient, sliding_sense(acting, pair), sign))
+
+
+def _push(acting: Acting, plan: str, term: Term, pair: Pair, mark: str, tag: str) -> str:
+    """The trial's normal push on the slider, signed along the guide's normal."""
+    forward = (term.sign > 0) == (term.name == _on_slider(pair))
+    start = at(plan, term.start)
+    ends = (start, mark) if forward else (mark, start)
+    return acting.b.draft.measure(f"N_{pair.link}{pair.other}{tag}", *ends, f"⊥∥{pair.guide}")

@@ -1,0 +1,223 @@
+"""Velocity and acceleration plans: groups to vector equations, Coriolis wherever a guide turns.
+
+Sources: theorem of plane motion v_C = v_B + v_CB and a_C = a_B + a_CB^n + a_CB^t; compound motion
+a_X = a_Y + a_XY^k + a_XY^r with a^k = 2ω×v_XY (Coriolis).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from planes.drafting import POLE, at
+from planes.equations import Equation, Term
+from planes.mechanism import FRAME
+from planes.plans.bodies import SCHEME, Bodies, Body, Spot
+from planes.plans.legs import Leg, legs_of
+from planes.steps import Carry, Image, Same
+
+
+@dataclass(frozen=True)
+class SlideReading:
+    """What a slider's rate against its guide is read from: ``value`` is the segment ``ends`` ``along`` the guide;
+    ``coriolis`` are two marks of the acceleration plan, where the guide turns."""
+
+    guide: str
+    value: str
+    ends: tuple[str, str]
+    along: str
+    coriolis: tuple[str, str] | None = None
+
+
+@dataclass
+class Rates:
+    """One plan of rates: ``plan`` "velocity", "motion" (velocities of a unit drive) or "acceleration"."""
+
+    b: Bodies
+    plan: str
+    turning: dict[str, tuple[str, str, str]] = field(default_factory=dict)
+    slides: dict[str, SlideReading] = field(default_factory=dict)
+    driven: list[str] = field(default_factory=list)
+
+    @property
+    def quick(self) -> bool:
+        """Whether this is an acceleration plan."""
+        return self.plan == "acceleration"
+
+    @property
+    def letter(self) -> str:
+        """First letters of the vectors' names."""
+        return {"velocity": "v_", "motion": "vq_", "acceleration": "a_"}[self.plan]
+
+    def spin(self, link: str) -> str:
+        """Name of the angular velocity (or acceleration) of a link."""
+        return {"velocity": "omega_", "motion": "omegaq_", "acceleration": "epsilon_"}[self.plan] + link
+
+    def label(self, name: str) -> str:
+        """The label a point has on this plan: small letters, primed for accelerations; the pole if fixed."""
+        if name == POLE or name in self.b.mechanism.frame.points:
+            return POLE
+        small = self.b.small_letter(name)
+        return small + "'" if self.quick else small
+
+    def mark(self, name: str) -> str:
+        """The full name of a point's mark."""
+        return at(self.plan, self.label(name))
+
+    def draw_all(self) -> None:
+        """The plan: the driver, then every group, then every point of every link."""
+        self.b.draft.pole(self.plan)
+        _drive(self)
+        self.show_points(self.b.mechanism.drive.link)
+        for group in self.b.structure.groups:
+            legs = legs_of(self.b, group)
+            for leg in legs:
+                self.image(leg.link, leg.known)
+            chains = self.chain(legs[0]), self.chain(legs[1])
+            new = legs[0].new
+            self.b.draft.draw(Equation(self.plan, chains, self.letter + new.name))
+            self.driven.append(self.mark(new.name))
+            for leg in legs:
+                self.conclude(leg)
+            for link in group.links:
+                self.show_points(link)
+
+    def chain(self, leg: Leg) -> tuple[Term, ...]:
+        """The terms from the pole by the known point to the new one."""
+        known, new = self.label(leg.known.name), self.label(leg.new.name)
+        name = leg.known.name if leg.known.name != POLE else leg.symbol.removeprefix(leg.new.name)
+        start = Term(self.letter + name, POLE, known, drawn=True, action="=0" if known == POLE else "")
+        relative = self.letter + leg.symbol
+        if not self.quick:
+            return start, Term(relative, known, new, direction=leg.along, action=leg.along)
+        if leg.pair is None:
+            part, value, along = "n", self.normal(leg), leg.towards
+        elif self.b.known[leg.link].root != FRAME:
+            part, value, along = "k", self.coriolis(leg), self.b.draft.square(f"⊥{leg.along}", leg.along)
+        else:
+            return start, Term(relative, known, new, direction=leg.along, action=leg.along)
+        middle = f"{part}_{leg.symbol}"
+        rest = "t" if leg.pair is None else "r"
+        return (
+            start,
+            Term(f"{relative}^{part}", known, middle, length=value, direction=along, action=along or ""),
+            Term(f"{relative}^{rest}", middle, new, direction=leg.along, action=leg.along),
+        )
+
+    def normal(self, leg: Leg) -> str:
+        """a^n = v²/l, towards the pivot."""
+        return self.b.draft.product(f"a_{leg.symbol}^n", **{f"v_{leg.symbol}": 2, leg.length or "": -1})
+
+    def coriolis(self, leg: Leg) -> str:
+        """a^k = 2ω v, the relative velocity turned by a right angle in the sense of ω."""
+        root = self.b.known[leg.link].root
+        return self.b.draft.product(f"a_{leg.symbol}^k", 2.0, **{f"omega_{root}": 1, f"v_{leg.symbol}": 1})
+
+    def conclude(self, leg: Leg) -> None:
+        """Read the angular rate of a turning link, or the rate of sliding."""
+        d = self.b.draft
+        if leg.pair is None and leg.turns:
+            part = "^t" if self.quick else ""
+            d.product(self.spin(leg.turns), **{f"{self.letter}{leg.symbol}{part}": 1, leg.length or "": -1})
+            self.turning[leg.turns] = (self.mark(leg.known.name), self.mark(leg.new.name), leg.along)
+        elif leg.pair:
+            self.slides[leg.pair.link] = self.slide_reading(leg)
+
+    def slide_reading(self, leg: Leg) -> SlideReading:
+        """The slider against its guide, along the guide."""
+        pair, known, new = leg.pair, self.mark(leg.known.name), self.mark(leg.new.name)
+        assert pair is not None
+        turns = self.quick and self.b.known[leg.link].root != FRAME
+        middle = at(self.plan, f"k_{leg.symbol}") if turns else known
+        ends = (middle, new) if leg.slider_new else (new, middle)
+        value = self.b.draft.measure(f"{self.letter}slide_{pair.link}", *ends, leg.along)
+        if not self.quick:
+            return SlideReading(pair.guide, value, ends, leg.along)
+        coriolis = (known, middle) if leg.slider_new else (middle, known)
+        return SlideReading(pair.guide, value, ends, leg.along, coriolis if turns else None)
+
+    def show_points(self, link: str) -> None:
+        """The image of every point of the link, and the segment from the pole that is its rate."""
+        for name in self.b.mechanism.links[link].points:
+            self.image(link, Spot(name, name))
+
+    def image(self, link: str, spot: Spot) -> None:
+        """Draw the end of a spot's vector, by similarity with what is known of its link."""
+        mark = self.mark(spot.name)
+        if mark in self.b.draft.steps:
+            return
+        body = self.b.known[link]
+        root, carrier = self.b.known[body.root], self.mark(body.carrier.name)
+        if body.root == FRAME:
+            self.b.draft.step(Same(mark, carrier))
+        elif root is body and body.rigid and spot.name in body.link.points:
+            self._similar(body, spot)
+        elif root.ref:
+            like = root.ref
+            scheme = tuple(at(SCHEME, s.place) for s in (body.carrier, spot, *like))
+            ends = self.mark(like[0].name), self.mark(like[1].name)
+            self.b.draft.step(Image(mark, carrier, (scheme[0], scheme[1]), (scheme[2], scheme[3]), ends))
+        else:
+            swing(self, root, spot)
+        self.b.draft.show(self.plan, POLE, self.label(spot.name), self.letter + spot.name)
+
+    def _similar(self, body: Body, spot: Spot) -> None:
+        assert body.ref
+        points, (one, two) = body.link.points, body.ref
+        p, q, r = points[spot.name], points[one.place], points[two.place]
+        name = f"ratio_{spot.name}_{body.link.name}"
+        ends = self.mark(one.name), self.mark(two.name)
+        self.b.draft.similar(self.plan, self.label(spot.name), *ends, name, (p - q) / (r - q))
+
+
+def _drive(r: Rates) -> None:
+    """The driver's own motion: the first vectors of the plan, fully known."""
+    d, drive = r.b.draft, r.b.mechanism.drive
+    body = r.b.known[drive.link]
+    rate = {"velocity": drive.velocity, "motion": 1.0, "acceleration": drive.acceleration}[r.plan]
+    if drive.kind == "s":
+        first = body.base.name
+        value = d.give({"velocity": "v_drive", "motion": "vq_drive", "acceleration": "a_drive"}[r.plan], rate)
+        d.lay_off(r.plan, r.label(first), at(r.plan, POLE), f"∥{r.b.structure.drive_pair.guide}", value)
+        d.show(r.plan, POLE, r.label(first), r.letter + first)
+        r.driven.append(r.mark(first))
+        guide = r.b.structure.drive_pair.guide
+        ends = at(r.plan, POLE), r.mark(first)
+        rate_name = d.measure(f"{r.letter}slide_{drive.link}", *ends, f"∥{guide}")
+        r.slides[drive.link] = SlideReading(guide, rate_name, ends, f"∥{guide}")
+        return
+    d.give(r.spin(drive.link), rate)
+    if body.ref:
+        swing(r, body, body.ref[1])
+        d.show(r.plan, POLE, r.label(body.ref[1].name), r.letter + body.ref[1].name)
+        r.driven.append(r.mark(body.ref[1].name))
+
+
+def swing(r: Rates, body: Body, spot: Spot) -> None:
+    """The end of the vector of a spot of the driver, which turns about its pivot on the frame."""
+    d, pivot, link = r.b.draft, body.base.place, body.link
+    ray = d.ray(SCHEME, pivot, spot.place)
+    across = d.square(f"⊥{ray}", ray)
+    if spot.name in link.points:
+        length = d.give(f"l_{pivot}{spot.place}", abs(link.points[spot.name] - link.points[pivot]))
+    else:
+        length = d.measure(f"l_{pivot}{spot.place}", at(SCHEME, pivot), at(SCHEME, spot.place))
+    pole, end, name = at(r.plan, POLE), r.label(spot.name), r.letter + spot.name
+    if not r.quick:
+        r.turning.setdefault(link.name, (pole, at(r.plan, end), across))
+        value = d.product(name, **{r.spin(link.name): 1, length: 1})
+        d.lay_off(r.plan, end, pole, across, value)
+        return
+    normal = d.product(f"{name}^n", **{f"omega_{link.name}": 2, length: 1})
+    tangential = d.product(f"{name}^t", **{f"epsilon_{link.name}": 1, length: 1})
+    inwards = d.square(f"{spot.place}→{pivot}", ray, 2)
+    middle = f"n_{spot.name}"
+    chain = (
+        Term(f"{name}^n", POLE, middle, length=normal, direction=inwards, action=inwards),
+        Term(f"{name}^t", middle, end, length=tangential, direction=across, action=across),
+    )
+    d.draw(Equation(r.plan, (chain, ()), name))
+
+
+def turned_copy(b: Bodies, plan: str, of: str, mark: str) -> str:
+    """A mark of ``plan`` as it stands on the plan turned by 90° (Zhukovsky's lever)."""
+    return b.draft.step(Carry(at("lever", mark), b.draft.pole("lever"), at(plan, POLE), of, 1))

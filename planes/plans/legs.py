@@ -1,0 +1,78 @@
+"""How each group reaches its new point: two legs, each a pivot or a sliding pair, whatever the kind of group.
+
+"X = Y + relative": about a pivot Y the relative velocity is perpendicular to YX; along a guide it is parallel to the
+guide and Y is the point of the mate that coincides with X. All five kinds of class II are two such legs.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from planes.drafting import POLE
+from planes.mechanism import FRAME
+from planes.plans.bodies import SCHEME, Bodies, Spot
+from planes.plans.positions import moving_name
+from planes.structure import Group, Pair
+
+
+@dataclass(frozen=True)
+class Leg:
+    """One way to the new point. ``link`` carries ``known``; ``along`` is the direction of the relative velocity.
+
+    About a pivot ``length`` names the radius, ``towards`` the direction from the new point to the pivot and
+    ``turns`` the link that turns about it; in a sliding pair ``pair`` says which, and ``slider_new`` whether the
+    new point is the slider's.
+    """
+
+    new: Spot
+    known: Spot
+    link: str
+    symbol: str  # letters of the pair of points: "CB", "HL", "BB0"
+    along: str
+    length: str | None = None
+    towards: str | None = None
+    turns: str | None = None
+    pair: Pair | None = None
+    slider_new: bool = True
+
+
+def legs_of(b: Bodies, g: Group) -> tuple[Leg, Leg]:
+    """The two legs of a group, in the order the method writes them."""
+    if g.kind in (1, 2, 4):
+        new = Spot(g.inner.point, g.inner.point)
+        return _outer_leg(b, g.first_outer, g.first, new), _outer_leg(b, g.last_outer, g.last, new)
+    hinge = g.first_outer.point
+    new = Spot(hinge, moving_name(b, g.inner.guide, hinge, g.last))
+    inner = Leg(
+        new, Spot(hinge, hinge), g.first, f"{new.name}{hinge}", f"∥{g.inner.guide}",
+        pair=g.inner, slider_new=g.inner.link == g.last,
+    )  # fmt: skip
+    return inner, _outer_leg(b, g.last_outer, g.last, new)
+
+
+def _outer_leg(b: Bodies, pair: Pair, link: str, new: Spot) -> Leg:
+    known = pair.mate(link)
+    return _pivot(b, pair, link, new) if pair.kind == "R" else _sliding(b, pair, link, known, new)
+
+
+def _pivot(b: Bodies, pair: Pair, link: str, new: Spot) -> Leg:
+    pivot, d = pair.point, b.draft
+    ray = d.ray(SCHEME, pivot, new.place)
+    points = b.mechanism.link(link).points
+    if new.name in points:
+        length = d.give(f"l_{pivot}{new.place}", abs(points[new.name] - points[pivot]))
+    else:
+        length = d.measure(f"l_{pivot}{new.place}", f"{SCHEME}:{pivot}", f"{SCHEME}:{new.place}")
+    return Leg(
+        new, Spot(pivot, pivot), pair.mate(link), f"{new.name}{pivot}", d.square(f"⊥{ray}", ray),
+        length=length, towards=d.square(f"{new.place}→{pivot}", ray, 2), turns=link,
+    )  # fmt: skip
+
+
+def _sliding(b: Bodies, pair: Pair, link: str, known: str, new: Spot) -> Leg:
+    if known == FRAME:
+        spot, symbol = Spot(POLE, POLE), f"{new.name}{new.name}0"
+    else:
+        spot = Spot(new.place, moving_name(b, pair.guide, new.place, known))
+        symbol = f"{new.name}{spot.name}"
+    return Leg(new, spot, known, symbol, f"∥{pair.guide}", pair=pair, slider_new=pair.link == link)

@@ -1,0 +1,135 @@
+"""What acts on the links from outside the pairs: weights, inertia, and the scene's forces and couples."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from planes.drafting import POLE, at
+from planes.mechanism import FRAME, Link, Load
+from planes.plans.bodies import SCHEME, Bodies, Spot
+from planes.plans.kinematics import Rates
+from planes.steps.reckoning import Sense, SenseOf
+
+
+@dataclass(frozen=True)
+class Force:
+    """A force on ``link`` at a mark of the scheme: names of its size (N) and direction. ``spot`` is its point."""
+
+    name: str
+    link: str
+    size: str
+    along: str
+    point: str
+    spot: Spot | None = None
+
+
+@dataclass(frozen=True)
+class Couple:
+    """A couple on ``link``: the name of its value (N·m, counter-clockwise positive), times ``sign``."""
+
+    name: str
+    link: str
+    value: str
+    sign: int = 1
+
+
+def force_name(on: str, by: str) -> str:
+    """F_21 acts on 2 from 1; longer names are parted: F_11_10."""
+    return f"F_{on}{by}" if len(on) == len(by) == 1 else f"F_{on}_{by}"
+
+
+@dataclass
+class Acting:
+    """All forces and couples on each link, those of pairs joining as they are found."""
+
+    b: Bodies
+    motion: Rates  # the velocities that tell "along" from "against" motion
+    accelerations: Rates
+    forces: dict[str, list[Force]] = field(default_factory=dict)
+    couples: dict[str, list[Couple]] = field(default_factory=dict)
+
+    def gather(self) -> None:
+        """Weights, inertia and loads of every link, in this order on each."""
+        for link in self.b.mechanism.links.values():
+            self.forces[link.name], self.couples[link.name] = [], []
+            self._weight(link)
+            self._inertia(link)
+        counts: dict[tuple[str, str], int] = {}
+        for load in self.b.mechanism.loads:
+            key = (load.link, load.kind)
+            counts[key] = counts.get(key, 0) + 1
+            suffix = f"_{counts[key]}" if counts[key] > 1 else ""
+            self._force(load, suffix) if load.kind == "force" else self._couple(load, suffix)
+
+    def _weight(self, link: Link) -> None:
+        if link.mass is None or self.b.mechanism.gravity is None:
+            return
+        d = self.b.draft
+        gravity, mass = d.give("g", self.b.mechanism.gravity), d.give(f"m_{link.name}", link.mass)
+        size = d.product(f"G_{link.name}", **{mass: 1, gravity: 1})
+        down = d.aim("↓", -90.0)
+        self._add(Force(f"G_{link.name}", link.name, size, down, *self._centre(link)))
+
+    def _centre(self, link: Link) -> tuple[str, Spot]:
+        return at(SCHEME, link.mass_centre), Spot(link.mass_centre, link.mass_centre)
+
+    def _inertia(self, link: Link) -> None:
+        d, rates = self.b.draft, self.accelerations
+        root = self.b.known[link.name].root
+        if link.inertia is not None and root != FRAME:
+            moment = d.give(f"J_{link.name}", link.inertia)
+            value = d.product(f"MI_{link.name}", -1.0, **{moment: 1, rates.spin(root): 1})
+            self.couples[link.name].append(Couple(f"MI_{link.name}", link.name, value))
+        mark = rates.mark(link.mass_centre)
+        pole = at(rates.plan, POLE)
+        if link.mass is None or mark == pole:
+            return
+        rate = d.measure(f"a_{link.mass_centre}", pole, mark)
+        size = d.product(f"I_{link.name}", **{d.give(f"m_{link.name}", link.mass): 1, rate: 1})
+        back = d.through(f"-a_{link.mass_centre}", mark, pole)
+        self._add(Force(f"I_{link.name}", link.name, size, back, *self._centre(link)))
+
+    def _force(self, load: Load, suffix: str) -> None:
+        d, point = self.b.draft, load.point or ""
+        name = f"P_{load.link}{suffix}"
+        size = d.give(f"{name}_given", load.value)
+        if load.sense:
+            ends = at(self.motion.plan, POLE), self.motion.mark(point)
+            moving = d.step(Sense(f"moves_{point}", *ends, None, tuple(self.motion.driven)))
+            ends = ends if load.sense == "along" else (ends[1], ends[0])
+            along = d.through(f"{'+' if load.sense == 'along' else '-'}{self.motion.letter}{point}", *ends)
+            size = d.product(name, **{size: 1, moving: 1})
+        elif load.direction_link and load.direction_link != FRAME:
+            along = d.turn(f"∠{name}", self._axis(load.direction_link), load.direction_deg or 0.0)
+            size = d.product(name, **{size: 1})
+        else:
+            along = d.aim(f"∠{name}", load.direction_deg or 0.0)
+            size = d.product(name, **{size: 1})
+        self._add(Force(name, load.link, size, along, at(SCHEME, point), Spot(point, point)))
+
+    def _axis(self, link: str) -> str:
+        return self.b.known[link].axis
+
+    def _couple(self, load: Load, suffix: str) -> None:
+        d, link = self.b.draft, load.link
+        letter = "MP" if link == self.b.mechanism.drive.link else "M"
+        name = f"{letter}_{link}{suffix}"
+        value = d.give(f"{name}_given", load.value)
+        if not load.sense:
+            self.couples[link].append(Couple(name, link, d.product(name, **{value: 1})))
+            return
+        root = self.b.known[link].root
+        if root == FRAME:
+            return  # a link that never turns has no motion for a couple to go along with or against
+        sense = self._turning(root)
+        sign = 1.0 if load.sense == "along" else -1.0
+        self.couples[link].append(Couple(name, link, d.product(name, sign, **{value: 1, sense: 1})))
+
+    def _turning(self, root: str) -> str:
+        if root in self.motion.turning:
+            start, end, along = self.motion.turning[root]
+            return self.b.draft.step(Sense(f"turns_{root}", start, end, along, tuple(self.motion.driven)))
+        return self.b.draft.step(SenseOf(f"turns_{root}", self.motion.spin(root)))
+
+    def _add(self, force: Force) -> None:
+        self.forces[force.link].append(force)

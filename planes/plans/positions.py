@@ -1,0 +1,182 @@
+"""Position plans: the driver, then each group by засечки, as vector equations for the drafting core."""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+from planes.drafting import POLE, at
+from planes.equations import Equation, Term
+from planes.mechanism import FRAME
+from planes.plans.bodies import SCHEME, Bodies, Body, Spot, difference
+from planes.steps import Touch
+from planes.structure import Group, Pair
+
+
+def place_all(b: Bodies) -> None:
+    """Draw the scheme: the frame, the driver in its position, the groups in the order they attach."""
+    b.draft.pole(SCHEME)
+    frame = b.mechanism.frame
+    for name, place in frame.points.items():
+        b.draft.put(SCHEME, name, place)
+    b.known[FRAME] = Body(frame, Spot(POLE, POLE), "", FRAME)
+    _place_driver(b)
+    for group in b.structure.groups:
+        _PLACERS[group.kind](b, group)
+
+
+def _place_driver(b: Bodies) -> None:
+    drive, pair = b.mechanism.drive, b.structure.drive_pair
+    link = b.mechanism.links[drive.link]
+    if drive.kind == "phi":
+        axis = b.draft.aim(f"x_{link.name}", drive.position)
+        body = Body(link, Spot(pair.point, pair.point), axis, link.name)
+        b.place_points(body)
+        second = _second_point(b, pair.point)
+        if second:
+            body.ref, body.rigid = (body.base, Spot(second, second)), True
+        return
+    mark, direction = b.line(pair, FRAME)
+    first = link.first_point
+    start = b.shifted(f"{first}°s", mark, direction, b.offset(pair, link.name, first))
+    b.draft.lay_off(SCHEME, first, start, direction, b.draft.give("s", drive.position))
+    axis = b.axis_along(pair, link.name, direction)
+    b.place_points(Body(link, Spot(first, first), axis, FRAME))
+
+
+def _second_point(b: Bodies, pivot: str) -> str | None:
+    """The driver's point the plans begin with: one it shares with another link, else any away from the pivot."""
+    link = b.mechanism.links[b.mechanism.drive.link]
+    away = [p for p, z in link.points.items() if z != link.points[pivot]]
+    shared = [p for p in away if any(p in x.points for x in b.mechanism.links.values() if x is not link)]
+    return next(iter(shared + away), None)
+
+
+def _radius(name: str, start: str, length: str) -> tuple[Term, Term]:
+    """The chain pole–start–(end by compass)."""
+    return (
+        Term(f"r_{start}", POLE, start, drawn=True),
+        Term(f"{start}{name}", start, name, length=length, action=length),
+    )
+
+
+def _ray(name: str, start: str, direction: str) -> tuple[Term, Term]:
+    """The chain pole–start–(end somewhere along a line)."""
+    return (
+        Term(f"r_{start}", POLE, start, drawn=True),
+        Term(f"{start}{name}", start, name, direction=direction, action=direction),
+    )
+
+
+def _length(b: Bodies, link: str, one: str, two: str) -> str:
+    points = b.mechanism.link(link).points
+    return b.draft.give(f"l_{one}{two}", abs(points[two] - points[one]))
+
+
+def _on_line(b: Bodies, pair: Pair, link: str, point: str) -> tuple[str, str]:
+    """Label of a mark, and direction, of the line that a point of ``link`` runs along in a solved pair."""
+    mark, direction = b.line(pair, pair.mate(link))
+    shifted = b.shifted(f"{point}°{pair.guide}", mark, direction, b.offset(pair, link, point))
+    return shifted.rpartition(":")[2], direction
+
+
+def _side(b: Bodies, key: str, group: Group) -> str:
+    """Name of the ±1 that chooses between the two assemblies of a group."""
+    name = b.draft.give(f"side_{key}", 1.0)
+    b.choices.append((name, key, group))
+    return name
+
+
+def _rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
+    """A link known by two of its points; its x axis is drawn from them."""
+    link = b.mechanism.link(name)
+    way = link.points[two] - link.points[one]
+    axis = b.draft.turn(f"x_{name}", b.draft.ray(SCHEME, one, two), -math.degrees(cmath.phase(way)))
+    spots = Spot(one, one), Spot(two, two)
+    return Body(link, spots[0], axis, name, spots, rigid=True)
+
+
+def _place_rrr(b: Bodies, g: Group) -> None:
+    one, two, hinge = g.first_outer.point, g.last_outer.point, g.inner.point
+    chains = (
+        _radius(hinge, one, _length(b, g.first, one, hinge)),
+        _radius(hinge, two, _length(b, g.last, two, hinge)),
+    )
+    b.draft.draw(Equation(SCHEME, chains, f"r_{hinge}", _side(b, hinge, g)))
+    b.place_points(_rigid_body(b, g.first, one, hinge))
+    b.place_points(_rigid_body(b, g.last, two, hinge))
+
+
+def _place_rrp(b: Bodies, g: Group) -> None:
+    one, hinge = g.first_outer.point, g.inner.point
+    start, direction = _on_line(b, g.last_outer, g.last, hinge)
+    chains = (_radius(hinge, one, _length(b, g.first, one, hinge)), _ray(hinge, start, direction))
+    b.draft.draw(Equation(SCHEME, chains, f"r_{hinge}", _side(b, hinge, g)))
+    b.place_points(_rigid_body(b, g.first, one, hinge))
+    _place_slider(b, g.last_outer, g.last, hinge, direction)
+
+
+def _place_slider(b: Bodies, pair: Pair, name: str, base: str, direction: str) -> None:
+    """A link that cannot turn against its solved mate, known by one point."""
+    axis = b.axis_along(pair, name, direction)
+    root = b.known[pair.mate(name)].root
+    b.place_points(Body(b.mechanism.link(name), Spot(base, base), axis, root))
+
+
+def _place_rpr(b: Bodies, g: Group) -> None:
+    one, two, pair = g.first_outer.point, g.last_outer.point, g.inner
+    offset = difference(b.offset(pair, g.first, one), b.offset(pair, g.last, two))
+    given = None if offset is None else b.draft.give(f"e_{one}{two}", offset)
+    side = _side(b, pair.guide, g)
+    ends = at(SCHEME, two), at(SCHEME, one)
+    direction = b.draft.step(Touch(f"∥{pair.guide}", *ends, given, "mu_position", side))
+    name = moving_name(b, pair.guide, one, g.last)
+    ref = Spot(two, two), Spot(one, name)
+    b.place_points(Body(b.mechanism.link(g.last), ref[0], b.axis_along(pair, g.last, direction), g.last, ref))
+    b.place_points(Body(b.mechanism.link(g.first), Spot(one, one), b.axis_along(pair, g.first, direction), g.last))
+
+
+def moving_name(b: Bodies, guide: str, point: str, link: str) -> str:
+    """Name of the point of ``link`` that coincides with ``point``: the letter the guide gives it, or "H2"."""
+    name = b.mechanism.guide(guide).mark if b.mechanism.owner(guide) == link else None
+    taken = {POLE, *(p for x in (b.mechanism.frame, *b.mechanism.links.values()) for p in x.points)}
+    here = point, link
+    if not name or name in taken or b.coincident.get(name, here) != here:
+        name = f"{point}{link}"
+        while name in taken or b.coincident.get(name, here) != here:
+            point += "_"
+            name = f"{point}{link}"
+    b.coincident[name] = here
+    return name
+
+
+def _place_prp(b: Bodies, g: Group) -> None:
+    hinge = g.inner.point
+    chains, directions = [], []
+    for pair, link in ((g.first_outer, g.first), (g.last_outer, g.last)):
+        start, direction = _on_line(b, pair, link, hinge)
+        chains.append(_ray(hinge, start, direction))
+        directions.append(direction)
+    b.draft.draw(Equation(SCHEME, (chains[0], chains[1]), f"r_{hinge}"))
+    _place_slider(b, g.first_outer, g.first, hinge, directions[0])
+    _place_slider(b, g.last_outer, g.last, hinge, directions[1])
+
+
+def _place_rpp(b: Bodies, g: Group) -> None:
+    hinge, point = g.first_outer.point, b.mechanism.link(g.last).first_point
+    start, direction = _on_line(b, g.last_outer, g.last, point)
+    axis = b.axis_along(g.last_outer, g.last, direction)
+    inner = b.direction_from(g.inner, g.last, axis)
+    apart = difference(b.offset(g.inner, g.last, point), b.offset(g.inner, g.first, hinge))
+    shifted = b.shifted(f"{point}°{g.inner.guide}", at(SCHEME, hinge), inner, apart).rpartition(":")[2]
+    chains = _ray(point, start, direction), _ray(point, shifted, inner)
+    b.draft.draw(Equation(SCHEME, chains, f"r_{point}"))
+    root = b.known[g.last_outer.mate(g.last)].root
+    reached = Spot(hinge, moving_name(b, g.inner.guide, hinge, g.last))
+    b.place_points(Body(b.mechanism.link(g.last), Spot(point, point), axis, root, moving=reached))
+    b.place_points(
+        Body(b.mechanism.link(g.first), Spot(hinge, hinge), b.axis_along(g.inner, g.first, inner), root)
+    )
+
+
+_PLACERS = {1: _place_rrr, 2: _place_rrp, 3: _place_rpr, 4: _place_prp, 5: _place_rpp}

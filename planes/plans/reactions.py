@@ -1,0 +1,89 @@
+"""Reactions as they are found: segments of the force plans, arms and couples of sliders, handed from link to link."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from planes.drafting import Moments, at, label_of
+from planes.plans.bodies import SCHEME, Bodies
+from planes.plans.loads import Acting, Couple, Force, force_name
+from planes.steps.reckoning import Product
+from planes.structure import Pair
+
+
+@dataclass(frozen=True)
+class Reaction:
+    """A reaction found: the segment of its plan, its pair, and for a slider names of arm and couple at the foot."""
+
+    key: str
+    plan: str
+    start: str
+    end: str
+    pair: Pair
+    normal: str = ""
+    arm: str = ""
+    moment: str = ""
+
+
+@dataclass
+class Statics:
+    """What force plans share: the loads, the reactions found so far, and how one link hands them to the next."""
+
+    b: Bodies
+    acting: Acting
+    reactions: dict[str, Reaction] = field(default_factory=dict)
+    balancing: str = ""
+
+    def moment_terms(
+        self, about: str, forces: list[Force], couples: list[Couple], sign: float, over: str | None = None
+    ) -> tuple[list[Product], tuple[tuple[str, str], ...]]:
+        """The sum of moments about a mark, times ``sign``, divided by the value ``over``; and its terms by name."""
+        d, tail = self.b.draft, ((over, -1),) if over else ()
+        products, shown = [], []
+        for f in forces:
+            if f.point == about:
+                continue
+            arm = d.arm(f"h_{f.name}_{label_of(about)}", f.point, f.along, about)
+            products.append(Product(sign, ((f.size, 1), (arm, 1), *tail)))
+            shown.append((f.name, arm))
+        for c in couples:
+            products.append(Product(sign * c.sign, ((c.value, 1), *tail)))
+            shown.append((c.name, ""))
+        return products, tuple(shown)
+
+    def react(self, pair: Pair, plan: str, start: str, end: str) -> Reaction:
+        """Note the reaction on ``pair.link``; both links feel it from now on. Slider's couple comes later."""
+        key = force_name(pair.link, pair.other)
+        found = Reaction(key, plan, start, end, pair)
+        self.reactions[key] = found
+        self.b.draft.show(plan, label_of(start), label_of(end), key)
+        return found
+
+    def as_force(self, r: Reaction, on: str) -> Force:
+        """The reaction as a force on one of its links, at the hinge or at the foot of the slider's first point."""
+        d = self.b.draft
+        ends = (r.start, r.end) if on == r.pair.link else (r.end, r.start)
+        name = force_name(on, r.pair.mate(on))
+        size = d.measure(f"|{r.key}|", r.start, r.end)
+        along = d.through(f"→{name}", *ends)
+        point = at(SCHEME, r.pair.point) if r.pair.kind == "R" else self.b.foot(r.pair)
+        return Force(name, on, size, along, point)
+
+    def seat(self, r: Reaction, link: str, about: str, forces: list[Force], couples: list[Couple]) -> Reaction:
+        """Find the couple and the arm of a sliding pair's reaction from the moments on ``link`` about a mark."""
+        d, pair = self.b.draft, r.pair
+        side = -1.0 if link == pair.link else 1.0
+        products, shown = self.moment_terms(about, [*forces, self.as_force(r, link)], couples, side)
+        moment = d.total(f"MR_{r.key}", products)
+        normal = d.measure(f"N_{r.key}", r.start, r.end, d.square(f"⊥∥{pair.guide}", f"∥{pair.guide}"))
+        arm = d.product(f"arm_{r.key}", **{moment: 1, normal: -1})
+        d.moments.append(Moments(label_of(about), (link,), shown, moment, ""))
+        self.reactions[r.key] = seated = Reaction(r.key, r.plan, r.start, r.end, pair, normal, arm, moment)
+        return seated
+
+    def hand_over(self, r: Reaction, to: str) -> None:
+        """Let the mate of a pair feel the reaction (and, of a slider, its couple), reversed."""
+        self.acting.forces[to].append(self.as_force(r, to))
+        if r.moment:
+            sign = 1 if to == r.pair.link else -1
+            self.acting.couples[to].append(Couple(f"{r.moment}", to, r.moment, sign))

@@ -1,0 +1,173 @@
+"""Force plans: each group by itself, last attached first, then the primary mechanism.
+
+A group's polygon is one chain p → (F_t, loads of the first link) → E_a → (loads of the last, F_t) → E_b, and one
+point X: from p the first outer reaction, from E_a the inner one, from E_b the last outer one meet X. In each of the
+five kinds exactly two of these three lines are known, and the third closes. Table 1 of the BNTU text draws the
+kinds with an unloaded link; here any load may act on any link.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from planes.drafting import POLE, Moments, at
+from planes.equations import Equation, Term
+from planes.mechanism import FRAME
+from planes.plans.bodies import SCHEME
+from planes.plans.friction import meet_with_friction
+from planes.plans.loads import Couple, Force, force_name
+from planes.plans.primary import DriverForces
+from planes.plans.reactions import Reaction, Statics
+from planes.structure import Group, Pair
+
+
+def draw_forces(statics: Statics) -> None:
+    """Every group from the last to the first, then the driver."""
+    for group in reversed(statics.b.structure.groups):
+        _GroupForces(statics, group).draw()
+    DriverForces(statics).draw()
+
+
+class _GroupForces:
+    """The plan of one group."""
+
+    def __init__(self, statics: Statics, group: Group) -> None:
+        self.s, self.g, self.b, self.d = statics, group, statics.b, statics.b.draft
+        self.plan = f"force:{'-'.join(group.links)}"
+        self.loads = {x: list(statics.acting.forces[x]) for x in group.links}
+        self.couples = {x: list(statics.acting.couples[x]) for x in group.links}
+
+    def draw(self) -> None:
+        g = self.g
+        self.d.pole(self.plan)
+        head = self.tangential(g.first, g.first_outer) if g.kind in (1, 2, 3) else []
+        tail = self.tangential(g.last, g.last_outer) if g.kind == 1 else []
+        first = self.terms(head + self.loads[g.first], POLE)
+        e_a = first[-1].end if first else POLE
+        last = self.terms(self.loads[g.last] + tail, e_a)
+        e_b = last[-1].end if last else e_a
+        name_b = force_name(g.last, g.last_outer.mate(g.last))
+        x = name_b + ("n" if tail else "")
+        for term in first + last:
+            self.d.lay(self.plan, term)
+        rays = {
+            "first": self.ray(g.first_outer, g.first, POLE, x, -1, bool(head)),
+            "inner": self.inner_ray(e_a, x),
+            "last": self.ray(g.last_outer, g.last, e_b, x, 1, bool(tail)),
+        }
+        self.meet(rays, first, last, x)
+        self.read(head[0].name.replace("^", "") if head else POLE, e_a, last[-1].start if tail else e_b, x)
+
+    def meet(self, rays: dict[str, Term], first: tuple[Term, ...], last: tuple[Term, ...], x: str) -> None:
+        """State the equations of the kind: which two lines cross at X, and which side closes."""
+        kind = self.g.kind
+        if kind in (1, 2, 4):
+            self.solve((*first, *last, rays["last"]), rays["first"], x)
+        elif kind == 3:
+            self.solve((*first, rays["inner"]), rays["first"], x)
+            found = Term(rays["first"].name, x, POLE, drawn=True)
+            self.close((found, *first, *last), rays["last"])
+        else:
+            on_last = force_name(self.g.last, self.g.first)
+            self.solve((*last, rays["last"]), replace(rays["inner"], name=on_last, sign=-1), x)
+            self.close((*first, replace(rays["inner"], drawn=True)), rays["first"])
+
+    def solve(self, chain: tuple[Term, ...], back: Term, x: str) -> None:
+        """Cross two known lines at X, leaning ones by trial."""
+        pairs = [p for p in (self.g.first_outer, self.g.inner, self.g.last_outer) if self.rubs(p)]
+        if not pairs:
+            self.d.draw(Equation(self.plan, (chain, (back,))))
+            return
+        leant = meet_with_friction(self.s.acting, self.plan, [chain[-1], back], x, pairs)
+        drawn = (*chain[:-1], leant.get(chain[-1].name, chain[-1]))
+        self.d.conclude(Equation(self.plan, (drawn, (leant.get(back.name, back),))))
+
+    def close(self, chain: tuple[Term, ...], last: Term) -> None:
+        """The remaining reaction closes the polygon: both its length and direction are read."""
+        ends = (last.start, last.end) if last.sign > 0 else (last.end, last.start)
+        self.d.conclude(Equation(self.plan, ((*chain, Term(last.name, *ends)), ())))
+
+    def rubs(self, pair: Pair) -> bool:
+        return pair.kind == "P" and pair.guide in self.b.mechanism.friction
+
+    def terms(self, forces: list[Force], start: str) -> tuple[Term, ...]:
+        """Forces as known terms of a chain, each ending at a mark of its own name."""
+        terms = []
+        for f in forces:
+            end = f.name.replace("^", "")
+            terms.append(Term(f.name, start, end, f.size, f.along, f.along))
+            start = end
+        return tuple(terms)
+
+    def ray(self, pair: Pair, link: str, start: str, x: str, sign: int, split: bool) -> Term:
+        """The line of an outer reaction through a mark of the polygon (X is its other end)."""
+        name = force_name(link, pair.mate(link)) + ("^n" if split else "")
+        if pair.kind == "P":
+            along: str | None = self.d.square(f"⊥∥{pair.guide}", f"∥{pair.guide}")
+        else:
+            along = self.normal_line(pair) if split else None
+        return Term(name, start, x, None, along, along or "", False, sign)
+
+    def normal_line(self, pair: Pair) -> str:
+        """Along the link: from its outer hinge to the point its moments are taken about."""
+        if self.g.kind == 3:
+            return self.d.ray(SCHEME, self.g.last_outer.point, pair.point)
+        return self.d.ray(SCHEME, pair.point, self.g.inner.point)
+
+    def inner_ray(self, start: str, x: str) -> Term:
+        """The inner reaction, on the first link from the last, through the end of the first link's loads."""
+        g = self.g
+        along = self.d.square(f"⊥∥{g.inner.guide}", f"∥{g.inner.guide}") if g.inner.kind == "P" else None
+        return Term(force_name(g.first, g.last), start, x, None, along, along or "", False, 1)
+
+    def tangential(self, link: str, pair: Pair) -> list[Force]:
+        """F^t of an outer hinge: from moments about the inner hinge, or of the whole group about the other one."""
+        d, g = self.d, self.g
+        if g.kind == 3:
+            about, ray = g.last_outer.point, d.ray(SCHEME, g.last_outer.point, pair.point)
+            links: tuple[str, ...] = (g.first, g.last)
+            length, sign = d.measure(f"l_{about}{pair.point}", at(SCHEME, about), at(SCHEME, pair.point)), -1.0
+        else:
+            about, links, ray = g.inner.point, (link,), d.ray(SCHEME, pair.point, g.inner.point)
+            points = self.b.mechanism.links[link].points
+            length, sign = d.give(f"l_{pair.point}{about}", abs(points[about] - points[pair.point])), 1.0
+        forces = [f for x in links for f in self.loads[x]]
+        couples = [c for x in links for c in self.couples[x]]
+        products, shown = self.s.moment_terms(at(SCHEME, about), forces, couples, sign, length)
+        name = force_name(link, pair.mate(link)) + "^t"
+        d.total(name, products)
+        d.moments.append(Moments(about, links, shown, name, length))
+        return [Force(name, link, name, d.square(f"⊥{ray}", ray), at(SCHEME, pair.point))]
+
+    def read(self, head_end: str, e_a: str, tail_start: str, x: str) -> None:
+        """Reactions of the three pairs as segments, the couples of the sliding ones, and hand them on."""
+        g, plan, x_mark = self.g, self.plan, at(self.plan, x)
+        found = {
+            "first": self.on(g.first_outer, g.first, x_mark, at(plan, head_end)),
+            "inner": self.on(g.inner, g.first, at(plan, e_a), x_mark),
+            "last": self.on(g.last_outer, g.last, at(plan, tail_start), x_mark),
+        }
+        self.seat_all(found)
+        for which, pair, link in (("first", g.first_outer, g.first), ("last", g.last_outer, g.last)):
+            if pair.mate(link) != FRAME:
+                self.s.hand_over(self.s.reactions[found[which].key], pair.mate(link))
+
+    def on(self, pair: Pair, link: str, start: str, end: str) -> Reaction:
+        """The reaction on ``link`` from start to end, noted for the pair's own first link."""
+        return self.s.react(pair, self.plan, *((start, end) if link == pair.link else (end, start)))
+
+    def seat_all(self, found: dict[str, Reaction]) -> None:
+        """Arms and couples of the sliding pairs, from moments about the hinge of the link."""
+        g, s = self.g, self.s
+        about = at(SCHEME, g.inner.point if g.inner.kind == "R" else g.first_outer.point)
+        if g.inner.kind == "P":
+            seated = s.seat(found["inner"], g.first, about, self.loads[g.first], self.couples[g.first])
+            pushed = s.as_force(seated, g.last)
+            sign = 1 if seated.pair.link == g.last else -1
+            if g.last_outer.kind == "P":
+                couples = [*self.couples[g.last], Couple(seated.moment, g.last, seated.moment, sign)]
+                s.seat(found["last"], g.last, about, [*self.loads[g.last], pushed], couples)
+            return
+        for which, pair, link in (("first", g.first_outer, g.first), ("last", g.last_outer, g.last)):
+            if pair.kind == "P":
+                s.seat(found[which], link, about, self.loads[link], self.couples[link])

@@ -1,0 +1,154 @@
+"""The scene file, format 1: what a student writes, read into a mechanism (or vectors) and what is asked."""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import MappingProxyType
+
+from planes.mechanism import Mechanism, Where
+from planes.scene import source
+from planes.scene.links import read_frame, read_links
+from planes.scene.motion import read_assembly, read_drive, read_friction, read_gravity, read_loads
+from planes.scene.reader import Reader
+from planes.scene.settings import (
+    choose,
+    read_find,
+    read_number_of_frame,
+    read_parameters,
+    read_plans,
+    read_sheet,
+    read_variants,
+    read_vector_mu,
+    read_words,
+)
+from planes.scene.source import Node, Table
+from planes.scene.vectors import VectorGiven, read_equations, read_vectors
+from planes.wording import SceneError, shown
+from planes.words import Phrase
+
+__all__ = ["Scene", "VectorGiven", "load", "loads"]
+
+FORMAT = "1"
+_COMMON = ("planes", "title", "note", "text", "parameters", "variants", "find", "sheet")
+_MECHANISM = ("frame", "links", "assembly", "drive", "loads", "gravity", "friction", "plans",
+              "crank_slider")
+_VECTORS = ("vectors", "equations", "mu")
+
+
+@dataclass(frozen=True)
+class Scene:
+    """All that a scene file says. Either ``mechanism`` is there, or ``vectors`` and ``equations`` are.
+
+    ``mu`` is in mm per SI unit, None where the program chooses; its keys are the four plans, and "vectors" in
+    a scene of vectors, where ``quantity`` is the plan whose unit that μ has. ``crank_slider`` is kept as written;
+    the integrated calculation of a crank-slider reads it.
+    """
+
+    file: str
+    title: Mapping[str, str]
+    note: Mapping[str, str]
+    variant: str | None
+    variants: tuple[str, ...]
+    parameters: Mapping[str, float]
+    mechanism: Mechanism | None
+    vectors: Mapping[str, VectorGiven]
+    equations: tuple[str, ...]
+    equation_lines: tuple[int, ...]
+    mu: Mapping[str, float | None]
+    quantity: str | None
+    find: tuple[str, ...] | None
+    sheet: Mapping[str, object]
+    frame_number: str = "0"
+    where: Where = field(default_factory=lambda: MappingProxyType({}), compare=False, repr=False)
+    crank_slider: Node | None = field(default=None, compare=False, repr=False)
+
+
+def load(path: str | Path, variant: str | None = None) -> Scene:
+    """Read a scene file; any refusal is a SceneError with file:line."""
+    return loads(source.read(path), str(path), variant)
+
+
+def loads(text: str, file: str = "scene.yaml", variant: str | None = None) -> Scene:
+    """Read the text of a scene file."""
+    table = source.parse(text, file)
+    reader = Reader(file)
+    _check_outline(reader, table)
+    if variant is not None:
+        variant = unicodedata.normalize("NFC", variant[:1000])
+    parameters, variants = reader.optional(table, "parameters"), reader.optional(table, "variants")
+    tables = read_variants(reader, variants, parameters)
+    chosen = choose(reader, tables, variant, table.lines.get("variants", 1))
+    reader.parameters = MappingProxyType(read_parameters(reader, parameters, chosen))
+    return _scene(reader, table, variant, tuple(tables))
+
+
+def _scene(reader: Reader, table: Table, variant: str | None, variants: tuple[str, ...]) -> Scene:
+    where: Where = MappingProxyType(dict(source.lines(table)))
+    of_vectors = "vectors" in table.entries
+    mechanism = None if of_vectors else _mechanism(reader, table, where)
+    vectors = read_vectors(reader, table.entries["vectors"]) if of_vectors else {}
+    equations, equation_lines = read_equations(reader, table.entries["equations"]) if of_vectors else ((), ())
+    mu, (generic, quantity) = (read_plans(reader, reader.optional(table, "plans")),
+                               read_vector_mu(reader, reader.optional(table, "mu")))
+    return Scene(
+        reader.file, _frozen(read_words(reader, reader.optional(table, "title"), "title")),
+        _frozen(read_words(reader, _note(reader, table), "note")), variant, variants, reader.parameters,
+        mechanism, MappingProxyType(vectors), equations, equation_lines,
+        MappingProxyType({**mu, "vectors": generic} if of_vectors else mu), quantity,
+        read_find(reader, reader.optional(table, "find")),
+        MappingProxyType(dict(read_sheet(reader, reader.optional(table, "sheet")))),
+        read_number_of_frame(reader, table.entries.get("frame")), where, reader.optional(table, "crank_slider"))
+
+
+def _frozen(words: dict[str, str]) -> Mapping[str, str]:
+    return MappingProxyType(words)
+
+
+def _note(reader: Reader, table: Table) -> Node | None:
+    if "note" in table.entries and "text" in table.entries:
+        reader.one_of(table, ("note", "text"), Phrase("the_scene"))
+    return reader.optional(table, "note") or reader.optional(table, "text")
+
+
+def _check_outline(reader: Reader, table: Table) -> None:
+    """Format, keys, and whether it is a mechanism or vectors."""
+    if "planes" not in table.entries:
+        raise SceneError(Phrase("no_format"), reader.file, 1)
+    version = reader.text(table.entries["planes"], "planes")
+    if version != FORMAT:
+        raise reader.error(Phrase("other_format", version=shown(version)), table.entries["planes"])
+    reader.table(table, Phrase("the_scene"), (*_COMMON, *_MECHANISM, *_VECTORS))
+    vectors = next((key for key in _VECTORS if key in table.entries), None)
+    mechanism = next((key for key in _MECHANISM if key in table.entries), None)
+    if vectors and mechanism:
+        if vectors == "mu":
+            raise reader.error(Phrase("mu_place"), table.lines["mu"])
+        raise reader.error(Phrase("two_scenes", mechanism=mechanism, vectors=vectors),
+                           max(table.lines[vectors], table.lines[mechanism]))
+    _check_required(reader, table, vectors is not None)
+
+
+def _check_required(reader: Reader, table: Table, of_vectors: bool) -> None:
+    for key in ("vectors", "equations") if of_vectors else ("frame", "links", "drive"):
+        if key not in table.entries:
+            raise SceneError(Phrase("part_missing", key=key), reader.file, 1)
+        if reader.optional(table, key) is None:
+            raise reader.error(Phrase("part_empty", what=key), table.lines[key])
+
+
+def _mechanism(reader: Reader, table: Table, where: Where) -> Mechanism:
+    frame = read_frame(reader, table.entries["frame"])
+    links = read_links(reader, table.entries["links"], frame)
+    given = {key: reader.optional(table, key) for key in _MECHANISM}
+    drive = read_drive(reader, table.entries["drive"], frame, links)
+    assembly, loads, friction = given["assembly"], given["loads"], given["friction"]
+    return Mechanism(
+        frame, MappingProxyType(links), drive,
+        () if loads is None else read_loads(reader, loads, links),
+        None if (gravity := given["gravity"]) is None else read_gravity(reader, gravity),
+        MappingProxyType({} if friction is None else read_friction(reader, friction, frame, links)),
+        MappingProxyType({} if assembly is None else read_assembly(reader, assembly, frame, links)),
+        where)

@@ -1,0 +1,157 @@
+"""The frame and the links of a scene: their points, guides, slides and masses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from types import MappingProxyType
+
+from planes.mark_names import latin
+from planes.mechanism import FRAME, Guide, Link, Slide
+from planes.scene.reader import Reader, part
+from planes.scene.source import Node, Table, Text
+from planes.words import Phrase
+
+_LINK_KEYS = ("points", "guides", "slides", "centre", "mass", "inertia")
+_FRAME_KEYS = ("points", "guides", "number")
+_GUIDE_KEYS = ("x", "y", "through", "angle", "mark")
+
+
+def read_frame(reader: Reader, node: Node) -> Link:
+    """The frame: fixed points and guides, at least one of either."""
+    what = Phrase("the_frame")
+    table = reader.table(node, what, _FRAME_KEYS)
+    points = _points(reader, reader.optional(table, "points"), what)
+    guides = _guides(reader, reader.optional(table, "guides"), points, what)
+    if not points and not guides:
+        raise reader.error(Phrase("frame_empty"), table)
+    return Link(FRAME, MappingProxyType(points), MappingProxyType(guides))
+
+
+def read_links(reader: Reader, node: Node, frame: Link) -> dict[str, Link]:
+    """The moving links in the order of the file, with every name they use checked."""
+    table = reader.names(node, "links", Phrase("a_link"))
+    if not table.entries:
+        raise reader.error(Phrase("links_empty"), table)
+    if FRAME in table.entries:
+        raise reader.error(Phrase("link_zero"), table.lines[FRAME])
+    links = {name: _link(reader, name, entry) for name, entry in table.entries.items()}
+    _check_alike(reader, table, (frame, *links.values()))
+    owners = _owners(reader, table, links, frame)
+    for link in links.values():
+        if link.slides:
+            _check_slide(reader, table, link, owners)
+    return links
+
+
+def _link(reader: Reader, name: str, node: Node) -> Link:
+    what = Phrase("link", name=name)
+    table = reader.table(node, what, _LINK_KEYS)
+    points = _points(reader, reader.required(table, "points", what), what)
+    if not points:
+        raise reader.error(Phrase("no_points", what=what), table.lines["points"])
+    guides = _guides(reader, reader.optional(table, "guides"), points, what)
+    slides, centre = reader.optional(table, "slides"), reader.optional(table, "centre")
+    return Link(
+        name, MappingProxyType(points), MappingProxyType(guides),
+        None if slides is None else _slide(reader, slides, what),
+        _mass(reader, table, "mass", what), _mass(reader, table, "inertia", what),
+        None if centre is None else reader.known(centre, part("centre", what), points, Phrase("points_of", owner=what)))
+
+
+def _mass(reader: Reader, table: Table, key: str, what: Phrase) -> float | None:
+    node = reader.optional(table, key)
+    return None if node is None else reader.positive(node, part(key, what))
+
+
+def _points(reader: Reader, node: Node | None, what: Phrase) -> dict[str, complex]:
+    if node is None:
+        return {}
+    table = reader.names(node, part("points", what), Phrase("a_point"))
+    if "p" in table.entries:
+        raise reader.error(Phrase("point_pole", what=what), table.lines["p"])
+    return {name: reader.place(entry, Phrase("point", name=name, owner=what), on_axis=True)
+            for name, entry in table.entries.items()}
+
+
+def _guides(reader: Reader, node: Node | None, points: dict[str, complex], what: Phrase) -> dict[str, Guide]:
+    if node is None:
+        return {}
+    table = reader.names(node, part("guides", what), Phrase("a_guide"))
+    return {name: _guide(reader, name, entry, points, what) for name, entry in table.entries.items()}
+
+
+def _guide(reader: Reader, name: str, node: Node, points: dict[str, complex], owner: Phrase) -> Guide:
+    what = Phrase("guide_named", name=name)
+    table = reader.table(node, what, _GUIDE_KEYS)
+    form = reader.one_of(table, ("x", "y", "through"), what)
+    entry = reader.required(table, form, what)
+    mark = None
+    if (given := reader.optional(table, "mark")) is not None:
+        mark = reader.check_name(reader.text(given, part("mark", what)), Phrase("a_mark"), given)
+    if form != "through":
+        if "angle" in table.entries:
+            raise reader.error(Phrase("angle_already", what=what, form=form), table.lines["angle"])
+        value = reader.number(entry, part(form, what))
+        through, angle = (complex(value, 0.0), 90.0) if form == "x" else (complex(0.0, value), 0.0)
+        return Guide(name, through, angle, None, mark, origin_given=False)
+    angle = reader.angle(table, what) or 0.0
+    if isinstance(entry, Text):
+        point = reader.known(entry, part("through", what), points, Phrase("points_of", owner=owner))
+        return Guide(name, points[point], angle, point, mark)
+    return Guide(name, reader.place(entry, part("through", what)), angle, None, mark)
+
+
+def _slide(reader: Reader, node: Node, what: Phrase) -> Slide:
+    slides = part("slides", what)
+    if isinstance(node, Text):
+        return Slide(reader.text(node, slides))
+    table = reader.table(node, slides, ("guide", "angle", "offset"))
+    guide = reader.text(reader.required(table, "guide", slides), Phrase("guide_of_slider", what=what))
+    offset = reader.optional(table, "offset")
+    return Slide(guide, reader.angle(table, slides),
+                 None if offset is None else reader.number(offset, part("offset", what)))
+
+
+def _check_alike(reader: Reader, table: Table, links: Iterable[Link]) -> None:
+    """C and С, one of them Cyrillic, are two points to a program and one to a reader."""
+    seen: dict[str, tuple[str, Phrase]] = {}
+    for link in links:
+        owner = Phrase("the_frame") if link.name == FRAME else Phrase("link", name=link.name)
+        for point in link.points:
+            first, other = seen.setdefault(latin(point), (point, owner))
+            if first != point:
+                one, two = Phrase("point", name=point, owner=owner), Phrase("point", name=first, owner=other)
+                line = table.line if link.name == FRAME else _at(table, link.name, "points", point)
+                raise reader.error(Phrase("points_alike", one=one, two=two), line)
+
+
+def _owners(reader: Reader, table: Table, links: dict[str, Link], frame: Link) -> dict[str, str]:
+    owners = dict.fromkeys(frame.guides, FRAME)
+    for name, link in links.items():
+        for guide in link.guides:
+            if guide in owners:
+                owner = Phrase("the_frame") if owners[guide] == FRAME else Phrase("link", name=owners[guide])
+                raise reader.error(Phrase("guide_twice", guide=guide, name=name, owner=owner),
+                                   _at(table, name, "guides", guide))
+            owners[guide] = name
+    return owners
+
+
+def _check_slide(reader: Reader, table: Table, link: Link, owners: dict[str, str]) -> None:
+    guide = link.slides.guide if link.slides else ""
+    if guide not in owners:
+        others = [name for name, owner in owners.items() if owner != link.name]
+        valid = reader.offer(guide, others, Phrase("guides_all"))
+        raise reader.error(Phrase("no_guide", name=link.name, guide=guide[:60], valid=valid),
+                           _at(table, link.name, "slides"))
+    if owners[guide] == link.name:
+        raise reader.error(Phrase("own_guide", name=link.name, guide=guide), _at(table, link.name, "slides"))
+
+
+def _at(node: Node, *path: str) -> int:
+    """The line of a key somewhere below a table."""
+    line = node.line
+    for key in path:
+        if isinstance(node, Table):
+            line, node = node.lines[key], node.entries[key]
+    return line

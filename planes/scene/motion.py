@@ -1,0 +1,142 @@
+"""What moves and loads a mechanism of a scene: assembly, drive, loads, friction."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import cast
+
+from planes.mechanism import FRAME, Assembly, Drive, Link, Load, Order, Sense
+from planes.scene.reader import Reader, part, section
+from planes.scene.source import Items, Node, Table, Text
+from planes.words import Phrase
+
+_ORDERS = ("left", "right", "ahead", "behind")
+_RATES: dict[str, tuple[str, str]] = {"phi": ("omega", "epsilon"), "s": ("velocity", "acceleration")}
+_DIRECTIONS = ("direction", "along", "against")
+Links = Mapping[str, Link]
+
+
+def read_assembly(reader: Reader, node: Node, frame: Link, links: Links) -> dict[str, Assembly]:
+    """Which place of each group is meant, by the name of a point or a guide."""
+    table = reader.table(node, "assembly")
+    points = {point: None for link in (*links.values(), frame) for point in link.points}
+    guides = {guide: None for link in (*links.values(), frame) for guide in link.guides}
+    for name, line in table.lines.items():
+        if name not in points and name not in guides:
+            reader.check_colon(table, name, (*points, *guides))
+            valid = reader.offer(name, (*points, *guides), Phrase("points_all"))
+            raise reader.error(Phrase("assembly_name", name=name[:60], valid=valid), line)
+    return {name: _assembly(reader, name, entry) for name, entry in table.entries.items()}
+
+
+def _assembly(reader: Reader, name: str, node: Node) -> Assembly:
+    what = Phrase("assembly_of", name=name)
+    if isinstance(node, Text):
+        return Assembly(cast(Order, reader.word(node, what, _ORDERS)))
+    table = reader.table(node, what, ("near",))
+    return Assembly(near=reader.place(reader.required(table, "near", what), part("near", what)))
+
+
+def read_drive(reader: Reader, node: Node, frame: Link, links: Links) -> Drive:
+    """The driver, where it stands and how it moves."""
+    what = section("drive")
+    if isinstance(node, Items):
+        raise reader.error(Phrase("one_drive"), node)
+    table = reader.table(node, what, ("link", "phi", "omega", "epsilon", "s", "velocity", "acceleration"))
+    link = _moving(reader, reader.required(table, "link", what), part("link", what), links)
+    kind = reader.one_of(table, ("phi", "s"), what)
+    _check_rates(reader, table, kind)
+    slides = links[link].slides
+    if kind == "s" and (slides is None or slides.guide not in frame.guides):
+        raise reader.error(Phrase("drive_no_slide", link=link), table.lines["s"])
+    rates = [reader.optional(table, key) for key in _RATES[kind]]
+    velocity, acceleration = (0.0 if rate is None else reader.number(rate, part(key, what))
+                              for key, rate in zip(_RATES[kind], rates, strict=True))
+    position = reader.number(reader.required(table, kind, what), part(kind, what))
+    return Drive(link, "phi" if kind == "phi" else "s", position, velocity, acceleration)
+
+
+def _check_rates(reader: Reader, table: Table, kind: str) -> None:
+    other = "s" if kind == "phi" else "phi"
+    for wrong, right in zip(_RATES[other], _RATES[kind], strict=True):
+        if wrong in table.entries:
+            raise reader.error(Phrase("other_rate", kind=kind, wrong=wrong, right=right), table.lines[wrong])
+
+
+def _moving(reader: Reader, node: Node, what: Phrase, links: Links) -> str:
+    if isinstance(node, Text) and node.text == FRAME and FRAME not in links:
+        valid = reader.offer(FRAME, links, Phrase("links_all"))
+        raise reader.error(Phrase("frame_still", what=what, valid=valid), node)
+    return reader.known(node, what, links, Phrase("links_all"))
+
+
+def read_loads(reader: Reader, node: Node, links: Links) -> tuple[Load, ...]:
+    """Forces and couples in the order of the file."""
+    return tuple(_load(reader, entry, Phrase("load", number=number), links)
+                 for number, entry in enumerate(reader.items(node, "loads"), 1))
+
+
+def _load(reader: Reader, node: Node, what: Phrase, links: Links) -> Load:
+    table = reader.table(node, what, ("link", "point", "force", "moment", *_DIRECTIONS))
+    link = _moving(reader, reader.required(table, "link", what), part("link", what), links)
+    kind = reader.one_of(table, ("force", "moment"), what)
+    value = reader.number(reader.required(table, kind, what), part(kind, what))
+    if kind == "moment":
+        return _moment(reader, table, what, link, value)
+    if "point" not in table.entries:
+        valid = reader.offer("", links[link].points, Phrase("points_all"))
+        raise reader.error(Phrase("force_no_point", what=what, valid=valid), table)
+    point = reader.known(reader.required(table, "point", what), part("point", what), links[link].points,
+                         Phrase("points_of", owner=Phrase("link", name=link)))
+    if not any(key in table.entries for key in _DIRECTIONS):
+        raise reader.error(Phrase("force_no_direction", what=what), table)
+    form = reader.one_of(table, _DIRECTIONS, what)
+    if form != "direction":
+        return Load(link, "force", value, point, sense=_sense(reader, table, form, what))
+    degrees, owner = _direction(reader, reader.required(table, form, what), part("direction", what), links)
+    return Load(link, "force", value, point, degrees, owner)
+
+
+def _moment(reader: Reader, table: Table, what: Phrase, link: str, value: float) -> Load:
+    for key in ("direction", "point"):
+        if key in table.entries:
+            raise reader.error(Phrase("moment_has_no", what=what, key=key), table.lines[key])
+    if not any(key in table.entries for key in ("along", "against")):
+        return Load(link, "moment", value)
+    form = reader.one_of(table, ("along", "against"), what)
+    return Load(link, "moment", value, sense=_sense(reader, table, form, what))
+
+
+def _sense(reader: Reader, table: Table, form: str, what: Phrase) -> Sense:
+    reader.word(reader.required(table, form, what), part(form, what), ("motion",))
+    return "along" if form == "along" else "against"
+
+
+def _direction(reader: Reader, node: Node, what: Phrase, links: Links) -> tuple[float, str | None]:
+    if not isinstance(node, Table):
+        return reader.number(node, what), None
+    table = reader.table(node, what, ("link", "angle"))
+    owner = reader.known(reader.required(table, "link", what), part("link", what), {FRAME: None, **links},
+                         Phrase("links_all"))
+    degrees = reader.number(reader.required(table, "angle", what), part("angle", what))
+    return degrees, None if owner == FRAME else owner
+
+
+def read_friction(reader: Reader, node: Node, frame: Link, links: Links) -> dict[str, float]:
+    """Coefficients of friction by the name of the guide."""
+    table = reader.table(node, "friction")
+    slid = {link.slides.guide: None for link in links.values() if link.slides}
+    guides = {guide for link in (frame, *links.values()) for guide in link.guides}
+    for name, line in table.lines.items():
+        if name not in slid:
+            key = "friction_no_slide" if name in guides else "friction_no_guide"
+            valid = reader.offer(name, slid, Phrase("sliding_pairs"))
+            raise reader.error(Phrase(key, name=name[:60], valid=valid), line)
+    return {name: reader.positive(entry, Phrase("friction_of", name=name)) for name, entry in table.entries.items()}
+
+
+def read_gravity(reader: Reader, node: Node) -> float:
+    """The acceleration of gravity, downwards."""
+    return reader.positive(node, Phrase("gravity"))
+
+

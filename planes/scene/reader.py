@@ -1,0 +1,187 @@
+"""How any value of a scene is read: numbers, names, places, tables with known keys, each with its refusal."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+
+from planes.degrees import cos_deg, sin_deg
+from planes.scene.expressions import evaluate
+from planes.scene.source import Items, Node, Table, Text
+from planes.wording import ExpressionError, SceneError, choices, shown
+from planes.words import Phrase, Told
+
+MOST = 1e50  # the largest number of a scene: products of several stay far from overflow
+MAX_NAME = 40
+_NAME = re.compile(r"[\w'′″-]*\w[\w'′″-]*")
+
+
+class Reader:
+    """Reads nodes of one file with one set of parameters."""
+
+    def __init__(self, file: str, parameters: Mapping[str, float] | None = None) -> None:
+        self.file = file
+        self.parameters: Mapping[str, float] = parameters or {}
+
+    def error(self, phrase: Told, where: Node | int) -> SceneError:
+        """A refusal at a node or a line."""
+        return SceneError(phrase, self.file, where if isinstance(where, int) else where.line)
+
+    def table(self, node: Node, what: Told, keys: Sequence[str] | None = None) -> Table:
+        """The node as a table, all of whose keys are among ``keys`` if those are given."""
+        if not isinstance(node, Table):
+            raise self.error(Phrase("table_needed", what=what, kind=kind(node)), node)
+        for key in node.entries if keys is not None else ():
+            if key not in (keys or ()):
+                self.check_colon(node, key, keys or ())
+                valid = choices(key, keys or ())
+                raise self.error(Phrase("no_key", what=what, key=shown(key), valid=valid), node.lines[key])
+        return node
+
+    def check_colon(self, table: Table, key: str, names: Iterable[str]) -> None:
+        """In {phi 30} the colon is forgotten, and all of it is a key."""
+        first, _, rest = key.partition(" ")
+        value = table.entries[key]
+        if rest and first in names and isinstance(value, Text) and value.absent:
+            raise self.error(Phrase("colon_after", key=shown(first), text=shown(key)), table.lines[key])
+
+    def names(self, node: Node, what: Told, of: Phrase) -> Table:
+        """The node as a table whose keys are names; ``of`` says of what: "a point"."""
+        table = self.table(node, what)
+        for key, line in table.lines.items():
+            self.check_name(key, of, line)
+        return table
+
+    def check_name(self, name: str, of: Phrase, where: Node | int) -> str:
+        """The name itself, if it is made as names are."""
+        if len(name) > MAX_NAME:
+            raise self.error(Phrase("long_name", name=shown(name), of=of, most=MAX_NAME), where)
+        if not _NAME.fullmatch(name):
+            raise self.error(Phrase("bad_name", name=shown(name), of=of), where)
+        return name
+
+    def items(self, node: Node, what: Told) -> list[Node]:
+        """The node as a list."""
+        if not isinstance(node, Items):
+            raise self.error(Phrase("list_needed", what=what, kind=kind(node)), node)
+        return node.items
+
+    def text(self, node: Node, what: Told) -> str:
+        """The node as a text that is not empty."""
+        if not isinstance(node, Text):
+            raise self.error(Phrase("word_needed", what=what, kind=kind(node)), node)
+        if node.absent:
+            raise self.error(Phrase("no_value", what=what), node)
+        return node.text
+
+    def word(self, node: Node, what: Told, words: Sequence[str]) -> str:
+        """The node as one of a few words."""
+        text = self.text(node, what)
+        if text not in words:
+            raise self.error(Phrase("bad_word", what=what, word=shown(text), valid=choices(text, words)), node)
+        return text
+
+    def known(self, node: Node, what: Told, names: Iterable[str], of: Phrase) -> str:
+        """The node as a name that is defined; ``of`` says what kind of thing: "point"."""
+        text = self.text(node, what)
+        if text not in (names if isinstance(names, Mapping) else (names := list(names))):
+            valid = self.offer(text, names, of)
+            raise self.error(Phrase("unknown_name", what=what, of=of, name=shown(text), valid=valid), node)
+        return text
+
+    def offer(self, given: str, names: Iterable[str], of: Phrase) -> Told:
+        """Words with the valid names, or that there are none."""
+        return choices(given, names) or Phrase("none_defined", of=of)
+
+    def number(self, node: Node, what: Told) -> float:
+        """The finite value of a number or an expression."""
+        if not isinstance(node, Text):
+            hint = Phrase("decimal_fraction") if isinstance(node, Items) and _comma(node) else ""
+            raise self.error(Phrase("number_needed", what=what, kind=kind(node), hint=hint), node)
+        if node.absent:
+            raise self.error(Phrase("no_value", what=what), node)
+        try:
+            value = evaluate(node.text, self.parameters)
+        except ExpressionError as error:
+            raise self.error(Phrase("about", what=what, why=error.phrase), node) from None
+        if abs(value) > MOST:
+            raise self.error(Phrase("out_of_range", what=what, value=value, most=MOST), node)
+        return value
+
+    def positive(self, node: Node, what: Told) -> float:
+        """A number that is not negative."""
+        value = self.number(node, what)
+        if value < 0.0:
+            raise self.error(Phrase("negative", what=what, value=value), node)
+        return value
+
+    def optional(self, table: Table, key: str) -> Node | None:
+        """The value of a key, or None when it is missing or empty."""
+        node = table.entries.get(key)
+        return None if isinstance(node, Text) and node.absent else node
+
+    def required(self, table: Table, key: str, what: Told) -> Node:
+        """The value of a key that must be there."""
+        node = table.entries.get(key)
+        if node is None:
+            raise self.error(Phrase("needs_key", what=what, key=key), table)
+        if isinstance(node, Text) and node.absent:
+            raise self.error(Phrase("no_value", what=part(key, what)), table.lines[key])
+        return node
+
+    def one_of(self, table: Table, keys: Sequence[str], what: Told) -> str:
+        """Which one of these keys the table has: exactly one must be there."""
+        given = [key for key in keys if key in table.entries]
+        if len(given) == 1:
+            return given[0]
+        if given:
+            raise self.error(Phrase("both_keys", what=what, one=given[0], two=given[1]), table.lines[given[1]])
+        raise self.error(Phrase("needs_one_key", what=what, keys=tuple(keys)), table)
+
+    def place(self, node: Node, what: Told, on_axis: bool = False) -> complex:
+        """A place as [x, y] or {r, angle}; with ``on_axis`` also as a number along the x axis."""
+        if isinstance(node, Items):
+            return self._pair(node, what)
+        if isinstance(node, Table):
+            table = self.table(node, what, ("r", "angle"))
+            radius = self.number(self.required(table, "r", what), part("r", what))
+            angle = self.angle(table, what) or 0.0
+            return complex(radius * cos_deg(angle), radius * sin_deg(angle))
+        if not on_axis:
+            raise self.error(Phrase("place_needed", what=what, given=shown(node.text)), node)
+        return complex(self.number(node, what), 0.0)
+
+    def angle(self, table: Table, what: Told) -> float | None:
+        """The number under the key angle, or None."""
+        node = self.optional(table, "angle")
+        return None if node is None else self.number(node, part("angle", what))
+
+    def _pair(self, node: Items, what: Told) -> complex:
+        if len(node.items) != 2:
+            hint = Phrase("decimal_no_comma") if _comma(node) else ""
+            raise self.error(Phrase("pair_needed", what=what, count=len(node.items), hint=hint), node)
+        x, y = (self.number(item, part(axis, what)) for axis, item in zip("xy", node.items, strict=True))
+        return complex(x, y)
+
+
+def _comma(node: Items) -> bool:
+    """Whether a list was torn by decimal commas: digits right after a comma, in "0,5" or "[0,1, 0,2]"."""
+    glued = [isinstance(item, Text) and item.glued and item.text.isdigit() for item in node.items]
+    return any(glued) and (len(glued) == 2 or not all(glued[1:]))
+
+
+def part(key: str, what: Told) -> Phrase:
+    """What stands under a key of something: "mass of link 2"."""
+    return Phrase("part", key=key, what=what)
+
+
+def section(name: str) -> Phrase:
+    """A key of the scene itself, as the thing its own keys are of: "omega of drive"."""
+    return Phrase("section", name=name)
+
+
+def kind(node: Node) -> Told:
+    """What a node is, in words."""
+    if isinstance(node, Table):
+        return Phrase("a_table")
+    return Phrase("a_list") if isinstance(node, Items) else (Phrase("empty") if node.absent else shown(node.text))

@@ -1,0 +1,171 @@
+"""The parts of a scene around the mechanism: parameters and variants, words, scales, the sheet."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from planes.scene.expressions import RESERVED, is_name, resolve
+from planes.scene.reader import MAX_NAME, Reader, part, section
+from planes.scene.source import Items, Node, Table, Text
+from planes.units import PLANS, UnitError, plan_of_mu, read_mu
+from planes.wording import ExpressionError, choices, shown
+from planes.words import Phrase
+
+Words = dict[str, str]
+
+SHEET_KEYS = ("title", "number", "designation", "group", "student", "teacher", "checked", "approved", "department",
+              "university", "company", "material", "letter", "scale_note", "mass", "reactions", "mu_convention",
+              "font", "format", "language", "lang", "positions", "views", "layout", "date", "sheet", "sheets")
+MOST_MU = 1e20  # mm per SI unit
+_NUMERIC = ("mass", "font", "positions", "views", "layout", "sheet", "sheets")
+_WORDS = {"reactions": ("on-from", "from-on"), "mu_convention": ("mm_per_unit", "unit_per_mm"),
+          "language": ("ru", "en"), "lang": ("ru", "en")}
+_NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
+_FIND = re.compile(r"[\w'′″^]*\w[\w'′″^]*")
+
+
+def read_parameters(reader: Reader, node: Node | None, chosen: Table | None) -> dict[str, float]:
+    """Values of the parameters in the order of the file, those of the chosen variant in place of their own."""
+    if node is None:
+        return {}
+    table = reader.table(node, "parameters")
+    for name, line in table.lines.items():
+        _check_parameter(reader, name, line)
+    entries = {**table.entries, **(chosen.entries if chosen else {})}
+    texts = {name: _scalar(reader, entry, Phrase("parameter", name=name)) for name, entry in entries.items()}
+    try:
+        return resolve(texts)
+    except ExpressionError as error:
+        what = Phrase("parameter", name=error.parameter)
+        raise reader.error(Phrase("about", what=what, why=error.phrase), entries[error.parameter]) from None
+
+
+def _check_parameter(reader: Reader, name: str, line: int) -> None:
+    if name in RESERVED:
+        raise reader.error(Phrase("reserved_parameter", name=name), line)
+    if len(name) > MAX_NAME or not is_name(name):
+        raise reader.error(Phrase("bad_parameter", name=shown(name), most=MAX_NAME), line)
+
+
+def _scalar(reader: Reader, node: Node, what: Phrase) -> str:
+    if isinstance(node, Text) and not node.absent:
+        return node.text
+    reader.number(node, what)
+    raise reader.error(Phrase("only_number", what=what), node)
+
+
+def read_variants(reader: Reader, node: Node | None, parameters: Node | None) -> dict[str, Table]:
+    """The variants by name, each a table that overrides parameters."""
+    if node is None:
+        return {}
+    known = parameters.entries if isinstance(parameters, Table) else {}
+    variants = reader.names(node, "variants", Phrase("a_variant"))
+    tables: dict[str, Table] = {}
+    for name, entry in variants.entries.items():
+        what, absent = Phrase("variant", name=name), isinstance(entry, Text) and entry.absent
+        table = Table({}, entry.line) if absent else reader.table(entry, what)
+        for key, line in table.lines.items():
+            if key not in known:
+                valid = reader.offer(key, known, Phrase("parameters_all"))
+                raise reader.error(Phrase("no_parameter", name=name, key=shown(key), valid=valid), line)
+            _scalar(reader, table.entries[key], part(key, what))
+        tables[name] = table
+    return tables
+
+
+def read_words(reader: Reader, node: Node | None, what: str) -> Words:
+    """A text in both languages: one that is given once stands for both."""
+    if node is None:
+        return {"ru": "", "en": ""}
+    if isinstance(node, Text):
+        return dict.fromkeys(("ru", "en"), node.text)
+    table = reader.table(node, what, ("ru", "en"))
+    given = {lang: reader.text(entry, part(lang, section(what))) for lang, entry in table.entries.items()}
+    if not given:
+        raise reader.error(Phrase("part_empty", what=what), table)
+    return {lang: given.get(lang) or next(iter(given.values())) for lang in ("ru", "en")}
+
+
+def read_plans(reader: Reader, node: Node | None) -> dict[str, float | None]:
+    """μ of each plan in mm per SI unit; None where the program is to choose."""
+    scales: dict[str, float | None] = dict.fromkeys(PLANS)
+    if node is None:
+        return scales
+    for plan, entry in reader.table(node, "plans", PLANS).entries.items():
+        value: Node | None = entry
+        if isinstance(entry, Table):
+            value = reader.optional(reader.table(entry, Phrase("plan_key", name=plan), ("mu",)), "mu")
+        scales[plan] = None if value is None else _mu(reader, value, plan)
+    return scales
+
+
+def _mu(reader: Reader, node: Node, plan: str) -> float | None:
+    if isinstance(node, Text) and (node.absent or node.text == "auto"):
+        return None
+    try:
+        text = reader.text(node, part("mu", Phrase("the_plan", plan=Phrase(f"scale_{plan}"))))
+        mu = read_mu(text, plan)
+    except UnitError as error:
+        raise reader.error(error.phrase, node) from None
+    if not 1.0 / MOST_MU <= mu <= MOST_MU:
+        raise reader.error(Phrase("mu_range", mu=text, units="auto"), node)
+    return mu
+
+
+def read_vector_mu(reader: Reader, node: Node | None) -> tuple[float | None, str | None]:
+    """μ of a scene of vectors in mm per SI unit, and the plan whose unit it is written in."""
+    mu = None if node is None else _mu(reader, node, "vectors")
+    return mu, plan_of_mu(node.text) if mu is not None and isinstance(node, Text) else None
+
+
+def read_find(reader: Reader, node: Node | None) -> tuple[str, ...] | None:
+    """Names of the asked results; whether they exist is seen later."""
+    if node is None:
+        return None
+    nodes = [node] if isinstance(node, Text) else reader.items(node, "find")
+    if not nodes:
+        raise reader.error(Phrase("find_empty"), node)
+    what = section("find")
+    names = [reader.text(entry, Phrase("entry", number=n, what=what)) for n, entry in enumerate(nodes, 1)]
+    for name, entry in zip(names, nodes, strict=True):
+        if len(name) > MAX_NAME or not _FIND.fullmatch(name):
+            raise reader.error(Phrase("bad_result", name=shown(name)), entry)
+    return tuple(dict.fromkeys(names))
+
+
+def read_sheet(reader: Reader, node: Node | None) -> Mapping[str, object]:
+    """Free settings of the sheet as texts; numbers only under the keys that are numbers."""
+    if node is None:
+        return {}
+    table = reader.table(node, "sheet", SHEET_KEYS)
+    for key, words in _WORDS.items():
+        if (entry := reader.optional(table, key)) is not None:
+            reader.word(entry, part(key, section("sheet")), words)
+    return {key: _free(entry, key in _NUMERIC) for key, entry in table.entries.items()
+            if reader.optional(table, key) is not None}
+
+
+def _free(node: Node, numeric: bool) -> object:
+    if isinstance(node, Items):
+        return [_free(entry, numeric) for entry in node.items]
+    if isinstance(node, Table):
+        return {key: _free(entry, numeric) for key, entry in node.entries.items()}
+    plain_number = numeric and node.plain and len(node.text) <= 20 and _NUMBER.fullmatch(node.text)
+    return float(node.text) if plain_number else node.text
+
+
+def read_number_of_frame(reader: Reader, node: Node | None) -> str:
+    """The number of the frame on sheets."""
+    if not isinstance(node, Table) or (entry := reader.optional(node, "number")) is None:
+        return "0"
+    what = Phrase("the_frame")
+    return reader.check_name(reader.text(entry, part("number", what)), what, entry)
+
+
+def choose(reader: Reader, variants: Mapping[str, Table], variant: str | None, line: int) -> Table | None:
+    """The table of the asked variant."""
+    if variant is None or variant in variants:
+        return None if variant is None else variants[variant]
+    valid = choices(variant, variants) or Phrase("no_variants")
+    raise reader.error(Phrase("no_variant", name=shown(variant), valid=valid), line)

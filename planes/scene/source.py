@@ -1,0 +1,249 @@
+"""The text of a YAML file as a tree of tables, lists and texts, each knowing its line.
+
+No value is given a type here: every scalar stays the text that was written, so ``on``, ``y`` and ``1`` are
+names, ``1:2`` is not a number of seconds, and ``0,5`` can be refused in words. The file is refused, in one
+sentence with its line, when it is not one plain document: anchors, tags, duplicate keys, wrong encoding.
+"""
+
+from __future__ import annotations
+
+import errno
+import stat
+import time
+import unicodedata
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import yaml
+
+from planes.scene.yaml_faults import explained
+from planes.wording import SceneError, shown
+from planes.words import Phrase
+
+MAX_BYTES = 1_000_000
+MAX_BYTES_SLOW = 100_000  # when only the slow YAML reader is there
+MAX_DEPTH = 50
+MAX_SECONDS = 3.0
+_NOTHING = ("", "~", "null", "Null", "NULL")
+_REASONS = {errno.EACCES: "no_permission", errno.ENAMETOOLONG: "name_too_long", None: "bad_file_name"}
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """A scalar, as written; ``plain`` if it stood without quotes, ``glued`` if right after a comma."""
+
+    text: str
+    line: int
+    plain: bool = True
+    glued: bool = False
+
+    @property
+    def absent(self) -> bool:
+        """Whether nothing was written: an empty value, ``~`` or ``null``."""
+        return self.plain and self.text in _NOTHING
+
+
+@dataclass(frozen=True, slots=True)
+class Items:
+    """A list."""
+
+    items: list[Node]
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Keys and values in the order of the file, with the line of each key."""
+
+    entries: dict[str, Node]
+    line: int
+    lines: dict[str, int] = field(default_factory=dict)
+
+
+Node = Text | Items | Table
+
+
+def lines(node: Node, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], int]]:
+    """Every path of keys (and numbers in lists, from "0") in the tree with its line."""
+    if isinstance(node, Table):
+        for key, value in node.entries.items():
+            yield (*path, key), node.lines[key]
+            yield from lines(value, (*path, key))
+    elif isinstance(node, Items):
+        for index, value in enumerate(node.items):
+            yield (*path, str(index)), value.line
+            yield from lines(value, (*path, str(index)))
+
+
+def read(path: str | Path) -> str:
+    """The text of a file, or a SceneError that says why it cannot be read."""
+    name = str(path)
+    try:
+        mode = Path(path).stat().st_mode
+        if stat.S_ISDIR(mode):
+            raise SceneError(Phrase("is_folder"), name)
+        if not stat.S_ISREG(mode):
+            raise SceneError(Phrase("not_ordinary"), name)
+        with open(path, "rb") as stream:
+            data = stream.read(MAX_BYTES + 1)
+    except SceneError:
+        raise
+    except FileNotFoundError:
+        raise SceneError(Phrase("no_file"), name) from None
+    except (OSError, ValueError) as error:
+        key = _REASONS.get(getattr(error, "errno", None))
+        reason = Phrase(key) if key else getattr(error, "strerror", None) or str(error)
+        raise SceneError(Phrase("unreadable_file", reason=reason), name) from None
+    return decoded(data, name)
+
+
+def decoded(data: bytes, file: str) -> str:
+    """UTF-8 bytes, with or without a byte order mark, as text."""
+    if len(data) > MAX_BYTES:
+        raise SceneError(Phrase("file_large", size=MAX_BYTES // 1_000_000), file)
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise SceneError(Phrase("utf_16"), file, 1)
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line, byte = data.count(b"\n", 0, error.start) + 1, data[error.start]
+        raise SceneError(Phrase("not_utf_8", byte=byte), file, line) from None
+
+
+def parse(text: str, file: str) -> Table:
+    """The tree of a document whose outermost thing is a table."""
+    text = text.removeprefix("\ufeff")
+    _check_text(text, file)
+    builder = _Builder(file)
+    loader: type = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    deadline = time.monotonic() + MAX_SECONDS
+    try:
+        for event in yaml.parse(text, Loader=loader):
+            builder.take(event)
+            if time.monotonic() > deadline:
+                raise builder.error(Phrase("slow_file"), builder.line)
+    except yaml.YAMLError as error:
+        phrase, line = explained(error, text)
+        raise SceneError(phrase, file, line) from None
+    except RecursionError:
+        raise SceneError(Phrase("deep_file", most=MAX_DEPTH), file) from None
+    root = builder.root
+    if root is None or (isinstance(root, Text) and root.absent):
+        raise SceneError(Phrase("empty_file"), file, 1)
+    if not isinstance(root, Table):
+        raise SceneError(Phrase("not_keys"), file, root.line)
+    return root
+
+
+def _check_text(text: str, file: str) -> None:
+    limit = MAX_BYTES if hasattr(yaml, "CSafeLoader") else MAX_BYTES_SLOW
+    if len(text) > limit:
+        raise SceneError(Phrase("text_long", limit=limit), file)
+    if not text.strip():
+        raise SceneError(Phrase("empty_file"), file, 1)
+    for index, char in enumerate(text):
+        if (char < " " and char not in "\n\r\t") or char in "\x7f\ufeff\ufffe\uffff" or "\ud800" <= char < "\ue000":
+            line = text.count("\n", 0, index) + 1
+            raise SceneError(Phrase("control_character", code=ord(char)), file, line)
+
+
+class _Open:
+    """A table or list whose end has not come yet."""
+
+    def __init__(self, node: Table | Items, flow: bool) -> None:
+        self.node, self.flow = node, flow
+        self.key: str | None = None
+        self.key_line = 0
+        self.last: Node | None = None
+
+
+class _Builder:
+    """Makes the tree out of the reader's events."""
+
+    def __init__(self, file: str) -> None:
+        self.file, self.line, self.end = file, 1, -2  # the end of the last scalar
+        self.stack: list[_Open] = []
+        self.root: Node | None = None
+        self.documents = 0
+
+    def error(self, phrase: Phrase, line: int) -> SceneError:
+        """A refusal at a line."""
+        return SceneError(phrase, self.file, line)
+
+    def take(self, event: yaml.Event) -> None:
+        """Add one event to the tree."""
+        self.line = event.start_mark.line + 1 if event.start_mark else self.line
+        if isinstance(event, yaml.DocumentStartEvent):
+            self.documents += 1
+            if self.documents > 1:
+                raise self.error(Phrase("second_document"), self.line)
+        elif isinstance(event, yaml.NodeEvent):
+            self._refuse_marks(event)
+            self._node(event)
+        elif isinstance(event, yaml.MappingEndEvent | yaml.SequenceEndEvent):
+            self.stack.pop()
+
+    def _refuse_marks(self, event: yaml.NodeEvent) -> None:
+        if isinstance(event, yaml.AliasEvent):
+            raise self.error(Phrase("alias", name=_brief(event.anchor or "")), self.line)
+        if event.anchor is not None:
+            raise self.error(Phrase("anchor", name=_brief(event.anchor)), self.line)
+        if (tag := getattr(event, "tag", None)) is not None:
+            raise self.error(Phrase("tag", name=_brief(tag.replace("tag:yaml.org,2002:", "!!"))), self.line)
+
+    def _node(self, event: yaml.NodeEvent) -> None:
+        if isinstance(event, yaml.ScalarEvent):
+            text = event.value
+            text = unicodedata.normalize("NFC", text) if len(text) <= 1000 else text
+            start, end = (mark.index if mark else 0 for mark in (event.start_mark, event.end_mark))
+            self._add(Text(text, self.line, event.style in (None, ""), start == self.end + 1))
+            self.end = end
+            return
+        node = Table({}, self.line) if isinstance(event, yaml.MappingStartEvent) else Items([], self.line)
+        self._add(node)
+        if len(self.stack) >= MAX_DEPTH:
+            raise self.error(Phrase("deep_file", most=MAX_DEPTH), self.line)
+        self.stack.append(_Open(node, bool(getattr(event, "flow_style", False))))
+
+    def _add(self, node: Node) -> None:
+        if not self.stack:
+            self.root = node
+            return
+        top = self.stack[-1]
+        if isinstance(top.node, Items):
+            top.node.items.append(node)
+        elif top.key is None:
+            self._key(top, top.node, node)
+        else:
+            self._decimal_comma(top, node)
+            top.node.entries[top.key] = node
+            top.last, top.key = node, None
+
+    def _key(self, top: _Open, table: Table, node: Node) -> None:
+        if not isinstance(node, Text):
+            raise self.error(Phrase("key_not_word"), node.line)
+        if not node.text:
+            raise self.error(Phrase("key_absent"), node.line)
+        if node.text in table.entries:
+            first = table.lines[node.text]
+            key = "key_twice" if first == node.line else "key_twice_apart"
+            raise self.error(Phrase(key, key=shown(node.text), line=first, second=node.line), node.line)
+        table.lines[node.text] = node.line
+        top.key = node.text
+
+    def _decimal_comma(self, top: _Open, node: Node) -> None:
+        """In {a: 0,5} the comma ends the value and 5 becomes a key: say what was meant."""
+        key, last = top.key or "", top.last
+        if not (top.flow and isinstance(node, Text) and node.text == "" and isinstance(last, Text)):
+            return
+        if last.text.count("(") > last.text.count(")"):
+            written = shown(f"{last.text}, {key}")
+            raise self.error(Phrase("quotes_needed", written=written), last.line)
+        if key[0].isdigit() and last.text[-1:].isdigit():
+            why = Phrase("decimal_point", number=f"{_brief(last.text)}.{_brief(key)}")
+            raise self.error(Phrase("about", what=shown(f"{last.text},{key}"), why=why), last.line)
+
+
+def _brief(text: str) -> str:
+    return shown(text)[1:-1]

@@ -1,0 +1,181 @@
+"""The one table of words: every sentence and label meant for people, in Russian and in English.
+
+Labels and the failures of constructions stand here, the refusals of scenes in the ``words_…`` beside it.
+"""
+
+from __future__ import annotations
+
+from string import Formatter
+from typing import Literal
+
+from planes.words.check import CHECK
+from planes.words.crank_slider import CRANK_SLIDER
+from planes.words.cycle import CYCLE
+from planes.words.links import LINKS
+from planes.words.method import METHOD
+from planes.words.scene import SCENE
+from planes.words.text import TEXT
+
+Lang = Literal["ru", "en"]
+
+WORDS: dict[str, tuple[str, str]] = {
+    # failures of a construction: {makes} {start} {end} {along} {across} {other} and numbers
+    "parallel": (
+        "прямые {line} и {other_line} параллельны и отстоят на {gap_mm} мм: {makes} "
+        "бесконечно далеко, механизм в особом положении; измените положение ведущего звена",
+        "the lines {line} and {other_line} are parallel, {gap_mm} mm apart: {makes} is infinitely far, the mechanism "
+        "is at a dead point; take another position of the driver",
+    ),
+    "coincident": (
+        "прямые {line} и {other_line} совпадают: {makes} на них не определена (0/0), механизм в точке "
+        "разветвления; возьмите соседнее положение",
+        "the lines {line} and {other_line} coincide: any point of them could be {makes} (0/0), the mechanism is at a "
+        "change point; take a neighbouring position",
+    ),
+    "arc_short": (
+        "дуга радиуса {radius} из {centre} не достаёт до прямой {line} на {miss_mm} мм: {makes} не построить; механизм "
+        "в этом положении не собирается",
+        "the arc {radius} about {centre} misses the line {line} by {miss_mm} mm: {makes} cannot be drawn; the "
+        "mechanism does not assemble in this position",
+    ),
+    "arcs_apart": (
+        "дуги {radius} из {centre} и {other_radius} из {other} не встречаются, не хватает {miss_mm} мм: {makes} не "
+        "построить; механизм в этом положении не собирается",
+        "the arcs {radius} about {centre} and {other_radius} about {other} are {miss_mm} mm apart: {makes} cannot be "
+        "drawn; the mechanism does not assemble in this position",
+    ),
+    "arcs_inside": (
+        "дуга {radius} из {centre} и дуга {other_radius} из {other} лежат одна внутри другой на {miss_mm} мм: "
+        "{makes} не построить; механизм в этом положении не собирается",
+        "of the arcs {radius} about {centre} and {other_radius} about {other} one lies inside the other by {miss_mm} "
+        "mm: {makes} cannot be drawn; the mechanism does not assemble in this position",
+    ),
+    "arcs_coincide": (
+        "дуги {radius} из {centre} и {other_radius} из {other} совпадают: {makes} на них не определена, механизм в "
+        "точке разветвления; возьмите соседнее положение",
+        "the arcs {radius} about {centre} and {other_radius} about {other} coincide: any point of them could be "
+        "{makes}, the mechanism is at a change point; take a neighbouring position",
+    ),
+    "no_length": (
+        "длина {radius} равна нулю: дугой из {centre} точку {makes} не построить; задайте длину звена",
+        "the length {radius} is zero, so no arc about {centre} gives {makes}; give the link a length",
+    ),
+    "no_lengths": (
+        "одна из длин {radius}, {other_radius} равна нулю: дугами точку {makes} не построить; задайте длину звена",
+        "one of the lengths {radius}, {other_radius} is zero, so no arcs give {makes}; give the link a length",
+    ),
+    "circle_large": (
+        "точка {end} ближе к {start}, чем смещение направляющей, на {miss_mm} мм: касательной для {makes:of} не "
+        "провести; механизм в этом положении не собирается",
+        "{end} is closer to {start} than the guide's offset, by {miss_mm} mm: no tangent for {makes} can be "
+        "drawn; the mechanism does not assemble in this position",
+    ),
+    "points_meet": (
+        "точки {start} и {end} совпали: направление {makes:of} не определено; возьмите соседнее положение",
+        "{start} and {end} coincide: the direction of {makes} is not determined; take a neighbouring position",
+    ),
+    "self_locking": (
+        "силы в {makes} с трением не уравновесить ({solutions} решений вместо одного): самоторможение; уменьшите "
+        "коэффициент трения или измените положение",
+        "the forces at {makes} cannot balance with friction ({solutions} solutions instead of one): self-locking; "
+        "lower the coefficient of friction or take another position",
+    ),
+    "no_digits": (
+        "в {makes} не осталось верных цифр",
+        "no correct digit is left in {makes}",
+    ),
+    # warnings
+    "standstill": (
+        "{makes}: скорость равна нулю, сила или трение, зависящие от её направления, приняты равными нулю",
+        "{makes}: the speed is zero, so the load or friction that depends on its sense is taken as zero",
+    ),
+    "faint": (
+        "{makes}: нуль с точностью до округления, верных цифр нет",
+        "{makes}: zero to within rounding, no digit of it is certain",
+    ),
+    "blunt": (
+        "{makes}: линии встречаются под углом {angle_deg}° (меньше 15°), чертёж здесь неточен",
+        "{makes}: the lines meet at {angle_deg}° (less than 15°), a drawing is inaccurate here",
+    ),
+    "plan_position": ("план положения", "position plan"),
+    "plan_velocity": ("план скоростей", "velocity plan"),
+    "plan_motion": ("план аналогов скоростей", "velocity plan of a unit drive"),
+    "plan_acceleration": ("план ускорений", "acceleration plan"),
+    "plan_force": ("план сил звеньев {links}", "force plan of links {links}"),
+    "plan_vectors": ("план векторов", "plan of vectors"),
+    "plan_lever": ("рычаг Жуковского", "Zhukovsky's lever"),
+    # tables
+    "points": ("Точки", "Points"),
+    "links": ("Звенья", "Links"),
+    "slides": ("Ползуны относительно направляющих", "Sliders against their guides"),
+    "guide": ("направл.", "guide"),
+    "segment": ("отрезок", "segment"),
+    "reactions": ("Реакции", "Reactions"),
+    "arm": ("плечо", "arm"),
+    "balancing_moment": ("Уравновешивающий момент", "Balancing moment"),
+    "balancing_force": ("Уравновешивающая сила", "Balancing force"),
+    "by_lever": ("По рычагу Жуковского", "By Zhukovsky's lever"),
+    "difference": ("Расхождение", "Difference"),
+    "group": ("Группа", "Group"),
+    "class_kind": ("класс II, вид {kind} ({name})", "class II, kind {kind} ({name})"),
+    "m": ("м", "m"),
+    "mm": ("мм", "mm"),
+    "m/s": ("м/с", "m/s"),
+    "m/s²": ("м/с²", "m/s²"),
+    "rad/s": ("рад/с", "rad/s"),
+    "rad/s²": ("рад/с²", "rad/s²"),
+    "N": ("Н", "N"),
+    "N·m": ("Н·м", "N·m"),
+    "in_m": ("{value} м", "{value} m"),
+    "nearest": ("; ближайшее рабочее положение: {name} = {value}", "; the nearest that works: {name} = {value}"),
+    "at": ("при {name} = {value}: ", "at {name} = {value}: "),
+}
+
+
+class Phrase:
+    """A sentence, or a part of one, not yet told in a language: a key of the table, its names and numbers.
+
+    A part may be a phrase itself, or a tuple of them; a tuple is told with what stands after the colon of its
+    place between its members: ``{offers: or }``. A Russian noun of two forms, "звено 2|звена 2", takes the
+    second where its place is ``{what:of}``.
+    """
+
+    __slots__ = ("key", "parts")
+
+    def __init__(self, key: str, /, **parts: object) -> None:
+        self.key, self.parts = key, parts
+
+    def told(self, lang: Lang = "en", form: str = "") -> str:
+        """The words in a language."""
+        forms = TABLE[self.key][0 if lang == "ru" else 1].split("|")
+        return _Teller(lang).vformat(forms[-1 if form else 0], (), self.parts)
+
+    __str__ = told
+
+    def __repr__(self) -> str:
+        return f"Phrase({self.key!r}, {self.parts!r})"
+
+
+Told = Phrase | str
+"""A phrase, or words that are the same in both languages: a name, a number, a key of the file."""
+
+TABLE = {**WORDS, **TEXT, **SCENE, **LINKS, **METHOD, **CRANK_SLIDER, **CHECK, **CYCLE}
+
+
+class _Teller(Formatter):
+    def __init__(self, lang: Lang) -> None:
+        self.lang = lang
+
+    def format_field(self, value: object, format_spec: str) -> str:
+        if isinstance(value, Phrase):
+            return value.told(self.lang, format_spec)
+        if isinstance(value, tuple):
+            return (format_spec or ", ").join(self.format_field(v, "") for v in value)
+        if isinstance(value, str):
+            return value
+        return format(value, format_spec or (".4g" if isinstance(value, float) else ""))
+
+
+def say(key: str, lang: Lang = "en", **numbers: object) -> str:
+    """The sentence ``key`` in a language, with its names and numbers filled in."""
+    return Phrase(key, **numbers).told(lang)

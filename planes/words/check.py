@@ -1,0 +1,148 @@
+"""Words of checking a person's drawing, in Russian and in English."""
+
+from __future__ import annotations
+
+from planes.words.mistakes import MISTAKES
+
+CHECK: dict[str, tuple[str, str]] = {
+    **MISTAKES,
+    # the whole
+    "check_right": ("Чертёж верен: {plan}.", "The drawing is right: {plan}."),
+    "check_unclear": (
+        "{mark} на {off} мм не там, куда ведёт построение из ваших же точек; причина не ясна",
+        "{mark} is {off} mm from where the construction from your own marks leads; the cause is unclear",
+    ),
+    "check_number_unclear": (
+        "{mark} = {given}, а верно {true}; причина не ясна",
+        "{mark} = {given}, but {true} is right; the cause is unclear",
+    ),
+    "check_nothing_read": (
+        "Прочитать нечего: ни одна из отметок плана ({names}) не найдена.",
+        "There is nothing to read: none of the plan's marks ({names}) is found.",
+    ),
+    "check_too_little": (
+        "Прочитано слишком мало: {found} из {count} отметок; не хватает {names}.",
+        "Too little could be read: {found} of {count} marks; missing are {names}.",
+    ),
+    "check_other_drawing": (
+        "Это похоже на другой чертёж: из {count} прочитанных отметок не на месте {wrong}.",
+        "This looks like another drawing: of {count} marks read {wrong} are out of place.",
+    ),
+    "check_no_pole": (
+        "В таблице нет полюса p; добавьте его строку.",
+        "The table has no pole p; add its row.",
+    ),
+    "check_no_fixed": (
+        "В таблице нет ни полюса p, ни неподвижной точки ({names}); добавьте одну из них.",
+        "The table has neither the pole p nor a fixed point ({names}); add one of them.",
+    ),
+    # warnings
+    "check_mu": (
+        "Масштаб чертежа принят {mu} (в схеме {said}).",
+        "The drawing's scale is taken as {mu} (the scene says {said}).",
+    ),
+    "check_mu_found": ("Масштаб чертежа принят {mu}.", "The drawing's scale is taken as {mu}."),
+    "check_unknown": (
+        "Нет таких отметок в плане: {names}; они пропущены.",
+        "The plan has no such marks: {names}; they are left out.",
+    ),
+    "check_close": ("между 2σ и 3σ", "between 2σ and 3σ"),
+    "check_scale_vector": (
+        "Масштаб взят по вектору {mark}, поэтому его длина не проверялась.",
+        "The scale is taken from the vector {mark}, so its length could not be judged.",
+    ),
+    # refusals
+    "check_no_plan": ("у механизма нет плана {plan}{names}", "the mechanism has no plan {plan}{names}"),
+    "check_vectors": (
+        "{file}: в этой сцене нет механизма, проверять можно только планы механизмов",
+        "{file}: this scene has no mechanism; only plans of a mechanism can be checked",
+    ),
+    "check_columns": (
+        "{file}: первая строка таблицы должна называть столбцы: mark,x_mm,y_mm или segment,mm или result,value,unit",
+        "{file}: the first row must name the columns: mark,x_mm,y_mm or segment,mm or result,value,unit",
+    ),
+    "check_not_number": (
+        "{file}:{line}: {text} — не число", "{file}:{line}: {text} is not a number",
+    ),
+    "check_row": (
+        "{file}:{line}: в строке не хватает столбцов", "{file}:{line}: the row has too few columns",
+    ),
+    "check_json": ("{file}: это не JSON: {why}", "{file}: this is not JSON: {why}"),
+    "check_text": ("{file}: файл не читается как текст UTF-8", "{file}: the file cannot be read as UTF-8 text"),
+    "check_no_file": ("{file}: файл не открывается: {why}", "{file}: the file cannot be opened: {why}"),
+    "check_option": ("{option} {text}: ожидается {form}", "{option} {text}: expected {form}"),
+    "check_suffix": (
+        "{file}: по расширению {suffix} не понять, что это; читаются .csv, .json, .svg, .dxf, .png, .jpg, .pdf",
+        "{file}: the suffix {suffix} says nothing; .csv, .json, .svg, .dxf, .png, .jpg and .pdf are read",
+    ),
+    "check_svg": ("{file}: это не SVG: {why}", "{file}: this is not an SVG: {why}"),
+    "check_dxf": ("{file}: это не DXF: {why}", "{file}: this is not a DXF: {why}"),
+    "check_needs": (
+        "для этого нужен пакет {what}: pip install planes[check]",
+        "this needs the package {what}: pip install planes[check]",
+    ),
+    "check_crowd": (
+        "На чертеже слишком много линий ({count} концов), чтобы узнать в них план.",
+        "The drawing has too many lines ({count} ends) to tell the plan among them.",
+    ),
+    "check_picture": ("{file}: картинка не читается", "{file}: the picture cannot be read"),
+    "check_three_marks": (
+        "Видны только три угловые метки бланка из четырёх.", "Only three of the blank's four corner marks are seen."
+    ),
+    "check_force_unsure": (
+        "Векторы многоугольника сил на снимке не удаётся уверенно назвать; запишите их концы в таблицу mark,x_mm,y_mm.",
+        "The vectors of the force polygon cannot be told apart surely; write their ends into a table mark,x_mm,y_mm.",
+    ),
+    "check_points": (
+        "По этим --pole и --mark масштаб не найти: точки слишком близко или не на картинке.",
+        "These --pole and --mark give no scale: they are too near or not on the picture.",
+    ),
+    "check_no_marks": (
+        "На картинке нет угловых меток бланка; укажите --pole x,y и --mark имя=x,y (пиксели от левого верхнего угла).",
+        "The picture has no corner marks of a blank; name --pole x,y and --mark name=x,y (pixels from the top left).",
+    ),
+    "check_no_lines": ("На чертеже нет линий.", "The drawing has no lines."),
+    # help of the command line
+    "help_check": ("проверить чертёж человека", "check a person's drawing"),
+    "help_drawing": ("чертёж: таблица, SVG, DXF или картинка", "the drawing: a table, SVG, DXF or a picture"),
+    "help_plan": ("что на чертеже: velocity, force:2-3…", "which plan it is: velocity, force:2-3…"),
+    "help_mu": ("масштаб чертежа", "scale of the drawing"),
+    "help_with": ("чертёж более раннего плана того же человека", "the same person's drawing of an earlier plan"),
+    "help_pole": ("место полюса на картинке", "where the pole is on the picture"),
+    "help_mark": ("место отметки на картинке", "where a mark is on the picture"),
+    "help_work": ("допуски: от руки или на компьютере", "tolerances: by hand or on a computer"),
+    "help_check_output": ("отчёт: .html, .pdf, .png, .json", "the report: .html, .pdf, .png, .json"),
+    "help_blank": ("бланк, на котором чертят план", "a blank to draw a plan on"),
+    "help_blank_output": ("файл бланка: .pdf, .svg, .png", "the file of the blank: .pdf, .svg, .png"),
+    "check_output": (
+        "{file}: отчёт пишется в .html, .pdf, .svg, .png или .json", "{file}: write to .html, .pdf, .svg, .png or .json"
+    ),
+    "check_page_own": ("чертёж", "the drawing"),
+    "check_page_next": ("куда ведёт построение из ваших точек", "where your own marks lead"),
+    "check_page_true": ("верный план", "the right plan"),
+    "check_page_picture": ("снимок", "the picture"),
+    "check_page_save": ("сохранить отметки", "save the marks"),
+    "check_page_drag": (
+        "Отметку, прочитанную не там, перетащите; сохранённую таблицу можно проверить снова.",
+        "Drag a mark that was read in a wrong place; the saved table can be checked again.",
+    ),
+    "check_class": ("Работы", "Papers"),
+    "check_file": ("файл", "file"),
+    "check_first": ("первая ошибка", "first mistake"),
+    "check_empty_folder": ("{file}: в папке нет чертежей", "{file}: there are no drawings in the folder"),
+    # the table of a report
+    "check_marks": ("Отметки", "Marks"),
+    "check_numbers": ("Результаты", "Results"),
+    "check_mark": ("отметка", "mark"),
+    "check_deviation": ("отклонение, мм", "deviation, mm"),
+    "check_tolerance": ("допуск, мм", "tolerance, mm"),
+    "check_verdict": ("вывод", "verdict"),
+    "check_result": ("результат", "result"),
+    "check_given": ("записано", "given"),
+    "check_true": ("верно", "true"),
+    "verdict_right": ("верно", "right"),
+    "verdict_wrong": ("неверно", "wrong"),
+    "verdict_follows": ("следствие", "follows"),
+    "verdict_unread": ("не прочитано", "unread"),
+    "verdict_unreadable": ("прочитать нельзя", "unreadable"),
+}

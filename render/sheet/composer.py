@@ -1,0 +1,136 @@
+"""From a drawing to the views of its sheet: scheme, plans with their equations, tables; each made once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from planes.drafting import mu_of
+from planes.scales import kind_of
+from planes.scene import Scene
+from planes.solving import Position
+from planes.units import mu_text
+from planes.vectors import PLAN, VectorResults
+from planes.words import Lang
+from render.names import Naming
+from render.views import View, stacked, view
+from render.views.formulas import Formulas
+from render.views.moments import MomentLines
+from render.views.plotted import Plotted, of_position, of_vectors
+from render.views.polygon import Polygon
+from render.views.scheme import Scheme
+from render.views.tables import Tables
+from render.words import decimal, say
+
+LARGER = {2.5: 3.5, 3.5: 5.0, 5.0: 7.0}
+"""Letter height of equations beside that of tables, mm."""
+
+
+@dataclass
+class Composer:
+    """Makes the views of a scene; the same view at the same scale is made once."""
+
+    scene: Scene
+    lang: Lang
+    made: dict[tuple[object, ...], View | None] = field(default_factory=dict)
+
+    @property
+    def naming(self) -> Naming:
+        """How this sheet names things."""
+        driver = self.scene.mechanism.drive.link if self.scene.mechanism else ""
+        return Naming(self.lang, self.scene.frame_number, self.scene.sheet.get("reactions") == "from-on", driver)
+
+    def once(self, key: tuple[object, ...], make: Callable[[], View | None]) -> View | None:
+        """The view of that key, made the first time it is asked for."""
+        if key not in self.made:
+            self.made[key] = make()
+        return self.made[key]
+
+    def views(self, position: Position, letter: float, together: bool) -> list[View]:
+        """Every view of one position, in the order they are read; ``together``: equations under their plans."""
+        plotted = of_position(position)
+        found = [self.scheme(position), *self.plans(plotted, drawn_plans(plotted, position), letter, together)]
+        found += Tables(position, self.naming, letter).all()
+        return [v for v in found if v]
+
+    def extras(self, position: Position, letter: float) -> list[View]:
+        """Views that fill a sheet which has room for them."""
+        return [v for v in (self.moments(position, letter),) if v]
+
+    def vector_views(self, results: VectorResults, letter: float, together: bool) -> list[View]:
+        """The views of a scene of vectors alone."""
+        plotted = of_vectors(results)
+        found = self.plans(plotted, [PLAN], letter, together)
+        rows = Tables.of_vectors(results, self.naming, letter)
+        return [v for v in (*found, rows) if v]
+
+    def plans(self, plotted: Plotted, plans: list[str], letter: float, together: bool) -> list[View | None]:
+        """Plans with their equations: beneath each, or all of a kind in one view."""
+        drawn = [self.plan(plotted, plan) for plan in plans]
+        if together:
+            written = [self.formulas(plotted, (plan,), letter, "") for plan in plans]
+            return [stacked(d.key, [d, w]) if w else d for d, w in zip(drawn, written, strict=True)]
+        forces = tuple(p for p in plans if kind_of(p) == "force")
+        others = tuple(p for p in plans if p not in forces)
+        found: list[View | None] = [*drawn]
+        for some, title in ((others, "equations"), (forces, "balance_equations")):
+            found.append(self.formulas(plotted, some, letter, say(title, self.lang)) if some else None)
+        return found
+
+    def mu(self, plotted: Plotted, plan: str) -> str:
+        """μ of a plan as it is written in titles: "μ_{v} = 30 мм/(м·с⁻¹)"."""
+        kind = plotted.kind(plan)
+        letter = {"position": "l", "velocity": "v", "acceleration": "a", "force": "F"}[kind]
+        convention: Any = self.scene.sheet.get("mu_convention", "mm_per_unit")
+        text = mu_text(plotted.scales[mu_of(plan)], kind, self.lang, convention)
+        return f"μ_{{{letter}}} = {decimal(text, self.lang)}"
+
+    def scheme(self, position: Position) -> View | None:
+        """The scheme in the calculated position."""
+        plotted, mu = of_position(position), position.scales[mu_of("position")]
+        title = f"{say('scheme', self.lang)}, {self.mu(plotted, 'position')}"
+        found = Scheme(position, self.naming)
+        return self.once(("scheme", mu), lambda: view("scheme", title, found.drawn(), figure=True))
+
+    def plan(self, plotted: Plotted, plan: str) -> View:
+        """A plan of rates or forces."""
+        title = f"{self.plan_name(plan)}, {self.mu(plotted, plan)}"
+        key = ("plan", plan, plotted.mu(plan))
+        made = self.once(key, lambda: view(plan, title, Polygon(plotted, plan, self.naming).drawn(), figure=True))
+        assert made
+        return made
+
+    def plan_name(self, plan: str) -> str:
+        """The name of a plan in its title."""
+        kind, _, links = plan.partition(":")
+        if kind != "force":
+            return say(kind, self.lang)
+        numbers = "–".join(self.naming.link(x) for x in links.split("-"))
+        return say("force_group" if "-" in links else "force_driver", self.lang, links=numbers)
+
+    def formulas(self, plotted: Plotted, plans: tuple[str, ...], letter: float, title: str) -> View | None:
+        """The vector equations of some plans."""
+
+        def make() -> View | None:
+            marks = Formulas(plotted, self.naming, LARGER[letter]).drawn(plans)
+            return view("equations", title, marks) if marks else None
+
+        return self.once(("formulas", plans, letter, title), make)
+
+    def moments(self, position: Position, letter: float) -> View | None:
+        """The moment equations with their numbers."""
+
+        def make() -> View | None:
+            marks = MomentLines(position, self.naming, LARGER[letter]).drawn()
+            return view("moments", say("moments", self.lang), marks) if marks else None
+
+        key = ("moments", letter, *(position.scales[mu_of(p)] for p in position.plans.drawn if p != "lever"))
+        return self.once(key, make)
+
+
+def drawn_plans(plotted: Plotted, position: Position) -> list[str]:
+    """The plans that are shown: of rates if anything moves, and all of forces."""
+    plans = position.plans.drawn
+    rates = [p for p in plans if p in ("velocity", "acceleration") and not plotted.still(p)]
+    return rates + [p for p in plans if p.startswith("force") and not plotted.still(p)]

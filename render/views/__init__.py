@@ -1,0 +1,86 @@
+"""A view: one part of a sheet drawn about its own origin, in mm, with its title and the box of its ink."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+import shapely
+
+from render.labels.footprints import Bounds, ink
+from render.marks import Mark, Text, moved
+from render.typeset import extent
+
+TITLE_MM = 5.0  # letter height of titles
+TITLE_GAP = 4.0  # from a title to its view
+
+
+@dataclass(frozen=True)
+class View:
+    """``key`` names the view for settings ("velocity"), ``title`` is lettered above it ("" for none)."""
+
+    key: str
+    title: str
+    marks: tuple[Mark, ...]
+    box: Bounds
+    figure: bool = False  # a scheme or a plan: they are read one after the other
+
+    @property
+    def width(self) -> float:
+        """Width of the box in mm."""
+        return self.box[2] - self.box[0]
+
+    @property
+    def height(self) -> float:
+        """Height of the box in mm."""
+        return self.box[3] - self.box[1]
+
+    def placed(self, left: float, top: float) -> tuple[Mark, ...]:
+        """The marks with the upper left corner of the box at a place of the sheet."""
+        by = complex(left - self.box[0], top - self.box[3])
+        return tuple(moved(mark, by) for mark in self.marks)
+
+
+def bounds(marks: Sequence[Mark]) -> Bounds:
+    """The box around all ink of the marks."""
+    inked = ink(marks)
+    if not len(inked.shapes):
+        return 0.0, 0.0, 0.0, 0.0
+    boxes = shapely.bounds(inked.shapes) + np.outer(inked.halves, [-1, -1, 1, 1])
+    low, high = boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)
+    return float(low[0]), float(low[1]), float(high[0]), float(high[1])
+
+
+def view(key: str, title: str, marks: Iterable[Mark], height: float = TITLE_MM, figure: bool = False) -> View:
+    """A view with its title centred above it."""
+    held = tuple(marks)
+    box = bounds(held)
+    if title:
+        x0, y0, x1, y1 = extent(title, height)
+        place = complex((box[0] + box[2]) / 2, box[3] + TITLE_GAP - y0)
+        held = (*held, Text(title, place, height, "middle", name=f"title {key}"))
+        half = (x1 - x0) / 2
+        box = (min(box[0], place.real - half), box[1], max(box[2], place.real + half), place.imag + y1)
+    return View(key, title, held, box, figure)
+
+
+def shifted(one: View, by: complex) -> View:
+    """The same view about another origin."""
+    x, y = by.real, by.imag
+    box = (one.box[0] + x, one.box[1] + y, one.box[2] + x, one.box[3] + y)
+    return replace(one, marks=tuple(moved(m, by) for m in one.marks), box=box)
+
+
+def stacked(key: str, views: Sequence[View], gap: float = 6.0) -> View:
+    """Views one beneath the other on one middle line, as one view with the title of the first."""
+    marks: list[Mark] = []
+    y, middle, boxes = 0.0, 0.0, []
+    for one in views:
+        by = complex(middle - (one.box[0] + one.box[2]) / 2, y - one.box[3])
+        moved_view = shifted(one, by)
+        marks += moved_view.marks
+        boxes.append(moved_view.box)
+        y = moved_view.box[1] - gap
+    box = (min(b[0] for b in boxes), min(b[1] for b in boxes), max(b[2] for b in boxes), max(b[3] for b in boxes))
+    return View(key, views[0].title, tuple(marks), box, views[0].figure)

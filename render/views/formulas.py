@@ -1,0 +1,167 @@
+"""Vector equations as on paper: bars over vectors, underlines for what is known, action lines and numbers beneath."""
+
+from __future__ import annotations
+
+import cmath
+import math
+import re
+from dataclasses import dataclass, field
+
+from planes.equations import Equation, Term
+from render import lettering
+from render.marks import Line, Mark, Text
+from render.names import Naming
+from render.typeset import extent
+from render.views.plotted import Plotted
+from render.words import number, say
+
+UNITS = {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "force": "N"}
+NOISE_MM = 1e-7  # a shorter vector is rounding noise
+GAP = 0.55  # between words of an equation, over the letter height
+_LETTER = re.compile(r"^[^\W\d_]+")
+
+
+@dataclass(frozen=True)
+class Word:
+    """A piece of an equation: with ``known`` underlines, a line of action and a number beneath; a sign has none."""
+
+    text: str
+    known: int = 0
+    action: str = ""
+    value: str = ""
+    vector: bool = True
+
+
+@dataclass
+class Setter:
+    """Sets one equation on its base line, from the left."""
+
+    letter: float
+    marks: list[Mark] = field(default_factory=list)
+    x: float = 0.0
+
+    @property
+    def small(self) -> float:
+        """Letter height of what stands beneath."""
+        return 2.5 if self.letter <= 3.5 else 3.5
+
+    def row(self, words: list[Word], y: float) -> float:
+        """Set the words at base line ``y``; the lowest ink of the row."""
+        under = y + min(extent(w.text, self.letter)[1] for w in words) - 0.9
+        has_action, has_value = any(w.action for w in words), any(w.value for w in words)
+        action_y = under - 2.2 - 1.1 * self.small
+        value_y = action_y - 1.75 * self.small if has_action else action_y
+        self.x = 0.0
+        for word in words:
+            self.word(word, y, under, action_y, value_y)
+        lines = value_y if has_value else action_y if has_action else under - 1.0
+        return lines - 0.45 * self.small
+
+    def word(self, word: Word, y: float, under: float, action_y: float, value_y: float) -> None:
+        """One word centred over what stands beneath it."""
+        sizes = [_width(word.text, self.letter)]
+        sizes += [_width(t, self.small) for t in (word.action, word.value) if t]
+        wide, middle = max(sizes), self.x + max(sizes) / 2
+        left = middle - sizes[0] / 2
+        self.marks.append(Text(word.text, complex(left, y), self.letter, name=word.text))
+        if word.vector:
+            self.bar(word.text, left, y)
+        for k in range(word.known):
+            level = under - 0.9 * k
+            self.marks.append(Line((complex(left, level), complex(left + sizes[0], level)), "thin", "text"))
+        for text, level in ((word.action, action_y), (word.value, value_y)):
+            if text:
+                self.marks.append(Text(text, complex(middle, level), self.small, "middle"))
+        self.x += wide + GAP * self.letter
+
+    def bar(self, text: str, left: float, y: float) -> None:
+        """The bar over the letter of a vector."""
+        match = _LETTER.match(text)
+        if match:
+            wide = lettering.width(match[0], self.letter)
+            level = y + self.letter + 0.9
+            self.marks.append(Line((complex(left, level), complex(left + wide, level)), "thin", "text"))
+
+
+def _width(text: str, height: float) -> float:
+    x0, _, x1, _ = extent(text, height)
+    return x1 - x0
+
+
+@dataclass(frozen=True)
+class Formulas:
+    """The equations of some plans, set one beneath the other."""
+
+    plotted: Plotted
+    naming: Naming
+    letter: float = 5.0
+
+    def drawn(self, plans: tuple[str, ...]) -> tuple[Mark, ...]:
+        """All equations of these plans, from the top down."""
+        setter, y = Setter(self.letter), 0.0
+        for equation in self.plotted.equations:
+            if equation.plan in plans and self.there(equation):
+                words = self.words(equation) if equation.total else self.closed_words(equation)
+                y = setter.row(words, y) - 1.9 * self.letter
+        return tuple(setter.marks)
+
+    def there(self, equation: Equation) -> bool:
+        """Whether an equation is on the drawing."""
+        return all(self.plotted.has(equation.plan, t.start, t.end) for t in equation.terms)
+
+    def words(self, equation: Equation) -> list[Word]:
+        """v_C = v_B + v_CB; what a point does against the frame is its own vector, with its line of action."""
+        total = equation.total or ""
+        unit = say(UNITS[self.plotted.kind(equation.plan)], self.naming.lang)
+        first, sides = Word(self.naming.vector(total), value=unit), []
+        for chain in equation.chains:
+            terms = [t for t in chain if t.action != "=0"]
+            if len(terms) == 1 and len(chain) > 1 and terms[0].known == 1:
+                first = Word(self.naming.vector(total), 1, self.action(terms[0]), unit)
+            elif chain:
+                sides.append(terms or list(chain))
+        found = [first]
+        for terms in sides:
+            for k, term in enumerate(terms):
+                found += [Word("+" if k else "=", vector=False), self.word(term, equation.plan)]
+        return found
+
+    def closed_words(self, equation: Equation) -> list[Word]:
+        """Both sides as they are stated, or all vectors of a closed polygon added up to nothing."""
+        unit = say(UNITS[self.plotted.kind(equation.plan)], self.naming.lang)
+        one, two = ([self.word(t, equation.plan) for t in chain] for chain in equation.chains)
+        if two and all(term.sign > 0 for term in equation.chains[1]):
+            return [*_sum(one), Word("=", vector=False), *_sum(two), Word("", vector=False, value=unit)]
+        return [*_sum([*one, *two]), Word("= 0", vector=False, value=unit)]
+
+    def word(self, term: Term, plan: str) -> Word:
+        """A vector with its underlines, its line of action and, where it is known, its number."""
+        text, known, value = self.naming.vector(term.name), term.known, ""
+        if known == 2:
+            length = abs(self.plotted.mark(plan, term.end) - self.plotted.mark(plan, term.start))
+            si = length / self.plotted.mu(plan) if length > NOISE_MM else 0.0
+            value = number(si, self.naming.lang)
+        return Word(text, known, self.action(term), value)
+
+    def action(self, term: Term) -> str:
+        """The line of action as it is written beneath: ⊥BC, ∥y–y, C→B."""
+        text = term.action.replace("⊥∥", "⊥").replace("-", "–")
+        if text[:1] == "∠" and term.direction:
+            angle = math.degrees(cmath.phase(complex(self.plotted.drawing[term.direction])))
+            return f"∠{number(angle, self.naming.lang)}°"
+        if text.startswith(("↓", "⊥", "∥")):
+            return text
+        if re.fullmatch(r"[A-Z]\w*→[A-Z]\w*", text):
+            return text
+        if term.action.startswith("-a_"):
+            return f"∥{self.naming.vector(term.action[1:])}"
+        if term.action[:3] in ("-v_", "+v_"):
+            return f"∥{self.naming.vector(term.action[1:])}"
+        if re.fullmatch(r"[A-Z]\w*", text):
+            return f"∥{text}"
+        return ""
+
+
+def _sum(words: list[Word]) -> list[Word]:
+    """The words with a plus between them."""
+    return [w for k, word in enumerate(words) for w in ([Word("+", vector=False)] * bool(k) + [word])]

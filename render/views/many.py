@@ -1,0 +1,86 @@
+"""Many positions on one scheme: links in thin lines at twelve angles, paths of points, numbers at the crank."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from statistics import median
+from typing import Any
+
+from planes.mechanism import FRAME
+from planes.plans import Plans
+from render import labels
+from render.marks import Line, Mark
+from render.views.places import outline_of
+
+
+@dataclass(frozen=True)
+class Many:
+    """Positions (twelve, numbered from 0) and a finer turn for the paths; ``mu`` is that of the scheme, mm per m."""
+
+    plans: Plans
+    twelve: Sequence[dict[str, Any] | None]
+    turn: Sequence[dict[str, Any] | None]
+    mu: float
+
+    def place(self, result: dict[str, Any], point: str) -> complex:
+        """Where a point stands in a position, on paper."""
+        return complex(*result["points"][point]["r"]) * self.mu
+
+    @cached_property
+    def reach(self) -> float:
+        """How far from the driver's pair a point may stand to be drawn: near a dead point it may be anywhere."""
+        sizes = [self.size(r) for r in self.turn if r]
+        return 1.8 * median(sizes) if sizes else 0.0
+
+    def size(self, result: dict[str, Any]) -> float:
+        """The largest distance of a point from the driver's pair, on paper."""
+        centre = self.place(result, self.plans.mechanism.links[self.plans.mechanism.drive.link].first_point)
+        return max(abs(self.place(result, p) - centre) for p in result["points"])
+
+    def near(self, result: dict[str, Any] | None) -> bool:
+        """Whether a position is there and on the paper."""
+        return result is not None and self.size(result) <= self.reach
+
+    def marks(self) -> list[Mark]:
+        """Bars of all links in all positions, and the paths."""
+        found: list[Mark] = []
+        m = self.plans.mechanism
+        for result in filter(self.near, self.twelve):
+            for link in m.links.values():
+                assert result
+                outline = outline_of([self.place(result, p) for p in link.points if p != link.centre])
+                if len(outline) > 1:
+                    found.append(Line(tuple(outline), "construction", "construction", len(outline) > 2))
+        return found + self.paths()
+
+    def paths(self) -> list[Mark]:
+        """Paths of the moving points, in dashes; a point on a frame's guide has none of interest."""
+        found: list[Mark] = []
+        m = self.plans.mechanism
+        straight = {p for x in m.links.values() if x.slides and m.owner(x.slides.guide) == FRAME for p in x.points}
+        fixed = set(m.frame.points) | straight
+        for point in dict.fromkeys(p for link in m.links.values() for p in link.points if p not in fixed):
+            run: list[complex] = []
+            for result in [*self.turn, None]:
+                if result and self.near(result):
+                    run.append(self.place(result, point))
+                    continue
+                if len(run) > 2 and max(abs(z - run[0]) for z in run) > 1:
+                    found.append(Line(tuple(run), "dash", "construction"))
+                run = []
+        return found
+
+    def labels(self) -> list[labels.Label]:
+        """Numbers of the positions at the end of the crank."""
+        drive, pair = self.plans.mechanism.drive, self.plans.structure.drive_pair
+        ends = [p for p in self.plans.mechanism.links[drive.link].points if p != pair.point]
+        if not ends or drive.kind != "phi":
+            return []
+        found = []
+        for number, result in enumerate(self.twelve):
+            if result and self.near(result):
+                z, pivot = self.place(result, ends[0]), self.place(result, pair.point)
+                found.append(labels.Label(str(number), z, 2.5, side=z - pivot, clear=1.6, name=f"position {number}"))
+        return found

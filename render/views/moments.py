@@ -1,0 +1,101 @@
+"""Moment equations with their numbers: ΣM about a point, every product force × arm over what it comes to."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from planes.drafting import Moments
+from planes.solving import Position
+from planes.steps.reckoning import Calculate
+from render.marks import Mark
+from render.names import Naming
+from render.views.formulas import Setter, Word
+from render.words import number, say
+
+NOISE = 1e-9  # of the largest moment of the equation: nothing
+
+
+@dataclass(frozen=True)
+class MomentLines:
+    """The moment equations of a position, set one beneath the other."""
+
+    position: Position
+    naming: Naming
+    letter: float = 5.0
+
+    def drawn(self, links: tuple[str, ...] | None = None) -> tuple[Mark, ...]:
+        """All equations (those of some links) that say anything, from the top down."""
+        setter, y = Setter(self.letter), 0.0
+        for equation in self.position.plans.moments:
+            wanted = equation.links != ("lever",) if links is None else set(equation.links) <= set(links)
+            words = self.words(equation) if wanted else []
+            if words:
+                y = setter.row(words, y) - 1.9 * self.letter
+        return tuple(setter.marks)
+
+    def words(self, equation: Moments) -> list[Word]:
+        """ΣM_C: F^t l = ± G h ± … with the value of every product beneath."""
+        step = self.position.drawing.program
+        made = next((s for s in step.steps if s.makes == equation.unknown), None)
+        if not isinstance(made, Calculate) or not made.terms:
+            return []
+        values = [self.value(term) for term in made.terms]
+        biggest = max(map(abs, values))
+        shown = [(n, a, v) for (n, a), v in zip(equation.terms, values, strict=False) if abs(v) > NOISE * biggest]
+        if not shown:
+            return []
+        about = _flat(self.naming.point(equation.about))
+        links = ",".join(self.naming.link(x) for x in equation.links if x != "lever")
+        factor = self.common(equation, made)
+        by = float(self.position.drawing[factor]) if factor else 1.0
+        found = float(self.position.drawing[equation.unknown])
+        head = self.unknown(equation) + (self.naming.vector(factor) if factor else "")
+        unit = say("W" if factor != equation.arm else "N·m", self.naming.lang)
+        words = [Word(f"ΣM_{{{about}}}" + (f"^{{({links})}}:" if links else ":"), vector=False, value=unit)]
+        words.append(Word(head, vector=False, value=self.number(found * by)))
+        for k, (name, lever, value) in enumerate(shown):
+            sign = ("= −" if value * by < 0 else "=") if k == 0 else "−" if value * by < 0 else "+"
+            words.append(Word(sign, vector=False))
+            words.append(Word(self.product(name, lever), vector=False, value=self.number(abs(value * by))))
+        if not equation.arm:
+            return words
+        result = f";  {self.unknown(equation)} = {self.number(found)} {say('N', self.naming.lang)}"
+        return [*words, Word(result, vector=False)]
+
+    def common(self, equation: Moments, made: Calculate) -> str:
+        """What every product is divided by: the unknown's arm, or on the lever the driver's rate; "" for nothing."""
+        return next((name for name, power in made.terms[0].factors if power < 0), "")
+
+    def unknown(self, equation: Moments) -> str:
+        """The letter of what the equation is solved for."""
+        drive = self.position.plans.mechanism.drive
+        if equation.unknown in (self.position.plans.balancing, self.position.plans.zhukovsky):
+            return self.naming.balancing(drive.kind == "phi")
+        if equation.unknown.startswith("MR_"):
+            return f"M({self.naming.vector(equation.unknown.removeprefix('MR_'))})"
+        return self.naming.vector(equation.unknown)
+
+    def product(self, name: str, lever: str) -> str:
+        """A force times its arm, or a couple."""
+        if name.startswith("MR_"):
+            return f"M({self.naming.vector(name.removeprefix('MR_'))})"
+        text = self.naming.vector(name)
+        if lever.startswith(("omega", "v_")):
+            return text + self.naming.vector(lever)
+        return text + (f"{'H' if lever.startswith('H_') else 'h'}_{{{_flat(text)}}}" if lever else "")
+
+    def value(self, term: object) -> float:
+        """One product of the sum."""
+        product = getattr(term, "coefficient")  # noqa: B009
+        for name, power in getattr(term, "factors"):  # noqa: B009
+            product = product * float(self.position.drawing[name]) ** power
+        return float(product)
+
+    def number(self, value: float) -> str:
+        """A number of the sheet."""
+        return number(value, self.naming.lang)
+
+
+def _flat(text: str) -> str:
+    """A name without the markup of its indices, to stand in an index itself."""
+    return "".join(c for c in text if c not in "_^{}")

@@ -1,0 +1,195 @@
+"""A plan of rates or forces as marks: arrows, lines of action, traces of similarity and the names of all."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from planes.drafting import POLE, label_of
+from planes.equations import Term
+from planes.steps import Image, Similar
+from render import detail, labels
+from render.marks import Arrow, Layer, Line, Mark, Text
+from render.names import Naming
+from render.symbols import dot
+from render.views import bounds
+from render.views.plotted import Plotted
+from render.words import say
+
+ZERO_MM = 0.05  # a vector shorter than this is nothing on paper
+SAME_MM = 0.35  # marks closer than this share one label
+BEYOND_MM = 7.0  # how far a line of action runs past the crossing
+ALONE_MM = 12.0  # half of a line of action on which the vector vanished
+ASIDE_MM = 2.0  # between vectors of one line
+MARK_MM = 5.0
+FORCE_MM = 3.5
+
+Ends = tuple[complex, complex]
+
+
+@dataclass
+class Polygon:
+    """One plan being drawn: every vector once, though several names may stand for it."""
+
+    plotted: Plotted
+    plan: str
+    naming: Naming
+    arrows: dict[tuple[str, str], list[str]] = field(default_factory=dict)
+    marks: list[Mark] = field(default_factory=list)
+    places: dict[tuple[str, str], Ends] = field(default_factory=dict)
+    shifted: bool = False
+
+    @property
+    def of_rates(self) -> bool:
+        """Whether its marks are lettered (velocities, accelerations) rather than its vectors named (forces)."""
+        return self.plan in ("velocity", "acceleration")
+
+    def mark(self, label: str) -> complex:
+        """Where a mark stands, mm from the pole."""
+        return self.plotted.mark(self.plan, label)
+
+    def drawn(self) -> tuple[Mark, ...]:
+        """All marks of the plan, its labels too."""
+        self.collect()
+        self.traces()
+        self.lines_of_action()
+        self.vectors()
+        ground = (*self.marks, *(dot(self.mark(POLE), 0.7, "plan") if self.of_rates else ()))
+        named = self.mark_labels() if self.of_rates else self.vector_labels()
+        details = detail.details(self.places.values(), self.letters())
+        circled = (*ground, *(d.circle() for d in details))
+        marks = (*circled, *labels.place([*named, *(d.named() for d in details)], circled).marks)
+        marks = detail.beside(marks, [d.drawn(ground, named) for d in details])
+        return (*marks, *self.remark(marks)) if self.shifted else marks
+
+    def letters(self) -> list[str]:
+        """Letters for the details of this plan, after those of the plans before it."""
+        used = 0
+        plans = dict.fromkeys(s.plan for s in self.plotted.segments if s.plan not in ("lever", "motion"))
+        for plan in list(plans)[: list(plans).index(self.plan)] if self.plan in plans else ():
+            other = Polygon(self.plotted, plan, self.naming)
+            other.collect()
+            other.vectors()
+            used += detail.count(other.places.values())
+        return detail.letters(map(label_of, self.plotted.drawing.things), self.naming.lang == "ru")[used:]
+
+    def remark(self, marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
+        """What must be known of vectors drawn side by side, beneath the plan."""
+        x0, y0, x1, _ = bounds(marks)
+        text = f"({say('shifted', self.naming.lang)})"
+        return (Text(text, complex((x0 + x1) / 2, y0 - 5.0), 2.5, "middle", name="remark"),)
+
+    def collect(self) -> None:
+        """Every measured segment by its ends."""
+        for s in self.plotted.segments:
+            there = s.plan == self.plan and s.start != s.end and self.plotted.has(s.plan, s.start, s.end)
+            if there and abs(self.mark(s.end) - self.mark(s.start)) > ZERO_MM:
+                names = self.arrows.setdefault((s.start, s.end), [])
+                names += [s.name] * (s.name not in names)
+
+    def terms(self) -> Iterable[Term]:
+        """The terms of this plan's equations whose ends are drawn."""
+        for equation in self.plotted.equations:
+            if equation.plan == self.plan:
+                yield from (t for t in equation.terms if self.plotted.has(self.plan, t.start, t.end))
+
+    def lines_of_action(self) -> None:
+        """Thin lines of the terms known in direction only, a little past the crossing they were drawn for."""
+        for term in self.terms():
+            if term.known != 1 or not term.direction:
+                continue
+            start, end = self.mark(term.start), self.mark(term.end)
+            way = end - start
+            if abs(way) > ZERO_MM:
+                self.marks.append(Line((start, end + BEYOND_MM * way / abs(way)), "construction", "construction"))
+            else:
+                along = ALONE_MM * complex(self.plotted.drawing[term.direction])
+                self.marks.append(Line((end - along, end + along), "construction", "construction"))
+
+    def traces(self) -> None:
+        """The sides of the similar triangles by which points of links were found."""
+        for step in self.plotted.drawing.program.steps:
+            if step.makes.rpartition(":")[0] != self.plan or not isinstance(step, (Similar, Image)):
+                continue
+            base = (step.start, step.end) if isinstance(step, Similar) else step.image
+            corners = [label_of(base[0]), label_of(step.makes), label_of(base[1])]
+            a, x, b = map(self.mark, corners)
+            flat = abs(b - a) < ZERO_MM or abs(((x - a) / (b - a)).imag) * abs(b - a) < ZERO_MM
+            if tuple(corners[::2]) not in self.arrows:
+                self.trace(a, b)
+            if not flat:
+                self.trace(a, x)
+                self.trace(x, b)
+
+    def trace(self, start: complex, end: complex) -> None:
+        """A construction line."""
+        if abs(end - start) > ZERO_MM:
+            self.marks.append(Line((start, end), "thin", "construction"))
+
+    def vectors(self) -> None:
+        """The arrows: results thick, parts and relative vectors thin; forces of one line side by side."""
+        order = sorted(self.arrows.items(), key=lambda item: not self.is_result(item[0][0], item[0][1], item[1]))
+        for (start, end), names in order:
+            ends = self.mark(start), self.mark(end)
+            if not self.of_rates:
+                ends = self.aside(ends)
+            self.places[start, end] = ends
+            thick = self.is_result(start, end, names)
+            layer: Layer = "result" if thick else "plan" if self.of_rates else "force"
+            self.marks.append(Arrow(*ends, "result" if thick else "thin", layer, names[0]))
+
+    def aside(self, ends: Ends) -> Ends:
+        """The ends of a vector, moved sideways where it would lie upon another one of the same line."""
+        side = 1j * (ends[1] - ends[0]) / abs(ends[1] - ends[0])
+        if side.real < -1e-9 or (abs(side.real) <= 1e-9 and side.imag < 0):
+            side = -side
+        for k in (0, 1, -1, 2, -2, 3, -3):
+            moved = ends[0] + k * ASIDE_MM * side, ends[1] + k * ASIDE_MM * side
+            if not any(_upon(moved, other) for other in self.places.values()):
+                self.shifted |= k != 0
+                return moved
+        return ends
+
+    def is_result(self, start: str, end: str, names: list[str]) -> bool:
+        """Whole vectors from the pole, and whole forces."""
+        if not self.of_rates:
+            return any("^" not in name for name in names)
+        return start == POLE and not end.startswith(("n_", "k_"))
+
+    def vector_labels(self) -> list[labels.Label]:
+        """Names beside their vectors; equal reactions share one label."""
+        found = []
+        for (start, end), names in self.arrows.items():
+            a, b = self.places[start, end]
+            text = " = ".join(self.naming.vector(n) for n in names)
+            found.append(labels.Label(text, (a, b), FORCE_MM, name=names[0]))
+        return found
+
+    def mark_labels(self) -> list[labels.Label]:
+        """Letters of the marks; those that coincide share one label."""
+        clusters: list[tuple[complex, list[str]]] = []
+        for label in self.plotted.labels(self.plan):
+            z = self.mark(label)
+            near = next((c for c in clusters if abs(c[0] - z) <= SAME_MM), None)
+            if near:
+                near[1].append(label)
+            else:
+                clusters.append((z, [label]))
+        centre = sum(z for z, _ in clusters) / len(clusters)
+        found = []
+        for z, names in clusters:
+            prime = "'" if self.plan == "acceleration" else ""
+            fixed = [n + prime for n in self.plotted.fixed] if POLE in names else []
+            text = ", ".join(dict.fromkeys(self.naming.mark(n, self.plan) for n in [*names, *fixed]))
+            away = (z - centre) / abs(z - centre) if abs(z - centre) > ZERO_MM else 0
+            found.append(labels.Label(text, z, MARK_MM, side=away, clear=0.7, priority=1, name=text))
+        return found
+
+
+def _upon(one: Ends, other: Ends) -> bool:
+    """Whether two vectors lie on one line and share more than a millimetre of it."""
+    way = (other[1] - other[0]) / abs(other[1] - other[0])
+    a, b = ((z - other[0]) * way.conjugate() for z in one)
+    if max(abs(a.imag), abs(b.imag)) > ASIDE_MM / 2:
+        return False
+    return min(max(a.real, b.real), abs(other[1] - other[0])) - max(min(a.real, b.real), 0.0) > 1.0

@@ -1,0 +1,232 @@
+"""The scheme of a mechanism in one position, with the signs of ГОСТ 2.770: guides, sliders, links, hinges, letters."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from planes.mechanism import FRAME, Link
+from planes.solving import Position
+from render import labels, symbols
+from render.labels.footprints import ink
+from render.marks import Line, Mark
+from render.names import Naming, lettered
+from render.style import BLOCK_MM, HINGE_MM
+from render.views.places import NEAR_MM, Places, degrees, nearest, outline_of
+from render.views.senses import driver_arrows, parted
+
+RAIL_MM = 17.0  # of a guide shown on each side of its slider
+ROD_MM = 12.0  # of a moving guide shown beyond its slider
+LETTER_MM = 5.0
+SMALL_MM = (8.0, 4.6)  # a block held inside another
+ALONE_MM = 13.0  # of the axis of a guide that is not drawn, on each side of its slider
+LARGE_MM = (14.0, 10.5)  # the block that holds it
+
+
+@dataclass
+class Scheme:
+    """The scheme being drawn; places are mm of paper about the origin of the frame's axes."""
+
+    position: Position
+    naming: Naming
+    only: tuple[str, ...] = ()  # the links that are drawn; none named: all
+    framed: bool = True  # whether the frame is drawn
+    axes: list[Mark] = field(default_factory=list)
+    rails: list[Mark] = field(default_factory=list)
+    guides: list[Mark] = field(default_factory=list)
+    blocks: list[Mark] = field(default_factory=list)
+    bars: list[Mark] = field(default_factory=list)
+    hinges: list[Mark] = field(default_factory=list)
+    named: list[labels.Label] = field(default_factory=list)
+    ways: dict[str, list[complex]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.places = Places(self.position)
+        self.mechanism, self.shared = self.places.mechanism, self.places.shared
+        self.links = [x for n, x in self.mechanism.links.items() if not self.only or n in self.only]
+
+    def drawn(
+        self, arrows: bool = True, marks: Sequence[Mark] = (), named: Sequence[labels.Label] = ()
+    ) -> tuple[Mark, ...]:
+        """All marks: guides, sliders, bars, hinges, letters, the driver's arrows; and what is drawn on top."""
+        for link in self.links:
+            if all(map(self.places.has, link.points)):
+                self.link(link)
+        self.pairs()
+        self.letters()
+        ground: list[Mark] = [*self.axes, *self.rails, *self.guides, *self.blocks, *self.bars, *self.hinges]
+        ground += marks
+        if arrows:
+            turning, letters = driver_arrows(self.places, self.naming, ground)
+            ground += turning
+            self.named += letters
+        placed = labels.place([*self.named, *named], ground)
+        return (*parted(ground, placed.texts), *placed.marks)
+
+    # links
+
+    def link(self, link: Link) -> None:
+        """A link's bar or plate, its own guides, and its slider if it slides."""
+        joints = [self.places.at(p) for p in link.points if p in self.shared or p != link.centre]
+        if link.slides:
+            foot, along = self.places.foot(link)
+            self.slider(link, foot, along)
+            joints.append(foot)
+        for name in link.guides:
+            joints += self.moving_guide(name, joints)
+        outline = outline_of(joints)
+        self.number(link, outline)
+        if len(outline) == 2:
+            self.bars += symbols.bar(*outline)
+        elif len(outline) > 2:
+            size = max(abs(a - b) for a in outline for b in outline)
+            self.bars += symbols.plate(outline, max(2.5, size / 16))
+        self.offside(link, outline)
+        for p in link.points:
+            if p in self.shared:
+                self.ways.setdefault(p, []).extend(z - self.places.at(p) for z in outline)
+
+    def offside(self, link: Link, outline: list[complex]) -> None:
+        """The mass centre, and a thin arm to it where it lies away from its link."""
+        centre = link.centre
+        if not centre or centre in self.shared or not self.places.has(centre):
+            return
+        z = self.places.at(centre)
+        self.hinges += symbols.dot(z)
+        near = nearest(z, outline)
+        if abs(z - near) > BLOCK_MM[0] / 2:
+            self.bars.append(Line((near, z), "thin"))
+
+    def slider(self, link: Link, foot: complex, along: complex) -> None:
+        """The slider's block: on rails if its guide is the frame's, smaller where it is held in another block."""
+        assert link.slides
+        angle = degrees(along)
+        if self.mechanism.owner(link.slides.guide) != FRAME or not self.framed:
+            blocks = self.rails if self.size(link) == LARGE_MM else self.blocks
+            blocks += symbols.block(foot, angle, size=self.size(link))
+            if not self.framed and self.mechanism.owner(link.slides.guide) not in self.only:
+                self.axes.append(Line((foot - ALONE_MM * along, foot + ALONE_MM * along), "axis", "axis"))
+            return
+        size = self.size(link)
+        side = self.rail_side(foot, along)
+        self.rails += symbols.frame_guide(foot, angle, RAIL_MM, RAIL_MM, "rail", side, size[1])
+        self.rails += symbols.block(foot, angle, size=size)
+        reach = RAIL_MM + 4
+        self.axes.append(Line((foot - reach * along, foot + reach * along), "axis", "axis"))
+        first, _, second = link.slides.guide.partition("-")
+        for letter, end in ((first, foot + reach * along), (second, foot - reach * along)):
+            if letter:
+                self.named.append(labels.Label(lettered(letter), end, 3.5, name=f"guide {link.slides.guide}"))
+
+    def size(self, link: Link) -> tuple[float, float]:
+        """The size of a slider's block: of two in one place the frame's (or the later one) holds the other."""
+        other = self.places.doubled(link)
+        if other is None:
+            return BLOCK_MM
+        grounded = [bool(x.slides and self.mechanism.owner(x.slides.guide) == FRAME) for x in (link, other)]
+        order = list(self.mechanism.links)
+        later = order.index(link.name) > order.index(other.name)
+        return LARGE_MM if (grounded[0] and not grounded[1]) or (grounded[0] == grounded[1] and later) else SMALL_MM
+
+    def rail_side(self, foot: complex, along: complex) -> int:
+        """The side of the slider that is away from the rest of the mechanism."""
+        others = [self.places.at(p) for x in self.mechanism.links.values() for p in x.points if self.places.has(p)]
+        middle = sum(others) / len(others)
+        return 1 if ((middle - foot) * along.conjugate()).imag < -1 else -1
+
+    def moving_guide(self, name: str, joints: list[complex]) -> list[complex]:
+        """The rod of a guide that a link carries; the place where the link's own bars join it, if none is on it."""
+        if f"∥{name}" not in self.position.drawing:
+            return []
+        through, along = self.places.line(name)
+        ways = [(z - through) * along.conjugate() for z in joints]
+        stops = []
+        for slider in self.mechanism.links.values():
+            if slider.slides and slider.slides.guide == name and self.places.has(slider.first_point):
+                t = ((self.places.foot(slider)[0] - through) * along.conjugate()).real
+                stops += [t - ROD_MM, t + ROD_MM]
+        on = [w.real for w in ways if abs(w.imag) < NEAR_MM]
+        reach = on or [w.real for w in ways[:1]]
+        if not stops or not reach:
+            return []
+        low, high = self.rod(reach, stops)
+        self.guides += symbols.bar(through + low * along, through + high * along)
+        return [] if on else [through + reach[0] * along]
+
+    def rod(self, reach: list[float], stops: list[float]) -> tuple[float, float]:
+        """From where the link holds the guide to beyond its sliders; no more than that on the holding side."""
+        low, high = min([*reach, *stops]), max([*reach, *stops])
+        if min(reach) <= min(stops) + ROD_MM:
+            low = min(reach)
+        if max(reach) >= max(stops) - ROD_MM:
+            high = max(reach)
+        return (low, high) if high - low > 1 else (min(stops), max(stops))
+
+    def number(self, link: Link, outline: list[complex]) -> None:
+        """The number of a link beside its longest side, of a slider beside its block."""
+        text, clear = self.naming.link(link.name), 0.0
+        if len(outline) > 1:
+            ends = max(zip(outline, outline[1:] + outline[:1], strict=True), key=lambda e: abs(e[1] - e[0]))
+        elif link.slides:
+            foot, along = self.places.foot(link)
+            long, wide = self.size(link)
+            if long < BLOCK_MM[0]:
+                edge = foot + (long / 2 + 1j * wide / 2) * along
+                self.named.append(labels.Label(text, edge, LETTER_MM, name=f"link {link.name}"))
+                return
+            ends, clear = (foot - long / 2 * along, foot + long / 2 * along), wide / 2
+        else:
+            self.rod_number(link, text)
+            return
+        self.named.append(labels.Label(text, ends, LETTER_MM, clear=clear, name=f"link {link.name}"))
+
+    def rod_number(self, link: Link, text: str) -> None:
+        """The number of a link that is a hinge and a guide: beside the rod between them."""
+        for slider in self.mechanism.links.values():
+            if slider.slides and slider.slides.guide in link.guides and self.places.has(slider.first_point):
+                ends = self.places.at(link.first_point), self.places.foot(slider)[0]
+                self.named.append(labels.Label(text, ends, LETTER_MM, name=f"link {link.name}"))
+                return
+
+    # pairs and letters
+
+    def pairs(self) -> None:
+        """Hinges, those on the frame with their legs."""
+        for point, owners in self.shared.items():
+            if not self.places.has(point) or not any(link.name in owners for link in self.links):
+                continue
+            z = self.places.at(point)
+            if FRAME in owners and self.framed:
+                self.hinges += symbols.fixed_hinge(z, self.base_angle(point))
+            else:
+                self.hinges += symbols.hinge(z)
+
+    def base_angle(self, point: str) -> float:
+        """The turn of a fixed hinge's base that keeps clear of its own bars and then of others: upright if it can."""
+        z, ways = self.places.at(point), [w / abs(w) for w in self.ways.get(point, []) if abs(w) > NEAR_MM]
+        bars = ink([*self.bars, *self.guides])
+
+        def hits(turn: int) -> tuple[int, int]:
+            leg = -1j * symbols.unit(turn)
+            room = min((math.degrees(abs(cmath.phase(w / leg))) for w in ways), default=180.0)
+            own = 3 if room < 25 else 1 if room < 50 else 0
+            feet = [m for m in symbols.fixed_hinge(z, turn) if isinstance(m, Line)]
+            return own, len(set(bars.within(ink(feet).shapes, 0.5)[1])) if len(bars.shapes) else 0
+
+        return float(min((0, 90, 270, 180), key=lambda turn: (sum(hits(turn)), hits(turn))))
+
+    def letters(self) -> None:
+        """Letters of all points."""
+        done: list[tuple[complex, str]] = []
+        for link in self.links:
+            for p in link.points:
+                if not self.places.has(p) or any(p == name for _, name in done):
+                    continue
+                z, hinged = self.places.at(p), p in self.shared
+                done.append((z, p))
+                if not hinged and p != link.centre:
+                    self.hinges += symbols.dot(z)
+                clear = HINGE_MM if hinged else 0.8
+                self.named.append(labels.Label(self.naming.point(p), z, LETTER_MM, clear=clear, priority=1, name=p))

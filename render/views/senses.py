@@ -1,0 +1,74 @@
+"""Curved arrows of the driver's ω and ε, and thin lines that make way for letters."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Sequence
+
+from render import labels, symbols
+from render.cutting import cut
+from render.labels.footprints import conflicts, ink
+from render.marks import Line, Mark, Shape, Text
+from render.names import Naming
+from render.typeset import layout
+from render.views.places import Places
+
+LETTER_MM = 5.0
+CLEAR_MM = 0.6  # between a letter and the thin line that is broken for it
+
+
+def driver_arrows(places: Places, naming: Naming, ground: Sequence[Mark]) -> tuple[list[Mark], list[labels.Label]]:
+    """Curved arrows of the driver's ω and ε about its pivot, where they cross nothing, and their names."""
+    drive, pair = places.mechanism.drive, places.position.plans.structure.drive_pair
+    found: list[Mark] = []
+    named: list[labels.Label] = []
+    if drive.kind == "s" or not places.has(pair.point):
+        return found, named
+    for rate, letter, radius in ((drive.velocity, "ω", 9.0), (drive.acceleration, "ε", 12.5)):
+        if rate:
+            arrow, middle = _free_arc(places, radius, math.copysign(1, rate), [*ground, *found])
+            found += arrow
+            text = f"{letter}_{{{naming.link(drive.link)}}}"
+            named.append(labels.Label(text, middle, LETTER_MM, clear=0.5, name=text))
+    return found, named
+
+
+def _free_arc(
+    places: Places, radius: float, sense: float, ground: Sequence[Mark]
+) -> tuple[tuple[Mark, ...], complex]:
+    """A curved arrow where it crosses nothing, near the crank; and the middle of its arc."""
+    pivot = places.at(places.position.plans.structure.drive_pair.point)
+    points = places.mechanism.links[places.mechanism.drive.link].points
+    crank = max((places.at(p) - pivot for p in points if places.has(p)), key=abs, default=1 + 0j)
+    inked, best = ink(ground), None
+    for turn in (15, 30, 60, 100, 140, 180, 220, 260, -110, -80):
+        start = math.degrees(cmath.phase(crank)) + sense * turn
+        arrow = symbols.turn_arrow(pivot, radius, start, sense * 60)
+        hits = len(inked.within(ink(arrow).shapes, 0.6)[0])
+        if best is None or hits < best[0]:
+            best = hits, arrow, start + sense * 30
+    assert best
+    return best[1], pivot + radius * symbols.unit(best[2])
+
+
+def parted(marks: Sequence[Mark], texts: Sequence[Text]) -> tuple[Mark, ...]:
+    """The marks, construction lines broken where a letter found no room beside them, as a draughtsman breaks them."""
+    lines = [m for m in marks if isinstance(m, Line) and m.layer == "construction"]
+    crossed = {c.first for c in conflicts(texts, lines) if c.kind == "stroke"}
+    if not crossed:
+        return tuple(marks)
+    around = [_around(t) for t in texts if t.text in crossed]
+    kept = [m for m in marks if not (isinstance(m, Line) and m.layer == "construction")]
+    return (*cut(lines, around), *kept)
+
+
+def _around(text: Text) -> Shape:
+    """The box of a text with a little room."""
+    box = layout(text).box
+    middle = sum(box) / 4
+    return Shape(tuple(z + CLEAR_MM * complex(_side(z.real - middle.real), _side(z.imag - middle.imag)) for z in box))
+
+
+def _side(value: float) -> float:
+    return math.copysign(1.0, value)

@@ -1,0 +1,93 @@
+"""One view by itself, for a textbook, a slide or a notebook: a page cut to its ink with a margin around it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from planes.solving import Position
+from planes.vectors import PLAN, VectorResults
+from planes.wording import PlanesError
+from render import svg
+from render.marks import Mark
+from render.sheet.composer import Composer
+from render.sheet.project import Project
+from render.views import View
+from render.views.plotted import of_position, of_vectors
+from render.views.tables import Tables
+from render.words import say
+
+MARGIN_MM = 5.0
+LETTER_MM = 3.5  # letter height of tables; equations are a step larger
+
+Makers = Mapping[str, Callable[[], View | None]]
+"""The views that can be asked for, by name, each made when it is asked for."""
+
+
+@dataclass(frozen=True)
+class Page:
+    """Marks on a page of their own size, width × height in mm."""
+
+    marks: tuple[Mark, ...]
+    size: tuple[float, float]
+    title: str
+    lang: str = "ru"
+
+    def _repr_svg_(self) -> str:
+        """The picture a notebook shows."""
+        text = svg.write(self.marks, self.size, self.title, lang=self.lang).decode()
+        return text.partition("?>\n")[2]
+
+
+def page(makers: Makers, name: str, composer: Composer) -> Page:
+    """The page of one view; a view that does not exist, or is empty, is a sentence."""
+    if name not in makers:
+        raise PlanesError(say("bad_view", composer.lang, view=name, known=", ".join(makers)))
+    one = makers[name]()
+    if one is None:
+        raise PlanesError(say("empty_view", composer.lang, view=name))
+    marks = one.placed(MARGIN_MM, MARGIN_MM + one.height)
+    title = composer.scene.title.get(composer.lang, "")
+    size = (one.width + 2 * MARGIN_MM, one.height + 2 * MARGIN_MM)
+    return Page(marks, size, ": ".join(t for t in (title, name) if t), composer.lang)
+
+
+def of_mechanism(position: Position, composer: Composer, project: Callable[[], Project]) -> Makers:
+    """The views of a mechanism in one position; ``project`` turns its driver once around, where a view needs that."""
+    plotted, plans = of_position(position), position.plans
+    bare, tables = Project(composer), Tables(position, composer.naming, LETTER_MM)
+    rates = tuple(p for p in plans.drawn if p in ("velocity", "acceleration") and not plotted.still(p))
+    forces = tuple(p for p in plans.drawn if p.startswith("force") and not plotted.still(p))
+    found: dict[str, Callable[[], View | None]] = {"position": lambda: composer.scheme(position)}
+    if plans.mechanism.drive.kind == "phi":
+        found["positions"] = lambda: project().many(position)
+    found["structure"] = lambda: bare.groups(position, LETTER_MM)
+    for rate in rates:
+        found[f"{rate}-plan"] = lambda plan=rate: composer.plan(plotted, plan)  # type: ignore[misc]
+    found["equations"] = lambda: composer.formulas(plotted, rates, LETTER_MM, say("equations", composer.lang))
+    if plans.mechanism.drive.kind == "phi":
+        found["diagrams"] = lambda: project().diagrams(position)
+    found["loads"] = lambda: bare.loaded(position)
+    for force in forces:
+        links = force.partition(":")[2]
+        found[f"group-{links}"] = lambda plan=force, of=links: bare.group(position, plan, tuple(of.split("-")))  # type: ignore[misc]
+        found[f"force-{links}"] = lambda plan=force: composer.plan(plotted, plan)  # type: ignore[misc]
+    balance = say("balance_equations", composer.lang)
+    found["force-equations"] = lambda: composer.formulas(plotted, forces, LETTER_MM, balance)
+    found["moments"] = lambda: composer.moments(position, LETTER_MM)
+    found["lever"] = lambda: bare.lever(position, LETTER_MM)
+    found |= {"given": tables.given, "velocities": lambda: tables.plan("velocity"),
+              "accelerations": lambda: tables.plan("acceleration"), "links": tables.links,
+              "reactions": tables.reactions, "check": tables.check}  # fmt: skip
+    return found
+
+
+def of_scene_of_vectors(results: VectorResults, composer: Composer) -> Makers:
+    """The views of a scene of vectors alone."""
+    plotted = of_vectors(results)
+    written = say("equations", composer.lang)
+    return {
+        "vectors": lambda: composer.plan(plotted, PLAN),
+        "equations": lambda: composer.formulas(plotted, (PLAN,), LETTER_MM, written),
+        "measured": lambda: Tables.of_vectors(results, composer.naming, LETTER_MM),
+    }

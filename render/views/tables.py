@@ -1,0 +1,203 @@
+"""Tables of given and found values as marks: a title, a head, rows between thin lines."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from planes.drafting import POLE, Segment
+from planes.scales import kind_of
+from planes.solving import Position
+from planes.vectors import VectorResults
+from render import symbols
+from render.ink import head as ink_head
+from render.marks import Arc, Line, Mark, Shape, Text
+from render.names import Naming
+from render.typeset import extent
+from render.views import View, view
+from render.views.formulas import NOISE_MM, UNITS
+from render.words import number, say
+
+Row = Sequence[str]
+_SENSES = {"↺": 1.0, "↻": -1.0}
+
+
+@dataclass(frozen=True)
+class Grid:
+    """A table in the making: letters of ``letter`` mm, the head's names in the first row."""
+
+    letter: float = 3.5
+
+    def drawn(self, head: Row, rows: Sequence[Row]) -> tuple[Mark, ...]:
+        """The marks of a table whose upper left corner is the origin."""
+        high, pad = 2.0 * self.letter, 0.5 * self.letter
+        lines = [head, *rows] if any(head) else list(rows)
+        widths = [max(self.wide(row[k]) for row in lines) + 2 * pad for k in range(len(lines[0]))]
+        edges = [sum(widths[:k]) for k in range(len(widths) + 1)]
+        marks: list[Mark] = []
+        for level in range(len(lines) + 1):
+            thick = level in (0, len(lines)) or (level == 1 and any(head))
+            marks.append(_rule(complex(0, -level * high), complex(edges[-1], -level * high), thick))
+        for k, edge in enumerate(edges):
+            marks.append(_rule(complex(edge, 0), complex(edge, -len(lines) * high), k in (0, len(widths))))
+        for level, row in enumerate(lines):
+            base = -(level + 0.5) * high - 0.35 * self.letter
+            for k, cell in enumerate(row):
+                marks += self.cell(cell, complex((edges[k] + edges[k + 1]) / 2, base))
+        return tuple(marks)
+
+    def wide(self, cell: str) -> float:
+        """Width of a cell's ink."""
+        sense = self.letter * 1.5 if cell[-1:] in _SENSES else 0.0
+        x0, _, x1, _ = extent(cell.rstrip("↺↻"), self.letter)
+        return x1 - x0 + sense
+
+    def cell(self, cell: str, middle: complex) -> tuple[Mark, ...]:
+        """A text in the middle of its cell, a curved arrow after it for a sense of turning."""
+        sense = _SENSES.get(cell[-1:])
+        text = cell.rstrip("↺↻")
+        if sense is None:
+            return (Text(text, middle, self.letter, "middle"),) if text else ()
+        left = middle - self.wide(cell) / 2
+        radius = 0.48 * self.letter
+        turn = left + self.wide(cell) - radius + 0.5j * self.letter
+        low, high = (-60.0, 180.0) if sense > 0 else (0.0, 240.0)
+        tip = turn + radius * symbols.unit(high if sense > 0 else low)
+        head = ink_head(tip, -1j, 0.5 * self.letter, 0.3 * self.letter)
+        return (Text(text, left, self.letter), Arc(turn, radius, low, high, "thin", "table"), Shape(head, "table"))
+
+
+def _rule(start: complex, end: complex, thick: bool) -> Line:
+    return Line((start, end), "thick" if thick else "thin", "table")
+
+
+@dataclass(frozen=True)
+class Tables:
+    """The tables of a position."""
+
+    position: Position
+    naming: Naming
+    letter: float = 3.5
+
+    @classmethod
+    def of_vectors(cls, results: VectorResults, naming: Naming, letter: float) -> View | None:
+        """Magnitude and direction of every vector of a scene of vectors."""
+        unit = say(UNITS[results.scene.quantity or "velocity"], naming.lang)
+        rows = []
+        for name, v in results.vectors().items():
+            angle = number(math.degrees(cmath.phase(v)), naming.lang) if abs(v) * results.mu > NOISE_MM else "—"
+            mm = number(round(abs(v) * results.mu, 1), naming.lang, 5)
+            rows.append([naming.vector(name), mm, number(abs(v), naming.lang), angle])
+        marks = Grid(letter).drawn(["", say("mm", naming.lang), unit, say("angle", naming.lang)], rows)
+        return view("vectors-table", say("measured", naming.lang), marks) if rows else None
+
+    def say(self, key: str) -> str:
+        """A word of the sheet."""
+        return say(key, self.naming.lang)
+
+    def number(self, value: float | None, digits: int = 4) -> str:
+        """A number of the sheet."""
+        return number(value, self.naming.lang, digits)
+
+    def table(self, key: str, title: str, head: Row, rows: Sequence[Row]) -> View | None:
+        """A table as a view, or nothing when it has no rows."""
+        if not rows:
+            return None
+        return view(key, title, Grid(self.letter).drawn(head, rows), self.letter * 10 / 7 if self.letter < 3 else 5.0)
+
+    def all(self) -> list[View]:
+        """Every table that has something to say."""
+        found = [self.given(), self.plan("velocity"), self.plan("acceleration"), self.links(), self.reactions()]
+        found.append(self.check())
+        return [t for t in found if t]
+
+    def given(self) -> View | None:
+        """Lengths, masses, moments of inertia and the driver's motion, as the scene has them."""
+        m, values = self.position.plans.mechanism, self.position.plans.given
+        rows = []
+        for name, value in values.items():
+            letter = name.partition("_")[0]
+            unit = {"l": "m", "m": "kg", "J": "kgm2"}.get(letter)
+            if unit and isinstance(value, float | int):
+                rows.append([self.naming.vector(name), self.number(float(value)), self.say(unit)])
+        drive, n = m.drive, self.naming.link(m.drive.link)
+        if drive.kind == "phi":
+            rows.insert(0, [f"φ_{{{n}}}", self.number(self.position.value), "°"])
+            for letter, value, unit in (("ω", drive.velocity, "rad/s"), ("ε", drive.acceleration, "rad/s²")):
+                rows.insert(1 if letter == "ω" else 2, [f"{letter}_{{{n}}}", self.number(value), self.say(unit)])
+        for name in self.position.plans.given:
+            if name.startswith(("P_", "M_", "MP_")) and name.endswith("_given"):
+                unit = "N" if name.startswith("P_") else "N·m"
+                value = float(self.position.plans.given[name])
+                rows.append([self.naming.vector(name.removesuffix("_given")), self.number(value), self.say(unit)])
+        return self.table("given", self.say("given"), ["", "", ""], rows)
+
+    def plan(self, plan: str) -> View | None:
+        """What was measured on a plan: vector, segment, mm, value."""
+        measured = self.position.results.get("plans", {}).get(plan)
+        if not measured:
+            return None
+        unit = self.say(UNITS[kind_of(plan)])
+        rows = []
+        for segment in (s for s in self.position.plans.segments if s.plan == plan):
+            found = measured["segments"].get(segment.start + segment.end)
+            if found and found["name"] == segment.name:
+                ends = self.naming.mark(segment.start, plan) + self.naming.mark(segment.end, plan)
+                mm = number(round(found["mm"], 1), self.naming.lang, 5)
+                value = self.number(found["value"] if found["mm"] > NOISE_MM else 0.0)
+                rows.append([self.vector(segment, plan), ends, mm, value])
+        title = self.say(f"by_{plan}")
+        return self.table(f"{plan}-table", title, ["", "", self.say("mm"), unit], rows)
+
+    def vector(self, segment: Segment, plan: str) -> str:
+        """The name of a segment: whole vectors from the pole by their points, not by what they were found against."""
+        label = segment.end.rstrip("'")
+        if segment.start != POLE or label.startswith(("n_", "k_")):
+            return self.naming.vector(segment.name)
+        names = self.position.plans.points
+        marks = {(m.velocity if plan == "velocity" else m.acceleration).rpartition(":")[2]: p for p, m in names.items()}
+        return self.naming.vector(f"{plan[0]}_{marks.get(segment.end, label.upper())}")
+
+    def links(self) -> View | None:
+        """ω and ε of every link with their senses."""
+        rows = []
+        found = self.position.results.get("links", {})
+        for name in (x for x in self.position.plans.mechanism.links if x in found):
+            r = found[name]
+            cells = [self.turning(r[k]) if k in r else "" for k in ("omega", "epsilon")]
+            if any(cells):
+                rows.append([self.naming.link(name), *cells])
+        head = [self.say("link"), f"ω, {self.say('rad/s')}", f"ε, {self.say('rad/s²')}"]
+        return self.table("links", self.say("links_table"), head, rows)
+
+    def turning(self, value: float) -> str:
+        """A signed value and the curved arrow of its sense."""
+        shown = self.number(value)
+        return shown if shown == "0" else shown + ("↺" if value > 0 else "↻")
+
+    def reactions(self) -> View | None:
+        """Magnitude and direction of every reaction, a slider's arm."""
+        rows = []
+        for name, r in self.position.results.get("reactions", {}).items():
+            force = complex(*(r["force"] if isinstance(r, dict) else r))
+            angle = self.number(math.degrees(cmath.phase(force))) if force else "—"
+            rows.append([self.naming.vector(name), self.number(abs(force)), angle])
+        return self.table("reactions", self.say("reactions_table"), ["", self.say("N"), self.say("angle")], rows)
+
+    def check(self) -> View | None:
+        """The balancing moment (or force), Zhukovsky's, and the difference in per cent."""
+        r, rows = self.position.results, []
+        for what, unit in (("moment", "N·m"), ("force", "N")):
+            found, check = r.get(f"balancing_{what}"), r.get(f"zhukovsky_{what}")
+            name = self.naming.balancing(what == "moment")
+            if found is not None:
+                rows.append([self.say("balancing_moment"), f"{name}, {self.say(unit)}", self.number(found)])
+            if check is not None:
+                rows.append([self.say("zhukovsky"), f"{name}, {self.say(unit)}", self.number(check)])
+            if found is not None and check is not None:
+                largest = max(abs(found), abs(check))
+                apart = 100 * abs(found - check) / largest if largest else 0.0
+                rows.append([self.say("difference"), "", self.number(apart if apart > 1e-6 else 0.0, 2)])
+        return self.table("check", self.say("check_table"), ["", "", ""], rows)
