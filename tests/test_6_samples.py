@@ -157,7 +157,6 @@ def given(numbers: Any) -> set[tuple[str, ...]]:
     return {p for p in numbers if ("balancing_force",) in numbers and p[:2] == ("slides", "1")}
 
 
-@pytest.mark.xfail(reason="the JSON leaves the sliding driver out of its slides")
 def test_a_sliding_driver_is_among_the_slides() -> None:
     assert solved("sliding-driver").positions[0].results["slides"]["1"]["v"] == pytest.approx(1.0)
 

@@ -204,12 +204,9 @@ def test_bad_ranges(cli: Run, asked: str) -> None:
     assert "phi" in refused(cli("solve", CRANK, "--json", f"--phi={asked}"))
 
 
-SILENT = pytest.mark.xfail(reason="a scene of vectors takes --phi in silence")
-
-
 @pytest.mark.parametrize("argv", [
     (SIX, "--s", "0.1"), (SLIDING, "--phi", "30"),
-    pytest.param((str(SAMPLES / "vectors.yaml"), "--phi", "30"), marks=SILENT)])
+    (str(SAMPLES / "vectors.yaml"), "--phi", "30")])
 def test_a_drive_of_the_other_kind(cli: Run, argv: tuple[str, ...]) -> None:
     assert argv[1] in refused(cli("solve", *argv))
 
