@@ -158,13 +158,19 @@ class Reader:
         arm = None if nothing else self.value(r.arm)
         return {"force": force, "arm": arm, "moment": self.value(r.moment)}
 
-    def plan_segments(self, plan: str) -> dict[str, Segment]:
-        """The measured segments of a plan by their ends ("bc"), each once."""
+    def plan_segments(self, plan: str, names: set[str] | None = None) -> dict[str, Segment]:
+        """The measured segments of a plan by their ends ("bc"), each once, of ``names`` alone if given.
+
+        Where one segment is two vectors (v_C and v_CD of a fixed D), it is named as the point's own.
+        """
+        own = {f"{letter}_{point}" for letter in "va" for point in self.st.points}
         found: dict[str, Segment] = {}
         for s in self.st.segments:
             there = at(s.plan, s.start) in self.drawing and at(s.plan, s.end) in self.drawing
-            if s.plan == plan and s.start != s.end and there:
-                found.setdefault(s.start + s.end, s)
+            if s.plan == plan and s.start != s.end and there and (names is None or s.name in names):
+                key = s.start + s.end
+                if key not in found or (s.name in own and found[key].name not in own):
+                    found[key] = s
         return found
 
     def plans(self, names: set[str] | None = None, errors: dict[str, float] | None = None) -> dict[str, Any]:
@@ -175,8 +181,7 @@ class Reader:
                 continue
             segments = {
                 key: self.segment(s, (errors or {}).get(f"{plan}:{key}"))
-                for key, s in self.plan_segments(plan).items()
-                if names is None or s.name in names
+                for key, s in self.plan_segments(plan, names).items()
             }
             if not segments:
                 continue
