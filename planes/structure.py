@@ -12,7 +12,7 @@ from itertools import combinations
 from typing import Literal
 
 from planes.mechanism import FRAME, Mechanism
-from planes.wording import StructureError, valid_names
+from planes.wording import StructureError
 from planes.words import Phrase
 
 KIND_NAMES = ("RRR", "RRP", "RPR", "PRP", "RPP")
@@ -227,10 +227,3 @@ class _Finder:
 
 def _pair_word(pair: Pair) -> Phrase:
     return Phrase("a_hinge", name=pair.point) if pair.kind == "R" else Phrase("a_slide", name=pair.guide)
-
-
-def link_must_be(name: str, mechanism: Mechanism) -> str:
-    """The name itself when it is a link, else a :class:`StructureError` with the names that are."""
-    if name in (FRAME, *mechanism.links):
-        return name
-    raise StructureError(Phrase("no_link", name=name, valid=valid_names(name, list(mechanism.links))))

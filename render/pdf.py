@@ -16,12 +16,11 @@ from typing import Any
 
 from render.ink import arc_dashes, arrow_parts, by_layer, checked, hatch_strokes, is_circle, length_mm, save
 from render.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
-from render.style import BLACK, PAPER, fitted, pen
+from render.style import BLACK, CAPITALS, PAPER, fitted, pen
 from render.typeset import Laid, layout
 
 POINTS_PER_MM = 72 / 25.4
 FONT = "DejaVuSans"
-CAPITALS = 0.729  # height of capitals over the font size
 _INVISIBLE, _ROUND, _BUTT = 3, 1, 0
 
 Page = tuple[Iterable[Mark], tuple[float, float]]

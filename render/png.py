@@ -10,8 +10,6 @@ from render import pdf
 from render.ink import save
 from render.marks import Mark
 
-INCH_MM = 25.4
-
 
 def write(
     marks: Iterable[Mark],

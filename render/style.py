@@ -52,6 +52,7 @@ LAYERS: tuple[Layer, ...] = (
 )
 """The layers from the lowest to the topmost: a paper-white disc hides only what lies beneath it."""
 
+CAPITALS = 0.729  # of the text behind the strokes (DejaVu Sans): height of capitals over the font size
 LETTERS: tuple[float, ...] = (2.5, 3.5, 5.0, 7.0)
 """Letter heights of ГОСТ 2.304 in mm: small tables, tables and marks, names of points, headings."""
 

@@ -13,11 +13,10 @@ from typing import Any
 
 from render.ink import arc_dashes, arrow_parts, by_layer, checked, hatch_strokes, is_circle, length_mm, save
 from render.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
-from render.style import BLACK, PAPER, fitted, pen
+from render.style import BLACK, CAPITALS, PAPER, fitted, pen
 from render.typeset import layout
 
 FONTS = "DejaVu Sans, Arial, sans-serif"
-CAPITALS = 0.729  # height of capitals over the font size
 
 
 def write(

@@ -115,7 +115,7 @@ def test_all_variants_against_the_independent_solver(path: Path) -> None:
         assert closing_mm(d) <= allowed * 100 and measured_closing_mm(d) <= allowed * 100, where
         total, largest = power(d)
         assert abs(total) <= allowed * largest, where
-        truth = {n.name: n for n in expected(independent(d, scene), "1", True)}
+        truth = {n.name: n for n in expected(independent(d, scene), True)}
         wrong = {k: e for k, e in differences(d, truth).items() if not e <= allowed}
         assert not wrong, (where, wrong)
 

@@ -11,7 +11,6 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from planes.mark_names import tidy
 from planes.wording import PlanesError
 from planes.words import Phrase
 
@@ -167,8 +166,3 @@ def _json_rows(part: Any, key: str) -> Iterable[Mapping[str, Any]]:
         for row in part:
             names = _header(list(row)) if isinstance(row, dict) else None
             yield dict(zip(names, row.values(), strict=True)) if names else {}
-
-
-def spot_named(paper: Paper, name: str) -> Spot | None:
-    """The spot written so, whatever its spelling."""
-    return next((s for s in paper.spots if tidy(s.name) == tidy(name)), None)

@@ -50,7 +50,6 @@ METHOD: dict[str, tuple[str, str]] = {
         "звенья {names} не присоединяются к ведущему звену и уже найденным группам; проверьте их общие точки",
         "links {names} do not attach to the driven part: check their shared points",
     ),
-    "no_link": ("нет звена {name}{valid}", "there is no link {name}{valid}"),
     # assembly
     "order_misfit": (
         "assembly {key}: {order} не подходит к группе {name} (звенья {links}); допустимо: {one}, {two} или {{near: [x, "
