@@ -179,8 +179,10 @@ class Reader:
         for plan in self.st.drawn:
             if plan in ("lever", "motion"):
                 continue
+            sharpness = self.sharpness(plan)
+            bluntest = min([1.0, *sharpness.values()])
             segments = {
-                key: self.segment(s, (errors or {}).get(f"{plan}:{key}"))
+                key: self.segment(s, bluntest, (errors or {}).get(f"{plan}:{key}"))
                 for key, s in self.plan_segments(plan, names).items()
             }
             if not segments:
@@ -188,17 +190,17 @@ class Reader:
             out[plan] = {
                 "mu": mu_text(self.scales[mu_of(plan)], kind_of(plan)),
                 "segments": segments,
-                "sharpness": self.sharpness(plan),
+                "sharpness": sharpness,
             }
         return out
 
-    def segment(self, s: Segment, error_mm: float | None = None) -> dict[str, Any]:
-        """One segment as measured with the instrument."""
+    def segment(self, s: Segment, bluntest: float, error_mm: float | None = None) -> dict[str, Any]:
+        """One segment as measured with the instrument, on a plan whose bluntest crossing has this sharpness."""
         hand, mu = self.drawing.hand, self.scales[mu_of(s.plan)]
         start, end = self.number(at(s.plan, s.start)), self.number(at(s.plan, s.end))
         length = self.finite(hand.read(abs(end - start)), s.name)
         if error_mm is None:
-            error_mm = 8 * hand.ar.eps * (abs(start) + abs(end)) / min([1.0, *self.sharpness(s.plan).values()])
+            error_mm = 8 * hand.ar.eps * (abs(start) + abs(end)) / bluntest
         return {
             "mm": float(length), "value": float(length / mu), "unit": UNIT[kind_of(s.plan)],
             "error_mm": float(error_mm), "name": s.name,

@@ -42,7 +42,8 @@ def remedy(solved: Solved, instrument: Instrument | None = None, lang: Lang = "e
         solved.positions += [between] if between else []
         left += [] if between else [failure]
     solved.failed = left
-    solved.positions.sort(key=lambda p: p.value)
+    order = {value: k for k, value in enumerate(solved.values)}
+    solved.positions.sort(key=lambda p: order[p.value])
 
 
 def rescaled(

@@ -35,10 +35,11 @@ class Position:
 
 @dataclass
 class Solved:
-    """All positions that came out, and those that did not, each with its sentence."""
+    """All positions that came out, and those that did not, each with its sentence; ``values`` as they were asked."""
 
     scene: Scene
     plans: Plans
+    values: list[float] = field(default_factory=list)
     positions: list[Position] = field(default_factory=list)
     failed: list[dict[str, Any]] = field(default_factory=list)
 
@@ -76,9 +77,9 @@ def solve(
 ) -> Solved:
     """Draw and measure every asked position. :class:`SceneError` where the scene itself cannot be meant."""
     plans, wanted = plans_of(scene)
-    solved = Solved(scene, plans)
     drive = plans.mechanism.drive
-    for value in [drive.position] if values is None else values:
+    solved = Solved(scene, plans, [drive.position] if values is None else list(values))
+    for value in solved.values:
         try:
             solved.positions.append(position(scene, plans, wanted, value, instrument, lang))
         except PlanFailure as failure:
