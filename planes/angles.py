@@ -27,7 +27,10 @@ class Span:
         import numpy
 
         first, last, _ = part.indices(self.count)
-        return self.start + numpy.arange(first, last) * self.step
+        values = numpy.arange(first, last, dtype=float)
+        values *= self.step
+        values += self.start
+        return values
 
 
 def read_range(text: str, option: str = "--phi") -> list[float]:

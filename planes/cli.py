@@ -12,6 +12,7 @@ from typing import Any
 
 from planes.angles import read_range, read_span
 from planes.check_options import add_blank_options, add_options
+from planes.cli_cycle import add_options as add_cycle_options
 from planes.home import Parser, help_of, home_lang
 from planes.scene import Scene, load
 from planes.wording import PlanesError
@@ -69,8 +70,7 @@ def _parser() -> argparse.ArgumentParser:
     note.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_note_output"))
     cycle = _command(commands, "cycle", _cycle, help_of("help_cycle"))
     _positions(cycle)
-    cycle.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_cycle_output"))
-    cycle.add_argument("--plain", action="store_true", help=help_of("help_slow"))
+    add_cycle_options(cycle, help_of)
     chart = _command(commands, "chart", _chart, help_of("help_chart"))
     chart.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_chart_output"))
     chart.add_argument("--table", metavar="FILE", help=help_of("help_table"))
@@ -197,12 +197,11 @@ def _note(args: argparse.Namespace) -> int:
 
 
 def _cycle(args: argparse.Namespace) -> int:
-    from planes.cycle.long_run import write_cycle
+    from planes.cli_cycle import run
 
     scene = load(args.scene, args.variant)
     kind, text = _range(args, scene)
-    span = None if text is None else read_span(text, f"--{kind}")
-    return write_cycle(scene, span, args.output, args.lang, False if args.plain else None)
+    return run(args, scene, None if text is None else read_span(text, f"--{kind}"), _json)
 
 
 def _chart(args: argparse.Namespace) -> int:

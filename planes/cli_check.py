@@ -25,12 +25,17 @@ from planes.words import Lang, Phrase, say
 LINES = (".svg", ".dxf")
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
 TABLES = (".csv", ".json", ".txt", ".tsv")
+MOST_SHOWN = 2000  # lines of a drawing shown in its report
 _PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?[\d.]+)\s*[,;]\s*([-+]?[\d.]+)\s*")
 
 
 def run(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
     """Check, print, and give the exit status: 0 right, 1 wrong, 2 unreadable."""
     asked = ask(args, scene, value)
+    if args.trace:
+        return _trace(args, asked)
+    if args.drawing is None:
+        raise PlanesError(Phrase("check_no_drawing"))
     if Path(args.drawing).is_dir():
         return _class(args, asked)
     found = check(asked, read_paper(args.drawing, asked, args))
@@ -43,6 +48,16 @@ def run(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
     else:
         print(told(found, args.lang))
     return STATUS[found.verdict]
+
+
+def _trace(args: argparse.Namespace, asked: Asked) -> int:
+    """The tracing-paper page."""
+    from planes.roof.check import write_trace
+
+    if args.drawing or not args.output or Path(args.output).suffix.lower() not in (".html", ".htm"):
+        raise PlanesError(Phrase("check_trace"))
+    write_trace(asked, args.output, args.lang)
+    return 0
 
 
 def _class(args: argparse.Namespace, asked: Asked) -> int:
@@ -147,6 +162,8 @@ def _from_lines(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
     sketch, by = scaled(sketch, bench, pole, {n: turn(z) for n, z in marks.items()})
     paper = paper_of(sketch, bench)
     paper.scale_mark = by
+    origin = paper.spots[0].place if paper.spots else 0j  # the pole is read first
+    paper.strokes = [(a - origin, b - origin) for a, b in sketch.strokes[:MOST_SHOWN]] if paper.spots else []
     if by:
         paper.notes.append(Phrase("check_scale_vector", mark=by))
     return paper

@@ -10,25 +10,14 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from planes.equations import Equation, Term
+from planes.naming import POLE, at, mu_of, plan_of
 from planes.steps import Aim, Cross, CrossArc, CrossArcs, LayOff, Put, Similar, Step, Through, Turn
 from planes.steps.reckoning import Calculate, Drop, Measure, Product
 from planes.thing_names import called
 from planes.wording import ProgramError
 from planes.words import Phrase, Told
 
-POLE = "p"
-
 _READ_BY_NAME = ("v_", "vq_", "omega", "epsilon")  # values other modules find by their names
-
-
-def at(plan: str, label: str) -> str:
-    """Full name of a mark: the plan it is on and its label there."""
-    return f"{plan}:{label}"
-
-
-def label_of(mark: str) -> str:
-    """The label of a mark without its plan."""
-    return mark.rpartition(":")[2]
 
 
 def _told(name: str) -> Told:
@@ -132,11 +121,11 @@ class Draft:
 
     def measure(self, name: str, start: str, end: str, along: str | None = None) -> str:
         """A segment read off its plan, in SI."""
-        return self.step(Measure(name, start, end, along, mu_of(start.rpartition(":")[0])))
+        return self.step(Measure(name, start, end, along, mu_of(plan_of(start))))
 
     def arm(self, name: str, point: str, along: str, about: str) -> str:
         """The arm of a line of action about a mark, in SI."""
-        return self.step(Drop(name, point, along, about, mu_of(point.rpartition(":")[0])))
+        return self.step(Drop(name, point, along, about, mu_of(plan_of(point))))
 
     def product(self, name: str, coefficient: float = 1.0, **factors: int) -> str:
         """One product of powers of values, e.g. v²/l."""
@@ -211,8 +200,3 @@ class Draft:
         """How a mark was laid off, if it was: from which mark, along which direction, which length."""
         step = self.steps[mark]
         return (step.start, step.along, step.length) if isinstance(step, LayOff) else None
-
-
-def mu_of(plan: str) -> str:
-    """Name of the scale of a plan: every plan has its own (mm per SI unit)."""
-    return f"mu_{plan}"

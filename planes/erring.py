@@ -7,11 +7,13 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from planes.cycle import Cycle
-from planes.cycle.claims import Claims, Spread
+from planes.cycle.claims import Claims
+from planes.cycle.spread import Spread
 from planes.cycle.columns import Column, columns_of
-from planes.drafting import Segment, at, mu_of
+from planes.drafting import Segment
 from planes.instruments import Instrument, Pencil
 from planes.measuring import Quantity, Reader, catalogue
+from planes.naming import at, mu_of
 from planes.plans import Plans
 from planes.solving import Position, Solved, plans_of
 

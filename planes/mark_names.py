@@ -5,9 +5,11 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Iterable
 
+from planes.naming import POLE
+
 _ALIKE = str.maketrans("АВЕКМНОРСТХУЈІаеорсхуі", "ABEKMHOPCTXYJIaeopcxyi")
 _PRIMES = str.maketrans(dict.fromkeys("’‘′ʹ`´", "'"))
-_POLES = {"π": "p", "p'": "p", "π'": "p", "полюс": "p", "pole": "p", "P": "p"}
+_POLES = {"π", "p", "p'", "π'", "полюс", "pole", "P"}
 
 
 def latin(name: str) -> str:
@@ -43,8 +45,8 @@ class Names:
 
     def find(self, written: str) -> str | None:
         """The program's name, or None where there is none or two would do."""
-        if self.poles and tidy(written) in (*_POLES, "p"):
-            return "p"
+        if self.poles and tidy(written) in _POLES:
+            return POLE
         for table, key in zip(self._keys, self._forms(written), strict=True):
             found = table.get(key, [])
             if len(found) == 1:

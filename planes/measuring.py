@@ -7,9 +7,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from planes.drafting import Segment, at, label_of, mu_of
+from planes.drafting import Segment
 from planes.drawing import Drawing
 from planes.mechanism import FRAME
+from planes.naming import POLE, at, label_of, mu_of, plan_of
 from planes.plans import Plans
 from planes.plans.loads import force_name
 from planes.scales import kind_of
@@ -39,7 +40,7 @@ def catalogue(st: Plans) -> dict[str, Quantity]:
 
     for point, marks in st.points.items():
         for letter, mark in (("r", marks.position), ("v", marks.velocity), ("a", marks.acceleration)):
-            add(f"{letter}_{point}", ("points", point, letter), at(mark.rpartition(":")[0], "p"), mark)
+            add(f"{letter}_{point}", ("points", point, letter), at(plan_of(mark), POLE), mark)
     for link, values in st.links.items():
         if link != FRAME:
             for key, name in (("angle_deg", values.angle), ("omega", values.omega), ("epsilon", values.epsilon)):
@@ -92,7 +93,7 @@ class Reader:
 
     def vector(self, start: str, end: str) -> list[float]:
         """A segment as [x, y] in SI."""
-        mu = self.scales[mu_of(start.rpartition(":")[0])]
+        mu = self.scales[mu_of(plan_of(start))]
         way = (self.number(end) - self.number(start)) / mu
         return [self.finite(way.real, end), self.finite(way.imag, end)]
 
@@ -132,7 +133,7 @@ class Reader:
             case ("points", name, letter):
                 marks = st.points[name]
                 mark = {"r": marks.position, "v": marks.velocity, "a": marks.acceleration}[letter]
-                return self.vector(at(mark.rpartition(":")[0], "p"), mark)
+                return self.vector(at(plan_of(mark), POLE), mark)
             case ("links", name, key):
                 values = st.links[name]
                 return self.value({"angle_deg": values.angle, "omega": values.omega, "epsilon": values.epsilon}[key])
@@ -210,7 +211,7 @@ class Reader:
         """Sine of the angle at which the lines of each crossed mark meet."""
         found = {}
         for name, sharpness in self.drawing.sharpness.items():
-            if name.rpartition(":")[0] == plan and name not in self.drawing.program.trials:
+            if plan_of(name) == plan and name not in self.drawing.program.trials:
                 one = sharpness[self.pick] if _many(sharpness) and self.pick is not None else sharpness
                 found[label_of(name)] = float(one)
         return found

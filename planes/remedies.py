@@ -7,9 +7,9 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from planes.drafting import mu_of
 from planes.instruments import Instrument
 from planes.measuring import BLUNT, Quantity, Reader, say_plan
+from planes.naming import mu_of
 from planes.nearest import works
 from planes.plans import Plans
 from planes.scales import FIT_MM, extent, kind_of

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any
 
-from planes.drafting import POLE, label_of, mu_of
 from planes.drawing import Drawing, run
 from planes.instruments import Exact
+from planes.naming import POLE, label_of, mu_of, plan_of
 from planes.plans import Plans
 from planes.program import Program
 from planes.units import standard_mu, standard_scale
@@ -33,7 +33,10 @@ def scales(
     plans: Plans, said: Mapping[str, float | None], given: Mapping[str, object] | None = None,
     fit_mm: Mapping[str, float] = FIT_MM,
 ) -> dict[str, float]:  # fmt: skip
-    """μ of every plan of one position (names to mm per SI unit). Raises what drawing that position raises."""
+    """μ of every plan of one position (names to mm per SI unit). Raises what drawing that position raises.
+
+    ``fit_mm`` says how large each plan, or each kind of plans, may be.
+    """
     fixed = {p: said.get(kind_of(p)) for p in plans.drawn if p != "lever"}
     chosen = {mu_of(p): mu for p, mu in fixed.items() if mu}
     if len(chosen) < len(fixed):
@@ -41,7 +44,7 @@ def scales(
         drawing, failed = reached(plans.program, now)
         for plan in fixed:
             if mu_of(plan) not in chosen:
-                size, fit = extent(drawing, plan), fit_mm[kind_of(plan)]
+                size, fit = extent(drawing, plan), fit_mm.get(plan) or fit_mm[kind_of(plan)]
                 standard = standard_scale if plan == "position" else standard_mu
                 chosen[mu_of(plan)] = standard(size, fit)
         if failed:  # tell it in millimetres of the paper
@@ -68,7 +71,7 @@ def reached(program: Program, given: Mapping[str, Any]) -> tuple[Drawing, PlanFa
 def extent(drawing: Drawing, plan: str) -> float:
     """The larger side of the box around a plan's marks, in SI when drawn at unit scale."""
     made = [s.makes for s in drawing.program.steps if s.kind == "mark" and s.makes not in drawing.program.trials]
-    own = [m for m in made if m.rpartition(":")[0] == plan and "°" not in m and label_of(m) != POLE]
+    own = [m for m in made if plan_of(m) == plan and "°" not in m and label_of(m) != POLE]
     marks = [drawing[m] for m in own]
     if plan != "position":
         marks.append(0j)

@@ -6,10 +6,10 @@ import re
 from dataclasses import dataclass
 from itertools import pairwise
 
+from planes.naming import POLE
 from planes.wording import EquationError
 from planes.words import Phrase
 
-POLE = "p"
 _RATE = re.compile(r"([va])_([^\W\d_]\d*)([^\W\d_]\d*)?(?:\^([ntkr]))?")
 
 

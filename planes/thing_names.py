@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 
+from planes.naming import label_of
 from planes.words import Phrase, Told
 
 _HELPER = re.compile(r"(?P<point>[^°⊥∥]*)(?P<sign>[°⊥∥])(?P<guide>[^°⊥∥]+)")
@@ -15,7 +16,7 @@ _HELPER = re.compile(r"(?P<point>[^°⊥∥]*)(?P<sign>[°⊥∥])(?P<guide>[^°
 
 def called(name: str) -> Told:
     """A mark, direction or value as a sentence names it; ``name`` may carry its plan."""
-    label = name.rpartition(":")[2].rstrip("′").replace("⊥∥", "⊥")
+    label = label_of(name).rstrip("′").replace("⊥∥", "⊥")
     found = _HELPER.fullmatch(label)
     if found is None:
         return label.strip("|‖∠→") or label
@@ -29,7 +30,7 @@ def called(name: str) -> Told:
 
 def called_line(along: str, start: str) -> Phrase:
     """A line through a mark: the guide itself where it is one."""
-    mark, (_, parallel, guide) = start.rpartition(":")[2], along.rstrip("′").partition("∥")
+    mark, (_, parallel, guide) = label_of(start), along.rstrip("′").partition("∥")
     point, sign, other = next((mark.partition(s) for s in "°⊥" if s in mark), ("", "", ""))
     if parallel and sign and other.rstrip("′") == guide:
         if sign == "°" and point:

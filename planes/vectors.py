@@ -9,9 +9,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from planes.drafting import POLE, Draft, at, label_of, mu_of
+from planes.drafting import Draft
 from planes.drawing import Drawing, run
 from planes.equations import Equation, Term, unknown
+from planes.naming import POLE, at, label_of, mu_of
 from planes.program import Program
 from planes.scene import Scene, VectorGiven
 from planes.statement import Sides, ends, read_equation
@@ -174,7 +175,7 @@ class VectorResults:
             for n, v in self.vectors().items()
         }
         segments = {n: {"mm": abs(v) * self.mu, "value": abs(v), "name": n} for n, v in self.vectors().items()}
-        sharpness = {k.rpartition(":")[2]: float(v) for k, v in self.drawing.sharpness.items()}
+        sharpness = {label_of(k): float(v) for k, v in self.drawing.sharpness.items()}
         plan = {"mu": mu_text(self.mu, quantity), "segments": segments, "sharpness": sharpness}
         return {"planes": 1, "scene": self.scene.file, "vectors": found, "plans": {PLAN: plan}, "warnings": []}
 

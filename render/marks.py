@@ -7,8 +7,10 @@ never scaled by a plan's μ. Back-ends know these six records and nothing else.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Literal
+
+from render.faces import Face, current
 
 Layer = Literal[
     "frame", "scheme", "axis", "plan", "construction", "result", "force", "text", "hatch", "dimension", "table"
@@ -18,12 +20,16 @@ Anchor = Literal["start", "middle", "end"]
 
 @dataclass(frozen=True)
 class Line:
-    """A polyline through ``points`` (two or more), open or closed, in the line type of its ``style``."""
+    """A polyline through ``points`` (two or more), open or closed, in the line type of its ``style``.
+
+    ``name`` says what a line is for where that cannot be seen ("leader").
+    """
 
     points: tuple[complex, ...]
     style: str = "thick"
     layer: Layer = "scheme"
     closed: bool = False
+    name: str = ""
 
 
 @dataclass(frozen=True)
@@ -66,7 +72,8 @@ class Shape:
 class Text:
     """One line of text at its base line; ``text`` may hold _{…} and ^{…} for lower and upper indices.
 
-    ``height`` is the height of capitals in mm; ``turn_deg`` turns it about ``place``.
+    ``height`` is the height of capitals in mm; ``turn_deg`` turns it about ``place``; ``face`` is what it is
+    lettered in.
     """
 
     text: str
@@ -76,6 +83,7 @@ class Text:
     turn_deg: float = 0.0
     layer: Layer = "text"
     name: str = ""
+    face: Face = field(default_factory=current)
 
 
 @dataclass(frozen=True)

@@ -9,19 +9,18 @@ import cmath
 import io
 import math
 from collections.abc import Iterable, Sequence
-from functools import lru_cache
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 from render.ink import arc_dashes, arrow_parts, by_layer, checked, hatch_strokes, is_circle, length_mm, save
 from render.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
+from render.outlines import dejavu
 from render.style import BLACK, CAPITALS, PAPER, fitted, pen
 from render.typeset import Laid, layout
 
 POINTS_PER_MM = 72 / 25.4
 FONT = "DejaVuSans"
-_INVISIBLE, _ROUND, _BUTT = 3, 1, 0
+_INVISIBLE, _ROUND, _BUTT, _NON_ZERO = 3, 1, 0, 1
 
 Page = tuple[Iterable[Mark], tuple[float, float]]
 
@@ -74,22 +73,13 @@ def draw_marks(canvas: Any, marks: Iterable[Mark]) -> None:
     _Page(canvas).draw(marks)
 
 
-@lru_cache(maxsize=1)
-def font_path() -> Path:
-    """The file of the font for invisible text; it comes with matplotlib."""
-    spec = find_spec("matplotlib")
-    if spec is None or spec.origin is None:
-        raise FileNotFoundError("the font DejaVuSans.ttf is looked for in matplotlib; install matplotlib")
-    return Path(spec.origin).parent / "mpl-data" / "fonts" / "ttf" / "DejaVuSans.ttf"
-
-
 def _font() -> str:
     """The name of the embedded font, registered on first use."""
     from reportlab.pdfbase import pdfmetrics
     from reportlab.pdfbase.ttfonts import TTFont
 
     if FONT not in pdfmetrics.getRegisteredFontNames():
-        pdfmetrics.registerFont(TTFont(FONT, str(font_path())))
+        pdfmetrics.registerFont(TTFont(FONT, str(dejavu())))
     return FONT
 
 
@@ -167,7 +157,8 @@ class _Page:
         laid = layout(text)
         for width, lines in laid.by_pen():
             self._set(width, BLACK)
-            self.canvas.drawPath(self._path(lines), stroke=1, fill=0)
+            self.canvas.setFillColor(BLACK)
+            self.canvas.drawPath(self._path(lines), stroke=not laid.filled, fill=laid.filled, fillMode=_NON_ZERO)
         if laid.plain:
             self._words(laid.plain, laid, text.height)
 

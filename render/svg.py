@@ -122,7 +122,8 @@ class _Sheet:
             return []
         group = self.svg.g(**({"data-name": text.name} if text.name else {}))
         for width, lines in laid.by_pen():
-            group.add(self.svg.path(d=self._path(lines), stroke=BLACK, stroke_width=number(width)))
+            looks = {"fill": BLACK} if laid.filled else {"stroke": BLACK, "stroke_width": number(width)}
+            group.add(self.svg.path(d=self._path(lines), **looks))
         turn = f" rotate({number(-laid.turn_deg)})" if laid.turn_deg else ""
         real = self.svg.text(
             "",

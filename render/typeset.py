@@ -9,10 +9,12 @@ from __future__ import annotations
 import cmath
 import math
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 
-from render import lettering
+from render import lettering, outlines
+from render.faces import Face, current
 from render.marks import Text
 from render.style import INDEX_DROP, INDEX_GAP, INDEX_RISE, INDEX_SIZE, LETTER_GAP, LETTER_PEN, WORD_GAP
 
@@ -36,7 +38,8 @@ class Laid:
     """A laid-out text: ``strokes`` and ``box`` (the ink's four corners, counter-clockwise) in sheet mm.
 
     ``pens`` holds the width of every stroke and ``width`` is the length of the ink, in mm; ``origin`` is the
-    left end of the base line on the sheet and ``turn_deg`` its direction.
+    left end of the base line on the sheet and ``turn_deg`` its direction.  In an installed font the strokes are
+    closed outlines with pens of no width, to be ``filled`` together by the non-zero rule.
     """
 
     strokes: tuple[Polyline, ...]
@@ -46,6 +49,7 @@ class Laid:
     runs: tuple[Run, ...]
     origin: complex
     turn_deg: float
+    filled: bool = False
 
     @property
     def plain(self) -> str:
@@ -69,7 +73,7 @@ class _Part:
 
 def layout(text: Text) -> Laid:
     """Strokes, box and runs of a text mark after its anchor and its turn."""
-    runs, inked, (x0, y0, x1, y1) = _set(text.text, text.height)
+    runs, inked, (x0, y0, x1, y1) = _set(text.text, text.height, text.face)
     shift = {"start": -x0, "middle": -(x0 + x1) / 2, "end": -x1}[text.anchor]
     turn = cmath.rect(1, math.radians(text.turn_deg)) if text.turn_deg else 1 + 0j
     origin = text.place + shift * turn
@@ -82,12 +86,13 @@ def layout(text: Text) -> Laid:
         runs=runs,
         origin=origin,
         turn_deg=text.turn_deg,
+        filled=bool(text.face.font),
     )
 
 
 def extent(text: str, height_mm: float) -> tuple[float, float, float, float]:
     """Bounds (x0, y0, x1, y1) in mm of the ink of a marked-up text from the left end of its base line."""
-    return _set(text, height_mm)[2]
+    return _set(text, height_mm, current())[2]
 
 
 def plain(text: str) -> str:
@@ -121,47 +126,61 @@ def _parts(text: str) -> list[_Part]:
     return found
 
 
-def _blanks(text: str) -> tuple[float, float]:
+def _blanks(text: str, face: Face) -> tuple[float, float]:
     """Width over height of the blanks before and after the ink, which lettering leaves out."""
     before = len(text) - len(text.lstrip())
     after = len(text) - len(text.rstrip()) if text.strip() else 0
-    return before * WORD_GAP, after * WORD_GAP
+    blank = outlines.blank(face.font) if face.font else WORD_GAP
+    return before * blank, after * blank
+
+
+def _width(text: str, height: float, face: Face) -> float:
+    """Width in mm of the ink of a run, were it upright."""
+    return outlines.width(text, height, face.font) if face.font else lettering.width(text, height)
+
+
+def _strokes(run: Run, face: Face) -> Iterator[tuple[float, Polyline]]:
+    """Pens and strokes of a run where it stands; a slanted one leans about the base line of the whole text."""
+    if not face.font:
+        for line in lettering.strokes(run.text, run.height, face.slanted):
+            yield LETTER_PEN * run.height, tuple([run.at + z for z in line])
+        return
+    shear = lettering.SLANT if face.slanted else 0.0
+    for line in outlines.contours(run.text, run.height, face.font):
+        yield 0.0, tuple([run.at + complex(z.real + shear * z.imag, z.imag) for z in line])
 
 
 _Inked = tuple[tuple[float, Polyline], ...]
 
 
 @lru_cache(maxsize=4096)
-def _set(text: str, height: float) -> tuple[tuple[Run, ...], _Inked, tuple[float, float, float, float]]:
+def _set(text: str, height: float, face: Face) -> tuple[tuple[Run, ...], _Inked, tuple[float, float, float, float]]:
     """Runs, pens with their strokes and bounds of the ink, from the left end of the base line, unturned."""
     if not 0 < height < math.inf:
         raise ValueError(f"the text {text!r} needs a letter height above 0 mm, not {height}")
     runs: list[Run] = []
     x, gap = 0.0, 0.0
     for part in _parts(text):
-        before, after = (height * blank for blank in _blanks(part.base))
+        before, after = (height * blank for blank in _blanks(part.base, face))
         x += before or gap
         if part.base.strip():
-            runs.append(Run(part.base, complex(x, 0), height, lettering.width(part.base, height)))
+            runs.append(Run(part.base, complex(x, 0), height, _width(part.base, height, face)))
             x += runs[-1].width
         gap = after or LETTER_GAP * height
         if part.lower or part.upper:
-            x = _indices(part, x + (after or (INDEX_GAP * height if runs else 0.0)), height, runs)
+            x = _indices(part, x + (after or (INDEX_GAP * height if runs else 0.0)), height, face, runs)
             gap = LETTER_GAP * height
-    inked = tuple(
-        (LETTER_PEN * run.height, tuple([run.at + z for z in line]))
-        for run in runs
-        for line in lettering.strokes(run.text, run.height)
-    )
+    inked = tuple(stroke for run in runs for stroke in _strokes(run, face))
     return tuple(runs), inked, _bounds(inked)
 
 
-def _indices(part: _Part, x: float, height: float, runs: list[Run]) -> float:
-    """Set the indices of a base at x; the x where the wider of them ends."""
+def _indices(part: _Part, x: float, height: float, face: Face, runs: list[Run]) -> float:
+    """Set the indices of a base at x; the x where the wider of them ends. They lean with a slanted base."""
     size, ends = INDEX_SIZE * height, [x]
     for index, level in ((part.lower, -INDEX_DROP), (part.upper, INDEX_RISE)):
         if index.strip():
-            runs.append(Run(index, complex(x, level * height), size, lettering.width(index, size)))
+            lean = lettering.SLANT * level * height if face.slanted else 0.0
+            runs.append(Run(index, complex(x + lean, level * height), size, _width(index, size, face)))
             ends.append(x + runs[-1].width)
     return max(ends)
 

@@ -78,6 +78,18 @@ WORDS: dict[str, tuple[str, str]] = {
         "лист: вид «{view}» ({width} × {height} мм) не помещается даже на А1; уменьшите μ этого вида",
         "sheet: the view “{view}” ({width} × {height} mm) does not fit even on A1; lower the μ of this view",
     ),
+    "left_out_larger": (
+        "лист {format}: не поместились и опущены {views}; поместятся на формате {larger}",
+        "sheet {format}: {views} found no room and were left out; {larger} would hold them",
+    ),
+    "left_out_sheet": (
+        "лист {format}: не поместились и опущены {views}; они есть на листе 2 проекта (--sheet 2)",
+        "sheet {format}: {views} found no room and were left out; sheet 2 of the project has them (--sheet 2)",
+    ),
+    "left_out": (
+        "лист {format}: не поместились и опущены {views}; поместятся при меньшем μ",
+        "sheet {format}: {views} found no room and were left out; a smaller μ would make room",
+    ),
     "bad_suffix": (
         "{file}: файл листа должен оканчиваться на {known}",
         "{file}: the file of a sheet must end in {known}",

@@ -103,10 +103,10 @@ def test_what_may_be_left_out():
 
 def test_words_and_sheet():
     scene = loads(changed("frame:\n", "frame:\n  number: 6\n", SIX_LINK) + "note: {en: Hello}\n"
-                  "sheet: {group: 01-21, number: 007, font: 3.5, positions: [0, 30], "
+                  "sheet: {group: 01-21, number: 007, font: ISOCPEUR, positions: [0, 30], "
                   "reactions: from-on, views: {plan: 1e1}}\n")
     assert scene.frame_number == "6" and scene.note == {"ru": "Hello", "en": "Hello"}
-    assert scene.sheet == {"group": "01-21", "number": "007", "font": 3.5, "positions": [0.0, 30.0],
+    assert scene.sheet == {"group": "01-21", "number": "007", "font": "ISOCPEUR", "positions": [0.0, 30.0],
                            "reactions": "from-on", "views": {"plan": 10.0}}
     titled = changed("title: Шестизвенный рычажный механизм", "title: {ru: а, en: b}")
     assert loads(titled).title == {"ru": "а", "en": "b"}

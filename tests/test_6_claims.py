@@ -11,8 +11,9 @@ import pytest
 from mechanisms import KINDS, make, to_yaml
 
 from planes.cycle import Cycle
-from planes.cycle.claims import Claims, pencil_spread
+from planes.cycle.claims import Claims
 from planes.cycle.digits import Digits
+from planes.cycle.spread import pencil_spread
 from planes.cycle.stability import approach
 from planes.drawing import run
 from planes.instruments import Pencil

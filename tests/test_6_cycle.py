@@ -48,20 +48,33 @@ needs_compiler = pytest.mark.skipif(not fused.available(), reason="the extra pla
 @needs_compiler
 @pytest.mark.parametrize("name", NAMES)
 def test_compiled_loop_and_arrays_agree(name: str) -> None:
+    """To 1e-12 of each quantity's own largest value over the sharpness (measured: 1.6e-13), and within the claims."""
     p = plans(name)
     c = Cycle(p)
     (slow, why), (fast, same_why) = whole(c, span(p), fast=False), whole(c, span(p), fast=True)
     assert (why == same_why).all() and (np.isnan(slow) == np.isnan(fast)).all()
-    claimed = Claims(c).bounds(span(p)[:])
-    good = (why == 0) & np.isfinite(claimed).all(axis=0)
+    good = why == 0
     assert good.sum() > 100
-    with np.errstate(invalid="ignore"):
-        apart = np.abs(slow - fast)[:, good] <= 2 * claimed[:, good]
-    assert (apart | np.isnan(slow[:, good])).all()
-    own, units = np.nanmax(np.abs(slow), axis=1), [x.unit for x in c.columns]
-    size = np.array([[max(o for o, u in zip(own, units, strict=True) if u == unit) + 1e-2] for unit in units])
-    smooth = good & (np.nanmax(claimed / size, axis=0) < 1e-12)
-    assert np.nanmax(np.abs(slow - fast)[:, smooth] / size) < 1e-12
+    apart, size = np.nan_to_num(np.abs(slow - fast)[:, good]), own_sizes(c, slow[:, good])
+    assert (apart <= 1e-12 * size / sharpness(c, span(p)[:][good])).all()
+    claimed = Claims(c).bounds(span(p)[:][good])
+    sure = np.isfinite(claimed).all(axis=0)
+    assert sure.sum() > 100 and (apart[:, sure] <= 2 * claimed[:, sure]).all()
+
+
+def own_sizes(c: Cycle, table: Any) -> Any:
+    """The largest value of each quantity itself over the cycle, of a vector the larger of its parts."""
+    names, largest = [x.name.removesuffix("_x").removesuffix("_y") for x in c.columns], {}
+    for name, row in zip(names, np.nan_to_num(np.abs(table)), strict=True):
+        largest[name] = max(row.max(), largest.get(name, 0.0))
+    return np.array([[largest[name]] for name in names])
+
+
+def sharpness(c: Cycle, values: Any) -> Any:
+    """The sine of the bluntest crossing at each position: a sine or quotient rounded otherwise in its last place, as
+    numpy and the loop do, is seen so much enlarged behind that crossing."""
+    drawn = run(c.program, {**c.given, c.plans.drive_given: values})
+    return np.min([np.broadcast_to(s, values.shape) for s in drawn.sharpness.values()], axis=0)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -166,7 +179,33 @@ def test_what_cannot_be_written_leaves_nothing(asked: Path, capsys: pytest.Captu
 def test_parquet_says_what_it_needs(asked: Path, monkeypatch: pytest.MonkeyPatch, capsys: Any) -> None:
     monkeypatch.setitem(sys.modules, "pyarrow", None)
     assert main(["cycle", str(asked), "-o", str(asked.with_name("o.parquet")), "--lang", "en"]) == 2
-    assert "pip install pyarrow" in capsys.readouterr().err
+    assert "pip install planes[parquet]" in capsys.readouterr().err
+
+
+def test_parquet_tables_hold_numbers_units_and_reasons(asked: Path) -> None:
+    why = "pyarrow is large and not among the extra [test]: pip install planes[parquet]"
+    parquet = pytest.importorskip("pyarrow.parquet", reason=why)
+    out = asked.with_name("o.parquet")
+    assert main(["cycle", str(asked), "--phi", "120:480:0.005", "-o", str(out)]) == 0
+    file, span = parquet.ParquetFile(out), Span(120.0, 0.005, 72_001)
+    assert file.num_row_groups == 2  # as it is streamed
+    found, c = file.read(), Cycle(plans("six-link"), ["v_C", "M_1"])
+    assert found.column_names == ["phi", "v_C_x", "v_C_y", "M_1", "failed"]
+    assert [found.schema.field(n).metadata[b"unit"].decode() for n in found.column_names[:4]] == [
+        "°", "m/s", "m/s", "N·m"]  # fmt: skip
+    table, codes = whole(c, span)
+    expected = np.vstack([span[:], table])
+    assert np.array_equal([found[n].to_numpy() for n in found.column_names[:4]], expected, equal_nan=True)
+    told = ["", *(f"{r.key}: {r.makes}" for r in c.reasons)]
+    assert found["failed"].to_pylist() == [told[k] for k in codes]
+
+
+@pytest.mark.parametrize("phi", ["350:10:-5", "10:350:5"])
+def test_tables_keep_the_order_asked(asked: Path, phi: str) -> None:
+    out = asked.with_name("o.npz")
+    assert main(["cycle", str(asked), "--phi", phi, "-o", str(out)]) == 0
+    with np.load(out) as found:
+        assert list(found["phi"]) == list(read_span(phi)[:])
 
 
 def test_explain_lists_steps_kept_and_dropped(asked: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -39,7 +39,7 @@ def test_a_change_point_is_carried_on_from_the_side_the_driver_comes() -> None:
     solved = solve(loads(PARALLELOGRAM), [180.0, 90.0])
     assert len(solved.failed) == 1
     remedy(solved)
-    (_, p) = solved.positions
+    p, _ = solved.positions
     assert not solved.failed and p.results["interpolated"] == [170.0, 175.0]
     assert p.results["links"]["3"]["omega"] == pytest.approx(10)
     assert p.results["links"]["1"]["angle_deg"] == pytest.approx(180)

@@ -25,8 +25,8 @@ from sample_oracle import (
 )
 from sample_oracle import scales as sizes
 
-from planes.drafting import at
 from planes.measuring import say_plan
+from planes.naming import at
 from planes.scene import Scene, load
 from planes.solving import Position, Solved, solve
 from planes.vectors import solve_vectors

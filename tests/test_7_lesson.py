@@ -11,13 +11,13 @@ from pathlib import Path
 import pytest
 
 from planes import cli
-from planes.drafting import at
 from planes.drawing import run
 from planes.lesson import LANGS, Teller, needed, value_of
 from planes.lesson.data import lesson_data
 from planes.lesson.formulas import fill
 from planes.lesson.note import Figure, Heading, Note, Prose, Table
 from planes.measuring import Reader, catalogue
+from planes.naming import at
 from planes.plans import state
 from planes.roof.lesson import Lesson, figures, placed, set_note
 from planes.scales import scales

@@ -18,10 +18,10 @@ LONGEST_BODY = 25  # lines, of nine functions in ten
 STOREYS = (  # a module imports only from the storeys above its own in this list
     "arithmetic check.fiducials check.strokes check_options crank_slider crank_slider.indicator "
     "crank_slider.materials crank_slider.sections crank_slider.words_balance crank_slider.words_forces "
-    "crank_slider.words_report crank_slider.words_rod crank_slider.words_strength cycle.tape degrees mark_names "
-    "mechanism words.crank_slider words.cycle words.links words.method words.mistakes words.note words.scene "
-    "words.text words.why",
-    "cycle.fused_text cycle.reading cycle.symbols plane tools words.check words.lesson",
+    "crank_slider.words_report crank_slider.words_rod crank_slider.words_strength cycle.tape degrees diagrams "
+    "mechanism naming words.crank_slider words.cycle words.links words.method words.mistakes words.note "
+    "words.scene words.text words.why",
+    "cycle.fused_text cycle.reading cycle.symbols mark_names plane tools words.check words.lesson",
     "steps.base words",
     "home scene.yaml_faults steps.crossings steps.reckoning thing_names wording",
     "angles check.paper check.picture check.read_dxf check.read_svg equations instruments program "
@@ -37,15 +37,16 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "plans.lever plans.primary",
     "plans.statics",
     "plans",
-    "check.polygons check.slips check.ways cycle.contrast lesson.scheme scales",
+    "check.polygons check.slips check.ways cycle.contrast diagrams.curves lesson.scheme plans.driven scales",
     "check.mistakes check.mistakes_force check.mistakes_position crank_slider.engine lesson.steps measuring "
     "nearest",
     "check.bench crank_slider.kinematics cycle.columns lesson lesson.figures solving",
     "check check.chains crank_slider.forces crank_slider.pages cycle cycle.explaining lesson.note lesson.practice "
     "lesson.zones remedies roof tables",
-    "check.matching check.verdict crank_slider.balance crank_slider.misprints cycle.claims cycle.methods "
-    "cycle.streams lesson.data",
-    "check.photograph check.verdict_rows crank_slider.shaft cycle.long_run cycle.stability erring roof.lesson",
+    "check.matching check.regrading check.verdict crank_slider.balance crank_slider.misprints cycle.claims "
+    "cycle.methods cycle.streams diagrams.turn lesson.data",
+    "check.photograph check.verdict_rows crank_slider.shaft cycle.long_run cycle.stability diagrams.extremes "
+    "erring roof.lesson",
     "cli_solve crank_slider.fatigue roof.charts roof.check",
     "cli_check crank_slider.rod",
     "crank_slider.calculation",
@@ -62,7 +63,7 @@ ROOFS = {"planes.cli", "planes.roof", "planes.roof.charts", "planes.roof.check",
 READ_BY_RENDER = {  # what drawings are made of, and words: nothing that states or solves mechanics
     f"planes.{name}" for name in (
         "plans.bodies", "crank_slider.pages", "drafting", "drawing", "equations", "lesson", "measuring", "mechanism",
-        "lesson.note", "plans", "steps.reckoning", "scales", "scene", "solving", "steps", "structure", "units",
+        "lesson.note", "naming", "plans", "steps.reckoning", "scales", "scene", "solving", "steps", "structure", "units",
         "vectors", "wording", "words")
 }  # fmt: skip
 

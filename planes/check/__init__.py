@@ -11,9 +11,9 @@ from planes.check.handwork import Hand, Miss, Taken
 from planes.check.judging import WARN, Judgement, judge, verdicts
 from planes.check.paper import Paper, Spot
 from planes.check.polygons import Rebuilt, rebuild
-from planes.drafting import POLE, at, label_of, mu_of
 from planes.drawing import Drawing, run
 from planes.mark_names import Names
+from planes.naming import POLE, at, label_of, mu_of, plan_of
 from planes.plans import Plans
 from planes.scales import extent, kind_of
 from planes.steps import Cross, CrossArc, CrossArcs, LayOff, Same
@@ -35,6 +35,7 @@ class Grading:
     mu: float
     judgement: Judgement
     free: Mapping[str, Miss]
+    loose: Hand  # the plan without the person's own marks
     said_mu: bool = True
     rebuilt: Rebuilt | None = None
     notes: list[Phrase] = field(default_factory=list)
@@ -139,7 +140,7 @@ def _rescaled(found: Grading) -> bool:
     """Whether another scale may be behind the wrong marks: of a force plan all forces would be wrong, not one."""
     if not found.judgement.wrong:
         return False
-    if found.rebuilt is None and kind_of(found.marks[0].rpartition(":")[0]) != "force":
+    if found.rebuilt is None and kind_of(plan_of(found.marks[0])) != "force":
         return True
     steps = {s.makes: s for s in found.hand.program.steps}
     laid = [m for m in found.judgement.misses if isinstance(steps[m], LayOff)]
@@ -191,7 +192,7 @@ def _grade_at(bench: Bench, mu: float, share: float, taken: Mapping[str, Taken],
     judgement = judge(hand, bench.marks, variants_of(bench, hand, mu), size, absent)
     wrong, at_home = judgement.wrong, {m for m, miss in apart.items() if miss.sigmas <= judgement.limit}
     judgement.wrong = wrong[:1] + [m for m in wrong[1:] if m not in at_home]  # off a wrong mark, but where it should be
-    return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart)
+    return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart, free)
 
 
 def _apart(free: Hand, mark: str, own: Taken) -> Miss:
@@ -201,11 +202,21 @@ def _apart(free: Hand, mark: str, own: Taken) -> Miss:
     return Miss(miss.off, (xx + own.error_mm**2, xy, yy + own.error_mm**2))
 
 
-def readable(grading: Grading) -> Phrase | None:
-    """None when enough was read to judge, else a sentence that says what is missing."""
+def empty(bench: Bench) -> Grading:
+    """The grading of a drawing of which no mark is read yet, at the stated scale."""
+    return _grade_at(bench, bench.said_mu, 0.0, _earlier(bench), set())
+
+
+def key_marks(grading: Grading) -> list[str]:
+    """The marks a plan cannot be judged without: its crossings, or all that are drawn."""
     steps = {s.makes: s for s in grading.plans.program.steps}
     key = [m for m in grading.marks if isinstance(steps[m], Cross | CrossArc | CrossArcs)]
-    key = key or [m for m in grading.marks if not isinstance(steps[m], Same)]
+    return key or [m for m in grading.marks if not isinstance(steps[m], Same)]
+
+
+def readable(grading: Grading) -> Phrase | None:
+    """None when enough was read to judge, else a sentence that says what is missing."""
+    key = key_marks(grading)
     found = [m for m in key if m in grading.judgement.misses]
     if len(found) < READABLE * len(key):
         missing = ", ".join(label_of(m) for m in key if m not in found)

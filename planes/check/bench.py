@@ -13,7 +13,7 @@ from planes.check.mistakes_position import position_variants
 from planes.check.nudging import HAND, Skill
 from planes.check.paper import Paper
 from planes.check.ways import Ways
-from planes.drafting import POLE, label_of, mu_of
+from planes.naming import POLE, label_of, mu_of, plan_of
 from planes.plans import Plans, state
 from planes.program import Program
 from planes.scales import kind_of, scales
@@ -55,7 +55,7 @@ def prepare(asked: Asked) -> Bench:
     if asked.scene.mechanism is None:
         raise PlanesError(Phrase("check_vectors", file=asked.scene.file))
     plans = state(asked.scene.mechanism, asked.scene.file)
-    known = [p for p in plans.drawn if p not in ("lever", "motion")]
+    known = known_plans(plans)
     if asked.plan not in known:
         raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=valid_names(asked.plan, known)))
     moved = {} if asked.value is None else {plans.drive_given: asked.value}
@@ -68,9 +68,14 @@ def prepare(asked: Asked) -> Bench:
     return Bench(asked, plans, given, program, marks, given[mu_of(asked.plan)])
 
 
+def known_plans(plans: Plans) -> list[str]:
+    """The plans a person draws."""
+    return [p for p in plans.drawn if p not in ("lever", "motion")]
+
+
 def marks_of(plans: Plans, plan: str) -> list[str]:
     """The marks of a plan that a person draws, in order of drawing."""
-    own = [s.makes for s in plans.program.steps if s.kind == "mark" and s.makes.rpartition(":")[0] == plan]
+    own = [s.makes for s in plans.program.steps if s.kind == "mark" and plan_of(s.makes) == plan]
     labels = [label_of(m) for m in own]
     return [m for m, label in zip(own, labels, strict=True)
             if label != POLE and not set(label) & set("°⊥~") and label[-1] not in "+-"]  # fmt: skip

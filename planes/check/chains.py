@@ -9,9 +9,9 @@ from planes.check.bench import Bench
 from planes.check.paper import Paper, Spot
 from planes.check.polygons import sides_of
 from planes.check.strokes import Nodes, Sketch, Words
-from planes.drafting import POLE, at
 from planes.drawing import run
 from planes.mark_names import Names
+from planes.naming import POLE, at
 
 NEAR_MM = 9.0
 NO_WORD, FAR_WORD, UNLIKE, TOO_FAR = 5.0, 9.0, 7.0, 13.0  # what a name may cost, mm of distance from its word

@@ -78,11 +78,11 @@ class Hand:
         unsure: Mapping[str, float] | None = None,
     ) -> None:  # fmt: skip
         self.program, self.taken = program, taken
-        unsure = unsure or {}
-        columns = Columns.of(program.steps, [*taken, *unsure])
+        self.given, self.unsure = {n: given[n] for n in program.givens}, unsure or {}
+        columns = Columns.of(program.steps, [*taken, *self.unsure])
         self.tool = Nudged(skill, columns)
-        self.things: dict[str, Any] = {n: given[n] for n in program.givens}
-        for name, share in unsure.items():  # a given that is itself only estimated: its relative error
+        self.things: dict[str, Any] = dict(self.given)
+        for name, share in self.unsure.items():  # a given that is itself only estimated: its relative error
             value = self.tool.spread(float(self.things[name]))
             value[columns.start[f"read {name}"]] *= 1 + share
             self.things[name] = value

@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from planes.check.handwork import Hand, Miss, Variant
-from planes.drafting import label_of
+from planes.naming import label_of
 
 FALSE_ALARM = 0.02  # of right drawings, how many a hand as shaky as supposed would see refused
 WARN = 2.486  # as rare in two dimensions as 2σ in one
@@ -62,12 +62,17 @@ def judge(
     misses = hand.misses(marks)
     limit = limit_of(len(misses))
     found = Judgement(limit, misses)
-    broad = -2 * math.log(2 * max(extent_mm, 20.0))
+    broad = breadth(extent_mm)
     found.wrong = [m for m, miss in misses.items() if not miss.sigmas <= limit]
     found.score = sum(_mixed(miss, broad) for miss in misses.values())
     if found.wrong:
         _name(hand, found, variants, broad, absent)
     return found
+
+
+def breadth(extent_mm: float) -> float:
+    """Logarithm of the density of a mark that may be anywhere on the drawing."""
+    return -2 * math.log(2 * max(extent_mm, 20.0))
 
 
 def _mixed(miss: Miss, broad: float) -> float:

@@ -14,9 +14,9 @@ from planes.check.chains import force_chain
 from planes.check.handwork import Hand, Taken
 from planes.check.paper import Paper, Spot
 from planes.check.strokes import Nodes, Sketch, Words, covered
-from planes.drafting import POLE, at, label_of
 from planes.drawing import run
 from planes.mark_names import Names, tidy
+from planes.naming import POLE, at, label_of
 from planes.scales import kind_of
 from planes.words import Phrase
 

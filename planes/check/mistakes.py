@@ -8,7 +8,7 @@ from typing import Any
 
 from planes.check.handwork import Variant
 from planes.check.ways import Ways
-from planes.drafting import POLE, at, label_of, mu_of
+from planes.naming import POLE, at, label_of, mu_of
 from planes.steps import Carry, Cross, Image, LayOff, Read, Same, Similar, Step
 from planes.steps.reckoning import Calculate, Measure
 from planes.tools import Env, Tool
@@ -26,7 +26,7 @@ def motion_variants(w: Ways) -> Iterator[Variant]:
         elif isinstance(step, LayOff) and quick:
             yield from _laid_quick(w, step)
         elif isinstance(step, LayOff) and (line := w.link_line(step.along)):
-            yield w.variant("along_link", step, replace(step, along=line))
+            yield w.variant("along_link", step, replace(step, along=line), about={"line": line})
 
 
 def _driver(w: Ways, quick: bool) -> Iterator[Variant]:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from planes.check.handwork import Variant
 from planes.check.ways import Ways
-from planes.drafting import label_of
+from planes.naming import label_of
 from planes.steps import Cross, LayOff, Same, Step, Through
 from planes.steps.reckoning import Calculate, Drop, Lean, Measure, Product
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from planes.check.handwork import Taken, Variant
 from planes.check.ways import Ways
-from planes.drafting import label_of
+from planes.naming import label_of
 from planes.steps import CrossArc, CrossArcs, LayOff, Step
 
 LEAST_SCALE = 0.04  # a link drawn longer or shorter by less is a matter of care, not of scale

@@ -23,6 +23,7 @@ _COLUMNS = {
     "result": ("result", "результат", "name"),
     "value": ("value", "значение"),
     "unit": ("unit", "единица"),
+    "error_mm": ("error_mm", "±"),
 }
 _ROUNDED = math.sqrt(12)  # a number rounded to r is wrong by r/√12
 
@@ -46,7 +47,9 @@ class Paper:
     results: list[tuple[str, float, str]] = field(default_factory=list)
     scale_mark: str | None = None  # the vector the picture's scale was taken from
     whole: bool = True
-    picture: bytes = b""  # the flat picture of a blank, for the report
+    picture: bytes = b""  # the flat picture, for the report
+    box: tuple[float, float, float, float] | None = None  # where it lies: left, bottom, right, top, mm from the pole
+    strokes: list[tuple[complex, complex]] = field(default_factory=list)  # lines of a drawing of lines, from the pole
     notes: list[Phrase] = field(default_factory=list)
 
     def refuse(self, key: str, **parts: object) -> PlanesError:
@@ -110,7 +113,8 @@ def _add(paper: Paper, row: Mapping[str, Any], line: int) -> None:
         if None in cells:
             raise paper.refuse("check_row", line=line)
         x, y = (_number(paper, c, line) for c in cells)
-        error = max(_rounding(c) for c in cells)
+        said = row.get("error_mm") or None
+        error = abs(_number(paper, said, line)) if said is not None else max(_rounding(c) for c in cells)
         paper.spots.append(Spot(str(row["mark"]), complex(x, y), error))
     elif "segment" in row and row.get("mm") is not None:
         paper.segments.append((str(row["segment"]), abs(_number(paper, row["mm"], line))))

@@ -8,7 +8,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from planes.check.fiducials import SIDE_MM, centres
+from planes.check.ink import ink_of
 from planes.check.picture import Flat, cv
+from planes.check.places import Seen, seen
 from planes.check.strokes import Sketch, Stroke
 
 WIDEST_MM = 1.4  # of a stroke
@@ -51,6 +53,17 @@ def lines_of(flat: Flat, printed: Sequence[Stroke] = ()) -> Sketch | None:
     sketch = Sketch(error_mm=0.25)
     sketch.strokes = meeting([x for x in lines if abs(x.b - x.a) > SHORTEST_MM])
     return sketch
+
+
+def sheet_of(flat: Flat) -> Seen | None:
+    """What is seen on a flat picture; None where there are more lines than a plan can have."""
+    ink = ink_of(flat)
+    edges = _edges(ink.even)
+    if len(edges) > 6 * MOST:
+        return None
+    lines = [Line(flat.mm(*a), flat.mm(*b)) for a, b in _centres(edges, flat.scale)]
+    lines = joined([x for x in lines if abs(x.b - x.a) > SHORTEST_MM])
+    return None if len(lines) > MOST else seen(ink, [(x.a, x.b) for x in lines])
 
 
 def clean(flat: Flat, printed: Sequence[Stroke]) -> Any:

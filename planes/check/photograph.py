@@ -10,12 +10,13 @@ from planes.check.chains import true_vectors
 from planes.check.fiducials import pole_place
 from planes.check.matching import paper_of
 from planes.check.paper import Paper, Spot
-from planes.check.pencil_lines import lines_of
+from planes.check.motion_seen import marks_on
+from planes.check.pencil_lines import sheet_of
 from planes.check.picture import Flat, by_points, cv, flatten, load
 from planes.check.strokes import Sketch, Words
-from planes.drafting import at
 from planes.drawing import run
 from planes.mark_names import Names
+from planes.naming import at, label_of
 from planes.scales import kind_of
 from planes.wording import PlanesError
 from planes.words import Phrase
@@ -34,24 +35,18 @@ def paper_of_picture(
     named = None
     if flat is None:
         flat, named = _by_hand(bench, grey, pole, marks)
-    sketch = lines_of(flat)
+    seen = sheet_of(flat)
     paper = Paper(file, whole=False, notes=list(flat.notes))
-    if sketch is None:
+    if seen is None:
         paper.notes.append(Phrase("check_crowd", count="> 1500"))
         return paper
-    sketch.file = file
-    sketch.words = _words(bench, flat, pole if named else None, marks if named else {}, grey.shape[0])
-    found = paper_of(sketch, bench, 0j if named else blank_pole(bench))
-    found.notes = paper.notes + found.notes
-    found.scale_mark = named
-    found.picture = b"" if named else shown(flat)
+    pole_mm = 0j if named else blank_pole(bench)
+    paper.scale_mark = named
+    paper.picture = b"" if named else shown(flat)
     if named:
-        found.notes.append(Phrase("check_scale_vector", mark=named))
-    if kind_of(bench.asked.plan) == "force":
-        _only_sure(bench, found)
-    else:
-        found.spots = [s for s in found.spots if s.name == "p" or _surely(sketch, s)]
-    return found
+        paper.notes.append(Phrase("check_scale_vector", mark=named))
+    paper.spots, explained = marks_on(bench, seen, pole_mm)
+    return paper
 
 
 def _only_sure(bench: Bench, found: Paper) -> None:
@@ -78,7 +73,7 @@ def shown(flat: Flat) -> bytes:
 
 def _by_hand(bench: Bench, grey: object, pole: complex | None, marks: Mapping[str, complex]) -> tuple[Flat, str]:
     """Scale by a named pole and vector."""
-    labels = [m.rpartition(":")[2] for m in bench.marks]
+    labels = [label_of(m) for m in bench.marks]
     name = next((n for n in (Names(labels).find(k) for k in marks) if n and n != "p"), None)
     if pole is None or name is None:
         raise PlanesError(Phrase("check_no_marks"))

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from planes.check.fiducials import PATTERNS, SHEET_MM, SIDE_MM, centres
+from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, centres
 from planes.wording import PlanesError
 from planes.words import Phrase
 
@@ -30,12 +30,12 @@ class Flat:
 
     def mm(self, x: float, y: float) -> complex:
         """Pixels to millimetres, y up."""
-        return self.corner + complex(x, self.grey.shape[0] - 1 - y) / self.scale
+        return self.corner + complex(x, self.grey.shape[0] - y) / self.scale
 
     def px(self, z: complex) -> tuple[float, float]:
         """Millimetres to pixels."""
         local = (z - self.corner) * self.scale
-        return local.real, self.grey.shape[0] - 1 - local.imag
+        return local.real, self.grey.shape[0] - local.imag
 
 
 def cv() -> Any:
@@ -94,17 +94,31 @@ def find_marks(grey: Any) -> dict[int, Any]:
     """Corners of the blank's marks in pixels, by their numbers."""
     cv2 = cv()
     parameters = cv2.aruco.DetectorParameters()
-    parameters.cornerRefinementMethod = cv2.aruco.CORNER_REFINE_SUBPIX
-    parameters.adaptiveThreshWinSizeMax = 53
+    parameters.adaptiveThreshWinSizeMin, parameters.adaptiveThreshWinSizeMax = 13, 53
+    parameters.adaptiveThreshWinSizeStep = 20
+    parameters.minMarkerPerimeterRate = 0.07  # a mark's outline is a sixth of the sheet's length; a grid's cell is none
     detector = cv2.aruco.ArucoDetector(dictionary(), parameters)
     found: dict[int, Any] = {}
-    for factor in (1.0, 0.6, 0.35):
+    for longest in (1100, 700, 2000, 3200):  # small is quick, and hides the grain
+        factor = min(1.0, longest / max(grey.shape))
         if len(found) < 4:
             small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA) if factor < 1 else grey
             corners, numbers, _ = detector.detectMarkers(small)
             for quad, number in zip(corners, [] if numbers is None else numbers.ravel(), strict=False):
-                found.setdefault(int(number), (quad.reshape(4, 2) + 0.5) / factor - 0.5)
+                found.setdefault(int(number), _sharpened(grey, (quad.reshape(4, 2) + 0.5) / factor - 0.5))
     return found
+
+
+def _sharpened(grey: Any, quad: Any) -> Any:
+    """Corners of a mark to a fraction of a pixel, where its edges meet in the whole picture."""
+    import numpy
+
+    cv2 = cv()
+    side = float(numpy.linalg.norm(quad - numpy.roll(quad, 1, axis=0), axis=1).mean())
+    reach = int(min(max(side / CELLS * 0.6, 2), 12))
+    stop = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 30, 0.005)
+    start = numpy.ascontiguousarray(quad, numpy.float32).reshape(-1, 1, 2)
+    return cv2.cornerSubPix(grey, start, (reach, reach), (-1, -1), stop).reshape(4, 2)
 
 
 def flatten(grey: Any, size_mm: tuple[float, float] = SHEET_MM) -> Flat | None:
@@ -148,7 +162,7 @@ def by_points(grey: Any, pole: complex, mark: complex, length_mm: float) -> Flat
         raise PlanesError(Phrase("check_points"))
     how = cv2.INTER_AREA if factor < 1 else cv2.INTER_CUBIC
     flat = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=how)
-    corner = -complex(pole.real * factor, flat.shape[0] - 1 - pole.imag * factor) / PX_PER_MM
+    corner = -complex(pole.real * factor, flat.shape[0] - pole.imag * factor) / PX_PER_MM
     return Flat(flat, PX_PER_MM, corner, "points", grey)
 
 

@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from planes.check.paper import Spot
-from planes.drafting import POLE
 from planes.mark_names import Names
+from planes.naming import POLE
 from planes.plans import Plans
 from planes.steps import LayOff
 

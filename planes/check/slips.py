@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from planes.check.handwork import Hand
-from planes.drafting import mu_of
+from planes.naming import mu_of
 from planes.plans import Plans
 from planes.steps import LayOff
 from planes.steps.reckoning import Calculate, Measure

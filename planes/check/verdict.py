@@ -10,9 +10,9 @@ from planes.check.bench import Asked, Bench, prepare, variants_of
 from planes.check.handwork import Hand, Taken, Variant
 from planes.check.paper import Paper
 from planes.check.slips import Figure
-from planes.drafting import label_of, mu_of
 from planes.lesson.figures import Account, account, result_figures, segment_figures
 from planes.measuring import catalogue
+from planes.naming import label_of, mu_of
 from planes.scales import kind_of
 from planes.units import mu_text
 from planes.wording import PlanesError
@@ -91,11 +91,16 @@ class Outcome:
             return self.unreadable
         first = self.first_wrong
         if first is None:
-            key, parts = _plan_words(self.bench.asked.plan)
-            return Phrase("check_right", plan=Phrase(key, **parts))
+            return self.when_right
         if self.mistake:
             return Phrase(f"mistake_{self.mistake}", **self._about(first))
         return self._unclear(first)
+
+    @property
+    def when_right(self) -> Phrase:
+        """What is said of a right drawing of the plan."""
+        key, parts = _plan_words(self.bench.asked.plan)
+        return Phrase("check_right", plan=Phrase(key, **parts))
 
     def _about(self, first: str) -> dict[str, object]:
         """Names for the sentence of the mistake."""

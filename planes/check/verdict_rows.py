@@ -6,7 +6,7 @@ from typing import Any
 
 from planes.check import close_call
 from planes.check.verdict import Outcome
-from planes.drafting import label_of
+from planes.naming import label_of
 from planes.words import Lang, Phrase
 
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from planes.check.handwork import Variant
-from planes.drafting import POLE, at, label_of
+from planes.naming import POLE, at, label_of, plan_of
 from planes.plans import Plans
 from planes.program import Program
 from planes.steps import LayOff, Step, Turn
@@ -27,7 +27,7 @@ class Ways:
         self.steps: dict[str, Step] = {s.makes: s for s in self.program.steps}
         self.order = {s.makes: i for i, s in enumerate(self.program.steps)}
         self.pole = at(self.plan, POLE)
-        self.own = [s for s in self.program.steps if s.kind == "mark" and s.makes.rpartition(":")[0] == self.plan]
+        self.own = [s for s in self.program.steps if s.kind == "mark" and plan_of(s.makes) == self.plan]
 
     def before(self, name: str, step: Step) -> bool:
         """Whether a thing is there when the step is drawn."""

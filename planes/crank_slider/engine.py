@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 
 from planes.crank_slider.shape import Shape
-from planes.drafting import at
 from planes.drawing import Drawing, run
 from planes.mechanism import Load, Mechanism
+from planes.naming import at
 from planes.plans import Plans, state
 from planes.scales import unit_scales
 from planes.scene import Scene

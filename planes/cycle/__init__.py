@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -29,8 +29,7 @@ PAYS = 200_000
 """From how many positions on a compiled loop is worth compiling."""
 
 
-@dataclass(frozen=True)
-class Block:
+class Block(NamedTuple):
     """Results of successive positions: a row of ``table`` for each column; ``codes`` number the reasons (0: none)."""
 
     values: Any
@@ -98,10 +97,10 @@ class Cycle:
         size = min(chunk, ROW) if fast else chunk
         for start in range(0, len(values), size):
             part = np.asarray(values[start : start + size], float)
-            yield self._whole(part, *(self.compiled(part[None, :]) if fast else self._drawn(part, instrument)))
+            yield self._whole(part, *(self.compiled(part[None]) if fast else self._drawn(part, instrument)))
 
     def _drawn(self, part: Any, instrument: Instrument | None) -> tuple[Any, Any]:
-        """The same by arrays."""
+        """The same by arrays: the table, and the codes (None: nothing failed)."""
         drawing = run(self.program, {**self.given, self.plans.drive_given: part}, instrument)
         table = np.empty((len(self.columns), len(part)))
         with np.errstate(all="ignore"):
@@ -112,14 +111,14 @@ class Cycle:
         codes = np.where(np.isfinite(table[whole].sum(axis=0)), 0, numbered.get(("no_digits", ""), 0))
         for reason, step, ok, _ in reversed(drawing.hand.failures):
             codes = np.where(ok, codes, numbered[reason, getattr(step, "makes", "")])
-        return table, codes
+        return table, codes.astype(np.int16) if codes.any() else None
 
     def _whole(self, part: Any, table: Any, codes: Any) -> Block:
         """The block with NaN in everything that depends on what failed."""
-        codes = codes.astype(np.int16)
-        if codes.any():
-            for code in np.unique(codes[codes != 0]):
-                table[np.ix_(self._after[self.reasons[code - 1].makes], codes == code)] = np.nan
+        if codes is None:
+            return Block(part, table, np.zeros(len(part), np.int16))
+        for code in np.unique(codes[codes != 0]):
+            table[np.ix_(self._after[self.reasons[code - 1].makes], codes == code)] = np.nan
         return Block(part, table, codes)
 
     @cached_property

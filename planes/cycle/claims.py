@@ -1,14 +1,14 @@
-"""How far off a result may be, told by the drawing itself: every small error carried to every result at once.
+"""How far off a result may be, told by the drawing itself: a running bound of every rounding on the way to it.
 
-One sweep back along the tape of a program finds how much each result moves with each rounding (``Exact``) or with
-each slip of mark, ray and ruler (``Pencil``): to first order exactly, with errors that cancel left to cancel.
+Each operation errs by its own rounding and by what its slopes say nothing of (``rounding``); each such error goes on to
+every result by slopes, exactly: f(a + d) = f(a) + slope · d + what is lost by taking f to be straight. Errors that
+cancel are left to cancel (``slopes``). Roundings add up as chances do, what is lost adds up at its worst. Where a
+sharpness is as small as its own error the loss has no end, and nothing is claimed.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -16,104 +16,109 @@ import numpy as np
 from planes.cycle import Block, Cycle
 from planes.cycle.columns import Column
 from planes.cycle.reading import read
-from planes.cycle.tape import LEAVES, TESTS, Tape
-from planes.cycle.tracing import Take, Trace, given_values, trace
-from planes.drafting import mu_of
-from planes.instruments import Pencil
+from planes.cycle.rounding import BLIND, EXACT, LARGEST, USUAL, bent, rounding, unit_parts, whole_numbers
+from planes.cycle.slopes import STIFF, Carrying, Values
+from planes.cycle.tape import Tape
+from planes.cycle.tracing import Take, given_values, trace
+from planes.naming import mu_of, plan_of
 
-SIGMAS = 5.4  # roundings add up as chances do; further than this none was ever seen
-BLIND = 0.25  # where the sharpness itself is so uncertain, relatively, nothing is claimed
-ROUNDED = {"hypot": 1.5, "sin": 1.5, "cos": 1.5, "atan2": 2.0}  # halves of the last place; other operations: 1
-EXACT = TESTS | {"neg", "abs", "sel", "max", "min", "floor", "given", "source"}
-PIECE = 256  # positions swept at once
-
-Values = Mapping[int, Any]
-Slope = Callable[..., tuple[Any, ...]]
-
-SLOPES: dict[str, Slope] = {
-    "add": lambda z, a, b: (1.0, 1.0),
-    "sub": lambda z, a, b: (1.0, -1.0),
-    "mul": lambda z, a, b: (b, a),
-    "inv": lambda z, a: (-z * z,),
-    "neg": lambda z, a: (-1.0,),
-    "abs": lambda z, a: (np.sign(a),),
-    "sqrt": lambda z, a: (np.where(z > 0, 0.5 / np.where(z > 0, z, 1.0), np.inf),),
-    "hypot": lambda z, a, b: (a / np.where(z > 0, z, 1.0), b / np.where(z > 0, z, 1.0)),
-    "sin": lambda z, a: (np.cos(a),),
-    "cos": lambda z, a: (-np.sin(a),),
-    "atan2": lambda z, a, b: (b / (a * a + b * b), -a / (a * a + b * b)),
-    "max": lambda z, a, b: (a >= b, a < b),
-    "min": lambda z, a, b: (a <= b, a > b),
-    "sel": lambda z, t, a, b: (None, t, ~np.asarray(t)),
-}  # fmt: skip
+SIGMAS = 6.0  # of so many roundings beyond this is one sum in five hundred million
+SMALL = 0.01  # of the rounding beside it, what is lost by taking an operation to be straight is not worth finding better
+PIECE = 64  # positions worked at once
 
 
-def sweep(tape: Tape, order: list[int], found: Values, wanted: list[int], visit: Callable[[int, Any], None]) -> None:
-    """Go back along the tape; ``visit`` is told each place and how much each wanted number (a row) moves with it."""
-    slopes: dict[int, Any] = {}
-    shape = (len(wanted), *np.broadcast_shapes(*(np.shape(found[p]) for p in order)))
-    for row, place in enumerate(wanted):
-        slopes.setdefault(place, np.zeros(shape))[row] = 1.0
-    for place in reversed(order):
-        slope = slopes.pop(place, None)
-        if slope is None:
-            continue
-        visit(place, slope)
-        op, args = tape.ops[place]
-        if op in LEAVES or op in TESTS or op == "floor":
-            continue
-        for arg, part in zip(args, SLOPES[op](found[place], *(found[a] for a in args)), strict=True):
-            if part is not None:
-                carried = slope * np.where(slope != 0, part, 0.0)
-                slopes[arg] = slopes[arg] + carried if arg in slopes else carried
+class _Running:
+    """The errors on the way, of one piece of positions: how far every place reached may be off."""
+
+    def __init__(self, tape: Tape, order: list[int], found: Values, count: int, kept: Kept) -> None:
+        self.tape, self.found, self.count, self.kept = tape, found, count, kept
+        self.carrying = Carrying(tape, order, count)
+        self.largest, self.squares, self.lost = (np.zeros((kept.most, count)) for _ in range(3))
+        self.reach: dict[int, Any] = {}  # no place is further off than this: a rough bound, made better where it matters
+        self.better: dict[int, Any] = {}
+        self.unsure: dict[int, Any] = {}  # of the tests whether a thing moves
+
+    def __call__(self, wanted: frozenset[int]) -> dict[int, Any]:
+        """How far the wanted places may be off."""
+        bounds = {}
+        for place, op, args in self.carrying.moving():
+            if place in self.kept.turns:
+                self.unsure[place] = self._turning(args)
+            elif op not in STIFF or op == "const":
+                self._err(place, op, args)
+            if place in wanted:
+                bounds[place] = self._bound(place, slice(None))
+        return bounds
+
+    def _err(self, place: int, op: str, args: tuple[int, ...]) -> None:
+        slip = rounding(self.tape, place, self.found, self.kept.whole)
+        lost, parts = self._bent(place, op, args, slip)
+        moved = [np.abs(part) * self.reach[a] for a, part in zip(args, parts, strict=True) if a in self.reach]
+        own = slip is not None or lost is not None
+        if own:
+            k = self.carrying.made
+            self.largest[k] = LARGEST.get(op, 1.0) * (0.0 if slip is None else slip)
+            self.squares[k] = (USUAL.get(op, 1.0) * (0.0 if slip is None else slip)) ** 2 / 3
+            self.lost[k] = 0.0 if lost is None else lost
+            moved.append(self.largest[k] + self.lost[k])
+        if moved:
+            self.reach[place] = np.minimum(sum(moved), BLIND) + np.zeros(self.count)
+        self.carrying.carry(place, args, parts, own)
+
+    def _bent(self, place: int, op: str, args: tuple[int, ...], slip: Any) -> Any:
+        """What is lost at a place by taking it to be straight, and its slopes; with better bounds where it matters."""
+        z, given = self.found[place], tuple(self.found[a] for a in args)
+        if args and args[0] in self.unsure:
+            return self.unsure[args[0]], bent(op, z, given, ())[1]
+        lost, parts = bent(op, z, given, self._reaches(args))
+        if lost is None or not np.any(lost):
+            return None, parts
+        doubtful = lost > SMALL * (0.0 if slip is None else slip)
+        if np.any(doubtful):
+            self._look(args, np.broadcast_to(doubtful, (self.count,)))
+            lost, parts = bent(op, z, given, self._reaches(args))
+        if place in self.kept.units:
+            length = self.kept.units[place]
+            blunt = 2 * self.reach.get(length, 0.0) >= np.abs(self.found[length])
+            lost, parts = np.where(blunt, 2.0, lost), tuple(np.where(blunt, 0.0, part) for part in parts)
+        return lost, parts
+
+    def _reaches(self, args: tuple[int, ...]) -> tuple[Any, ...]:
+        return tuple(self.reach.get(a, 0.0) for a in args)
+
+    def _look(self, places: Any, where: Any) -> None:
+        """Find better bounds of places, at the positions that need them."""
+        for place in set(places) & self.carrying.rows.keys():
+            seen = self.better.setdefault(place, np.zeros(self.count, bool))
+            new = np.flatnonzero(where & ~seen)
+            if len(new):
+                seen[new] = True
+                self.reach[place][new] = np.fmin(self.reach[place][new], self._bound(place, new))
+
+    def _bound(self, place: int, where: Any) -> Any:
+        """How far a place may be off: every loss at its worst, and the roundings at their worst or by chance."""
+        if place not in self.carrying.rows:
+            return np.zeros(self.count)[where]
+        rows = self.carrying.rows[place][:, where]
+        largest, squares, lost = (x[: len(rows), where] for x in (self.largest, self.squares, self.lost))
+        size = np.abs(rows)
+        chance = SIGMAS * np.sqrt(np.einsum("kp,kp,kp->p", rows, rows, squares))
+        return np.minimum(np.einsum("kp,kp->p", size, largest), chance) + np.einsum("kp,kp->p", size, lost)
+
+    def _turning(self, args: tuple[int, ...]) -> Any:
+        """How far off a sense may be: 2 where it cannot be told which way a thing moves, or whether it does."""
+        self._look(args, np.ones(self.count, bool))
+        still, size = args
+        least, most = self.found[size] - self.reach.get(size, 0.0), self.found[size] + self.reach.get(size, 0.0)
+        return np.where((most > self.found[still]) & (least <= self.found[still]), 2.0, 0.0)
 
 
-def rounding(tape: Tape, place: int, found: Values) -> Any:
-    """The largest rounding error of an operation; nothing where it comes out exactly."""
-    op, args = tape.ops[place]
-    if op in EXACT or (op == "const" and _round_number(tape.values[place])):
-        return 0.0
-    half = np.spacing(np.abs(found[place])) / 2 * ROUNDED.get(op, 1.0)
-    return np.where(_comes_out(op, found[place], *(found[a] for a in args)), 0.0, half)
+class Kept:
+    """What is known of a tape beforehand."""
 
-
-def _comes_out(op: str, z: Any, *args: Any) -> Any:
-    """Whether a sum, product or inverse has no digits to lose, however its last digits fall: sums with nothing,
-    differences of near numbers (Sterbenz), powers of two."""
-    if op in ("add", "sub"):
-        a, b = np.abs(args[0]), np.abs(args[1])
-        near = (2 * np.abs(z) <= np.minimum(a, b)) | (np.abs(z) == np.abs(a - b)) & (a <= 2 * b) & (b <= 2 * a)
-        return (a == 0) | (b == 0) | near
-    if op == "mul":
-        return _doubling(args[0]) | _doubling(args[1])
-    return _doubling(args[0]) if op == "inv" else False
-
-
-def _round_number(x: Any) -> bool:
-    return isinstance(x, bool) or not math.isfinite(x) or (x * 1024).is_integer()
-
-
-def _doubling(x: Any) -> Any:
-    return np.isin(np.abs(np.frexp(x)[0]), (0.0, 0.5))
-
-
-@dataclass
-class _Roundings:
-    """Sums of what every rounding does to every wanted number."""
-
-    tape: Tape
-    found: Values
-    total: Any = 0.0
-    squares: Any = 0.0
-
-    def __call__(self, place: int, slope: Any) -> None:
-        slip = rounding(self.tape, place, self.found)
-        if np.any(slip):
-            effect = np.where(slope == 0, 0.0, np.abs(slope) * slip)
-            self.total, self.squares = self.total + effect, self.squares + effect * effect
-
-    def bound(self) -> Any:
-        return np.minimum(self.total, SIGMAS * np.sqrt(self.squares / 3.0))
+    def __init__(self, tape: Tape, order: list[int], turns: tuple[int, ...]) -> None:
+        self.whole, self.units, self.turns = whole_numbers(tape, order), unit_parts(tape, order), frozenset(turns)
+        self.most = sum(tape.ops[p][0] not in EXACT or tape.ops[p][0] in ("const", "sel", "abs", "max", "min") for p in order)
 
 
 class Claims:
@@ -124,9 +129,9 @@ class Claims:
         self.inner = [k for k, c in enumerate(cycle.columns) if c.part]
         ends = [_place(c, end) for c in (cycle.columns[k] for k in self.inner) for end in (c.start, c.end)]
         drawn = trace(cycle.program, cycle.given, [*(c.take for c in cycle.columns), *ends], cycle.folded)
-        self.tape, self.pivots, self.ends = drawn.tape, drawn.pivots, drawn.outputs[self.count :]
-        self.wanted = [*drawn.outputs[: self.count], *drawn.pivots]
-        self.order = self.tape.needed([*self.wanted, *self.ends])
+        self.tape, self.outputs, self.ends = drawn.tape, drawn.outputs[: self.count], drawn.outputs[self.count :]
+        self.order = self.tape.needed(list(drawn.outputs))
+        self.kept = Kept(self.tape, self.order, drawn.turns)
 
     def bounds(self, values: Any) -> Any:
         """A row for each column: no result is further from the truth; infinite where nothing can be claimed."""
@@ -138,14 +143,12 @@ class Claims:
         given |= {k: v[: len(values)] for k, v in given.items() if np.ndim(v)}
         found = read(self.tape, self.order, given)
         with np.errstate(all="ignore"):
-            sums = _Roundings(self.tape, found)
-            sweep(self.tape, self.order, found, self.wanted, sums)
-            bound = np.broadcast_to(sums.bound(), (len(self.wanted), len(values)))
-            doubt = self._doubt(found, bound, len(values))
-            bound = bound[: self.count] + self._steps(found, len(values))
-            last = [np.spacing(np.abs(found[w])) / 2 + np.zeros(len(values)) for w in self.wanted[: self.count]]
+            bounds = _Running(self.tape, self.order, found, len(values), self.kept)(frozenset(self.outputs))
+            bound = np.array([bounds[p] for p in self.outputs]).reshape(self.count, len(values))
+            bound = bound + self._steps(found, len(values))
+            last = [np.spacing(np.abs(found[w])) / 2 + np.zeros(len(values)) for w in self.outputs]
             bound = bound + np.array(last).reshape(bound.shape)
-            return np.where(doubt < BLIND, bound / (1 - doubt) ** 4, np.inf)
+            return np.where(bound < BLIND * 1e-50, bound, np.inf)
 
     def _steps(self, found: Values, count: int) -> Any:
         """What a segment between two marks loses where they were marked, which a tape that sees F in (m + F) - m
@@ -153,17 +156,9 @@ class Claims:
         lost = np.zeros((self.count, count))
         for row, start, end in zip(self.inner, self.ends[::2], self.ends[1::2], strict=True):
             one, two = np.abs(found[start]), np.abs(found[end])
-            mu = self.cycle.given[mu_of(self.cycle.columns[row].start.rpartition(":")[0])]
+            mu = self.cycle.given[mu_of(plan_of(self.cycle.columns[row].start))]
             lost[row] = np.where(one > 0, np.spacing(one) + np.spacing(two), 0.0) / mu
         return lost
-
-    def _doubt(self, found: Values, bound: Any, count: int) -> Any:
-        """How uncertain the least certain sharpness is, relatively."""
-        worst = np.zeros(count)
-        for row, place in enumerate(self.pivots, self.count):
-            doubt = bound[row] / np.abs(found[place])
-            worst = np.maximum(worst, np.where(np.isnan(doubt), np.inf, doubt))
-        return worst
 
     def beside(self, blocks: Iterator[Block]) -> Iterator[Block]:
         """The blocks with a row of ± after the rows of results."""
@@ -176,42 +171,3 @@ def _place(column: Column, mark: str) -> Take:
     """Where a mark stands, in the direction the column reads."""
     way: dict[str, Callable[[Any], Any]] = {"x": lambda z: z.real, "y": lambda z: z.imag, "size": abs}
     return lambda things, ar: way[column.part](things[mark])
-
-
-class Spread:
-    """Standard deviations over draughtsmen with the same pencil, carried to every column by first-order slopes."""
-
-    def __init__(self, cycle: Cycle, pencil: Pencil, mus: Mapping[str, float]) -> None:
-        errors = pencil.point_mm, math.radians(pencil.ray_deg), pencil.ruler_mm / math.sqrt(12.0)
-        self.cycle, given = cycle, {**cycle.given, **mus}
-        self.drawn = trace(cycle.program, given, [c.take for c in cycle.columns], mus, errors)
-
-    def bounds(self, values: Any) -> Any:
-        """A row for each column, of one standard deviation."""
-        pieces = []
-        for start in range(0, len(values), PIECE):
-            part = np.asarray(values[start : start + PIECE], float)
-            given = {**given_values(self.cycle.given), self.cycle.plans.drive_given: part}
-            pieces.append(_spread(self.drawn, given, len(part)))
-        return np.hstack(pieces)
-
-
-def pencil_spread(cycle: Cycle, pencil: Pencil, mus: Mapping[str, float], values: Any) -> Any:
-    """Standard deviations of every column at these scales."""
-    return Spread(cycle, pencil, mus).bounds(values)
-
-
-def _spread(drawn: Trace, given: Mapping[str, Any], count: int) -> Any:
-    wanted = list(drawn.outputs)
-    order = drawn.tape.needed(wanted)
-    found = read(drawn.tape, order, given)
-    sizes = {s.place: s.size for s in drawn.sources}
-    squares = [np.zeros((len(wanted), count))]
-
-    def visit(place: int, slope: Any) -> None:
-        if place in sizes:
-            squares[0] = squares[0] + (slope * sizes[place]) ** 2
-
-    with np.errstate(all="ignore"):
-        sweep(drawn.tape, order, found, wanted, visit)
-    return np.sqrt(squares[0])

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from planes.drafting import at, mu_of
 from planes.measuring import Quantity, catalogue
+from planes.naming import POLE, at, mu_of, plan_of
 from planes.plans import Plans
 
 UNITS = {
@@ -39,7 +39,7 @@ class Column:
     def take(self, things: Mapping[str, Any], ar: Any) -> Any:
         """The column's number (or numbers) from the things drawn."""
         if self.part:
-            mu = things[mu_of(self.start.rpartition(":")[0])]
+            mu = things[mu_of(plan_of(self.start))]
             segment = things[self.end] - things[self.start]
             size = {"x": lambda: segment.real, "y": lambda: segment.imag, "size": lambda: abs(segment)}[self.part]()
             return size / mu
@@ -52,7 +52,7 @@ class Column:
         largest: Any = 0.0
         for mark in marks:
             largest = ar.maximum(largest, abs(things[mark]))
-        nothing = abs(things[normal]) <= 1e-12 * largest / things[mu_of(marks[0].rpartition(":")[0])]
+        nothing = abs(things[normal]) <= 1e-12 * largest / things[mu_of(plan_of(marks[0]))]
         return ar.where(nothing, float("nan"), things[self.value])
 
 
@@ -75,7 +75,7 @@ def _columns(plans: Plans, q: Quantity) -> list[Column]:
         case ("points", point, letter):
             marks = plans.points[point]
             mark = {"r": marks.position, "v": marks.velocity, "a": marks.acceleration}[letter]
-            return _vector(q.name, UNITS[letter], at(mark.rpartition(":")[0], "p"), mark)
+            return _vector(q.name, UNITS[letter], at(plan_of(mark), POLE), mark)
         case ("links", _, key):
             return [Column(q.name, UNITS[key], q.needs[0] if q.needs else "")]
         case ("slides", link, "coriolis"):

@@ -8,7 +8,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from importlib.util import find_spec
 from typing import Any
 
@@ -47,17 +47,27 @@ class Bound:
     fused: Fused
     fixed: Any
 
+    @cached_property
+    def run(self) -> Callable[[int, int], float]:
+        """The machine code: where the rows begin, and how many positions; not 0 where one of them failed."""
+        code, fixed = _compiled(self.fused.text), self.fixed.ctypes.data
+        return lambda rows, count: code(rows, fixed, count)
+
     def __call__(self, rows: Any) -> tuple[Any, Any]:
-        """Outputs (a row for each) and reason codes, of one block of positions (a row for each input)."""
-        count = rows.shape[1]
-        taken = np.empty((len(self.fused.inputs), STRIDE))
-        taken[:, :count] = rows
-        out = np.empty((len(self.fused.trace.outputs) + 1, STRIDE))
-        _compiled(self.fused.text)(taken.ctypes.data, out.ctypes.data, self.fixed.ctypes.data, count)
-        return out[:-1, :count], out[-1, :count]
+        """Outputs (a row for each) and reason codes (None: nothing failed), of one block of positions (``rows``: a
+        row for each input).
+
+        What is done here is done for every block, so it is little: rows of inputs, outputs and codes share one piece of
+        memory, and its address is taken the short way (``array.ctypes`` is six times as long).
+        """
+        inputs, count = len(self.fused.inputs), rows.shape[1]
+        whole: Any = np.empty((inputs + len(self.fused.trace.outputs) + 1, STRIDE))
+        whole[:inputs, :count] = rows
+        failed = self.run(ctypes.addressof(ctypes.c_char.from_buffer(whole)), count)
+        return whole[inputs:-1, :count], whole[-1, :count].astype(np.int16) if failed else None
 
 
-_CALL = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)
+_CALL = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)
 
 
 def fuse(trace: Trace, inputs: tuple[str, ...]) -> Fused:
@@ -76,7 +86,7 @@ def fuse(trace: Trace, inputs: tuple[str, ...]) -> Fused:
 
 
 @cache
-def _compiled(text: str) -> Callable[..., None]:
+def _compiled(text: str) -> Callable[[int, int, int], float]:
     """The compiled loop; compiled once for each structure."""
     import llvmlite.binding as llvm
 

@@ -161,16 +161,17 @@ class Text:
         return t.call({"sin": "ksin", "cos": "kcos", "atan2": "katan2"}[op], *a)
 
 
-def _row(t: _Lines, pointer: str, row: int) -> str:
+def _row(t: _Lines, row: int) -> str:
     index = t(f"add nuw nsw i64 %i, {row * STRIDE}")
-    return t(f"getelementptr inbounds double, ptr {pointer}, i64 {index}")
+    return t(f"getelementptr inbounds double, ptr %rows, i64 {index}")
 
 
 def module(
     tape: Tape, order: list[int], inputs: list[int], fixed: list[int], outputs: list[int], codes: list[int]
 ) -> str:
-    """The module of a function run(in, out, fixed, n): rows of ``inputs`` in; rows of ``outputs`` out, and last the
-    number of the first of the conditions ``codes`` that does not hold (0: all hold)."""
+    """The module of a function run(rows, fixed, n): rows of ``inputs`` first, then it fills rows of ``outputs``, and
+    last the number of the first of the conditions ``codes`` that does not hold (0: all hold); returns the sum of these.
+    """
     head = _Lines()
     names = {}
     for k, place in enumerate(fixed):
@@ -179,7 +180,7 @@ def module(
         names[place] = head(f"fcmp une double {loaded}, {literal(0.0)}") if tape.ops[place][0] in TESTS else loaded
     text = Text(tape, {place: name.replace("%v", "%c") for place, name in names.items()})
     for k, place in enumerate(inputs):
-        text.names[place] = text.t(f"load double, ptr {_row(text.t, '%in', k)}, align 8")
+        text.names[place] = text.t(f"load double, ptr {_row(text.t, k)}, align 8")
     for place in order:
         if place not in text.names:
             text.write(place)
@@ -187,8 +188,9 @@ def module(
     for k in range(len(codes), 0, -1):
         code = text.t.select(text.name(codes[k - 1]), code, literal(float(k)))
     stores = []
-    for k, name in enumerate([*map(text.name, outputs), code]):
-        stores.append(f"  store double {name}, ptr {_row(text.t, '%out', k)}, align 8")
+    for k, name in enumerate([*map(text.name, outputs), code], len(inputs)):
+        stores.append(f"  store double {name}, ptr {_row(text.t, k)}, align 8")
+    stores.append(f"  %sum = fadd reassoc double %sofar, {code}")
     opening = [line.replace("%v", "%c") for line in head.lines]
     return "\n".join([*_frame(), *opening, *OPEN, *text.t.lines, *stores, *CLOSE])
 
@@ -197,16 +199,20 @@ def _frame() -> list[str]:
     declared = [
         f"declare double @llvm.{name}.f64({', '.join(['double'] * count)})" for name, count in INTRINSICS.items()
     ]
-    start = "define void @run(ptr noalias %in, ptr noalias %out, ptr noalias %fixed, i64 %n) {\nentry:"
+    start = "define double @run(ptr noalias %rows, ptr noalias %fixed, i64 %n) {\nentry:"
     return [*declared, _sine(), _cosine(), _arctangent(), start]
 
 
-OPEN = ("  br label %loop", "loop:", "  %i = phi i64 [ 0, %entry ], [ %next, %loop ]")
+OPEN = (
+    "  br label %loop\nloop:",
+    "  %i = phi i64 [ 0, %entry ], [ %next, %loop ]",
+    f"  %sofar = phi double [ {literal(0.0)}, %entry ], [ %sum, %loop ]",
+)
 CLOSE = (
     "  %next = add nuw nsw i64 %i, 1",
     "  %more = icmp slt i64 %next, %n",
     "  br i1 %more, label %loop, label %done, !llvm.loop !0",
-    "done:\n  ret void\n}",
+    "done:\n  ret double %sum\n}",
     "!0 = distinct !{!0, !1}",
     '!1 = !{!"llvm.loop.vectorize.enable", i1 true}',
 )

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
 from planes.angles import Span
-from planes.cycle import Block, Cycle
+from planes.cycle import Block, Cycle, Reason
 from planes.cycle.streams import Heading, opened
+from planes.diagrams.turn import Turn
 from planes.drawing import run
-from planes.plans import state
+from planes.plans import Plans, state
 from planes.scene import Scene
 from planes.solving import told
 from planes.wording import PlanesError, PlanFailure
@@ -22,6 +23,16 @@ from planes.words import Lang, Phrase, say
 
 FULL_TURN = Span(0.0, 1.0, 361)
 TOLD = 20  # how many failed ranges are told in words
+
+
+class Named(Protocol):
+    """What stands over a column."""
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def unit(self) -> str: ...
 
 
 @dataclass
@@ -40,19 +51,37 @@ def write_cycle(scene: Scene, values: Span | None, output: str, lang: Lang, fast
         raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
     plans = state(scene.mechanism, scene.file)
     table = Cycle(plans, scene.find)
-    kind = plans.mechanism.drive.kind
-    span = values or (FULL_TURN if kind == "phi" else Span(plans.mechanism.drive.position, 0.0, 1))
+    span = values or whole(plans)
+    return _written(table, table.columns, table.reasons, table.blocks(span, fast=fast), len(span), output, lang)
+
+
+def write_curves(turn: Turn, values: Span | None, output: str, lang: Lang) -> int:
+    """Write a table of chosen curves, analogues among them if they are asked for; the exit status."""
+    span = values or whole(turn.plans)
+    return _written(turn.cycles[0][1], turn.curves, turn.reasons, turn.blocks(span), len(span), output, lang)
+
+
+def whole(plans: Plans) -> Span:
+    """The places that are tabulated when none are asked for: a full turn, or the one place of a slider."""
+    drive = plans.mechanism.drive
+    return FULL_TURN if drive.kind == "phi" else Span(drive.position, 0.0, 1)
+
+
+def _written(
+    table: Cycle, columns: Sequence[Named], reasons: tuple[Reason, ...], blocks: Iterator[Block], count: int,
+    output: str, lang: Lang,
+) -> int:  # fmt: skip
+    kind = table.plans.mechanism.drive.kind
     drive = ("phi", "°") if kind == "phi" else ("s", "m")
     gaps: list[Gap] = []
-    heading = Heading(drive, [(c.name, c.unit) for c in table.columns], table.reasons)
-    with opened(Path(output), heading, len(span)) as writer:
-        for block in progress(table.blocks(span, fast=fast), len(span), lang):
+    with opened(Path(output), Heading(drive, [(c.name, c.unit) for c in columns], reasons), count) as writer:
+        for block in progress(blocks, count, lang):
             writer.write(block)
             collect(gaps, block)
-    tell(table, gaps, kind, lang)
+    tell(table, reasons, gaps, kind, lang)
     failed = sum(gap.count for gap in gaps)
-    print(say("cycle_done", lang, file=output, count=len(span), failed=failed), file=sys.stderr)
-    return 0 if failed < len(span) else 2
+    print(say("cycle_done", lang, file=output, count=count, failed=failed), file=sys.stderr)
+    return 0 if failed < count else 2
 
 
 def progress(blocks: Iterator[Block], count: int, lang: Lang) -> Iterator[Block]:
@@ -83,23 +112,23 @@ def collect(gaps: list[Gap], block: Block) -> None:
             gaps.append(Gap(code, first, last, int(end - start) * (code != 0)))
 
 
-def tell(table: Cycle, gaps: list[Gap], kind: str, lang: Lang) -> None:
+def tell(table: Cycle, reasons: tuple[Reason, ...], gaps: list[Gap], kind: str, lang: Lang) -> None:
     """Say on stderr where and why positions failed."""
     failed = [gap for gap in gaps if gap.code]
     for gap in failed[:TOLD]:
         first, last = (told(v, kind, lang) for v in (gap.first, gap.last))
-        name, why = "φ" if kind == "phi" else "s", reason(table, gap, lang)
+        name, why = "φ" if kind == "phi" else "s", reason(table, reasons, gap, lang)
         print(say("cycle_failed", lang, name=name, first=first, last=last, count=gap.count, why=why), file=sys.stderr)
     if len(failed) > TOLD:
         print(say("cycle_more", lang, count=len(failed) - TOLD), file=sys.stderr)
 
 
-def reason(table: Cycle, gap: Gap, lang: Lang) -> str:
+def reason(table: Cycle, reasons: tuple[Reason, ...], gap: Gap, lang: Lang) -> str:
     """The sentence of the first position of a range, drawn by itself at full size."""
     full = dict.fromkeys(table.mus, 1000.0)
     try:
         run(table.program, {**table.given, **full, table.plans.drive_given: gap.first})
     except PlanFailure as failure:
         return failure.sentence(lang)
-    why = table.reasons[gap.code - 1]
+    why = reasons[gap.code - 1]
     return say("no_digits", lang, makes=why.makes or "…")

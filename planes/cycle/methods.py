@@ -19,6 +19,7 @@ from planes.cycle.tracing import given_values
 from planes.drawing import Drawing, run
 from planes.instruments import Pencil
 from planes.mechanism import FRAME
+from planes.naming import plan_of
 from planes.plans import Plans
 from planes.scales import FIT_MM, scales
 from planes.wording import PlanFailure
@@ -209,7 +210,7 @@ def _try(bench: Bench, given: dict[str, Any], pencil: Pencil) -> None:
 
 def _ruled(column: Any, drawing: Drawing, mus: dict[str, float], ruler: float) -> Any:
     """A column as read off with the ruler."""
-    mu = mus["mu_" + column.start.rpartition(":")[0]]
+    mu = mus["mu_" + plan_of(column.start)]
     size = np.broadcast_to(column.take(drawing.things, drawing.hand.ar), drawing.hand.shape) * mu
     return np.round(size / ruler) * ruler / mu
 

@@ -34,19 +34,23 @@ OPS: dict[str, Callable[..., Any]] = {
 }
 
 
-def read(tape: Tape, order: Iterable[int], given: Mapping[str, Any], real: Any = np.float64) -> dict[int, Any]:
-    """The numbers at the places of ``order``, in floats of the kind ``real``; errors of instruments are 0."""
+def read(
+    tape: Tape, order: Iterable[int], given: Mapping[str, Any], real: Callable[[Any], Any] = np.float64,
+    ops: Mapping[str, Callable[..., Any]] = OPS,
+) -> dict[int, Any]:  # fmt: skip
+    """The numbers at the places of ``order``, of the kind ``real``, by the operations ``ops``; errors of instruments
+    are 0."""
     found: dict[int, Any] = {}
     with np.errstate(all="ignore"):
         for place in order:
             op, args = tape.ops[place]
             if op == "given":
-                found[place] = np.asarray(given[tape.values[place]], real)[()]
+                found[place] = real(given[tape.values[place]])
             elif op == "source":
                 found[place] = real(0.0)
             elif op == "const":
                 value = tape.values[place]
                 found[place] = np.bool_(value) if isinstance(value, bool) else real(value)
             else:
-                found[place] = OPS[op](*(found[a] for a in args))
+                found[place] = ops[op](*(found[a] for a in args))
     return found

@@ -15,6 +15,8 @@ from planes.cycle import Block, Reason
 from planes.wording import PlanesError
 from planes.words import Phrase
 
+GROUP = 65_536  # rows of one group of Parquet
+
 
 class Writer(Protocol):
     """Takes blocks one after another."""
@@ -148,15 +150,28 @@ class Parquet:
         ]
         self.schema = pyarrow.schema([*fields, pyarrow.field("failed", pyarrow.string())])
         self.writer = pyarrow.parquet.ParquetWriter(path, self.schema)
+        self.waiting: list[Block] = []
 
     def write(self, block: Block) -> None:
-        """One row group."""
-        columns: list[Any] = [block.values, *block.table, self.reasons[block.codes]]
+        """Blocks wait until they make a row group: what is told of every group stays in memory to the end."""
+        self.waiting.append(block)
+        if sum(len(b.values) for b in self.waiting) >= GROUP:
+            self._group()
+
+    def _group(self) -> None:
+        rows = np.hstack([np.vstack([b.values, b.table]) for b in self.waiting])
+        codes = np.hstack([b.codes for b in self.waiting])
+        columns: list[Any] = [*rows, self.reasons[codes]]
         self.writer.write_table(self.arrow.table([self.arrow.array(c) for c in columns], schema=self.schema))
+        self.waiting.clear()
 
     def close(self, whole: bool = True) -> None:
-        """Write the footer."""
-        self.writer.close()
+        """The last group, and the footer."""
+        try:
+            if whole and self.waiting:
+                self._group()
+        finally:
+            self.writer.close()
 
 
 WRITERS: dict[str, Callable[[Path, Heading, int], Writer]] = {

@@ -167,6 +167,10 @@ class Vec:
     def __init__(self, real: Any, imag: Any) -> None:
         self.real, self.imag = real, imag
 
+    def conjugate(self) -> Vec:
+        """Mirrored in the x axis."""
+        return Vec(self.real, -self.imag)
+
     def __neg__(self) -> Vec:
         return Vec(-self.real, -self.imag)
 

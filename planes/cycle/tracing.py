@@ -89,6 +89,7 @@ class TracingHand(Hand):
     tape: Tape = field(default_factory=Tape)
     errors: tuple[float, float, float] | None = None
     sources: list[Source] = field(default_factory=list)
+    turns: list[int] = field(default_factory=list)
 
     def mark(self, place: Any) -> Any:
         return place + Vec(self._error(0), self._error(0)) if self.errors else place
@@ -110,7 +111,9 @@ class TracingHand(Hand):
             self.failures.append((reason, step, ok, numbers))
 
     def note(self, ok: Any, step: object, reason: str) -> None:
-        """A warning stops nothing, so a tape has none."""
+        """A warning stops nothing; what it is told of, whether a thing moves at all, is remembered."""
+        if isinstance(ok, Test):
+            self.turns.append(ok.at)
 
 
 @dataclass(frozen=True)
@@ -121,7 +124,7 @@ class Trace:
     outputs: tuple[int, ...]
     requires: tuple[tuple[str, str, int], ...]  # reason, what the step makes, place of the condition
     sources: tuple[Source, ...]
-    pivots: tuple[int, ...]  # places of the sharpnesses of crossings
+    turns: tuple[int, ...]  # places of the tests whether a thing moves at all
 
     def givens(self) -> dict[str, int]:
         """Names of the given numbers (of a place, "name.x" and "name.y") and where they stand."""
@@ -133,14 +136,17 @@ Take = Callable[[Mapping[str, Any], Any], Any]
 
 def trace(
     program: Program, given: Mapping[str, Any], takes: list[Take], known: Mapping[str, Any],
-    errors: tuple[float, float, float] | None = None, must: Sequence[bool] = (),
+    errors: tuple[float, float, float] | None = None, must: Sequence[bool] = (), fine: float | None = None,
 ) -> Trace:  # fmt: skip
     """Record a program. ``given`` shows which givens are places; those in ``known`` are folded in as constants.
 
-    The outputs marked in ``must`` have to be finite numbers: that is the last condition, "no_digits".
+    The outputs marked in ``must`` have to be finite numbers: that is the last condition, "no_digits". ``fine`` is the
+    relative error of the numbers the tape is to be read in, where they are longer than doubles.
     """
     tape = Tape()
     hand = TracingHand(Recording(), True, tape=tape, errors=errors, doubt_mm=errors[0] if errors else 0.0)
+    if fine is not None:
+        hand.slack, hand.flat, hand.still = fine, fine, 10 * fine
     things: dict[str, Any] = {n: known[n] if n in known else _given(tape, n, given[n]) for n in given}
     for step in program.steps:
         before = len(hand.failures)
@@ -153,8 +159,7 @@ def trace(
     if must:
         hand.require(_finite(tape, [x for x, m in zip(taken, must, strict=True) if m]), None, "no_digits")
     requires = tuple((r, str(getattr(s, "makes", "")), place_of(tape, ok)) for r, s, ok, _ in hand.failures)
-    pivots = tuple(x.at for x in hand.sharpness.values() if isinstance(x, Num))
-    return Trace(tape, outputs, requires, tuple(hand.sources), pivots)
+    return Trace(tape, outputs, requires, tuple(hand.sources), tuple(hand.turns))
 
 
 def _finite(tape: Tape, numbers: list[Any]) -> Any:

@@ -11,12 +11,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from planes import steps as s
-from planes.drafting import POLE, Moments, at, label_of, mu_of
+from planes.drafting import Moments
 from planes.drawing import Drawing
 from planes.equations import Equation
 from planes.lesson.formulas import SLOT, number, paper, unit, value
 from planes.lesson.moments import moment_words
 from planes.lesson.steps import StepWords, lettered, whole
+from planes.naming import POLE, at, label_of, mu_of, plan_of
 from planes.plans import Plans
 from planes.scales import kind_of
 from planes.steps.reckoning import Calculate
@@ -57,7 +58,7 @@ class Teller:
         self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
         self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured for the lesson alone
         marks = [x for x in drawing.program.steps if x.kind == "mark" and x.makes[-1] not in "+-"]
-        self.ends = {plan_of(x): x.makes for x in marks if x.makes.startswith("force")}  # the last mark of each
+        self.ends = {shown_on(x): x.makes for x in marks if x.makes.startswith("force")}  # the last mark of each
         self.still = {p for p in ("velocity", "acceleration") if p in plans.drawn and self.stands(p)}
 
     def frames(self) -> list[Frame]:
@@ -73,21 +74,21 @@ class Teller:
             found += self.readings(readings, found)
             readings = []
             found.append(self.mark(step))
-            if step.makes == self.ends.get(plan_of(step)):
-                found += self.closing(plan_of(step))
+            if step.makes == self.ends.get(shown_on(step)):
+                found += self.closing(shown_on(step))
         return found + self.readings(readings, found)
 
     def stands(self, plan: str) -> bool:
         """Whether every mark of a plan stands in its pole in every position: there is nothing to draw."""
         import numpy
 
-        own = [s.makes for s in self.drawing.program.steps if s.kind == "mark" and plan_of(s) == plan]
+        own = [s.makes for s in self.drawing.program.steps if s.kind == "mark" and shown_on(s) == plan]
         sizes = [numpy.abs(numpy.atleast_1d(self.cycle[m])) for m in own]
         return all(float(numpy.nanmax(z)) < 1e-6 for z in sizes if not numpy.all(numpy.isnan(z)))
 
     def shown(self, step: s.Step) -> bool:
         """Whether a step has a frame of its own."""
-        if kind_of(plan_of(step)) == "motion" or step.makes == at("position", POLE) or plan_of(step) in self.still:
+        if kind_of(shown_on(step)) == "motion" or step.makes == at("position", POLE) or shown_on(step) in self.still:
             return False
         return isinstance(step, s.Touch) or step.kind == "mark"
 
@@ -133,7 +134,7 @@ class Teller:
         words = StepWords(self.plans, self.drawing, self.made)
         key, reason, more = words.of(step)
         makes = () if isinstance(step, s.Touch) else (step.makes,)
-        return self.frame(key, plan_of(step), makes, uses, reason, **{**names, "end": lettered(step.makes), **more})
+        return self.frame(key, shown_on(step), makes, uses, reason, **{**names, "end": lettered(step.makes), **more})
 
     def readings(self, values: list[s.Step], before: list[Frame]) -> list[Frame]:
         """Frames of what was reckoned since the last mark: rates together, each moment equation alone."""
@@ -201,9 +202,9 @@ class Teller:
         return [self.frame(key, plan, (), (), reason, terms=terms, moments=index, **names)]
 
 
-def plan_of(step: s.Step) -> str:
+def shown_on(step: s.Step) -> str:
     """The plan a mark stands on (a tangent's, the scheme)."""
-    return step.makes.rpartition(":")[0] or "position"
+    return plan_of(step.makes) or "position"
 
 
 def shown_mark(name: str) -> bool:

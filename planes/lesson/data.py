@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from planes.drafting import at, label_of, mu_of
 from planes.drawing import Drawing, run
 from planes.equations import Equation, Term
 from planes.lesson import LANGS, Teller, mu_said, needed, value_of
@@ -18,6 +17,7 @@ from planes.lesson.scheme import arms, feet, related, scheme
 from planes.lesson.steps import action, whole
 from planes.lesson.zones import reasons, zones
 from planes.measuring import say_plan
+from planes.naming import at, label_of, mu_of
 from planes.plans import Plans, state
 from planes.scales import kind_of, scales
 from planes.scene import Scene

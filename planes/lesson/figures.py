@@ -10,9 +10,9 @@ from typing import Any
 from planes.check.handwork import Hand, Variant
 from planes.check.judging import MARGIN
 from planes.check.slips import SHARE, Figure, Scored, Things, first_of, number_mistake
-from planes.drafting import at, mu_of
 from planes.mark_names import Names
 from planes.measuring import Quantity
+from planes.naming import POLE, at, mu_of, plan_of
 from planes.plans import Plans
 
 
@@ -49,7 +49,7 @@ def _figure(plans: Plans, name: str, q: Quantity, value: float) -> Figure:
     """How a quantity of the catalogue is read off a drawing."""
     if q.path[0] == "points":
         mark = q.needs[-1]
-        return Figure(name, value, _length(at(plan_of(mark), "p"), mark), False, plan_of(mark))
+        return Figure(name, value, _length(at(plan_of(mark), POLE), mark), False, plan_of(mark))
     if q.path[0] == "plans":
         return Figure(name, value, _length(*q.needs[-2:]), False, q.path[1])
     if q.path[0] == "reactions":
@@ -60,11 +60,6 @@ def _figure(plans: Plans, name: str, q: Quantity, value: float) -> Figure:
     one = q.needs[0] if q.needs else ""
     plan = {"omega": "velocity", "epsilon": "acceleration"}.get(q.path[-1], "")
     return Figure(name, value, lambda things: things[one] if one else 0.0, True, plan, one)
-
-
-def plan_of(mark: str) -> str:
-    """The plan a mark is on."""
-    return mark.rpartition(":")[0]
 
 
 def _length(start: str, end: str) -> Callable[[Things], Any]:

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import Any
 
-from planes.drafting import mu_of
 from planes.lesson import Frame, Teller, mu_said, value_of
 from planes.lesson.formulas import fill, number, unit
 from planes.measuring import say_plan
 from planes.mechanism import FRAME
+from planes.naming import mu_of
 from planes.scales import kind_of
 from planes.scene import Scene
 from planes.solving import Position, told

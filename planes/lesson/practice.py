@@ -18,10 +18,10 @@ from planes.check.mistakes import motion_variants
 from planes.check.mistakes_force import force_variants
 from planes.check.mistakes_position import position_variants
 from planes.check.ways import Ways
-from planes.drafting import mu_of
 from planes.drawing import Drawing, run
 from planes.lesson import LANGS, Frame
 from planes.lesson.steps import action, lettered, line_of
+from planes.naming import mu_of, plan_of
 from planes.plans import Plans
 from planes.program import Program
 from planes.scales import kind_of
@@ -72,7 +72,7 @@ class Practice:
         for k, plan in enumerate(plans):
             if progress:
                 progress(k + 1, len(plans))
-            wanted = [s.makes for s in self.plans.program.steps if s.makes.rpartition(":")[0] == plan]
+            wanted = [s.makes for s in self.plans.program.steps if plan_of(s.makes) == plan]
             ways = Ways(self.plans, self.plans.program.sliced(wanted), plan)
             for variant in self.variants(ways):
                 wrong = self.drawn(ways, variant)

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from planes.drafting import Moments, at
+from planes.drafting import Moments
 from planes.drawing import Drawing
 from planes.mechanism import FRAME
+from planes.naming import at
 from planes.plans import Plans
 from planes.steps import LayOff, Step
 from planes.steps.reckoning import Calculate, Drop

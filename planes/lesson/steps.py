@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from planes import steps as s
-from planes.drafting import label_of
 from planes.drawing import Drawing
 from planes.equations import Equation, Term
 from planes.lesson.formulas import formula, number, paper, sense, unit, value
+from planes.naming import label_of, plan_of
 from planes.plans import Plans
 from planes.scales import kind_of
 from planes.steps.reckoning import Calculate, Choose, Measure
@@ -108,7 +108,7 @@ class StepWords:
 
     def crossing(self, mark: str) -> str | Callable[[Lang], str]:
         """Why the lines that cross at a mark have their directions."""
-        plan, label = mark.rpartition(":")[0], label_of(mark)
+        plan, label = plan_of(mark), label_of(mark)
         kind = kind_of(plan)
         terms = [
             t for e in self.plans.equations if e.plan == plan for t in e.terms
@@ -146,7 +146,7 @@ class StepWords:
 
     def vector(self, step: s.LayOff) -> str:
         """The name of the vector a step lays off."""
-        plan, label = step.makes.rpartition(":")[0], label_of(step.makes)
+        plan, label = plan_of(step.makes), label_of(step.makes)
         terms = [t.name for e in self.plans.equations if e.plan == plan for t in e.terms if t.end == label]
         segments = [x.name for x in self.plans.segments if x.plan == plan and x.end == label]
         return (terms or segments or [label])[0]

@@ -6,10 +6,10 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from planes.drafting import label_of
 from planes.drawing import Drawing, run
 from planes.lesson import LANGS
 from planes.measuring import BLUNT, say_plan
+from planes.naming import label_of, plan_of
 from planes.plans import Plans
 from planes.solving import failed
 from planes.wording import PlanFailure
@@ -43,7 +43,7 @@ def _zone(plans: Plans, first: int, last: int, kind: str, table: Any) -> dict[st
         return {"from": first, "to": last, "kind": "bad", "said": {lang: tell("zone_bad", lang) for lang in LANGS}}
     angle = math.degrees(math.asin(float(table[:, first : last + 1].min())))
     said = {
-        lang: tell("zone_blunt", lang, mark=_mark(kind), plan=say_plan(kind.rpartition(":")[0] or "position", lang),
+        lang: tell("zone_blunt", lang, mark=_mark(kind), plan=say_plan(plan_of(kind) or "position", lang),
                    angle=f"{angle:.2g}".replace(".", "," if lang == "ru" else "."))
         for lang in LANGS
     }  # fmt: skip

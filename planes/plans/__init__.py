@@ -6,9 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from planes.drafting import Draft, Moments, Segment, at
+from planes.drafting import Draft, Moments, Segment
 from planes.equations import Equation
 from planes.mechanism import FRAME, Mechanism
+from planes.naming import at, plan_of
 from planes.plans.assembly import Choice, resolve
 from planes.plans.bodies import SCHEME, Bodies, Body
 from planes.plans.kinematics import Rates, SlideReading
@@ -71,7 +72,7 @@ class Plans:
     @property
     def drawn(self) -> tuple[str, ...]:
         """Plans in the order they are drawn: position, velocity, acceleration, force:2-3, …, force:1."""
-        return tuple(dict.fromkeys(s.makes.rpartition(":")[0] for s in self.program.steps if s.kind == "mark"))
+        return tuple(dict.fromkeys(plan_of(s.makes) for s in self.program.steps if s.kind == "mark"))
 
 
 def state(mechanism: Mechanism, file: str = "") -> Plans:

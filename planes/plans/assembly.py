@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from planes.drafting import Draft, at
+from planes.drafting import Draft
 from planes.drawing import run
 from planes.mechanism import Assembly, Mechanism
+from planes.naming import at
 from planes.program import Program
 from planes.structure import Group
 from planes.wording import PlanFailure, SceneError

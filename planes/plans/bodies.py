@@ -6,8 +6,9 @@ import cmath
 import math
 from dataclasses import dataclass, field
 
-from planes.drafting import POLE, Draft, at
+from planes.drafting import Draft
 from planes.mechanism import FRAME, Link, Mechanism
+from planes.naming import POLE, at
 from planes.structure import Group, Pair, Structure
 
 SCHEME = "position"

@@ -9,8 +9,8 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import product
 
-from planes.drafting import at, mu_of
 from planes.equations import Term
+from planes.naming import at, mu_of
 from planes.plans.loads import Acting, force_name
 from planes.steps import Cross
 from planes.steps.reckoning import Choose, Lean, Sense, Trial

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from planes.drafting import POLE, at
 from planes.equations import Equation, Term
 from planes.mechanism import FRAME
+from planes.naming import POLE, at
 from planes.plans.bodies import SCHEME, Bodies, Body, Spot
 from planes.plans.legs import Leg, legs_of
 from planes.steps import Carry, Image, Same

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from planes.drafting import POLE
 from planes.mechanism import FRAME
+from planes.naming import POLE
 from planes.plans.bodies import SCHEME, Bodies, Spot
 from planes.plans.positions import moving_name
 from planes.structure import Group, Pair

@@ -6,8 +6,9 @@ the check shares the loads and the velocity plan with the force plans, and none 
 
 from __future__ import annotations
 
-from planes.drafting import POLE, Moments, at
+from planes.drafting import Moments
 from planes.mechanism import FRAME
+from planes.naming import POLE, at
 from planes.plans.kinematics import turned_copy
 from planes.plans.loads import Acting, Force
 from planes.plans.reactions import Statics

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from planes.drafting import POLE, at
 from planes.mechanism import FRAME, Link, Load
+from planes.naming import POLE, at
 from planes.plans.bodies import SCHEME, Bodies, Spot
 from planes.plans.kinematics import Rates
 from planes.steps.reckoning import Sense, SenseOf

@@ -5,9 +5,9 @@ from __future__ import annotations
 import cmath
 import math
 
-from planes.drafting import POLE, at
 from planes.equations import Equation, Term
 from planes.mechanism import FRAME
+from planes.naming import POLE, at, label_of
 from planes.plans.bodies import SCHEME, Bodies, Body, Spot, difference
 from planes.steps import Touch
 from planes.structure import Group, Pair
@@ -77,7 +77,7 @@ def _on_line(b: Bodies, pair: Pair, link: str, point: str) -> tuple[str, str]:
     """Label of a mark, and direction, of the line that a point of ``link`` runs along in a solved pair."""
     mark, direction = b.line(pair, pair.mate(link))
     shifted = b.shifted(f"{point}°{pair.guide}", mark, direction, b.offset(pair, link, point))
-    return shifted.rpartition(":")[2], direction
+    return label_of(shifted), direction
 
 
 def _side(b: Bodies, key: str, group: Group) -> str:
@@ -168,7 +168,7 @@ def _place_rpp(b: Bodies, g: Group) -> None:
     axis = b.axis_along(g.last_outer, g.last, direction)
     inner = b.direction_from(g.inner, g.last, axis)
     apart = difference(b.offset(g.inner, g.last, point), b.offset(g.inner, g.first, hinge))
-    shifted = b.shifted(f"{point}°{g.inner.guide}", at(SCHEME, hinge), inner, apart).rpartition(":")[2]
+    shifted = label_of(b.shifted(f"{point}°{g.inner.guide}", at(SCHEME, hinge), inner, apart))
     chains = _ray(point, start, direction), _ray(point, shifted, inner)
     b.draft.draw(Equation(SCHEME, chains, f"r_{point}"))
     root = b.known[g.last_outer.mate(g.last)].root

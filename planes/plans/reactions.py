@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from planes.drafting import Moments, at, label_of
+from planes.drafting import Moments
+from planes.naming import at, label_of
 from planes.plans.bodies import SCHEME, Bodies
 from planes.plans.loads import Acting, Couple, Force, force_name
 from planes.steps.reckoning import Product

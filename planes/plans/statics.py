@@ -10,9 +10,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from planes.drafting import POLE, Moments, at
+from planes.drafting import Moments
 from planes.equations import Equation, Term
 from planes.mechanism import FRAME
+from planes.naming import POLE, at
 from planes.plans.bodies import SCHEME
 from planes.plans.friction import meet_with_friction
 from planes.plans.loads import Couple, Force, force_name

@@ -18,6 +18,9 @@ from planes.solving import Position, failed, plans_of, position, solve
 from planes.vectors import solve_vectors
 from planes.wording import PlanesError, PlanFailure
 from planes.words import Lang
+from render.faces import lettered
+from render.fonts import face_of
+from render.ink import save
 from render.sheet import Sheet, compose
 from render.sheet.composer import Composer
 from render.sheet.project import Project
@@ -59,6 +62,11 @@ def picture(drawn: Scene | Position, view: str | None = None, lang: Lang = "ru")
 
 def view_of(scene: Scene, view: str | None, values: Iterable[float] | None = None, lang: Lang = "ru") -> Page:
     """One view of a scene on a page of its own, by name (the first, if none is named)."""
+    with lettered(face_of(scene)):
+        return _view_of(scene, view, values, lang)
+
+
+def _view_of(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> Page:
     composer = Composer(scene, lang)
     if scene.mechanism is None:
         return _page(of_scene_of_vectors(solve_vectors(scene), composer), view, composer)
@@ -85,7 +93,12 @@ def _one_value(plans: Plans, values: Iterable[float] | None, lang: Lang) -> floa
 
 
 def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", number: int | None = None) -> Sheet:
-    """The composed sheet of one position, or of vectors alone."""
+    """The composed sheet of one position, or of vectors alone, lettered as the scene says."""
+    with lettered(face_of(scene)):
+        return _sheet_of(scene, values, lang, number)
+
+
+def _sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang, number: int | None) -> Sheet:
     composer = Composer(scene, lang)
     if scene.mechanism is None:
         found = solve_vectors(scene)
@@ -155,24 +168,29 @@ def _drawer(
 def write(sheet: Sheet | Page, path: Path, lang: Lang) -> None:
     """The sheet as a file in the format of its suffix."""
     try:
-        match path.suffix.lower():
-            case ".svg":
-                from render import svg
-
-                svg.write(sheet.marks, sheet.size, sheet.title, path, lang=lang)
-            case ".pdf":
-                from render import pdf
-
-                pdf.write(sheet.marks, sheet.size, sheet.title, path, lang=lang)
-            case ".dxf":
-                dxf = _dxf(lang)
-                dxf.write(sheet.marks, sheet.size, sheet.title, path, lang=lang)
-            case _:
-                from render import png
-
-                png.write(sheet.marks, sheet.size, sheet.title, path)
+        save(rendered(sheet, path.suffix.lower(), lang), path)
     except OSError as error:
         raise PlanesError(say("unwritable", lang, file=str(path), reason=error.strerror or str(error))) from None
+
+
+def rendered(sheet: Sheet | Page, suffix: str, lang: Lang) -> bytes:
+    """The contents of the sheet's file; the same sheet gives the same bytes."""
+    match suffix:
+        case ".svg":
+            from render import svg
+
+            return svg.write(sheet.marks, sheet.size, sheet.title, lang=lang)
+        case ".pdf":
+            from render import pdf
+
+            return pdf.write(sheet.marks, sheet.size, sheet.title, lang=lang)
+        case ".dxf":
+            found: bytes = _dxf(lang).write(sheet.marks, sheet.size, sheet.title, lang=lang)
+            return found
+        case _:
+            from render import png
+
+            return png.write(sheet.marks, sheet.size, sheet.title)
 
 
 def _dxf(lang: Lang) -> Any:

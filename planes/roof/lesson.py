@@ -58,10 +58,15 @@ def write_note(scene: Scene, values: list[float] | None, output: str, lang: Lang
     path = Path(output)
     if path.suffix.lower() not in NOTES:
         raise PlanesError(note_said("note_suffix", lang, file=output))
+    keep(note(scene, values, path.suffix.lower(), lang), path)
+
+
+def note(scene: Scene, values: list[float] | None, suffix: str, lang: Lang) -> bytes:
+    """The contents of a note's file."""
     drawn = placed(scene, values, lang)
     blocks = Note(scene, drawn, lang).blocks()
     composer = Composer(scene, lang)
-    keep(set_note(blocks, figures(blocks, composer, drawn), composer.naming, path.suffix.lower()), path)
+    return set_note(blocks, figures(blocks, composer, drawn), composer.naming, suffix)
 
 
 def placed(scene: Scene, values: list[float] | None, lang: Lang) -> Position:

@@ -16,11 +16,14 @@ Words = dict[str, str]
 
 SHEET_KEYS = ("title", "number", "designation", "group", "student", "teacher", "checked", "approved", "department",
               "university", "company", "material", "letter", "scale_note", "mass", "reactions", "mu_convention",
-              "font", "format", "language", "lang", "positions", "views", "layout", "date", "sheet", "sheets")
+              "font", "lettering", "format", "language", "lang", "positions", "views", "layout", "date", "sheet",
+              "sheets", "tech", "role", "person", "teacher_date", "tech_date", "person_date", "checked_date",
+              "approved_date", "revisions", "inventory", "inventory_accepted", "replaces", "duplicate",
+              "duplicate_accepted", "reference", "first_use", "copied")
 MOST_MU = 1e20  # mm per SI unit
-_NUMERIC = ("mass", "font", "positions", "views", "layout", "sheet", "sheets")
+_NUMERIC = ("mass", "positions", "views", "layout", "sheet", "sheets")
 _WORDS = {"reactions": ("on-from", "from-on"), "mu_convention": ("mm_per_unit", "unit_per_mm"),
-          "language": ("ru", "en"), "lang": ("ru", "en")}
+          "language": ("ru", "en"), "lang": ("ru", "en"), "lettering": ("upright", "slanted")}
 _NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
 _FIND = re.compile(r"[\w'′″^]*\w[\w'′″^]*")
 

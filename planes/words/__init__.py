@@ -11,6 +11,7 @@ from typing import Literal
 from planes.words.check import CHECK
 from planes.words.crank_slider import CRANK_SLIDER
 from planes.words.cycle import CYCLE
+from planes.words.diagrams import DIAGRAMS
 from planes.words.links import LINKS
 from planes.words.method import METHOD
 from planes.words.scene import SCENE
@@ -159,7 +160,7 @@ class Phrase:
 Told = Phrase | str
 """A phrase, or words that are the same in both languages: a name, a number, a key of the file."""
 
-TABLE = {**WORDS, **TEXT, **SCENE, **LINKS, **METHOD, **CRANK_SLIDER, **CHECK, **CYCLE}
+TABLE = {**WORDS, **TEXT, **SCENE, **LINKS, **METHOD, **CRANK_SLIDER, **CHECK, **CYCLE, **DIAGRAMS}
 
 
 class _Teller(Formatter):

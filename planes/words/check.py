@@ -117,14 +117,57 @@ CHECK: dict[str, tuple[str, str]] = {
     "check_output": (
         "{file}: отчёт пишется в .html, .pdf, .svg, .png или .json", "{file}: write to .html, .pdf, .svg, .png or .json"
     ),
+    "help_trace": (
+        "вместо проверки: страница-калька, верный план поверх своего снимка (-o калька.html, без чертежа)",
+        "instead of checking: a tracing-paper page, the right plan over a picture of your own (-o trace.html, no drawing)",
+    ),
+    "check_no_drawing": (
+        "нет чертежа: planes check СЦЕНА ЧЕРТЁЖ --plan ПЛАН", "no drawing: planes check SCENE DRAWING --plan PLAN",
+    ),
+    "check_trace": (
+        "калька пишется без чертежа: planes check СЦЕНА --plan ПЛАН --trace -o калька.html",
+        "tracing paper takes no drawing: planes check SCENE --plan PLAN --trace -o trace.html",
+    ),
+    "trace_open": ("Открыть снимок", "Open a picture"),
+    "trace_plan": ("План", "Plan"),
+    "trace_by": ("Тянуть за", "Handle"),
+    "trace_layer_plan": ("план", "the plan"),
+    "trace_layer_names": ("буквы", "letters"),
+    "trace_picture": ("снимок", "the picture"),
+    "trace_paper": ("калька", "tracing paper"),
+    "trace_zoom": ("увеличение", "zoom"),
+    "trace_pole": ("полюс", "the pole"),
+    "trace_turned": ("повёрнут на", "turned by"),
+    "trace_scale": ("пикселей в миллиметре", "pixels to a millimetre"),
+    "trace_hint": (
+        "Откройте снимок чертежа: он остаётся в этом окне и никуда не отправляется. Тяните план за полюс — он едет, за "
+        "отметку — поворачивается и растёт. Стрелки двигают ручку на 1 пиксель, с Shift — на 10.",
+        "Open a picture of a drawing: it stays in this window and is sent nowhere. Drag the plan by its pole to move it, "
+        "by its mark to turn and resize it. Arrow keys move a handle by 1 pixel, with Shift by 10.",
+    ),
+    "trace_check": (
+        "Проверить сам снимок с этими двумя точками:", "To check the picture itself with these two points:",
+    ),
+    "trace_not_picture": ("Этот файл не открывается как картинка.", "This file does not open as a picture."),
     "check_page_own": ("чертёж", "the drawing"),
-    "check_page_next": ("куда ведёт построение из ваших точек", "where your own marks lead"),
-    "check_page_true": ("верный план", "the right plan"),
-    "check_page_picture": ("снимок", "the picture"),
-    "check_page_save": ("сохранить отметки", "save the marks"),
+    "check_page_next": ("куда ведёт построение из своих точек", "where its own marks lead"),
+    "check_page_truth": ("верный план", "the right plan"),
+    "check_page_picture": ("снимок или линии", "the picture or lines"),
+    "check_page_save": ("Сохранить отметки", "Save the marks"),
+    "check_page_reset": ("Вернуть как прочитано", "As it was read"),
+    "check_page_moved": ("Отметки передвинуты, вывод обновлён.", "Marks have been moved; the verdict is up to date."),
+    "check_page_steps": ("Шаги", "Steps"),
+    "check_page_numbers": ("Результаты", "Results"),
     "check_page_drag": (
-        "Отметку, прочитанную не там, перетащите; сохранённую таблицу можно проверить снова.",
-        "Drag a mark that was read in a wrong place; the saved table can be checked again.",
+        "Отметку, прочитанную не там, перетащите мышью, пальцем или стрелками (Shift — по 5 мм, Alt — по 0,1 мм); "
+        "непрочитанные ждут у правого края. Каждый шаг тут же проверяется заново. Сохранённая таблица проверяется так:",
+        "Drag a mark that was read in a wrong place with the mouse, a finger or the arrow keys (Shift: 5 mm, Alt: "
+        "0.1 mm); those not read wait at the right edge. Every step is judged anew at once. The saved table is checked "
+        "so:",
+    ),
+    "check_page_noscript": (
+        "Страница чертит сама: включите JavaScript; вывод и таблица верны и без него.",
+        "The page draws by itself: please enable JavaScript; the verdict and the table stand without it.",
     ),
     "check_class": ("Работы", "Papers"),
     "check_file": ("файл", "file"),
@@ -134,6 +177,8 @@ CHECK: dict[str, tuple[str, str]] = {
     "check_marks": ("Отметки", "Marks"),
     "check_numbers": ("Результаты", "Results"),
     "check_mark": ("отметка", "mark"),
+    "check_off_own": ("от своего построения, мм", "off its own construction, mm"),
+    "check_off_true": ("от верного плана, мм", "off the right plan, mm"),
     "check_deviation": ("отклонение, мм", "deviation, mm"),
     "check_tolerance": ("допуск, мм", "tolerance, mm"),
     "check_verdict": ("вывод", "verdict"),

@@ -2,12 +2,12 @@
 
 CYCLE: dict[str, tuple[str, str]] = {
     "help_cycle": (
-        "рассчитать много положений и записать таблицу",
-        "compute many positions and write them as a table",
+        "пройти весь цикл: ход, мёртвые положения, экстремумы; таблица многих положений, диаграммы, годографы",
+        "go through the whole cycle: stroke, dead points, extremes; a table of many positions, diagrams, hodographs",
     ),
     "help_cycle_output": (
-        "файл таблицы: .csv, .npy, .npz или .parquet",
-        "the table's file: .csv, .npy, .npz or .parquet",
+        "файл таблицы: .csv, .npy, .npz или .parquet — или диаграмм: .png, .svg или .pdf; без него сводка",
+        "the file of a table: .csv, .npy, .npz or .parquet - or of diagrams: .png, .svg or .pdf; without it a summary",
     ),
     "help_slow": ("не компилировать программу в один цикл", "do not compile the program into one loop"),
     "help_explain": (
@@ -64,9 +64,13 @@ CYCLE: dict[str, tuple[str, str]] = {
         "{file}: такую таблицу записать нельзя; подходят {suffixes}",
         "{file}: no table can be written with this suffix; valid: {suffixes}",
     ),
+    "listing_long": (
+        "список пишется для немногих положений, а задано {count}; возьмите не больше {most} или файл: -o таблица.csv",
+        "a listing is for a few positions, but {count} were asked for; take {most} at most, or a file: -o table.csv",
+    ),
     "cycle_no_parquet": (
-        "для таблиц Parquet нужен pyarrow: pip install pyarrow, или возьмите .npz либо .csv",
-        "Parquet tables need pyarrow: pip install pyarrow, or take .npz or .csv",
+        "для таблиц Parquet нужен pyarrow: pip install planes[parquet], или возьмите .npz либо .csv",
+        "Parquet tables need pyarrow: pip install planes[parquet], or take .npz or .csv",
     ),
     "cannot_write": ("{file}: записать не удалось: {reason}", "{file} cannot be written: {reason}"),
     "cycle_no_mechanism": (

@@ -135,6 +135,18 @@ SCENE: dict[str, tuple[str, str]] = {
         "вариант {name} меняет {key}, но такого параметра нет{valid}",
         "variant {name} overrides {key}, which is no parameter{valid}",
     ),
+    "no_font": (
+        "sheet.font: шрифт {name} не установлен{valid}; назовите установленный или файл .ttf, .otf",
+        "sheet.font: no font {name} is installed{valid}; name an installed one or a file .ttf, .otf",
+    ),
+    "no_font_file": (
+        "sheet.font: файла {file} нет; путь считается от папки сцены",
+        "sheet.font: there is no file {file}; its path is taken from the scene's folder",
+    ),
+    "bad_font": (
+        "sheet.font: {name} не читается как шрифт TrueType или OpenType ({why}); возьмите другой файл",
+        "sheet.font: {name} cannot be read as a TrueType or OpenType font ({why}); take another file",
+    ),
     "find_empty": (
         "find: здесь пусто; уберите find, чтобы получить все величины",
         "find is empty; leave it out to get every result",

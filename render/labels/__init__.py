@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import shapely
 
-from render.labels.candidates import FAR, NEAR, Candidates, beside, crossed, far_off, own_distance, union
+from render.labels.candidates import FAR, NEAR, Candidates, beside, crossed, far_off, meeting, own_distance, union
 from render.labels.footprints import Bounds, Ink, ink
 from render.marks import Layer, Line, Mark, Text
 from render.typeset import extent
@@ -24,11 +24,13 @@ OUTSIDE = 1000.0  # cost of leaving the field
 TIGHT = 1.5  # cost of standing closer than ROOM_MM to ink
 AMBIGUOUS = 8.0  # cost of standing nearer to another label's point than to its own
 CROSSING = 8.0  # cost of a leader's crossing with a stroke
+BROKEN = 4.0  # cost of a thin line that is broken for a label
 CLEAR_MM = 0.5  # least distance of a label from ink and from labels
 ROOM_MM = 1.3
 APART_MM = 4.0  # labels side by side read as one when they stand closer than this
 READ_AS_ONE = 3.0  # cost of it
 _SWEEPS = 8
+_GROWN = np.array([-1, -1, 1, 1]) * 0.3  # mm a leader keeps away from letters
 
 
 @dataclass(frozen=True)
@@ -62,11 +64,16 @@ class Placed:
         return (*self.leaders, *self.texts)
 
 
-def place(labels: Sequence[Label], marks: Iterable[Mark] = (), field: Bounds | None = None) -> Placed:
-    """Find a place for every label among the marks, inside the field (x0, y0, x1, y1) if one is given."""
+def place(
+    labels: Sequence[Label], marks: Iterable[Mark] = (), field: Bounds | None = None, yielding: Iterable[Mark] = ()
+) -> Placed:
+    """Find a place for every label among the marks, inside the field (x0, y0, x1, y1) if one is given.
+
+    ``yielding`` are thin lines that whoever asked will break where a label stands on them.
+    """
     if not labels:
         return Placed((), ())
-    board = _Board(labels, ink(marks), field)
+    board = _Board(labels, ink(marks), field, ink(yielding))
     board.choose()
     board.repair()
     if board.unhappy():
@@ -78,8 +85,8 @@ def place(labels: Sequence[Label], marks: Iterable[Mark] = (), field: Bounds | N
 class _Board:
     """The candidates of all labels, the one each has chosen, and what the choices cost."""
 
-    def __init__(self, labels: Sequence[Label], ground: Ink, field: Bounds | None) -> None:
-        self.labels, self.ground, self.field = labels, ground, field
+    def __init__(self, labels: Sequence[Label], ground: Ink, field: Bounds | None, yielding: Ink) -> None:
+        self.labels, self.ground, self.field, self.yielding = labels, ground, field, yielding
         self.extents = [extent(label.text, label.height) for label in labels]
         self.options = [beside(label, size, NEAR) for label, size in zip(labels, self.extents, strict=True)]
         self.static = self._judged(self.options)
@@ -106,20 +113,23 @@ class _Board:
         cost = np.zeros(len(boxes))
         if len(self.ground.shapes):
             areas = shapely.box(*boxes.T)
-            near = self.ground.within(areas, ROOM_MM)[0]
-            cost += TIGHT * (np.bincount(near, minlength=len(boxes)) > 0)
-            some = np.unique(near)
-            hits = self.ground.within(areas[some], CLEAR_MM)[0]
-            cost[some] += HARD * np.bincount(hits, minlength=len(some))
+            pairs, apart = self.ground.gaps(areas, ROOM_MM)
+            cost += TIGHT * (np.bincount(pairs[0, apart <= ROOM_MM], minlength=len(boxes)) > 0)
+            cost += HARD * np.bincount(pairs[0, apart <= CLEAR_MM], minlength=len(boxes))
+        if len(self.yielding.shapes):
+            broken = self.yielding.within(shapely.box(*boxes.T), CLEAR_MM)[0]
+            cost += BROKEN * np.bincount(broken, minlength=len(boxes))
         return cost
 
     def _crossings(self, leaders: Any) -> Any:
-        """How many strokes each leader crosses."""
-        if not len(self.ground.shapes):
-            return np.zeros(len(leaders))
-        ends = np.stack([leaders.real, leaders.imag], axis=-1)
-        pairs = shapely.STRtree(self.ground.shapes).query(shapely.linestrings(ends), predicate="intersects")
-        return np.bincount(pairs[0], minlength=len(leaders)).astype(float)
+        """How many strokes each leader crosses, thin ones that yield for less."""
+        lines = shapely.linestrings(np.stack([leaders.real, leaders.imag], axis=-1))
+        found = np.zeros(len(leaders))
+        for inked, weight in ((self.ground, 1.0), (self.yielding, 0.25)):
+            if len(inked.shapes):
+                pairs = shapely.STRtree(inked.shapes).query(lines, predicate="intersects")
+                found += weight * np.bincount(pairs[0], minlength=len(leaders))
+        return found
 
     def _strays(self, k: int) -> Any:
         """Which candidates of label k stand nearer to the point of another label than to their own."""
@@ -148,10 +158,12 @@ class _Board:
         leaders = np.delete(self.leaders, k, axis=0)
         leaders = leaders[~np.isnan(leaders[:, 0])]
         if len(leaders):
-            blocked += crossed(option.boxes[:, None, :], leaders[None, :, :]).sum(axis=1)
+            blocked += crossed(option.boxes[:, None, :] + _GROWN, leaders[None, :, :]).sum(axis=1)
         led = np.flatnonzero(~np.isnan(option.leaders[:, 0]))
         if len(led):
-            blocked[led] += crossed(taken[None, :, :], option.leaders[led][:, None, :]).sum(axis=1)
+            own = option.leaders[led][:, None, :]
+            blocked[led] += crossed(taken[None, :, :] + _GROWN, own).sum(axis=1)
+            blocked[led] += meeting(own, leaders[None, :, :]).sum(axis=1)
         return self.static[k][rows] + HARD * blocked + READ_AS_ONE * (close > 0)
 
     def _take(self, k: int, option: int) -> None:
@@ -208,7 +220,7 @@ class _Board:
             base = complex(self.boxes[k, 0], self.boxes[k, 1] - self.extents[k][1])
             texts.append(Text(label.text, base, label.height, layer=label.layer, name=label.name))
             if not math.isnan(self.leaders[k, 0].real):
-                leaders.append(Line(tuple(complex(z) for z in self.leaders[k]), "thin", label.layer))
+                leaders.append(Line(tuple(complex(z) for z in self.leaders[k]), "thin", label.layer, name="leader"))
         return Placed(tuple(texts), tuple(leaders))
 
 

@@ -164,3 +164,15 @@ def crossed(boxes: Any, lines: Any) -> Any:
             enter = np.maximum(enter, np.minimum(one, two))
             leave = np.minimum(leave, np.maximum(one, two))
     return enter < leave
+
+
+def meeting(lines: Any, others: Any) -> Any:
+    """Whether segments (…, 2; complex) meet others, by broadcasting; parallel ones do not."""
+    start, span = lines[..., 0], lines[..., 1] - lines[..., 0]
+    began, way = others[..., 0], others[..., 1] - others[..., 0]
+    across = (span.conjugate() * way).imag
+    safe = np.where(across == 0, np.inf, across)
+    apart = began - start
+    on_line, on_other = (apart.conjugate() * way).imag / safe, (apart.conjugate() * span).imag / safe
+    inside = (on_line >= -0.02) & (on_line <= 1.02) & (on_other >= -0.02) & (on_other <= 1.02)
+    return inside & (across != 0)

@@ -28,17 +28,17 @@ class Ink:
     halves: Any
     owners: tuple[int, ...]
 
+    def gaps(self, areas: Any, clear: float) -> tuple[Any, Any]:
+        """Pairs (number of the area, number of the shape) that may be nearer than ``clear`` mm, and how far apart."""
+        x0, y0, x1, y1 = shapely.bounds(areas).T
+        most = clear + float(self.halves.max(initial=0.0))
+        pairs = shapely.STRtree(self.shapes).query(shapely.box(x0 - most, y0 - most, x1 + most, y1 + most))
+        return pairs, shapely.distance(areas[pairs[0]], self.shapes[pairs[1]]) - self.halves[pairs[1]]
+
     def within(self, areas: Any, clear: float) -> Any:
         """Pairs (number of the area, number of the shape) with less than ``clear`` mm between them."""
-        most = float(self.halves.max(initial=0.0))
-        tree = shapely.STRtree(self.shapes)
-        pairs = tree.query(areas, predicate="dwithin", distance=clear + most)
-        halves = self.halves[pairs[1]]
-        thin = np.flatnonzero(halves < most)
-        near = np.ones(pairs.shape[1], dtype=bool)
-        some = pairs[:, thin]
-        near[thin] = shapely.dwithin(areas[some[0]], self.shapes[some[1]], clear + halves[thin])
-        return pairs[:, near]
+        pairs, apart = self.gaps(areas, clear)
+        return pairs[:, apart <= clear]
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,8 @@ from typing import Any
 from planes.lesson.note import Block, Figure, Heading, Prose, Table
 from render.letters import pieces
 from render.names import Naming
-from render.pdf import POINTS_PER_MM, draw_marks, font_path
+from render.outlines import dejavu
+from render.pdf import POINTS_PER_MM, draw_marks
 from render.views import View
 
 MARGINS_MM = (25.0, 10.0, 20.0, 20.0)  # left, right, top, bottom
@@ -43,7 +44,7 @@ def _fonts() -> str:
 
     for name, file in FACES.items():
         if name not in pdfmetrics.getRegisteredFontNames():
-            pdfmetrics.registerFont(TTFont(name, str(font_path().parent / file)))
+            pdfmetrics.registerFont(TTFont(name, str(dejavu().parent / file)))
     pdfmetrics.registerFontFamily("Note", normal="Note", bold="NoteBold", italic="NoteItalic", boldItalic="NoteBold")
     return "Note"
 

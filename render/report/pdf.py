@@ -28,7 +28,8 @@ from planes.crank_slider.pages import (
     Sketch,
     TableBlock,
 )
-from render.pdf import POINTS_PER_MM, draw_marks, font_path
+from render.outlines import dejavu
+from render.pdf import POINTS_PER_MM, draw_marks
 from render.report import figures as report_figures
 from render.report.figures import Figure
 from render.report.html import is_number
@@ -59,7 +60,7 @@ def write(document: Document) -> bytes:
     """The PDF; the same document gives the same bytes."""
     for name in (FONT, BOLD):
         if name not in pdfmetrics.getRegisteredFontNames():
-            pdfmetrics.registerFont(TTFont(name, str(font_path().with_name(f"{name}.ttf"))))
+            pdfmetrics.registerFont(TTFont(name, str(dejavu().with_name(f"{name}.ttf"))))
     pdfmetrics.registerFontFamily(FONT, normal=FONT, bold=BOLD, italic=FONT, boldItalic=BOLD)
     data = io.BytesIO()
     made = _Template(data, document)

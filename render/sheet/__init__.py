@@ -10,32 +10,42 @@ from planes.scene import Scene
 from planes.wording import SceneError
 from planes.words import Lang
 from render.marks import Mark
-from render.sheet.frame import FORMATS, Paper, sheet_number
+from render.sheet.frame import FORMATS, Paper
 from render.sheet.layout import GAP_MM, pack
+from render.sheet.said import cells
+from render.sheet.sizes import LARGEST, Extents, Sizes, grown
 from render.typeset import plain
 from render.views import View
 from render.words import say
 
-FACTORS = (1.6, 1.25, 1.0, 0.8)
-"""How large, against the usual, the plans are drawn to fill a format, where the scene leaves μ open."""
-SMALLER = (0.63, 0.5, 0.4)
-"""How small they may become on the largest format, or the one the scene names."""
+SMALLER = (0.8, 0.63, 0.5, 0.4)
+"""How small, against the usual, plans may become where the scene leaves μ open; all but the first on the largest
+format, or the one the scene names, alone."""
 LETTERS = {"A4": (2.5,), "A3": (3.5, 2.5), "A2": (3.5,), "A1": (5.0, 3.5)}
 """Letter heights of tables to try on a format, in mm; equations are a step larger."""
 
-Views = Callable[[float, float, bool], tuple[list[View], list[View]]]
-"""The views of a sheet (those it must hold, and those that may fill it) for a size of plans, a letter height of
-tables, and whether equations stand under their plans."""
+
+@dataclass(frozen=True)
+class Contents:
+    """What a sheet shows.
+
+    ``views`` are those it must hold, and those that may be left out, for sizes of plans, a letter height of tables,
+    and whether equations stand under their plans; ``extents`` the plans whose μ is open, with their sizes in mm.
+    """
+
+    views: Callable[[Sizes, float, bool], tuple[list[View], list[View]]]
+    extents: Extents = lambda sizes: {}
 
 
 @dataclass(frozen=True)
 class Sheet:
-    """A composed sheet: its format, its marks, and its views with their places (left, top)."""
+    """A composed sheet: its format, its marks, its views with their places (left, top), and what must be said of it."""
 
     paper: Paper
     marks: tuple[Mark, ...]
     views: tuple[tuple[View, float, float], ...]
     title: str
+    warnings: tuple[str, ...] = ()
 
     @property
     def size(self) -> tuple[float, float]:
@@ -43,65 +53,75 @@ class Sheet:
         return self.paper.size
 
 
-def compose(scene: Scene, views: Views, free: bool, lang: Lang, number: int | None = None) -> Sheet:
+def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = None) -> Sheet:
     """The sheet of a scene: the smallest format, or the one it names, on which all views find room.
 
-    ``free`` says whether the scene leaves any μ open, so that plans may grow and shrink.
+    Only where no format holds all of them are those left out that may be; the sheet then says so.
     """
     chosen = scene.sheet.get("format")
     formats = [wanted_format(str(chosen), scene, lang)] if chosen and chosen != "auto" else list(FORMATS)
     tried: list[View] = []
-    for name in formats:
-        for factor, letter, together in _tries(name, free, name == formats[-1]):
-            tried, fillers = views(factor, letter, together)
-            places = arranged(tried, fillers, Paper(name))
-            if places:
-                return finished(scene, Paper(name), places, lang, number)
+    for whole in (True, False):
+        for name in formats:
+            for sizes, letter, together in _tries(name, bool(contents.extents(Sizes())), name == formats[-1]):
+                tried, spare = contents.views(sizes, letter, together)
+                wanted = [*tried, *spare] if whole else tried
+                if (whole or spare) and arranged(wanted, Paper(name)):
+                    places = enlarged(contents, sizes, letter, together, whole, Paper(name))
+                    left_out = () if whole else (without(spare, wanted, Paper(name), number, lang),)
+                    return finished(scene, Paper(name), places, lang, number, left_out)
     raise no_room(tried, Paper(formats[-1]), lang)
 
 
-def _tries(name: str, free: bool, last: bool) -> list[tuple[float, float, bool]]:
+def _tries(name: str, free: bool, last: bool) -> list[tuple[Sizes, float, bool]]:
     """Sizes of plans, letter heights and whether equations stand under their plans, the best looking first."""
-    large = [f for f in FACTORS if f >= 1.0] if free else [1.0]
-    small = [f for f in FACTORS if f < 1.0] + list(SMALLER if last else ()) if free else []
-    first = [*product(large, LETTERS[name], (True,)), *product(large, LETTERS[name], (False,))]
-    return [*first, *product(small, LETTERS[name], (True, False))]
+    small = (SMALLER if last else SMALLER[:1]) if free else ()
+    first = [*product([Sizes()], LETTERS[name], (True,)), *product([Sizes()], LETTERS[name], (False,))]
+    return [*first, *product(map(Sizes, small), LETTERS[name], (True, False))]
 
 
-def arranged(views: list[View], fillers: list[View], paper: Paper) -> list[tuple[View, float, float]] | None:
-    """Places of the views on the paper, with the filling ones if there is room; None if there is not for the rest."""
-    for some in ([*views, *fillers], views) if fillers else (views,):
-        figures = sum(v.figure for v in some)
-        spots = pack([(v.width, v.height) for v in some], paper.field, [paper.block], figures)
-        if spots:
-            return [(v, s.x, s.top) for v, s in zip(some, spots, strict=True)]
-    return None
+def enlarged(
+    contents: Contents, sizes: Sizes, letter: float, together: bool, whole: bool, paper: Paper
+) -> list[tuple[View, float, float]]:
+    """Places of the views on the paper, its plans as large as there is room for."""
+
+    def views(sizes: Sizes) -> list[View]:
+        found, spare = contents.views(sizes, letter, together)
+        return [*found, *spare] if whole else found
+
+    x0, y0, x1, y1 = paper.field
+    most = LARGEST * min(x1 - x0, y1 - y0)
+    best = grown(sizes, contents.extents, most, lambda s: bool(arranged(views(s), paper)))
+    places = arranged(views(best), paper)
+    assert places
+    return places
+
+
+def arranged(views: Sequence[View], paper: Paper) -> list[tuple[View, float, float]] | None:
+    """Places of the views on the paper; None if there is no room for all."""
+    figures = sum(v.figure for v in views)
+    spots = pack([(v.width, v.height) for v in views], paper.field, paper.taken, figures)
+    return [(v, s.x, s.top) for v, s in zip(views, spots, strict=True)] if spots else None
+
+
+def without(spare: Sequence[View], views: Sequence[View], paper: Paper, number: int | None, lang: Lang) -> str:
+    """What was left out, and which format would hold it."""
+    names = list(FORMATS)
+    larger = names[names.index(paper.name) + 1 :]
+    fitting = next((n for n in larger if arranged([*views, *spare], Paper(n))), "")
+    told = "; ".join(f"«{plain(v.title or v.key)}» ({v.width:.0f} × {v.height:.0f} {say('mm', lang)})" for v in spare)
+    key = "left_out_larger" if fitting else "left_out_sheet" if number is None else "left_out"
+    return say(key, lang, format=paper.name, views=told, larger=fitting)
 
 
 def finished(
-    scene: Scene, paper: Paper, places: Sequence[tuple[View, float, float]], lang: Lang, number: int | None = None
-) -> Sheet:
+    scene: Scene, paper: Paper, places: Sequence[tuple[View, float, float]], lang: Lang, number: int | None = None,
+    warnings: tuple[str, ...] = (),
+) -> Sheet:  # fmt: skip
     """The views in their places within frame and title block."""
     marks = [m for v, left, top in places for m in v.placed(left, top)]
     title = scene.title.get(lang, "")
-    return Sheet(paper, (*paper.marks(cells(scene, lang, number), lang), *marks), tuple(places), title)
-
-
-def cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str, str]:
-    """What the title block says."""
-    said = {key: str(value) for key, value in scene.sheet.items()}
-    plain = ("student", "teacher", "date", "checked", "approved", "material", "letter", "mass")
-    found: dict[str, str] = {key: said[key] for key in plain if key in said}
-    found["title"] = said.get("title") or scene.title.get(lang, "")
-    found["designation"] = said.get("designation") or said.get("number", "")
-    company = [said.get(key, "") for key in ("company", "university", "department", "group")]
-    found["company"] = " ".join(text for text in company if text)
-    found["scale"] = said.get("scale_note", "")
-    if number:
-        found["title"] += f". {say(f'sheet_{number}', lang)}" if "title" not in said else ""
-    found["sheet"] = sheet_number(lang, "Лист", said.get("sheet", str(number or "")).removesuffix(".0"))
-    found["sheets"] = sheet_number(lang, "Листов", said.get("sheets", "2" if number else "1").removesuffix(".0"))
-    return found
+    return Sheet(paper, (*paper.marks(cells(scene, lang, number), lang), *marks), tuple(places), title, warnings)
 
 
 def wanted_format(name: str, scene: Scene, lang: Lang) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-from planes.drafting import mu_of
+from planes.naming import mu_of
 from planes.scales import kind_of
 from planes.scene import Scene
 from planes.solving import Position

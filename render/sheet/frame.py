@@ -1,10 +1,14 @@
-"""Formats of ГОСТ 2.301, the frame 20/5/5/5 and the title block, form 1 of ГОСТ 2.104 (185 × 55 mm), as marks."""
+"""Formats of ГОСТ 2.301, the frame 20/5/5/5 and the filled cells of form 1 of ГОСТ 2.104, as marks."""
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from render import form1
+from render.form1 import BLOCK, EDGE, LEFT, TOP_CELL, Cell
 from render.labels.footprints import Bounds
 from render.marks import Line, Mark, Text
 from render.typeset import extent
@@ -17,50 +21,10 @@ FORMATS: dict[str, tuple[float, float]] = {
 }
 """Width × height in mm; A4 stands, the larger ones lie."""
 
-LEFT, EDGE = 20.0, 5.0
-BLOCK = (185.0, 55.0)
-
-_THICK = (
-    ((0, 0), (0, 55)), ((0, 55), (185, 55)), ((0, 30), (65, 30)), ((0, 35), (65, 35)), ((7, 30), (7, 55)),
-    ((17, 0), (17, 55)), ((40, 0), (40, 55)), ((55, 0), (55, 55)), ((65, 0), (65, 55)), ((65, 15), (185, 15)),
-    ((65, 40), (185, 40)), ((135, 0), (135, 40)), ((135, 20), (185, 20)), ((135, 35), (185, 35)),
-    ((150, 20), (150, 40)), ((155, 15), (155, 20)), ((167, 20), (167, 40)),
-)  # fmt: skip
-_THIN = (
-    *(((0, y), (65, y)) for y in (5, 10, 15, 20, 25, 40, 45, 50)),
-    ((140, 20), (140, 35)),
-    ((145, 20), (145, 35)),
-)
-
-_LABELS: tuple[tuple[str, float, float, float, float, str], ...] = (
-    ("Изм.", 0, 30, 7, 5, "middle"), ("Лист", 7, 30, 10, 5, "middle"), ("№ докум.", 17, 30, 23, 5, "middle"),
-    ("Подп.", 40, 30, 15, 5, "middle"), ("Дата", 55, 30, 10, 5, "middle"), ("Разраб.", 0, 25, 17, 5, "start"),
-    ("Пров.", 0, 20, 17, 5, "start"), ("Т. контр.", 0, 15, 17, 5, "start"), ("Н. контр.", 0, 5, 17, 5, "start"),
-    ("Утв.", 0, 0, 17, 5, "start"), ("Лит.", 135, 35, 15, 5, "middle"), ("Масса", 150, 35, 17, 5, "middle"),
-    ("Масштаб", 167, 35, 18, 5, "middle"),
-)  # fmt: skip
-_ENGLISH = {
-    "Изм.": "Rev.", "Лист": "Sheet", "№ докум.": "Doc. No.", "Подп.": "Sign.", "Дата": "Date", "Разраб.": "Drawn",
-    "Пров.": "Checked", "Т. контр.": "Tech.", "Н. контр.": "Norm.", "Утв.": "Appr.", "Лит.": "Lit.",
-    "Масса": "Mass", "Масштаб": "Scale", "Листов": "Sheets",
-}  # fmt: skip
-_CELLS: dict[str, tuple[float, float, float, float, float, str]] = {
-    "student": (17, 25, 23, 5, 2.5, "start"),
-    "date": (55, 25, 10, 5, 2.5, "middle"),
-    "teacher": (17, 20, 23, 5, 2.5, "start"),
-    "checked": (17, 5, 23, 5, 2.5, "start"),
-    "approved": (17, 0, 23, 5, 2.5, "start"),
-    "designation": (65, 40, 120, 15, 7.0, "middle"),
-    "title": (65, 15, 70, 25, 5.0, "middle"),
-    "material": (65, 0, 70, 15, 5.0, "middle"),
-    "letter": (140, 20, 5, 15, 3.5, "middle"),
-    "mass": (150, 20, 17, 15, 5.0, "middle"),
-    "scale": (167, 20, 18, 15, 5.0, "middle"),
-    "sheet": (135, 15, 20, 5, 2.5, "start"),
-    "sheets": (155, 15, 30, 5, 2.5, "start"),
-    "company": (135, 0, 50, 15, 5.0, "middle"),
-}  # x, y, width, height, letter height, where the text stands
 _SIZES = (7.0, 5.0, 3.5, 2.5)
+_SIDE = 0.9  # from the side of a cell to a text that begins there
+_CLEAR = 0.5  # the least distance of a text from the sides of its cell, over the letter height the cell is meant for
+_PITCH = 1.6  # from line to line over the letter height
 
 
 @dataclass(frozen=True)
@@ -85,50 +49,46 @@ class Paper:
         right = self.size[0] - EDGE
         return right - BLOCK[0], EDGE, right, EDGE + BLOCK[1]
 
+    @property
+    def corner(self) -> Bounds:
+        """Where graph 26 stands: in the upper left corner."""
+        top = self.size[1] - EDGE
+        return LEFT, top - TOP_CELL[1], LEFT + TOP_CELL[0], top
+
+    @property
+    def taken(self) -> tuple[Bounds, Bounds]:
+        """What views must keep clear of within the field."""
+        return self.block, self.corner
+
     def marks(self, cells: Mapping[str, str], lang: str = "ru") -> tuple[Mark, ...]:
-        """Frame and filled title block."""
+        """Frame, title block and the columns beside the frame, with their cells filled."""
         x0, y0, x1, y1 = self.field
         frame = Line((complex(x0, y0), complex(x1, y0), complex(x1, y1), complex(x0, y1)), "frame", "frame", True)
-        corner = complex(self.block[0], self.block[1])
-        return (frame, *title_block(corner, cells, lang))
+        ruled = [Line((a, b), style, "frame") for a, b, style in form1.lines(self.size)]
+        own = [mark for text, cell in form1.words(self.size) for mark in fitted(form1.word(text, lang), cell)]
+        filled: list[Mark] = []
+        said = {**cells, "designation_turned": cells.get("designation", ""), "format": self.name}
+        for key, cell in form1.cells(self.size).items():
+            filled += fitted(said.get(key, ""), cell, f"cell {key}")
+        return (frame, *ruled, *own, *filled)
 
 
-def title_block(corner: complex, cells: Mapping[str, str], lang: str = "ru") -> tuple[Mark, ...]:
-    """Form 1 with its lower left corner at a place; unknown cells are left out."""
-    marks: list[Mark] = []
-    for lines, style in ((_THICK, "thick"), (_THIN, "thin")):
-        for (xa, ya), (xb, yb) in lines:
-            marks.append(Line((corner + complex(xa, ya), corner + complex(xb, yb)), style, "frame"))
-    for text, x, y, w, h, anchor in _LABELS:
-        marks += _fitted(_word(text, lang), corner, (x, y, w, h), 2.5, anchor)
-    for key, text in cells.items():
-        if key in _CELLS and text:
-            x, y, w, h, letter, anchor = _CELLS[key]
-            marks += _fitted(text, corner, (x, y, w, h), letter, anchor)
-    return tuple(marks)
-
-
-def _word(text: str, lang: str) -> str:
-    return _ENGLISH.get(text, text) if lang == "en" else text
-
-
-def sheet_number(lang: str, word: str, value: str) -> str:
-    """«Лист 1» in its cell."""
-    return f"{_word(word, lang)} {value}".strip()
-
-
-def _fitted(text: str, corner: complex, cell: Bounds, letter: float, anchor: str) -> list[Mark]:
-    """A text in its cell, on several lines or in smaller letters where it is long."""
-    x, y, w, h = cell
-    sizes = [s for s in _SIZES if s <= letter] or [letter]
-    lines, size = _lines(text, w - 1.6, h, sizes)
-    high = 1.6 * size
-    top = y + h / 2 + (len(lines) - 1) * high / 2 - size / 2
-    marks: list[Mark] = []
+def fitted(text: str, cell: Cell, name: str = "") -> list[Text]:
+    """A text in its cell, on several lines or in smaller letters where it is long; lines of a cell share a name."""
+    if not text:
+        return []
+    wide, high = (cell.height, cell.width) if cell.turn_deg % 180 else (cell.width, cell.height)
+    sizes = [s for s in _SIZES if s <= cell.letter] or [cell.letter]
+    most = wide - 2 * max(_CLEAR * cell.letter, 0.6)
+    lines, size = _lines(text, most, high, sizes)
+    turn = cmath.rect(1, math.radians(cell.turn_deg))
+    middle = complex(cell.x + cell.width / 2, cell.y + cell.height / 2)
+    top = (len(lines) - 1) * _PITCH * size / 2 - size / 2
+    marks = []
     for k, line in enumerate(lines):
-        left = x + w / 2 if anchor == "middle" else x + 0.9
-        place = corner + complex(left, top - k * high)
-        marks.append(Text(line, place, _shrunk(line, size, w - 1.2), "middle" if anchor == "middle" else "start"))
+        across = 0.0 if cell.anchor == "middle" else _SIDE - wide / 2
+        place = middle + complex(across, top - k * _PITCH * size) * turn
+        marks.append(Text(line, place, _shrunk(line, size, wide - 1.2), cell.anchor, cell.turn_deg, "frame", name))
     return marks
 
 
@@ -137,7 +97,7 @@ def _lines(text: str, width: float, height: float, sizes: list[float]) -> tuple[
     for size in sizes:
         lines = _broken(text, width, size)
         fits = all(_wide(line, size) <= width for line in lines)
-        if fits and len(lines) * 1.6 * size - 0.6 * size <= height - 0.8:
+        if fits and len(lines) * _PITCH * size - 0.6 * size <= height - 0.8:
             return lines, size
     return [text], sizes[-1]
 
@@ -159,5 +119,6 @@ def _wide(text: str, size: float) -> float:
 
 
 def _shrunk(text: str, size: float, width: float) -> float:
+    """The letter height at which a line that cannot be broken fits, off the standard series if it must be."""
     wide = _wide(text, size)
     return size if wide <= width else size * width / wide

@@ -111,7 +111,7 @@ def _filled(
     """Each rectangle into the upper left corner of a free one; free ones may overlap (maximal rectangles)."""
     free: list[Bounds] = [(field[0] + gap, field[1], field[2], field[3] - gap)]
     for b in blocked:
-        free = _without(free, (b[0] - gap, b[1], b[2], b[3] + gap))
+        free = _without(free, (b[0] - gap, b[1] - gap, b[2] + gap, b[3] + gap))
     spots = []
     for width, height in sizes:
         need = (width + gap, height + gap)

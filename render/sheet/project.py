@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from planes.drafting import mu_of
+from planes.naming import mu_of
 from planes.solving import Position
 from render.marks import Mark, Text
 from render.sheet.composer import LARGER, Composer, drawn_plans

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from planes.drafting import POLE, at
+from planes.naming import POLE, at
 from planes.solving import Position
 from planes.steps.reckoning import Drop
 from render import labels

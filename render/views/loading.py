@@ -6,7 +6,8 @@ import cmath
 import math
 from dataclasses import dataclass, field
 
-from planes.drafting import Moments, at
+from planes.drafting import Moments
+from planes.naming import at
 from planes.plans.bodies import SCHEME
 from planes.solving import Position
 from planes.steps.reckoning import Drop

@@ -9,8 +9,8 @@ from functools import cached_property
 
 import shapely
 
-from planes.drafting import at
 from planes.mechanism import Link, Mechanism
+from planes.naming import at
 from planes.plans.bodies import SCHEME
 from planes.solving import Position
 

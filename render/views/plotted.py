@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from planes.drafting import Segment, at, mu_of
+from planes.drafting import Segment
 from planes.drawing import Drawing
 from planes.equations import Equation
+from planes.naming import at, label_of, mu_of
 from planes.solving import Position
 from planes.vectors import PLAN, VectorResults
 
@@ -61,6 +62,6 @@ def of_position(p: Position) -> Plotted:
 def of_vectors(found: VectorResults) -> Plotted:
     """The plan of a scene that states vectors alone."""
     draft, quantity = found.plan.draft, found.scene.quantity or "velocity"
-    spans = {name: (s.rpartition(":")[2], e.rpartition(":")[2]) for name, (s, e) in found.plan.spans.items()}
+    spans = {name: (label_of(s), label_of(e)) for name, (s, e) in found.plan.spans.items()}
     segments = tuple(Segment(PLAN, start, end, name) for name, (start, end) in spans.items())
     return Plotted(found.drawing, segments, tuple(draft.equations), {mu_of(PLAN): found.mu}, (), quantity)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from planes.drafting import POLE, label_of
 from planes.equations import Term
+from planes.naming import POLE, label_of, plan_of
 from planes.steps import Image, Similar
 from render import detail, labels
 from render.marks import Arrow, Layer, Line, Mark, Text
@@ -109,7 +109,7 @@ class Polygon:
     def traces(self) -> None:
         """The sides of the similar triangles by which points of links were found."""
         for step in self.plotted.drawing.program.steps:
-            if step.makes.rpartition(":")[0] != self.plan or not isinstance(step, (Similar, Image)):
+            if plan_of(step.makes) != self.plan or not isinstance(step, (Similar, Image)):
                 continue
             base = (step.start, step.end) if isinstance(step, Similar) else step.image
             corners = [label_of(base[0]), label_of(step.makes), label_of(base[1])]

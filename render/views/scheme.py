@@ -15,7 +15,7 @@ from render.marks import Line, Mark
 from render.names import Naming, lettered
 from render.style import BLOCK_MM, HINGE_MM
 from render.views.places import NEAR_MM, Places, degrees, nearest, outline_of
-from render.views.senses import driver_arrows, parted
+from render.views.senses import driver_arrows, parted, yielding
 
 RAIL_MM = 17.0  # of a guide shown on each side of its slider
 ROD_MM = 12.0  # of a moving guide shown beyond its slider
@@ -62,8 +62,9 @@ class Scheme:
             turning, letters = driver_arrows(self.places, self.naming, ground)
             ground += turning
             self.named += letters
-        placed = labels.place([*self.named, *named], ground)
-        return (*parted(ground, placed.texts), *placed.marks)
+        thin, rest = yielding(ground)
+        placed = labels.place([*self.named, *named], rest, None, thin)
+        return (*parted(thin, placed.texts), *rest, *placed.marks)
 
     # links
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from render import labels, symbols
 from render.cutting import cut
-from render.labels.footprints import conflicts, ink
+from render.labels.footprints import ink, polygons
 from render.marks import Line, Mark, Shape, Text
 from render.names import Naming
 from render.typeset import layout
@@ -52,15 +52,19 @@ def _free_arc(
     return best[1], pivot + radius * symbols.unit(best[2])
 
 
-def parted(marks: Sequence[Mark], texts: Sequence[Text]) -> tuple[Mark, ...]:
-    """The marks, construction lines broken where a letter found no room beside them, as a draughtsman breaks them."""
-    lines = [m for m in marks if isinstance(m, Line) and m.layer == "construction"]
-    crossed = {c.first for c in conflicts(texts, lines) if c.kind == "stroke"}
-    if not crossed:
-        return tuple(marks)
-    around = [_around(t) for t in texts if t.text in crossed]
-    kept = [m for m in marks if not (isinstance(m, Line) and m.layer == "construction")]
-    return (*cut(lines, around), *kept)
+def yielding(marks: Sequence[Mark]) -> tuple[list[Line], list[Mark]]:
+    """The construction lines, which may be broken for a letter, and all the rest."""
+    thin = [m for m in marks if isinstance(m, Line) and m.layer == "construction"]
+    return thin, [m for m in marks if not (isinstance(m, Line) and m.layer == "construction")]
+
+
+def parted(lines: Sequence[Line], texts: Sequence[Text]) -> tuple[Mark, ...]:
+    """The lines broken where a letter stands on one, as a draughtsman breaks them."""
+    if not lines or not texts:
+        return tuple(lines)
+    boxes = polygons([layout(t).box for t in texts])
+    struck = sorted(set(ink(lines).within(boxes, CLEAR_MM / 2)[0].tolist()))
+    return cut(lines, [_around(texts[k]) for k in struck])
 
 
 def _around(text: Text) -> Shape:

@@ -7,7 +7,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from planes.drafting import POLE, Segment
+from planes.drafting import Segment
+from planes.naming import POLE, label_of
 from planes.scales import kind_of
 from planes.solving import Position
 from planes.vectors import VectorResults
@@ -157,7 +158,7 @@ class Tables:
         if segment.start != POLE or label.startswith(("n_", "k_")):
             return self.naming.vector(segment.name)
         names = self.position.plans.points
-        marks = {(m.velocity if plan == "velocity" else m.acceleration).rpartition(":")[2]: p for p, m in names.items()}
+        marks = {label_of(m.velocity if plan == "velocity" else m.acceleration): p for p, m in names.items()}
         return self.naming.vector(f"{plan[0]}_{marks.get(segment.end, label.upper())}")
 
     def links(self) -> View | None:
