@@ -1,0 +1,218 @@
+"""The quantities of a mechanism as curves over the driver's place: their names, units, and how each is read.
+
+A curve is read from columns of the batch program; "q:" before a column means the run with a unit drive, where a
+velocity is the analogue of velocity (transfer function) dr/dφ₁ and an acceleration the analogue d²r/dφ₁².
+Names: r_C_x, phi_3, s_5 (place) · vq_C, u_31, aq_C, epsilonq_3 (analogues) · v_C, omega_3, a_C (rates) · F_21, M_1.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from planes.mechanism import FRAME
+from planes.plans import Plans
+from planes.plans.loads import force_name
+
+Sample = Mapping[str, Any]
+"""Columns of many positions by name: "v_C_x", and "q:v_C_x" of the unit drive."""
+
+Group = Literal["place", "analogue", "rate", "force"]
+UNIT = "q:"
+
+
+@dataclass(frozen=True)
+class Curve:
+    """One quantity over the cycle. ``slope`` has the sign of its derivative by the driver's place, where that is known
+    exactly; ``angular`` values may be told only up to a full turn (degrees)."""
+
+    name: str
+    unit: str
+    group: Group
+    needs: tuple[str, ...]
+    read: Callable[[Sample], Any]
+    slope: Callable[[Sample], Any] | None = None
+    slope_needs: tuple[str, ...] = ()
+    angular: bool = False
+
+
+@dataclass(frozen=True)
+class Arrow:
+    """A vector over the cycle, as complex numbers: what a path or a hodograph is drawn from."""
+
+    name: str
+    unit: str
+    needs: tuple[str, str]
+
+    def read(self, s: Sample) -> Any:
+        """x + iy at every position."""
+        return s[self.needs[0]] + 1j * s[self.needs[1]]
+
+
+def analogue_units(turning: bool) -> dict[str, str]:
+    """Units of the analogues: the derivatives by an angle in radians, or by metres."""
+    if turning:
+        return {"v": "m", "a": "m", "omega": "1", "epsilon": "1"}
+    return {"v": "1", "a": "1/m", "omega": "1/m", "epsilon": "1/m²"}
+
+
+def curves_of(plans: Plans) -> dict[str, Curve]:
+    """Every curve of a mechanism by its name, in the order they are listed; a reaction's other name leads to it too."""
+    found = {c.name: c for c in (*_places(plans), *_analogues(plans), *_rates(plans), *_forces(plans))}
+    for r in plans.reactions.values():
+        found.setdefault(force_name(r.pair.other, r.pair.link), found[r.key])
+    for link in _turning(plans):
+        found.setdefault(f"omegaq_{link}", found[ratio_name(plans, link)])
+    return found
+
+
+def arrows_of(plans: Plans) -> dict[str, Arrow]:
+    """Every vector of a mechanism by its name: r_C, v_C, vq_C, a_C, aq_C, F_21."""
+    units, found = analogue_units(plans.mechanism.drive.kind == "phi"), {}
+    for p in plans.points:
+        for letter, unit in (("r", "m"), ("v", "m/s"), ("a", "m/s²")):
+            found[f"{letter}_{p}"] = Arrow(f"{letter}_{p}", unit, (f"{letter}_{p}_x", f"{letter}_{p}_y"))
+        for letter in "va":
+            name, base = f"{letter}q_{p}", f"{UNIT}{letter}_{p}"
+            found[name] = Arrow(name, units[letter], (f"{base}_x", f"{base}_y"))
+    for r in plans.reactions.values():
+        found[r.key] = Arrow(r.key, "N", (f"{r.key}_x", f"{r.key}_y"))
+    return found
+
+
+def ratio_name(plans: Plans, link: str) -> str:
+    """The name of the transfer ratio ω_link/ω_driver: u_31."""
+    driver = plans.mechanism.drive.link
+    if plans.mechanism.drive.kind != "phi":
+        return f"omegaq_{link}"
+    return f"u_{link}{driver}" if len(link) == len(driver) == 1 else f"u_{link}_{driver}"
+
+
+# the parts of the list
+
+
+def _places(plans: Plans) -> Iterator[Curve]:
+    m = plans.mechanism
+    for link, names in plans.links.items():
+        if link != FRAME:
+            name, rate = f"phi_{link}", (f"{UNIT}omega_{link}",) if names.omega else ()
+            slope = _column(rate[0]) if rate else None
+            yield Curve(name, "°", "place", (name,), _column(name), slope, rate, True)
+    for link in plans.velocity_slides:
+        needs, read = _along(plans, link)
+        need = f"{UNIT}v_slide_{link}"
+        yield Curve(f"s_{link}", "m", "place", needs, read, _column(need), (need,))
+    for p in plans.points:
+        if p not in m.frame.points:
+            for axis in "xy":
+                name, need = f"r_{p}_{axis}", f"{UNIT}v_{p}_{axis}"
+                yield Curve(name, "m", "place", (name,), _column(name), _column(need), (need,))
+
+
+def _along(plans: Plans, link: str) -> tuple[tuple[str, ...], Callable[[Sample], Any]]:
+    """The place of a slider's first point along its guide, from the guide's own through point."""
+    m = plans.mechanism
+    guide, owner = m.guide(plans.velocity_slides[link].guide), m.owner(plans.velocity_slides[link].guide)
+    first, way = m.links[link].first_point, np.exp(1j * math.radians(guide.angle_deg))
+    own = (f"r_{first}_x", f"r_{first}_y")
+    if owner == FRAME:
+        return own, lambda s: ((s[own[0]] + 1j * s[own[1]] - guide.through) * np.conj(way)).real
+    base = m.links[owner].first_point
+    shift = guide.through - m.links[owner].points[base]
+    needs = (*own, f"r_{base}_x", f"r_{base}_y", f"phi_{owner}")
+
+    def read(s: Sample) -> Any:
+        turn = np.exp(1j * np.radians(s[needs[4]]))
+        apart = s[needs[0]] + 1j * s[needs[1]] - (s[needs[2]] + 1j * s[needs[3]])
+        return ((apart * np.conj(turn) - shift) * np.conj(way)).real
+
+    return needs, read
+
+
+def _analogues(plans: Plans) -> Iterator[Curve]:
+    units = analogue_units(plans.mechanism.drive.kind == "phi")
+    for link in _turning(plans):
+        yield _scalar(ratio_name(plans, link), units["omega"], "analogue", f"{UNIT}omega_{link}",
+                      f"{UNIT}epsilon_{link}")  # fmt: skip
+        yield _scalar(f"epsilonq_{link}", units["epsilon"], "analogue", f"{UNIT}epsilon_{link}")
+    for link in _sliding(plans):
+        need, quick = f"{UNIT}v_slide_{link}", f"{UNIT}a_slide_{link}"
+        yield _scalar(f"vq_slide_{link}", units["v"], "analogue", need, quick)
+        yield _scalar(f"aq_slide_{link}", units["a"], "analogue", quick)
+    for p in _moving(plans):
+        yield from _vector(f"vq_{p}", units["v"], "analogue", f"{UNIT}v_{p}", f"{UNIT}a_{p}")
+        yield from _vector(f"aq_{p}", units["a"], "analogue", f"{UNIT}a_{p}")
+
+
+def _rates(plans: Plans) -> Iterator[Curve]:
+    rate = plans.mechanism.drive.velocity
+    for link in _turning(plans):
+        slope = f"{UNIT}epsilon_{link}" if rate else ""
+        yield _scalar(f"omega_{link}", "rad/s", "rate", f"omega_{link}", slope, rate)
+        yield _scalar(f"epsilon_{link}", "rad/s²", "rate", f"epsilon_{link}")
+    for link in _sliding(plans):
+        slope = f"{UNIT}a_slide_{link}" if rate else ""
+        yield _scalar(f"v_slide_{link}", "m/s", "rate", f"v_slide_{link}", slope, rate)
+        yield _scalar(f"a_slide_{link}", "m/s²", "rate", f"a_slide_{link}")
+    for p in _moving(plans):
+        yield from _vector(f"v_{p}", "m/s", "rate", f"v_{p}", f"{UNIT}a_{p}" if rate else "", rate)
+        yield from _vector(f"a_{p}", "m/s²", "rate", f"a_{p}")
+    for link, slide in plans.acceleration_slides.items():
+        if slide.coriolis:
+            yield from _vector(f"coriolis_{link}", "m/s²", "rate", f"coriolis_{link}")
+
+
+def _forces(plans: Plans) -> Iterator[Curve]:
+    for r in plans.reactions.values():
+        yield from _vector(r.key, "N", "force", r.key)
+        if r.pair.kind == "P":
+            yield _scalar(f"{r.key}_arm", "m", "force", f"{r.key}_arm")
+            yield _scalar(f"{r.key}_moment", "N·m", "force", f"{r.key}_moment")
+    letter, unit = ("M", "N·m") if plans.mechanism.drive.kind == "phi" else ("Fb", "N")
+    for name in (letter, letter + "Z"):
+        key = f"{name}_{plans.mechanism.drive.link}"
+        yield _scalar(key, unit, "force", key)
+
+
+def _turning(plans: Plans) -> list[str]:
+    """Links that turn, the driver aside."""
+    driver = plans.mechanism.drive.link
+    return [n for n, v in plans.links.items() if n not in (FRAME, driver) and v.omega]
+
+
+def _sliding(plans: Plans) -> list[str]:
+    """Sliders, the driver aside."""
+    return [n for n in plans.velocity_slides if n != plans.mechanism.drive.link]
+
+
+def _moving(plans: Plans) -> list[str]:
+    return [p for p in plans.points if p not in plans.mechanism.frame.points]
+
+
+def _column(name: str) -> Callable[[Sample], Any]:
+    return lambda s: s[name]
+
+
+def _scalar(name: str, unit: str, group: Group, need: str, slope: str = "", factor: float = 1.0) -> Curve:
+    if not slope:
+        return Curve(name, unit, group, (need,), _column(need))
+    return Curve(name, unit, group, (need,), _column(need), lambda s: factor * s[slope], (slope,))
+
+
+def _vector(name: str, unit: str, group: Group, base: str, slope: str = "", factor: float = 1.0) -> Iterator[Curve]:
+    """The size of a vector, then its components."""
+    x, y = f"{base}_x", f"{base}_y"
+    dx, dy = f"{slope}_x", f"{slope}_y"
+    if slope:  # the vector is ``factor`` times its analogue, and so are their slopes
+        unit_x, unit_y = (slope.replace(":a_", ":v_") + end for end in ("_x", "_y"))
+        needs = (unit_x, unit_y, dx, dy)
+        growing = lambda s: s[unit_x] * s[dx] + s[unit_y] * s[dy]  # noqa: E731
+        yield Curve(name, unit, group, (x, y), lambda s: np.hypot(s[x], s[y]), growing, needs)
+    else:
+        yield Curve(name, unit, group, (x, y), lambda s: np.hypot(s[x], s[y]))
+    for axis in "xy":
+        yield _scalar(f"{name}_{axis}", unit, group, f"{base}_{axis}", f"{slope}_{axis}" if slope else "", factor)

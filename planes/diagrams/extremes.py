@@ -1,0 +1,249 @@
+"""Extremes of curves, refined between the positions of a grid; limits of assembly; both found for many curves at once.
+
+Where a curve's derivative is in the program (a place's is its analogue of velocity, a velocity's its analogue of
+acceleration) the extreme is where that crosses zero; else the bracket is closed in on the value itself, which fixes the
+value to the last digits and the place to about 10⁻⁶ of a degree.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from planes.diagrams.curves import Curve
+from planes.diagrams.turn import FULL, Turn, unwound
+
+CELLS = 8  # parts a bracket is cut into, each round
+ROUNDS = 14
+STILL = 1e-11  # a curve that varies less than this, beside its size, is constant
+FLIP = 90.0  # degrees a link cannot turn by from one place to the next
+GROWS = 3.0  # how many times larger ten thousand times nearer to a limit: without bound
+
+
+@dataclass(frozen=True)
+class Extreme:
+    """A least (``sense`` −1) or greatest (+1) value of a curve and where it is; ``at`` an "end" of the range or a
+    "limit" of assembly, or inside (""). A value of ±inf grows without bound towards the limit."""
+
+    place: float
+    value: float
+    sense: int
+    at: str = ""
+
+
+@dataclass(frozen=True)
+class Grid:
+    """A turn sampled at evenly spaced places; ``closed``: the first and the last are one position."""
+
+    turn: Turn
+    places: Any
+    closed: bool
+
+    @cached_property
+    def sample(self) -> dict[str, Any]:
+        """The columns at every place."""
+        return self.turn.sample(self.places)
+
+    @cached_property
+    def works(self) -> Any:
+        """Where the mechanism assembles: a mask, by the columns of places."""
+        found = np.ones(len(self.places), bool)
+        for name, row in self.sample.items():
+            if name.startswith(("r_", "phi_", "q:v_", "q:omega_")):
+                found &= np.isfinite(row)
+        return found
+
+    def values(self, curve: Curve) -> Any:
+        """A curve over the grid, angles unwound."""
+        found = curve.read(self.sample) + np.zeros(len(self.places))
+        return unwound(found) if curve.angular else found
+
+    @cached_property
+    def limits(self) -> tuple[tuple[int, float], ...]:
+        """Limits of assembly: the last working place of the grid beside each, and the limit itself (to 10⁻¹²)."""
+        inside = np.flatnonzero(self.works[1:] != self.works[:-1])
+        good = np.where(self.works[inside], inside, inside + 1)
+        low = self.places[good].copy()
+        high = self.places[np.where(self.works[inside], inside + 1, inside)].copy()
+        if not len(inside):
+            return ()
+        for _ in range(44):
+            middle = (low + high) / 2
+            ok = Grid(self.turn, middle, False).works
+            low, high = np.where(ok, middle, low), np.where(ok, high, middle)
+        return tuple((int(i), float(z)) for i, z in zip(good, low, strict=True))
+
+    @cached_property
+    def flips(self) -> tuple[tuple[str, float], ...]:
+        """Curves of angles that turn over, and where: a slider passes through its hinge, the assembly changes."""
+        found = []
+        for curve in (c for c in self.turn.curves if c.angular):
+            for i in np.flatnonzero(np.abs(np.diff(self.values(curve))) > FLIP):
+                low, high = float(self.places[i]), float(self.places[i + 1])
+                for _ in range(24):
+                    middle = (low + high) / 2
+                    low, high = (middle, high) if self._turn(curve, low, middle) <= FLIP else (low, middle)
+                if not self._turn(curve, low, high) <= FLIP:  # or it cannot be drawn there at all
+                    found.append((curve.name, high))
+        return tuple(found)
+
+    def _turn(self, curve: Curve, one: float, two: float) -> float:
+        a, b = curve.read(self.turn.sample([one, two])) + np.zeros(2)
+        return float(abs((b - a + FULL / 2) % FULL - FULL / 2))
+
+
+def grid(turn: Turn, start: float, end: float, least: int = 721) -> Grid:
+    """A grid of at least so many places; closed if it is a whole turn of a crank that works all the way."""
+    count = max(least, 2) if end > start else 1
+    g = Grid(turn, np.linspace(start, end, count), False)
+    whole = turn.plans.mechanism.drive.kind == "phi" and abs(end - start - FULL) < 1e-9
+    return Grid(turn, g.places, bool(whole and g.works.all()))
+
+
+@dataclass
+class _Bracket:
+    curve: int
+    sense: int
+    low: float
+    high: float
+    near: float  # the grid's own value, for angles to be told near it
+
+
+def extremes(g: Grid) -> list[list[Extreme]]:
+    """For every curve of the turn its extremes, in the order of the driver's places; none for a constant curve."""
+    found: list[list[Extreme]] = [[] for _ in g.turn.curves]
+    brackets: list[_Bracket] = []
+    for k, curve in enumerate(g.turn.curves):
+        y = g.values(curve)
+        if varies(y):
+            brackets += _brackets(g, k, y)
+            found[k] += _edges(g, curve, y)
+    for bracket, place, value in _joined(g, brackets, *_refined(g.turn, brackets)):
+        found[bracket.curve].append(Extreme(_wrapped(g, place), value, bracket.sense))
+    return [sorted(some, key=lambda e: e.place) for some in found]
+
+
+def _joined(g: Grid, brackets: list[_Bracket], places: Any, values: Any) -> list[tuple[_Bracket, float, float]]:
+    """The extremes a curve comes up to: at a dead point where a load turns about, not the single value it has there but
+    that of the nearer side, if the curve comes up to it."""
+    if not brackets:
+        return []
+    beside = 1e-8 * (g.places[-1] - g.places[0])
+    near, far = (np.array([_values(g.turn, brackets, places + k * d) for d in (-beside, beside)]) for k in (1, 1000))
+    size = {k: np.nanmax(np.abs(g.values(g.turn.curves[k]))) for k in {b.curve for b in brackets}}
+    alone = np.abs(values - near).min(axis=0) > 1e-3 * np.array([size[b.curve] for b in brackets])
+    found = []
+    for i, b in enumerate(brackets):
+        value = float(values[i])
+        if alone[i]:
+            value = float(b.sense * (b.sense * near[:, i]).max())
+        if not alone[i] or b.sense * value >= (b.sense * far[:, i]).max():
+            found.append((b, float(places[i]), value))
+    return found
+
+
+def varies(y: Any) -> bool:
+    """Whether a curve is more than a constant."""
+    good = y[np.isfinite(y)]
+    return bool(len(good) > 2 and np.ptp(good) > STILL * (np.abs(good).max() + 1e-300))
+
+
+def _wrapped(g: Grid, place: float) -> float:
+    return place - FULL if g.closed and place >= g.places[-1] - 1e-9 else place
+
+
+def _brackets(g: Grid, k: int, y: Any) -> list[_Bracket]:
+    """Places of the grid that are above, or below, both their neighbours."""
+    x, step = g.places, g.places[1] - g.places[0]
+    if g.closed:
+        period = y[-1] - y[0] if g.turn.curves[k].angular else 0.0
+        y, x = np.append(y, y[1] + period), np.append(x, x[-1] + step)
+    before, here, after = y[:-2], y[1:-1], y[2:]
+    noise = 1e-13 * np.nanmax(np.abs(y))
+    found = []
+    for sense in (1, -1):
+        up, down = sense * (here - before) > noise, sense * (here - after) >= -noise
+        tops = np.flatnonzero(up & down & (np.abs(here - before) + np.abs(here - after) > 2 * noise))
+        found += [_Bracket(k, sense, x[i], x[i + 2], float(y[i + 1])) for i in tops]
+    return found
+
+
+def _edges(g: Grid, curve: Curve, y: Any) -> list[Extreme]:
+    """Values at the ends of the range, and at the limits of assembly, where they may be the largest of all."""
+    found = []
+    if not g.closed:
+        for i, other in ((0, 1), (len(y) - 1, len(y) - 2)):
+            if np.isfinite(y[i]) and np.isfinite(y[other]):
+                found.append(Extreme(float(g.places[i]), float(y[i]), 1 if y[i] > y[other] else -1, "end"))
+    for i, limit in g.limits:
+        if np.isfinite(y[i]):
+            found += _limit(g, curve, float(y[i]), float(g.places[i]), limit)
+    return found
+
+
+def _limit(g: Grid, curve: Curve, y: float, place: float, limit: float) -> list[Extreme]:
+    """What a curve does at a limit of assembly: it ends there, or grows without bound."""
+    reach = (place - limit) or (1.0 if place >= limit else -1.0) * 1e-6
+    near = np.array([limit + reach * part for part in (1e-3, 1e-7, 0.0)])
+    values = curve.read(g.turn.sample(near)) + np.zeros(3)
+    far, close, last = values
+    if curve.group != "place" and np.isfinite(far) and np.isfinite(close) and abs(close) > GROWS * abs(far):
+        return [Extreme(limit, float(np.copysign(np.inf, close)), 1 if close > 0 else -1, "limit")]
+    value = last if np.isfinite(last) else close
+    if not np.isfinite(value):
+        return []
+    if curve.angular:
+        value += FULL * round((y - value) / FULL)
+    return [Extreme(limit, float(value), 1 if value > y else -1, "limit")]
+
+
+def _refined(turn: Turn, brackets: list[_Bracket]) -> tuple[Any, Any]:
+    """Places and values of the bracketed extremes, all closed in on together."""
+    if not brackets:
+        return np.empty(0), np.empty(0)
+    low, high = np.array([b.low for b in brackets]), np.array([b.high for b in brackets])
+    owner = np.array([b.curve for b in brackets])
+    sense = np.array([b.sense for b in brackets])
+    parts = np.linspace(0.0, 1.0, CELLS + 1)
+    sloped = [turn.curves[k].slope is not None for k in owner]
+    for _ in range(ROUNDS):
+        x = low[:, None] + (high - low)[:, None] * parts
+        sample = turn.sample(x.ravel())
+        first, last = np.zeros(len(x), int), np.full(len(x), CELLS)
+        for k in np.unique(owner):
+            mine, curve = owner == k, turn.curves[k]
+            y = ((curve.slope or curve.read)(sample) + np.zeros(x.size)).reshape(x.shape)[mine]
+            if sloped[int(np.flatnonzero(mine)[0])]:
+                first[mine], last[mine] = _crossing(y * sense[mine][:, None])
+            else:
+                first[mine], last[mine] = _top(y * sense[mine][:, None])
+        rows = np.arange(len(x))
+        low, high = x[rows, first], x[rows, last]
+    place = (low + high) / 2
+    return place, _values(turn, brackets, place)
+
+
+def _values(turn: Turn, brackets: list[_Bracket], place: Any) -> Any:
+    sample, found = turn.sample(place), np.empty(len(place))
+    for i, b in enumerate(brackets):
+        curve = turn.curves[b.curve]
+        value = (curve.read(sample) + np.zeros(len(place)))[i]
+        found[i] = value + FULL * round((b.near - value) / FULL) if curve.angular else value
+    return found
+
+
+def _crossing(slope: Any) -> tuple[Any, Any]:
+    """The first cell in which a slope, positive before a top, is positive no more."""
+    down = ~(slope > 0)
+    down[:, 0], down[:, -1] = False, True
+    last = down.argmax(axis=1)
+    return last - 1, last
+
+
+def _top(y: Any) -> tuple[Any, Any]:
+    """The cells beside the highest of the values."""
+    best = np.where(np.isfinite(y), y, -np.inf).argmax(axis=1)
+    return np.maximum(best - 1, 0), np.minimum(best + 1, y.shape[1] - 1)

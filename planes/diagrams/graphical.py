@@ -1,0 +1,222 @@
+"""Graphical differentiation by chords and integration by a pole, as programs of steps drawn by any instrument.
+
+The abscissa is the time t of a uniform turn, divided into equal sections. Differentiation: from a pole P at the
+distance H to the left of the origin rays are drawn parallel to the chords of the curve; what a ray cuts off on the axis
+of ordinates is carried to the middle of its section. Similar triangles give the scale: with μ in mm per unit
+μ_v = H·μ_s/μ_t, with μ in units per mm μ_v = μ_s/(H·μ_t). Integration is the same backwards: the ordinate of the middle
+of a section is carried to the axis, and a parallel to the ray from P through it continues the curve over the section.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import pairwise
+from typing import Any
+
+from planes.diagrams.stages import Motion, Stage
+from planes.drafting import Draft
+from planes.drawing import Drawing, run
+from planes.instruments import Instrument
+from planes.naming import at, mu_of
+from planes.steps import Carry, Cross, LayOff, Put, Similar, Through
+from planes.units import standard_mu
+
+WIDE_MM = 156.0  # of the whole turn on the axis of time
+TALL_MM = 42.0  # the largest ordinate a diagram may have
+POLES_MM = (10.0, 12.0, 15.0, 20.0, 25.0, 30.0, 40.0, 50.0, 60.0)
+RIGHT, UP = "→", "↑"
+TIME, PAPER = "mu_t", "mu_paper"
+
+
+@dataclass
+class Construction:
+    """A drawing program with its givens and diagrams in the order they are drawn."""
+
+    motion: Motion
+    kind: str  # "differentiation" or "integration"
+    mu_t: float
+    draft: Draft = field(default_factory=Draft)
+    stages: list[Stage] = field(default_factory=list)
+
+    @cached_property
+    def program(self) -> Any:
+        """The steps, checked."""
+        from planes.program import Program
+
+        return Program(tuple(self.draft.steps.values()))
+
+    def drawn(self, instrument: Instrument | None = None, more: Mapping[str, Any] | None = None) -> Drawing:
+        """The construction drawn with an instrument, exactly if none is named."""
+        return run(self.program, {**self.draft.given, **(more or {})}, instrument)
+
+    def exact(self, stage: Stage) -> list[float]:
+        """The true values at the points of a diagram, SI."""
+        m = self.motion
+        found = []
+        for half, _ in stage.points:
+            row, k = (m.middles, half // 2) if half % 2 else (m.ends, half // 2)
+            found.append(row[stage.rank][k % m.sections if row is m.middles else k])
+        return found
+
+    def measured(self, drawing: Drawing, stage: Stage) -> list[Any]:
+        """What is measured on a drawing at the points of a diagram, SI."""
+        return [drawing[_value(stage.plan, label)] for _, label in stage.points]
+
+    # what is drawn
+
+    def begin(self) -> None:
+        """The two directions of all axes, and the length of a second."""
+        d = self.draft
+        d.aim(RIGHT, 0.0)
+        d.aim(UP, 90.0)
+        d.square("←", RIGHT, 2)
+        d.give(TIME, self.mu_t)
+        d.give(PAPER, 1.0)
+
+    def axes(self, plan: str, mu: float, pole_mm: float | None) -> None:
+        """The origin of a diagram, and its pole."""
+        d = self.draft
+        d.step(Put(at(plan, "o")))
+        d.give(mu_of(plan), mu)
+        d.step(LayOff(at(plan, "t"), at(plan, "o"), RIGHT, d.give("t_whole", self.motion.time[-1]), TIME))
+        if pole_mm is not None:
+            d.step(LayOff(at(plan, "P"), at(plan, "o"), "←", d.give(f"H_{plan}", pole_mm), PAPER))
+
+    def foot(self, plan: str, half: int) -> str:
+        """The point of the axis so many half sections from the origin: the axis is divided into equal parts."""
+        part = self.draft.give(f"part_{half}", complex(half / (2 * self.motion.sections)))
+        return self.draft.step(Similar(at(plan, f"t{half}"), at(plan, "o"), at(plan, "t"), part))
+
+    def measure(self, plan: str, half: int, label: str) -> None:
+        """Read the ordinate of a point."""
+        self.draft.measure(_value(plan, label), self.foot(plan, half), at(plan, label), UP)
+
+    def lay_off(self, plan: str, half: int, label: str, value: float) -> None:
+        """A point of a given curve."""
+        name = self.draft.give(f"y_{plan}_{label}", value)
+        self.draft.step(LayOff(at(plan, label), self.foot(plan, half), UP, name, mu_of(plan)))
+
+    def carried(self, plan: str, source: str, half: int, label: str) -> None:
+        """A point over a foot, as high as a mark on the axis of ordinates: the ordinate carried with dividers."""
+        self.draft.step(Carry(at(plan, label), self.foot(plan, half), at(plan, "o"), source))
+
+
+def _value(plan: str, label: str) -> str:
+    return f"read_{plan}_{label}"
+
+
+def differentiated(motion: Motion, pole_mm: float | None = None) -> Construction:
+    """The place differentiated twice by chords: velocities at the middles of sections, accelerations at their ends."""
+    c = Construction(motion, "differentiation", WIDE_MM / (motion.time[-1] - motion.time[0]))
+    c.begin()
+    place, plan = motion.ends[0], "diagram:s"
+    mu = standard_mu(max(place) - min(place), TALL_MM)
+    c.axes(plan, mu, None)
+    points = [(2 * k, str(k)) for k in range(motion.sections + 1)]
+    for (half, label), value in zip(points, place, strict=True):
+        c.lay_off(plan, half, label, value - place[0])
+        c.measure(plan, half, label)
+    c.stages.append(Stage(plan, 0, mu, None, tuple(points), True))
+    for rank, nxt in ((1, "diagram:v"), (2, "diagram:a")):
+        plan, points, mu = _derived(c, plan, points, mu, nxt, rank, pole_mm)
+    return c
+
+
+def _derived(
+    c: Construction, source: str, points: list[tuple[int, str]], mu: float, plan: str, rank: int, pole_mm: float | None
+) -> tuple[str, list[tuple[int, str]], float]:
+    """The next diagram: rays parallel to the chords, their cuts on the axis carried to the middles between points."""
+    d, before = c.draft, c.stages[-1]
+    drop = _slopes(c, before)
+    pole = pole_mm or _pole(drop, c.mu_t, mu)
+    found = mu * pole / c.mu_t
+    c.axes(plan, found, pole)
+    made: list[tuple[int, str]] = []
+    for (one, first), (two, second) in pairwise(points):
+        half, label = (one + two) // 2, _label((one + two) // 2)
+        chord = d.step(Through(f"{source}:{first}–{second}", at(source, first), at(source, second)))
+        d.step(Cross(at(plan, f"h{label}"), at(plan, "P"), chord, at(plan, "o"), UP))
+        c.carried(plan, at(plan, f"h{label}"), half, label)
+        made.append((half, label))
+    if c.motion.closed and rank == 1:  # the last middle again, one turn earlier: the chord over the start needs it
+        half = -1
+        c.carried(plan, at(plan, f"h{made[-1][1]}"), half, _label(half))
+        made.insert(0, (half, _label(half)))
+    for half, label in made:
+        c.measure(plan, half, label)
+    c.stages.append(Stage(plan, rank, found, pole, tuple(made), False))
+    return plan, made, found
+
+
+def _label(half: int) -> str:
+    """Labels of points: whole sections by their number, middles by a half: 3, 3½."""
+    return str(half // 2) if half % 2 == 0 else "−½" if half < 0 else f"{half // 2}½"
+
+
+def _slopes(c: Construction, stage: Stage) -> float:
+    """The steepest chord of a diagram, SI per second."""
+    exact, step = c.exact(stage), c.motion.time[1] - c.motion.time[0]
+    return max(abs(b - a) for a, b in pairwise(exact)) / step
+
+
+def _pole(steepest: float, mu_t: float, mu: float) -> float:
+    """The longest round pole distance with which the steepest ray still fits its diagram."""
+    longest = TALL_MM / max(steepest * mu / mu_t, 1e-300)
+    return max([h for h in POLES_MM if h <= longest], default=POLES_MM[0])
+
+
+def integrated(motion: Motion, pole_mm: float | None = None) -> Construction:
+    """The acceleration integrated twice, from rest at the start: velocities, then places at the ends of sections."""
+    c = Construction(motion, "integration", WIDE_MM / (motion.time[-1] - motion.time[0]))
+    c.begin()
+    values, plan = motion.middles[2], "diagram:a"
+    mu = standard_mu(max(map(abs, values)), TALL_MM)
+    pole = pole_mm or _level(c, mu, motion.ends[1])
+    c.axes(plan, mu, pole)
+    points = [(2 * k + 1, _label(2 * k + 1)) for k in range(motion.sections)]
+    for (half, label), value in zip(points, values, strict=True):
+        c.lay_off(plan, half, label, value)
+        c.measure(plan, half, label)
+    c.stages.append(Stage(plan, 2, mu, pole, tuple(points), True))
+    plan, mu = _summed(c, plan, points, mu, "diagram:v", 1, pole, motion.ends[1][0])
+    middles = []
+    for k in range(motion.sections):
+        label = _label(2 * k + 1)
+        c.draft.step(Similar(at(plan, label), at(plan, str(k)), at(plan, str(k + 1)), c.draft.give("half", 0.5 + 0j)))
+        middles.append((2 * k + 1, label))
+    second = pole_mm or _level(c, mu, [s - motion.ends[0][0] for s in motion.ends[0]])
+    name = c.draft.give(f"H_{plan}", second)
+    c.draft.step(LayOff(at(plan, "P"), at(plan, "o"), "←", name, PAPER))
+    c.stages[-1] = Stage(plan, 1, mu, second, c.stages[-1].points, False)
+    _summed(c, plan, middles, mu, "diagram:s", 0, second)
+    return c
+
+
+def _level(c: Construction, mu: float, sums: Sequence[float]) -> float:
+    """A round pole distance with which the integral fits its diagram: the shortest that does."""
+    least = max(map(abs, sums)) * mu * c.mu_t / TALL_MM
+    return min([h for h in POLES_MM if h >= least], default=math.ceil(least / 10.0) * 10.0)
+
+
+def _summed(
+    c: Construction, source: str, middles: list[tuple[int, str]], mu: float, plan: str, rank: int, pole: float,
+    start: float = 0.0,
+) -> tuple[str, float]:  # fmt: skip
+    """The integral of a diagram: over each section a parallel to the ray through the ordinate of its middle."""
+    d, found = c.draft, mu * c.mu_t / pole
+    c.axes(plan, found, None)
+    c.lay_off(plan, 0, "0", start)
+    end = at(plan, "0")
+    made = [(0, "0")]
+    for k, (half, label) in enumerate(middles):
+        d.step(Carry(at(source, f"h{label}"), at(source, "o"), c.foot(source, half), at(source, label)))
+        ray = d.step(Through(f"{source}:P–{label}", at(source, "P"), at(source, f"h{label}")))
+        end = d.step(Cross(at(plan, str(k + 1)), end, ray, c.foot(plan, 2 * k + 2), UP))
+        made.append((2 * k + 2, str(k + 1)))
+    for half, label in made:
+        c.measure(plan, half, label)
+    c.stages.append(Stage(plan, rank, found, None, tuple(made), False))
+    return plan, found

@@ -1,0 +1,92 @@
+"""The driven link's motion through a uniform turn, in equal sections: what graphical diagrams start from."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from planes.diagrams.curves import curves_of, ratio_name
+from planes.diagrams.extremes import extremes, grid
+from planes.diagrams.graphical import Construction, differentiated, integrated
+from planes.diagrams.stages import Motion
+from planes.diagrams.turn import FULL, Turn, turn_of, unwound
+from planes.plans import Plans, state
+from planes.plans.driven import driven
+from planes.scene import Scene
+from planes.wording import PlanesError
+from planes.words import Phrase
+from planes.working import span_of
+
+DENSE = 10  # places of the drawn curve within a section
+FEWEST, MOST = 6, 72
+INSET = 0.02  # of a range that ends at limits of assembly
+
+
+def motion_of(plans: Plans, sections: int = 12, file: str = "") -> Motion:
+    """The motion of the driven link from its extreme position on, the driver turning uniformly the way it does.
+
+    Where the mechanism does not assemble all the way round it is the working part of the turn that is divided.
+    """
+    drive = plans.mechanism.drive
+    if drive.kind != "phi" or not drive.velocity:
+        raise PlanesError(Phrase("graphical_no_turn", file=file))
+    if not FEWEST <= sections <= MOST:
+        raise PlanesError(Phrase("graphical_sections", count=sections, least=FEWEST, most=MOST))
+    link, slides = driven(plans)
+    turn = Turn(plans, [curves_of(plans)[n] for n in _names(plans, link, slides)])
+    low, high, closed = ends_of(plans)
+    flips = () if slides else grid(turn, low, high).flips
+    if flips:
+        raise PlanesError(Phrase("graphical_flips", link=link, place=f"{flips[0][1] % FULL:.4f}"))
+    start, span = (low, high - low) if drive.velocity > 0 else (high, low - high)
+    angles = start + span * np.arange(2 * sections + 1) / (2 * sections)
+    dense = start + span * np.arange(DENSE * sections + 1) / (DENSE * sections)
+    half, fine = _values(turn, angles, slides, drive.velocity), _values(turn, dense, slides, drive.velocity)
+    return Motion(
+        link, slides, tuple(map(float, angles[::2])), _time(angles[::2], drive.velocity), closed,
+        tuple(tuple(row[::2]) for row in half), tuple(tuple(row[1::2]) for row in half),
+        _time(dense, drive.velocity), tuple(tuple(row) for row in fine),
+    )  # fmt: skip
+
+
+def _names(plans: Plans, link: str, slides: bool) -> tuple[str, str, str]:
+    """The curves of the driven link: its place and both analogues."""
+    if slides:
+        return f"s_{link}", f"vq_slide_{link}", f"aq_slide_{link}"
+    return f"phi_{link}", ratio_name(plans, link), f"epsilonq_{link}"
+
+
+def _time(angles: Any, rate: float) -> tuple[float, ...]:
+    return tuple(float(t) for t in np.radians(angles - angles[0]) / rate)
+
+
+def _values(turn: Turn, angles: Any, slides: bool, rate: float) -> list[list[float]]:
+    """Place (counted from the start), velocity v_q·ω₁ and acceleration a_q·ω₁² of a uniform turn, SI."""
+    sample = turn.sample(angles)
+    place, v, a = (c.read(sample) + np.zeros(len(angles)) for c in turn.curves)
+    if not slides:
+        place = np.radians(unwound(place))
+    return [[float(x) for x in row] for row in (place - place[0], v * rate, a * rate * rate)]
+
+
+def ends_of(plans: Plans) -> tuple[float, float, bool]:
+    """Where diagrams begin and end, and whether they come back: a whole turn from the driven link's first extreme
+    position, or the working range about the scene's own place, less a little where rates grow without bound."""
+    span = span_of(plans)
+    if not span.whole:
+        inner = span.inner(INSET)
+        return inner.start, inner.end, False
+    turn = turn_of(plans, _names(plans, *driven(plans))[:1])
+    inner_extremes = [e.place for e in extremes(grid(turn, 0.0, FULL))[0] if not e.at]
+    start = min(inner_extremes, default=0.0)
+    return start, start + FULL, True
+
+
+def constructed(scene: Scene, sections: int, pole_mm: float | None = None) -> list[Construction]:
+    """Both graphical constructions of the driven link's motion."""
+    assert scene.mechanism
+    if pole_mm is not None and not 1.0 <= pole_mm <= 500.0:
+        raise PlanesError(Phrase("graphical_pole", pole=pole_mm))
+    motion = motion_of(state(scene.mechanism, scene.file), sections, scene.file)
+    return [differentiated(motion, pole_mm), integrated(motion, pole_mm)]

@@ -1,0 +1,232 @@
+"""A whole cycle in figures: the driven link's stroke and dead points, the time ratio, extremes of all curves, paths."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from planes.diagrams.curves import Curve, ratio_name
+from planes.diagrams.extremes import Extreme, Grid, extremes, grid, varies
+from planes.diagrams.turn import FULL, turn_of
+from planes.mechanism import FRAME
+from planes.plans import Plans
+from planes.plans.driven import driven
+from planes.scene import Scene
+
+SAME = 1e-12
+
+
+@dataclass(frozen=True)
+class Row:
+    """A curve (or several that are one: ``names``) with its least and greatest values, one number if it is constant."""
+
+    names: tuple[str, ...]
+    unit: str
+    group: str
+    least: Extreme
+    greatest: Extreme
+    all: tuple[Extreme, ...]
+    size: float  # the largest finite size at the places of the grid: what is nothing beside it is zero
+
+    @property
+    def constant(self) -> bool:
+        """Whether the curve never changes."""
+        return not self.all
+
+
+@dataclass(frozen=True)
+class Stroke:
+    """The driven link between its two extreme positions (``dead``: the driver's places and the link's own there).
+
+    ``swing`` is in metres or degrees. ``forth`` and ``back`` are the parts of the driver's turn (degrees) in which it
+    goes from the first extreme position to the second, and returns; their ratio, the larger over the smaller, is ``K``.
+    A link that turns all the way round has no extreme positions.
+    """
+
+    link: str
+    slides: bool
+    curve: str
+    dead: tuple[Extreme, ...]
+    swing: float
+    rounds: bool = False
+    forth: float | None = None
+    back: float | None = None
+    others: int = 0
+
+    @property
+    def K(self) -> float | None:
+        """The time ratio at a constant speed of the driver: of the longer to the shorter way between the extremes."""
+        if not self.forth or not self.back:
+            return None
+        return max(self.forth, self.back) / min(self.forth, self.back)
+
+
+@dataclass(frozen=True)
+class Path:
+    """A point's path: its length, and the box it lies in."""
+
+    point: str
+    length: float
+    x: tuple[float, float]
+    y: tuple[float, float]
+    closed: bool
+
+
+@dataclass(frozen=True)
+class Summary:
+    """What is known of a cycle; all of it is read off one :class:`Grid`."""
+
+    scene: Scene
+    plans: Plans
+    grid: Grid
+
+    @cached_property
+    def extremes(self) -> dict[str, list[Extreme]]:
+        """Every curve's extremes by its name."""
+        return {c.name: e for c, e in zip(self.grid.turn.curves, extremes(self.grid), strict=True)}
+
+    @cached_property
+    def ranges(self) -> tuple[tuple[float, float], ...]:
+        """The parts of the range in which the mechanism assembles."""
+        works, places, limits = self.grid.works, self.grid.places, dict(self.grid.limits)
+        edges = np.flatnonzero(np.diff(np.concatenate(([False], works, [False])).astype(int)))
+        found = []
+        for first, last in zip(edges[::2], edges[1::2] - 1, strict=True):
+            low = limits.get(int(first), float(places[first])) if first else float(places[0])
+            high = limits.get(int(last), float(places[last])) if last < len(places) - 1 else float(places[-1])
+            found.append((low, high))
+        return tuple(found)
+
+    @cached_property
+    def stroke(self) -> Stroke | None:
+        """The driven link's stroke, or angle of swing; None where it turns over."""
+        link, slides = driven(self.plans)
+        name = f"{'s' if slides else 'phi'}_{link}"
+        curve = next((c for c in self.grid.turn.curves if c.name == name), None)
+        if curve is None or link == self.plans.mechanism.drive.link or name in dict(self.grid.flips):
+            return None
+        y = self.grid.values(curve)
+        if self.grid.closed and curve.angular and abs(y[-1] - y[0]) > FULL - 1.0:
+            return Stroke(link, slides, name, (), FULL, True)
+        some = self.extremes[name]
+        if not some:
+            return None
+        low, high = min(some, key=lambda e: e.value), max(some, key=lambda e: e.value)
+        dead = tuple(sorted((low, high), key=lambda e: e.place))
+        others = sum(e.at == "" for e in some if e not in dead)
+        forth = back = None
+        if self.grid.closed:
+            forth = (dead[1].place - dead[0].place) % FULL
+            back = FULL - forth
+        return Stroke(link, slides, name, dead, high.value - low.value, False, forth, back, others)
+
+    @cached_property
+    def rows(self) -> tuple[Row, ...]:
+        """The curves a person reads: of vectors the sizes; equal ones in one row; nothing that is always zero."""
+        found: list[tuple[Any, Row]] = []
+        for curve in self.grid.turn.curves:
+            if not self._shown(curve):
+                continue
+            y = self.grid.values(curve)
+            if not np.isfinite(y).any() or not np.nanmax(np.abs(y)):
+                continue
+            twin = next((k for k, (other, row) in enumerate(found) if _same(y, other, curve, row)), None)
+            if twin is None:
+                found.append((y, self._row(curve, y)))
+            else:
+                other, row = found[twin]
+                found[twin] = other, replace(row, names=(*row.names, curve.name))
+        return tuple(row for _, row in found)
+
+    def _row(self, curve: Curve, y: Any) -> Row:
+        some, size = self.extremes[curve.name], float(np.nanmax(np.abs(y)))
+        if not some:
+            k = int(np.flatnonzero(np.isfinite(y))[0])
+            one = Extreme(float(self.grid.places[k]), float(y[k]), 1)
+            return Row((curve.name,), curve.unit, curve.group, one, one, (), size)
+        low, high = min(some, key=lambda e: e.value), max(some, key=lambda e: e.value)
+        return Row((curve.name,), curve.unit, curve.group, low, high, tuple(some), size)
+
+    def _shown(self, curve: Curve) -> bool:
+        if curve.name.startswith(("MZ_", "FbZ_")) or curve.name.endswith(("_x", "_y")):
+            return False
+        link = curve.name.removeprefix("phi_")
+        if curve.name.startswith("phi_"):
+            y = self.grid.values(curve)
+            return link != self.plans.mechanism.drive.link and varies(y)
+        return curve.name != f"s_{self.plans.mechanism.drive.link}"
+
+    @cached_property
+    def paths(self) -> tuple[Path, ...]:
+        """Paths of the moving points."""
+        found, frame = [], self.plans.mechanism.frame.points
+        for p in (p for p in self.plans.points if p not in frame):
+            z = self.grid.sample[f"r_{p}_x"] + 1j * self.grid.sample[f"r_{p}_y"]
+            length = sum(_length(run) for run in np.split(z, np.flatnonzero(~self.grid.works)))
+            if length:
+                x, y = ((self._most(f"r_{p}_{axis}", -1), self._most(f"r_{p}_{axis}", 1)) for axis in "xy")
+                found.append(Path(p, length, x, y, self.grid.closed))
+        return tuple(found)
+
+    def _most(self, name: str, sense: int) -> float:
+        """The greatest (or least, −1) coordinate there is."""
+        row = self.grid.sample[name]
+        some = [e.value for e in self.extremes[name]] or [float(row[np.isfinite(row)][0])]
+        return sense * max(sense * value for value in some)
+
+
+def _length(path: Any) -> float:
+    """The length of a curve through many points: that of its polygon, improved by the polygon of every second point."""
+    path = path[np.isfinite(path)]
+    if len(path) < 2:
+        return 0.0
+    whole = float(np.abs(np.diff(path)).sum())
+    if len(path) % 2 == 0:
+        return whole
+    return whole + (whole - float(np.abs(np.diff(path[::2])).sum())) / 3
+
+
+def _same(y: Any, other: Any, curve: Curve, row: Row) -> bool:
+    if (curve.unit, curve.group) != (row.unit, row.group) or curve.name[:2] != row.names[0][:2]:
+        return False
+    size = np.nanmax(np.abs(other))
+    return bool(np.array_equal(np.isnan(y), np.isnan(other)) and np.nanmax(np.abs(y - other)) <= SAME * size)
+
+
+def summary(scene: Scene, plans: Plans, start: float = 0.0, end: float = FULL) -> Summary:
+    """The cycle between two places of the driver (degrees, or metres): every curve, read at 721 places or more.
+
+    A full turn in which the mechanism stops somewhere is begun there, so that a working range is one piece.
+    """
+    count = max(721, round(abs(end - start) / 0.5) + 1) if plans.mechanism.drive.kind == "phi" else 721
+    turn, low, high = turn_of(plans), min(start, end), max(start, end)
+    g = grid(turn, low, high, min(count, 20001))
+    works = g.works
+    if is_turn(g) and works[0] and works[-1] and not works.all():
+        stops = (~works).nonzero()[0]
+        low = float(g.places[stops[len(stops) // 2]]) - FULL
+        g = grid(turn, low, low + FULL, len(g.places))
+    return Summary(scene, plans, g)
+
+
+def is_turn(g: Grid) -> bool:
+    """Whether a grid goes once round."""
+    return g.turn.plans.mechanism.drive.kind == "phi" and abs(float(g.places[-1] - g.places[0]) - FULL) < 1e-9
+
+
+def output_curves(plans: Plans) -> tuple[str, ...]:
+    """The curves of a mechanism's driven link that are drawn first: its place, velocity and acceleration."""
+    link, slides = driven(plans)
+    return (f"s_{link}", f"v_slide_{link}", f"a_slide_{link}") if slides else (
+        f"phi_{link}", f"omega_{link}", f"epsilon_{link}")  # fmt: skip
+
+
+def transfer_curves(plans: Plans) -> tuple[str, ...]:
+    """The analogues of the driven link: of velocity (or its ratio of speeds), and of acceleration."""
+    link, slides = driven(plans)
+    if link == FRAME:
+        return ()
+    return (f"vq_slide_{link}", f"aq_slide_{link}") if slides else (ratio_name(plans, link), f"epsilonq_{link}")

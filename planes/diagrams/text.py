@@ -1,0 +1,181 @@
+"""The figures of a cycle as a person reads them in a terminal, and as JSON."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from planes.diagrams.curves import Curve
+from planes.diagrams.extremes import Extreme
+from planes.diagrams.summary import Row, Stroke, Summary
+from planes.diagrams.turn import Turn
+from planes.solving import told
+from planes.tables import table
+from planes.units import quantity
+from planes.words import Lang, say
+
+GROUPS = ("place", "analogue", "rate", "force")
+DECIMALS = 5  # of a listing
+
+
+def report(s: Summary, lang: Lang) -> str:
+    """Stroke, dead points, time ratio, then the extremes of every curve, group by group."""
+    structure = s.plans.structure
+    made = f"W = {structure.W}, q = {structure.q}, {structure.formula}"
+    lines = [s.scene.title.get(lang, ""), made, _drive(s, lang), *_assembles(s, lang), *_flips(s, lang)]
+    lines += ["", *_stroke(s, lang)]
+    name = drive_name(s)
+    head = ["", say("column_unit", lang)]
+    for side in ("column_least", "column_greatest"):
+        head += [say(side, lang), say("column_at", lang, name=name)]
+    for group in GROUPS:
+        rows = [_cells(s, row, lang) for row in s.rows if row.group == group]
+        lines += table(say(f"group_{group}", lang), head, rows)
+    lines += _paths(s, lang)
+    return "\n".join(line for k, line in enumerate(lines) if line or k) + "\n"
+
+
+def drive_name(s: Summary) -> str:
+    """The letter of the driver's place: φ1, or s1."""
+    drive = s.plans.mechanism.drive
+    return ("φ" if drive.kind == "phi" else "s") + drive.link
+
+
+def _drive(s: Summary, lang: Lang) -> str:
+    drive = s.plans.mechanism.drive
+    v, a = ("ω", "ε") if drive.kind == "phi" else ("v", "a")
+    units = ("rad/s", "rad/s²") if drive.kind == "phi" else ("m/s", "m/s²")
+    shown = [f"{quantity(x)} {say(u, lang)}" for x, u in zip((drive.velocity, drive.acceleration), units, strict=True)]
+    first, last = (told(float(x), drive.kind, lang) for x in (s.grid.places[0], s.grid.places[-1]))
+    return say("cycle_range", lang, name=drive_name(s), first=first, last=last, velocity=v + drive.link, v=shown[0],
+               acceleration=a + drive.link, a=shown[1])  # fmt: skip
+
+
+def _place(s: Summary, value: float, lang: Lang) -> str:
+    kind = s.plans.mechanism.drive.kind
+    return told(round(value, 4) + 0.0 if kind == "phi" else float(f"{value:.6g}"), kind, lang)
+
+
+def _assembles(s: Summary, lang: Lang) -> list[str]:
+    if bool(s.grid.works.all()):
+        return []
+    ranges = ", ".join(f"{_place(s, a, lang)}…{_place(s, b, lang)}" for a, b in s.ranges)
+    return [say("cycle_assembles", lang, name=drive_name(s), ranges=ranges)]
+
+
+def _flips(s: Summary, lang: Lang) -> list[str]:
+    """Where links turn over, those of one place together."""
+    found: dict[str, list[str]] = {}
+    for name, place in s.grid.flips:
+        found.setdefault(_place(s, place, lang), []).append(name.removeprefix("phi_"))
+    return [say("cycle_flips", lang, name=drive_name(s), place=place, links=", ".join(links))
+            for place, links in found.items()]  # fmt: skip
+
+
+def _stroke(s: Summary, lang: Lang) -> list[str]:
+    stroke = s.stroke
+    if stroke is None:
+        return []
+    if stroke.rounds:
+        return [say("stroke_rounds", lang, link=stroke.link)]
+    dead = "; ".join(_dead(s, stroke, e, lang) for e in stroke.dead)
+    key = "stroke_slides" if stroke.slides else "stroke_turns"
+    lines = [say(key, lang, link=stroke.link, swing=quantity(stroke.swing, "", 5), dead=dead)]
+    if stroke.others:
+        lines.append(say("stroke_more", lang, count=stroke.others))
+    if stroke.K is not None and stroke.forth and stroke.back:
+        lines.append(say("time_ratio", lang, ratio=quantity(stroke.K, "", 5), forth=quantity(stroke.forth, "", 6),
+                         back=quantity(stroke.back, "", 6)))  # fmt: skip
+    return lines
+
+
+def _dead(s: Summary, stroke: Stroke, e: Extreme, lang: Lang) -> str:
+    unit = f" {say('m', lang)}" if stroke.slides else "°"
+    key = {"": "stroke_place", "limit": "stroke_limit", "end": "stroke_end"}[e.at]
+    return say(key, lang, name=drive_name(s), place=_place(s, e.place, lang), curve=stroke.curve,
+               value=quantity(e.value, "", 5) + unit)  # fmt: skip
+
+
+def _cells(s: Summary, row: Row, lang: Lang) -> list[str]:
+    cells = [", ".join(row.names), say(row.unit, lang)]
+    if row.constant:
+        return [*cells, quantity(row.least.value), "—", quantity(row.least.value), "—"]
+    for e in (row.least, row.greatest):
+        value = 0.0 if abs(e.value) < 1e-9 * row.size else e.value
+        cells += [("→ " if math.isinf(value) else "") + quantity(value), _place(s, e.place, lang)]
+    return cells
+
+
+def _paths(s: Summary, lang: Lang) -> list[str]:
+    rows = []
+    for p in s.paths:
+        size = max(map(abs, (*p.x, *p.y)))
+        box = ("…".join(quantity(0.0 if abs(c) < 1e-9 * size else c) for c in pair) for pair in (p.x, p.y))
+        rows.append([p.point, quantity(p.length), *box])
+    m = say("m", lang)
+    return table(say("paths", lang), ["", say("path_length", lang), f"x, {m}", f"y, {m}"], rows)
+
+
+def as_json(s: Summary) -> dict[str, Any]:
+    """The whole summary as plain things; every extreme of every curve is there."""
+    drive, stroke = s.plans.mechanism.drive, s.stroke
+    found: dict[str, Any] = {
+        "planes": 1, "scene": s.scene.file, "variant": s.scene.variant,
+        "drive": {"kind": drive.kind, "velocity": drive.velocity, "acceleration": drive.acceleration},
+        "range": [float(s.grid.places[0]), float(s.grid.places[-1])], "assembles": [list(r) for r in s.ranges],
+    }  # fmt: skip
+    if stroke:
+        found["driven"] = {
+            "link": stroke.link, "curve": stroke.curve, "rotates": stroke.rounds, "stroke": stroke.swing,
+            "extreme_positions": [_extreme(e) for e in stroke.dead], "forth_deg": stroke.forth,
+            "back_deg": stroke.back, "time_ratio": stroke.K,
+        }  # fmt: skip
+    found["curves"] = {c.name: {"unit": c.unit, "group": c.group, "extremes": [_extreme(e) for e in s.extremes[c.name]]}
+                       for c in s.grid.turn.curves}  # fmt: skip
+    found["paths"] = {p.point: {"length": p.length, "x": list(p.x), "y": list(p.y)} for p in s.paths}
+    return found
+
+
+def _extreme(e: Extreme) -> dict[str, Any]:
+    unbounded = math.isinf(e.value)
+    kind = "greatest" if e.sense > 0 else "least"
+    shown: dict[str, Any] = {"at": e.place, "value": None if unbounded else e.value, "kind": kind}
+    return shown | ({"where": e.at} if e.at else {}) | ({"unbounded": True} if unbounded else {})
+
+
+# the listing of single positions
+
+
+def listing(turn: Turn, values: Any, lang: Lang) -> str:
+    """Every curve in each position, in the order of the analytic method, with five decimals."""
+    sample = turn.sample(values)
+    kind = turn.plans.mechanism.drive.kind
+    lines: list[str] = []
+    for key, curves in _chapters(turn.curves):
+        rows = []
+        for c in curves:
+            numbers = c.read(sample) + np.zeros(len(values))
+            rows.append([c.name, say(c.unit, lang), *map(decimals, numbers)])
+        head = ["", say("column_unit", lang), *(told(float(v), kind, lang) for v in values)]
+        lines += table(say(key, lang), head, rows)
+    return "\n".join(lines[1:]) + "\n"
+
+
+def _chapters(curves: tuple[Curve, ...]) -> list[tuple[str, list[Curve]]]:
+    def chapter(c: Curve) -> str:
+        if c.group not in ("analogue", "rate"):
+            return f"group_{c.group}"
+        return f"group_{c.group}_" + ("a" if c.name.startswith(("a", "epsilon", "coriolis")) else "v")
+
+    keys = ("place", "analogue_v", "analogue_a", "rate_v", "rate_a", "force")
+    return [(f"group_{k}", [c for c in curves if chapter(c) == f"group_{k}"]) for k in keys]
+
+
+def decimals(value: float) -> str:
+    """A number with five decimals, the zeros at its end left out, as a calculating sheet prints it."""
+    if not math.isfinite(value):
+        return "—"
+    text = f"{value:.{DECIMALS}f}".rstrip("0").rstrip(".")
+    return "0" if text in ("-0", "") else text

@@ -1,0 +1,166 @@
+"""The self-aligning variant drawn: the scheme with the signs of cylindrical and spherical pairs, and their names."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Any
+
+from planes.mechanism import FRAME, Link
+from planes.self_aligning import Aligned, Sign
+from planes.solving import Position
+from planes.structure import Pair
+from render import labels, symbols
+from render.marks import Arc, Line, Mark, Text
+from render.names import Naming
+from render.style import HINGE_MM
+from render.views import View, stacked, view
+from render.views.places import degrees
+from render.views.scheme import Scheme
+from render.words import say
+
+CUP_MM = 2.4  # radius of the cup about a spherical pair's ball
+RING_MM = 2.4  # of the bushing about a cylindrical pair's pin
+ROD_MM = 3.5  # of a round rod seen through its bushing, beyond it
+CLASSES: dict[Sign, int] = {"R": 5, "P": 5, "C": 4, "S": 3}
+
+
+@dataclass
+class AlignedScheme(Scheme):
+    """A scheme whose pairs have the signs of a self-aligning variant."""
+
+    aligned: Aligned | None = None
+
+    def pairs(self) -> None:
+        """Hinges and their legs, then what makes a pair cylindrical or spherical."""
+        super().pairs()
+        assert self.aligned
+        for pair, sign in self.aligned.pairs:
+            if pair.kind == "R" and sign != "R" and self.places.has(pair.point):
+                self.hinges += self.sign(pair, sign)
+
+    def sign(self, pair: Pair, sign: Sign) -> tuple[Mark, ...]:
+        """A ball in its cup, open towards its link; or a pin in a bushing, seen along its axis."""
+        z = self.places.at(pair.point)
+        if sign == "C":
+            return (Arc(z, RING_MM, fill="paper"), *symbols.hinge(z))
+        ways = [self.way(z, link) for link in (pair.link, pair.other)]
+        towards = next((math.degrees(math.atan2(w.imag, w.real)) for w in ways if w), 0.0)
+        return (Arc(z, CUP_MM, towards + 55, towards + 305), *symbols.hinge(z))
+
+    def way(self, z: complex, link: str) -> complex:
+        """From a pair towards the rest of a link."""
+        points = [self.places.at(p) - z for p in self.mechanism.link(link).points if self.places.has(p)]
+        return max((w for w in points if abs(w) > 1.0), key=abs, default=0j) if link != FRAME else 0j
+
+    def slider(self, link: Link, foot: complex, along: complex) -> None:
+        """A cylindrical slider is a bushing: the round rod is seen through it, its axis chain-dotted."""
+        super().slider(link, foot, along)
+        pair = next(p for p in self.position.plans.structure.pairs if p.kind == "P" and p.link == link.name)
+        assert self.aligned
+        if self.aligned.sign(pair) == "C":
+            long = self.size(link)[0] / 2 + ROD_MM
+            self.hinges.append(Line((foot - long * along, foot + long * along), "axis", "axis"))
+            self.hinges += _bushing(foot, degrees(along), self.size(link))
+
+    def letters(self) -> None:
+        """Letters of the points, with the signs of the pairs there."""
+        super().letters()
+        assert self.aligned
+        said: dict[str, list[str]] = {}
+        for pair, sign in self.aligned.pairs:
+            if pair.kind == "R":
+                said.setdefault(pair.point, []).append(short(sign, self.naming))
+            elif self.places.has(self.mechanism.links[pair.link].first_point):
+                foot, _ = self.places.foot(self.mechanism.links[pair.link])
+                text = f"{between(pair, self.naming)}_{{{short(sign, self.naming)}}}"
+                self.named.append(labels.Label(text, foot, 3.5, clear=4.5, name=f"sign {pair.guide}"))
+        for k, label in enumerate(self.named):
+            if label.name in said and label.name in self.shared:
+                text = f"{label.text}_{{{', '.join(said[label.name])}}}"
+                self.named[k] = replace(label, text=text, clear=CUP_MM)
+
+
+def _bushing(foot: complex, angle: float, size: tuple[float, float]) -> tuple[Mark, ...]:
+    """Short strokes over both ends of a slider's block: the round hole it is bored with."""
+    along, (long, wide) = symbols.unit(angle), size
+    hole = 0.28 * wide
+    found: list[Mark] = []
+    for side in (-1, 1):
+        start = foot + side * 1j * along * hole
+        found.append(Line((start - long / 2 * along, start + long / 2 * along), "thin"))
+    return tuple(found)
+
+
+def short(sign: Sign, naming: Naming) -> str:
+    """The field's short mark of a pair: 1в, 1п, 2ц, 3с."""
+    return say(f"short_{sign}", naming.lang)
+
+
+def between(pair: Pair, naming: Naming) -> str:
+    """A sliding pair by the links it joins: "(4–5)"."""
+    return f"({'–'.join(sorted(map(naming.link, (pair.other, pair.link))))})"
+
+
+def alignment_view(position: Position, aligned: Aligned, naming: Naming, title: str, letter: float) -> View:
+    """Scheme, count and signs, one beneath the other."""
+    scheme = AlignedScheme(position, naming, aligned=aligned)
+    drawn = view("self-aligning", title, scheme.drawn(False), figure=True)
+    count, signs = view("count", "", counted(aligned, letter)), legend(aligned, naming, letter)
+    return stacked("self-aligning", [drawn, count, signs])
+
+
+def counted(aligned: Aligned, letter: float) -> list[Mark]:
+    """The formula of Somov and Malyshev with its numbers."""
+    p5, p4, p3 = aligned.counts
+    high = letter * 1.4
+    lines = [
+        "W = 6n − 5p_{5} − 4p_{4} − 3p_{3} = "
+        f"6·{aligned.n} − 5·{p5} − 4·{p4} − 3·{p3} = {aligned.W};   q = {aligned.q}",
+    ]
+    return [Text(t, complex(0, -1.9 * high * k), high, "middle") for k, t in enumerate(lines)]
+
+
+def legend(aligned: Aligned, naming: Naming, letter: float) -> View:
+    """The sign of every kind of pair there is, seen from its side, with its name, class and places."""
+    marks: list[Mark] = []
+    kinds = [k for k in ("R", "P", "C", "S") if any(sign == k for _, sign in aligned.pairs)]
+    for row, kind in enumerate(kinds):
+        y = -13.0 * row
+        marks += _SIGNS[kind](complex(0, y))
+        named = [p for p, sign in aligned.pairs if sign == kind]
+        places = ", ".join(naming.point(p.point) if p.point else between(p, naming) for p in named)
+        words = say(f"pair_{kind}", naming.lang, cls=CLASSES[kind])  # type: ignore[index]
+        marks.append(Text(f"{words}: {places}", complex(16, y - letter / 2), letter))
+    return view("signs", "", marks)
+
+
+# the signs of ГОСТ 2.770, seen from the side
+
+
+def _revolute(z: complex) -> tuple[Mark, ...]:
+    """A shaft in a bearing, held by collars."""
+    collars = (Line((z + complex(x, -1.8), z + complex(x, 1.8))) for x in (-5.2, 5.2))
+    return (*_cylindrical(z), *collars)
+
+
+def _cylindrical(z: complex) -> tuple[Mark, ...]:
+    """A shaft that turns and slides in a sleeve."""
+    sleeve = [
+        Line((z + complex(-4, y), z + complex(4, y))) for y in (-2.2, 2.2)
+    ]
+    return (*sleeve, Line((z - 10, z + 10)))
+
+
+def _prismatic(z: complex) -> tuple[Mark, ...]:
+    """A block on its guide."""
+    return (*symbols.base(z - 3.25j, 0, 18.0), *symbols.block(z))
+
+
+def _spherical(z: complex) -> tuple[Mark, ...]:
+    """A ball in a cup."""
+    cup = Arc(z, 1.7 * HINGE_MM * 1.2, 55, 305)
+    return (cup, Line((z + HINGE_MM, z + 10)), Line((z - 1.7 * HINGE_MM * 1.2, z - 10)), *symbols.hinge(z))
+
+
+_SIGNS: dict[str, Any] = {"R": _revolute, "P": _prismatic, "C": _cylindrical, "S": _spherical}

@@ -1,0 +1,219 @@
+"""Graphical differentiation and integration drawn: diagrams one beneath the other, poles with their rays, carried
+ordinates, the curve that was drawn and, in dashes, the exact one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from planes.diagrams.graphical import Construction
+from planes.diagrams.stages import Stage
+from planes.drawing import Drawing
+from planes.naming import at
+from planes.units import quantity
+from render.marks import Arc, Arrow, Line, Mark, Text
+from render.names import Naming
+from render.style import DOT_MM
+from render.symbols import dot
+from render.typeset import extent
+from render.words import decimal, number, say
+
+BETWEEN_MM = 15.0
+BEYOND_MM = 9.0  # of an axis past its last section
+SMOOTH = 8  # pieces of a drawn curve between two points
+
+
+@dataclass(frozen=True)
+class Graphical:
+    """A construction as it was drawn, with its scales."""
+
+    construction: Construction
+    drawing: Drawing
+    naming: Naming
+
+    def drawn(self) -> tuple[Mark, ...]:
+        """All diagrams, the first one on top."""
+        marks: list[Mark] = []
+        lowest = 0.0
+        for k, stage in enumerate(self.construction.stages):
+            bottom, top = self.levels(stage)
+            zero = lowest - BETWEEN_MM - top if k else 0.0
+            marks += self.one(stage, k, complex(0, zero), bottom, top)
+            lowest = zero + min(bottom, self.pole_room(stage) - 2.0 if stage.pole_mm else bottom)
+        return (*marks, *self.numbers(lowest - 6.5), *self.legend(lowest - 15.0))
+
+    def place(self, plan: str, label: str) -> complex:
+        """Where a mark stands from the origin of its own diagram."""
+        return complex(self.drawing[at(plan, label)]) - complex(self.drawing[at(plan, "o")])
+
+    def points(self, stage: Stage) -> list[complex]:
+        """The points a diagram was drawn through; of a turn that comes back, two more at either end."""
+        own = [self.place(stage.plan, label) for half, label in stage.points if half >= 0]
+        if not self.construction.motion.closed or stage.given or self.construction.kind != "differentiation":
+            return own
+        wide = self.place(stage.plan, "t").real
+        return [*(z - wide for z in own[-2:]), *own, *(z + wide for z in own[:2])]
+
+    def exact(self, stage: Stage) -> list[complex]:
+        """The exact curve."""
+        m = self.construction.motion
+        first = m.curves[0][0] if stage.rank == 0 else 0.0
+        return [complex(t * self.construction.mu_t, (y - first) * stage.mu) for t, y in
+                zip(m.dense_time, m.curves[stage.rank], strict=True)]  # fmt: skip
+
+    def levels(self, stage: Stage) -> tuple[float, float]:
+        """The lowest and the highest ordinate, mm."""
+        levels = [0.0, *(z.imag for z in (*self.points(stage), *self.exact(stage)))]
+        return min(levels), max(levels)
+
+    # one diagram
+
+    def one(self, stage: Stage, k: int, zero: complex, bottom: float, top: float) -> list[Mark]:
+        """Axes, sections, the exact curve, the construction and what it gave."""
+        wide = self.place(stage.plan, "t").real
+        marks: list[Mark] = [
+            Line((zero + complex(x, bottom - 1.5), zero + complex(x, top + 1.5)), "construction", "construction")
+            for x in self.sections(wide)
+        ]
+        marks += [
+            Arrow(zero, zero + wide + BEYOND_MM, "thin", "dimension"),
+            Arrow(zero + 1j * min(0.0, bottom - 1.5), zero + 1j * (top + 9.0), "thin", "dimension"),
+            Text("t", zero + complex(wide + BEYOND_MM + 1.5, -1), 3.5),
+            Text(self.heading(stage, k), zero + complex(3.0, top + 6.0), 3.5),
+        ]
+        exact = tuple(zero + z for z in self.exact(stage))
+        marks.append(Line(exact, "thick" if stage.given else "dash", "plan"))
+        return [*marks, *self.pole(stage, zero), *self.curve(stage, zero, wide)]
+
+    def sections(self, wide: float) -> list[float]:
+        """Abscissas of the ends of the sections."""
+        n = self.construction.motion.sections
+        return [wide * k / n for k in range(1, n + 1)]
+
+    def heading(self, stage: Stage, k: int) -> str:
+        """The quantity and its scale, with the formula it follows from."""
+        c, lang = self.construction, self.naming.lang
+        letters = ("s", "v", "a") if c.motion.slides else ("φ", "ω", "ε")
+        units = ("m", "m/s", "m/s²") if c.motion.slides else ("rad", "rad/s", "rad/s²")
+        own = letters[stage.rank]
+        text = f"{own}_{{{self.naming.link(c.motion.link)}}};  μ_{{{own}}} = "
+        if k:
+            other = letters[c.stages[k - 1].rank]
+            text += f"H·μ_{{{other}}}/μ_{{t}} = " if c.kind == "differentiation" else f"μ_{{{other}}}·μ_{{t}}/H = "
+        unit = say(units[stage.rank], lang)
+        unit = f"({unit})" if "/" in unit else unit
+        text += f"{decimal(quantity(stage.mu), lang)} {say('mm', lang)}/{unit}"
+        if not k:
+            text += f";  μ_{{t}} = {decimal(quantity(c.mu_t), lang)} {say('mm', lang)}/{say('s', lang)}"
+        return text
+
+    def pole(self, stage: Stage, zero: complex) -> list[Mark]:
+        """The pole, its rays to the axis of ordinates, and its distance."""
+        if stage.pole_mm is None:
+            return []
+        pole, found = self.place(stage.plan, "P"), []
+        for h in self.cuts(stage):
+            found.append(Line((zero + pole, zero + h), "construction", "construction"))
+        marks: list[Mark] = [*found, *dot(zero + pole, 0.6, "construction"),
+                             Line((zero + pole, zero), "thin", "dimension")]  # fmt: skip
+        level = self.pole_room(stage)
+        low, high = zero + pole, zero
+        text, middle = f"H = {number(stage.pole_mm, self.naming.lang)}", (low + high) / 2
+        x0, _, x1, _ = extent(text, 3.5)
+        written = Text(text, middle + 1j * (level + 1.2), 3.5, "middle")
+        if x1 - x0 > stage.pole_mm - 2.0:  # beside a short distance, on its line drawn further
+            written = Text(text, low + complex(-4.0, level - 1.3), 3.5, "end")
+            marks.append(Line((low + complex(-3.0, level), low + 1j * level), "thin", "dimension"))
+        return [
+            *marks, written, Text("P", low + complex(-1.5, -1.2), 3.5, "end"),
+            Line((low, low + 1j * (level - 1.0)), "thin", "dimension"),
+            Line((high + 1j * min(0.0, self.levels(stage)[0] - 1.5), high + 1j * (level - 1.0)), "thin", "dimension"),
+            Arrow(middle + 1j * level, low + 1j * level, "thin", "dimension"),
+            Arrow(middle + 1j * level, high + 1j * level, "thin", "dimension"),
+        ]  # fmt: skip
+
+    def pole_room(self, stage: Stage) -> float:
+        """Where the distance of the pole is written: beneath all its rays."""
+        return min(0.0, *(z.imag for z in self.cuts(stage))) - 7.0
+
+    def cut_labels(self, stage: Stage) -> list[str]:
+        """Labels of the points whose ordinates stand on the axis too."""
+        labels = [label for half, label in stage.points if half >= 0]
+        if self.construction.kind == "integration":
+            labels = [f"{k}½" for k in range(self.construction.motion.sections)]
+        return [x for x in labels if at(stage.plan, f"h{x}") in self.drawing.things]
+
+    def cuts(self, stage: Stage) -> list[complex]:
+        """Where the rays meet the axis of ordinates."""
+        return [self.place(stage.plan, f"h{x}") for x in self.cut_labels(stage)]
+
+    def curve(self, stage: Stage, zero: complex, wide: float) -> list[Mark]:
+        """The points and the curve through them (of an integral the line of chords it is), with its construction."""
+        points, by_chords = self.points(stage), self.construction.kind == "differentiation"
+        marks = self.carried(stage, zero)
+        if by_chords and stage.rank < 2:
+            near = wide / self.construction.motion.sections / 2 + 1e-6
+            ends = [z for z in points if -near <= z.real <= wide + 1e-6]
+            marks += [Line((zero + a, zero + b), "construction", "construction") for a, b in pairwise(ends)]
+        if not stage.given:
+            path = cropped(smooth(points), wide) if by_chords else points
+            marks.append(Line(tuple(zero + z for z in path), "thick", "plan"))
+        inside = [z for z in points if -1e-6 <= z.real <= wide + 1e-6]
+        return [*marks, *(Arc(zero + z, DOT_MM * 0.75, style="thin", layer="plan", fill="ink") for z in inside)]
+
+    def carried(self, stage: Stage, zero: complex) -> list[Mark]:
+        """Ordinates carried to or from the axis."""
+        marks: list[Mark] = []
+        for label in self.cut_labels(stage):
+            ends = self.place(stage.plan, f"h{label}"), self.place(stage.plan, label)
+            marks.append(Line((zero + ends[0], zero + ends[1]), "construction", "construction"))
+        return marks
+
+    # beneath
+
+    def numbers(self, level: float) -> list[Mark]:
+        """Numbers of the positions and the driver's angle at the first."""
+        m, wide = self.construction.motion, self.place(self.construction.stages[0].plan, "t").real
+        every = 1 if m.sections <= 24 else 2
+        found: list[Mark] = [
+            Text(str(k), complex(wide * k / m.sections, level), 3.5, "middle") for k in range(0, m.sections + 1, every)
+        ]
+        start = f"φ_{{0}} = {number(round(m.angles[0] % 360.0, 4), self.naming.lang)}°"
+        return [*found, Text(start, complex(wide + 6, level), 3.5)]
+
+    def legend(self, level: float) -> list[Mark]:
+        """Which line is which."""
+        lang = self.naming.lang
+        return [
+            Line((complex(0, level), complex(14, level)), "thick", "plan"),
+            Text(say("graphical_drawn", lang), complex(16, level - 1.3), 3.5),
+            Line((complex(62, level), complex(76, level)), "dash", "plan"),
+            Text(say("graphical_exact", lang), complex(78, level - 1.3), 3.5),
+        ]
+
+
+def smooth(points: Sequence[complex]) -> list[complex]:
+    """A curve through points as a French curve would draw it: cubic pieces whose slopes follow the neighbours."""
+    if len(points) < 3:
+        return list(points)
+    ends = [2 * points[0] - points[1], *points, 2 * points[-1] - points[-2]]
+    found = []
+    for a, b, c, d in zip(ends, ends[1:], ends[2:], ends[3:], strict=False):
+        m, n = (c - a) / 2, (d - b) / 2
+        for k in range(SMOOTH):
+            t = k / SMOOTH
+            found.append(b + t * (m + t * (3 * (c - b) - 2 * m - n + t * (m + n - 2 * (c - b)))))
+    return [*found, points[-1]]
+
+
+def cropped(path: Sequence[complex], wide: float) -> list[complex]:
+    """The part of a curve over the axis, cut exactly at both ends."""
+    found: list[complex] = []
+    for a, b in pairwise(path):
+        for x in (0.0, wide):
+            if (a.real - x) * (b.real - x) < 0:
+                found.append(a + (b - a) * (x - a.real) / (b.real - a.real))
+        if 0.0 <= b.real <= wide:
+            found.append(b)
+    return [z for z in [path[0], *found] if -1e-9 <= z.real <= wide + 1e-9] if found else list(path)
