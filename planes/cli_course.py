@@ -1,0 +1,36 @@
+"""``planes course``: the whole set of a course, what was made, and what could not be."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from planes.course.crowd import crowd
+from planes.course.reading import read_course
+from planes.home import home_lang
+from planes.wording import PlanesError
+from planes.words import Lang, Phrase, say
+
+FOLDER = "out"
+
+
+def run(args: argparse.Namespace) -> int:
+    """Make the course; exit status 0 if all came out, 1 if something is missing, 2 if nothing could be begun."""
+    said: Lang | None = args.lang
+    args.lang = said or home_lang()
+    if args.jobs is not None and args.jobs < 1:
+        raise PlanesError(Phrase("course_jobs", count=args.jobs))
+    course = read_course(args.folder)
+    lang = said or course.lang or args.lang
+    from planes.roof.conducting import conduct
+    from planes.roof.lesson import bar
+
+    folder = Path(args.output) if args.output else Path(course.file).parent / FOLDER
+    with crowd(args.jobs, args.scheduler) as each, bar() as step:
+        report = conduct(course, folder, each, lang, step, bool(args.scheduler))
+    for place, file, sentence in report.faults:
+        print(f"{place}{f'/{file}' if file else ''}: {sentence}", file=sys.stderr)
+    counts = {"students": len(course.students), "made": report.made, "kept": report.kept, "faults": len(report.faults)}
+    print(say("course_done", args.lang, folder=str(folder), **counts))
+    return 1 if report.faults else 0

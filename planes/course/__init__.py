@@ -1,0 +1,91 @@
+"""A course: individual work for a list of students, from a folder with a list of names and scenes.
+
+The folder holds ``students.txt`` (a name a line) or ``students.csv`` (a head ``name,group,assignment,variant``, of
+which only the name is needed; semicolons or tabs do as well) and the scenes of the assignments. A ``course.yaml``
+says more; all its keys but ``course`` may be left out::
+
+    course: 1                            # the format
+    title: Курсовой проект, осень 2026   # printed on every task
+    lang: ru
+    sheet: {group: М-31, teacher: Петров П. П.}   # what every sheet says, with the keys of a scene's ``sheet``
+    students: students.csv               # or a list here: names, or {name: …, group: …, assignment: 12, variant: Б}
+    assignments: [../12.yaml, ../more]   # scenes, or folders of them; they are given out in turn
+    each: 1                              # how many assignments a student gets
+    variants: given                      # the variants of the scene first, then drawn numbers; or: drawn
+    draw: {phi_1: {from: 0, to: 345, step: 15}, l_AB: 10 %, F_5: [1000, 1500, 2000]}
+    sharpness: 15                        # degrees: with drawn numbers no lines of any plan meet at less, all round
+    documents: [task, blank, key, sheets, lesson]   # note as well
+    formats: [pdf]                       # of the sheets: dxf, svg, png as well
+    plans: [velocity, acceleration, force]          # what the blanks are for
+    seed: 1
+
+A student's numbers depend on the name, the assignment and the seed alone, so a name added to the list changes nobody
+else's; only the given variants go by the order of the list. No two students have the same numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import MappingProxyType
+
+from planes.scene.source import Node
+from planes.words import Lang
+
+DOCUMENTS = ("task", "blank", "key", "sheets", "lesson", "note")
+FORMATS = ("pdf", "dxf", "svg", "png")
+
+
+@dataclass(frozen=True)
+class Student:
+    """One of the list. ``assignment`` is the name of a scene's file without its suffix, None to be given one in turn;
+    ``variant`` one of its variants; ``line`` where the student stands in the list."""
+
+    name: str
+    group: str = ""
+    assignment: str | None = None
+    variant: str | None = None
+    line: int = 0
+
+
+@dataclass(frozen=True)
+class Choice:
+    """Which numbers a parameter may take: ``values`` as they are written, or ``percent`` around the scene's own."""
+
+    values: tuple[str, ...] = ()
+    percent: float | None = None
+
+
+@dataclass(frozen=True)
+class Assignment:
+    """A scene that is given out: its file, its text and its variants."""
+
+    file: Path
+    text: str
+    variants: tuple[str, ...]
+
+    @property
+    def name(self) -> str:
+        """The name of the file without its suffix."""
+        return self.file.stem
+
+
+@dataclass(frozen=True)
+class Course:
+    """All that a folder says of a course. ``draw`` is None where the program chooses what to draw."""
+
+    file: str
+    students: tuple[Student, ...]
+    assignments: tuple[Assignment, ...]
+    title: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
+    sheet: Mapping[str, Node] = field(default_factory=lambda: MappingProxyType({}))
+    each: int = 1
+    given_first: bool = True
+    draw: Mapping[str, Choice] | None = None
+    sharpness_deg: float = 15.0
+    documents: tuple[str, ...] = DOCUMENTS[:5]
+    formats: tuple[str, ...] = FORMATS[:1]
+    plans: tuple[str, ...] = ("velocity", "acceleration", "force")
+    seed: int = 1
+    lang: Lang | None = None

@@ -1,0 +1,123 @@
+"""Work done by many: in this process, in processes of this machine, or by the workers of a Dask cluster.
+
+A task is a function of a module and what it is given, all of it plain data; what comes back is the same whoever
+does it. Nothing is shared: workers read and write no files.
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+from asyncio import CancelledError
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from importlib import import_module
+from typing import Any
+
+from planes.wording import PlanesError
+from planes.words import Phrase
+
+Each = Callable[[Callable[[Any], Any], Sequence[Any]], Iterator[tuple[int, Any]]]
+"""Does a function to each of many things: yields (which, what came of it) as they are done."""
+
+READY = ("planes.roof.course", "render.report.note_pdf", "reportlab.platypus", "numpy", "shapely")
+"""What workers are made with: imported once."""
+SECONDS = 10  # to find a scheduler
+
+
+@contextmanager
+def crowd(jobs: int | None = None, scheduler: str | None = None, ready: Sequence[str] = READY) -> Iterator[Each]:
+    """Workers to give tasks to: ``jobs`` processes (None: one a core), or those of a Dask ``scheduler``.
+
+    ``ready`` are the modules of the functions they will be given.
+    """
+    count = jobs or cores()
+    if scheduler:
+        with _cluster(scheduler) as each:
+            yield each
+    elif count == 1:
+        yield _alone
+    else:
+        with _processes(count, ready) as each:
+            yield each
+
+
+def cores() -> int:
+    """How many processes may run at once here."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _alone(work: Callable[[Any], Any], tasks: Sequence[Any]) -> Iterator[tuple[int, Any]]:
+    yield from ((k, work(task)) for k, task in enumerate(tasks))
+
+
+@contextmanager
+def _processes(count: int, ready: Sequence[str]) -> Iterator[Each]:
+    """Processes made from one that has everything imported already; they end when this one does, however it ends."""
+    import multiprocessing
+    from concurrent.futures import ProcessPoolExecutor, as_completed
+    from concurrent.futures.process import BrokenProcessPool
+
+    way = "forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn"
+    context = multiprocessing.get_context(way)
+    if way == "forkserver":
+        context.set_forkserver_preload(list(ready))
+    pool = ProcessPoolExecutor(count, context, _follow)
+
+    def each(work: Callable[[Any], Any], tasks: Sequence[Any]) -> Iterator[tuple[int, Any]]:
+        waiting = {pool.submit(work, task): k for k, task in enumerate(tasks)}
+        for done in as_completed(waiting):
+            yield waiting.pop(done), done.result()
+
+    try:
+        yield each
+    except BrokenProcessPool:
+        raise PlanesError(Phrase("course_worker_lost")) from None
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
+
+
+def _follow() -> None:
+    """End this worker as soon as the process it works for is gone."""
+    import multiprocessing
+    import signal
+    import threading
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the one who asked decides
+    if parent := multiprocessing.parent_process():
+
+        def wait() -> None:
+            parent.join()
+            os._exit(1)
+
+        threading.Thread(target=wait, daemon=True).start()
+
+
+@contextmanager
+def _cluster(address: str) -> Iterator[Each]:
+    """The workers of a Dask scheduler."""
+    try:
+        dask: Any = import_module("distributed")
+    except ImportError:
+        raise PlanesError(Phrase("course_no_dask")) from None
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what fails is told in one sentence
+    try:
+        client = dask.Client(address, timeout=SECONDS)
+    except (OSError, ValueError) as error:
+        reason = str(error).partition("\n")[0]
+        raise PlanesError(Phrase("course_no_scheduler", address=address, reason=reason)) from None
+
+    def each(work: Callable[[Any], Any], tasks: Sequence[Any]) -> Iterator[tuple[int, Any]]:
+        waiting = {client.submit(work, task, pure=False): k for k, task in enumerate(tasks)}
+        try:
+            for done in dask.as_completed(list(waiting)):
+                yield waiting.pop(done), done.result()
+        except (Exception, CancelledError) as error:  # of any library on the way
+            told = {"kind": type(error).__name__, "reason": str(error).partition("\n")[0]}
+            raise PlanesError(Phrase("course_cluster", **told)) from None
+
+    try:
+        yield each
+    finally:
+        with suppress(OSError):
+            client.close()

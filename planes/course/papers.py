@@ -1,0 +1,158 @@
+"""What a student and a teacher read, as blocks of a note: the task, the answers, the summary of the course."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from planes.drafting import Segment
+from planes.lesson.formulas import number, unit
+from planes.lesson.note import Block, Figure, Heading, Note, Prose, Table
+from planes.measuring import say_plan
+from planes.mechanism import Load, Mechanism
+from planes.naming import POLE, label_of
+from planes.scene import Scene
+from planes.solving import Position, told
+from planes.tables import say_mu
+from planes.words import Lang, say
+
+_ANGLES = {"alpha": "α", "beta": "β", "gamma": "γ"}
+NOISE_MM = 1e-6  # a segment shorter than this is nothing
+ACROSS = 3  # numbers to a line
+_WORK = ("structure", "position", "velocity", "acceleration", "force", "lever")
+
+
+def task(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[str], lang: Lang) -> Iterator[Block]:
+    """The sheet of a task: whose it is (``heads``), the scheme, the numbers, the loads, and what is to be done."""
+    yield Heading(heads[0], 0)
+    yield from (Prose(line) for line in heads[1:] if line)
+    yield Figure("scheme", say("task_scheme", lang))
+    yield given(scene, drawn, used, lang)
+    if lines := list(conditions(drawn.plans.mechanism, lang)):
+        yield Heading(say("task_conditions", lang))
+        yield from map(Prose, lines)
+    yield Heading(say("task_todo", lang))
+    yield from (Prose(line, number=k) for k, line in enumerate(work(scene, drawn, lang), 1))
+
+
+def given(scene: Scene, drawn: Position, used: Sequence[str], lang: Lang) -> Block:
+    """The numbers of the assignment's table, three to a line."""
+    head = tuple(say(k, lang) for k in ("task_quantity", "task_value", "task_unit"))
+    names = [n for n in scene.parameters if n in used]
+    if not names:  # all numbers stand in the scene itself
+        return next(b for b in Note(scene, drawn, lang).opening() if isinstance(b, Table))
+    cells = [(lettered(n), number(scene.parameters[n], lang, 6), unit_of(n, lang)) for n in names]
+    high = -(-len(cells) // ACROSS)
+    cells += [("", "", "")] * (ACROSS * high - len(cells))
+    rows = (tuple(c for k in range(ACROSS) for c in cells[row + k * high]) for row in range(high))
+    return Table(say("task_given", lang), (head * ACROSS, *rows))
+
+
+def lettered(name: str) -> str:
+    """A parameter as it is written: l_AB lettered, angle_AOH as ∠AOH."""
+    return f"∠{name[6:]}" if name.startswith("angle_") else _ANGLES.get(name) or f"⟨{name}⟩"
+
+
+def unit_of(name: str, lang: Lang) -> str:
+    """The unit of a parameter by the letter it begins with."""
+    letter = name.partition("_")[0]
+    if letter in ("phi", "angle", *_ANGLES):
+        return "°"
+    return say("m", lang) if letter in ("x", "y") else unit(name, lang)
+
+
+def conditions(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
+    """Axes, loads, weight and friction in words."""
+    if origin := next((name for name, place in mechanism.frame.points.items() if place == 0), None):
+        yield say("task_axes", lang, point=f"⟨{origin}⟩")
+    yield from (_load(load, lang) for load in mechanism.loads)
+    masses = any(link.mass for link in mechanism.links.values())
+    if masses and mechanism.gravity:
+        yield say("task_weight", lang, g=number(mechanism.gravity, lang))
+    elif masses:
+        yield say("task_no_weight", lang)
+    for guide, f in mechanism.friction.items():
+        yield say("task_friction", lang, guide=guide, f=number(f, lang))
+
+
+def _load(load: Load, lang: Lang) -> str:
+    """One force or moment: its size, and which way it acts."""
+    what = {"link": load.link, "point": f"⟨{load.point}⟩", "value": number(load.value, lang, 6)}
+    if load.kind == "moment":
+        return say(f"task_moment_{load.sense}" if load.sense else "task_moment", lang, **what)
+    if load.sense:
+        return say(f"task_force_{load.sense}", lang, **what)
+    angle = number(load.direction_deg or 0.0, lang)
+    if load.direction_link:
+        return say("task_force_link", lang, **what, angle=angle, other=load.direction_link)
+    return say("task_force", lang, **what, angle=angle)
+
+
+def work(scene: Scene, drawn: Position, lang: Lang) -> Iterator[str]:
+    """What is to be done, as far as the mechanism asks for it."""
+    plans = {name.partition(":")[0] for name in drawn.plans.drawn} | {"structure"}
+    m, drive = drawn.plans.mechanism, drawn.plans.mechanism.drive
+    value = told(drawn.value, drive.kind, lang).replace(".", "," if lang == "ru" else ".")
+    value = f"⟨{'phi' if drive.kind == 'phi' else 's'}_{drive.link}⟩ = {value}"
+    loaded = bool(m.loads) or any(link.mass or link.inertia for link in m.links.values())
+    for key in _WORK:
+        if key in plans and (loaded or key not in ("force", "lever")):
+            yield say("task_force_plan" if key == "force" else f"task_{key}", lang, drive=value)
+    if scene.find:
+        yield say("task_find", lang, names=tuple(f"⟨{name}⟩" for name in scene.find))
+
+
+def answers(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[str], lang: Lang) -> Iterator[Block]:
+    """The key: the numbers, what every plan measures, the results."""
+    yield Heading(say("key_title", lang, title=heads[0]), 0)
+    yield from (Prose(line) for line in heads[1:] if line)
+    yield given(scene, drawn, used, lang)
+    note = Note(scene, drawn, lang)
+    yield from note.structure()
+    yield from note.results()
+    if drawn.plans.zhukovsky in drawn.drawing:
+        yield from note.compared()
+    yield Heading(say("key_plans", lang))
+    for name, plan in drawn.results.get("plans", {}).items():
+        if name != "position" and (table := segments(drawn, name, plan, lang)):
+            yield table
+    if worst := worst_crossing(drawn, lang):
+        yield Prose(worst)
+
+
+def segments(drawn: Position, name: str, plan: Mapping[str, Any], lang: Lang) -> Table | None:
+    """The segments of one plan: name, ends, millimetres, value."""
+    rows = []
+    for s in drawn.plans.segments:
+        found = plan["segments"].get(s.start + s.end)
+        if s.plan == name and found and found["name"] == s.name:
+            value = number(found["value"] if found["mm"] > NOISE_MM else 0.0, lang)
+            rows.append((f"⟨{_vector(drawn, s)}⟩", f"⟨{s.start}⟩⟨{s.end}⟩", _mm(found["mm"], lang), value))
+    size = unit({"velocity": "v", "acceleration": "a"}.get(name, "F"), lang)
+    head = (say("key_vector", lang), say("segment", lang), say("mm", lang), size)
+    mu = say_mu(plan["mu"], lang).replace(".", "," if lang == "ru" else ".")
+    return Table(f"{say_plan(name, lang)}, μ = {mu}", (head, *rows)) if rows else None
+
+
+def _vector(drawn: Position, s: Segment) -> str:
+    """The name of a segment: a whole vector of rates from the pole by its point."""
+    label = s.end.rstrip("'")
+    if s.plan not in ("velocity", "acceleration") or s.start != POLE or label.startswith(("n_", "k_")):
+        return s.name
+    marks = ((m.velocity if s.plan == "velocity" else m.acceleration, p) for p, m in drawn.plans.points.items())
+    points = {label_of(mark): point for mark, point in marks}
+    return f"{s.plan[0]}_{points.get(s.end, label.upper())}"
+
+
+def _mm(size: float, lang: Lang) -> str:
+    return f"{size:.1f}".replace(".", "," if lang == "ru" else ".")
+
+
+def worst_crossing(drawn: Position, lang: Lang) -> str:
+    """How bluntly lines meet at the worst, for who grades the drawing."""
+    if not drawn.drawing.sharpness:
+        return ""
+    least = min(drawn.drawing.sharpness.values())
+    angle = math.degrees(math.asin(max(0.0, min(1.0, least))))
+    return say("key_sharpness", lang, angle=number(angle, lang, 3))

@@ -1,0 +1,175 @@
+"""The folder of a course read: its course.yaml, its list of students, its scenes; each refusal with file:line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import MappingProxyType
+
+from planes.course import DOCUMENTS, FORMATS, Assignment, Choice, Course, Student
+from planes.course.students import FILES, check_students, read_file
+from planes.scene import loads, source
+from planes.scene.reader import Reader, part
+from planes.scene.settings import read_sheet, read_words
+from planes.scene.source import Items, Node, Table, Text
+from planes.wording import SceneError, choices, shown
+from planes.words import Phrase
+
+NAME = "course.yaml"
+KEYS = ("course", "title", "lang", "sheet", "students", "assignments", "each", "variants", "draw", "sharpness",
+        "documents", "formats", "plans", "seed")
+PLANS = ("position", "velocity", "acceleration", "force")
+MOST_VALUES = 10_000  # numbers a parameter may be drawn from
+MOST_EACH = 100
+
+
+def read_course(folder: str | Path) -> Course:
+    """The course of a folder, or of a course file itself; :class:`SceneError` says what cannot be meant, and where."""
+    path = Path(folder)
+    file = path if path.is_file() else path / NAME
+    if not path.exists():
+        raise SceneError(Phrase("course_no_folder"), str(folder))
+    table = source.parse(source.read(file), str(file)) if file.is_file() else Table({}, 1)
+    reader = Reader(str(file))
+    if file.is_file():
+        _check_outline(reader, table)
+    return _course(reader, table, file.parent)
+
+
+def _check_outline(reader: Reader, table: Table) -> None:
+    reader.table(table, Phrase("the_course"), KEYS)
+    version = reader.text(reader.required(table, "course", Phrase("the_course")), "course")
+    if version != "1":
+        raise reader.error(Phrase("course_format", version=shown(version)), table.entries["course"])
+
+
+def _course(reader: Reader, table: Table, folder: Path) -> Course:
+    get = {key: reader.optional(table, key) for key in KEYS}
+    assignments = _assignments(reader, get["assignments"], folder)
+    students = _students(reader, get["students"], folder)
+    check_students(*students, assignments)
+    sheet = get["sheet"]
+    read_sheet(reader, sheet)
+    lang = None if get["lang"] is None else reader.word(get["lang"], "lang", ("ru", "en"))
+    way = "given" if get["variants"] is None else reader.word(get["variants"], "variants", ("given", "drawn"))
+    return Course(
+        reader.file, students[1], assignments, MappingProxyType(read_words(reader, get["title"], "title")),
+        MappingProxyType(sheet.entries if isinstance(sheet, Table) else {}),
+        _whole(reader, get["each"], "each", 1, MOST_EACH), way == "given", _draw(reader, get["draw"], assignments),
+        _sharpness(reader, get["sharpness"]), _words(reader, get["documents"], "documents", DOCUMENTS, DOCUMENTS[:5]),
+        _words(reader, get["formats"], "formats", FORMATS, FORMATS[:1]),
+        _words(reader, get["plans"], "plans", PLANS, PLANS[1:]), _whole(reader, get["seed"], "seed", 1, 10**9),
+        "ru" if lang == "ru" else "en" if lang else None)  # fmt: skip
+
+
+def _students(reader: Reader, node: Node | None, folder: Path) -> tuple[str, tuple[Student, ...]]:
+    """The file the list stands in, and the list."""
+    if isinstance(node, Text):
+        path = folder / reader.text(node, "students")
+        return str(path), read_file(path)
+    if node is not None:
+        return reader.file, tuple(_student(reader, n, item) for n, item in enumerate(reader.items(node, "students"), 1))
+    found = next((folder / name for name in FILES if (folder / name).is_file()), None)
+    if found is None:
+        raise SceneError(Phrase("course_no_students", folder=str(folder), files=FILES), reader.file)
+    return str(found), read_file(found)
+
+
+def _student(reader: Reader, number: int, node: Node) -> Student:
+    what = Phrase("entry", number=number, what="students")
+    if isinstance(node, Text):
+        return Student(reader.text(node, what), line=node.line)
+    table = reader.table(node, what, ("name", "group", "assignment", "variant"))
+    said = {k: reader.text(v, part(k, what)) for k in table.entries if (v := reader.optional(table, k)) is not None}
+    reader.required(table, "name", what)
+    return Student(said["name"], said.get("group", ""), said.get("assignment"), said.get("variant"), node.line)
+
+
+def _assignments(reader: Reader, node: Node | None, folder: Path) -> tuple[Assignment, ...]:
+    """The scenes, in the order they are named; those of the folder itself, where none are."""
+    if node is None:
+        files = _scenes(folder)
+    else:
+        nodes = [node] if isinstance(node, Text) else reader.items(node, "assignments")
+        paths = [folder / reader.text(n, Phrase("entry", number=k, what="assignments")) for k, n in enumerate(nodes, 1)]
+        files = [f for p in paths for f in (_scenes(p) if p.is_dir() else [p])]
+    if not files:
+        where = reader.file if node is not None else str(folder)
+        raise SceneError(Phrase("course_no_scenes"), where, None if node is None else node.line)
+    found = tuple(_assignment(f) for f in files)
+    names = [a.name for a in found]
+    if twice := next((n for n in names if names.count(n) > 1), None):
+        raise SceneError(Phrase("course_scene_twice", name=twice), reader.file, None if node is None else node.line)
+    return found
+
+
+def _scenes(folder: Path) -> list[Path]:
+    return sorted(f for f in folder.iterdir() if f.suffix in (".yaml", ".yml") and f.name != NAME and f.is_file())
+
+
+def _assignment(file: Path) -> Assignment:
+    text = source.read(file)
+    scene = loads(text, str(file))
+    if scene.mechanism is None:
+        raise SceneError(Phrase("vectors_alone"), str(file), 1)
+    return Assignment(file, text, scene.variants)
+
+
+def _draw(
+    reader: Reader, node: Node | None, assignments: tuple[Assignment, ...]
+) -> MappingProxyType[str, Choice] | None:
+    """What each named parameter may be."""
+    if node is None:
+        return None
+    table = reader.table(node, "draw")
+    known = dict.fromkeys(name for a in assignments for name in loads(a.text, str(a.file)).parameters)
+    for name, line in table.lines.items():
+        if name not in known:
+            raise reader.error(Phrase("course_draw_name", name=shown(name), valid=choices(name, known)), line)
+    return MappingProxyType({name: _choice(reader, name, entry) for name, entry in table.entries.items()})
+
+
+def _choice(reader: Reader, name: str, node: Node) -> Choice:
+    what = part(name, "draw")
+    if isinstance(node, Items):
+        values = [reader.number(n, what) for n in reader.items(node, what)]
+    elif isinstance(node, Table):
+        table = reader.table(node, what, ("from", "to", "step"))
+        need = {k: reader.required(table, k, what) for k in ("from", "to", "step")}
+        low, high, step = (reader.number(n, part(k, what)) for k, n in need.items())
+        if step <= 0 or high < low or (high - low) / step > MOST_VALUES:
+            raise reader.error(Phrase("course_range", what=what, most=MOST_VALUES), node)
+        values = [low + k * step for k in range(int((high - low) / step + 1e-9) + 1)]
+    else:
+        text = reader.text(node, what)
+        if not text.endswith("%"):
+            raise reader.error(Phrase("course_choice", what=what, text=shown(text)), node)
+        return Choice(percent=reader.positive(Text(text[:-1].strip(), node.line), what))
+    if not values:
+        raise reader.error(Phrase("course_choice", what=what, text="[]"), node)
+    return Choice(tuple(f"{v:.10g}" for v in values))
+
+
+def _sharpness(reader: Reader, node: Node | None) -> float:
+    value = Course.sharpness_deg if node is None else reader.number(node, "sharpness")
+    if not 0 <= value < 90:
+        raise reader.error(Phrase("course_sharpness", value=value), node or 1)
+    return value
+
+
+def _whole(reader: Reader, node: Node | None, key: str, default: int, most: int) -> int:
+    value = default if node is None else reader.number(node, key)
+    if value != int(value) or not 0 <= value <= most or (key == "each" and value < 1):
+        raise reader.error(Phrase("course_whole", key=key, value=value, most=most), node or 1)
+    return int(value)
+
+
+def _words(
+    reader: Reader, node: Node | None, key: str, known: tuple[str, ...], default: tuple[str, ...]
+) -> tuple[str, ...]:
+    """Some of the known words, in their own order."""
+    if node is None:
+        return default
+    nodes = [node] if isinstance(node, Text) else reader.items(node, key)
+    said = {reader.word(n, Phrase("entry", number=k, what=key), known) for k, n in enumerate(nodes, 1)}
+    return tuple(word for word in known if word in said)
+

@@ -1,0 +1,137 @@
+"""What one student works with: the numbers settled, the scene written, the mechanism solved. A task for any worker."""
+
+from __future__ import annotations
+
+import json
+import math
+import traceback
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from planes.course import Choice, Course
+from planes.course.fingerprint import fingerprint
+from planes.course.giving import Share
+from planes.course.numbers import choices_of, dice, draw_numbers
+from planes.course.scenes import own_scene
+from planes.mechanism import FRAME
+from planes.scene import Scene, loads
+from planes.scene.source import Node, Text
+from planes.solving import solve
+from planes.wording import PlanesError
+from planes.words import Lang, Phrase
+
+FILE = "scene.yaml"
+
+
+@dataclass(frozen=True)
+class Question:
+    """All that a student's numbers depend on; ``copy`` counts how often they fell together with somebody else's."""
+
+    text: str
+    file: str
+    variant: str | None
+    draw: Mapping[str, Choice] | None
+    sharpness_deg: float
+    seed: int
+    student: tuple[str, str]
+    sheet: Mapping[str, Node]
+    lang: Lang
+    copy: int = 0
+    program: str = ""  # whose it must be, where workers may have another
+
+
+@dataclass(frozen=True)
+class Settled:
+    """A student's scene and its solution as JSON; or the sentence why there is none."""
+
+    scene: str = ""
+    key: str = ""
+    fault: str = ""
+
+
+def question(course: Course, share: Share, lang: Lang) -> Question:
+    """What is asked of a worker for one share."""
+    s = share.student
+    said = {"student": s.name, "group": s.group}
+    sheet = {**course.sheet, **{k: Text(v, 0, False) for k, v in said.items() if v}}
+    draw = None if course.draw is None else dict(course.draw)
+    return Question(share.assignment.text, str(share.assignment.file), share.variant, draw, course.sharpness_deg,
+                    course.seed, (s.name, s.group), sheet, lang)  # fmt: skip
+
+
+def settle(q: Question) -> Settled:
+    """Draw the numbers if they are not given, write the scene, solve it."""
+    if q.program and q.program != fingerprint():
+        return Settled(fault=Phrase("course_other_program").told(q.lang))
+    try:
+        return _settled(q)
+    except PlanesError as error:
+        return Settled(fault=error.told(q.lang))
+    except Exception as error:  # a slip of the program: the others still get theirs
+        return Settled(fault=slip(error, q.lang))
+
+
+def _settled(q: Question) -> Settled:
+    numbers = {} if q.variant else drawn(q)
+    text = own_scene(q.text, q.file, q.variant, numbers, q.sheet)
+    solved = solve(loads(text, FILE), lang=q.lang)
+    if not solved.positions:
+        return Settled(fault=solved.failed[0]["error"])
+    return Settled(text, json.dumps(solved.json(), ensure_ascii=False, allow_nan=False, indent=1) + "\n")
+
+
+def slip(error: Exception, lang: Lang) -> str:
+    """What went wrong inside the program, as one sentence."""
+    last = traceback.extract_tb(error.__traceback__)[-1]
+    place = f"{Path(last.filename).name}:{last.lineno}"
+    text = " ".join(str(error).split())
+    return Phrase("course_slip", kind=type(error).__name__, text=text, place=place).told(lang)
+
+
+def drawn(q: Question) -> dict[str, str]:
+    """The numbers of one student."""
+
+    def make(numbers: Mapping[str, str]) -> Scene:
+        return loads(own_scene(q.text, q.file, None, numbers, {}), q.file)
+
+    chance = dice(q.seed, *q.student, q.file.rpartition("/")[2], q.copy)
+    return draw_numbers(choices_of(q.text, q.file, q.draw), make, q.sharpness_deg, chance)
+
+
+def again(q: Question) -> Question:
+    """The same question after its answer fell together with somebody else's."""
+    return replace(q, copy=q.copy + 1)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """One number of the summary: name, value, unit's key."""
+
+    name: str
+    value: float
+    unit: str = field(default="")
+
+
+def main_answers(scene: Scene, key: Mapping[str, Any]) -> list[Answer]:
+    """What a teacher compares first: links' ω and ε, sliders' v and a, the balancing load."""
+    if not key["positions"] or scene.mechanism is None:
+        return []
+    at, m = key["positions"][0], scene.mechanism
+    found = []
+    for name, link in m.links.items():
+        rates, slide = at.get("links", {}).get(name, {}), at.get("slides", {}).get(name)
+        if link.slides and slide and m.owner(link.slides.guide) == FRAME:
+            point = at.get("points", {}).get(link.first_point, {})
+            found += [Answer(f"{k}_{link.first_point}", math.hypot(*point[k]), u) for k, u in _RATES if k in point]
+        elif name != m.drive.link and not link.slides:
+            found += [Answer(f"{k}_{name}", rates[k], u) for k, u in _SPINS if k in rates]
+    for kind, unit, letter in (("moment", "N·m", "M"), ("force", "N", "F")):
+        if (value := at.get(f"balancing_{kind}")) is not None:
+            found.append(Answer(f"{letter}_{m.drive.link}", value, unit))
+    return found
+
+
+_RATES = (("v", "m/s"), ("a", "m/s²"))
+_SPINS = (("omega", "rad/s"), ("epsilon", "rad/s²"))

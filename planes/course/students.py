@@ -1,0 +1,97 @@
+"""The list of students: plain names a line each, or a table with a head; and what may not stand in it."""
+
+from __future__ import annotations
+
+import csv
+import unicodedata
+from pathlib import Path
+
+from planes.course import Assignment, Student
+from planes.scene import source
+from planes.wording import SceneError, choices, shown
+from planes.words import Phrase
+
+FILES = ("students.csv", "students.txt")
+MOST_NAME = 100
+_HEADS = {
+    "name": ("name", "student", "имя", "фио", "студент", "фамилия"),
+    "group": ("group", "группа"),
+    "assignment": ("assignment", "task", "задание"),
+    "variant": ("variant", "вариант"),
+}
+
+
+def read_file(path: Path) -> tuple[Student, ...]:
+    """The students of a file: a table if its suffix is .csv or .tsv, else a name a line; ``#`` begins a remark."""
+    text = unicodedata.normalize("NFC", source.read(path))
+    if path.suffix.lower() in (".csv", ".tsv"):
+        return _table(text, str(path))
+    lines = ((n, line.partition("#")[0].strip()) for n, line in enumerate(text.splitlines(), 1))
+    return tuple(Student(line, line=n) for n, line in lines if line)
+
+
+def _table(text: str, file: str) -> tuple[Student, ...]:
+    """The rows under a head of known names."""
+    lines = text.splitlines()
+    first = lines[0] if lines else ""
+    rows = csv.reader(lines, delimiter=max(",;\t", key=first.count))
+    columns: list[str] = []
+    found = []
+    for row in rows:
+        cells = [cell.strip() for cell in row]
+        if not any(cells):
+            continue
+        if not columns:
+            columns = _head(cells, file)
+            continue
+        said = dict(zip(columns, cells, strict=False))
+        if not said.get("name"):
+            raise SceneError(Phrase("course_no_name"), file, rows.line_num)
+        wanted = said.get("assignment") or None, said.get("variant") or None
+        found.append(Student(said["name"], said.get("group", ""), *wanted, line=rows.line_num))
+    return tuple(found)
+
+
+def _head(cells: list[str], file: str) -> list[str]:
+    """What each column is; a column of any other name is left alone."""
+    known = {word: key for key, words in _HEADS.items() for word in words}
+    columns = [known.get(cell.casefold(), "") for cell in cells]
+    if "name" not in columns:
+        names = tuple(words[0] for words in _HEADS.values())
+        raise SceneError(Phrase("course_head", found=shown(", ".join(cells)), names=names), file, 1)
+    return columns
+
+
+def check_students(file: str, students: tuple[Student, ...], assignments: tuple[Assignment, ...]) -> None:
+    """Refuse an empty list, a name twice, and assignments and variants that are not there."""
+    if not students:
+        raise SceneError(Phrase("course_nobody"), file)
+    seen: dict[tuple[str, str], int] = {}
+    for s in students:
+        if len(s.name) > MOST_NAME:
+            raise SceneError(Phrase("course_long_name", name=shown(s.name), most=MOST_NAME), file, s.line)
+        if (s.name, s.group) in seen:
+            first = seen[s.name, s.group]
+            raise SceneError(Phrase("course_twice", name=shown(s.name), first=first), file, s.line)
+        seen[s.name, s.group] = s.line
+        _check_wish(s, assignments, file)
+
+
+def _check_wish(s: Student, assignments: tuple[Assignment, ...], file: str) -> None:
+    """The assignment and the variant a student is to have, if they are named."""
+    own = wished(s, assignments)
+    if s.assignment and own is None:
+        valid = choices(s.assignment, [a.name for a in assignments])
+        raise SceneError(Phrase("course_no_assignment", name=shown(s.assignment), valid=valid), file, s.line)
+    if s.variant and own is None and len(assignments) > 1:
+        raise SceneError(Phrase("course_variant_of", name=shown(s.variant)), file, s.line)
+    known = (own or assignments[0]).variants
+    if s.variant and s.variant not in known:
+        valid = choices(s.variant, known) or Phrase("no_variants")
+        raise SceneError(Phrase("no_variant", name=shown(s.variant), valid=valid), file, s.line)
+
+
+def wished(s: Student, assignments: tuple[Assignment, ...]) -> Assignment | None:
+    """The assignment a student is to have: 1 is 01 too."""
+    name = (s.assignment or "").lstrip("0")
+    return next((a for a in assignments if name and a.name.lstrip("0") == name), None)

@@ -1,0 +1,106 @@
+"""The teacher's table: everybody's variant and main answers, as CSV for programs and as blocks of a page."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from planes.course.giving import Share
+from planes.course.papers import lettered, unit_of
+from planes.course.settling import Answer, main_answers
+from planes.lesson.formulas import number
+from planes.lesson.note import Block, Heading, Prose, Table
+from planes.scene import loads
+from planes.words import Lang, say
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line: whose, the numbers, the answers, or why there are none."""
+
+    share: Share
+    group: str
+    title: Mapping[str, str]
+    numbers: Mapping[str, float]
+    answers: tuple[Answer, ...]
+    fault: str
+
+    @classmethod
+    def of(cls, share: Share, text: str, key: str, fault: str) -> Row:
+        """The line of a share, from its scene and its key."""
+        scene = loads(text or share.assignment.text, "scene.yaml")
+        if fault:
+            return cls(share, share.student.group, scene.title, {}, (), fault)
+        answers = tuple(main_answers(scene, json.loads(key)))
+        return cls(share, str(scene.sheet.get("group", "")), scene.title, scene.parameters, answers, "")
+
+    @property
+    def found(self) -> dict[tuple[str, str], float]:
+        """The answers by name and unit."""
+        return {(a.name, a.unit): a.value for a in self.answers}
+
+
+def varied(rows: Sequence[Row]) -> list[str]:
+    """The parameters of an assignment that are not the same for everybody."""
+    names = dict.fromkeys(name for row in rows for name in row.numbers)
+    return [n for n in names if len({row.numbers.get(n) for row in rows if not row.fault}) > 1]
+
+
+def by_assignment(rows: Sequence[Row]) -> dict[str, list[Row]]:
+    """The lines of each assignment."""
+    names = dict.fromkeys(row.share.assignment.name for row in rows)
+    return {name: [row for row in rows if row.share.assignment.name == name] for name in names}
+
+
+def asked(rows: Sequence[Row]) -> list[tuple[str, str]]:
+    """Names and units of all answers of some lines."""
+    return list(dict.fromkeys(key for row in rows for key in row.found))
+
+
+def as_csv(rows: Sequence[Row], lang: Lang) -> str:
+    """A line for everybody, a column for every number and answer anybody has; numbers as programs write them."""
+    numbers = list(dict.fromkeys(n for own in by_assignment(rows).values() for n in varied(own)))
+    answers = asked(rows)
+    out = io.StringIO()
+    table = csv.writer(out, lineterminator="\n")
+    heads = [say(k, lang) for k in ("sum_student", "sum_group", "sum_assignment", "sum_variant")]
+    units = [f"{n} [{unit}]" if (unit := unit_of(n, lang)) else n for n in numbers]
+    table.writerow([*heads, *units, *(f"{n} [{say(u, lang)}]" for n, u in answers), say("sum_fault", lang)])
+    for row in rows:
+        who = [row.share.student.name, row.group, row.share.assignment.name, variant(row, lang)]
+        said = (f"{row.numbers[n]:.10g}" if n in row.numbers else "" for n in numbers)
+        found = (repr(row.found[key]) if key in row.found else "" for key in answers)
+        table.writerow([*who, *said, *found, row.fault])
+    return out.getvalue()
+
+
+def variant(row: Row, lang: Lang) -> str:
+    """The name of the variant, or that the numbers are the student's own."""
+    return row.share.variant or say("sum_own", lang)
+
+
+def as_blocks(rows: Sequence[Row], title: str, lang: Lang) -> Iterator[Block]:
+    """Two tables for each assignment: numbers and answers."""
+    yield Heading(title or say("sum_title", lang), 0)
+    for name, lines in by_assignment(rows).items():
+        own, names, answers = [row for row in lines if not row.fault], varied(lines), asked(lines)
+        yield Heading(lines[0].title.get(lang) or name)
+        heads = (say("sum_student", lang), say("sum_variant", lang))
+        units = (f"{lettered(n)}, {unit}" if (unit := unit_of(n, lang)) else lettered(n) for n in names)
+        numbers = (tuple(number(row.numbers[n], lang, 6) for n in names) for row in own)
+        whose = [(row.share.student.name, variant(row, lang)) for row in own]
+        yield from _table("sum_numbers", (*heads, *units), whose, numbers, lang)
+        units = (f"⟨{n}⟩, {say(u, lang)}" for n, u in answers)
+        found = (tuple(number(row.found[k], lang) if k in row.found else "—" for k in answers) for row in own)
+        yield from _table("sum_answers", (*heads, *units), whose, found, lang)
+        yield from (Prose(f"{row.share.student.name}: {row.fault}") for row in lines if row.fault)
+
+
+def _table(
+    key: str, head: tuple[str, ...], whose: list[tuple[str, str]], cells: Iterator[tuple[str, ...]], lang: Lang
+) -> Iterator[Block]:
+    if whose and len(head) > len(whose[0]):
+        yield Table(say(key, lang), (head, *(w + c for w, c in zip(whose, cells, strict=True))))
