@@ -6,7 +6,6 @@ import argparse
 import json
 import os
 import re
-from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +14,7 @@ from planes.check.nudging import HAND, cad
 from planes.check.paper import Paper, read_table
 from planes.check.verdict import STATUS, Outcome, check
 from planes.check.verdict_rows import as_json, mark_rows, result_rows
+from planes.cli_class import check_class
 from planes.scales import kind_of
 from planes.scene import Scene
 from planes.tables import table
@@ -37,7 +37,7 @@ def run(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
     if args.drawing is None:
         raise PlanesError(Phrase("check_no_drawing"))
     if Path(args.drawing).is_dir():
-        return _class(args, asked)
+        return check_class(args, asked, lambda file: read_paper(file, asked, args))
     found = check(asked, read_paper(args.drawing, asked, args))
     if args.output:
         from planes.roof.check import write_report
@@ -58,42 +58,6 @@ def _trace(args: argparse.Namespace, asked: Asked) -> int:
         raise PlanesError(Phrase("check_trace"))
     write_trace(asked, args.output, args.lang)
     return 0
-
-
-def _class(args: argparse.Namespace, asked: Asked) -> int:
-    """Every drawing of a folder: a row for each, and the objects with --json."""
-    files = [f for f in sorted(Path(args.drawing).iterdir()) if f.suffix.lower() in (*TABLES, *LINES, *PICTURES)]
-    if not files:
-        raise PlanesError(Phrase("check_empty_folder", file=args.drawing))
-    rows, objects, worst = [], [], 0
-    for file in _shown(files):
-        try:
-            found = check(asked, read_paper(str(file), asked, args))
-        except PlanesError as error:
-            rows.append([file.name, say("verdict_unreadable", args.lang), "", error.told(args.lang)])
-            worst = 2
-            continue
-        worst = max(worst, STATUS[found.verdict])
-        first = found.first_wrong if found.verdict == "wrong" else None
-        verdict = say(f"verdict_{found.verdict}", args.lang)
-        rows.append([file.name, verdict, first or "", found.sentence.told(args.lang) if first else ""])
-        objects.append({"file": file.name, **as_json(found, args.lang)})
-    head = [say(k, args.lang) for k in ("check_file", "check_verdict", "check_mark", "check_first")]
-    lines = table(say("check_class", args.lang), head, rows)
-    print(json.dumps(objects, ensure_ascii=False, allow_nan=False) if args.json else "\n".join(lines).lstrip())
-    return worst
-
-
-def _shown(files: list[Path]) -> Iterable[Path]:
-    """The files, with a bar where a person waits."""
-    import sys
-
-    if not sys.stderr.isatty():
-        return files
-    from tqdm import tqdm
-
-    shown: Iterable[Path] = tqdm(files, unit="", leave=False)
-    return shown
 
 
 def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:

@@ -62,26 +62,34 @@ def labels(marks: Mapping[str, complex], rng: random.Random, height: float = 3.5
 
 
 def vector_labels(vectors: list[tuple[str, complex]], height: float = 3.5) -> list[tuple[str, complex]]:
-    """Names beside the vectors of a polygon that starts at 0."""
+    """Names beside the vectors of a polygon that starts at 0; of two upon each other, each by its own tip."""
     out, z = [("p", -complex(height, height))], 0j
     for name, v in vectors:
         side = v / abs(v) * 1j * (1.2 + height / 2)
         width = 0.7 * height * len(name)
-        out.append((name, z + v * 0.5 + side - complex(width, height) / 2))
+        upon = any(abs(v + w) < 0.1 * abs(v) for n, w in vectors if n != name)
+        out.append((name, z + v * (0.75 if upon else 0.5) + side - complex(width, height) / 2))
         z += v
     return out
 
 
+def head(a: complex, b: complex) -> list[complex]:
+    """A filled arrowhead: tip and two corners, smaller on a short vector."""
+    size = min(3.0, 0.7 * abs(b - a))
+    u = (b - a) / abs(b - a)
+    return [b, b - size * u * (1 + 0.16j), b - size * u * (1 - 0.16j)]
+
+
 def inkscape(strokes: list[Stroke], words: list[tuple[str, complex]], origin: complex) -> str:
-    """As Inkscape writes it: mm, a layer with a transform, paths with relative moves, tspans."""
+    """As Inkscape writes it: mm, a layer with a transform, paths with relative moves, markers, tspans."""
     size = 297.0
     out = ['<?xml version="1.0" encoding="UTF-8"?>',
            '<svg xmlns="http://www.w3.org/2000/svg" width="420mm" height="297mm" viewBox="0 0 420 297">',
-           '<defs><marker id="a"><path d="M0,0 L5,2 L0,4 z"/></marker></defs>',
+           '<defs><marker id="TriangleOutL"><path d="M0,0 L5,2 L0,4 z"/></marker></defs>',
            f'<g transform="translate({origin.real},{size - origin.imag})"><g transform="scale(1,-1) rotate(0)">']
     for a, b in strokes:
         d = b - a
-        out.append(f'<path style="fill:none;stroke:#000000;stroke-width:0.6" d="m {a.real:.3f},{a.imag:.3f} '
+        out.append(f'<path style="fill:none;stroke:#000000;stroke-width:0.6;marker-end:url(#TriangleOutL)" d="m {a.real:.3f},{a.imag:.3f} '
                    f'{d.real:.3f},{d.imag:.3f}"/>')
     out.append("</g>")
     for text, z in words:
@@ -91,17 +99,20 @@ def inkscape(strokes: list[Stroke], words: list[tuple[str, complex]], origin: co
 
 
 def illustrator(strokes: list[Stroke], words: list[tuple[str, complex]], origin: complex) -> str:
-    """Points at 72 dpi, polylines, symbols used, matrices."""
+    """Points at 72 dpi, polylines, symbols used, heads of their own shape, looks by class, matrices."""
     k = 72 / 25.4
     high = 297 * k
     out = [f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" '
-           f'width="{420 * k:.2f}pt" height="{high:.2f}pt" viewBox="0 0 {420 * k:.2f} {high:.2f}">', "<defs>"]
+           f'width="{420 * k:.2f}pt" height="{high:.2f}pt" viewBox="0 0 {420 * k:.2f} {high:.2f}">', "<style>.h{fill:#231f20;} .l{fill:none;stroke:#000;}</style><defs>"]
     for i, (a, b) in enumerate(strokes):
-        out.append(f'<polyline id="s{i}" fill="none" stroke="black" points="{a.real * k:.3f},{-a.imag * k:.3f} '
+        out.append(f'<polyline id="s{i}" class="l" points="{a.real * k:.3f},{-a.imag * k:.3f} '
                    f'{b.real * k:.3f},{-b.imag * k:.3f}"/>')
     out.append("</defs>")
     for i in range(len(strokes)):
         out.append(f'<use xlink:href="#s{i}" x="{origin.real * k:.3f}" y="{high - origin.imag * k:.3f}"/>')
+    for a, b in strokes:
+        corners = " ".join(f"{(z + origin).real * k:.3f},{high - (z + origin).imag * k:.3f}" for z in head(a, b))
+        out.append(f'<polygon class="h" points="{corners}"/>')
     for text, z in words:
         at = z + origin
         out.append(f'<text transform="matrix(1 0 0 1 {at.real * k:.2f} {high - at.imag * k:.2f})" '
@@ -110,7 +121,8 @@ def illustrator(strokes: list[Stroke], words: list[tuple[str, complex]], origin:
 
 
 def dxf(strokes: list[Stroke], words: list[tuple[str, complex]], origin: complex, blocks: bool = True) -> str:
-    """Half of the lines in a block inside a block, the rest as polylines; texts as TEXT and MTEXT."""
+    """Half of the lines in a block inside a block, the rest as polylines; heads solid or as the line's own narrowing
+    end; texts as TEXT and MTEXT."""
     import ezdxf
 
     document = ezdxf.new("R2010")
@@ -121,9 +133,13 @@ def dxf(strokes: list[Stroke], words: list[tuple[str, complex]], origin: complex
     for i, (a, b) in enumerate(strokes):
         if blocks and i % 2:
             inner.add_line((a.real / 2, a.imag / 2), (b.real / 2, b.imag / 2))
+            tip, one, two = ((z + origin) for z in head(a, b))
+            space.add_solid([(z.real, z.imag) for z in (one, two, tip, tip)])
         else:
             a, b = a + origin, b + origin
-            space.add_lwpolyline([(a.real, a.imag), (b.real, b.imag)])
+            neck = b - min(3.0, 0.7 * abs(b - a)) * (b - a) / abs(b - a)
+            rows = [(a.real, a.imag, 0, 0), (neck.real, neck.imag, 1, 0), (b.real, b.imag, 0, 0)]
+            space.add_lwpolyline(rows, format="xyse")
     outer.add_blockref("INNER", (0, 0), dxfattribs={"xscale": 2, "yscale": 2})
     space.add_blockref("OUTER", (origin.real, origin.imag))
     for i, (text, z) in enumerate(words):

@@ -11,16 +11,18 @@ from planes.check.handwork import Hand, Miss, Taken
 from planes.check.judging import WARN, Judgement, judge, verdicts
 from planes.check.paper import Paper, Spot
 from planes.check.polygons import Rebuilt, rebuild
+from planes.check.scaling import own_scales
 from planes.drawing import Drawing, run
 from planes.mark_names import Names
 from planes.naming import POLE, at, label_of, mu_of, plan_of
 from planes.plans import Plans
 from planes.scales import extent, kind_of
-from planes.steps import Cross, CrossArc, CrossArcs, LayOff, Same
+from planes.steps import Cross, CrossArc, CrossArcs, LayOff, Same, Step
 from planes.wording import PlanesError
 from planes.words import Phrase
 
 OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
+LONG_MM = 3.0  # a shorter vector shows no scale
 READABLE = 0.5  # the share of a plan's crossings that must be read
 
 
@@ -119,7 +121,7 @@ def grade(bench: Bench, paper: Paper) -> Grading | None:
         return None
     taken |= _earlier(bench)
     best: tuple[float, Grading] | None = None
-    for mu, share in _scales(bench, taken):
+    for mu, share in own_scales(bench, taken):
         found = _grade_at(bench, mu, share, taken, rebuilt.absent if rebuilt else set())
         said = mu == bench.said_mu
         score = _worth(found) + (0.0 if said else OWN_SCALE)
@@ -143,8 +145,14 @@ def _rescaled(found: Grading) -> bool:
     if found.rebuilt is None and kind_of(plan_of(found.marks[0])) != "force":
         return True
     steps = {s.makes: s for s in found.hand.program.steps}
-    laid = [m for m in found.judgement.misses if isinstance(steps[m], LayOff)]
+    laid = [m for m in found.judgement.misses if isinstance(steps[m], LayOff) and _long(found, steps[m])]
     return len(laid) < 2 or sum(m in found.judgement.wrong for m in laid) > 1
+
+
+def _long(found: Grading, step: Step) -> bool:
+    """Whether a vector is long enough to show another scale."""
+    assert isinstance(step, LayOff)
+    return bool(abs(found.truth[step.makes] - found.truth[step.start]) > LONG_MM)
 
 
 def _worth(found: Grading) -> float:
@@ -160,22 +168,6 @@ def _earlier(bench: Bench) -> dict[str, Taken]:
         spots, _, _ = align(bench, plan, paper)
         found |= {at(plan, n): Taken(s.place, s.error_mm) for n, s in spots.items()}
     return found
-
-
-def _scales(bench: Bench, taken: Mapping[str, Taken]) -> list[tuple[float, float]]:
-    """Scales worth trying with their relative errors: the stated one, and what the drawing's vectors show."""
-    found = [(bench.said_mu, 0.0)]
-    if bench.asked.mu:
-        return found
-    truth = run(bench.program, bench.given)
-    pairs = [(truth[m], taken[m].place) for m in bench.marks if m in taken and abs(truth[m]) > 5.0]
-    tried: list[float] = [1.0]
-    for true, own in pairs:
-        ratio = abs(own) / abs(true)
-        if ratio > 0 and all(abs(ratio / t - 1) > 0.01 for t in tried):
-            tried.append(ratio)
-            found.append((bench.said_mu * ratio, 0.5 / abs(own)))
-    return found[:8]
 
 
 def _grade_at(bench: Bench, mu: float, share: float, taken: Mapping[str, Taken], absent: set[str]) -> Grading:

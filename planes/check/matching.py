@@ -7,12 +7,13 @@ mistake of the catalogue; what is nowhere stays unread.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 
 from planes.check.bench import Bench, variants_of
 from planes.check.chains import force_chain
 from planes.check.handwork import Hand, Taken
 from planes.check.paper import Paper, Spot
+from planes.check.sizing import sized
 from planes.check.strokes import Nodes, Sketch, Words, covered
 from planes.drawing import run
 from planes.mark_names import Names, tidy
@@ -22,6 +23,10 @@ from planes.words import Phrase
 
 NEAR_WORD_MM = 12.0  # a word farther from a node names something else
 POLE_MM = 2.7  # ends nearer than this to a printed pole are at it
+APART_MM = 0.7  # two marks nearer than this are one place
+WORDED = 0.6  # the share of marks with words from which on one without was not drawn
+USED = 4.0  # how strange it is, in mm from its word, for a mark to be where another one is
+HEADED = 0.5  # the share of strokes with arrowheads from which on a mark has one
 ALONG = 0.7  # the share of a vector that must be drawn for its end to count
 
 
@@ -35,9 +40,10 @@ def paper_of(sketch: Sketch, bench: Bench, pole: complex | None = None) -> Paper
         paper.notes.append(Phrase("check_no_lines"))
         return paper
     labels = [label_of(m) for m in bench.marks]
+    near = by_words(sketch.words, nodes, labels)
+    bench = sized(bench, sketch, nodes, near)
     if kind_of(bench.asked.plan) == "force":
         return force_chain(sketch, nodes, bench, paper)
-    near = by_words(sketch.words, nodes, labels)
     if nodes.crowded and len(near) < 2:
         paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))
         return paper
@@ -92,43 +98,104 @@ def _pole(nodes: Nodes, bench: Bench, near: Candidates) -> complex | None:
 
 def _marks(bench: Bench, sketch: Sketch, nodes: Nodes, origin: complex, near: Candidates) -> dict[str, complex]:
     """Every mark in order of drawing, looked for where its word stands and where its step may lead."""
-    plan, found = bench.asked.plan, dict[str, complex]()
-    used = [origin]
-    for mark in bench.marks:
-        name = label_of(mark)
-        taken = {at(plan, n): Taken(z - origin, sketch.error_mm) for n, z in found.items()}
-        place = _look(bench, sketch, nodes, origin, taken, mark, used, near.get(name))
+    worded = len(near) >= WORDED * (len(bench.marks) + 1)
+    near = {n: dict(nodes_near) for n, nodes_near in near.items()}
+    for _ in range(len(bench.marks)):
+        desk = _Desk(bench, sketch, nodes, origin, _tips(sketch, nodes), worded)
+        for mark in bench.marks:
+            desk.look(mark, near.get(label_of(mark)))
+        better = desk.exchange()
+        if better is None:
+            break
+        del near[better[0]][better[1]]
+    return desk.found
+
+
+def _tips(sketch: Sketch, nodes: Nodes) -> set[int] | None:
+    """Nodes with an arrowhead; None where too few lines have one for that to tell anything."""
+    headed = [k for k, way in enumerate(sketch.ways) if way]
+    if len(headed) < HEADED * max(len(sketch.strokes), 1):
+        return None
+    return {nodes.ends[k, 1 if sketch.ways[k] > 0 else 0] for k in headed}
+
+
+@dataclass
+class _Desk:
+    """A drawing on which marks are looked for, one after another."""
+
+    bench: Bench
+    sketch: Sketch
+    nodes: Nodes
+    origin: complex
+    tips: set[int] | None
+    worded: bool  # whether nearly every mark has its word, so that one without was most likely not drawn
+    found: dict[str, complex] = field(default_factory=dict)
+    costs: dict[str, dict[int, float]] = field(default_factory=dict)  # of every node near its word, by mark
+
+    @property
+    def used(self) -> list[complex]:
+        """Where marks are already."""
+        return [self.origin, *self.found.values()]
+
+    def look(self, mark: str, near: Mapping[int, float] | None) -> None:
+        """Find one mark by its word, else by where it should be, or by where a mistake would put it."""
+        plan, name = self.bench.asked.plan, label_of(mark)
+        taken = {at(plan, n): Taken(z - self.origin, self.sketch.error_mm) for n, z in self.found.items()}
+        place = self._place(taken, mark, name, near)
         if place is not None:
-            found[name] = place
-            used.append(place)
-    return found
+            self.found[name] = place
+
+    def exchange(self) -> tuple[str, int] | None:
+        """Of two marks at one node (it fits only one), the one that has another place nearly as good, and the node."""
+        taken: dict[int, str] = {}
+        for name, costs in self.costs.items():
+            node = min(costs, key=lambda i: costs[i])
+            if node in taken and costs[node] >= USED:
+                one, two = self._regret(taken[node], node), self._regret(name, node) + USED
+                if one < two:
+                    return taken[node], node
+            taken.setdefault(node, name)
+        return None
+
+    def _regret(self, name: str, node: int) -> float:
+        """What it costs a mark to go elsewhere."""
+        costs = self.costs[name]
+        return min((c for i, c in costs.items() if i != node), default=1e9) - costs[node]
+
+    def _place(
+        self, taken: Mapping[str, Taken], mark: str, name: str, near: Mapping[int, float] | None
+    ) -> complex | None:
+        hand = Hand(self.bench.program, self.bench.given, self.bench.asked.skill, taken)
+        miss = hand.miss(hand.things[mark], hand.number(mark))
+        reach = min(max(miss.reach(3.0), 1.2), 8.0)
+        guesses = [(self.origin + z, share * reach) for z, share in _guesses(self.bench, hand, mark)]
+        if near:
+            costs = self.costs[name] = {i: far + self._odd(i, guesses) for i, far in near.items()}
+            return self.nodes.places[min(costs, key=lambda i: costs[i])]
+        step = next(s for s in self.bench.program.steps if s.makes == mark)
+        starts = [self.origin, *(taken[n].place + self.origin for n in _starts(step) if n in taken)]
+        for guess, far in guesses[:1] if self.worded else guesses:
+            for i in self.nodes.within(guess, far):
+                z = self.nodes.places[i]
+                together = not self.worded and guess == guesses[0][0] and any(abs(u - guess) < far for u in self.used)
+                if (self._fresh(i) or together) and any(covered(self.sketch.strokes, s, z) >= ALONG for s in starts):
+                    return z
+        return None
+
+    def _fresh(self, node: int) -> bool:
+        return all(abs(self.nodes.places[node] - u) > APART_MM for u in self.used)
+
+    def _odd(self, node: int, guesses: list[tuple[complex, float]]) -> float:
+        """How strange it would be, in mm of distance from its word, for a mark to be at a node."""
+        z = self.nodes.places[node]
+        fits = [abs(z - guess) <= far for guess, far in guesses]
+        odd = 0.0 if fits[0] else 1.5 if any(fits) else 3.0
+        together = any(abs(u - guesses[0][0]) < guesses[0][1] for u in self.used)  # as they should be
+        odd += 0.0 if self._fresh(node) or (fits[0] and together) else USED
+        return odd + (2.0 if self.tips is not None and node not in self.tips else 0.0)
 
 
-def _look(
-    bench: Bench, sketch: Sketch, nodes: Nodes, origin: complex, taken: Mapping[str, Taken], mark: str,
-    used: list[complex], near: Mapping[int, float] | None,
-) -> complex | None:  # fmt: skip
-    """The node of one mark: where it should be, else where a mistake would put it, else the nearest to its word."""
-    hand = Hand(bench.program, bench.given, bench.asked.skill, taken)
-    step = next(s for s in bench.program.steps if s.makes == mark)
-    miss = hand.miss(hand.things[mark], hand.number(mark))
-    reach = min(max(miss.reach(3.0), 1.2), 8.0)
-    starts = [origin, *(taken[n].place + origin for n in _starts(step) if n in taken)]
-    for guess, share in _guesses(bench, hand, mark, step):
-        for i in nodes.within(origin + guess, reach * share):
-            z = nodes.places[i]
-            fresh = all(abs(z - u) > 0.7 for u in used) or (near is not None and i in near)
-            if share == 1.0:  # two marks where one should be
-                fresh = fresh or any(abs(u - origin - guess) < reach for u in used)
-            drawn = near is not None or any(
-                covered(sketch.strokes, s, z) >= ALONG for s in starts)
-            if fresh and drawn and (near is None or i in near):
-                return z
-    fresh_near = {i: d for i, d in (near or {}).items() if all(abs(nodes.places[i] - u) > 0.7 for u in used)}
-    return nodes.places[min(fresh_near, key=lambda i: fresh_near[i])] if fresh_near else None
-
-
-def _guesses(bench: Bench, hand: Hand, mark: str, step: object) -> Iterator[tuple[complex, float]]:
+def _guesses(bench: Bench, hand: Hand, mark: str) -> Iterator[tuple[complex, float]]:
     """Where a mark should be, and where each mistake would put it; with how far to look around."""
     yield hand.number(mark), 1.0
     for variant in variants_of(bench, hand, bench.said_mu):
@@ -159,4 +226,4 @@ def scaled(
     words.append(Words("p", 0j, 0.1, 0.1))
     words += [Words(n, (z - pole) * factor, 0.1, 0.1) for n, z in marks.items()]
     strokes = [((a - pole) * factor, (b - pole) * factor) for a, b in sketch.strokes]
-    return Sketch(sketch.file, strokes, words, sketch.error_mm, sketch.arrows), name
+    return Sketch(sketch.file, strokes, words, sketch.error_mm, sketch.ways), name

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from planes.check.handwork import Taken, Variant
@@ -9,6 +11,7 @@ from planes.check.ways import Ways
 from planes.naming import label_of
 from planes.steps import CrossArc, CrossArcs, LayOff, Step
 
+LEAST_OFFSET = 1e-6  # relative: a guide nearer to the pivot passes through it
 LEAST_SCALE = 0.04  # a link drawn longer or shorter by less is a matter of care, not of scale
 
 
@@ -23,8 +26,28 @@ def position_variants(w: Ways, taken: Mapping[str, Taken], mu: float) -> Iterato
             yield from _marked(w, "other_assembly", users, {name: -float(value)})
         elif name.startswith("e_") and value:
             yield from _marked(w, "guide_offset_ignored", users, {name: 0.0})
+    yield from _centred(w)
     for step in w.own:
         yield from _scales(w, step, taken, mu)
+
+
+def _centred(w: Ways) -> Iterator[Variant]:
+    """A guide of the frame drawn through the driver's pivot, as if it were not offset."""
+    mechanism = w.plans.mechanism
+    driver = mechanism.links[mechanism.drive.link]
+    pivot = next((f"place_{n}" for n in driver.points if n in mechanism.frame.points), "")
+    for guide in mechanism.frame.guides if pivot in w.plans.given else ():
+        place = f"place_°{guide}"
+        if place in w.program.givens and _apart(w, place, pivot, f"angle_∥{guide}"):
+            users = [s for s in w.program.steps if place in (n for n, _ in s.reads())]
+            yield from _marked(w, "guide_offset_ignored", users, {place: w.plans.given[pivot]})
+
+
+def _apart(w: Ways, place: str, pivot: str, angle: str) -> bool:
+    """Whether the line of a guide misses a point."""
+    way = cmath.rect(1.0, math.radians(float(w.plans.given[angle])))
+    off = (complex(w.plans.given[pivot]) - complex(w.plans.given[place])) * way.conjugate()
+    return abs(off.imag) > LEAST_OFFSET * max(abs(complex(w.plans.given[place])), 1e-9)
 
 
 def _angle(w: Ways) -> Iterator[Variant]:
@@ -41,7 +64,7 @@ def _angle(w: Ways) -> Iterator[Variant]:
 
 
 def _marked(
-    w: Ways, mistake: str, users: Sequence[Step], givens: Mapping[str, float], weight: float = 1.0
+    w: Ways, mistake: str, users: Sequence[Step], givens: Mapping[str, complex], weight: float = 1.0
 ) -> Iterator[Variant]:
     """A variant blamed at the first mark of the plan that the changed givens lead to."""
     dirty = {u.makes for u in users}

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from itertools import pairwise
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
 
 from planes.check.bench import Bench
-from planes.check.chains import true_vectors
-from planes.check.fiducials import pole_place
-from planes.check.matching import paper_of
+from planes.check.fiducials import SHEET_MM, pole_place
+from planes.check.force_seen import vectors_on
+from planes.check.frame import by_frame
+from planes.check.motion_seen import marks_on, pole_found
 from planes.check.paper import Paper, Spot
-from planes.check.motion_seen import marks_on
 from planes.check.pencil_lines import sheet_of
 from planes.check.picture import Flat, by_points, cv, flatten, load
-from planes.check.strokes import Sketch, Words
 from planes.drawing import run
 from planes.mark_names import Names
 from planes.naming import at, label_of
@@ -21,47 +21,79 @@ from planes.scales import kind_of
 from planes.wording import PlanesError
 from planes.words import Phrase
 
-LEAST_MM = 3.0  # smaller vectors are lost on a picture
-UNLIKE = 0.15  # a vector of a polygon that differs by more from the plan's own is not surely it
+MOST_LINES = 120  # a plan has far fewer
+EXPLAINED = 0.6  # the share of a picture's lines that must be the plan's
+
+
+@dataclass
+class Look:
+    """One way of looking at a picture: made flat so, and what was found."""
+
+    flat: Flat
+    pole: complex
+    spots: list[Spot] = field(default_factory=list)
+    whole: bool = False
+    explained: float = -1.0
 
 
 def paper_of_picture(
-    file: str, bench: Bench, pole: complex | None = None, marks: Mapping[str, complex] | None = None
-) -> Paper:
-    """What a picture shows of a plan. :class:`PlanesError` where it is no picture or has nothing to measure by."""
-    marks = marks or {}
+    file: str, bench: Bench, pole: complex | None = None, marks: Mapping[str, complex] | None = None,
+    format_: str | None = None,
+) -> Paper:  # fmt: skip
+    """What a picture shows of a plan: made flat by corner marks, else by two named points, else by the sheet's frame.
+
+    ``pole`` and ``marks`` are places in pixels (y down), ``format_`` is "A4" to "A1". :class:`PlanesError` where it is
+    no picture or has nothing to measure by.
+    """
     grey = load(file)
-    flat = None if pole is not None and marks else flatten(grey)
-    named = None
-    if flat is None:
-        flat, named = _by_hand(bench, grey, pole, marks)
-    seen = sheet_of(flat)
-    paper = Paper(file, whole=False, notes=list(flat.notes))
-    if seen is None:
+    paper, best = Paper(file, whole=False), None
+    for flat, named in _flats(bench, grey, pole, marks or {}, format_):
+        look = looked(bench, flat, 0j if named else None if pole is None else flat.place(pole))
+        if best is None or look.explained > best.explained:
+            best, paper.scale_mark = look, named
+    if best is None:
+        raise PlanesError(Phrase("check_no_marks"))
+    paper.notes = list(best.flat.notes)
+    paper.picture = b"" if paper.scale_mark else shown(best.flat)
+    if best.explained < 0:
         paper.notes.append(Phrase("check_crowd", count="> 1500"))
-        return paper
-    pole_mm = 0j if named else blank_pole(bench)
-    paper.scale_mark = named
-    paper.picture = b"" if named else shown(flat)
-    if named:
-        paper.notes.append(Phrase("check_scale_vector", mark=named))
-    paper.spots, explained = marks_on(bench, seen, pole_mm)
+    elif best.explained < EXPLAINED:
+        paper.notes.append(Phrase("check_no_plan_seen", share=f"{100 * best.explained:.0f}"))
+    else:
+        paper.spots, paper.whole = best.spots, best.whole
     return paper
 
 
-def _only_sure(bench: Bench, found: Paper) -> None:
-    """Vectors of a polygon have no names on a picture: keep them only if all but a few are like the plan's own."""
-    truth = true_vectors(bench)
-    unlike = 0
-    for before, spot in pairwise(found.spots):
-        true = truth.get(spot.name)
-        unlike += true is None or abs(spot.place - before.place - true) > UNLIKE * abs(true) + 2
-    seen = {s.name for s in found.spots}
-    missed = [n for n, v in truth.items() if n not in seen and abs(v) > LEAST_MM and not n.startswith("F_")]
-    closed = bool(found.spots) and abs(found.spots[-1].place - found.spots[0].place) < LEAST_MM
-    if not closed or unlike > 1 + len(truth) // 3 or len(missed) > 1 or len(found.spots) < 3:
-        found.spots = []
-        found.notes.append(Phrase("check_force_unsure"))
+def _flats(
+    bench: Bench, grey: Any, pole: complex | None, marks: Mapping[str, complex], format_: str | None
+) -> Iterator[tuple[Flat, str | None]]:  # fmt: skip
+    """Ways the picture may be made flat; with the vector its scale is taken from, if it is."""
+    if pole is not None and marks:
+        yield _by_hand(bench, grey, pole, marks)
+        return
+    flat = flatten(grey) if format_ is None else None
+    if flat is not None:
+        yield flat, None
+        return
+    for flat in by_frame(grey, format_):
+        yield flat, None
+
+
+def looked(bench: Bench, flat: Flat, pole: complex | None) -> Look:
+    """What a flat picture shows; the pole may be named, is printed on a blank, or must be found."""
+    seen = sheet_of(flat)
+    if seen is None or len(seen.lines) > MOST_LINES:
+        return Look(flat, 0j)
+    if not seen.lines:
+        return Look(flat, 0j, explained=0.0)
+    blank = flat.size_mm == SHEET_MM and not (pole is None and flat.by == "frame")
+    near = pole if pole is not None else blank_pole(bench) if blank else pole_found(bench, seen)
+    if near is None:
+        return Look(flat, 0j, explained=0.0)
+    if kind_of(bench.asked.plan) == "force":
+        return Look(flat, near, *vectors_on(bench, seen, near))
+    spots, explained = marks_on(bench, seen, near)
+    return Look(flat, near, spots, False, explained)
 
 
 def shown(flat: Flat) -> bytes:
@@ -71,36 +103,18 @@ def shown(flat: Flat) -> bytes:
     return bytes(cv2.imencode(".jpg", small, [cv2.IMWRITE_JPEG_QUALITY, 75])[1])
 
 
-def _by_hand(bench: Bench, grey: object, pole: complex | None, marks: Mapping[str, complex]) -> tuple[Flat, str]:
+def _by_hand(bench: Bench, grey: Any, pole: complex, marks: Mapping[str, complex]) -> tuple[Flat, str]:
     """Scale by a named pole and vector."""
     labels = [label_of(m) for m in bench.marks]
     name = next((n for n in (Names(labels).find(k) for k in marks) if n and n != "p"), None)
-    if pole is None or name is None:
+    if name is None:
         raise PlanesError(Phrase("check_no_marks"))
     where = next(z for k, z in marks.items() if Names(labels).find(k) == name)
     length = abs(run(bench.program, bench.given)[at(bench.asked.plan, name)])
     return by_points(grey, pole, where, float(length)), name
 
 
-def _words(
-    bench: Bench, flat: Flat, pole: complex | None, marks: Mapping[str, complex], height: int
-) -> list[Words]:
-    """The pole's place: printed on a blank, or as it was named."""
-    if pole is not None:
-        factor = 1 / flat.scale * (flat.grey.shape[0] / height)
-        found = [Words("p", -0.05 - 0.05j, 0.1, 0.1)]
-        for name, z in marks.items():
-            found.append(Words(name, ((z - pole) * factor).conjugate() - 0.05 - 0.05j, 0.1, 0.1))
-        return found
-    return [Words("p", blank_pole(bench) - 0.05 - 0.05j, 0.1, 0.1)]
-
-
 def blank_pole(bench: Bench) -> complex:
     """Where the blank of this plan has its pole."""
     truth = run(bench.program, bench.given)
     return pole_place([complex(truth[m]) for m in bench.marks])
-
-
-def _surely(sketch: Sketch, spot: Spot) -> bool:
-    """Whether a mark is at the end of some stroke."""
-    return any(min(abs(spot.place - a), abs(spot.place - b)) < 1.5 for a, b in sketch.strokes)

@@ -28,6 +28,18 @@ class Flat:
     warp: Any = None
     notes: list[Phrase] = field(default_factory=list)
 
+    @property
+    def size_mm(self) -> tuple[float, float]:
+        """Width and height."""
+        return self.grey.shape[1] / self.scale, self.grey.shape[0] / self.scale
+
+    def place(self, pixel: complex) -> complex:
+        """Where a pixel of the source (x right, y down) is on the sheet."""
+        import numpy
+
+        x, y, w = (self.warp @ numpy.array([pixel.real, pixel.imag, 1.0])).tolist()
+        return self.mm(x / w, y / w)
+
     def mm(self, x: float, y: float) -> complex:
         """Pixels to millimetres, y up."""
         return self.corner + complex(x, self.grey.shape[0] - y) / self.scale

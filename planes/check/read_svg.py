@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from xml.etree import ElementTree
 
+from planes.check.arrowheads import head_of, settle
 from planes.check.strokes import Sketch, Words
+from planes.check.svg_shapes import Looks, looks_of, outline, rings, style_rules
 from planes.wording import PlanesError
 from planes.words import Phrase
 
@@ -15,6 +17,7 @@ LARGEST = 30_000_000  # bytes
 MOST = 60_000  # elements
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _MM = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72, "pc": 25.4 / 6, "px": 25.4 / 96, "": 25.4 / 96}
+NO_HEADS = ("dot", "circle", "square", "stop", "tick", "distance", "diamond")  # markers that are no arrowheads
 Affine = tuple[complex, complex, complex]  # z -> o + Re(z)·a + Im(z)·b
 SAME: Affine = (0j, 1 + 0j, 1j)
 _HREF = "{http://www.w3.org/1999/xlink}href"
@@ -31,8 +34,10 @@ def read_svg(path: str | Path) -> Sketch:
         raise PlanesError(Phrase("check_svg", file=str(path), why=str(error)[:80])) from None
     if _tag(root) != "svg":
         raise PlanesError(Phrase("check_svg", file=str(path), why=f"<{_tag(root)}>"))
-    reader = _Reader(Sketch(str(path)), {e.get("id", ""): e for e in root.iter() if e.get("id")})
-    reader.walk(root, _page(root), 0)
+    named = {e.get("id", ""): e for e in root.iter() if e.get("id")}
+    reader = _Reader(Sketch(str(path)), named, style_rules(root))
+    reader.walk(root, _page(root), 0, {})
+    settle(reader.sketch)
     return reader.sketch
 
 
@@ -100,51 +105,60 @@ def _transform(text: str | None) -> Affine:
 
 
 class _Reader:
-    """Walks the tree."""
+    """Walks the tree; what a group sets holds for all in it."""
 
-    def __init__(self, sketch: Sketch, named: dict[str, ElementTree.Element]) -> None:
-        self.sketch, self.named, self.count = sketch, named, 0
+    def __init__(self, sketch: Sketch, named: dict[str, ElementTree.Element], rules: Mapping[str, Looks]) -> None:
+        self.sketch, self.named, self.rules, self.count = sketch, named, rules, 0
 
-    def walk(self, e: ElementTree.Element, m: Affine, depth: int, used: bool = False) -> None:
+    def walk(self, e: ElementTree.Element, m: Affine, depth: int, looks: Looks, used: bool = False) -> None:
         self.count += 1
         tag = _tag(e)
         if self.count > MOST or depth > 60:
             return
-        if e.get("display") == "none" or "display:none" in (e.get("style") or "").replace(" ", ""):
+        looks = {**looks, **looks_of(e, self.rules)}
+        if looks.get("display") == "none" or looks.get("visibility") in ("hidden", "collapse"):
             return
         m = _then(m, _transform(e.get("transform")))
+        if tag == "svg" and depth:
+            m = _then(m, _inner(e))
         if tag == "use":
-            self._use(e, m, depth)
+            self._use(e, m, depth, looks)
         elif tag == "text":
             self._text(e, m)
-        elif tag in ("line", "polyline", "polygon", "path", "rect"):
-            self._shape(e, tag, m)
+        elif tag in ("line", "polyline", "polygon", "path"):
+            self._shape(e, tag, m, looks)
         elif tag not in ("defs", "clipPath", "marker", "pattern", "mask") and (tag != "symbol" or used):
             for child in e:
-                self.walk(child, m, depth + 1)
+                self.walk(child, m, depth + 1, looks)
 
-    def _use(self, e: ElementTree.Element, m: Affine, depth: int) -> None:
+    def _use(self, e: ElementTree.Element, m: Affine, depth: int, looks: Looks) -> None:
         target = self.named.get((e.get("href") or e.get(_HREF) or "").removeprefix("#"))
         if target is not None and depth < 20:
-            shift = complex(float(e.get("x") or 0), float(e.get("y") or 0))
-            self.walk(target, _then(m, (shift, 1 + 0j, 1j)), depth + 1, True)
+            shift = complex(_mm_free(e.get("x")), _mm_free(e.get("y")))
+            self.walk(target, _then(m, (shift, 1 + 0j, 1j)), depth + 1, looks, True)
 
-    def _shape(self, e: ElementTree.Element, tag: str, m: Affine) -> None:
-        style = (e.get("style") or "").replace(" ", "")
-        stroke = e.get("stroke") or (re.search(r"stroke:([^;]+)", style) or ["", ""])[1]
-        fill = e.get("fill") or (re.search(r"fill:([^;]+)", style) or ["", ""])[1]
-        if stroke == "none" or (not stroke and fill not in ("", "none")):
-            self._arrowhead(e, tag, m)
+    def _shape(self, e: ElementTree.Element, tag: str, m: Affine, looks: Looks) -> None:
+        stroke, fill = looks.get("stroke", ""), looks.get("fill", "")
+        solid = stroke == "none" or (not stroke and fill not in ("", "none"))
+        curved = [h for ring in rings(e.get("d") or "") if (h := head_of([_at(m, z) for z in ring]))]
+        if curved:
+            self.sketch.heads += curved
             return
-        for points, closed in _outline(e, tag):
-            self.sketch.add([_at(m, z) for z in points], closed)
+        for points, closed in outline(e, tag):
+            places = [_at(m, z) for z in points]
+            head = head_of(places) if closed or solid else None
+            if head:
+                self.sketch.heads.append(head)
+            elif not solid:
+                self.sketch.add(places, closed)
+                self._markers(places, looks)
 
-    def _arrowhead(self, e: ElementTree.Element, tag: str, m: Affine) -> None:
-        for points, _ in _outline(e, tag):
-            if 3 <= len(points) <= 5:
-                places = [_at(m, z) for z in points]
-                middle = sum(places) / len(places)
-                self.sketch.arrows.append(max(places, key=lambda z: abs(z - middle)))
+    def _markers(self, places: list[complex], looks: Looks) -> None:
+        """Heads a line has by itself."""
+        for key, tip, before in (("marker-start", places[0], places[1]), ("marker-end", places[-1], places[-2])):
+            named = looks.get(key, looks.get("marker", "none")).lower()
+            if named != "none" and tip != before and not any(word in named for word in NO_HEADS):
+                self.sketch.heads.append((tip, (tip - before) / abs(tip - before)))
 
     def _text(self, e: ElementTree.Element, m: Affine) -> None:
         text = "".join(e.itertext()).strip()
@@ -164,50 +178,18 @@ class _Reader:
         self.sketch.words.append(Words(text, _at(m, z) - along * back, height, width, along))
 
 
-def _outline(e: ElementTree.Element, tag: str) -> Iterator[tuple[list[complex], bool]]:
-    """The straight polylines of a shape."""
-    if tag == "line":
-        x1, y1, x2, y2 = (float((re.findall(_NUMBER, e.get(k) or "0") or ["0"])[0]) for k in ("x1", "y1", "x2", "y2"))
-        yield [complex(x1, y1), complex(x2, y2)], False
-    elif tag in ("polyline", "polygon"):
-        v = [float(n) for n in re.findall(_NUMBER, e.get("points") or "")]
-        yield [complex(x, y) for x, y in zip(v[::2], v[1::2], strict=False)], tag == "polygon"
-    elif tag == "path":
-        yield from path_lines(e.get("d") or "")
+def _mm_free(text: str | None) -> float:
+    """A coordinate, whatever unit it names; none is zero."""
+    found = re.findall(_NUMBER, text or "")
+    return float(found[0]) if found else 0.0
 
 
-def path_lines(d: str) -> Iterator[tuple[list[complex], bool]]:
-    """The straight pieces of a path; a curve is jumped over."""
-    points: list[complex] = []
-    at = start = 0j
-    for letter, inside in re.findall(r"([MmLlHhVvCcSsQqTtAaZz])([^MmLlHhVvCcSsQqTtAaZz]*)", d):
-        v = [float(n) for n in re.findall(_NUMBER, inside)]
-        base = letter.upper()
-        if base == "Z":
-            if len(points) > 1:
-                yield points, True
-            at, points = start, [start]
-            continue
-        step = {"M": 2, "L": 2, "T": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "A": 7}[base]
-        for k in range(0, len(v) - step + 1, step):
-            at = _end(base, v[k : k + step], at, letter.islower())
-            if base == "M" and k == 0:
-                if len(points) > 1:
-                    yield points, False
-                start, points = at, [at]
-            elif base in "MLHV":
-                points.append(at)
-            else:
-                if len(points) > 1:
-                    yield points, False
-                points = [at]
-    if len(points) > 1:
-        yield points, False
-
-
-def _end(base: str, v: list[float], at: complex, relative: bool) -> complex:
-    if base == "H":
-        return complex(v[0] + (at.real if relative else 0.0), at.imag)
-    if base == "V":
-        return complex(at.real, v[0] + (at.imag if relative else 0.0))
-    return complex(v[-2], v[-1]) + (at if relative else 0j)
+def _inner(e: ElementTree.Element) -> Affine:
+    """A picture within the picture: its place and its own units."""
+    shift = complex(_mm_free(e.get("x")), _mm_free(e.get("y")))
+    box = [float(n) for n in re.findall(_NUMBER, e.get("viewBox") or "")]
+    if len(box) != 4 or not (box[2] > 0 and box[3] > 0):
+        return shift, 1 + 0j, 1j
+    sides = [_mm_free(e.get(k)) / b for k, b in (("width", box[2]), ("height", box[3])) if e.get(k)]
+    scale = min(sides) if sides else 1.0
+    return shift - scale * complex(box[0], box[1]), scale + 0j, 1j * scale

@@ -9,7 +9,9 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 Stroke = tuple[complex, complex]
+Head = tuple[complex, complex]  # the tip of an arrowhead, and the unit way it points
 SHORT_MM = 0.8  # shorter strokes are ticks, dots and pieces of letters
+SNAPPED_MM, LOOSE_MM = 0.1, 0.6  # ends no farther apart are one place: joined by a program, or by eye
 CROSSINGS = 400  # of more strokes than this crossings are not looked for
 CROWD = 0.03  # nodes per mm² beyond which any place would do for a mark
 
@@ -39,39 +41,50 @@ class Sketch:
     strokes: list[Stroke] = field(default_factory=list)
     words: list[Words] = field(default_factory=list)
     error_mm: float = 0.05
-    arrows: list[complex] = field(default_factory=list)  # tips of arrowheads
+    ways: list[int] = field(default_factory=list)  # which end of each stroke has a head: +1, -1, 0 unknown; or none
+    heads: list[Head] = field(default_factory=list)
+    short: list[Stroke] = field(default_factory=list)  # vectors if they have heads, else ticks and pieces of letters
 
     def add(self, points: Sequence[complex], closed: bool = False) -> None:
         """A polyline's strokes."""
         line = [*points, points[0]] if closed and len(points) > 2 else list(points)
         for a, b in pairwise(line):
-            if abs(b - a) >= SHORT_MM and all(map(_finite, (a, b))):
-                self.strokes.append((a, b))
+            if all(map(_finite, (a, b))) and abs(b - a) > 0.02:
+                (self.strokes if abs(b - a) >= SHORT_MM else self.short).append((a, b))
 
 
 def _finite(z: complex) -> bool:
     return math.isfinite(z.real) and math.isfinite(z.imag)
 
 
-class Nodes:
-    """Places where strokes end or cross, those nearer than ``near`` taken for one."""
+def _snapped(strokes: Sequence[Stroke]) -> bool:
+    """Whether nearly every end of a stroke is exactly where another one ends, as a program joins them."""
+    cells: dict[tuple[int, int], int] = defaultdict(int)
+    keys = [(round(z.real / SNAPPED_MM), round(z.imag / SNAPPED_MM)) for s in strokes for z in s]
+    for key in keys:
+        cells[key] += 1
+    return sum(cells[key] > 1 for key in keys) > 0.7 * len(keys)
 
-    def __init__(self, strokes: Sequence[Stroke], near: float = 0.6) -> None:
-        self.near = near
+
+class Nodes:
+    """Places where strokes end or cross, those nearer than ``near`` (mm) taken for one."""
+
+    def __init__(self, strokes: Sequence[Stroke], near: float | None = None) -> None:
+        self.near = near or (SNAPPED_MM if _snapped(strokes) else LOOSE_MM)
         self.places: list[complex] = []
         self.weights: list[int] = []
         self.cells: dict[tuple[int, int], list[int]] = defaultdict(list)
         self.ends: dict[tuple[int, int], int] = {}
         for k, stroke in enumerate(strokes):
-            for side, z in enumerate(stroke):
-                self.ends[k, side] = self._add(z)
+            self.ends[k, 0] = self._add(stroke[0])
+            self.ends[k, 1] = self._add(stroke[1], but=self.ends[k, 0])  # a stroke has two ends
         self.corners = len(self.places)
         if len(strokes) <= CROSSINGS:
             for z in crossings(strokes):
                 self._add(z)
 
-    def _add(self, z: complex) -> int:
-        found = self.nearest(z, self.near)
+    def _add(self, z: complex, but: int = -1) -> int:
+        found = next((i for i in self.within(z, self.near) if i != but), None)
         if found is not None:
             weight = self.weights[found]
             self.places[found] = (self.places[found] * weight + z) / (weight + 1)

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 from planes.check import report
 from planes.check.bench import Asked, prepare
 from planes.check.fiducials import SHEET_MM, SIDE_MM, cells, centres
 from planes.check.photograph import blank_pole
+from planes.check.polygons import sides_of
 from planes.check.tracing_paper import tracing_data
 from planes.check.verdict import Outcome
 from planes.check.verdict_rows import as_json, mark_rows
@@ -19,7 +22,8 @@ from planes.scales import kind_of
 from planes.units import mu_text
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
-from render import blank, check_page, check_sheet, pdf, png, svg, trace_page
+from render import blank, check_page, check_sheet, class_page, pdf, png, svg, trace_page
+from render.names import Naming
 
 TRACE_WORDS = (
     "open", "plan", "by", "layer_plan", "layer_names", "picture", "paper", "zoom", "pole", "turned", "scale", "hint",
@@ -34,13 +38,13 @@ def write_blank(asked: Asked, output: str, lang: Lang) -> None:
     _write(marks, title, output, lang)
 
 
-def blank_marks(asked: Asked, lang: Lang) -> tuple[list[Any], str]:
-    """The marks of a sheet to draw a plan on, and its title."""
+def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Any], str]:
+    """The marks of a sheet to draw a plan on, and its title; ``more`` lines stand beneath it."""
     bench = prepare(asked)
     title = asked.scene.title.get(lang, "") or asked.scene.file
     mu = mu_text(bench.said_mu, kind_of(asked.plan), lang)
     squares = [(z, cells(k), SIDE_MM) for k, z in enumerate(centres(SHEET_MM))]
-    texts = [f"{say_plan(asked.plan, lang)}, μ = {mu}", title]
+    texts = [f"{say_plan(asked.plan, lang)}, μ = {mu}", title, *more]
     return blank.compose(SHEET_MM, squares, blank_pole(bench), texts), title
 
 
@@ -61,22 +65,46 @@ def _write(marks: list[Any], title: str, output: str, lang: Lang) -> None:
 def write_trace(asked: Asked, output: str, lang: Lang) -> None:
     """The right plans as a page to lay over a picture."""
     words = {k: say(f"trace_{k}", lang) for k in TRACE_WORDS}
-    _write_text(trace_page.page(tracing_data(asked, lang), words, lang), output)
+    write_text(trace_page.page(tracing_data(asked, lang), words, lang), output)
 
 
 def write_report(found: Outcome, output: str, lang: Lang) -> None:
     """The report by the file's suffix: a page, a sheet, a picture or the object."""
     suffix = Path(output).suffix.lower()
     if suffix == ".json":
-        _write_text(json.dumps(as_json(found, lang), ensure_ascii=False, allow_nan=False), output)
+        write_text(json.dumps(as_json(found, lang), ensure_ascii=False, allow_nan=False), output)
     elif suffix in (".html", ".htm"):
         words = {k: say(f"check_page_{k}", lang) for k in PAGE_WORDS}
-        _write_text(check_page.page(report.page_data(found, lang), words, lang), output)
+        write_text(check_page.page(report.page_data(found, lang), words, lang), output)
     else:
         _write(_sheet(found, lang), report.title(found, lang), output, lang)
 
 
-def _write_text(text: str, output: str) -> None:
+def write_class(group: Any, output: str, lang: Lang) -> None:
+    """The drawings of a class as a page; into a folder, with the report of each beside it."""
+    target = Path(output)
+    if not target.suffix:
+        try:
+            target.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise PlanesError(Phrase("check_no_file", file=output, why=error.strerror or "")) from None
+        for one in group.all:
+            if one.found:
+                one.report = f"{one.file}.html"
+                write_report(one.found, str(target / one.report), lang)
+        output = str(target / "index.html")
+    counts = Counter(one.verdict for one in group.all)
+    common = Counter(one.said(lang).partition(": ")[2] for one in group.all if one.found and one.found.mistake)
+    told = [(say(f"verdict_{v}", lang), counts[v]) for v in ("right", "wrong", "unreadable")]
+    head = [say(k, lang) for k in ("check_file", "check_verdict", "check_mark", "check_first")]
+    rows = [(one.verdict, quote(one.report), one.row(lang)) for one in group.all]
+    words = {"common": say("check_common", lang)}
+    title = f"{say('check_class', lang)}: {group.title}"
+    write_text(class_page.page(title, told, common.most_common(5), head, rows, words, lang), output)
+
+
+def write_text(text: str, output: str) -> None:
+    """A file of text, or a sentence why not."""
     try:
         Path(output).write_text(text, encoding="utf-8")
     except OSError as error:
@@ -85,22 +113,38 @@ def _write_text(text: str, output: str) -> None:
 
 def _sheet(found: Outcome, lang: Lang) -> list[Any]:
     """The overlay as a sheet."""
-    own, true, ends = report.own_marks(found), report.true_marks(found), report.vectors(found.bench)
-    at_own, at_true = {POLE: 0j, **own}, {POLE: 0j, **true}
+    bench, naming = found.bench, _naming(found, lang)
+    kind, own = kind_of(bench.asked.plan), report.own_marks(found)
+    at_own, at_true = {POLE: 0j, **own}, {POLE: 0j, **report.true_marks(found)}
     verdicts = {r["mark"]: r["verdict"] for r in mark_rows(found)}
-    rows = [[say(k, lang) for k in ("check_mark", "check_deviation", "check_tolerance", "check_verdict")]]
-    rows += [[name, own, limit, told] for _, name, own, limit, _, told in report.rows_of(found, lang)]
-    marks = check_sheet.compose(
-        SHEET_MM, blank_pole(found.bench), [(at_own[a], at_own[b]) for a, b in ends if a in at_own and b in at_own],
-        [(at_true[a], at_true[b]) for a, b in ends], {n: (z, verdicts.get(n, "right")) for n, z in own.items()},
-        report.title(found, lang), check_sheet.wrapped(found.sentence.told(lang)), rows[:14],
+    sides = sides_of(bench.plans, bench.asked.plan) if kind == "force" else []
+
+    def name(label: str) -> str:
+        return naming.vector(_upper(label)) if kind == "force" and label != POLE else naming.mark(label, kind)
+
+    head = [say(k, lang) for k in ("check_mark", "check_deviation", "check_tolerance", "check_verdict")]
+    first, said = found.first_wrong or "", found.sentence.told(lang)
+    ends = [(a, b) for a, b in report.vectors(bench) if a in at_own and b in at_own]
+    sheet = check_sheet.Overlay(
+        own=[(at_own[a], at_own[b]) for a, b in ends],
+        true=[(at_true[a], at_true[b]) for a, b in report.vectors(bench)],
+        next=report.leads(found),
+        marks={name(n): (z, verdicts.get(n, "right")) for n, z in own.items()},
+        along={name(s.name): (at_own[s.start], at_own[s.end]) for s in sides if s.start in at_own and s.end in at_own},
+        pole=name(POLE), title=report.title(found, lang), head=head,
+        sentence=said.replace(f"{first}:", f"{name(first)}:", 1) if first in at_own else said,
+        rows=[[name(label), off, limit, told] for _, label, off, limit, _, told in report.rows_of(found, lang)],
+        legend=(say("check_page_own", lang), say("check_page_truth", lang), say("check_page_next", lang)),
+        reduced=say("check_reduced", lang, n="{n}"), lines=kind == "position",
     )  # fmt: skip
-    return [m for m in marks if _inside(m)]
+    return check_sheet.compose(SHEET_MM, sheet)
 
 
-def _inside(mark: Any) -> bool:
-    """Whether a mark is on the sheet: a wild vector may not be."""
-    places = [getattr(mark, k) for k in ("start", "end", "centre", "place") if hasattr(mark, k)]
-    places = places or list(getattr(mark, "points", ()))
-    w, h = SHEET_MM
-    return all(0 <= z.real <= w and 0 <= z.imag <= h for z in places)
+def _naming(found: Outcome, lang: Lang) -> Naming:
+    scene = found.bench.asked.scene
+    return Naming(lang, scene.frame_number, scene.sheet.get("reactions") == "from-on")
+
+
+def _upper(name: str) -> str:
+    """F_21t as the vector it is, F_21^t."""
+    return f"{name[:-1]}^{name[-1]}" if name.startswith("F_") and name[-1] in "tn" else name

@@ -1,0 +1,123 @@
+"""Ink on a flat picture: its light made even, printed marks taken out, and how dark any place of the sheet is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from planes.check.fiducials import SIDE_MM, centres
+from planes.check.picture import Flat, cv
+
+LETTER_MM = 7.5  # smaller separate marks of ink are letters
+DARK = 0.4  # of a pencil's darkness: less is paper, a grid's line, or a line rubbed out
+FRAME_MM = (21.5, 8.5)  # how much of a sheet is its frame: at the left, and at the other edges
+
+
+@dataclass
+class Ink:
+    """A sheet's ink: ``even`` is the picture with even light, 255 where there is none but a pencil's lines may be."""
+
+    flat: Flat
+    even: Any
+    paper: float  # the grey at which paper (with a grid or what was rubbed out) ends
+    pencil: float  # the grey of the darkest lines
+
+    @property
+    def mask(self) -> Any:
+        """Where there is ink: ones and zeros, a pixel each."""
+        import numpy
+
+        return (self.even < self.paper - DARK * (self.paper - self.pencil)).astype(numpy.uint8)
+
+    def at(self, z: Any) -> Any:
+        """Darkness of places in mm (an array of complex numbers of one or two axes): 0 of paper, 1 of a line."""
+        import numpy
+
+        x, y = ((z - self.flat.corner) * self.flat.scale).real, ((z - self.flat.corner) * self.flat.scale).imag
+        rows = numpy.atleast_2d(x), numpy.atleast_2d(self.even.shape[0] - y)
+        across, down = (numpy.ascontiguousarray(r, numpy.float32) for r in rows)
+        cv2 = cv()
+        grey = cv2.remap(self.even, across, down, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=255)
+        dark = (self.paper - grey.astype(numpy.float32)) / (self.paper - self.pencil)
+        return numpy.clip(dark, 0, 1).reshape(numpy.shape(z))
+
+    def covered(self, a: complex, b: complex, reach: float = 0.45) -> float:
+        """The share of the way from ``a`` to ``b`` along which there is ink, ``reach`` mm to either side."""
+        import numpy
+
+        length = abs(b - a)
+        if length < 2 * reach:
+            return 1.0
+        along = numpy.linspace(a, b, max(4, int(length / 0.3)))
+        across = 1j * (b - a) / length * numpy.linspace(-reach, reach, 7)
+        dark: Any = self.at(along[:, None] + across[None, :]).max(axis=1) > DARK
+        return float(dark.mean())
+
+
+def ink_of(flat: Flat) -> Ink:
+    """The ink of a flat picture, without letters and printed marks."""
+    import numpy
+
+    even = evened(flat)
+    if flat.by == "marks":
+        _whiten_printed(flat, even)
+    elif flat.by == "frame":
+        _whiten_frame(flat, even)
+    paper, pencil = _levels(even)
+    ink = Ink(flat, even, paper, pencil)
+    _drop_letters(ink)
+    return Ink(flat, numpy.ascontiguousarray(ink.even), paper, pencil)
+
+
+def evened(flat: Flat) -> Any:
+    """The picture as if the light were the same everywhere: paper is 255."""
+    import numpy
+
+    cv2 = cv()
+    small = cv2.resize(flat.grey, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA)
+    light = cv2.dilate(small, numpy.ones((7, 7), numpy.uint8))
+    light = cv2.GaussianBlur(light, (0, 0), 0.7 * flat.scale)
+    light = cv2.resize(light, flat.grey.shape[::-1], interpolation=cv2.INTER_LINEAR)
+    even = numpy.minimum(cv2.divide(flat.grey, light, scale=250.0), 255)
+    return cv2.GaussianBlur(even, (0, 0), 0.8)
+
+
+def _levels(even: Any) -> tuple[float, float]:
+    """The greys of paper and of a pencil's lines; a grid and what was rubbed out are paper."""
+    import numpy
+
+    counts = numpy.bincount(even.ravel(), minlength=256).astype(float)
+    dark = counts[:150].copy()
+    share = numpy.cumsum(dark) / max(dark.sum(), 1.0)
+    pencil = float(numpy.searchsorted(share, 0.3)) if dark.sum() > 400 else 120.0
+    pencil = min(max(pencil, 20.0), 140.0)
+    return 255.0 - 0.3 * (255.0 - pencil), pencil
+
+
+def _drop_letters(ink: Ink) -> None:
+    """Paint over separate small marks of ink."""
+    import numpy
+
+    cv2 = cv()
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(ink.mask, connectivity=8)
+    large = numpy.maximum(stats[:, 2], stats[:, 3]) >= LETTER_MM * ink.flat.scale
+    large[0] = False
+    keep = cv2.dilate(large[labels].astype(numpy.uint8), numpy.ones((9, 9), numpy.uint8))
+    ink.even[keep == 0] = 255
+
+
+def _whiten_printed(flat: Flat, even: Any) -> None:
+    """Paint over the corner marks, the frame and what lies outside of it."""
+    cv2 = cv()
+    for z in centres((even.shape[1] / flat.scale, even.shape[0] / flat.scale)):
+        x, y = flat.px(z)
+        r = (SIDE_MM / 2 + 2) * flat.scale
+        cv2.rectangle(even, (int(x - r), int(y - r)), (int(x + r), int(y + r)), 255, -1)
+    _whiten_frame(flat, even)
+
+
+def _whiten_frame(flat: Flat, even: Any) -> None:
+    """Paint over the frame and what lies outside of it."""
+    left, other = (int(mm * flat.scale) for mm in FRAME_MM)
+    even[:other], even[-other:] = 255, 255
+    even[:, :left], even[:, -other:] = 255, 255

@@ -1,0 +1,227 @@
+"""Which place of a picture is which mark of a motion plan: every way the plan may have been drawn is tried on the ink.
+
+Drawn rightly, or with one mistake of the catalogue, or with one mark anywhere: each time the program is drawn once
+more, every mark snapped to the place where the person has it before the next is drawn from it. The way that leaves
+the least ink unexplained, with the fewest marks missing, tells the names of the places. It only names them: whether
+the drawing is right is judged afterwards, from the places.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from planes.check.bench import Bench, variants_of
+from planes.check.handwork import Hand, Miss, Taken, Variant
+from planes.check.judging import LEFT_OUT
+from planes.check.paper import Spot
+from planes.check.places import Normal, Place, Seen
+from planes.drawing import run
+from planes.instruments import Exact
+from planes.naming import POLE, at, label_of
+from planes.scales import kind_of
+from planes.steps import Step
+from planes.wording import PlanesError
+
+GATE = 4.5  # σ of drafting and reading within which a mark is looked for
+NO_MARK, NO_END, NO_LINE = 9.0, 3.0, 5.0  # what a mark costs that is nowhere, where nothing ends, where no line leads
+SLIP, ANYWHERE = 5.0, 11.0  # what a mistake of the catalogue costs, and a mark anywhere
+VAGUE = 3.0  # what a place costs that is known to a millimetre
+DOUBTFUL = 3.0  # what a place costs whose line is better known to end elsewhere
+PER_MM = 0.5  # what a millimetre of unexplained ink costs
+COVERED = 0.75  # the share of a vector that must be drawn
+POLE_MM = 0.12  # σ of the place where a line from the pole begins, about the pole
+REACH_MM = 2.5  # of a true mark, when the pole is looked for
+EVEN_MM = 0.9  # marks nearer than this may be one
+
+
+@dataclass
+class Way:
+    """One way the plan may have been drawn, laid on the picture."""
+
+    cost: float
+    found: dict[str, Place] = field(default_factory=dict)  # by mark
+    variant: Variant | None = None
+
+
+@dataclass
+class Search:
+    """The plan's marks looked for on a sheet from a known pole."""
+
+    bench: Bench
+    seen: Seen
+    pole: Place
+    own: dict[str, Miss]
+    true: Mapping[str, complex]
+    vectors: list[tuple[str, str]]
+
+    def way(self, variant: Variant | None, fixed: tuple[str, Place] | None = None, cost: float = 0.0) -> Way | None:
+        """The plan drawn so, snapped to the picture; ``fixed`` puts one mark where it cannot be expected."""
+        out = Way(cost, {}, variant)
+        places: dict[str, complex] = {}
+
+        def snap(step: Step, drawn: Any) -> Any:
+            if step.makes not in self.own or drawn != drawn:
+                return drawn
+            goal = self.pole.z + complex(drawn)
+            if fixed and step.makes == fixed[0]:
+                found: Place | None = fixed[1]
+            else:
+                found, price = self._nearest(step, goal, places, out.found)
+                out.cost += price
+            if found is None:
+                return drawn
+            out.found[step.makes] = found
+            places[step.makes] = found.z
+            return found.z - self.pole.z
+
+        if redrawn(self.bench, variant, snap) is None:
+            return None
+        at_pole = [m for m, p in out.found.items() if p is self.pole and abs(self.true[m]) > 3]
+        out.cost += NO_LINE * bool(at_pole)  # a mark that came to the pole left no trace of its own
+        out.cost += PER_MM * self._unexplained(out)
+        return out
+
+    def _nearest(
+        self, step: Step, goal: complex, places: Mapping[str, complex], found: Mapping[str, Place]
+    ) -> tuple[Place | None, float]:  # fmt: skip
+        """The place most likely meant by a mark that should be at ``goal``, and what believing it costs."""
+        miss = self.own[step.makes]
+        best: tuple[float, Place] | None = None
+        starts = [places.get(n, self.pole.z) for n in _starts(step)]
+        used = {id(p) for p in found.values()}
+        for place in [*self.seen.within(goal, 12.0), self.pole]:
+            sigmas = sigmas_of(place.z - goal, miss, place.sigma)
+            if sigmas > GATE:
+                continue
+            price = sigmas**2 / 2 + self._doubt(place, goal, used)
+            if all(self.seen.ink.covered(s, place.z) < COVERED for s in (*starts, self.pole.z)):
+                price += NO_LINE
+            if best is None or price < best[0]:
+                best = price, place
+        if best is None or best[0] > NO_MARK:
+            return None, NO_MARK
+        return best[1], best[0]
+
+    def _doubt(self, place: Place, goal: complex, used: Collection[int]) -> float:
+        """What it costs to believe that a place is a mark's, however near it is."""
+        if id(place) in used or place is self.pole:
+            return 0.0 if abs(place.z - goal) < EVEN_MM else NO_END
+        price = VAGUE * place.sigma + (DOUBTFUL if place.doubtful else 0.0)
+        return price + (0.0 if place.ended or place.tip else NO_END)
+
+    def _unexplained(self, way: Way) -> float:
+        """How many mm of ink no vector runs along."""
+        ends = {POLE: self.pole.z, **{label_of(m): p.z for m, p in way.found.items()}}
+        routes = [(ends[a], ends[b]) for a, b in self.vectors if a in ends and b in ends and ends[a] != ends[b]]
+        return self.seen.left(routes, self.pole.z)
+
+    def free_marks(self, way: Way) -> Iterator[tuple[str, Place]]:
+        """Marks that may be elsewhere, with places where lines end that the way does not use."""
+        used = {id(p) for p in way.found.values()} | {id(self.pole)}
+        free = [p for p in self.seen.places if p.ended and id(p) not in used and abs(p.z - self.pole.z) > 2
+                and p.sigma < 0.6 and not p.doubtful]  # fmt: skip
+        steps = {s.makes: s for s in self.bench.program.steps}
+        for mark in self.bench.marks:
+            starts = [way.found[n].z for n in _starts(steps[mark]) if n in way.found]
+            for place in free:
+                if any(self.seen.ink.covered(z, place.z) > COVERED for z in (*starts, self.pole.z)):
+                    yield mark, place
+
+
+def sigmas_of(off: complex, miss: Miss, sigma: float) -> float:
+    """How far off a place is, in σ of drawing and of reading."""
+    xx, xy, yy = miss.cov
+    return Miss(off, (xx + sigma**2, xy, yy + sigma**2)).sigmas
+
+
+def _starts(step: Step) -> list[str]:
+    return [getattr(step, k) for k in ("start", "other", "end") if isinstance(getattr(step, k, None), str)]
+
+
+def redrawn(bench: Bench, variant: Variant | None, snap: Callable[[Step, Any], Any]) -> dict[str, Any] | None:
+    """The program drawn exactly, every thing passed through ``snap``; None where that cannot be drawn."""
+    things: dict[str, Any] = {**bench.given, **(variant.givens if variant else {})}
+    tool = Exact().tool(False)
+    swaps = variant.swaps if variant else {}
+    try:
+        for step in bench.program.steps:
+            made: Any = None
+            for one in swaps.get(step.makes, (step,)):
+                made = things[one.makes] = one.draw(things, tool)
+            things[step.makes] = snap(step, made)
+    except (PlanesError, ZeroDivisionError, OverflowError):
+        return None
+    return things
+
+
+def pole_on(seen: Seen, near: complex, reach: float = 2.0) -> Place:
+    """The pole: where it is printed (or was named), and where the lines drawn from it meet."""
+    eqs, ended = Normal(), set[tuple[int, int]]()
+    eqs.add(near, 1 + 0j, POLE_MM)
+    eqs.add(near, 1j, POLE_MM)
+    for k, line in enumerate(seen.lines):
+        s, off = line.local(near)
+        side = 0 if abs(s - line.low) < abs(s - line.high) else 1
+        if abs(off) < 0.8 and abs(line.ends[side] - near) < reach and line.length > 2 * reach:
+            eqs.add(line.at(s), 1j * line.direction(s), 2 * line.sigma)
+            ended.add((k, side))
+    z, sigma = eqs.solved()
+    return Place(z, sigma, frozenset(ended))
+
+
+def pole_found(bench: Bench, seen: Seen) -> complex | None:
+    """The place from which the true plan would meet the most places; None where hardly any would be met."""
+    truth = run(bench.program, bench.given)
+    ends = [complex(truth[m]) for m in bench.marks if abs(truth[m]) > 1]
+    if kind_of(bench.asked.plan) == "force":  # the order of the forces is free: the closing corner alone is sure
+        ends = [complex(truth[m]) for m in bench.marks if m.rpartition(":")[2][-1] != "t"]
+    best, place = 0.0, None
+    for p in (p for p in seen.places if p.ended):
+        hits = sum(any(q.ended for q in seen.within(p.z + e, REACH_MM)) for e in ends) + 0.01 * len(p.ended)
+        if hits > best:
+            best, place = hits, p.z
+    return place if best >= max(2, 0.4 * len(ends)) else None
+
+
+def ends_of(bench: Bench) -> list[tuple[str, str]]:
+    """Vectors of a motion plan by the labels of their ends."""
+    plan = bench.asked.plan
+    return list(dict.fromkeys((s.start, s.end) for s in bench.plans.segments if s.plan == plan and s.start != s.end))
+
+
+def search_of(bench: Bench, seen: Seen, pole: Place) -> Search:
+    """A search from a pole, with the errors of a hand at every mark."""
+    truth = run(bench.program, bench.given)
+    true = {m: complex(truth[m]) for m in bench.marks}
+    hand = Hand(bench.program, bench.given, bench.asked.skill, {m: Taken(z, 0.1) for m, z in true.items()})
+    return Search(bench, seen, pole, hand.misses(bench.marks), true, ends_of(bench))
+
+
+def best_way(search: Search) -> Way | None:
+    """The way that explains the picture best."""
+    bench = search.bench
+    ways = [w for w in (search.way(None),) if w]
+    if not ways or len(ways[0].found) < len(bench.marks) or ways[0].cost > 2.0 + 0.8 * len(bench.marks):
+        free = Hand(bench.program, bench.given, bench.asked.skill, {})
+        variants: Iterable[Variant] = variants_of(bench, free, bench.said_mu)
+        ways += [w for w in (search.way(v, cost=SLIP) for v in variants) if w]
+        best = min(ways, key=lambda w: w.cost, default=None)
+        if best and best.cost > ANYWHERE + 4.0 + len(bench.marks):
+            ways += [w for w in (search.way(None, f, ANYWHERE) for f in search.free_marks(best)) if w]
+    return min(ways, key=lambda w: w.cost, default=None)
+
+
+def marks_on(bench: Bench, seen: Seen, near: complex) -> tuple[list[Spot], float]:
+    """The marks of a motion plan with its pole near a place, and the share of the ink they explain."""
+    search = search_of(bench, seen, pole_on(seen, near))
+    way = best_way(search)
+    if way is None or not way.found:
+        return [], 0.0
+    plan = bench.asked.plan
+    spots = [Spot(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
+    left_out = way.variant.blames if way.variant and way.variant.mistake.endswith(LEFT_OUT) else None
+    names = [label_of(m) for m in bench.marks if m in way.found and label_of(m) != left_out]
+    spots += [Spot(n, way.found[at(plan, n)].z, way.found[at(plan, n)].sigma) for n in names]
+    return spots, 1 - search._unexplained(way) / max(seen.ink_mm, 1.0)

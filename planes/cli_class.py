@@ -1,0 +1,138 @@
+"""``planes check`` on a folder: every drawing of a class, as a table, a page, or a report for each."""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import io
+import json
+import sys
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from planes.check.bench import Asked
+from planes.check.paper import Paper
+from planes.check.verdict import STATUS, Outcome, check
+from planes.check.verdict_rows import as_json
+from planes.wording import PlanesError
+from planes.words import Lang, Phrase, say
+
+Reader = Callable[[str], Paper]
+NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py")  # reports and scenes that lie beside the drawings
+
+
+@dataclass
+class Checked:
+    """One drawing of the folder: what was found in it, or why nothing could be."""
+
+    file: str
+    found: Outcome | None = None
+    refused: PlanesError | None = None
+    report: str = ""
+
+    @property
+    def verdict(self) -> str:
+        """right, wrong or unreadable."""
+        return self.found.verdict if self.found else "unreadable"
+
+    @property
+    def first(self) -> str:
+        """Where it goes wrong."""
+        return (self.found.first_wrong or "") if self.found and self.verdict == "wrong" else ""
+
+    def said(self, lang: Lang) -> str:
+        """Which mistake it is, or why it cannot be read; nothing of a right one."""
+        if self.found is None:
+            return self.refused.told(lang) if self.refused else ""
+        return "" if self.verdict == "right" else self.found.sentence.told(lang)
+
+    def row(self, lang: Lang) -> list[str]:
+        """File, verdict, mark, sentence."""
+        return [self.file, say(f"verdict_{self.verdict}", lang), self.first, self.said(lang)]
+
+    def as_json(self, lang: Lang) -> dict[str, Any]:
+        """The object of the drawing, with its file."""
+        if self.found:
+            return {"file": self.file, **as_json(self.found, lang)}
+        return {"file": self.file, "verdict": self.verdict, "sentence": {one: self.said(one) for one in ("ru", "en")}}
+
+
+@dataclass
+class Group:
+    """All drawings of a folder."""
+
+    title: str
+    all: list[Checked] = field(default_factory=list)
+
+    @property
+    def status(self) -> int:
+        """The worst exit status of all."""
+        return max((STATUS[one.verdict] for one in self.all), default=2)
+
+
+def check_class(args: argparse.Namespace, asked: Asked, read: Reader) -> int:
+    """Every drawing of a folder: a row for each, on the terminal and in the file of ``-o``."""
+    folder = Path(args.drawing)
+    files = [f for f in sorted(folder.iterdir()) if f.is_file() and not f.name.startswith(".")]
+    files = [f for f in files if f.suffix.lower() not in NO_DRAWINGS]
+    if not files:
+        raise PlanesError(Phrase("check_empty_folder", file=args.drawing))
+    group = Group(folder.name)
+    for file in _shown(files):
+        try:
+            group.all.append(Checked(file.name, check(asked, read(str(file)))))
+        except PlanesError as error:
+            group.all.append(Checked(file.name, refused=error))
+    if args.output:
+        _write(group, args.output, args.lang)
+    print(_json(group, args.lang) if args.json else "\n".join(_table(group, args.lang)).lstrip())
+    return group.status
+
+
+def heads(lang: Lang) -> list[str]:
+    """Names of the table's columns."""
+    return [say(k, lang) for k in ("check_file", "check_verdict", "check_mark", "check_first")]
+
+
+def _table(group: Group, lang: Lang) -> list[str]:
+    rows = [heads(lang), *(one.row(lang) for one in group.all)]
+    widths = [max(len(row[i]) for row in rows) for i in range(3)]
+    aligned = ("  ".join([*(c.ljust(w) for c, w in zip(row, widths, strict=False)), row[3]]) for row in rows)
+    return [say("check_class", lang), *(f"  {line.rstrip()}" for line in aligned)]
+
+
+def _json(group: Group, lang: Lang) -> str:
+    return json.dumps([one.as_json(lang) for one in group.all], ensure_ascii=False, allow_nan=False)
+
+
+def _csv(group: Group, lang: Lang) -> str:
+    out = io.StringIO()
+    csv.writer(out, lineterminator="\n").writerows([heads(lang), *(one.row(lang) for one in group.all)])
+    return "\ufeff" + out.getvalue()  # so that a spreadsheet knows the letters
+
+
+def _write(group: Group, output: str, lang: Lang) -> None:
+    """The table as a page, a spreadsheet or objects; a folder gets a report for each drawing and the page."""
+    from planes.roof.check import write_class, write_text
+
+    suffix = Path(output).suffix.lower()
+    if suffix == ".json":
+        write_text(_json(group, lang), output)
+    elif suffix == ".csv":
+        write_text(_csv(group, lang), output)
+    elif suffix in (".html", ".htm", ""):
+        write_class(group, output, lang)
+    else:
+        raise PlanesError(Phrase("check_class_output", file=output))
+
+
+def _shown(files: list[Path]) -> Iterable[Path]:
+    """The files, with a bar where a person waits."""
+    if not sys.stderr.isatty():
+        return files
+    from tqdm import tqdm
+
+    shown: Iterable[Path] = tqdm(files, unit="", leave=False)
+    return shown

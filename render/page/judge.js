@@ -1,0 +1,82 @@
+"use strict";
+// Judges moved marks by the exported numbers as the engine does: which step is wrong, and which mistake explains it.
+
+class Judge {
+  constructor(data) { this.data = data; this.rule = data.rule; this.tape = new Tape(data.tape); }
+  judge(marks) { // marks: {name, x, y, read}; the same with verdicts and misses, what is first wrong, the sentence
+    const given = {}, rule = this.rule;
+    for (const m of marks) Object.assign(given, { [m.key + ".x"]: m.x, [m.key + ".y"]: m.y, [m.key + "?"]: +m.read });
+    this.tape.run({ ...this.data.earlier, ...given });
+    const read = marks.filter(m => m.read), out = { marks: {}, first: null, named: null };
+    out.limit = Math.sqrt(-2 * Math.log(rule.false_alarm / Math.max(read.length, 4)));
+    const misses = new Map(read.map(m => [m.name, this.tape.miss(m.miss, rule.least)]));
+    const free = new Map(read.map(m => [m.name, new Miss(m.x - m.true[0], m.y - m.true[1], m.free[0], m.free[1], m.free[2])]));
+    const fits = miss => miss.sigmas <= out.limit;
+    let wrong = read.filter(m => !fits(misses.get(m.name))).map(m => m.name);
+    if (wrong.length) out.named = this.name(misses, wrong[0], out.limit);
+    wrong = wrong.filter((n, k) => !k || !fits(free.get(n))); // off a wrong mark, but where it should be
+    out.first = out.named ? out.named.blames : wrong.length ? wrong[0] : null;
+    this.verdicts(out, marks, misses, free, wrong);
+    out.sentence = this.said(out, misses, free, wrong);
+    return out;
+  }
+  mixed(miss) { // logarithm of the density of a miss: normal, but for now and then a slip
+    const { broad, slip } = this.rule, normal = Number.isFinite(miss.sigmas) ? miss.density : -Infinity;
+    const high = Math.max(normal, broad), low = Math.min(normal, broad), likely = normal >= broad ? 1 - slip : slip;
+    const a = high + Math.log(likely), b = low + Math.log(1 - likely), top = Math.max(a, b);
+    return top + Math.log(Math.exp(a - top) + Math.exp(b - top));
+  }
+  name(misses, first, limit) { // the mistake that beats "some other cause" and the runner-up
+    const rule = this.rule, drawn = new Set([...misses.keys()].filter(n => !rule.absent.includes(n)));
+    const groups = new Map();
+    for (const v of this.data.variants) {
+      const at = Object.entries(v.under).filter(([n]) => misses.has(n));
+      const under = new Map(at.map(([n, places]) => [n, this.tape.miss(places, rule.least)]));
+      if (!under.has(first) || !Number.isFinite(under.get(first).sigmas)) continue;
+      const left_out = rule.left_out.some(end => v.mistake.endsWith(end));
+      const likely = drawn.has(v.blames) !== left_out ? 1 : rule.undrawn;
+      let score = Math.log(v.weight * likely);
+      for (const [n, miss] of under) score += this.mixed(miss) - this.mixed(misses.get(n));
+      const group = groups.get(v.mistake) || [];
+      groups.set(v.mistake, [...group, { score, v, under }]);
+    }
+    const ranked = [...groups.values()].map(group => {
+      const best = group.reduce((a, b) => b.score > a.score ? b : a);
+      return { ...best, score: best.score + Math.log(group.reduce((s, one) => s + Math.exp(one.score - best.score), 0)) };
+    }).sort((a, b) => b.score - a.score);
+    if (!ranked.length) return null;
+    const [best, next] = ranked, other = Math.log(rule.other) + rule.broad - this.mixed(misses.get(first));
+    if (best.score < Math.max(0, other) || (next && best.score - next.score < rule.margin)) return null;
+    const explained = [...best.under].filter(([, miss]) => miss.sigmas <= limit).map(([n]) => n);
+    return { ...best.v, explained };
+  }
+  verdicts(out, marks, misses, free, wrong) {
+    const explained = out.named ? out.named.explained : [];
+    let upset = false;
+    for (const m of marks) {
+      upset ||= m.name === out.first;
+      const one = out.marks[m.name] = { verdict: "unread", own: misses.get(m.name), free: free.get(m.name) };
+      if (!m.read) continue;
+      if (wrong.includes(m.name) && !(explained.includes(m.name) && m.name !== out.first)) { one.verdict = "wrong"; upset = true; }
+      else one.verdict = (upset || wrong.includes(m.name)) && one.free.sigmas > out.limit ? "follows" : "right";
+      one.close = one.verdict === "right" && one.own.sigmas > this.rule.warn;
+    }
+  }
+  said(out, misses, free, wrong) { // the whole in a sentence, and its verdict
+    const { said, rule } = this.data, fill = (text, names) => text.replace(/⟦(\w+)⟧/g, (_, k) => names[k]);
+    const found = rule.key.filter(n => misses.has(n)), count = misses.size;
+    const missing = rule.key.filter(n => !misses.has(n)).join(", ");
+    out.verdict = "unreadable";
+    if (!count) return fill(said.nothing, { names: missing });
+    if (found.length < rule.readable * rule.key.length) return fill(said.too_little, { found: found.length, count: rule.key.length, names: missing });
+    const bad = Object.values(out.marks).filter(m => m.verdict === "wrong").length;
+    if (!out.named && count >= 3 && bad > 0.7 * count) return fill(said.other, { count, wrong: bad });
+    out.verdict = "wrong";
+    if (out.named) return out.named.said;
+    if (wrong.length) return fill(said.unclear, { mark: wrong[0], off: misses.get(wrong[0]).size.toFixed(1) });
+    const left = this.data.otherwise;
+    if (left && !(left.mark && misses.has(left.mark))) { out.first = left.first; return left.said; }
+    out.verdict = "right";
+    return said.right;
+  }
+}

@@ -1,0 +1,135 @@
+"use strict";
+// Tracing paper: the right plan over a picture of a drawing, moved by its pole, turned and resized by one of its marks.
+const data = JSON.parse(document.getElementById("data").textContent);
+const $ = id => document.getElementById(id);
+frameNumber = data.frame;
+// a place of the plan (mm, y up) lies at pole + turn · its mirror image, in pixels of the picture (y down)
+const state = { plan: data.plans[0], pole: [0, 0], turn: [1, 0], size: [1200, 800], file: "", drag: null, held: null };
+
+class Tracing extends Figure {
+  px([x, y]) {
+    const [a, b] = state.turn, k = this.zoom;
+    return [k * (state.pole[0] + a * x + b * y), k * (state.pole[1] + b * x - a * y)];
+  }
+  at(name) { return state.plan.marks[name]; }
+  draw() {
+    const view = this.node.getBoundingClientRect(), { plan } = state;
+    this.w = view.width; this.h = view.height; this.zoom = view.width / state.size[0];
+    this.node.textContent = "";
+    this.node.setAttribute("viewBox", `0 0 ${this.w} ${this.h}`);
+    this.strokes = []; this.taken = [];
+    this.ink = svg("g", { opacity: $("paper").value / 100 }, this.node);
+    const whole = this.node;
+    this.node = this.ink;
+    if ($("ink").checked) for (const [a, b] of plan.vectors) {
+      if (plan.kind === "position") this.line(this.px(this.at(a)), this.px(this.at(b)), "ink");
+      else this.arrow(this.px(this.at(a)), this.px(this.at(b)), "ink");
+    }
+    if ($("names").checked) this.names(plan);
+    this.node = whole;
+    for (const n of ["p", $("by").value]) this.handle(n);
+  }
+  names(plan) {
+    for (const [name, a, b] of plan.names) this.along(this.px(this.at(a)), this.px(this.at(b)), [name], plan.kind);
+    const marks = Object.keys(plan.marks).filter(n => !plan.names.length || n === "p");
+    for (const n of marks) if (plan.kind !== "position" || n !== "p") this.beside(this.px(this.at(n)), [n], plan.kind, 8);
+  }
+  handle(name) {
+    const q = this.px(this.at(name)), g = svg("g", { class: "handle", tabindex: 0, role: "button", "data-mark": name }, this.node);
+    svg("circle", { cx: q[0], cy: q[1], r: 16, class: "grip" }, g);
+    svg("circle", { cx: q[0], cy: q[1], r: 6, class: "dot" }, g);
+    g.setAttribute("aria-label", `${name === "p" ? data.words.pole : name}: ${place(name).join(", ")}`);
+  }
+}
+const sheet = new Tracing($("sheet"), data);
+
+function place(name) { return sheet.px(sheet.at(name)).map(v => Math.round(v / sheet.zoom)); }
+function shown(v, digits) { const t = v.toFixed(digits); return document.documentElement.lang === "ru" ? t.replace(".", ",") : t; }
+function draw() {
+  const now = state.held;
+  sheet.draw();
+  state.held = now;
+  if (now) sheet.node.querySelector(`[data-mark="${CSS.escape(now)}"]`)?.focus({ preventScroll: true });
+  const turned = Math.atan2(-state.turn[1], state.turn[0]) * 180 / Math.PI, by = $("by").value;
+  $("said").innerHTML = `${data.words.turned} <b>${shown(turned, 1).replace("-", "−")}°</b>, <b>${shown(Math.hypot(...state.turn), 2)}</b> ${data.words.scale}`;
+  $("check").hidden = !state.file;
+  const file = /^[\w.,+-]+$/.test(state.file) ? state.file : `'${state.file.replaceAll("'", "'\\''")}'`, mark = /'/.test(by) ? `"${by}=` : `${by}=`;
+  const end = /'/.test(by) ? '"' : "";
+  $("command").textContent = state.plan.command.replace("⟦file⟧", file).replace("⟦pole⟧", place("p").join(",")).replace("⟦mark⟧", mark + place(by).join(",") + end);
+}
+function move(name, x, y) { // pixels of the picture
+  if (name === "p") state.pole = [x, y];
+  else {
+    const [u, v] = sheet.at(name), dx = x - state.pole[0], dy = y - state.pole[1], n = u * u + v * v;
+    if (Math.hypot(dx, dy) > 3) state.turn = [(dx * u - dy * v) / n, (dx * v + dy * u) / n];
+  }
+  state.held = name;
+  draw();
+}
+function home() { // the plan in the middle, filling half of the sheet
+  const all = Object.values(state.plan.marks), side = k => all.map(z => z[k]), [w, h] = state.size;
+  const low = [0, 1].map(k => Math.min(...side(k))), high = [0, 1].map(k => Math.max(...side(k)));
+  const k = 0.55 * Math.min(w / Math.max(high[0] - low[0], 1), h / Math.max(high[1] - low[1], 1));
+  state.turn = [k, 0];
+  state.pole = [w / 2 - k * (low[0] + high[0]) / 2, h / 2 + k * (low[1] + high[1]) / 2];
+}
+function choose() { // another plan keeps its scale and its pole: they are of one sheet
+  state.plan = data.plans.find(p => p.key === $("plan").value);
+  const marks = Object.keys(state.plan.marks).filter(n => Math.hypot(...state.plan.marks[n]) > 1);
+  $("by").replaceChildren(...marks.map(n => new Option(n, n, false, n === state.plan.far)));
+  home();
+  draw();
+}
+function lay() { // the paper as wide as the window, or wider
+  const paper = document.querySelector(".paper"), width = $("zoom").value / 100 * paper.parentNode.clientWidth;
+  paper.style.width = `${width}px`;
+  paper.style.height = `${width * state.size[1] / state.size[0]}px`;
+  draw();
+}
+function open(file) {
+  if (!file) return;
+  const image = $("image"), url = URL.createObjectURL(file);
+  image.onload = () => {
+    state.size = [image.naturalWidth || 1200, image.naturalHeight || 800];
+    state.file = file.name;
+    image.hidden = false;
+    home();
+    lay();
+  };
+  image.onerror = () => { image.hidden = true; state.file = ""; draw(); $("said").textContent = data.words.not_picture; };
+  image.src = url;
+}
+function spot(e) {
+  const box = sheet.node.getBoundingClientRect();
+  return [(e.clientX - box.left) / sheet.zoom, (e.clientY - box.top) / sheet.zoom];
+}
+sheet.node.addEventListener("pointerdown", e => {
+  const name = e.target.closest("[data-mark]")?.dataset.mark;
+  if (!name) return;
+  state.drag = state.held = name;
+  sheet.node.setPointerCapture(e.pointerId);
+  e.preventDefault();
+});
+sheet.node.addEventListener("pointermove", e => { if (state.drag) move(state.drag, ...spot(e)); });
+for (const end of ["pointerup", "pointercancel"]) sheet.node.addEventListener(end, () => { state.drag = null; });
+sheet.node.addEventListener("keydown", e => {
+  const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[e.key];
+  const name = e.target.closest("[data-mark]")?.dataset.mark;
+  if (!way || !name) return;
+  e.preventDefault();
+  const q = sheet.px(sheet.at(name)), k = e.shiftKey ? 10 : 1;
+  move(name, q[0] / sheet.zoom + k * way[0], q[1] / sheet.zoom + k * way[1]);
+});
+sheet.node.addEventListener("focusin", e => { state.held = e.target.closest("[data-mark]")?.dataset.mark || null; });
+sheet.node.addEventListener("focusout", () => { state.held = null; });
+document.addEventListener("dragover", e => e.preventDefault());
+document.addEventListener("drop", e => { e.preventDefault(); open(e.dataTransfer.files[0]); });
+$("file").onchange = e => open(e.target.files[0]);
+$("plan").replaceChildren(...data.plans.map(p => new Option(p.title, p.key)));
+$("plan").onchange = choose;
+$("by").onchange = $("ink").onchange = $("names").onchange = $("paper").oninput = draw;
+$("picture").oninput = e => { $("image").style.opacity = e.target.value / 100; };
+$("zoom").oninput = lay;
+addEventListener("resize", lay);
+choose();
+lay();

@@ -1,0 +1,257 @@
+"""Drawings of all samples' plans as pictures on paper, each right or with one mistake, checked and counted.
+
+`python tests/picture_corpus.py [DRAWINGS OF EACH PLAN] [failures]` prints the shares, the errors of the marks and the
+confusion table. The generator shares the scene with the checker and the printed blank, and nothing else.
+"""
+
+from __future__ import annotations
+
+import random
+import sys
+import tempfile
+import time
+from collections import Counter, defaultdict
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import confusion
+import line_drawings
+import photographs
+from confusion import Easel, alike, easels, motion, possible
+from drawings import NONE, Care, Hand, Mistake
+from line_drawings import Stroke
+
+from planes.check.photograph import blank_pole, paper_of_picture
+from planes.check.verdict import Outcome, check
+
+ROOM = (38.0, 288.0, 10.0, 200.0)  # of a blank: left, right, lower, upper, mm
+KINDS: dict[str, Callable[[random.Random], photographs.Camera]] = {
+    "scan": photographs.any_scan,
+    "phone": photographs.any_phone,
+    "scan 200, plain": lambda rng: photographs.SCAN,
+}
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A drawing on a blank: strokes and words from the pole, and the places the marks were really put at."""
+
+    strokes: list[Stroke]
+    words: list[tuple[str, complex]]
+    marks: dict[str, complex]
+
+
+def drawn(easel: Easel, mistake: Mistake | None, rng: random.Random, care: Care | None = None) -> Drawn | None:
+    """One drawing; None where it leads off the sheet."""
+    found, _ = easel.draw(mistake, Hand(care or Care(), rng))
+    if easel.plan.startswith("force"):
+        strokes, marks, z = [], {}, 0j
+        for name, v in found.items():
+            if abs(v) > 0.3:
+                strokes.append((z, z + v))
+            z += v
+            marks[name] = z
+        words = line_drawings.vector_labels([(n, v) for n, v in found.items() if abs(v) > 0.3])
+    else:
+        marks = found
+        strokes = line_drawings.motion_strokes(motion(easel.sample), found, easel.plan == "acceleration")
+        words = line_drawings.labels({"p": 0j, **found}, rng)
+    pole, (left, right, lower, upper) = pole_of(easel), ROOM
+    ends = [z + pole for s in strokes for z in s]
+    fits = bool(ends) and all(left < z.real < right and lower < z.imag < upper for z in ends)
+    return Drawn(strokes, words, marks) if fits else None
+
+
+def pole_of(easel: Easel) -> complex:
+    return blank_pole(confusion.bench(easel.sample, easel.plan))
+
+
+def picture(one: Drawn, pole: complex, camera: photographs.Camera, rng: random.Random, file: Path) -> None:
+    page = photographs.sheet(one.strokes, one.words, pole, camera, rng)
+    photographs.save(str(file), photographs.shot(page, camera, rng), camera)
+
+
+ALIKE_MM = 1.0  # ink that differs by less is the same to the eye
+
+
+def ink(easel: Easel, mistake: Mistake | None) -> tuple[dict[str, complex], list[Stroke]]:
+    """What an unerring hand leaves on paper: a polygon's vectors by name, else strokes."""
+    found, _ = easel.draw(mistake, Hand(NONE, random.Random(0)))
+    if easel.plan.startswith("force"):
+        return found, []
+    return {}, line_drawings.motion_strokes(motion(easel.sample), found, easel.plan == "acceleration")
+
+
+def same_ink(easel: Easel, one: Mistake | None, two: Mistake | None) -> bool:
+    """Whether two drawings differ in the letters beside them alone, which nobody reads on a picture."""
+    try:
+        (vectors, strokes), (others, lines) = ink(easel, one), ink(easel, two)
+    except ZeroDivisionError:
+        return False
+    if any(abs(vectors.get(n, 0j) - others.get(n, 0j)) > ALIKE_MM for n in {*vectors, *others}):
+        return False
+    return all(_drawn_too(a, b) for a, b in ((strokes, lines), (lines, strokes)))
+
+
+def _drawn_too(strokes: list[Stroke], lines: list[Stroke]) -> bool:
+    ends = [z for s in lines for z in s]
+    return all(min(abs(z - w) for w in ends) < ALIKE_MM for s in strokes for z in s) and all(
+        any(_beside(a + (b - a) * t / 20, *s) for s in lines) for a, b in strokes for t in range(21))
+
+
+def _beside(z: complex, a: complex, b: complex) -> bool:
+    local = (z - a) * (b - a).conjugate() / abs(b - a)
+    return abs(local.imag) < ALIKE_MM and -ALIKE_MM < local.real < abs(b - a) + ALIKE_MM
+
+
+@cache
+def alike_on_paper(easel: Easel, mistake: Mistake) -> frozenset[tuple[str, str]]:
+    """Other mistakes that leave the same ink."""
+    _, made = easel.draw(None, Hand(NONE, random.Random(0)))
+    others = (Mistake(n, where, k) for n, where in dict.fromkeys(made) for k in (0, 1))
+    found = {(m.name.partition(":")[0], m.where) for m in others if same_ink(easel, mistake, m)}
+    return alike(easel, mistake) | frozenset(found - {(mistake.name.partition(":")[0], mistake.where)})
+
+
+def looked_at(easel: Easel, file: Path) -> tuple[Outcome, float]:
+    """What the checker finds, and how long it took."""
+    start = time.perf_counter()
+    b = confusion.bench(easel.sample, easel.plan)
+    found = check(b.asked, paper_of_picture(str(file), b))
+    return found, time.perf_counter() - start
+
+
+@dataclass
+class Count:
+    """What came of pictures."""
+
+    right: int = 0
+    accepted: int = 0
+    wrong: int = 0
+    found: int = 0
+    blamed: int = 0
+    named: int = 0
+    unreadable: Counter[str] = field(default_factory=Counter)  # of right and of wrong drawings
+    errors: list[float] = field(default_factory=list)
+    marks: int = 0
+    slowest: float = 0.0
+    table: Counter[tuple[str, str]] = field(default_factory=Counter)
+    failures: list[str] = field(default_factory=list)
+
+    def add(self, other: Count) -> None:
+        for name, value in vars(other).items():
+            if name == "slowest":
+                self.slowest = max(self.slowest, value)
+            elif isinstance(value, Counter):
+                getattr(self, name).update(value)
+            else:
+                setattr(self, name, getattr(self, name) + value)
+
+
+def told_of(easel: Easel, mistake: Mistake | None, one: Drawn, found: Outcome, seconds: float) -> Count:
+    """One picture counted."""
+    out = Count(slowest=seconds)
+    true = mistake.name.partition(":")[0] if mistake else "right"
+    told = found.verdict if found.verdict != "wrong" else found.mistake or "unclear"
+    out.table[true, told] += 1
+    blamed = found.first_wrong if found.verdict == "wrong" else None
+    if found.verdict == "unreadable":
+        out.unreadable["wrong" if mistake else "right"] += 1
+    if mistake is None:
+        out.right, out.accepted = 1, found.verdict == "right"
+        good = bool(out.accepted)
+    else:
+        same = (found.mistake or "", blamed) in alike_on_paper(easel, mistake)
+        out.wrong, out.found = 1, found.verdict == "wrong"
+        out.blamed, out.named = blamed == mistake.where or same, found.mistake == true or same
+        good = bool(out.blamed and out.named)
+    if not good:
+        out.failures.append(f"{easel.sample} {easel.plan} {mistake and (mistake.name, mistake.where, mistake.variant)}"
+                            f" -> {told} at {blamed}")
+    errors = mark_errors(easel, one, found)
+    out.errors, out.marks = errors, len(one.marks)
+    return out
+
+
+def mark_errors(easel: Easel, one: Drawn, found: Outcome) -> list[float]:
+    """How far the marks were read from where they were put, mm, each from its pole (vectors in a force plan)."""
+    spots = found.paper.spots
+    if not spots:
+        return []
+    if easel.plan.startswith("force"):
+        ends = {s.name: s.place - spots[0].place for s in spots[1:]}
+        pole, places = 0j, [0j, *one.marks.values()]
+        return [min(abs(z - p) for p in places) for z in ends.values()]
+    pole = next(s.place for s in spots if s.name == "p")
+    return [abs(s.place - pole - one.marks[s.name]) for s in spots if s.name in one.marks]
+
+
+def draw_all(each: int, chosen: Iterable[Easel], seed: int = 1) -> Iterator[tuple[str, Easel, Count]]:
+    """Every plan ``each`` times in every kind of picture: as many right as wrong, the mistakes in turn."""
+    with tempfile.TemporaryDirectory() as folder:
+        for easel in chosen:
+            rng = random.Random(f"{seed} {easel.sample} {easel.plan}")
+            mistakes = [m for m in possible(easel) if not same_ink(easel, None, m)]
+            rng.shuffle(mistakes)
+            for k in range(each * len(KINDS)):
+                kind = list(KINDS)[k % len(KINDS)]
+                for mistake in (None, mistakes[(k // len(KINDS) + 7 * k) % len(mistakes)]):
+                    one = drawn(easel, mistake, rng)
+                    if one is not None:
+                        file = Path(folder) / "p.jpg"
+                        picture(one, pole_of(easel), KINDS[kind](rng), rng, file)
+                        yield kind, easel, told_of(easel, mistake, one, *looked_at(easel, file))
+
+
+def share(a: float, b: float) -> str:
+    return f"{a:.0f}/{b:.0f} = {100 * a / max(b, 1):.1f} %"
+
+
+def told(count: Count) -> str:
+    """The shares as text: of all drawings, and of those that could be read."""
+    errors = sorted(count.errors) or [0.0]
+    lost = count.unreadable
+    read = (count.right - lost["right"], count.wrong - lost["wrong"])
+    return "\n".join([
+        f"  right accepted    {share(count.accepted, count.right)}; of the readable {share(count.accepted, read[0])}",
+        f"  mistakes found    {share(count.found, count.wrong)}; of the readable {share(count.found, read[1])}",
+        f"  right step blamed {share(count.blamed, count.wrong)}; of the readable {share(count.blamed, read[1])}",
+        f"  named             {share(count.named, count.wrong)}; of the readable {share(count.named, read[1])}",
+        f"  unreadable        {share(sum(lost.values()), count.right + count.wrong)}",
+        f"  marks read        {share(len(count.errors), count.marks)}, off by 50 %: "
+        f"{errors[len(errors) // 2]:.2f} mm, 95 %: {errors[int(0.95 * (len(errors) - 1))]:.2f} mm",
+        f"  slowest           {count.slowest:.1f} s",
+    ])  # fmt: skip
+
+
+def main(each: int, failures: bool, chosen: Iterable[Easel]) -> None:
+    sums: dict[tuple[str, str], Count] = defaultdict(Count)
+    whole = Count()
+    for kind, easel, one in draw_all(each, chosen):
+        plan = easel.plan.partition(":")[0]
+        sums[kind, plan].add(one)
+        whole.add(one)
+        if failures and one.failures:
+            print(kind, one.failures[0], flush=True)
+    for (kind, plan), count in sorted(sums.items()):
+        print(f"{kind}: {plan}\n{told(count)}")
+    print(f"all\n{told(whole)}\n")
+    print(table(whole))
+
+
+def table(count: Count) -> str:
+    """The confusion table: what was drawn, and what it was taken for."""
+    lines = []
+    for name in sorted({n for n, _ in count.table}):
+        row = sorted(((c, t) for (n, t), c in count.table.items() if n == name), reverse=True)
+        lines.append(f"{name:28}" + "  ".join(f"{t} {c}" for c, t in row))
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    WORDS: list[Any] = [w for w in sys.argv[2:] if w != "failures"]
+    main(int(sys.argv[1]) if len(sys.argv) > 1 else 1, "failures" in sys.argv,
+         [e for e in easels() if all(w in f"{e.sample} {e.plan}" for w in WORDS)])
