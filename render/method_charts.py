@@ -13,11 +13,12 @@ from matplotlib.figure import Figure
 from planes.words import Lang, say
 from render.charts import STYLE
 
-INK = ("#000000", "#1f5fa8", "#c1440e", "#2f7d32", "#7a3b8f", "#8a6d00", "#777777")
+INK = ("#000000", "#1f5fa8", "#c1440e", "#2f7d32", "#7a3b8f", "#8a6d00", "#777777", "#0f8b8d", "#d0307a")
 LOOK = {  # of a method: colour, marker, dashes
     "method_scalar": (0, "o", "-"), "method_batch": (1, "s", (0, (4, 2))), "method_fused": (2, "D", (0, (1, 1.5))),
     "method_single": (3, "v", "-"), "method_newton": (4, "^", "-"), "method_differences": (5, "P", "-"),
     "method_digits": (6, "X", "-"), "method_pencil": (6, "_", "-"),
+    "method_pylinkage": (7, "<", "--"), "method_kinepy": (8, ">", "--"),
 }  # fmt: skip
 FLOOR = 1e-17  # errors below the last place of a double are drawn here
 CHARTS: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path"}
@@ -35,13 +36,16 @@ class Spot:
 
 @dataclass(frozen=True)
 class Ways:
-    """Errors by method, the claim and the sharpness, over distances to a limit (rad) at an angle (degrees)."""
+    """Errors by method (with their ``names``), the claim and the sharpness, over distances to a limit; ``axis`` says
+    what these are."""
 
-    limit_deg: float
+    title: str
+    axis: str
     distances: Any
     sharpness: Any
     claim: Any
     errors: Mapping[str, Any]
+    names: Mapping[str, str]
 
 
 def draw(path: Path, title: str, spots: Sequence[Spot], front: Sequence[Spot], ways: Ways | None, lang: Lang) -> None:
@@ -113,9 +117,8 @@ def _label_pencils(plot: Any, pencils: Sequence[Spot], lang: Lang) -> None:
 
 
 def _stability(plot: Any, ways: Ways, lang: Lang) -> None:
-    plot.set(xscale="log", yscale="log", xlabel=say("chart_distance", lang, angle=f"{ways.limit_deg:.4f}"))
-    plot.set_ylabel(say("chart_at", lang))
-    plot.set_title(say("chart_stability", lang), fontsize=10)
+    plot.set(xscale="log", yscale="log", xlabel=ways.axis, ylabel=say("chart_at", lang))
+    plot.set_title(ways.title, fontsize=10)
     d = ways.distances
     plot.plot(d, ways.sharpness, color="#777777", linestyle="-.", linewidth=1.0, label=say("chart_sharpness", lang))
     plot.fill_between(d, FLOOR, [min(c, 1e6) for c in ways.claim], color="#e8e8e8", zorder=0)
@@ -125,7 +128,7 @@ def _stability(plot: Any, ways: Ways, lang: Lang) -> None:
         shown = [max(e, FLOOR) for e in errors]
         wide = {"method_scalar": 1.8, "method_batch": 1.6, "method_fused": 1.6}.get(key, 1.0)
         plot.plot(d, shown, color=INK[colour], marker=marker, linestyle=dashes, linewidth=wide, markersize=3.5,
-                  label=say(key, lang, number="30"))  # fmt: skip
+                  label=ways.names[key])  # fmt: skip
     plot.set_xlim(max(d) * 2, min(d) / 2)
     plot.set_ylim(FLOOR / 3, 1e7)
     plot.figure.legend(*plot.get_legend_handles_labels(), loc="outside lower center", ncols=5, fontsize=8.5)

@@ -9,7 +9,8 @@ from planes.words import Lang
 from render.words import say
 
 PRIME = "′"
-_GREEK = {"omega": "ω", "epsilon": "ε", "phi": "φ"}
+_GREEK = {"omega": "ω", "epsilon": "ε", "phi": "φ", "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "psi": "ψ",
+          "theta": "θ"}  # fmt: skip
 _INDEXED = re.compile(r"([^\W\d_]+)(\d+)")
 
 
@@ -84,3 +85,11 @@ def lettered(name: str) -> str:
         return f"{match[1]}_{{{match[2]}}}"
     head, _, index = name.partition("_")
     return f"{head}_{{{index}}}" if index and head else name
+
+
+def greek(name: str) -> str:
+    """The name of a parameter: phi_1 -> φ_{1}, l_BS2 -> l_{BS2}."""
+    letter, _, index = name.partition("_")
+    if letter == "angle" and index:
+        return f"∠{index.replace('_', ',')}"
+    return _GREEK.get(letter, letter) + (f"_{{{index.replace('_', ',')}}}" if index else "")

@@ -56,7 +56,6 @@ CAPITALS = 0.729  # of the text behind the strokes (DejaVu Sans): height of capi
 LETTERS: tuple[float, ...] = (2.5, 3.5, 5.0, 7.0)
 """Letter heights of ГОСТ 2.304 in mm: small tables, tables and marks, names of points, headings."""
 
-LETTER_PEN = 0.1  # width of the pen over the letter height, ГОСТ 2.304 type B
 LETTER_GAP = 0.2  # clear distance of letters over their height
 WORD_GAP = 0.6  # clear distance of words over their height
 INDEX_SIZE = 0.7  # height of an index over the letter height: 5 -> 3.5 -> 2.5
@@ -84,6 +83,14 @@ def pen(style: str) -> Pen:
     if style not in PENS:
         raise ValueError(f"there is no line style {style!r}; use one of {', '.join(PENS)}")
     return PENS[style]
+
+
+_WEIGHTS = (5, 9, 13, 15, 18, 20, 25, 30, 35, 40, 50, 53, 60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211)
+
+
+def weight(width: float) -> int:
+    """The line weight of a DXF nearest to a width in mm: in hundredths of a mm, of the values the format knows."""
+    return min(_WEIGHTS, key=lambda w: abs(w - 100 * width))
 
 
 def fitted(pattern: tuple[float, ...], length_mm: float, closed: bool = False) -> tuple[float, ...]:

@@ -32,6 +32,11 @@ def write(
     return save(_Sheet(size_mm, title, description, lang).drawn(checked(marks, size_mm)), path)
 
 
+def inline(marks: Iterable[Mark], size_mm: tuple[float, float], title: str, lang: str = "ru") -> str:
+    """The sheet as an SVG element, as a notebook shows it."""
+    return write(marks, size_mm, title, lang=lang).decode().partition("?>\n")[2]
+
+
 def number(value: float) -> str:
     """A coordinate in mm to the micrometre, without idle zeros."""
     return f"{round(value, 3) + 0.0:.3f}".rstrip("0").rstrip(".")

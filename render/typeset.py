@@ -16,7 +16,7 @@ from functools import lru_cache
 from render import lettering, outlines
 from render.faces import Face, current
 from render.marks import Text
-from render.style import INDEX_DROP, INDEX_GAP, INDEX_RISE, INDEX_SIZE, LETTER_GAP, LETTER_PEN, WORD_GAP
+from render.style import INDEX_DROP, INDEX_GAP, INDEX_RISE, INDEX_SIZE, LETTER_GAP, WORD_GAP
 
 Polyline = tuple[complex, ...]
 _INDEX = re.compile(r"([_^])\{([^{}]*)\}")
@@ -95,6 +95,13 @@ def extent(text: str, height_mm: float) -> tuple[float, float, float, float]:
     return _set(text, height_mm, current())[2]
 
 
+def over(text: str, height_mm: float, rise: float) -> tuple[float, float]:
+    """From where to where, in mm from the left end of the base line, a bar ``rise`` mm above a text runs."""
+    face = current()
+    lean = lettering.SLANT * min(rise, 0.7 * height_mm) if face.slanted else 0.0
+    return lean, lean + _width(text, height_mm, face)
+
+
 def plain(text: str) -> str:
     """The text without the markup of its indices."""
     return "".join(part.base + part.lower + part.upper for part in _parts(text))
@@ -142,8 +149,9 @@ def _width(text: str, height: float, face: Face) -> float:
 def _strokes(run: Run, face: Face) -> Iterator[tuple[float, Polyline]]:
     """Pens and strokes of a run where it stands; a slanted one leans about the base line of the whole text."""
     if not face.font:
-        for line in lettering.strokes(run.text, run.height, face.slanted):
-            yield LETTER_PEN * run.height, tuple([run.at + z for z in line])
+        lines = lettering.strokes(run.text, run.height, face.slanted)
+        for pen, line in zip(lettering.pens(run.text, run.height), lines, strict=True):
+            yield pen, tuple([run.at + z for z in line])
         return
     shear = lettering.SLANT if face.slanted else 0.0
     for line in outlines.contours(run.text, run.height, face.font):

@@ -15,9 +15,12 @@ from render.marks import Arc, Arrow, Text
 SAMPLES = {path.stem: path for path in sorted((Path(__file__).parent.parent / "samples").glob("*.yaml"))}
 
 
-@pytest.mark.parametrize("name", ["kind-2-rrp", "kind-3-rpr", "sliding-driver", "assignment-12", "crank-slider"])
-def test_every_short_vector_is_drawn_again_larger(name):
-    found = sheet_of(load(SAMPLES[name]), None)
+CROWDED = {"assignment-12": None, "kind-5-rpp": None, "crank-slider": None, "kind-3-rpr": 2, "kind-4-prp": 2}
+
+
+@pytest.mark.parametrize(("name", "number"), list(CROWDED.items()))
+def test_every_short_vector_is_drawn_again_larger(name, number):
+    found = sheet_of(load(SAMPLES[name]), None, "ru", number)
     titles = [m.text for m in found.marks if isinstance(m, Text) and re.fullmatch(r"\w \(\d+:1\)", m.text)]
     assert len({t[0] for t in titles}) == len(titles)
     said = [m.text for m in found.marks if isinstance(m, Text)]

@@ -134,16 +134,27 @@ def flat(z):
 
 
 def of_dxf(data):
-    """Points of lines, polylines and filled shapes; circles; texts with their places."""
-    import ezdxf
+    """Points of lines, polylines and filled shapes; circles; texts and attributes with the places they are set by.
 
-    space = ezdxf.read(io.StringIO(data.decode())).modelspace()
-    points = [flat(z) for e in space.query("LINE") for z in (e.dxf.start, e.dxf.end)]
-    points += [flat(z) for e in space.query("LWPOLYLINE") for z in e.get_points()]
-    points += [flat(z) for e in space.query("SOLID") for z in e.vertices()]
-    circles = [(flat(e.dxf.center), e.dxf.radius) for e in space.query("CIRCLE")]
-    texts = [(e.dxf.text, flat(e.dxf.insert)) for e in space.query("TEXT")]
-    return points, circles, texts
+    Blocks are taken apart, as deep as they go.
+    """
+    import ezdxf
+    from ezdxf.disassemble import recursive_decompose
+
+    entities = list(recursive_decompose(ezdxf.read(io.StringIO(data.decode())).modelspace()))
+    of = {kind: [e for e in entities if e.dxftype() == kind] for kind in
+          ("LINE", "LWPOLYLINE", "SOLID", "CIRCLE", "TEXT", "ATTRIB")}  # fmt: skip
+    points = [flat(z) for e in of["LINE"] for z in (e.dxf.start, e.dxf.end)]
+    points += [flat(z) for e in of["LWPOLYLINE"] for z in e.get_points()]
+    points += [flat(z) for e in of["SOLID"] for z in e.vertices()]
+    circles = [(flat(e.dxf.center), e.dxf.radius) for e in of["CIRCLE"]]
+    return points, circles, [set_by(e) for e in of["TEXT"] + of["ATTRIB"] if e.dxf.text]
+
+
+def set_by(entity):
+    """A text with the place that holds it: its beginning, or its middle where it is centred."""
+    kind, first, _ = entity.get_placement()
+    return entity.dxf.text, kind.name, flat(first)
 
 
 ALIKE = ["six-link", "kind-2-rrp", "kind-4-prp", "vectors"]
@@ -176,9 +187,11 @@ def test_dxf_has_everything_where_the_marks_are(name):
     for arc in (m for m in cut if isinstance(m, Arc) and is_circle(m)):
         assert any(abs(c - arc.centre) < NEAR_MM and abs(r - arc.radius) < NEAR_MM for c, r in circles)
     for mark in (m for m in found.marks if isinstance(m, Text)):
+        turn = np.exp(1j * np.radians(mark.turn_deg))
         for run in layout(mark).runs:
-            at = layout(mark).origin + run.at * np.exp(1j * np.radians(mark.turn_deg))
-            assert any(t == run.text.strip() and abs(z - at) < NEAR_MM for t, z in texts), run.text
+            at = layout(mark).origin + run.at * turn
+            held = {"CENTER": at + run.width / 2 * turn, "FIT": at, "LEFT": at}  # of cells alone is the middle held
+            assert any(t == run.text.strip() and abs(z - held[kind]) < NEAR_MM for t, kind, z in texts), run.text
 
 
 def test_the_formats_agree_with_each_other():

@@ -51,11 +51,11 @@ def test_a_hundred_labels_in_a_tenth_of_a_second() -> None:
     labels, marks = scene(100, 200, 5)
     times = []
     for _ in range(5):
-        start = time.perf_counter()
+        start = time.process_time()
         placed = place(labels, marks, FIELD)
-        times.append(time.perf_counter() - start)
+        times.append(time.process_time() - start)
     assert len(conflicts(placed.texts, [*marks, *placed.leaders], FIELD)) <= 1
-    assert min(times) < 0.25  # 0.07 s on an idle machine
+    assert min(times) < 0.1  # of a processor's time; 0.06 s on an idle machine
 
 
 def test_labels_stand_near_what_they_name() -> None:

@@ -47,9 +47,12 @@ def test_a_character_has_ink_inside_its_box(char: str) -> None:
     assert x0 == pytest.approx(0, abs=1e-9)
     assert x1 == pytest.approx(lettering.width(char, 10.0), abs=1e-9)
     assert x1 > 0 and -4.2 < y0 < y1 < 13.2
+    assert len(lettering.pens(char, 10.0)) == len(lines)
+    half = lettering.pens(char, 10.0)[0] / 2
+    assert half == pytest.approx(0.35 if char in SHIFTED else 0.5)
     for z in (z for line in lines for z in line):
-        assert x0 + 0.5 - 1e-9 <= z.real <= x1 - 0.5 + 1e-9
-        assert y0 + 0.5 - 1e-9 <= z.imag <= y1 - 0.5 + 1e-9
+        assert x0 + half - 1e-9 <= z.real <= x1 - half + 1e-9
+        assert y0 + half - 1e-9 <= z.imag <= y1 - half + 1e-9
 
 
 def test_letters_fill_the_rows_of_the_standard() -> None:
@@ -115,9 +118,10 @@ def test_slant_is_a_shear_to_75_degrees(text: str) -> None:
     turn = stem[-1] - stem[0]
     assert math.degrees(math.atan2(turn.imag, turn.real)) == pytest.approx(75)
     x0, y0, x1, y1 = lettering.box(text, 5.0, slant=True)
-    for z in (z for line in slanted for z in line):
-        assert x0 + 0.25 - 1e-9 <= z.real <= x1 - 0.25 + 1e-9
-        assert y0 + 0.25 - 1e-9 <= z.imag <= y1 - 0.25 + 1e-9
+    for line, pen in zip(slanted, lettering.pens(text, 5.0), strict=True):
+        for z in line:
+            assert x0 + pen / 2 - 1e-9 <= z.real <= x1 - pen / 2 + 1e-9
+            assert y0 + pen / 2 - 1e-9 <= z.imag <= y1 - pen / 2 + 1e-9
 
 
 def test_gaps_of_letters_and_words() -> None:

@@ -18,7 +18,7 @@ from planes.wording import PlanesError
 from render import lettering, pdf, svg
 from render.labels.footprints import conflicts
 from render.marks import Arrow, Line, Text
-from render.sheet.layout import GAP_MM, pack
+from render.sheet.layout import GAP_MM, Field, pack
 from render.typeset import layout, plain
 
 SAMPLES = sorted((Path(__file__).parent.parent / "samples").glob("*.yaml"))
@@ -243,7 +243,7 @@ def test_reactions_and_scales_follow_the_settings():
 
 
 def test_packing_keeps_clear_of_what_is_in_the_way():
-    spots = pack([(50.0, 40.0)] * 4, (0.0, 0.0, 200.0, 120.0), [(100.0, 0.0, 200.0, 55.0)])
-    assert spots
-    assert all(s.y >= 55 + GAP_MM - 1e-9 or s.right <= 100 - GAP_MM + 1e-9 for s in spots)
-    assert pack([(150.0, 100.0)] * 2, (0.0, 0.0, 200.0, 120.0), []) is None
+    found = pack([(50.0, 40.0)] * 4, Field((0.0, 0.0, 200.0, 120.0), [(100.0, 0.0, 200.0, 55.0)]))
+    assert found
+    assert all(s.y >= 55 + GAP_MM - 1e-9 or s.right <= 100 - GAP_MM + 1e-9 for s in found.spots)
+    assert pack([(150.0, 100.0)] * 2, Field((0.0, 0.0, 200.0, 120.0), [])) is None

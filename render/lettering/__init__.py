@@ -1,9 +1,10 @@
 """Single-stroke drawing lettering after ГОСТ 2.304, type B (pen width d = h/10), in millimetres.
 
 Text becomes pen paths, so that it looks the same on every device and in every file format.  A size h is
-the height of the capitals from edge to edge; draw the paths with round ends and a pen of
-``PEN * height_mm``.  Small letters are 7/10 h high, letters stand 2/10 h apart (half of that where both
-neighbours are open, as in ГА), words 6/10 h.  Slanted lettering is the upright one sheared to 75°.
+the height of the capitals from edge to edge; draw the paths with round ends and their ``pens``: PEN · h
+but for raised and lowered characters.  Small letters are 7/10 h high, letters stand 2/10 h apart (half of
+that where both neighbours are open, as in ГА), words 6/10 h.  Slanted lettering is the upright one
+sheared to 75°.
 """
 
 import math
@@ -20,7 +21,7 @@ PEN = 0.1  # pen width over letter height
 LETTER_GAP = 2.0  # clear distance of letters, in pen widths
 WORD_GAP = 6.0  # clear distance of words, in pen widths
 SLANT = 1 / math.tan(math.radians(75))  # shear of the slanted lettering
-SMALL = 0.65  # size of raised and lowered characters
+SMALL = 0.7  # size of raised and lowered characters, and of their pen
 GLYPHS: dict[str, str] = {**LATIN, **DIGITS, **GREEK, **CYRILLIC, **SIGNS}
 _BOX = "0,0 0,6 4,6 4,0 0,0"
 _ROUND = 0.6  # handle of a quarter oval: 0.552 is an ellipse, more is squarer
@@ -93,17 +94,23 @@ def _read(path: str, tolerance: float) -> Iterator[Line]:
         yield tuple(line)
 
 
+def _size(char: str) -> float:
+    """The size of a character and of its pen beside the others."""
+    return SMALL if char in SHIFTED else 1.0
+
+
 @lru_cache(maxsize=4096)
 def _glyph(char: str, fineness: int, slant: bool) -> tuple[float, tuple[Line, ...]]:
     """Ink width and pen paths of a character in d, ink from x = 0, base line y = 0."""
     base, rise = SHIFTED.get(char, (char, 0.0))
-    size = SMALL if char in SHIFTED else 1.0
+    size = _size(char)
     lines = list(_read(GLYPHS.get(SAME.get(base, base), _BOX), 0.2 / fineness))
     left = min(z.real for line in lines for z in line)
     right = max(z.real for line in lines for z in line)
-    moved = [[size * (z - left) + complex(0.5, 0.5 + rise) for z in line] for line in lines]
+    edge = complex(0.5 * size, 0.5 * size + rise)
+    moved = [[size * (z - left) + edge for z in line] for line in lines]
     shear = SLANT if slant else 0.0
-    return size * (right - left) + 1, tuple(
+    return size * (right - left + 1), tuple(
         tuple(complex(z.real + shear * z.imag, z.imag) for z in line) for line in moved
     )
 
@@ -112,13 +119,14 @@ def _glyph(char: str, fineness: int, slant: bool) -> tuple[float, tuple[Line, ..
 def _profile(char: str) -> dict[int, tuple[float, float]]:
     """Leftmost and rightmost ink per row of the grid, in d."""
     rows: dict[int, tuple[float, float]] = {}
+    half = 0.5 * _size(char)
     for line in _glyph(char, 5, False)[1]:
         for a, b in pairwise(line):
             n = max(1, math.ceil(2 * abs(b - a)))
             for k in range(n + 1):
                 z = a + (b - a) * k / n
                 low, high = rows.get(round(z.imag), (math.inf, -math.inf))
-                rows[round(z.imag)] = min(low, z.real - 0.5), max(high, z.real + 0.5)
+                rows[round(z.imag)] = min(low, z.real - half), max(high, z.real + half)
     return rows
 
 
@@ -175,6 +183,13 @@ def strokes(text: str, height_mm: float, slant: bool = False) -> tuple[Line, ...
     return tuple(tuple([(z + x) * d for z in line]) for x, line in paths)
 
 
+@lru_cache(maxsize=2048)
+def pens(text: str, height_mm: float) -> tuple[float, ...]:
+    """Width in mm of the pen of each of the strokes: thinner in raised and lowered characters."""
+    d = height_mm * PEN
+    return tuple(_size(char) * d for char, _ in _layout(text)[1] for _ in _glyph(char, 5, False)[1])
+
+
 def width(text: str, height_mm: float) -> float:
     """Width in mm of the ink of a line of upright text, from edge to edge, no gap after it."""
     return _layout(text)[0] * PEN * height_mm
@@ -182,11 +197,13 @@ def width(text: str, height_mm: float) -> float:
 
 def box(text: str, height_mm: float, slant: bool = False) -> tuple[float, float, float, float]:
     """Bounds (x0, y0, x1, y1) of the ink in mm, half the pen width included; zeros for no ink."""
-    points = [z for line in strokes(text, height_mm, slant) for z in line]
-    if not points:
+    drawn = zip(strokes(text, height_mm, slant), pens(text, height_mm), strict=True)
+    edges = [(z, pen / 2) for line, pen in drawn for z in line]
+    if not edges:
         return 0.0, 0.0, 0.0, 0.0
-    half, xs, ys = height_mm * PEN / 2, [z.real for z in points], [z.imag for z in points]
-    return min(xs) - half, min(ys) - half, max(xs) + half, max(ys) + half
+    low, high = [z - complex(half, half) for z, half in edges], [z + complex(half, half) for z, half in edges]
+    x0, y0 = min(z.real for z in low), min(z.imag for z in low)
+    return x0, y0, max(z.real for z in high), max(z.imag for z in high)
 
 
 def missing(text: str) -> str:

@@ -1,8 +1,8 @@
 """Russian, Belarusian and Ukrainian letters of the drawing lettering, as pen paths.
 
-Grid and path language are those of `glyphs_latin.py`: one unit is the pen width d = h/10, capitals run
+Grid and path language are those of `latin.py`: one unit is the pen width d = h/10, capitals run
 from row 0 to row 9, small letters to row 6.  Letters that look like a Latin one (А, В, Е ...) are not
-repeated here; ``SAME`` of `glyphs_signs.py` lists them.
+repeated here; ``SAME`` of `signs.py` lists them.
 """
 
 CYRILLIC: dict[str, str] = {

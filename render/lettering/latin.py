@@ -3,7 +3,7 @@
 The grid is that of ГОСТ 2.304, type B: one cell is the pen width d, a capital fills ten rows.  A point
 is the centre of a cell, so a capital runs from row 0 to row 9, a small letter to row 6, a descender to
 row -3; columns are counted to the right.  A path is a list of words, the path language of
-`lettering.py`:
+the package:
 
     x,y              straight line to the point (after the start or after ``|``: pen set down there)
     hx,y             quarter oval to the point, leaving level and arriving upright

@@ -1,6 +1,6 @@
 """Punctuation, mathematical and drawing signs of the drawing lettering, as pen paths.
 
-Grid and path language are those of `glyphs_latin.py`: one unit is the pen width d = h/10, capitals run
+Grid and path language are those of `latin.py`: one unit is the pen width d = h/10, capitals run
 from row 0 to row 9.  Signs of operation stand about row 4, brackets reach from row -1.7 to row 10.3.
 """
 
@@ -36,12 +36,12 @@ SIGNS: dict[str, str] = {
     "≤": "5,7.6 0,5 5,2.4 | 0,0.4 5,0.4",
     "≥": "0,7.6 5,5 0,2.4 | 0,0.4 5,0.4",
     "±": "0,5 5,5 | 2.5,2.5 2.5,7.5 | 0,0.6 5,0.6",
-    "×": "0,2 4,6 | 0,6 4,2",
+    "×": "0,1.8 4.4,6.2 | 0,6.2 4.4,1.8",
     "·": ".0,4",
     "•": "o0,3.2,1.6,4.8 .0.8,4",
     "%": "o0,5.2,2.6,9 o3.8,0,6.4,3.8 | 5.4,9 1,0",
     "№": "0,0 0,9 4.6,0 4.6,9 | o6.4,4,9,9 | 6.4,1.8 9,1.8",
-    "°": "o0,6.2,2.8,9",
+    "○": "o0,0,4,4",
     "′": "0,6.4 0.7,9.2",
     "″": "0,6.4 0.7,9.2 | 1.8,6.4 2.5,9.2",
     "‴": "0,6.4 0.7,9.2 | 1.8,6.4 2.5,9.2 | 3.6,6.4 4.3,9.2",
@@ -66,7 +66,7 @@ SIGNS: dict[str, str] = {
     "⊥": "0,0 6,0 | 3,0 3,8",
     "∥": "0,-0.6 0,9.6 | 2.4,-0.6 2.4,9.6",
     "∠": "5,6.6 0,0 5.8,0",
-    "√": "0,4 1,4.5 2.7,0 5,10 6.8,10",
+    "√": "0,3.8 1.2,4.6 3,0 5.8,10 7.6,10",
     "→": "0,4 7.4,4 | 5,5.7 7.4,4 5,2.3",
     "←": "7.4,4 0,4 | 2.4,5.7 0,4 2.4,2.3",
     "↔": "0,4 8,4 | 5.6,5.7 8,4 5.6,2.3 | 2.4,5.7 0,4 2.4,2.3",
@@ -90,7 +90,8 @@ SAME: dict[str, str] = {
 """Characters drawn exactly as another one: the look-alikes of the alphabets and doubles of signs."""
 
 SHIFTED: dict[str, tuple[str, float]] = {
-    **{c: (base, 4.0) for c, base in zip("⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ⁻⁺⁽⁾", "0123456789n−+()", strict=True)},
+    **{c: (base, 4.5) for c, base in zip("⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ⁻⁺⁽⁾", "0123456789n−+()", strict=True)},
+    "°": ("○", 6.5),
     **{c: (base, -3.0) for c, base in zip("₀₁₂₃₄₅₆₇₈₉ₙ₋₊₍₎", "0123456789n−+()", strict=True)},
 }
 """Raised and lowered characters: the character they repeat at ``SMALL`` size and the shift in d."""

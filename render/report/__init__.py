@@ -6,12 +6,15 @@ from pathlib import Path
 
 from planes.crank_slider.pages import Document
 from render.ink import save
-from render.report import html as report_html
-from render.report import pdf as report_pdf
-
-WRITERS = {".html": report_html.write, ".htm": report_html.write, ".pdf": report_pdf.write}
 
 
 def write(document: Document, path: str | Path) -> None:
-    """The document as a file, in the format of its suffix."""
-    save(WRITERS[Path(path).suffix.lower()](document), path)
+    """The document as a file, a PDF or, with any other suffix, a page."""
+    if Path(path).suffix.lower() == ".pdf":
+        from render.report import pdf as paper
+
+        save(paper.write(document), path)
+    else:
+        from render.report import html as page
+
+        save(page.write(document), path)

@@ -9,9 +9,10 @@ from itertools import product
 from planes.scene import Scene
 from planes.wording import SceneError
 from planes.words import Lang
+from render import svg
 from render.marks import Mark
 from render.sheet.frame import FORMATS, Paper
-from render.sheet.layout import GAP_MM, pack
+from render.sheet.layout import FULL, GAP_MM, QUICK, USUAL, Effort, Field, Packed, pack, spread
 from render.sheet.said import cells
 from render.sheet.sizes import LARGEST, Extents, Sizes, grown
 from render.typeset import plain
@@ -23,6 +24,8 @@ SMALLER = (0.8, 0.63, 0.5, 0.4)
 format, or the one the scene names, alone."""
 LETTERS = {"A4": (2.5,), "A3": (3.5, 2.5), "A2": (3.5,), "A1": (5.0, 3.5)}
 """Letter heights of tables to try on a format, in mm; equations are a step larger."""
+
+EASY = 5  # arrangements that must be found for larger plans, so that one of them can be read easily
 
 
 @dataclass(frozen=True)
@@ -52,6 +55,10 @@ class Sheet:
         """Width and height in mm."""
         return self.paper.size
 
+    def _repr_svg_(self) -> str:
+        """The picture a notebook shows."""
+        return svg.inline(self.marks, self.size, self.title)
+
 
 def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = None) -> Sheet:
     """The sheet of a scene: the smallest format, or the one it names, on which all views find room.
@@ -66,7 +73,7 @@ def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = N
             for sizes, letter, together in _tries(name, bool(contents.extents(Sizes())), name == formats[-1]):
                 tried, spare = contents.views(sizes, letter, together)
                 wanted = [*tried, *spare] if whole else tried
-                if (whole or spare) and arranged(wanted, Paper(name)):
+                if (whole or spare) and packed(wanted, Paper(name)):
                     places = enlarged(contents, sizes, letter, together, whole, Paper(name))
                     left_out = () if whole else (without(spare, wanted, Paper(name), number, lang),)
                     return finished(scene, Paper(name), places, lang, number, left_out)
@@ -83,7 +90,7 @@ def _tries(name: str, free: bool, last: bool) -> list[tuple[Sizes, float, bool]]
 def enlarged(
     contents: Contents, sizes: Sizes, letter: float, together: bool, whole: bool, paper: Paper
 ) -> list[tuple[View, float, float]]:
-    """Places of the views on the paper, its plans as large as there is room for."""
+    """Places of the views on the paper, its plans as large as there is room for without spoiling their order."""
 
     def views(sizes: Sizes) -> list[View]:
         found, spare = contents.views(sizes, letter, together)
@@ -91,24 +98,32 @@ def enlarged(
 
     x0, y0, x1, y1 = paper.field
     most = LARGEST * min(x1 - x0, y1 - y0)
-    best = grown(sizes, contents.extents, most, lambda s: bool(arranged(views(s), paper)))
-    places = arranged(views(best), paper)
-    assert places
-    return places
+
+    def fits(sizes: Sizes) -> bool:
+        found = packed(views(sizes), paper, QUICK)
+        return found is not None and found.choice >= EASY
+
+    shown = views(grown(sizes, contents.extents, most, fits))
+    best = packed(shown, paper, FULL)
+    assert best  # the first sizes found room, and the later ones were tried
+    return [(v, s.x, s.top) for v, s in zip(shown, spread(best.spots, field_of(shown, paper)), strict=True)]
 
 
-def arranged(views: Sequence[View], paper: Paper) -> list[tuple[View, float, float]] | None:
+def field_of(views: Sequence[View], paper: Paper) -> Field:
+    """What the views fill."""
+    return Field(paper.field, paper.taken, sum(v.figure for v in views))
+
+
+def packed(views: Sequence[View], paper: Paper, effort: Effort = USUAL) -> Packed | None:
     """Places of the views on the paper; None if there is no room for all."""
-    figures = sum(v.figure for v in views)
-    spots = pack([(v.width, v.height) for v in views], paper.field, paper.taken, figures)
-    return [(v, s.x, s.top) for v, s in zip(views, spots, strict=True)] if spots else None
+    return pack([(v.width, v.height) for v in views], field_of(views, paper), effort)
 
 
 def without(spare: Sequence[View], views: Sequence[View], paper: Paper, number: int | None, lang: Lang) -> str:
     """What was left out, and which format would hold it."""
     names = list(FORMATS)
     larger = names[names.index(paper.name) + 1 :]
-    fitting = next((n for n in larger if arranged([*views, *spare], Paper(n))), "")
+    fitting = next((n for n in larger if packed([*views, *spare], Paper(n))), "")
     told = "; ".join(f"«{plain(v.title or v.key)}» ({v.width:.0f} × {v.height:.0f} {say('mm', lang)})" for v in spare)
     key = "left_out_larger" if fitting else "left_out_sheet" if number is None else "left_out"
     return say(key, lang, format=paper.name, views=told, larger=fitting)

@@ -51,8 +51,12 @@ class Composer:
         """Every view of one position, in the order they are read; ``together``: equations under their plans."""
         plotted = of_position(position)
         found = [self.scheme(position), *self.plans(plotted, drawn_plans(plotted, position), letter, together)]
-        found += Tables(position, self.naming, letter).all()
+        found += self.tables(position, letter).all()
         return [v for v in found if v]
+
+    def tables(self, position: Position, letter: float) -> Tables:
+        """The tables of one position."""
+        return Tables(position, self.naming, letter, self.scene.parameters)
 
     def extras(self, position: Position, letter: float) -> list[View]:
         """Views that fill a sheet which has room for them."""
@@ -96,8 +100,9 @@ class Composer:
     def plan(self, plotted: Plotted, plan: str) -> View:
         """A plan of rates or forces."""
         title = f"{self.plan_name(plan)}, {self.mu(plotted, plan)}"
-        key = ("plan", plan, plotted.mu(plan))
-        made = self.once(key, lambda: view(plan, title, Polygon(plotted, plan, self.naming).drawn(), figure=True))
+        polygon = Polygon(plotted, plan, self.naming)
+        key = ("plan", plan, plotted.mu(plan), *polygon.letters()[:1])  # letters of details follow those of other plans
+        made = self.once(key, lambda: view(plan, title, polygon.drawn(), figure=True))
         assert made
         return made
 

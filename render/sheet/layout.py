@@ -2,85 +2,125 @@
 
 from __future__ import annotations
 
-import math
 import random
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from render.labels.footprints import Bounds
+from render.sheet.rectangles import RULES, Rule, Size, Spot, filled
 
 GAP_MM = 7.0  # least distance of views from each other and from the frame
-TRIES = 160
-ENOUGH = 60  # arrangements to choose from
 ROUNDS = 80
 
 
-@dataclass
-class Spot:
-    """A rectangle being placed: lower left corner and size; ``fixed`` ones are in the way and do not move."""
+@dataclass(frozen=True)
+class Effort:
+    """How many orders are tried, how many arrangements are enough to choose from, how many moves better the best."""
 
-    x: float
-    y: float
-    width: float
-    height: float
-    fixed: bool = False
-
-    @property
-    def right(self) -> float:
-        """The right edge."""
-        return self.x + self.width
-
-    @property
-    def top(self) -> float:
-        """The upper edge."""
-        return self.y + self.height
+    tries: int = 160
+    enough: int = 40
+    moves: int = 0
 
 
-Size = tuple[float, float]
+FULL, USUAL, QUICK = Effort(moves=400), Effort(), Effort(60, 6)
 
 
-def pack(
-    sizes: Sequence[Size], field: Bounds, blocked: Sequence[Bounds], figures: int = 0, gap: float = GAP_MM
-) -> list[Spot] | None:
-    """Places for rectangles of these sizes, the first ``figures`` in reading order; None if no try fits them all."""
-    wide, high = field[2] - field[0], field[3] - field[1]
-    area = sum((w + gap) * (h + gap) for w, h in sizes) + sum((b[2] - b[0]) * (b[3] - b[1]) for b in blocked)
-    if area > wide * high or any(w + 2 * gap > wide or h + 2 * gap > high for w, h in sizes):
+@dataclass(frozen=True)
+class Packed:
+    """Places of rectangles, how far they are from being read easily, and out of how many arrangements they are best."""
+
+    spots: list[Spot]
+    cost: float
+    choice: int = 1
+
+
+@dataclass(frozen=True)
+class Field:
+    """What is to be filled: the inside of a frame, what stands in it already, how many figures come first."""
+
+    inside: Bounds
+    blocked: Sequence[Bounds]
+    figures: int = 0
+    gap: float = GAP_MM
+
+    def filled(self, sizes: Sequence[Size], order: Sequence[int], rule: Rule) -> Packed | None:
+        """The rectangles placed one after the other."""
+        found = filled([sizes[k] for k in order], self.inside, self.blocked, self.gap, rule)
+        if found is None:
+            return None
+        spots = [found[order.index(k)] for k in range(len(sizes))]
+        return Packed(spots, _cost(spots, self.inside, self.figures))
+
+    def holds(self, sizes: Sequence[Size]) -> bool:
+        """Whether there is any use in trying."""
+        x0, y0, x1, y1 = self.inside
+        wide, high, gap = x1 - x0, y1 - y0, self.gap
+        taken = sum((b[2] - b[0]) * (b[3] - b[1]) for b in self.blocked)
+        area = sum((w + gap) * (h + gap) for w, h in sizes) + taken
+        return area <= wide * high and all(w + 2 * gap <= wide and h + 2 * gap <= high for w, h in sizes)
+
+
+def pack(sizes: Sequence[Size], field: Field, effort: Effort = FULL) -> Packed | None:
+    """Places for rectangles of these sizes, the figures in reading order; None if no try fits them all."""
+    if not field.holds(sizes):
         return None
-    best: tuple[float, list[Spot]] | None = None
+    best: tuple[Packed, list[int], Rule] | None = None
     found_count = 0
-    for order in _orders(sizes):
-        for rule in (_by_top, _by_fit):
-            found = _filled([sizes[k] for k in order], field, blocked, gap, rule)
+    for order in _orders(sizes, effort.tries):
+        for rule in RULES:
+            found = field.filled(sizes, order, rule)
             if found:
-                spots = [found[order.index(k)] for k in range(len(sizes))]
-                best = min(best or (math.inf, spots), (_cost(spots, field, figures), spots), key=lambda b: b[0])
+                best = (found, order, rule) if best is None or found.cost < best[0].cost else best
                 found_count += 1
-        if found_count >= ENOUGH:
+        if found_count >= effort.enough:
             break
-    return spread(best[1], field, blocked, gap) if best else None
+    return replace(_improved(sizes, field, *best, effort.moves), choice=found_count) if best else None
+
+
+def _improved(sizes: Sequence[Size], field: Field, found: Packed, order: list[int], rule: Rule, moves: int) -> Packed:
+    """The arrangement after so many tries to place one rectangle earlier or later, or two in exchange."""
+    shuffler = random.Random(2)
+    for turn in range(moves):
+        tried = list(order)
+        i, j = shuffler.randrange(len(order)), shuffler.randrange(len(order))
+        if turn % 2:
+            tried[i], tried[j] = tried[j], tried[i]
+        else:
+            tried.insert(j, tried.pop(i))
+        other = RULES[shuffler.randrange(len(RULES))] if turn % 5 == 0 else rule
+        better = field.filled(sizes, tried, other)
+        if better and better.cost < found.cost:
+            found, order, rule = better, tried, other
+    return found
 
 
 def _cost(spots: Sequence[Spot], field: Bounds, figures: int) -> float:
     """How far an arrangement is from one that is read easily: in order, from the upper left, in few rows.
 
-    The first ``figures`` are read one after the other; tables may stand anywhere, best near each other.
+    The first ``figures`` are read one after the other; tables may stand anywhere, best near each other and towards
+    the title block.
     """
-    cost = 3.0 * (spots[0].x - field[0] + field[3] - spots[0].top)
+    cost = 5.0 * (spots[0].x - field[0] + field[3] - spots[0].top)
     for k, later in enumerate(spots):
         for earlier in spots[:k]:
             lower = earlier.top - later.top
-            if later.x < earlier.right and (lower < -8 or (abs(lower) <= 8 and later.x < earlier.x)):
-                cost += 60.0 if k < figures else 8.0
+            if later.x < earlier.right and (lower < -8 or (later.x < earlier.x and _in_row(earlier, later))):
+                cost += 90.0 if k < figures else 8.0
             elif lower < -8:
                 cost += 12.0 if k < figures else 2.0
     cost += 15.0 * len({round(spot.top) for spot in spots}) + 5.0 * len({round(spot.x) for spot in spots})
     near = sum(0.25 * abs(complex(b.x - a.x, b.top - a.top)) for a, b in pairwise(spots))
-    return cost + near
+    aside = sum(0.1 * (field[2] - spot.right + spot.y - field[1]) for spot in spots[figures:])
+    return cost + near + aside
 
 
-def _orders(sizes: Sequence[Size]) -> Iterator[list[int]]:
+def _in_row(one: Spot, other: Spot) -> bool:
+    """Whether two rectangles stand side by side, more or less."""
+    return min(one.top, other.top) - max(one.y, other.y) > 0.5 * min(one.height, other.height)
+
+
+def _orders(sizes: Sequence[Size], tries: int) -> Iterator[list[int]]:
     """Orders to try: as given, the largest, tallest, widest first, then shuffled ones, always the same."""
     plain = list(range(len(sizes)))
     yield plain
@@ -90,76 +130,24 @@ def _orders(sizes: Sequence[Size]) -> Iterator[list[int]]:
     yield sorted(plain, key=lambda k: -max(sizes[k]))
     shuffler = random.Random(1)
     by_height = sorted(plain, key=lambda k: -sizes[k][1])
-    for turn in range(TRIES):
+    for turn in range(tries):
         ranks = plain if turn % 2 else by_height
         loose = (0.2, 0.35, 0.6, 1.0)[turn % 4] * len(sizes)
         yield sorted(plain, key=lambda k: ranks.index(k) + shuffler.uniform(0, loose))
 
 
-def _by_top(free: Bounds, size: Size) -> tuple[float, ...]:
-    return (-free[3], free[0])
-
-
-def _by_fit(free: Bounds, size: Size) -> tuple[float, ...]:
-    spare = free[2] - free[0] - size[0], free[3] - free[1] - size[1]
-    return (min(spare), max(spare))
-
-
-def _filled(
-    sizes: Sequence[Size], field: Bounds, blocked: Sequence[Bounds], gap: float, rule: object
-) -> list[Spot] | None:
-    """Each rectangle into the upper left corner of a free one; free ones may overlap (maximal rectangles)."""
-    free: list[Bounds] = [(field[0] + gap, field[1], field[2], field[3] - gap)]
-    for b in blocked:
-        free = _without(free, (b[0] - gap, b[1] - gap, b[2] + gap, b[3] + gap))
-    spots = []
-    for width, height in sizes:
-        need = (width + gap, height + gap)
-        fits = [f for f in free if f[2] - f[0] >= need[0] - 1e-9 and f[3] - f[1] >= need[1] - 1e-9]
-        if not fits:
-            return None
-        best = min(fits, key=lambda f: rule(f, need))  # type: ignore[operator]
-        taken = (best[0], best[3] - need[1], best[0] + need[0], best[3])
-        spots.append(Spot(taken[0], taken[1] + gap, width, height))
-        free = _without(free, taken)
-    return spots
-
-
-def _without(free: list[Bounds], taken: Bounds) -> list[Bounds]:
-    """Maximal free rectangles left when one is taken."""
-    left: list[Bounds] = []
-    for f in free:
-        if taken[0] >= f[2] or taken[2] <= f[0] or taken[1] >= f[3] or taken[3] <= f[1]:
-            left.append(f)
-            continue
-        pieces = (
-            (f[0], f[1], taken[0], f[3]),
-            (taken[2], f[1], f[2], f[3]),
-            (f[0], f[1], f[2], taken[1]),
-            (f[0], taken[3], f[2], f[3]),
-        )
-        left += [p for p in pieces if p[2] - p[0] > 1 and p[3] - p[1] > 1]
-    return [f for k, f in enumerate(left) if not any(_inside(f, g, k > j) for j, g in enumerate(left) if j != k)]
-
-
-def _inside(inner: Bounds, outer: Bounds, ties: bool) -> bool:
-    if inner == outer:
-        return ties
-    return inner[0] >= outer[0] and inner[1] >= outer[1] and inner[2] <= outer[2] and inner[3] <= outer[3]
-
-
-def spread(spots: list[Spot], field: Bounds, blocked: Sequence[Bounds], gap: float) -> list[Spot]:
+def spread(spots: list[Spot], field: Field) -> list[Spot]:
     """The same arrangement with white space shared: every view comes to stand midway between its neighbours.
 
     Views that stood side by side with their tops in one line keep doing so.
     """
-    fixed = [Spot(b[0], b[1], b[2] - b[0], b[3] - b[1], True) for b in blocked]
-    everything = [*spots, *fixed]
+    fixed = [Spot(b[0], b[1], b[2] - b[0], b[3] - b[1], True) for b in field.blocked]
+    everything, gap = [*spots, *fixed], field.gap
     sides = [(i, j) for i in range(len(everything)) for j in range(len(everything)) if _beside(everything, i, j, gap)]
     for _ in range(ROUNDS):
         for k, spot in enumerate(spots):
-            low = max([field[0] + gap, *(everything[i].right + gap for i, j in sides if j == k)])
-            high = min([field[2] - gap, *(everything[j].x - gap for i, j in sides if i == k)])
+            low = max([field.inside[0] + gap, *(everything[i].right + gap for i, j in sides if j == k)])
+            high = min([field.inside[2] - gap, *(everything[j].x - gap for i, j in sides if i == k)])
             spot.x = (low + high - spot.width) / 2
     above = [(i, j) for i in range(len(everything)) for j in range(len(everything)) if _above(everything, i, j, gap)]
     rows: dict[float, list[int]] = {}
@@ -167,8 +155,8 @@ def spread(spots: list[Spot], field: Bounds, blocked: Sequence[Bounds], gap: flo
         rows.setdefault(round(spot.top, 1), []).append(k)
     for _ in range(ROUNDS):
         for row in rows.values():
-            ceilings = [[field[3] - gap, *(everything[i].y - gap for i, j in above if j == k)] for k in row]
-            floors = [[field[1] + gap, *(everything[j].top + gap for i, j in above if i == k)] for k in row]
+            ceilings = [[field.inside[3] - gap, *(everything[i].y - gap for i, j in above if j == k)] for k in row]
+            floors = [[field.inside[1] + gap, *(everything[j].top + gap for i, j in above if i == k)] for k in row]
             up = min(min(c) - spots[k].top for c, k in zip(ceilings, row, strict=True))
             down = min(spots[k].y - max(f) for f, k in zip(floors, row, strict=True))
             for k in row:

@@ -84,3 +84,12 @@ def stacked(key: str, views: Sequence[View], gap: float = 6.0) -> View:
         y = moved_view.box[1] - gap
     box = (min(b[0] for b in boxes), min(b[1] for b in boxes), max(b[2] for b in boxes), max(b[3] for b in boxes))
     return View(key, views[0].title, tuple(marks), box, views[0].figure)
+
+def beside(views: Sequence[View], gap: float = 8.0) -> View:
+    """Views one beside the other, their lower edges in one line, as one view."""
+    marks: list[Mark] = []
+    x, low, high = 0.0, 0.0, 0.0
+    for one in views:
+        marks += one.placed(x, one.height)
+        x, high = x + one.width + gap, max(high, one.height)
+    return View("row", "", tuple(marks), (0.0, low, x - gap, high))

@@ -1,45 +1,45 @@
-"""Diagrams of the driven link against the driver's angle: displacement, velocity (or ω), acceleration (or ε)."""
+"""Diagrams of the driven link against the driver's place: displacement, velocity (or ω), acceleration (or ε)."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any
 
-from planes.mechanism import FRAME
 from planes.plans import Plans
-from planes.units import standard_mu
+from planes.plans.driven import driven
+from planes.units import quantity, standard_mu
 from render.marks import Arrow, Line, Mark, Text
 from render.names import Naming
 from render.words import decimal, number, say
 
-SECTION_MM = 11.0  # of 30 degrees on the axis of φ
-TALL_MM = 24.0  # the largest ordinate
+SECTIONS = 12
+WIDTHS_MM = (12.0, 15.0, 18.0, 24.0, 30.0)  # of a section: over a whole turn μ_φ is 0.4, 0.5, … mm per degree
+TALL = 2.1  # the largest ordinate, over a section
 BETWEEN_MM = 12.0
 FULL = 360.0
+STEEP = 5.0  # ordinates are cut at so many times their median at the ends of a range, which are dead positions
+WILD = 30.0  # and at so many anywhere
 
 
 @dataclass(frozen=True)
 class Curve:
-    """One quantity over the turn: its letter, its unit, and a value or None for every angle."""
+    """One quantity over the turn: its letter, its unit, and a value or None for every angle. ``name`` is its whole name
+    as it is lettered, where it is not the driven link's own; ``places`` its angles, where they are finer than the
+    others' and None marks a jump."""
 
     letter: str
     unit: str
     values: tuple[float | None, ...]
+    name: str = ""
+    places: tuple[float, ...] = ()
 
 
-def driven(plans: Plans) -> tuple[str, bool]:
-    """The link that a mechanism drives, and whether it slides on the frame: the last group's."""
-    m, group = plans.mechanism, plans.structure.groups[-1]
-    for name in (group.last, group.first):
-        slides = m.links[name].slides
-        if slides and m.owner(slides.guide) == FRAME:
-            return name, True
-    on_frame = [p for p in plans.structure.pairs if p.joins(FRAME)]
-    grounded = [n for n in (group.last, group.first) if any(p.joins(n) for p in on_frame)]
-    return (grounded or [group.last])[0], False
+def section_mm(size: float) -> float:
+    """The width of a section, so many times its usual one."""
+    return max(w for w in WIDTHS_MM if w <= max(1.0, size) * WIDTHS_MM[0] + 1e-9)
 
 
 def curves(plans: Plans, results: Sequence[dict[str, Any] | None]) -> tuple[Curve, Curve, Curve]:
@@ -78,16 +78,21 @@ def unwound(angles: Sequence[float | None]) -> tuple[float | None, ...]:
 
 @dataclass(frozen=True)
 class Diagrams:
-    """Three diagrams one beneath the other over one axis of the driver's angle."""
+    """Diagrams one beneath the other over the driver's range: three of the driven link, or those asked for."""
 
     plans: Plans
     angles: Sequence[float]
     results: Sequence[dict[str, Any] | None]
     naming: Naming
+    asked: Sequence[Curve] = ()
+    section: float = WIDTHS_MM[0]
+    whole: bool = True
 
     @property
     def title(self) -> str:
         """What they show."""
+        if self.asked:
+            return say("diagrams_asked", self.naming.lang)
         link, slides = driven(self.plans)
         key = "diagrams_slider" if slides else "diagrams_link"
         return say(key, self.naming.lang, link=self.naming.link(link))
@@ -96,9 +101,10 @@ class Diagrams:
         """Axes, curves, numbers of positions and scales."""
         marks: list[Mark] = []
         zero, lowest = 0.0, 0.0
-        for curve in curves(self.plans, self.results):
+        for curve in self.asked or curves(self.plans, self.results):
+            curve = curve if self.whole else cut_off(curve)
             known = [v for v in curve.values if v is not None]
-            mu = standard_mu(max(map(abs, known), default=0.0), TALL_MM)
+            mu = standard_mu(max(map(abs, known), default=0.0), TALL * self.section)
             top, bottom = mu * max([0.0, *known]), mu * min([0.0, *known])
             zero = (lowest - BETWEEN_MM - 7.0 - top) if marks else 0.0
             marks += self.sections(zero + bottom - 1.5, zero + top + 1.5)
@@ -108,37 +114,71 @@ class Diagrams:
 
     def one(self, curve: Curve, mu: float, zero: float, top: float) -> list[Mark]:
         """One curve on its axes, its zero line at the height ``zero``."""
-        wide = SECTION_MM * 12
+        wide = self.section * SECTIONS
         marks: list[Mark] = [
             Arrow(complex(0, zero), complex(wide + 9, zero), "thin", "dimension"),
             Arrow(complex(0, zero), complex(0, zero + top + 8), "thin", "dimension"),
-            Text("φ", complex(wide + 10.5, zero - 1), 3.5),
+            Text(self.abscissa, complex(wide + 10.5, zero - 1), 3.5),
         ]
         n, lang = self.naming, self.naming.lang
         link = n.link(driven(self.plans)[0])
-        unit = "°" if curve.unit == "°" else say(curve.unit, lang)
+        unit = curve.unit if curve.unit in ("°", "1") else say(curve.unit, lang)
         per = f"({unit})" if "/" in unit else unit
-        name = f"{curve.letter}_{{{link}}}, μ_{{{curve.letter}}} = {decimal(f'{mu:g}', lang)} {say('mm', lang)}/{per}"
+        mm = say("mm", lang) + ("" if unit == "1" else f"/{per}")
+        scale = f"μ_{{{curve.letter}}} = {decimal(quantity(mu), lang)} {mm}"
+        name = f"{curve.name or f'{curve.letter}_{{{link}}}'}, {scale}"
         marks.append(Text(name, complex(2.5, zero + top + 5), 3.5))
-        for piece in pieces(self.angles, curve.values):
+        for piece in pieces(curve.places or self.angles, curve.values):
             points = tuple(complex(self.x(a), zero + mu * v) for a, v in piece)
             marks.append(Line(points, "thick", "plan"))
+        for angle, *ends in jumps(curve):
+            marks.append(Line(tuple(complex(self.x(angle), zero + mu * v) for v in ends), "dash", "plan"))
         return marks
+
+    @property
+    def abscissa(self) -> str:
+        """The letter of the driver's place."""
+        drive = self.plans.mechanism.drive
+        return f"{'φ' if drive.kind == 'phi' else 's'}_{{{self.naming.link(drive.link)}}}"
 
     def x(self, angle: float) -> float:
         """The place of an angle on the axis, from the first one."""
-        return (angle - self.angles[0]) / 30 * SECTION_MM
+        return (angle - self.angles[0]) / (self.angles[-1] - self.angles[0]) * self.section * SECTIONS
 
     def sections(self, low: float, high: float) -> list[Mark]:
-        """Thin verticals every 30 degrees."""
-        places = [SECTION_MM * k for k in range(1, 13)]
+        """Thin verticals at the numbered positions."""
+        places = [self.section * k for k in range(1, SECTIONS + 1)]
         return [Line((complex(x, low), complex(x, high)), "construction", "construction") for x in places]
 
     def numbers(self, level: float) -> list[Mark]:
-        """Numbers of the positions beneath, and the angle of the first."""
-        found: list[Mark] = [Text(str(k), complex(SECTION_MM * k, level), 3.5, "middle") for k in range(13)]
-        start = f"φ_{{0}} = {number(self.angles[0] % FULL, self.naming.lang)}°"
-        return [*found, Text(start, complex(SECTION_MM * 12 + 6, level), 3.5)]
+        """Numbers of the positions beneath, the driver's place in the first, and the scale of the axis."""
+        at = [(k, complex(self.section * k, level)) for k in range(SECTIONS + 1)]
+        found: list[Mark] = [Text(str(k), z, 3.5, "middle") for k, z in at]
+        turning, lang = self.plans.mechanism.drive.kind == "phi", self.naming.lang
+        letter, unit = ("φ", "°") if turning else ("s", say("m", lang))
+        first = self.angles[0] % FULL if turning else self.angles[0]
+        start = f"{letter}_{{0}} = {number(first, lang)}" + ("°" if turning else f" {unit}")
+        mu = self.section * SECTIONS / (self.angles[-1] - self.angles[0])
+        scale = f"μ_{{{letter}}} = {number(mu, lang)} {say('mm', lang)}/{unit}"
+        return [*found, Text(f"{start},  {scale}", complex(self.section * SECTIONS / 2, level - 7.0), 3.5, "middle")]
+
+
+def cut_off(curve: Curve) -> Curve:
+    """A curve without ordinates far beyond the rest, which grow without bounds beside dead positions."""
+    sizes = sorted(abs(v) for v in curve.values if v is not None)
+    usual = sizes[len(sizes) // 2] if sizes else 0.0
+    calm = [k for k, v in enumerate(curve.values) if v is not None and abs(v) <= STEEP * usual]
+    low, high = (calm[0], calm[-1]) if calm else (0, 0)
+    kept = (v if v is not None and low <= k <= high and abs(v) <= WILD * usual else None
+            for k, v in enumerate(curve.values))  # fmt: skip
+    return replace(curve, values=tuple(kept))
+
+
+def jumps(curve: Curve) -> list[tuple[float, float, float]]:
+    """Where a curve of its own places breaks off and goes on: the angle, the value before and the one after."""
+    rows = zip(curve.places, curve.places[2:], curve.values, curve.values[1:], curve.values[2:], strict=False)
+    return [(a, y, z) for a, b, y, gap, z in rows
+            if gap is None and y is not None and z is not None and abs(b - a) < 1e-4]  # fmt: skip
 
 
 def pieces(angles: Sequence[float], values: Sequence[float | None]) -> list[list[tuple[float, float]]]:
@@ -152,10 +192,15 @@ def pieces(angles: Sequence[float], values: Sequence[float | None]) -> list[list
     return [piece for piece in found if len(piece) > 1]
 
 
-def extreme(plans: Plans, angles: Sequence[float], results: Sequence[dict[str, Any] | None]) -> float:
-    """The driver's angle at which the driven link stands in an extreme position: its rate changes sign there."""
-    rate = curves(plans, results)[1].values
-    for (a, u), (b, v) in pairwise(zip(angles, rate, strict=True)):
+def rate_of(plans: Plans, results: Sequence[dict[str, Any] | None]) -> tuple[float | None, ...]:
+    """The driven link's rate in every position."""
+    return curves(plans, results)[1].values
+
+
+def changes(values: Sequence[float], rates: Sequence[float | None]) -> list[tuple[float, float, float, float]]:
+    """Where the driven link turns back: two values of the drive beside each other with rates of unlike signs."""
+    found = []
+    for (a, u), (b, v) in pairwise(zip(values, rates, strict=True)):
         if u is not None and v is not None and (u < 0 <= v or u > 0 >= v):
-            return a + (b - a) * u / (u - v)
-    return angles[0]
+            found.append((a, b, u, v))
+    return found

@@ -8,16 +8,16 @@ import re
 from dataclasses import dataclass, field
 
 from planes.equations import Equation, Term
-from render import lettering
 from render.marks import Line, Mark, Text
 from render.names import Naming
-from render.typeset import extent
+from render.typeset import extent, over
 from render.views.plotted import Plotted
 from render.words import number, say
 
 UNITS = {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "force": "N"}
 NOISE_MM = 1e-7  # a shorter vector is rounding noise
 GAP = 0.55  # between words of an equation, over the letter height
+WIDEST = 40.0  # of a row, over the letter height: a longer equation goes on in the next one
 _LETTER = re.compile(r"^[^\W\d_]+")
 
 
@@ -46,12 +46,40 @@ class Setter:
         return 2.5 if self.letter <= 3.5 else 3.5
 
     def row(self, words: list[Word], y: float) -> float:
-        """Set the words at base line ``y``; the lowest ink of the row."""
+        """Set the words at base line ``y``, broken before signs where they are too long; the lowest ink."""
+        lowest = y
+        for k, line in enumerate(self.lines(words)):
+            lowest = self.line(line, y, 3 * GAP * self.letter if k else 0.0)
+            y = lowest - 1.7 * self.letter
+        return lowest
+
+    def lines(self, words: list[Word]) -> list[list[Word]]:
+        """The words in lines that are not too wide, each but the first beginning with a sign."""
+        found: list[list[Word]] = [[]]
+        wide = 0.0
+        for k, word in enumerate(words):
+            sign = word.text[:1] in ("+", "−", "=") and not word.vector
+            step = self.wide(word) + (self.wide(words[k + 1]) if sign and k + 1 < len(words) else 0.0)
+            if sign and found[-1] and wide + step > WIDEST * self.letter:
+                found.append([])
+                wide = 0.0
+            found[-1].append(word)
+            wide += self.wide(word)
+        return found
+
+    def wide(self, word: Word) -> float:
+        """Width of a word with what stands beneath it, and the gap after it."""
+        sizes = [_width(word.text, self.letter)]
+        sizes += [_width(t, self.small) for t in (word.action, word.value) if t]
+        return max(sizes) + GAP * self.letter
+
+    def line(self, words: list[Word], y: float, left: float = 0.0) -> float:
+        """Set one line at base line ``y`` from ``left``; the lowest ink."""
         under = y + min(extent(w.text, self.letter)[1] for w in words) - 0.9
         has_action, has_value = any(w.action for w in words), any(w.value for w in words)
         action_y = under - 2.2 - 1.1 * self.small
         value_y = action_y - 1.75 * self.small if has_action else action_y
-        self.x = 0.0
+        self.x = left
         for word in words:
             self.word(word, y, under, action_y, value_y)
         lines = value_y if has_value else action_y if has_action else under - 1.0
@@ -78,9 +106,9 @@ class Setter:
         """The bar over the letter of a vector."""
         match = _LETTER.match(text)
         if match:
-            wide = lettering.width(match[0], self.letter)
             level = y + self.letter + 0.9
-            self.marks.append(Line((complex(left, level), complex(left + wide, level)), "thin", "text"))
+            start, end = over(match[0], self.letter, level - y)
+            self.marks.append(Line((complex(left + start, level), complex(left + end, level)), "thin", "text"))
 
 
 def _width(text: str, height: float) -> float:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 from dataclasses import dataclass, field
 
@@ -12,8 +11,10 @@ from planes.plans.bodies import SCHEME
 from planes.solving import Position
 from planes.steps.reckoning import Drop
 from render import labels, symbols
+from render.labels.footprints import ink
 from render.marks import Arrow, Line, Mark
 from render.names import Naming
+from render.style import BLOCK_MM
 from render.views.places import Places
 
 FORCE_MM = 15.0  # shortest arrow of a force; forces are not to scale
@@ -21,6 +22,7 @@ STEP_MM = 6.0  # by which the next one of the same point and direction is longer
 COUPLE_MM = 6.5  # radius of a couple's curved arrow
 NAME_MM = 3.5
 NOTHING = 1e-9  # of the largest force: none
+FAR_M = 10.0  # an arm longer than this is that of a couple
 
 
 @dataclass
@@ -45,7 +47,7 @@ class Loading:
                 if (force.spot or carried) and force.size in self.drawing and self.big(float(self.drawing[force.size])):
                     way = complex(self.drawing[force.along])
                     self.force(force.name, complex(self.drawing[force.point]), way * _sign(self.drawing[force.size]))
-            for k, couple in enumerate(c for c in acting.couples[link] if not c.name.startswith("MR_")):
+            for k, couple in enumerate(c for c in acting.couples[link] if carried or not c.name.startswith("MR_")):
                 value = float(self.drawing[couple.value]) * couple.sign if couple.value in self.drawing else 0.0
                 if abs(value) > 1e-9:
                     self.couple(couple.name, link, value, k)
@@ -54,17 +56,42 @@ class Loading:
         """The reactions of a plan's outer pairs, in the parts the plan finds them in, at their points."""
         for name, way in self.parts(plan).items():
             base = name.partition("^")[0]
-            found = next((r for k, r in self.position.plans.reactions.items() if base in (k, self.reversed(k))), None)
-            if not found or abs(way) < 1e-6:
+            key = next((k for k in self.position.plans.reactions if base in (k, self.reversed(k))), None)
+            if not key or abs(way) < 1e-6:
                 continue
-            if found.pair.kind == "R":
-                point = self.places.at(found.pair.point)
-            else:
-                foot, along = self.places.foot(self.places.mechanism.links[found.pair.link])
-                arm = float(self.drawing[found.arm]) if found.arm in self.drawing else 0.0
-                arm = arm if math.isfinite(arm) and abs(arm) < 10 else 0.0
-                point = foot + arm * along * self.position.scales[f"mu_{SCHEME}"]
-            self.force(name, point, way / abs(way), from_outside=True)
+            self.force(name, self.seat(key), way / abs(way), from_outside=True)
+
+    def whole_reactions(self) -> None:
+        """Every reaction on these links from outside of them, whole, where its line of action passes."""
+        for key, found in self.position.plans.reactions.items():
+            pair, result = found.pair, self.position.results.get("reactions", {}).get(key)
+            inside = [x for x in (pair.link, pair.other) if x in self.links]
+            if result is None or len(inside) != 1:
+                continue
+            turned = inside[0] != pair.link
+            force = complex(*(result["force"] if isinstance(result, dict) else result)) * (-1 if turned else 1)
+            name = self.reversed(key) if turned else key
+            if self.big(abs(force)):
+                self.force(name, self.seat(key), force / abs(force), from_outside=True)
+            elif isinstance(result, dict) and self.arm(key) is None and abs(result["moment"]) > NOTHING:
+                self.couple(f"MR_{name}", inside[0], result["moment"] * (-1 if turned else 1), 0)
+
+    def arm(self, key: str) -> float | None:
+        """The arm of a slider's reaction, m; None where there is none to speak of."""
+        name = self.position.plans.reactions[key].arm
+        arm = float(self.drawing[name]) if name in self.drawing else math.nan
+        return arm if math.isfinite(arm) and abs(arm) < FAR_M else None
+
+    def seat(self, key: str) -> complex:
+        """Where a reaction acts: in its hinge, or its arm from the foot on the guide, which is drawn as far as that."""
+        pair = self.position.plans.reactions[key].pair
+        if pair.kind == "R":
+            return self.places.at(pair.point)
+        foot, along = self.places.foot(self.places.mechanism.links[pair.link])
+        arm = (self.arm(key) or 0.0) * self.position.scales[f"mu_{SCHEME}"]
+        if abs(arm) > BLOCK_MM[0] / 2:
+            self.marks.append(Line((foot, foot + arm * along), "axis", "axis"))
+        return foot + arm * along
 
     def balancing(self) -> None:
         """The balancing couple (or force) on the driver."""
@@ -127,11 +154,25 @@ class Loading:
         """A curved arrow about the mass centre of its link, or the middle of its bar."""
         body = self.places.mechanism.links[link]
         centre = self.places.at(body.mass_centre)
-        radius, sense = COUPLE_MM + 3 * number, math.copysign(1.0, value)
-        start = 100.0 if sense > 0 else 80.0
-        self.marks += symbols.turn_arrow(centre, radius, start, sense * 150, "thick", "force")
-        middle = centre + radius * cmath.rect(1, math.radians(start + sense * 75))
+        sense = math.copysign(1.0, value)
+        arrow, middle = self.free_couple(centre, COUPLE_MM + 3 * number, sense)
+        self.marks += arrow
+        if name.startswith("MR_"):
+            text = f"M({self.naming.vector(name.removeprefix('MR_'))})"
         self.named.append(labels.Label(text or self.naming.vector(name), middle, NAME_MM, clear=0.4, name=name))
+
+    def free_couple(self, centre: complex, radius: float, sense: float) -> tuple[tuple[Mark, ...], complex]:
+        """A curved arrow where it crosses least of what is drawn, and the middle of its arc."""
+        inked, best = ink(self.marks), None
+        for grow in (0.0, -2.0, 3.0, 6.0):
+            for start in (100.0, 190.0, 10.0, -80.0):
+                begin = start if sense > 0 else 180.0 - start
+                arrow = symbols.turn_arrow(centre, radius + grow, begin, sense * 150, "thick", "force")
+                hits = len(inked.within(ink(arrow).shapes, 0.8)[0]) if len(inked.shapes) else 0
+                if best is None or hits < best[0]:
+                    best = hits, arrow, centre + (radius + grow) * symbols.unit(begin + sense * 75)
+        assert best
+        return best[1], best[2]
 
     def arms(self, equations: list[Moments]) -> None:
         """Thin perpendiculars from the centre of moments to the lines of action, which are drawn out to meet them."""

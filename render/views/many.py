@@ -8,7 +8,7 @@ from functools import cached_property
 from statistics import median
 from typing import Any
 
-from planes.mechanism import FRAME
+from planes.mechanism import FRAME, Link
 from planes.plans import Plans
 from render import labels
 from render.marks import Line, Mark
@@ -16,11 +16,20 @@ from render.views.places import outline_of
 
 
 @dataclass(frozen=True)
+class Numbered:
+    """One of many positions: its number, its results (None where the mechanism does not work), whether an extreme."""
+
+    number: str
+    result: dict[str, Any] | None
+    extreme: bool = False
+
+
+@dataclass(frozen=True)
 class Many:
-    """Positions (twelve, numbered from 0) and a finer turn for the paths; ``mu`` is that of the scheme, mm per m."""
+    """Numbered positions and a finer turn for the paths; ``mu`` is that of the scheme, mm per m."""
 
     plans: Plans
-    twelve: Sequence[dict[str, Any] | None]
+    numbered: Sequence[Numbered]
     turn: Sequence[dict[str, Any] | None]
     mu: float
 
@@ -44,16 +53,22 @@ class Many:
         return result is not None and self.size(result) <= self.reach
 
     def marks(self) -> list[Mark]:
-        """Bars of all links in all positions, and the paths."""
+        """Bars of all links in all positions, the extreme ones blacker, and the paths."""
         found: list[Mark] = []
-        m = self.plans.mechanism
-        for result in filter(self.near, self.twelve):
-            for link in m.links.values():
-                assert result
-                outline = outline_of([self.place(result, p) for p in link.points if p != link.centre])
-                if len(outline) > 1:
-                    found.append(Line(tuple(outline), "construction", "construction", len(outline) > 2))
+        for one in self.numbered:
+            if one.result and self.near(one.result):
+                style = "thin" if one.extreme else "construction"
+                for link in self.plans.mechanism.links.values():
+                    outline = outline_of([self.place(one.result, p) for p in self.outlined(link)])
+                    if len(outline) > 1:
+                        found.append(Line(tuple(outline), style, "construction", len(outline) > 2))
         return found + self.paths()
+
+    def outlined(self, link: Link) -> list[str]:
+        """The points a link is drawn through: its own, and those of sliders on the line of its guides."""
+        sliders = [x for x in self.plans.mechanism.links.values() if x.slides and x.slides.guide in link.guides]
+        on_line = [x.first_point for x in sliders if x.slides and not x.slides.offset]
+        return [*(p for p in link.points if p != link.centre), *on_line]
 
     def paths(self) -> list[Mark]:
         """Paths of the moving points, in dashes; a point on a frame's guide has none of interest."""
@@ -73,14 +88,14 @@ class Many:
         return found
 
     def labels(self) -> list[labels.Label]:
-        """Numbers of the positions at the end of the crank."""
+        """Numbers of the positions at the end of the crank, or beneath a sliding driver."""
         drive, pair = self.plans.mechanism.drive, self.plans.structure.drive_pair
-        ends = [p for p in self.plans.mechanism.links[drive.link].points if p != pair.point]
-        if not ends or drive.kind != "phi":
-            return []
+        points = self.plans.mechanism.links[drive.link].points
+        ends = [p for p in points if p != pair.point or drive.kind == "s"]
         found = []
-        for number, result in enumerate(self.twelve):
-            if result and self.near(result):
-                z, pivot = self.place(result, ends[0]), self.place(result, pair.point)
-                found.append(labels.Label(str(number), z, 2.5, side=z - pivot, clear=1.6, name=f"position {number}"))
+        for one in self.numbered if ends else ():
+            if one.result and self.near(one.result):
+                z = self.place(one.result, ends[0])
+                side = -1j if drive.kind == "s" else z - self.place(one.result, pair.point)
+                found.append(labels.Label(one.number, z, 2.5, side=side, clear=1.6, name=f"position {one.number}"))
         return found

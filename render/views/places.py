@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -44,6 +45,12 @@ class Places:
     def at(self, point: str) -> complex:
         """Where a point stands."""
         return complex(self.position.drawing[at(SCHEME, point)])
+
+    def size(self, links: Sequence[str]) -> float:
+        """The larger side of the box around the points of some links."""
+        drawn = [self.at(p) for name in links for p in self.mechanism.links[name].points if self.has(p)]
+        wide, high = [z.real for z in drawn], [z.imag for z in drawn]
+        return max(max(wide) - min(wide), max(high) - min(high)) if drawn else 0.0
 
     def line(self, guide: str) -> tuple[complex, complex]:
         """A point of a guide's line and its direction."""

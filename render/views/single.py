@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from planes.solving import Position
 from planes.vectors import PLAN, VectorResults
@@ -11,6 +12,7 @@ from planes.wording import PlanesError
 from render import svg
 from render.marks import Mark
 from render.sheet.composer import Composer
+from render.sheet.forces import Forces
 from render.sheet.project import Project
 from render.views import View
 from render.views.plotted import of_position, of_vectors
@@ -35,8 +37,7 @@ class Page:
 
     def _repr_svg_(self) -> str:
         """The picture a notebook shows."""
-        text = svg.write(self.marks, self.size, self.title, lang=self.lang).decode()
-        return text.partition("?>\n")[2]
+        return svg.inline(self.marks, self.size, self.title, self.lang)
 
 
 def page(makers: Makers, name: str, composer: Composer) -> Page:
@@ -52,33 +53,39 @@ def page(makers: Makers, name: str, composer: Composer) -> Page:
     return Page(marks, size, ": ".join(t for t in (title, name) if t), composer.lang)
 
 
-def of_mechanism(position: Position, composer: Composer, project: Callable[[], Project]) -> Makers:
-    """The views of a mechanism in one position; ``project`` turns its driver once around, where a view needs that."""
+def of_mechanism(
+    position: Position, composer: Composer, project: Callable[[], Project], more: Makers = MappingProxyType({})
+) -> Makers:
+    """The views of a mechanism in one position; ``project`` turns its driver once around, where a view needs that.
+
+    ``more`` are views of what is not seen in a position: constructions over the cycle, the self-aligning variant.
+    """
     plotted, plans = of_position(position), position.plans
-    bare, tables = Project(composer), Tables(position, composer.naming, LETTER_MM)
+    bare, loaded, tables = Project(composer), Forces(composer), composer.tables(position, LETTER_MM)
     rates = tuple(p for p in plans.drawn if p in ("velocity", "acceleration") and not plotted.still(p))
     forces = tuple(p for p in plans.drawn if p.startswith("force") and not plotted.still(p))
     found: dict[str, Callable[[], View | None]] = {"position": lambda: composer.scheme(position)}
-    if plans.mechanism.drive.kind == "phi":
-        found["positions"] = lambda: project().many(position)
+    found["positions"] = lambda: project().many(position)
     found["structure"] = lambda: bare.groups(position, LETTER_MM)
     for rate in rates:
         found[f"{rate}-plan"] = lambda plan=rate: composer.plan(plotted, plan)  # type: ignore[misc]
     found["equations"] = lambda: composer.formulas(plotted, rates, LETTER_MM, say("equations", composer.lang))
-    if plans.mechanism.drive.kind == "phi":
-        found["diagrams"] = lambda: project().diagrams(position)
-    found["loads"] = lambda: bare.loaded(position)
+    found["diagrams"] = lambda: project().diagrams(position)
+    found["hodographs"] = lambda: project().hodographs()
+    found["loads"] = lambda: loaded.loaded(position)
     for force in forces:
         links = force.partition(":")[2]
-        found[f"group-{links}"] = lambda plan=force, of=links: bare.group(position, plan, tuple(of.split("-")))  # type: ignore[misc]
+        found[f"group-{links}"] = lambda plan=force, of=links: loaded.group(position, plan, tuple(of.split("-")))  # type: ignore[misc]
+        if "-" in links:
+            found[f"links-{links}"] = lambda of=links: loaded.apart(position, tuple(of.split("-")))  # type: ignore[misc]
         found[f"force-{links}"] = lambda plan=force: composer.plan(plotted, plan)  # type: ignore[misc]
     balance = say("balance_equations", composer.lang)
     found["force-equations"] = lambda: composer.formulas(plotted, forces, LETTER_MM, balance)
     found["moments"] = lambda: composer.moments(position, LETTER_MM)
-    found["lever"] = lambda: bare.lever(position, LETTER_MM)
+    found["lever"] = lambda: loaded.lever(position, LETTER_MM)
     found |= {"given": tables.given, "velocities": lambda: tables.plan("velocity"),
               "accelerations": lambda: tables.plan("acceleration"), "links": tables.links,
-              "reactions": tables.reactions, "check": tables.check}  # fmt: skip
+              "reactions": tables.reactions, "check": tables.check, **more}  # fmt: skip
     return found
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 
 from planes.drafting import Segment
 from planes.naming import POLE, label_of
@@ -19,9 +19,12 @@ from render.names import Naming
 from render.typeset import extent
 from render.views import View, view
 from render.views.formulas import NOISE_MM, UNITS
+from render.views.given import Given
 from render.words import number, say
 
 Row = Sequence[str]
+CLEAR_MM = 0.25  # least distance of a text from the lines above and beneath it
+MOST_ROWS = 18  # of a table in one column
 _SENSES = {"↺": 1.0, "↻": -1.0}
 
 
@@ -33,8 +36,8 @@ class Grid:
 
     def drawn(self, head: Row, rows: Sequence[Row]) -> tuple[Mark, ...]:
         """The marks of a table whose upper left corner is the origin."""
-        high, pad = 2.0 * self.letter, 0.5 * self.letter
         lines = [head, *rows] if any(head) else list(rows)
+        high, pad = self.high(lines), 0.5 * self.letter
         widths = [max(self.wide(row[k]) for row in lines) + 2 * pad for k in range(len(lines[0]))]
         edges = [sum(widths[:k]) for k in range(len(widths) + 1)]
         marks: list[Mark] = []
@@ -48,6 +51,12 @@ class Grid:
             for k, cell in enumerate(row):
                 marks += self.cell(cell, complex((edges[k] + edges[k + 1]) / 2, base))
         return tuple(marks)
+
+    def high(self, lines: Sequence[Row]) -> float:
+        """Height of the rows: two letters, more where indices would come near a line."""
+        boxes = [extent(cell.rstrip("↺↻"), self.letter) for row in lines for cell in row]
+        reach = max(max(y1 - 0.35 * self.letter, 0.35 * self.letter - y0) for _, y0, _, y1 in boxes)
+        return max(2.0 * self.letter, 2 * (reach + CLEAR_MM))
 
     def wide(self, cell: str) -> float:
         """Width of a cell's ink."""
@@ -74,6 +83,17 @@ def _rule(start: complex, end: complex, thick: bool) -> Line:
     return Line((start, end), "thick" if thick else "thin", "table")
 
 
+def folded(head: Row, rows: Sequence[Row]) -> tuple[Row, list[Row]]:
+    """A long table in two or more columns side by side."""
+    columns = -(-len(rows) // MOST_ROWS)
+    if columns < 2:
+        return head, list(rows)
+    high = -(-len(rows) // columns)
+    parts = [[*rows[k * high : (k + 1) * high]] for k in range(columns)]
+    parts[-1] += [[""] * len(head)] * (high - len(parts[-1]))
+    return [*head] * columns, [[cell for row in line for cell in row] for line in zip(*parts, strict=True)]
+
+
 @dataclass(frozen=True)
 class Tables:
     """The tables of a position."""
@@ -81,6 +101,7 @@ class Tables:
     position: Position
     naming: Naming
     letter: float = 3.5
+    parameters: Mapping[str, float] = field(default_factory=dict)
 
     @classmethod
     def of_vectors(cls, results: VectorResults, naming: Naming, letter: float) -> View | None:
@@ -106,6 +127,7 @@ class Tables:
         """A table as a view, or nothing when it has no rows."""
         if not rows:
             return None
+        head, rows = folded(head, rows)
         return view(key, title, Grid(self.letter).drawn(head, rows), self.letter * 10 / 7 if self.letter < 3 else 5.0)
 
     def all(self) -> list[View]:
@@ -115,24 +137,8 @@ class Tables:
         return [t for t in found if t]
 
     def given(self) -> View | None:
-        """Lengths, masses, moments of inertia and the driver's motion, as the scene has them."""
-        m, values = self.position.plans.mechanism, self.position.plans.given
-        rows = []
-        for name, value in values.items():
-            letter = name.partition("_")[0]
-            unit = {"l": "m", "m": "kg", "J": "kgm2"}.get(letter)
-            if unit and isinstance(value, float | int):
-                rows.append([self.naming.vector(name), self.number(float(value)), self.say(unit)])
-        drive, n = m.drive, self.naming.link(m.drive.link)
-        if drive.kind == "phi":
-            rows.insert(0, [f"φ_{{{n}}}", self.number(self.position.value), "°"])
-            for letter, value, unit in (("ω", drive.velocity, "rad/s"), ("ε", drive.acceleration, "rad/s²")):
-                rows.insert(1 if letter == "ω" else 2, [f"{letter}_{{{n}}}", self.number(value), self.say(unit)])
-        for name in self.position.plans.given:
-            if name.startswith(("P_", "M_", "MP_")) and name.endswith("_given"):
-                unit = "N" if name.startswith("P_") else "N·m"
-                value = float(self.position.plans.given[name])
-                rows.append([self.naming.vector(name.removesuffix("_given")), self.number(value), self.say(unit)])
+        """What the scene gives, each thing once."""
+        rows = Given(self.position, self.naming, self.parameters).rows()
         return self.table("given", self.say("given"), ["", "", ""], rows)
 
     def plan(self, plan: str) -> View | None:
@@ -179,13 +185,17 @@ class Tables:
         return shown if shown == "0" else shown + ("↺" if value > 0 else "↻")
 
     def reactions(self) -> View | None:
-        """Magnitude and direction of every reaction, a slider's arm."""
-        rows = []
+        """Magnitude and direction of every reaction, and a slider's arm."""
+        rows, armed = [], False
         for name, r in self.position.results.get("reactions", {}).items():
             force = complex(*(r["force"] if isinstance(r, dict) else r))
             angle = self.number(math.degrees(cmath.phase(force))) if force else "—"
-            rows.append([self.naming.vector(name), self.number(abs(force)), angle])
-        return self.table("reactions", self.say("reactions_table"), ["", self.say("N"), self.say("angle")], rows)
+            arm = self.number(r["arm"]) if isinstance(r, dict) else ""
+            armed |= arm not in ("", "0")
+            rows.append([self.naming.vector(name), self.number(abs(force)), angle, arm])
+        head = ["", self.say("N"), self.say("angle"), self.say("arm")]
+        most = 4 if armed else 3
+        return self.table("reactions", self.say("reactions_table"), head[:most], [row[:most] for row in rows])
 
     def check(self) -> View | None:
         """The balancing moment (or force), Zhukovsky's, and the difference in per cent."""

@@ -1,0 +1,101 @@
+"""Rectangles put into a field one after the other, each into a corner of a free rectangle; all in mm."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from render.labels.footprints import Bounds
+
+
+@dataclass
+class Spot:
+    """A rectangle being placed: lower left corner and size; ``fixed`` ones are in the way and do not move."""
+
+    x: float
+    y: float
+    width: float
+    height: float
+    fixed: bool = False
+
+    @property
+    def right(self) -> float:
+        """The right edge."""
+        return self.x + self.width
+
+    @property
+    def top(self) -> float:
+        """The upper edge."""
+        return self.y + self.height
+
+
+Size = tuple[float, float]
+Rule = Callable[[Bounds, Size], tuple[float, ...]]
+"""How much a free rectangle is liked for a size: the least is taken."""
+
+
+def _by_top(free: Bounds, size: Size) -> tuple[float, ...]:
+    return (-free[3], free[0])
+
+
+def _by_fit(free: Bounds, size: Size) -> tuple[float, ...]:
+    spare = free[2] - free[0] - size[0], free[3] - free[1] - size[1]
+    return (min(spare), max(spare))
+
+
+def _by_left(free: Bounds, size: Size) -> tuple[float, ...]:
+    return (free[0], -free[3])
+
+
+RULES: tuple[Rule, ...] = (_by_top, _by_fit, _by_left)
+
+
+def filled(
+    sizes: Sequence[Size], field: Bounds, blocked: Sequence[Bounds], gap: float, rule: Rule
+) -> list[Spot] | None:
+    """Each rectangle into the upper left corner of a free one; free ones may overlap (maximal rectangles)."""
+    free: list[Bounds] = [(field[0] + gap, field[1], field[2], field[3] - gap)]
+    for b in blocked:
+        free = _without(free, (b[0] - gap, b[1] - gap, b[2] + gap, b[3] + gap))
+    spots = []
+    for width, height in sizes:
+        need = (width + gap, height + gap)
+        fits = [f for f in free if f[2] - f[0] >= need[0] - 1e-9 and f[3] - f[1] >= need[1] - 1e-9]
+        if not fits:
+            return None
+        best = min(fits, key=lambda f: rule(f, need))
+        taken = (best[0], best[3] - need[1], best[0] + need[0], best[3])
+        spots.append(Spot(taken[0], taken[1] + gap, width, height))
+        free = _without(free, taken)
+    return spots
+
+
+def _without(free: list[Bounds], taken: Bounds) -> list[Bounds]:
+    """Maximal free rectangles left when one is taken."""
+    x0, y0, x1, y1 = taken
+    whole: list[Bounds] = []
+    pieces: list[Bounds] = []
+    for f in free:
+        a, b, c, d = f
+        if x0 >= c or x1 <= a or y0 >= d or y1 <= b:
+            whole.append(f)
+            continue
+        if x0 - a > 1:
+            pieces.append((a, b, x0, d))
+        if c - x1 > 1:
+            pieces.append((x1, b, c, d))
+        if y0 - b > 1:
+            pieces.append((a, b, c, y0))
+        if d - y1 > 1:
+            pieces.append((a, y1, c, d))
+    return whole + _maximal(pieces, whole)
+
+
+def _maximal(pieces: list[Bounds], whole: list[Bounds]) -> list[Bounds]:
+    """The pieces that lie in no other piece and no whole rectangle; of equal ones the first."""
+    kept: list[Bounds] = []
+    for p in sorted(pieces, key=lambda p: (p[0] - p[2]) * (p[3] - p[1])):
+        a, b, c, d = p
+        if not any(g[0] <= a and g[1] <= b and g[2] >= c and g[3] >= d for some in (kept, whole) for g in some):
+            kept.append(p)
+    return kept

@@ -1,0 +1,146 @@
+"""What a scene gives, each thing once: its parameters as they are named, then every number written without a name."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from planes.mechanism import Guide, Link
+from planes.solving import Position
+from render.names import Naming, greek
+from render.words import number, say
+
+RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m")
+"""Units in the order their rows stand in."""
+UNITS = {"m": "kg", "J": "kgm2", "I": "kgm2", "F": "N", "P": "N", "Q": "N", "G": "N", "M": "N·m", "T": "N·m",
+         "v": "m/s", "omega": "rad/s", "epsilon": "rad/s²", "g": "m/s²"}  # fmt: skip
+ANGLES = ("angle", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta")
+LENGTHS = "lxyrRabcdehHsLDzS"
+SAME = 1e-9
+
+
+@dataclass(frozen=True)
+class Row:
+    """A name as it is lettered, a value in the unit of the table (SI, degrees), the unit's key."""
+
+    name: str
+    value: float
+    unit: str
+    of_drive: bool = False
+
+
+@dataclass(frozen=True)
+class Given:
+    """The given values of a position; ``parameters`` are those of its scene."""
+
+    position: Position
+    naming: Naming
+    parameters: Mapping[str, float]
+
+    def rows(self) -> list[list[str]]:
+        """Name, value and unit of everything that is given."""
+        found = [*self.drive(), *self.named()]
+        plain = [r for r in self.unnamed() if r.value and not self.known(r)]
+        found += dict.fromkeys(plain)
+        places = {unit: k for k, unit in enumerate(RANK)}
+        found.sort(key=lambda r: (not r.of_drive, places[r.unit]))
+        return [self.row(r) for r in found]
+
+    def row(self, r: Row) -> list[str]:
+        """A row in words."""
+        lang = self.naming.lang
+        return [r.name, number(r.value, lang), r.unit if r.unit == "°" else say(r.unit, lang) if r.unit else "—"]
+
+    def drive(self) -> list[Row]:
+        """The driver's place in this position, and its motion."""
+        drive = self.position.plans.mechanism.drive
+        n = self.naming.link(drive.link)
+        turning, sliding = (("φ", "°"), ("ω", "rad/s"), ("ε", "rad/s²")), (("s", "m"), ("v", "m/s"), ("a", "m/s²"))
+        letters = turning if drive.kind == "phi" else sliding
+        values = (self.position.value, drive.velocity, drive.acceleration)
+        return [Row(f"{letter}_{{{n}}}", v, unit, True) for (letter, unit), v in zip(letters, values, strict=True)]
+
+    def named(self) -> Iterator[Row]:
+        """The parameters; what a load is called on the sheet stands beside the name of its parameter."""
+        shown = {r.name for r in self.drive()}
+        drive = self.position.plans.mechanism.drive
+        for name, value in self.parameters.items():
+            row = Row(greek(name), value, unit_of(name))
+            moved = name.partition("_")[0] == drive.kind and value == drive.position
+            if row.name not in shown and not moved:
+                other = [r.name for r in self.loads() if r.unit == row.unit and _equal(r.value, value)
+                         and r.name.partition("_")[2] == row.name.partition("_")[2]]  # fmt: skip
+                yield Row(" = ".join(dict.fromkeys([row.name, *other])), value, row.unit)
+
+    def known(self, row: Row) -> bool:
+        """Whether a parameter, or the sum or difference of two, has the value of a row."""
+        alike = [abs(v) for name, v in self.parameters.items() if unit_of(name) in (row.unit, "")]
+        sums = [abs(a + sign * b) for k, a in enumerate(alike) for b in alike[:k] for sign in (1, -1)]
+        return any(_equal(abs(row.value), v) for v in (*alike, *sums))
+
+    def unnamed(self) -> Iterator[Row]:
+        """Every number of the mechanism."""
+        m = self.position.plans.mechanism
+        for point, z in m.frame.points.items():
+            letter = self.naming.point(point).replace("_{", "").replace("}", "")
+            yield Row(f"x_{{{letter}}}", z.real, "m")
+            yield Row(f"y_{{{letter}}}", z.imag, "m")
+        for guide in m.frame.guides.values():
+            yield from self.frame_guide(guide)
+        for link in m.links.values():
+            yield from self.lengths(link)
+            n = self.naming.link(link.name)
+            yield Row(f"m_{{{n}}}", link.mass or 0.0, "kg")
+            yield Row(f"J_{{{n}}}", link.inertia or 0.0, "kgm2")
+        yield from self.loads()
+        yield Row("g", m.gravity or 0.0, "m/s²")
+        for name, f in m.friction.items():
+            yield Row(f"f_{{{name}}}", f, "")
+
+    def frame_guide(self, guide: Guide) -> Iterator[Row]:
+        """Where a guide of the frame lies and how it is turned."""
+        name = guide.name.replace("-", "–")
+        if guide.through_point is None:
+            yield Row(f"x_{{{name}}}", guide.through.real, "m")
+            yield Row(f"y_{{{name}}}", guide.through.imag, "m")
+        if guide.angle_deg % 90:
+            yield Row(f"∠{name}", guide.angle_deg, "°")
+
+    def lengths(self, link: Link) -> Iterator[Row]:
+        """Places of a link's points in its axes, its guides, its place on the guide it slides on."""
+        first = link.first_point
+        for point, z in link.points.items():
+            way = z - link.points[first]
+            straight = way.imag == 0
+            if way:
+                yield Row(f"l_{{{first}{point}}}", way.real if straight else abs(way), "m")
+                yield Row(f"∠{first}{point}", 0.0 if straight else round(math.degrees(cmath.phase(way)), 9), "°")
+        for guide in link.guides.values():
+            yield Row(f"∠{guide.name}", guide.angle_deg, "°")
+            if guide.through_point is None:
+                yield Row(f"x_{{{guide.name}}}", guide.through.real, "m")
+                yield Row(f"y_{{{guide.name}}}", guide.through.imag, "m")
+        if link.slides:
+            yield Row(f"e_{{{self.naming.link(link.name)}}}", link.slides.offset or 0.0, "m")
+            yield Row(f"∠{self.naming.link(link.name)}", link.slides.angle_deg or 0.0, "°")
+
+    def loads(self) -> Iterator[Row]:
+        """Forces and couples as they are called on the sheet."""
+        for name, value in self.position.plans.given.items():
+            if name.startswith(("P_", "M_", "MP_")) and name.endswith("_given"):
+                unit = "N" if name.startswith("P_") else "N·m"
+                yield Row(self.naming.vector(name.removesuffix("_given")), float(value), unit)
+
+
+def unit_of(name: str) -> str:
+    """The key of the unit in which a parameter of that name is given, as far as the name tells."""
+    letter = name.partition("_")[0]
+    if letter in ANGLES:
+        return "°"
+    return UNITS.get(letter) or ("m" if letter in LENGTHS else "")
+
+
+def _equal(a: float, b: float) -> bool:
+    return abs(a - b) <= SAME * max(abs(a), abs(b))
