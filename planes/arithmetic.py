@@ -9,6 +9,8 @@ import cmath
 import math
 from typing import Any, Protocol
 
+from planes.lossless import gap
+
 Real = Any  # float or array of floats, or a longer number
 Point = Any  # complex or array of complex: a place, a vector or a direction
 Truth = Any  # bool or array of bools
@@ -27,6 +29,7 @@ class Arithmetic(Protocol):
     def angle_deg(self, u: Point) -> Real: ...
     def sign(self, x: Real) -> Real: ...
     def power(self, x: Real, n: int) -> Real: ...
+    def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real: ...
 
 
 class One:
@@ -64,6 +67,10 @@ class One:
         if n >= 0:
             return float(x**n)
         return 1 / x**-n if x else math.nan
+
+    def gap(self, c: complex, d: complex, r: float, s: float) -> float:
+        """(r + s)² - |d - c|², with all its digits."""
+        return float(gap(c.real, c.imag, d.real, d.imag, r, s))
 
 
 class Many:
@@ -103,3 +110,6 @@ class Many:
 
     def power(self, x: Any, n: int) -> Any:
         return x**n if n >= 0 else 1 / x**-n
+
+    def gap(self, c: Any, d: Any, r: Any, s: Any) -> Any:
+        return gap(c.real, c.imag, d.real, d.imag, r, s)

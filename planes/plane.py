@@ -73,15 +73,13 @@ def arcs(c: Point, r: Real, d: Point, s: Real, side: Real, ar: Arithmetic) -> tu
     """Where two circles meet, left (``side`` +1) or right (-1) of the way from ``c`` to ``d``.
 
     Returns the place, the sharpness, and by how much they are too far apart and by how much one lies inside the
-    other (negative: they are not). The area of the triangle is Kahan's (Miscalculating Area and Angles
-    of a Needle-like Triangle, 1986): 4K = √((a+(b+c))(c-(a-b))(c+(a-b))(a+(b-c))) for a ≥ b ≥ c.
+    other (negative: they are not). The triangle's area is 4K = √(((r + s)² - q²)(q² - (r - s)²)), each difference
+    formed of the places themselves without loss: the distance q between them, once rounded, leaves of a needle-like
+    triangle less than Kahan's formula (Miscalculating Area and Angles of a Needle-like Triangle, 1986) could save.
     """
     apart = abs(d - c)
     far, near = apart - (r + s), abs(r - s) - apart
-    high, low = ar.maximum(r, s), ar.minimum(r, s)
-    a, rest = ar.maximum(high, apart), ar.minimum(high, apart)
-    b, c_ = ar.maximum(rest, low), ar.minimum(rest, low)
-    quad = ar.sqrt((a + (b + c_)) * (c_ - (a - b)) * (c_ + (a - b)) * (a + (b - c_)))
+    quad = ar.sqrt(ar.gap(c, d, r, s) * -ar.gap(c, d, r, -s))
     safe = apart + (apart == 0)
     along = (apart + (r - s) * ((r + s) / safe)) / 2
     e = (d - c) / safe

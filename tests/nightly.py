@@ -4,18 +4,22 @@
     python tests/nightly.py masks --positions 10000000 --minutes 60
 
 Each prints what it counted when it is done or its minutes are over, and ends with 1 where anything was wrong.
-The truth of ``claims`` is the same tape read in numbers of 64 bits of mantissa, its constants too; of a few positions
-of every mechanism it is compared with 50 digits.
+
+The truth of ``claims`` is the same tape read in numbers of 106 bits; at a few positions of every mechanism it is
+compared with 50 digits (it must not stray by a hundredth of the claim), and the drawing of one position with the claim
+as well. Ratios of claim to error are those of numbers with any error at all for which something is claimed, two hundred
+numbers of every mechanism, drawn at random; the median is over all of them.
 """
 
 from __future__ import annotations
 
 import argparse
-import dataclasses
 import math
 import random
 import sys
 import time
+from collections import Counter
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -25,17 +29,16 @@ from oracle import NoSolution
 from planes.cycle import Cycle, fused
 from planes.cycle.claims import Claims
 from planes.cycle.digits import Digits
-from planes.cycle.reading import read
-from planes.cycle.tape import Tape
-from planes.cycle.tracing import given_values
+from planes.cycle.tracing import given_values, trace
+from planes.cycle.twofold import Two, apart, read_long
 from planes.drawing import run
 from planes.plans import state
 from planes.scene import loads
 from planes.wording import PlanesError
 
-LONG = np.longdouble
-PI = LONG("3.14159265358979323846264338327950288")
-EACH, CLOSE, FEW = 1000, 1e-6, 2
+EACH, CLOSE, FEW, SEEN = 1000, 1e-6, 2, 200
+COMPILED = 25  # of so many mechanisms one is drawn by the compiled loop too
+FINE = 1e-28  # what two floats tell apart
 TURN = np.arange(0.0, 360.0, 0.5)
 
 
@@ -51,18 +54,19 @@ def mechanism(seed: int, **how: Any) -> Cycle | None:
         return None
 
 
-def lengthened(tape: Tape) -> Tape:
-    """The tape with its irrational constants at full length."""
-    exact = {math.radians(1): PI / 180, math.degrees(1): 180 / PI}
-    values = {k: exact.get(v, v) if type(v) is float else v for k, v in tape.values.items()}
-    return dataclasses.replace(tape, values=values)
-
-
-def truth(c: Cycle, values: Any) -> Any:
+def truth(c: Cycle, values: Any) -> list[Two]:
     """The columns in long numbers."""
-    tape = lengthened(c.trace.tape)
-    found = read(tape, tape.needed(list(c.trace.outputs)), {**given_values(c.given), c.plans.drive_given: values}, LONG)
-    return np.array([np.broadcast_to(found[p], values.shape) for p in c.trace.outputs])
+    drawn = trace(c.program, c.given, [x.take for x in c.columns], c.folded, fine=FINE)
+    found = read_long(drawn.tape, drawn.tape.needed(list(drawn.outputs)),
+                      {**given_values(c.given), c.plans.drive_given: values})
+    return [tuple(np.broadcast_to(part, values.shape) for part in found[p]) for p in drawn.outputs]  # type: ignore[misc]
+
+
+def errors(table: Any, true: list[Two]) -> Any:
+    """How far the numbers of a table are from the truth; nothing where that cannot be told."""
+    with np.errstate(invalid="ignore"):
+        found = np.array([apart(row, x) for row, x in zip(table, true, strict=True)])
+        return np.where(found < FINE * np.abs(table), 0.0, found)
 
 
 def codes(c: Cycle, values: Any) -> Any:
@@ -86,55 +90,119 @@ def close_to_limits(c: Cycle, rng: Any) -> Any:
     return good + math.copysign(1.0, good - bad) * np.degrees(CLOSE * 10.0 ** rng.uniform(-6, 0, EACH))
 
 
+@dataclass
+class Tally:
+    """What a run of claims has counted."""
+
+    count: Counter[str] = field(default_factory=Counter)
+    kinds: Counter[str] = field(default_factory=Counter)
+    close: Counter[str] = field(default_factory=Counter)
+    ratios: dict[str, list[Any]] = field(default_factory=dict)
+
+    def told(self) -> str:
+        n = self.count
+        by = {k: np.concatenate(v) for k, v in sorted(self.ratios.items())}
+        whole = np.concatenate([*by.values(), np.empty(0)])
+        median = float(np.median(whole)) if len(whole) else math.nan
+        each = ", ".join(f"{k} {np.median(v):.1f}" for k, v in by.items() if len(v))
+        return (
+            f"claims: {n['positions']} positions of {n['mechanisms']} mechanisms ({dict(self.kinds)}), {n['close']} "
+            f"of them closer than {CLOSE:g} rad to a limit ({dict(self.close)}); {n['numbers']} numbers, {n['wrong']} "
+            f"further off than claimed; of no error {n['right']}, of no truth {n['unknown']}; nothing claimed for "
+            f"{n['silent']} numbers at {n['mute']} positions; median of claim to error {median:.2f} ({each}), "
+            f"in {100 * np.mean(whole > 100) if len(whole) else 0:.1f}% above a hundred; "
+            f"{n['sampled']} long truths beside 50 digits, {n['strays']} astray; "
+            f"{n['single']} drawn one by one, {n['single_wrong']} further off than claimed; {n['compiled']} positions "
+            f"compiled too, {n['compiled_wrong']} numbers further off than claimed"
+        )
+
+
 def claims(positions: int, end: float, seed: int) -> bool:
     """Whether no result was further from the truth than claimed."""
-    count = close = numbers = wrong = silent = strays = tried = 0
-    ratios: list[Any] = []
-    while count < positions and time.monotonic() < end:
+    tally = Tally()
+    while tally.count["positions"] < positions and time.monotonic() < end:
         seed += 1
         c = mechanism(seed, sliding=False)
-        if c is None:
-            continue
-        rng = np.random.default_rng(seed)
-        near = close_to_limits(c, rng) if seed % 3 == 0 else np.empty(0)
-        values = near if len(near) else rng.uniform(0, 360, EACH)
-        (block,) = c.blocks(values, fast=False)
-        good = block.codes == 0
-        if not good.any():
-            continue
-        tried += 1
-        values, table, true = values[good], block.table[:, good], truth(c, values[good])
-        with np.errstate(invalid="ignore"):
-            claimed, error = Claims(c).bounds(values), np.abs(table - true).astype(float)
-            over = (error > claimed) & np.isfinite(table)
-        for k in range(min(FEW, len(values))):
-            strays += astray(c, float(values[k]), true[:, k], claimed[:, k])
-        if over.any():
-            wrong += int(over.sum())
-            row, k = np.argwhere(over)[0]
-            print(f"seed {seed}: {c.columns[row].name} at {values[k]!r}: {error[row, k]:.3g} > {claimed[row, k]:.3g}")
-        count, close, numbers = count + len(values), close + (len(values) if len(near) else 0), numbers + table.size
-        silent += int((~np.isfinite(claimed).all(axis=0)).sum())
-        sure = (error > 0) & np.isfinite(claimed)
-        ratios.append(rng.choice(claimed[sure] / error[sure], 200) if sure.any() else np.empty(0))
-    median = float(np.median(np.concatenate(ratios))) if ratios else math.nan
-    print(
-        f"claims: {count} positions of {tried} mechanisms, {close} of them closer than {CLOSE:g} rad to a limit; "
-        f"{numbers} numbers, {wrong} further off than claimed; nothing claimed at {silent} positions; "
-        f"median of claim to error {median:.1f}; {strays} long truths astray from 50 digits"
-    )
-    return not wrong and not strays
+        if c is not None:
+            _claims_of(c, seed, tally)
+    print(tally.told())
+    return not any(tally.count[k] for k in ("wrong", "strays", "single_wrong", "compiled_wrong"))
 
 
-def astray(c: Cycle, value: float, true: Any, claimed: Any) -> int:
-    """How many long truths stray from 50 digits by more than a hundredth of the claim."""
-    drawing = run(c.program, {**c.given, c.plans.drive_given: value}, Digits(50))
-    mp, found = drawing.hand.ar.mp, 0  # type: ignore[attr-defined]
-    for column, x, bound in zip(c.columns, true, claimed, strict=True):
-        high = float(x)
-        apart = abs(float(column.take(drawing.things, drawing.hand.ar) - mp.mpf(high) - mp.mpf(float(x - LONG(high)))))
-        found += bool(math.isfinite(apart) and math.isfinite(bound) and apart > bound / 100 + 1e-300)
-    return found
+def _claims_of(c: Cycle, seed: int, tally: Tally) -> None:
+    rng = np.random.default_rng(seed)
+    near = close_to_limits(c, rng) if seed % 3 == 0 else np.empty(0)
+    values = near if len(near) else rng.uniform(0, 360, EACH)
+    (block,) = c.blocks(values, fast=False)
+    good = block.codes == 0
+    if not good.any():
+        return
+    values, table = values[good], block.table[:, good]
+    true, claimed = truth(c, values), Claims(c).bounds(values)
+    error = errors(table, true)
+    _count(c, seed, tally, (values, table, error, claimed))
+    if fused.available() and seed % COMPILED == 0:
+        _compiled(c, seed, tally, (values, true, claimed))
+    tally.close.update({KINDS[seed % 5]: len(values)} if len(near) else {})
+    tally.count["close"] += len(values) if len(near) else 0
+    sure = (error > 0) & np.isfinite(claimed)
+    rows, places = np.nonzero(sure)
+    for k in rng.choice(len(rows), SEEN) if len(rows) else ():
+        name = quantity(c.columns[rows[k]].name)
+        tally.ratios.setdefault(name, []).append([claimed[rows[k], places[k]] / error[rows[k], places[k]]])
+    for k in range(min(FEW, len(values))):
+        _beside_digits(c, float(values[k]), [(x[0][k], x[1][k]) for x in true], claimed[:, k], tally.count)
+
+
+def _count(c: Cycle, seed: int, tally: Tally, found: tuple[Any, Any, Any, Any]) -> None:
+    values, table, error, claimed = found
+    said, over = np.isfinite(table), error > claimed
+    if over.any():
+        row, k = np.argwhere(over)[0]
+        print(f"seed {seed}: {c.columns[row].name} at {values[k]!r}: {error[row, k]:.3g} > {claimed[row, k]:.3g}")
+    silent = said & ~np.isfinite(claimed)
+    tally.kinds[KINDS[seed % 5]] += len(values)
+    tally.count.update(
+        positions=len(values), mechanisms=1, numbers=int(said.sum()), wrong=int(over.sum()),
+        right=int((error == 0).sum()), unknown=int((said & np.isnan(error)).sum()), silent=int(silent.sum()),
+        mute=int(silent.any(axis=0).sum()),
+    )  # fmt: skip
+
+
+def _compiled(c: Cycle, seed: int, tally: Tally, found: tuple[Any, Any, Any]) -> None:
+    """The same positions by the compiled loop, which rounds otherwise."""
+    values, true, claimed = found
+    (block,) = c.blocks(values, fast=True)
+    over = (errors(block.table, true) > claimed) & (block.codes == 0)
+    tally.count.update(compiled=int((block.codes == 0).sum()), compiled_wrong=int(over.sum()))
+    if over.any():
+        row, k = np.argwhere(over)[0]
+        print(f"seed {seed}, compiled: {c.columns[row].name} at {values[k]!r} is further off than claimed")
+
+
+def quantity(name: str) -> str:
+    """What kind of quantity a column is of."""
+    kind, _, rest = name.partition("_")
+    return {"arm": "F arm", "moment": "F moment"}.get(rest.rpartition("_")[2], "F") if kind == "F" else kind
+
+
+def _beside_digits(c: Cycle, value: float, true: list[Any], claimed: Any, count: Counter[str]) -> None:
+    """One position at 50 digits: how many long truths stray from it by more than a hundredth of the claim, and how many
+    numbers drawn by themselves are further off than claimed."""
+    try:
+        drawing = run(c.program, {**c.given, c.plans.drive_given: value}, Digits(50))
+        single = run(c.program, {**c.given, c.plans.drive_given: value})
+    except PlanesError:
+        return
+    ar = drawing.hand.ar
+    mpf = ar.mp.mpf  # type: ignore[attr-defined]
+    for column, (high, low), bound in zip(c.columns, true, claimed, strict=True):
+        exact = column.take(drawing.things, ar)
+        strays = float(abs(exact - mpf(float(high)) - mpf(float(low))))
+        wrong = float(abs(exact - mpf(float(column.take(single.things, single.hand.ar)))))
+        known = math.isfinite(strays) and math.isfinite(bound)
+        count.update(sampled=known, strays=known and strays > bound / 100 + FINE * abs(high))
+        count.update(single=known, single_wrong=known and wrong > bound)
 
 
 def masks(positions: int, end: float, seed: int) -> bool:
@@ -149,7 +217,7 @@ def masks(positions: int, end: float, seed: int) -> bool:
         must = np.array([not x.beside for x in c.columns])
         drive = c.plans.mechanism.drive
         values = np.random.default_rng(seed).uniform(-1, 1, 20_000) * (720 if drive.kind == "phi" else 2)
-        ways = (False, True) if fused.available() and seed % 25 == 0 else (False,)
+        ways = (False, True) if fused.available() and seed % COMPILED == 0 else (False,)
         found = []
         for fast in ways:
             blocks = list(c.blocks(values, fast=fast))

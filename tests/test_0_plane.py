@@ -134,6 +134,31 @@ def test_arcs_meet_where_50_digits_say(
 
 
 @SETTINGS
+@given(PLACE, PLACE, st.floats(0.01, 1000), st.floats(-16, 0), st.sampled_from([1.0, -1.0]))
+def test_whether_circles_meet_is_known_to_the_last_digit(
+    c: complex, d: complex, r: float, near: float, way: float
+) -> None:
+    s = abs(d - c) - r + way * 10**near  # almost touching
+    x, y = Fraction(d.real) - Fraction(c.real), Fraction(d.imag) - Fraction(c.imag)
+    true = (Fraction(r) + Fraction(s)) ** 2 - x * x - y * y
+    size = abs(c) + abs(d) + abs(r) + abs(s)
+    many = MANY.gap(np.array([c, c]), np.array([d, d]), np.array([r, r]), s)
+    touching = EPS * 1.5 * size * abs(r + s)  # what rounding the givens alone may make
+    for found in (ONE.gap(c, d, r, s), float(many[1])):
+        right = abs(Fraction(found) - true) <= EPS * abs(true) + 2.0**-100 * size**2
+        assert right or (not found and abs(true) < touching)
+
+
+def test_circles_that_touch_in_decimals_touch() -> None:
+    rng = random.Random(1)
+    for _ in range(200):
+        crank, rod = round(rng.uniform(0.05, 0.12), 3), round(rng.uniform(0.2, 0.4), 3)
+        far, near = round(crank + 2 * rod, 6) + 0j, round(crank + rod, 6) + 0j
+        assert plane.arcs(crank + 0j, rod, far, rod, 1.0, ONE)[1] == 0
+        assert plane.arcs(crank + 0j, 2 * rod, near, rod, 1.0, ONE)[1] == 0
+
+
+@SETTINGS
 @given(PLACE, PLACE, st.floats(-1, 1), SIDE, st.floats(-15, 0))
 def test_a_tangent_touches_its_circle(c: complex, a: complex, part: float, side: float, near: float) -> None:
     apart = abs(a - c)

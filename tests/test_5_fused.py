@@ -71,7 +71,7 @@ def test_the_loop_does_what_the_tape_says() -> None:
     outputs = [
         AR.sqrt(x), AR.maximum(x, y), AR.minimum(x, y), AR.sign(x), abs(Vec(x, y)), AR.power(x, 2),
         AR.power(y, -1), AR.where((x > 0) & ~(y <= 0.5) | (x == y), x, y), abs(x), x - 2.0 * y,
-        AR.where(x < y, math.nan, x), x * y + 3.0,
+        AR.where(x < y, math.nan, x), x * y + 3.0, AR.gap(Vec(x, y), 0.25 + 0j, y, x * 0.5),
     ]  # fmt: skip
     inputs = {"x": rng.normal(size=1000), "y": rng.normal(size=1000)}
     found = compiled(tape, outputs, **inputs)

@@ -77,6 +77,17 @@ def sharpness(c: Cycle, values: Any) -> Any:
     return np.min([np.broadcast_to(s, values.shape) for s in drawn.sharpness.values()], axis=0)
 
 
+@pytest.mark.parametrize("fast", [False, pytest.param(True, marks=needs_compiler)])
+def test_other_givens_may_move_with_the_drive(fast: bool) -> None:
+    p = plans("kind-1-rrr")
+    angles, lengths = np.linspace(0.0, 360.0, 50), np.linspace(0.08, 0.13, 50)
+    table, codes = whole(Cycle(p, ["v_C", "a_C"], {"l_AB": lengths}), angles, chunk=16, fast=fast)
+    assert not codes.any()
+    for k in (0, 17, 49):
+        alone, _ = whole(Cycle(p, ["v_C", "a_C"], {"l_AB": float(lengths[k])}), [angles[k]], fast=False)
+        assert table[:, k] == pytest.approx(alone[:, 0], rel=1e-13)
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_numbers_are_those_of_single_drawings(name: str) -> None:
     p = plans(name)

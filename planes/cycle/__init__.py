@@ -15,7 +15,6 @@ import numpy as np
 
 from planes.cycle import fused
 from planes.cycle.columns import Column, columns_of
-from planes.cycle.fused_text import ROW
 from planes.cycle.tracing import Trace, given_values, trace
 from planes.drawing import run
 from planes.instruments import Exact, Instrument
@@ -53,8 +52,8 @@ class Reason:
 class Cycle:
     """A mechanism ready for any number of positions, cut down to what is asked (``names``; None: everything).
 
-    ``known`` overrides givens by name; with an array among them each position has its own. ``columns`` may be
-    given as such, in place of ``names``.
+    ``known`` overrides givens by name; those with an array, a number for each position, move with the drive.
+    ``columns`` may be given as such, in place of ``names``.
     """
 
     def __init__(
@@ -66,6 +65,7 @@ class Cycle:
         self.program: Program = plans.program.sliced([n for c in self.columns for n in c.needs])
         self.mus = unit_scales(plans)
         self.given = {**plans.given, **self.mus, **(known or {})}
+        self.moved = {name: np.asarray(v, float) for name, v in (known or {}).items() if np.ndim(v)}
         self.folded = {mu: 1.0 for mu in self.mus if mu not in (known or {})}
 
     @cached_property
@@ -82,8 +82,13 @@ class Cycle:
     @cached_property
     def compiled(self) -> fused.Bound:
         """The compiled loop."""
-        loop = fused.fuse(self.trace, (self.plans.drive_given,))
+        loop = fused.fuse(self.trace, (self.plans.drive_given, *self.moved))
         return loop.bound(given_values(self.given))
+
+    def moving(self, values: Any, start: int = 0) -> dict[str, Any]:
+        """What moves, at the positions from ``start`` on: the drive with ``values``, and its companions."""
+        beside = {name: v[start : start + len(values)] for name, v in self.moved.items()}
+        return {self.plans.drive_given: values, **beside}
 
     def blocks(
         self, values: Any, chunk: int = CHUNK, fast: bool | None = None, instrument: Instrument | None = None
@@ -94,15 +99,23 @@ class Cycle:
         by_hand = instrument is not None and not isinstance(instrument, Exact)
         if fast is None:
             fast = not by_hand and fused.available() and ("compiled" in self.__dict__ or len(values) >= PAYS)
-        size = min(chunk, ROW) if fast else chunk
+        size = min(chunk, self.compiled.fused.row) if fast else chunk
         for start in range(0, len(values), size):
             part = np.asarray(values[start : start + size], float)
-            yield self._whole(part, *(self.compiled(part[None]) if fast else self._drawn(part, instrument)))
+            found = self._run(part, start) if fast else self._drawn(self.moving(part, start), len(part), instrument)
+            yield self._whole(part, *found)
 
-    def _drawn(self, part: Any, instrument: Instrument | None) -> tuple[Any, Any]:
-        """The same by arrays: the table, and the codes (None: nothing failed)."""
-        drawing = run(self.program, {**self.given, self.plans.drive_given: part}, instrument)
-        table = np.empty((len(self.columns), len(part)))
+    def _run(self, part: Any, start: int) -> tuple[Any, Any]:
+        """The table by the compiled loop, and the codes (None: nothing failed)."""
+        if not self.moved:
+            return self.compiled(part[None])
+        moving = self.moving(part, start)
+        return self.compiled(np.array([moving[name] for name in self.compiled.fused.inputs]))
+
+    def _drawn(self, moving: dict[str, Any], count: int, instrument: Instrument | None) -> tuple[Any, Any]:
+        """The same by arrays."""
+        drawing = run(self.program, {**self.given, **moving}, instrument)
+        table = np.empty((len(self.columns), count))
         with np.errstate(all="ignore"):
             for row, column in zip(table, self.columns, strict=True):
                 row[:] = column.take(drawing.things, drawing.hand.ar)

@@ -1,30 +1,31 @@
 """How far off a result may be, told by the drawing itself: a running bound of every rounding on the way to it.
 
-Each operation errs by its own rounding and by what its slopes say nothing of (``rounding``); each such error goes on to
-every result by slopes, exactly: f(a + d) = f(a) + slope · d + what is lost by taking f to be straight. Errors that
-cancel are left to cancel (``slopes``). Roundings add up as chances do, what is lost adds up at its worst. Where a
-sharpness is as small as its own error the loss has no end, and nothing is claimed.
+What is given, and the drive's values, are taken as exact. Each operation errs by its own rounding and by what its
+slopes say nothing of (``rounding``); each such error goes on to every result by slopes, exactly: f(a + d) = f(a) +
+slope · d + what is lost by taking f to be straight. Errors that cancel are left to cancel (``slopes``). Roundings add
+up as chances do, what is lost adds up at its worst. Where a sharpness, or a force divided by, is as small as its own
+error the loss has no end, and nothing is claimed. ``tests/nightly.py`` measures how honest this is, and how close.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
 from planes.cycle import Block, Cycle
-from planes.cycle.columns import Column
 from planes.cycle.reading import read
-from planes.cycle.rounding import BLIND, EXACT, LARGEST, USUAL, bent, rounding, unit_parts, whole_numbers
-from planes.cycle.slopes import STIFF, Carrying, Values
+from planes.cycle.rounding import BLIND, LARGEST, USUAL, bent, rounding, unit_parts, whole_numbers
+from planes.cycle.slopes import STIFF, Carrying, Values, times
 from planes.cycle.tape import Tape
-from planes.cycle.tracing import Take, given_values, trace
-from planes.naming import mu_of, plan_of
+from planes.cycle.tracing import given_values, trace
 
-SIGMAS = 6.0  # of so many roundings beyond this is one sum in five hundred million
-SMALL = 0.01  # of the rounding beside it, what is lost by taking an operation to be straight is not worth finding better
-PIECE = 64  # positions worked at once
+SIGMAS = 6.0  # roundings add up as chances do: further off than this is one sum in five hundred million
+SMALL = 0.01  # a loss this small beside the rounding is not worth a better bound
+NOTHING = 1e-9  # and one this small not worth counting
+ROUNDED = 1 + 1e-6  # for what is not counted; and the bound is reckoned in floats too
+PIECE = 128  # positions worked at once
 
 
 class _Running:
@@ -33,8 +34,9 @@ class _Running:
     def __init__(self, tape: Tape, order: list[int], found: Values, count: int, kept: Kept) -> None:
         self.tape, self.found, self.count, self.kept = tape, found, count, kept
         self.carrying = Carrying(tape, order, count)
-        self.largest, self.squares, self.lost = (np.zeros((kept.most, count)) for _ in range(3))
-        self.reach: dict[int, Any] = {}  # no place is further off than this: a rough bound, made better where it matters
+        self.largest, self.lost = np.zeros((kept.most, count)), np.zeros((kept.most, count))
+        self.usual, self.losing = np.ones(kept.most), np.zeros(kept.most, bool)
+        self.reach: dict[int, Any] = {}  # no place is further off: a rough bound, made better where it matters
         self.better: dict[int, Any] = {}
         self.unsure: dict[int, Any] = {}  # of the tests whether a thing moves
 
@@ -53,14 +55,20 @@ class _Running:
     def _err(self, place: int, op: str, args: tuple[int, ...]) -> None:
         slip = rounding(self.tape, place, self.found, self.kept.whole)
         lost, parts = self._bent(place, op, args, slip)
-        moved = [np.abs(part) * self.reach[a] for a, part in zip(args, parts, strict=True) if a in self.reach]
+        none = ~np.isfinite(self.found[place])
+        if op not in ("neg", "const") and np.any(none):
+            slip, lost = (np.where(none, x, 0.0 if y is None else y) for x, y in ((0.0, slip), (BLIND, lost)))
+            parts = tuple(np.where(none, np.zeros_like(part), part) for part in parts)
+        moved = [np.abs(times(part, self.reach[a])) for a, part in zip(args, parts, strict=True) if a in self.reach]
         own = slip is not None or lost is not None
         if own:
             k = self.carrying.made
             self.largest[k] = LARGEST.get(op, 1.0) * (0.0 if slip is None else slip)
-            self.squares[k] = (USUAL.get(op, 1.0) * (0.0 if slip is None else slip)) ** 2 / 3
-            self.lost[k] = 0.0 if lost is None else lost
-            moved.append(self.largest[k] + self.lost[k])
+            self.usual[k] = (USUAL.get(op, 1.0) / LARGEST.get(op, 1.0)) ** 2 / 3
+            moved.append(self.largest[k])
+        if lost is not None:
+            self.lost[k], self.losing[k] = lost, True
+            moved.append(lost)
         if moved:
             self.reach[place] = np.minimum(sum(moved), BLIND) + np.zeros(self.count)
         self.carrying.carry(place, args, parts, own)
@@ -70,16 +78,24 @@ class _Running:
         z, given = self.found[place], tuple(self.found[a] for a in args)
         if args and args[0] in self.unsure:
             return self.unsure[args[0]], bent(op, z, given, ())[1]
+        if place in self.kept.chosen:  # a direction of nothing that may yet be something
+            length = self.kept.chosen[place]
+            lost = np.where((self.found[length] == 0) & (self.reach.get(length, 0.0) > 0), 2.0, 0.0)
+            return lost, bent(op, z, given, ())[1]
         lost, parts = bent(op, z, given, self._reaches(args))
         if lost is None or not np.any(lost):
             return None, parts
-        doubtful = lost > SMALL * (0.0 if slip is None else slip)
+        beside = 0.0 if slip is None else slip
+        doubtful = lost > SMALL * beside
+        if not np.any(lost > NOTHING * beside):
+            return None, parts
         if np.any(doubtful):
             self._look(args, np.broadcast_to(doubtful, (self.count,)))
             lost, parts = bent(op, z, given, self._reaches(args))
         if place in self.kept.units:
             length = self.kept.units[place]
-            blunt = 2 * self.reach.get(length, 0.0) >= np.abs(self.found[length])
+            reach = self.reach.get(length, 0.0)
+            blunt = (2 * reach >= np.abs(self.found[length])) & (reach > 0)
             lost, parts = np.where(blunt, 2.0, lost), tuple(np.where(blunt, 0.0, part) for part in parts)
         return lost, parts
 
@@ -100,25 +116,30 @@ class _Running:
         if place not in self.carrying.rows:
             return np.zeros(self.count)[where]
         rows = self.carrying.rows[place][:, where]
-        largest, squares, lost = (x[: len(rows), where] for x in (self.largest, self.squares, self.lost))
         size = np.abs(rows)
-        chance = SIGMAS * np.sqrt(np.einsum("kp,kp,kp->p", rows, rows, squares))
-        return np.minimum(np.einsum("kp,kp->p", size, largest), chance) + np.einsum("kp,kp->p", size, lost)
+        losing = np.flatnonzero(self.losing[: len(rows)])
+        lost = np.einsum("kp,kp->p", size[losing], self.lost[losing][:, where])
+        size *= self.largest[: len(rows), where]
+        total = size.sum(axis=0)
+        size *= size
+        return np.minimum(total, SIGMAS * np.sqrt(self.usual[: len(rows)] @ size)) + lost
 
     def _turning(self, args: tuple[int, ...]) -> Any:
-        """How far off a sense may be: 2 where it cannot be told which way a thing moves, or whether it does."""
+        """How far off a sense may be: what is called a standstill may be a motion, and of a motion that is all error
+        it is not known which way it goes. Only what cannot move at all surely stands."""
         self._look(args, np.ones(self.count, bool))
-        still, size = args
-        least, most = self.found[size] - self.reach.get(size, 0.0), self.found[size] + self.reach.get(size, 0.0)
-        return np.where((most > self.found[still]) & (least <= self.found[still]), 2.0, 0.0)
+        (still, least), (size, error) = ((np.abs(self.found[a]), self.reach.get(a, 0.0)) for a in args)
+        sure = (size - error > still + least) | ((size == 0) & (error == 0))
+        return np.where(sure, 0.0, 2.0)
 
 
 class Kept:
     """What is known of a tape beforehand."""
 
     def __init__(self, tape: Tape, order: list[int], turns: tuple[int, ...]) -> None:
-        self.whole, self.units, self.turns = whole_numbers(tape, order), unit_parts(tape, order), frozenset(turns)
-        self.most = sum(tape.ops[p][0] not in EXACT or tape.ops[p][0] in ("const", "sel", "abs", "max", "min") for p in order)
+        self.whole, self.turns = whole_numbers(tape, order), frozenset(turns)
+        self.units, self.chosen = unit_parts(tape, order)
+        self.most = sum(tape.ops[p][0] not in STIFF or tape.ops[p][0] == "const" for p in order)
 
 
 class Claims:
@@ -126,48 +147,32 @@ class Claims:
 
     def __init__(self, cycle: Cycle) -> None:
         self.cycle, self.count = cycle, len(cycle.columns)
-        self.inner = [k for k, c in enumerate(cycle.columns) if c.part]
-        ends = [_place(c, end) for c in (cycle.columns[k] for k in self.inner) for end in (c.start, c.end)]
-        drawn = trace(cycle.program, cycle.given, [*(c.take for c in cycle.columns), *ends], cycle.folded)
-        self.tape, self.outputs, self.ends = drawn.tape, drawn.outputs[: self.count], drawn.outputs[self.count :]
+        drawn = trace(cycle.program, cycle.given, [c.take for c in cycle.columns], cycle.folded)
+        self.tape, self.outputs = drawn.tape, drawn.outputs
         self.order = self.tape.needed(list(drawn.outputs))
         self.kept = Kept(self.tape, self.order, drawn.turns)
 
-    def bounds(self, values: Any) -> Any:
-        """A row for each column: no result is further from the truth; infinite where nothing can be claimed."""
-        pieces = [self._piece(np.asarray(values[i : i + PIECE], float)) for i in range(0, len(values), PIECE)]
+    def bounds(self, values: Any, start: int = 0) -> Any:
+        """A row for each column: no result is further from the truth; infinite where nothing can be claimed.
+
+        The ``values`` of the drive are those of the positions from ``start`` on.
+        """
+        steps = range(0, len(values), PIECE)
+        pieces = [self._piece(np.asarray(values[i : i + PIECE], float), start + i) for i in steps]
         return np.hstack(pieces) if pieces else np.empty((self.count, 0))
 
-    def _piece(self, values: Any) -> Any:
-        given = {**given_values(self.cycle.given), self.cycle.plans.drive_given: values}
-        given |= {k: v[: len(values)] for k, v in given.items() if np.ndim(v)}
+    def _piece(self, values: Any, start: int) -> Any:
+        given = {**given_values(self.cycle.given), **self.cycle.moving(values, start)}
         found = read(self.tape, self.order, given)
         with np.errstate(all="ignore"):
             bounds = _Running(self.tape, self.order, found, len(values), self.kept)(frozenset(self.outputs))
-            bound = np.array([bounds[p] for p in self.outputs]).reshape(self.count, len(values))
-            bound = bound + self._steps(found, len(values))
-            last = [np.spacing(np.abs(found[w])) / 2 + np.zeros(len(values)) for w in self.outputs]
-            bound = bound + np.array(last).reshape(bound.shape)
+            bound = np.array([bounds[p] for p in self.outputs]).reshape(self.count, len(values)) * ROUNDED
             return np.where(bound < BLIND * 1e-50, bound, np.inf)
-
-    def _steps(self, found: Values, count: int) -> Any:
-        """What a segment between two marks loses where they were marked, which a tape that sees F in (m + F) - m
-        knows nothing of; from a pole nothing is lost."""
-        lost = np.zeros((self.count, count))
-        for row, start, end in zip(self.inner, self.ends[::2], self.ends[1::2], strict=True):
-            one, two = np.abs(found[start]), np.abs(found[end])
-            mu = self.cycle.given[mu_of(plan_of(self.cycle.columns[row].start))]
-            lost[row] = np.where(one > 0, np.spacing(one) + np.spacing(two), 0.0) / mu
-        return lost
 
     def beside(self, blocks: Iterator[Block]) -> Iterator[Block]:
         """The blocks with a row of ± after the rows of results."""
+        start = 0
         for block in blocks:
-            claimed = np.where(np.isnan(block.table), np.nan, self.bounds(block.values))
+            claimed = np.where(np.isnan(block.table), np.nan, self.bounds(block.values, start))
+            start += len(block.values)
             yield Block(block.values, np.vstack([block.table, claimed]), block.codes)
-
-
-def _place(column: Column, mark: str) -> Take:
-    """Where a mark stands, in the direction the column reads."""
-    way: dict[str, Callable[[Any], Any]] = {"x": lambda z: z.real, "y": lambda z: z.imag, "size": abs}
-    return lambda things, ar: way[column.part](things[mark])

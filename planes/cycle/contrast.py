@@ -23,7 +23,7 @@ TOLERANCE, MOST = 1e-12, 50
 
 @dataclass(frozen=True)
 class Loops:
-    """The constraints of a mechanism driven by an angle."""
+    """The constraints of a mechanism, and of its drive: an angle (rad) or a slider's way along its guide (m)."""
 
     plans: Plans
 
@@ -37,12 +37,24 @@ class Loops:
         k = 3 * self.links.index(link)
         return complex(q[k], q[k + 1]), float(q[k + 2])
 
-    def residual(self, q: Any, phi: float) -> Any:
+    def drive(self, q: Any) -> float:
+        """The drive's value in a pose."""
+        pair = self.plans.structure.drive_pair
+        return self.pose(q, pair.link)[1] if pair.kind == "R" else self._slid(q, pair).real
+
+    def target(self, q: Any, value: float) -> float:
+        """A value of the drive (degrees or m) as the loops have it, whole turns those of the pose."""
+        if self.plans.mechanism.drive.kind == "s":
+            return value
+        phi = math.radians(value)
+        return phi + 2 * math.pi * round((self.drive(q) - phi) / (2 * math.pi))
+
+    def residual(self, q: Any, value: float) -> Any:
         """What the constraints lack of holding, the drive's last."""
         found: list[float] = []
         for pair in self.plans.structure.pairs:
             found += self._hinge(q, pair) if pair.kind == "R" else self._slider(q, pair)
-        return np.array([*found, self.pose(q, self.plans.mechanism.drive.link)[1] - phi])
+        return np.array([*found, self.drive(q) - value])
 
     def place(self, q: Any, link: str, point: str) -> complex:
         origin, angle = self.pose(q, link)
@@ -53,24 +65,35 @@ class Loops:
         return [gap.real, gap.imag]
 
     def _slider(self, q: Any, pair: Pair) -> list[float]:
-        mechanism = self.plans.mechanism
-        guide, slides = mechanism.guide(pair.guide), mechanism.link(pair.link).slides
+        slides = self.plans.mechanism.link(pair.link).slides
         assert slides
-        origin, turn = self.pose(q, pair.other)
-        along = turn + math.radians(guide.angle_deg)
-        on_guide = origin + guide.through * cmath.exp(1j * turn)
-        first = self.place(q, pair.link, mechanism.link(pair.link).first_point)
-        aside = ((first - on_guide) * cmath.exp(-1j * along)).imag - (slides.offset or 0.0)
-        return [aside, self.pose(q, pair.link)[1] - along - math.radians(slides.angle_deg or 0.0)]
+        turned = self.pose(q, pair.link)[1] - self._along(q, pair) - math.radians(slides.angle_deg or 0.0)
+        return [self._slid(q, pair).imag - (slides.offset or 0.0), turned]
 
-    def jacobian(self, q: Any, phi: float) -> Any:
+    def _along(self, q: Any, pair: Pair) -> float:
+        return self.pose(q, pair.other)[1] + math.radians(self.plans.mechanism.guide(pair.guide).angle_deg)
+
+    def _slid(self, q: Any, pair: Pair) -> complex:
+        """Where the slider's first point is, along the guide and to the left of it."""
+        mechanism = self.plans.mechanism
+        origin, turn = self.pose(q, pair.other)
+        on_guide = origin + mechanism.guide(pair.guide).through * cmath.exp(1j * turn)
+        first = self.place(q, pair.link, mechanism.link(pair.link).first_point)
+        return (first - on_guide) * cmath.exp(-1j * self._along(q, pair))
+
+    def jacobian(self, q: Any) -> Any:
         """Slopes of the constraints."""
         rows: list[Any] = []
         for pair in self.plans.structure.pairs:
-            rows += self._hinge_slopes(q, pair) if pair.kind == "R" else self._slider_slopes(q, pair)
-        drive = np.zeros(len(q))
-        drive[3 * self.links.index(self.plans.mechanism.drive.link) + 2] = 1.0
-        return np.array([*rows, drive])
+            rows += self._hinge_slopes(q, pair) if pair.kind == "R" else self._slider_slopes(q, pair)[1:]
+        return np.array([*rows, self._drive_slope(q)])
+
+    def _drive_slope(self, q: Any) -> Any:
+        pair, row = self.plans.structure.drive_pair, np.zeros(len(q))
+        if pair.kind == "P":
+            return self._slider_slopes(q, pair)[0]
+        row[3 * self.links.index(pair.link) + 2] = 1.0
+        return row
 
     def _fill(self, rows: Any, q: Any, link: str, place: complex, unit: complex, sign: float) -> None:
         """How the parts of a place of a link along 1/unit and across it move with the link's pose."""
@@ -89,36 +112,35 @@ class Loops:
         return list(rows)
 
     def _slider_slopes(self, q: Any, pair: Pair) -> list[Any]:
+        """Slopes of the way along the guide, of that across it, and of the turn against it."""
         mechanism, rows, turns = self.plans.mechanism, np.zeros((2, len(q))), np.zeros(len(q))
-        guide = mechanism.guide(pair.guide)
-        _, turn = self.pose(q, pair.other)
-        back = cmath.exp(-1j * (turn + math.radians(guide.angle_deg)))
+        back = cmath.exp(-1j * self._along(q, pair))
         first = self.place(q, pair.link, mechanism.link(pair.link).first_point)
         self._fill(rows, q, pair.link, first, back, 1.0)
         self._fill(rows, q, pair.other, first, back, -1.0)  # the guide's line carried along as a body
         for link, sign in ((pair.link, 1.0), (pair.other, -1.0)):
             if link != FRAME:
                 turns[3 * self.links.index(link) + 2] = sign
-        return [rows[1], turns]
+        return [*rows, turns]
 
-    def newton(self, q: Any, phi: float) -> Any:
+    def newton(self, q: Any, value: float) -> Any:
         """The pose nearest by iteration; no look is taken at whether it came out."""
         for _ in range(MOST):
-            step = np.linalg.solve(self.jacobian(q, phi), -self.residual(q, phi))
+            step = np.linalg.solve(self.jacobian(q), -self.residual(q, value))
             q = q + step
             if np.abs(step).max() < TOLERANCE:
                 break
         return q
 
-    def rates(self, q: Any, phi: float, omega: float, epsilon: float) -> tuple[Any, Any]:
+    def rates(self, q: Any, velocity: float, acceleration: float) -> tuple[Any, Any]:
         """Velocities and accelerations of the pose, from the linear system of the constraints."""
-        slopes = self.jacobian(q, phi)
+        slopes = self.jacobian(q)
         drive = np.zeros(len(q))
         drive[-1] = 1.0  # its equation is the last
-        v = np.linalg.solve(slopes, drive * omega)
+        v = np.linalg.solve(slopes, drive * velocity)
         h = 1e-5 / max(1.0, float(np.abs(v).max()))
-        turned = (self.jacobian(q + h * v, phi) @ v - self.jacobian(q - h * v, phi) @ v) / (2 * h)
-        a = np.linalg.solve(slopes, drive * epsilon - turned)
+        turned = (self.jacobian(q + h * v) @ v - self.jacobian(q - h * v) @ v) / (2 * h)
+        a = np.linalg.solve(slopes, drive * acceleration - turned)
         return v, a
 
     def points(self, q: Any, v: Any, a: Any) -> dict[str, tuple[complex, complex, complex]]:
@@ -146,8 +168,7 @@ class Loops:
         return np.array(q)
 
 
-def differences(places: Callable[[Any], Any], phi: Any, omega: float, epsilon: float, step: float) -> tuple[Any, Any]:
-    """Velocities and accelerations by central differences of places (a row for each) over ``step`` radians."""
-    here, on, back = places(phi), places(phi + math.degrees(step)), places(phi - math.degrees(step))
+def differences(here: Any, back: Any, on: Any, velocity: float, acceleration: float, step: float) -> tuple[Any, Any]:
+    """Velocities and accelerations by central differences of places a ``step`` of the drive (rad or m) apart."""
     slope, bend = (on - back) / (2 * step), (on - 2 * here + back) / step**2
-    return slope * omega, bend * omega**2 + slope * epsilon
+    return slope * velocity, bend * velocity**2 + slope * acceleration

@@ -61,6 +61,10 @@ class Long:
             return self.mp.nan
         return x**n
 
+    def gap(self, c: Any, d: Any, r: Any, s: Any) -> Any:
+        apart = d - c
+        return (r + s) ** 2 - apart.real**2 - apart.imag**2
+
 
 @lru_cache(maxsize=8)
 def _arithmetic(digits: int) -> Long:

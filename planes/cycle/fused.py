@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from planes.cycle.fused_text import STRIDE, module
+from planes.cycle.fused_text import EXTRA, module, row_of
 from planes.cycle.reading import read
 from planes.cycle.tracing import Trace
 
@@ -26,12 +26,14 @@ def available() -> bool:
 
 @dataclass(frozen=True)
 class Fused:
-    """A compiled trace: ``inputs`` names the givens that change from position to position."""
+    """A compiled trace: ``inputs`` names the givens that change from position to position; of these it works ``row``
+    at once."""
 
     trace: Trace
     inputs: tuple[str, ...]
     fixed: tuple[int, ...]
     text: str
+    row: int
 
     def bound(self, given: Mapping[str, Any]) -> Bound:
         """The loop with the numbers that stay the same in all positions."""
@@ -61,7 +63,7 @@ class Bound:
         memory, and its address is taken the short way (``array.ctypes`` is six times as long).
         """
         inputs, count = len(self.fused.inputs), rows.shape[1]
-        whole: Any = np.empty((inputs + len(self.fused.trace.outputs) + 1, STRIDE))
+        whole: Any = np.empty((inputs + len(self.fused.trace.outputs) + 1, self.fused.row + EXTRA))
         whole[:inputs, :count] = rows
         failed = self.run(ctypes.addressof(ctypes.c_char.from_buffer(whole)), count)
         return whole[inputs:-1, :count], whole[-1, :count].astype(np.int16) if failed else None
@@ -81,8 +83,10 @@ def fuse(trace: Trace, inputs: tuple[str, ...]) -> Fused:
     fixed = tuple(p for p in order if p in still and tape.ops[p][0] != "const")
     places = trace.givens()
     rows = [places[name] for name in inputs if name in places]
-    text = module(tape, [p for p in order if p in moved], rows, list(fixed), list(trace.outputs), codes)
-    return Fused(trace, tuple(n for n in inputs if n in places), fixed, text)
+    row = row_of(len(rows) + len(trace.outputs) + 1)
+    moving = [p for p in order if p in moved]
+    text = module(tape, moving, rows, list(fixed), list(trace.outputs), codes, row + EXTRA)
+    return Fused(trace, tuple(n for n in inputs if n in places), fixed, text, row)
 
 
 @cache

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -12,6 +12,7 @@ import numpy as np
 
 from planes.angles import Span
 from planes.cycle import Block, Cycle, Reason
+from planes.cycle.claims import Claims
 from planes.cycle.streams import Heading, opened
 from planes.diagrams.turn import Turn
 from planes.drawing import run
@@ -45,14 +46,20 @@ class Gap:
     count: int
 
 
-def write_cycle(scene: Scene, values: Span | None, output: str, lang: Lang, fast: bool | None = None) -> int:
-    """Write the table; the exit status."""
+def write_cycle(
+    scene: Scene, values: Span | None, output: str, lang: Lang, fast: bool | None = None, errors: bool = False
+) -> int:
+    """Write the table, with ``errors`` the ± of every result after the results; the exit status."""
     if scene.mechanism is None:
         raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
     plans = state(scene.mechanism, scene.file)
     table = Cycle(plans, scene.find)
     span = values or whole(plans)
-    return _written(table, table.columns, table.reasons, table.blocks(span, fast=fast), len(span), output, lang)
+    blocks, columns = table.blocks(span, fast=fast), table.columns
+    if errors:
+        blocks = Claims(table).beside(blocks)
+        columns = [*columns, *(replace(c, name=f"± {c.name}") for c in columns)]
+    return _written(table, columns, table.reasons, blocks, len(span), output, lang)
 
 
 def write_curves(turn: Turn, values: Span | None, output: str, lang: Lang) -> int:

@@ -6,25 +6,23 @@ import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import partial
 from typing import Any
 
 import numpy as np
 
-from planes.cycle import Cycle, fused
-from planes.cycle.contrast import Loops, differences
+from planes.cycle import fused
+from planes.cycle.bench import Bench
 from planes.cycle.digits import Digits
-from planes.cycle.reading import read
-from planes.cycle.tracing import given_values
+from planes.cycle.peers import Pylinkage, installed, kinepy_run, pylinkage_run, version
 from planes.drawing import Drawing, run
 from planes.instruments import Pencil
-from planes.mechanism import FRAME
 from planes.naming import plan_of
 from planes.plans import Plans
 from planes.scales import FIT_MM, scales
 from planes.wording import PlanFailure
 
-MANY, FEW, STEP = 100_000, 48, 1e-3
+MANY, FEWER = 100_000, 10_000
 SHEETS = {"A4": 0.5**0.5, "A3": 1.0, "A2": 2.0**0.5, "A1": 2.0, "A0": 2.0**1.5}
 RULERS = (0.5, 0.1)
 
@@ -37,103 +35,6 @@ class Method:
     number: str
     seconds: float
     error: float
-
-
-class Bench:
-    """A mechanism to try the methods on: places, velocities and accelerations of its moving points."""
-
-    def __init__(self, plans: Plans) -> None:
-        self.plans = plans
-        moving = dict.fromkeys(p for x in plans.mechanism.links.values() for p in x.points)
-        names = [f"{letter}_{p}" for letter in "rva" for p in moving if p not in plans.mechanism.frame.points]
-        self.points = [p for p in moving if p not in plans.mechanism.frame.points]
-        self.cycle = Cycle(plans, names)
-        self.letters = np.array([c.name[0] for c in self.cycle.columns])
-
-    @cached_property
-    def working(self) -> Any:
-        """Values of the drive, over a turn or around a slider's place, at which everything can be drawn."""
-        drive = self.plans.mechanism.drive
-        reach = max((abs(v) for k, v in self.plans.given.items() if k.startswith("l_")), default=1.0)
-        values = np.arange(360.0) if drive.kind == "phi" else drive.position + np.linspace(-0.1, 0.1, 360) * reach
-        codes = np.hstack([b.codes for b in self.cycle.blocks(values, fast=False)])
-        good = values[codes == 0]
-        return good[np.linspace(0, len(good) - 1, min(FEW, len(good))).astype(int)] if len(good) else good
-
-    def taken(self, drawing: Drawing) -> list[Any]:
-        """The columns of one drawing."""
-        return [c.take(drawing.things, drawing.hand.ar) for c in self.cycle.columns]
-
-    def one(self, value: float, instrument: Any = None) -> list[Any]:
-        """The columns at one value, drawn by itself."""
-        return self.taken(run(self.cycle.program, {**self.cycle.given, self.plans.drive_given: value}, instrument))
-
-    def truth(self, values: Any) -> Any:
-        """The columns at 50 digits, rounded once."""
-        return np.array([[float(x) for x in self.one(float(v), Digits(50))] for v in values]).T
-
-    def error(self, found: Any, truth: Any) -> Any:
-        """The largest error at each position, relative to the largest place, velocity or acceleration."""
-        worst = np.zeros(truth.shape[1])
-        for letter in "rva":
-            rows = self.letters == letter
-            if rows.any():
-                worst = np.maximum(worst, np.abs(found - truth)[rows].max(axis=0) / np.abs(truth[rows]).max())
-        return worst
-
-    def many(self, values: Any, fast: bool) -> Any:
-        """The columns by arrays or by the compiled loop."""
-        return np.hstack([b.table for b in self.cycle.blocks(values, fast=fast)])
-
-    def through(self, values: Any, fast: bool) -> int:
-        """The same, each block let go of as soon as it is there; how many blocks."""
-        return sum(1 for _ in self.cycle.blocks(values, fast=fast))
-
-    def single(self, values: Any) -> Any:
-        """The same in numbers of 24 bits."""
-        tape = self.cycle.trace.tape
-        order = tape.needed(list(self.cycle.trace.outputs))
-        parts = [values[i : i + 4096] for i in range(0, len(values), 4096)]
-        return np.hstack([self._single(order, part) for part in parts])
-
-    def _single(self, order: list[int], part: Any) -> Any:
-        given = {**given_values(self.cycle.given), self.plans.drive_given: part}
-        found = read(self.cycle.trace.tape, order, given, np.float32)
-        return np.array([np.broadcast_to(found[o], part.shape) for o in self.cycle.trace.outputs])
-
-    def differences(self, values: Any, step: float = STEP) -> Any:
-        """Velocities and accelerations from differences of exact places."""
-        drive = self.plans.mechanism.drive
-        rows = self.letters == "r"
-        places = Cycle(self.plans, [f"r_{p}" for p in self.points])
-
-        def at(phi: Any) -> Any:
-            return np.hstack([b.table for b in places.blocks(phi, fast=False)])
-
-        found = np.empty((len(self.letters), len(values)))
-        found[rows] = at(values)
-        found[self.letters == "v"], found[self.letters == "a"] = differences(
-            at, values, drive.velocity, drive.acceleration, step
-        )
-        return found
-
-    def newton(self, values: Any) -> Any:
-        """Closed loops by iteration, each position begun from the one before."""
-        drive, loops = self.plans.mechanism.drive, Loops(self.plans)
-        begun = run(self.plans.program, {**self.cycle.given, self.plans.drive_given: float(values[0])})
-        q, rows = loops.start(begun.__getitem__), []
-        for value in values:
-            phi = math.radians(value)
-            phi += 2 * math.pi * round((loops.pose(q, drive.link)[1] - phi) / (2 * math.pi))
-            q = loops.newton(q, phi)
-            known = loops.points(q, *loops.rates(q, phi, drive.velocity, drive.acceleration))
-            rows.append({f"{letter}_{p}": known[p][k] for k, letter in enumerate("rva") for p in self.points})
-        return np.array([[_part(row, c.name) for c in self.cycle.columns] for row in rows]).T
-
-
-def _part(row: dict[str, complex], name: str) -> float:
-    z = row[name[:-2]]
-    return z.real if name.endswith("_x") else z.imag
 
 
 def clock(work: Callable[[], object], times: int = 3) -> float:
@@ -160,26 +61,25 @@ def measure(plans: Plans) -> list[Method]:
     def add(
         key: str, number: str, work: Callable[[Any], Any], timed: Any, again: Callable[[Any], Any] | None = None
     ) -> None:
-        error = float(np.max(bench.error(work(values), truth)))
+        error = float(np.nanmax(bench.error(work(values), truth)))
         seconds = clock(lambda: (again or work)(timed)) / len(timed)
         found.append(Method(key, number, seconds, max(error, 2.0**-54)))
 
-    add("method_scalar", "", lambda v: np.array([bench.one(float(x)) for x in v]).T, values)
+    add("method_scalar", "", bench.scalar, values)
     add("method_batch", "", lambda v: bench.many(v, False), long, lambda v: bench.through(v, False))
     if fused.available():
         add("method_fused", "", lambda v: bench.many(v, True), long, lambda v: bench.through(v, True))
     add("method_single", "", bench.single, long)
     for digits in (30, 50):
-        add("method_digits", str(digits), partial(_long, bench, digits=digits), values[:12])
-    if plans.mechanism.drive.kind == "phi":
-        add("method_differences", "", bench.differences, long)
-        if all(x.points or x.name == FRAME for x in plans.mechanism.links.values()):
-            add("method_newton", "", bench.newton, values)
+        add("method_digits", str(digits), partial(bench.scalar, instrument=Digits(digits)), values[:12])
+    add("method_differences", "", bench.differences, long)
+    add("method_newton", "", bench.newton, values)
+    near = bench.near(values)(0)
+    if "pylinkage" in installed() and Pylinkage.can(plans):
+        add("method_pylinkage", version("pylinkage"), bench.pylinkage, long, pylinkage_run(plans, values[0], near))
+    if "kinepy" in installed():
+        add("method_kinepy", version("kinepy"), bench.kinepy, long[:FEWER], kinepy_run(plans))
     return found + _pencils(bench, values, truth)
-
-
-def _long(bench: Bench, values: Any, digits: int) -> Any:
-    return np.array([[float(x) for x in bench.one(float(v), Digits(digits))] for v in values]).T
 
 
 def _pencils(bench: Bench, values: Any, truth: Any) -> list[Method]:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from planes.cycle.tape import Tape
+from planes.lossless import gap
 
 OPS: dict[str, Callable[..., Any]] = {
     "add": lambda a, b: a + b,
@@ -22,6 +23,7 @@ OPS: dict[str, Callable[..., Any]] = {
     "cos": np.cos,
     "atan2": np.arctan2,
     "floor": np.floor,
+    "gap": gap,
     "max": np.maximum,
     "min": np.minimum,
     "sel": np.where,

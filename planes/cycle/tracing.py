@@ -21,6 +21,7 @@ class Recording:
 
     def __init__(self) -> None:
         self.one = One()
+        self.turns: list[int] = []  # places of the tests whether a thing moves, and which way
 
     def sqrt(self, x: Any) -> Any:
         return number(x.tape, "sqrt", x) if isinstance(x, Num) else self.one.sqrt(x)
@@ -64,10 +65,17 @@ class Recording:
     def sign(self, x: Any) -> Any:
         if not isinstance(x, Num):
             return self.one.sign(x)
-        return self.where(x > 0, 1.0, self.where(x < 0, -1.0, x))
+        ahead = x > 0
+        self.turns.append(ahead.at)
+        return self.where(ahead, 1.0, self.where(x < 0, -1.0, x))
 
     def power(self, x: Any, n: int) -> Any:
         return x**n if isinstance(x, Num) else self.one.power(x, n)
+
+    def gap(self, c: Any, d: Any, r: Any, s: Any) -> Any:
+        parts = c.real, c.imag, d.real, d.imag, r, s
+        tape = _tape(*parts)
+        return number(tape, "gap", *parts) if tape else self.one.gap(c, d, r, s)
 
 
 def _tape(*numbers: Any) -> Tape | None:
@@ -89,7 +97,6 @@ class TracingHand(Hand):
     tape: Tape = field(default_factory=Tape)
     errors: tuple[float, float, float] | None = None
     sources: list[Source] = field(default_factory=list)
-    turns: list[int] = field(default_factory=list)
 
     def mark(self, place: Any) -> Any:
         return place + Vec(self._error(0), self._error(0)) if self.errors else place
@@ -112,8 +119,8 @@ class TracingHand(Hand):
 
     def note(self, ok: Any, step: object, reason: str) -> None:
         """A warning stops nothing; what it is told of, whether a thing moves at all, is remembered."""
-        if isinstance(ok, Test):
-            self.turns.append(ok.at)
+        if isinstance(ok, Test) and isinstance(self.ar, Recording):
+            self.ar.turns.append(ok.at)
 
 
 @dataclass(frozen=True)
@@ -124,7 +131,7 @@ class Trace:
     outputs: tuple[int, ...]
     requires: tuple[tuple[str, str, int], ...]  # reason, what the step makes, place of the condition
     sources: tuple[Source, ...]
-    turns: tuple[int, ...]  # places of the tests whether a thing moves at all
+    turns: tuple[int, ...]  # places of the tests whether a thing moves, and which way
 
     def givens(self) -> dict[str, int]:
         """Names of the given numbers (of a place, "name.x" and "name.y") and where they stand."""
@@ -144,7 +151,8 @@ def trace(
     relative error of the numbers the tape is to be read in, where they are longer than doubles.
     """
     tape = Tape()
-    hand = TracingHand(Recording(), True, tape=tape, errors=errors, doubt_mm=errors[0] if errors else 0.0)
+    ar = Recording()
+    hand = TracingHand(ar, True, tape=tape, errors=errors, doubt_mm=errors[0] if errors else 0.0)
     if fine is not None:
         hand.slack, hand.flat, hand.still = fine, fine, 10 * fine
     things: dict[str, Any] = {n: known[n] if n in known else _given(tape, n, given[n]) for n in given}
@@ -159,7 +167,7 @@ def trace(
     if must:
         hand.require(_finite(tape, [x for x, m in zip(taken, must, strict=True) if m]), None, "no_digits")
     requires = tuple((r, str(getattr(s, "makes", "")), place_of(tape, ok)) for r, s, ok, _ in hand.failures)
-    return Trace(tape, outputs, requires, tuple(hand.sources), tuple(hand.turns))
+    return Trace(tape, outputs, requires, tuple(hand.sources), tuple(ar.turns))
 
 
 def _finite(tape: Tape, numbers: list[Any]) -> Any:

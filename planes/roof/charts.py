@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
 from pathlib import Path
 
+from planes.cycle.limits import Limit
 from planes.cycle.methods import Method, front, measure
+from planes.cycle.peers import installed, version
 from planes.cycle.stability import Approach, approach
+from planes.mechanism import Mechanism
 from planes.plans import state
 from planes.scene import Scene
+from planes.solving import told
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
 from render.method_charts import METADATA, Spot, Ways, draw
@@ -20,15 +26,45 @@ def draw_chart(scene: Scene, output: str, table: str | None, lang: Lang) -> None
         raise PlanesError(Phrase("chart_suffix", file=output, suffixes=", ".join(METADATA)))
     if scene.mechanism is None:
         raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
-    plans = state(scene.mechanism, scene.file)
+    plans = state(moving(scene.mechanism), scene.file)
     methods, way = measure(plans), approach(plans)
-    ways = None if way is None else Ways(way.limit_deg, way.distances, way.sharpness, way.claim, way.errors)
+    ways = None if way is None else _ways(way, lang)
     try:
         draw(path, scene.title.get(lang, ""), _spots(methods), _spots(front(methods)), ways, lang)
         if table:
             Path(table).write_text(text(methods, way, lang), encoding="utf-8")
     except OSError as error:
         raise PlanesError(Phrase("cannot_write", file=error.filename or output, reason=error.strerror or "")) from None
+
+
+def moving(mechanism: Mechanism) -> Mechanism:
+    """The mechanism, a driver at rest moving by 1 rad/s or 1 m/s: nothing is to be seen of velocities that are 0."""
+    drive = mechanism.drive
+    return mechanism if drive.velocity else replace(mechanism, drive=replace(drive, velocity=1.0))
+
+
+def _ways(way: Approach, lang: Lang) -> Ways:
+    names = {key: name_of(key, lang) for key in way.errors}
+    title = say(f"chart_{way.limit.kind}", lang)
+    return Ways(title, axis(way.limit, lang), way.distances, way.sharpness, way.claim, way.errors, names)
+
+
+def name_of(key: str, lang: Lang) -> str:
+    """A method in words."""
+    tool = key.removeprefix("method_")
+    return say(key, lang, number=version(tool) if tool in installed() else "30")
+
+
+def axis(limit: Limit, lang: Lang) -> str:
+    """What distances to a limit are, in words."""
+    way, value = limit.way, f"{round(float(limit.value), 12):.7g}".replace("-", "−")
+    kind = way.bench.plans.mechanism.drive.kind
+    if way.held is None:
+        return say(f"chart_distance_{kind}", lang, value=value)
+    letter, held = ("φ", math.remainder(way.held, 360)) if kind == "phi" else ("s", way.held)
+    drive = f"{letter} = {told(held, kind, lang)}".replace("-", "−")
+    key, name = ("length", way.name) if way.unit == "1" else ("angle", way.name.removeprefix("angle_∥"))
+    return say(f"chart_distance_{key}", lang, name=name, value=value, here=f"{way.here:.6g}", drive=drive)
 
 
 def _spots(methods: list[Method]) -> list[Spot]:
@@ -43,8 +79,8 @@ def text(methods: list[Method], way: Approach | None, lang: Lang) -> str:
         name = say(m.key, lang, number=m.number)
         lines.append(f'"{name}",{m.seconds:.4g},{m.error:.4g},{int(m in best)}')
     if way is not None:
-        names = [say(key, lang, number="30") for key in way.errors]
-        heads = ["rad", say("chart_sharpness", lang), say("chart_claim", lang), *names]
+        names = [name_of(key, lang) for key in way.errors]
+        heads = [axis(way.limit, lang), say("chart_sharpness", lang), say("chart_claim", lang), *names]
         lines += ["", ",".join(f'"{h}"' for h in heads)]
         for k, distance in enumerate(way.distances):
             numbers = [distance, way.sharpness[k], way.claim[k], *(e[k] for e in way.errors.values())]

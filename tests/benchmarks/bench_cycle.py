@@ -5,25 +5,23 @@ Run: pytest tests/benchmarks
 
 from __future__ import annotations
 
-import math
+import subprocess
+import sys
 
-import numpy as np
 import pytest
-from conftest import plans
+from conftest import SAMPLES, SCENES, angles, plans
 
 from planes.angles import Span
 from planes.cycle import Cycle
 from planes.drawing import run
 from planes.measuring import catalogue
+from planes.scene import load
+from planes.solving import solve
 
-kernels = pytest.importorskip("kernels")
-COUNTS = (1, 360, 100_000)
+rivals = pytest.importorskip("rivals")
+COUNTS = (360, 100_000)
+LENGTHS = (10**3, 10**4, 10**5, 10**6, 10**7)
 MOTION = ("points", "links", "slides")
-
-
-def asked(name: str, forces: bool) -> list[str]:
-    known = catalogue(plans(name))
-    return [n for n, q in known.items() if q.path[0] in MOTION or (forces and q.path[0] != "plans")]
 
 
 def timed(benchmark, group: str, what: str, positions: int, work) -> None:
@@ -32,143 +30,73 @@ def timed(benchmark, group: str, what: str, positions: int, work) -> None:
     benchmark(work)
 
 
-def through(cycle: Cycle, span: Span, fast: bool) -> None:
-    for _ in cycle.blocks(span, fast=fast):
+def through(cycle: Cycle, values, fast: bool) -> None:
+    for _ in cycle.blocks(values, fast=fast):
         pass
 
 
+def asked(name: str, forces: bool) -> list[str]:
+    known = catalogue(plans(name))
+    return [n for n, q in known.items() if q.path[0] in MOTION or (forces and q.path[0] != "plans")]
+
+
+@pytest.mark.parametrize("who", ["fused", "hand-written kernel", "arrays", "pylinkage", "kinepy"])
 @pytest.mark.parametrize("count", COUNTS)
-@pytest.mark.parametrize("forces", [False, True], ids=["motion", "forces"])
-@pytest.mark.parametrize("name", ["four-bar", "slider-crank", "slotted lever", "six-link"])
+@pytest.mark.parametrize("name", list(SCENES))
+def bench_side_by_side(benchmark, name: str, count: int, who: str) -> None:
+    """The columns of the hand-written kernel, from the same array of angles; kinepy gives places only."""
+    cycle, values = Cycle(plans(name), rivals.COLUMNS[name]), angles(name, count)
+    others = {"hand-written kernel": rivals.by_hand, "pylinkage": rivals.pylinkage, "kinepy": rivals.kinepy}
+    work = others[who](name, count) if who in others else lambda: through(cycle, values, who == "fused")
+    if work is None:
+        pytest.skip(f"{who} is not installed, or has no such group")
+    timed(benchmark, f"{name}, the columns of the kernel, {count}", who, count, work)
+
+
 @pytest.mark.parametrize("way", ["fused", "arrays", "one by one"])
-def bench_ours(benchmark, name: str, forces: bool, count: int, way: str) -> None:
-    cycle = Cycle(plans(name), asked(name, forces))
-    start = plans(name).mechanism.drive.position - 5
-    span = Span(start, 10 / count, count)
+@pytest.mark.parametrize("forces", [False, True], ids=["motion", "forces"])
+@pytest.mark.parametrize("count", (1, *COUNTS))
+@pytest.mark.parametrize("name", list(SCENES))
+def bench_everything(benchmark, name: str, count: int, forces: bool, way: str) -> None:
+    """All columns of a scene; "one by one" is the drawing itself with its steps."""
     if way == "one by one" and count > 1:
         pytest.skip("the time of one does not depend on how many")
-    given = {**cycle.given, plans(name).drive_given: start}
-    group = f"{name}, {'with forces' if forces else 'motion'}, {count}"
-    if way == "one by one":
-        timed(benchmark, group, way, count, lambda: run(cycle.program, given))
-    else:
-        timed(benchmark, group, way, count, lambda: through(cycle, span, way == "fused"))
+    cycle, values = Cycle(plans(name), asked(name, forces)), angles(name, count)
+    given = {**cycle.given, plans(name).drive_given: float(values[0])}
+    group = f"{name}, all {'with forces' if forces else 'of motion'}, {count}"
+    drawn = {"one by one": lambda: run(cycle.program, given)}
+    timed(benchmark, group, way, count, drawn.get(way, lambda: through(cycle, values, way == "fused")))
 
 
-def given(name: str, *keys: str) -> list[float]:
-    return [plans(name).given[k] for k in keys]
-
-
-def angles(name: str, count: int) -> np.ndarray:
-    start = plans(name).mechanism.drive.position
-    return Span(start - 5, 10 / count, count)[0:count]
-
-
-def same(name: str, names: list[str], phis: np.ndarray, out: np.ndarray) -> None:
-    """The hand-written kernel computes the same."""
-    (block,) = Cycle(plans(name), names).blocks(phis[:: len(phis) // 300 + 1], fast=False)
-    by_hand = out[:, :: len(phis) // 300 + 1]
-    size = np.nanmax(np.abs(block.table), axis=1, keepdims=True) + 1e-3
-    assert np.nanmax(np.abs(block.table - by_hand) / size) < 1e-9
-
-
-@pytest.mark.parametrize("count", COUNTS[1:])
-def bench_four_bar_by_hand(benchmark, count: int) -> None:
-    drive, d = plans("four-bar").mechanism.drive, plans("four-bar").given["place_D"]
-    numbers = [*given("four-bar", "l_AB", "l_BC", "l_DC"), d.real, d.imag, plans("four-bar").given["side_C"]]
-    phis, out = angles("four-bar", count), np.empty((16, count))
-    kernels.four_bar(phis, out, *numbers, drive.velocity, drive.acceleration)
-    same("four-bar", kernels.FOUR_BAR_NAMES, phis, out)
-    group = f"four-bar, the columns of the kernel, {count}"
-    timed(benchmark, group, "hand-written kernel", count,
-          lambda: kernels.four_bar(phis, out, *numbers, drive.velocity, drive.acceleration))  # fmt: skip
-
-
-@pytest.mark.parametrize("count", COUNTS[1:])
-def bench_six_link_by_hand(benchmark, count: int) -> None:
-    m, d = plans("six-link").mechanism, plans("six-link").given["place_D"]
-    numbers = [*given("six-link", "l_AB", "l_BC", "l_DC"), d.real, d.imag, plans("six-link").given["side_C"]]
-    numbers += [0.2, -0.42, m.drive.velocity, m.drive.acceleration]
-    numbers += [x for k in "123" for x in (m.links[k].mass, m.links[k].inertia)]
-    numbers += [m.links["5"].mass, 6000.0, m.gravity]
-    phis, out = angles("six-link", count), np.empty((52, count))
-    kernels.six_link(phis, out, *numbers)
-    same("six-link", kernels.SIX_LINK_NAMES, phis, out)
-    group = f"six-link, the columns of the kernel, {count}"
-    timed(benchmark, group, "hand-written kernel", count, lambda: kernels.six_link(phis, out, *numbers))
-
-
-@pytest.mark.parametrize("count", COUNTS[1:])
-def bench_slider_crank_by_hand(benchmark, count: int) -> None:
-    drive, foot = plans("slider-crank").mechanism.drive, plans("slider-crank").given["place_°q-q"]
-    way = math.radians(plans("slider-crank").given["angle_∥q-q"])
-    numbers = [*given("slider-crank", "l_AB", "l_BC"), foot.real, foot.imag, math.cos(way), math.sin(way)]
-    numbers += [1.0, drive.velocity, drive.acceleration]
-    phis, out = angles("slider-crank", count), np.empty((14, count))
-    kernels.slider_crank(phis, out, *numbers)
-    same("slider-crank", kernels.SLIDER_CRANK_NAMES, phis, out)
-    group = f"slider-crank, the columns of the kernel, {count}"
-    timed(benchmark, group, "hand-written kernel", count, lambda: kernels.slider_crank(phis, out, *numbers))
-
-
-@pytest.mark.parametrize("count", COUNTS[1:])
-def bench_slotted_lever_by_hand(benchmark, count: int) -> None:
-    drive, c = plans("slotted lever").mechanism.drive, plans("slotted lever").given["place_C"]
-    numbers = [*given("slotted lever", "l_AB"), c.real, c.imag, drive.velocity, drive.acceleration]
-    phis, out = angles("slotted lever", count), np.empty((4, count))
-    kernels.slotted_lever(phis, out, *numbers)
-    same("slotted lever", kernels.SLOTTED_NAMES, phis, out)
-    group = f"slotted lever, the columns of the kernel, {count}"
-    timed(benchmark, group, "hand-written kernel", count, lambda: kernels.slotted_lever(phis, out, *numbers))
-
-
-COLUMNS = {"four-bar": kernels.FOUR_BAR_NAMES, "slider-crank": kernels.SLIDER_CRANK_NAMES,
-           "slotted lever": kernels.SLOTTED_NAMES, "six-link": kernels.SIX_LINK_NAMES}  # fmt: skip
-
-
-@pytest.mark.parametrize("count", COUNTS[1:])
-@pytest.mark.parametrize("name", list(COLUMNS))
+@pytest.mark.parametrize("count", LENGTHS)
 @pytest.mark.parametrize("way", ["fused", "arrays"])
-def bench_kernel_columns(benchmark, name: str, count: int, way: str) -> None:
-    cycle = Cycle(plans(name), COLUMNS[name])
-    span = Span(plans(name).mechanism.drive.position - 5, 10 / count, count)
-    timed(benchmark, f"{name}, the columns of the kernel, {count}", way, count,
-          lambda: through(cycle, span, way == "fused"))  # fmt: skip
+def bench_length(benchmark, count: int, way: str) -> None:
+    """A six-link with all forces, more and more positions; and the most memory a process of its own takes for them."""
+    cycle, values = Cycle(plans("six-link"), asked("six-link", True)), Span(145.0, 10 / count, count)
+    benchmark.extra_info["memory"] = f"{memory(way, count):.0f} MB"
+    benchmark.group = f"six-link, all with forces, {way}, how long"
+    benchmark.extra_info |= {"what": f"{count} positions", "positions": count}
+    rounds = max(3, min(200, 2 * 10**6 // count))
+    benchmark.pedantic(lambda: through(cycle, values, way == "fused"), rounds=rounds, warmup_rounds=1)
 
 
-@pytest.mark.parametrize("count", COUNTS[1:])
-def bench_pylinkage(benchmark, count: int) -> None:
-    pylinkage = pytest.importorskip("pylinkage")
-    from pylinkage.actuators import Crank
-    from pylinkage.components import Ground
-    from pylinkage.dyads import RRRDyad
-    from pylinkage.simulation import Linkage
-
-    p = plans("four-bar")
-    d, omega = p.given["place_D"], p.mechanism.drive.velocity
-    a, b = Ground(0.0, 0.0, name="A"), Ground(d.real, d.imag, name="D")
-    crank = Crank(anchor=a, radius=p.given["l_AB"], angular_velocity=math.tau / count, initial_angle=0.3, name="B")
-    dyad = RRRDyad(crank.output, b, p.given["l_BC"], p.given["l_DC"], name="C")
-    linkage = Linkage([a, b, crank, dyad], name="four-bar")
-    linkage.set_input_velocity(crank, omega=omega, alpha=p.mechanism.drive.acceleration)
-    linkage.step_fast_with_kinematics(count, 1.0)
-    timed(benchmark, f"four-bar, the columns of the kernel, {count}", f"pylinkage {pylinkage.__version__}", count,
-          lambda: linkage.step_fast_with_kinematics(count, 1.0))  # fmt: skip
+def memory(way: str, count: int) -> float:
+    """MB of a process that goes through so many positions."""
+    text = (
+        "import resource\nfrom planes.angles import Span\nfrom planes.cycle import Cycle\n"
+        "from planes.plans import state\nfrom planes.scene import load\n"
+        f"cycle = Cycle(state(load({str(SAMPLES / 'six-link.yaml')!r}).mechanism))\n"
+        f"for _ in cycle.blocks(Span(145.0, {10 / count}, {count}), fast={way == 'fused'}): pass\n"
+        "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=True)
+    return float(done.stdout)
 
 
-@pytest.mark.parametrize("count", COUNTS[1:])
-def bench_kinepy(benchmark, count: int) -> None:
-    kinepy = pytest.importorskip("kinepy")
-    p = plans("four-bar")
-    r, l2, l3, d = *given("four-bar", "l_AB", "l_BC", "l_DC"), p.given["place_D"]
-    system = kinepy.System()
-    one, two, three = (system.add_solid(name) for name in ("1", "2", "3"))
-    crank = system.add_revolute(0, one, (0, 0), (0, 0))
-    system.add_revolute(one, two, (r, 0), (0, 0))
-    system.add_revolute(two, three, (l2, 0), (l3, 0))
-    system.add_revolute(three, 0, (0, 0), (d.real, d.imag))
-    system.pilot(crank)
-    system.compile()
-    phis = np.radians(angles("four-bar", count))
-    timed(benchmark, f"four-bar, the columns of the kernel, {count}", "kinepy (differences)", count,
-          lambda: system.solve_kinematics(phis))  # fmt: skip
+@pytest.mark.parametrize("what", ["steps drawn", "drawn, measured and told"])
+def bench_one_plan(benchmark, what: str) -> None:
+    """One position of the six-link with every plan, one step after another; and all that ``planes solve`` does then."""
+    scene, p = load(str(SAMPLES / "six-link.yaml")), plans("six-link")
+    given = {**p.given, **dict.fromkeys(Cycle(p).mus, 1000.0)}
+    works = {"steps drawn": lambda: run(p.program, given), "drawn, measured and told": lambda: solve(scene)}
+    timed(benchmark, "six-link, one plan of every sort", what, 1, works[what])

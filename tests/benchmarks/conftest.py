@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import os
+import platform
 from functools import cache
 from pathlib import Path
 
+import numpy as np
+
+from planes.angles import Span
 from planes.plans import Plans, state
 from planes.scene import load
 
@@ -19,17 +24,38 @@ def plans(name: str) -> Plans:
     return state(mechanism)
 
 
+def angles(name: str, count: int) -> np.ndarray:
+    """Degrees about the scene's own position, where all four mechanisms work."""
+    return Span(plans(name).mechanism.drive.position - 5, 10 / count, count)[0:count]
+
+
+def machine() -> str:
+    """The processor, and how busy it is."""
+    name = platform.processor() or platform.machine()
+    if Path("/proc/cpuinfo").exists():
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+        name = next((line.partition(": ")[2] for line in lines if line.startswith("model name")), name)
+    return f"{name}, {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}, Python {platform.python_version()}"
+
+
 def pytest_terminal_summary(terminalreporter, config):
     session = getattr(config, "_benchmarksession", None)
     groups: dict[str, list] = {}
     for bench in session.benchmarks if session else ():
         if bench.stats.rounds:
             groups.setdefault(bench.group, []).append(bench)
+    if groups:
+        terminalreporter.write_line(machine() + "; times of the quickest round, in brackets of the middle one")
     for group, found in sorted(groups.items()):
         terminalreporter.write_line(f"{group}:")
-        ours = next((b for b in found if "fused" in b.name), found[0])
-        for b in sorted(found, key=lambda b: b.stats.median / b.extra_info["positions"]):
-            each = b.stats.median / b.extra_info["positions"]
-            base = ours.stats.median / ours.extra_info["positions"]
-            what = b.extra_info["what"]
-            terminalreporter.write_line(f"  {what:34} {each * 1e9:12.1f} ns/position  x{each / base:.2f}")
+        ours = next((b for b in found if b.extra_info["what"] == "fused"), found[0])
+        for b in sorted(found, key=quickest):
+            middle = b.stats.median / b.extra_info["positions"]
+            terminalreporter.write_line(
+                f"  {b.extra_info['what']:26} {quickest(b) * 1e9:12.1f} ({middle * 1e9:.1f}) ns/position"
+                f"  x{quickest(b) / quickest(ours):.2f} {b.extra_info.get('memory', '')}"
+            )
+
+
+def quickest(bench) -> float:
+    return bench.stats.min / bench.extra_info["positions"]
