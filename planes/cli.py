@@ -13,6 +13,7 @@ from typing import Any
 from planes.angles import read_range, read_span
 from planes.check_options import add_blank_options, add_options
 from planes.cli_cycle import add_options as add_cycle_options
+from planes.course_options import add_course_options
 from planes.home import Parser, help_of, home_lang
 from planes.scene import Scene, load
 from planes.wording import PlanesError
@@ -60,6 +61,7 @@ def _parser() -> argparse.ArgumentParser:
     _positions(sheet)
     sheet.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_output"))
     sheet.add_argument("--remedy", action="store_true", help=help_of("help_remedy"))
+    sheet.add_argument("--text", choices=("text", "strokes"), default="text", help=help_of("help_dxf_text"))
     part = sheet.add_mutually_exclusive_group()
     part.add_argument("--sheet", type=int, choices=(1, 2), help=help_of("help_sheet_number"))
     part.add_argument("--view", metavar="NAME", help=help_of("help_view"))
@@ -85,6 +87,9 @@ def _parser() -> argparse.ArgumentParser:
     blank = _command(commands, "blank", _blank, help_of("help_blank"))
     _positions(blank)
     add_blank_options(blank, help_of)
+    course = commands.add_parser("course", help=help_of("help_course"), description=help_of("help_course"))
+    add_course_options(course, help_of)
+    course.set_defaults(command=_course)
     return parser
 
 
@@ -122,6 +127,10 @@ def _range(args: argparse.Namespace, scene: Scene) -> tuple[str, str | None]:
 def _solve(args: argparse.Namespace) -> int:
     from planes.cli_solve import run
 
+    if os.path.isdir(args.scene):
+        from planes.cli_survey import run as survey
+
+        return survey(args, _json)
     scene = load(args.scene, args.variant)
     values = _values(args, scene)
     if scene.mechanism is None:
@@ -139,15 +148,26 @@ def _solve_vectors(args: argparse.Namespace, scene: Scene) -> int:
 
 
 def _structure(args: argparse.Namespace) -> int:
+    from planes.alignment import aligned
+    from planes.plans import state
     from planes.solving import structure_json
     from planes.structure import analyse
-    from planes.tables import structure_report
+    from planes.tables import alignment_report, structure_report
 
     scene = load(args.scene, args.variant)
     if scene.mechanism is None:
         raise PlanesError(Phrase("no_structure", file=args.scene))
     found = analyse(scene.mechanism, scene.file)
-    print(_json(structure_json(found)) if args.json else structure_report(found, args.lang))
+    try:
+        variant = aligned(state(scene.mechanism, scene.file), scene.file)
+    except PlanesError as error:  # the structure is known all the same
+        print(error.told(args.lang), file=sys.stderr)
+        variant = None
+    if args.json:
+        print(_json({**structure_json(found), "self_aligning": variant and variant.json()}))
+    else:
+        told = [structure_report(found, args.lang)] + ([alignment_report(variant, args.lang)] if variant else [])
+        print(*told, sep="\n\n")
     return 0
 
 
@@ -177,7 +197,8 @@ def _sheet(args: argparse.Namespace) -> int:
 
         scene, values, said = for_sheet(scene, values, args.lang)
         print(*said, sep="\n", end="\n" if said else "", file=sys.stderr)
-    draw_sheet(scene, values, args.output, args.lang, args.sheet, args.view)
+    for sentence in draw_sheet(scene, values, args.output, args.lang, args.sheet, args.view, args.text):
+        print(sentence, file=sys.stderr)
     return 0
 
 
@@ -202,6 +223,12 @@ def _cycle(args: argparse.Namespace) -> int:
     scene = load(args.scene, args.variant)
     kind, text = _range(args, scene)
     return run(args, scene, None if text is None else read_span(text, f"--{kind}"), _json)
+
+
+def _course(args: argparse.Namespace) -> int:
+    from planes.cli_course import run
+
+    return run(args)
 
 
 def _chart(args: argparse.Namespace) -> int:

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from planes.measuring import say_plan
+from planes.self_aligning import Aligned
 from planes.solving import Solved, key_of
 from planes.structure import Structure
 from planes.units import UNIT, mu_text, plan_of_mu, quantity, read_mu
@@ -199,11 +200,26 @@ def difference_percent(found: float, check: float) -> float:
 
 
 def structure_report(found: Structure, lang: Lang = "en") -> str:
-    """W, q, the formula and the groups, one a line."""
-    lines = [f"W = {found.W}, q = {found.q}", found.formula]
+    """W and q with their numbers, the formula and the groups, one a line."""
+    n, p = 1 + sum(len(g.links) for g in found.groups), len(found.pairs)
+    counted = f"  W = 3n − 2p1 = 3·{n} − 2·{p} = {found.W};  q = W − 6n + 5p1 = {found.W} − 6·{n} + 5·{p} = {found.q}"
+    lines = [f"W = {found.W}, q = {found.q}", counted, found.formula]
     for g in found.groups:
         kind = say("class_kind", lang, kind=g.kind, name=g.name)
         lines.append(f"{say('group', lang)} {', '.join(g.links)}: {kind}")
+    return "\n".join(lines)
+
+
+def alignment_report(found: Aligned, lang: Lang = "en") -> str:
+    """The self-aligning variant: the count of Somov and Malyshev, and what every pair becomes."""
+    p5, p4, p3 = found.counts
+    lines = [
+        say("alignment", lang, n=found.n, p5=p5, p4=p4, p3=p3),
+        say("alignment_W", lang, a=6 * found.n, b=5 * p5, c=4 * p4, d=3 * p3, W=found.W, q=found.q),
+    ]
+    for pair, sign in found.pairs:
+        name, links = pair.point or pair.guide, f"{pair.other}–{pair.link}"
+        lines.append("  " + say("alignment_pair", lang, name=name, links=links, sign=say(f"sign_{sign}", lang)))
     return "\n".join(lines)
 
 

@@ -175,11 +175,11 @@ def standard_mu(largest_si: float, fit_mm: float) -> float:
 
 
 def standard_scale(largest_m: float, fit_mm: float) -> float:
-    """The largest scale of ГОСТ 2.302 (1:1, 1:2, 2.5:1 ...), as mm per m, that fits ``fit_mm``."""
+    """The largest scale of ГОСТ 2.302 (1:1, 1:2, 2.5:1 ...) that is a round number of mm per m and fits ``fit_mm``."""
     limit = _limit(largest_m, fit_mm)
     if limit is None:
         return 1000.0
-    scales = [1000.0 / n for n in _REDUCED] + [1000.0 * n for n in _ENLARGED]
+    scales = [1000.0 / n for n in _REDUCED if 10000 % n == 0] + [1000.0 * n for n in _ENLARGED]
     hundreds = math.floor(limit * (1.0 + 1e-12) / 1e5)
     scales += [1e5 * hundreds] if hundreds else []
     fits = [scale for scale in scales if scale <= limit * (1.0 + 1e-12)]

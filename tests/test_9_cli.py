@@ -249,7 +249,11 @@ def test_structure(cli: Run) -> None:
     assert (status, err) == (0, "") and all(t in out for t in ("W = 1", "q = 6", "RRR", "PRP", "II(4;5)"))
     assert "вид 4" in cli("structure", SIX, "--lang", "ru")[1]
     status, out, err = cli("structure", SIX, "--json")
-    assert json.loads(out) == solved(cli("solve", SIX, "--json"))["structure"]
+    found = json.loads(out)
+    variant = found.pop("self_aligning")
+    assert found == solved(cli("solve", SIX, "--json"))["structure"]
+    assert (variant["W"], variant["q"], variant["p5"], variant["p4"], variant["p3"]) == (1, 0, 2, 4, 1)
+    assert {"pair": "C", "links": ["2", "3"], "kind": "spherical", "freedoms": 3} in variant["pairs"]
     assert "vectors" in refused(cli("structure", str(SAMPLES / "vectors.yaml")))
 
 

@@ -16,55 +16,62 @@ LONGEST_FILE = 260
 LONGEST_BODY = 25  # lines, of nine functions in ten
 
 STOREYS = (  # a module imports only from the storeys above its own in this list
-    "arithmetic check.fiducials check.strokes check_options crank_slider crank_slider.indicator "
-    "crank_slider.materials crank_slider.sections crank_slider.words_balance crank_slider.words_forces "
-    "crank_slider.words_report crank_slider.words_rod crank_slider.words_strength cycle.tape degrees diagrams "
-    "mechanism naming words.crank_slider words.cycle words.links words.method words.mistakes words.note "
-    "words.scene words.text words.why",
-    "cycle.fused_text cycle.reading cycle.symbols mark_names plane tools words.check words.lesson",
-    "steps.base words",
-    "home scene.yaml_faults steps.crossings steps.reckoning thing_names wording",
-    "angles check.paper check.picture check.read_dxf check.read_svg equations instruments program "
-    "scene.expressions scene.source statement steps structure units",
-    "check.nudging check.pencil_lines cycle.digits cycle.tracing drafting drawing lesson.formulas scene.reader",
-    "check.handwork crank_slider.reading_table cycle.fused lesson.moments plans.assembly plans.bodies scene.links "
-    "scene.motion scene.settings scene.vectors",
-    "check.judging plans.positions scene",
-    "crank_slider.shape plans.legs vectors",
-    "crank_slider.given plans.kinematics",
-    "crank_slider.reading_parts plans.loads",
-    "crank_slider.reading plans.friction plans.reactions",
+    "check.fiducials check.strokes check.svg_shapes check_options course.fingerprint course_options crank_slider "
+    "crank_slider.indicator crank_slider.materials crank_slider.sections crank_slider.words_balance "
+    "crank_slider.words_forces crank_slider.words_report crank_slider.words_rod crank_slider.words_strength "
+    "cycle.tape degrees diagrams diagrams.stages lossless mechanism naming words.course words.crank_slider "
+    "words.cycle words.diagrams words.links words.method words.mistakes words.note words.scene words.text words.why",
+    "arithmetic check.arrowheads cycle.fused_functions cycle.reading cycle.slopes cycle.symbols mark_names "
+    "words.check words.lesson",
+    "cycle.fused_text cycle.twofold plane tools words",
+    "cycle.rounding home scene.yaml_faults steps.base thing_names wording",
+    "angles check.paper check.picture check.read_dxf check.read_svg course.crowd course.ledger equations instruments "
+    "scene.expressions scene.source statement steps.crossings steps.reckoning structure units",
+    "check.ink course course.scenes cycle.digits lesson.formulas program scene.reader self_aligning steps",
+    "check.line_fitting check.nudging course.students crank_slider.reading_table cycle.tracing drafting drawing "
+    "scene.links scene.motion scene.settings scene.vectors",
+    "check.handwork check.places course.giving cycle.fused diagrams.graphical lesson.moments plans.assembly "
+    "plans.bodies scene",
+    "check.judging check.pencil_lines course.reading crank_slider.shape plans.positions vectors",
+    "crank_slider.given plans.legs",
+    "crank_slider.reading_parts plans.kinematics",
+    "crank_slider.reading plans.loads",
+    "plans.friction plans.reactions",
     "plans.lever plans.primary",
     "plans.statics",
     "plans",
-    "check.polygons check.slips check.ways cycle.contrast diagrams.curves lesson.scheme plans.driven scales",
-    "check.mistakes check.mistakes_force check.mistakes_position crank_slider.engine lesson.steps measuring "
-    "nearest",
-    "check.bench crank_slider.kinematics cycle.columns lesson lesson.figures solving",
-    "check check.chains crank_slider.forces crank_slider.pages cycle cycle.explaining lesson.note lesson.practice "
-    "lesson.zones remedies roof tables",
-    "check.matching check.regrading check.verdict crank_slider.balance crank_slider.misprints cycle.claims "
-    "cycle.methods cycle.streams diagrams.turn lesson.data",
-    "check.photograph check.verdict_rows crank_slider.shaft cycle.long_run cycle.stability diagrams.extremes "
-    "erring roof.lesson",
-    "cli_solve crank_slider.fatigue roof.charts roof.check",
-    "cli_check crank_slider.rod",
-    "crank_slider.calculation",
-    "crank_slider.pages_balance crank_slider.pages_kinematics crank_slider.pages_rod crank_slider.pages_shaft",
-    "crank_slider.numbers crank_slider.pages_forces",
-    "crank_slider.report",
-    "roof.crank_slider",
+    "check.polygons check.slips check.ways cycle.altering cycle.contrast diagrams.curves lesson.scheme plans.driven "
+    "scales",
+    "alignment check.mistakes check.mistakes_force check.mistakes_position course.showing crank_slider.engine "
+    "cycle.peers lesson.steps measuring nearest",
+    "check.bench crank_slider.kinematics cycle.columns lesson lesson.figures solving working",
+    "check.chains check.motion_seen check.scaling course.numbers crank_slider.forces crank_slider.pages cycle "
+    "cycle.explaining lesson.note lesson.practice lesson.zones remedies tables",
+    "check check.force_seen check.sizing course.papers course.settling crank_slider.balance crank_slider.misprints "
+    "cycle.bench cycle.claims cycle.spread cycle.streams diagrams.graphical_text diagrams.turn lesson.data",
+    "check.matching check.regrading check.verdict course.summary crank_slider.shaft cycle.limits cycle.long_run "
+    "cycle.methods diagrams.extremes erring roof.lesson",
+    "check.photograph check.verdict_rows cli_solve crank_slider.fatigue cycle.stability diagrams.motion "
+    "diagrams.summary",
+    "check.report crank_slider.rod diagrams.runs diagrams.text roof.charts survey",
+    "check.tracing_paper cli_survey crank_slider.calculation roof.cycle roof.graphs",
+    "cli_cycle crank_slider.pages_balance crank_slider.pages_kinematics crank_slider.pages_rod "
+    "crank_slider.pages_shaft roof.check roof.turning",
+    "cli_class crank_slider.numbers crank_slider.pages_forces roof.sheets",
+    "cli_check crank_slider.report roof",
+    "roof.course roof.crank_slider roof.notebook",
+    "roof.conducting",
+    "cli_course",
     "cli",
 )
 FLOORS = {f"planes.{name}": floor for floor, names in enumerate(STOREYS) for name in names.split()}
 # alone may hand drawings to the renderer
-ROOFS = {"planes.cli", "planes.roof", "planes.roof.charts", "planes.roof.check", "planes.roof.crank_slider",
-         "planes.roof.lesson"}
+ROOFS = {"planes.cli", *(m for m in FLOORS if m.startswith("planes.roof"))}
 READ_BY_RENDER = {  # what drawings are made of, and words: nothing that states or solves mechanics
     f"planes.{name}" for name in (
-        "plans.bodies", "crank_slider.pages", "drafting", "drawing", "equations", "lesson", "measuring", "mechanism",
-        "lesson.note", "naming", "plans", "steps.reckoning", "scales", "scene", "solving", "steps", "structure", "units",
-        "vectors", "wording", "words")
+        "crank_slider.pages", "diagrams.graphical", "diagrams.stages", "drafting", "drawing", "equations", "lesson",
+        "lesson.note", "measuring", "mechanism", "naming", "plans", "plans.bodies", "plans.driven", "scales", "scene",
+        "self_aligning", "solving", "steps", "steps.reckoning", "structure", "units", "vectors", "wording", "words")
 }  # fmt: skip
 
 

@@ -32,7 +32,7 @@ from planes.words import Phrase
 __all__ = ["Scene", "VectorGiven", "load", "loads"]
 
 FORMAT = "1"
-_COMMON = ("planes", "title", "note", "text", "parameters", "variants", "find", "sheet")
+_COMMON = ("planes", "title", "note", "text", "missing", "parameters", "variants", "find", "sheet")
 _MECHANISM = ("frame", "links", "assembly", "drive", "loads", "gravity", "friction", "plans",
               "crank_slider")
 _VECTORS = ("vectors", "equations", "mu")
@@ -44,7 +44,8 @@ class Scene:
 
     ``mu`` is in mm per SI unit, None where the program chooses; its keys are the four plans, and "vectors" in
     a scene of vectors, where ``quantity`` is the plan whose unit that μ has. ``crank_slider`` is kept as written;
-    the integrated calculation of a crank-slider reads it.
+    the integrated calculation of a crank-slider reads it. ``missing`` says what the data of an assignment do not give,
+    so that it is not in the scene.
     """
 
     file: str
@@ -64,6 +65,7 @@ class Scene:
     frame_number: str = "0"
     where: Where = field(default_factory=lambda: MappingProxyType({}), compare=False, repr=False)
     crank_slider: Node | None = field(default=None, compare=False, repr=False)
+    missing: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
 
 
 def load(path: str | Path, variant: str | None = None) -> Scene:
@@ -100,7 +102,8 @@ def _scene(reader: Reader, table: Table, variant: str | None, variants: tuple[st
         MappingProxyType({**mu, "vectors": generic} if of_vectors else mu), quantity,
         read_find(reader, reader.optional(table, "find")),
         MappingProxyType(dict(read_sheet(reader, reader.optional(table, "sheet")))),
-        read_number_of_frame(reader, table.entries.get("frame")), where, reader.optional(table, "crank_slider"))
+        read_number_of_frame(reader, table.entries.get("frame")), where, reader.optional(table, "crank_slider"),
+        _frozen(read_words(reader, reader.optional(table, "missing"), "missing")))
 
 
 def _frozen(words: dict[str, str]) -> Mapping[str, str]:

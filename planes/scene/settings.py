@@ -19,7 +19,7 @@ SHEET_KEYS = ("title", "number", "designation", "group", "student", "teacher", "
               "font", "lettering", "format", "language", "lang", "positions", "views", "layout", "date", "sheet",
               "sheets", "tech", "role", "person", "teacher_date", "tech_date", "person_date", "checked_date",
               "approved_date", "revisions", "inventory", "inventory_accepted", "replaces", "duplicate",
-              "duplicate_accepted", "reference", "first_use", "copied")
+              "duplicate_accepted", "reference", "first_use", "copied", "diagrams", "hodographs")
 MOST_MU = 1e20  # mm per SI unit
 _NUMERIC = ("mass", "positions", "views", "layout", "sheet", "sheets")
 _WORDS = {"reactions": ("on-from", "from-on"), "mu_convention": ("mm_per_unit", "unit_per_mm"),

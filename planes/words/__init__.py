@@ -9,6 +9,7 @@ from string import Formatter
 from typing import Literal
 
 from planes.words.check import CHECK
+from planes.words.course import COURSE
 from planes.words.crank_slider import CRANK_SLIDER
 from planes.words.cycle import CYCLE
 from planes.words.diagrams import DIAGRAMS
@@ -160,7 +161,7 @@ class Phrase:
 Told = Phrase | str
 """A phrase, or words that are the same in both languages: a name, a number, a key of the file."""
 
-TABLE = {**WORDS, **TEXT, **SCENE, **LINKS, **METHOD, **CRANK_SLIDER, **CHECK, **CYCLE, **DIAGRAMS}
+TABLE = {**WORDS, **TEXT, **SCENE, **LINKS, **METHOD, **CRANK_SLIDER, **CHECK, **CYCLE, **DIAGRAMS, **COURSE}
 
 
 class _Teller(Formatter):

@@ -93,25 +93,36 @@ CHECK: dict[str, tuple[str, str]] = {
         "Векторы многоугольника сил на снимке не удаётся уверенно назвать; запишите их концы в таблицу mark,x_mm,y_mm.",
         "The vectors of the force polygon cannot be told apart surely; write their ends into a table mark,x_mm,y_mm.",
     ),
+    "check_no_plan_seen": (
+        "Линии на снимке не складываются в этот план: его векторам отвечают лишь {share} % их длины.",
+        "The lines of the picture do not make up this plan: its vectors account for only {share} % of their length.",
+    ),
     "check_points": (
         "По этим --pole и --mark масштаб не найти: точки слишком близко или не на картинке.",
         "These --pole and --mark give no scale: they are too near or not on the picture.",
     ),
     "check_no_marks": (
-        "На картинке нет угловых меток бланка; укажите --pole x,y и --mark имя=x,y (пиксели от левого верхнего угла).",
-        "The picture has no corner marks of a blank; name --pole x,y and --mark name=x,y (pixels from the top left).",
+        "На картинке нет ни угловых меток бланка, ни рамки; укажите --pole x,y и --mark имя=x,y "
+        "(пиксели от левого верхнего угла).",
+        "The picture has neither a blank's corner marks nor a frame; name --pole x,y and --mark name=x,y "
+        "(pixels from the top left).",
     ),
     "check_no_lines": ("На чертеже нет линий.", "The drawing has no lines."),
     # help of the command line
     "help_check": ("проверить чертёж человека", "check a person's drawing"),
-    "help_drawing": ("чертёж: таблица, SVG, DXF или картинка", "the drawing: a table, SVG, DXF or a picture"),
+    "help_drawing": (
+        "чертёж: таблица, SVG, DXF, картинка или папка", "the drawing: a table, SVG, DXF, a picture, or a folder",
+    ),
     "help_plan": ("что на чертеже: velocity, force:2-3…", "which plan it is: velocity, force:2-3…"),
     "help_mu": ("масштаб чертежа", "scale of the drawing"),
     "help_with": ("чертёж более раннего плана того же человека", "the same person's drawing of an earlier plan"),
     "help_pole": ("место полюса на картинке", "where the pole is on the picture"),
     "help_mark": ("место отметки на картинке", "where a mark is on the picture"),
     "help_work": ("допуски: от руки или на компьютере", "tolerances: by hand or on a computer"),
-    "help_check_output": ("отчёт: .html, .pdf, .png, .json", "the report: .html, .pdf, .png, .json"),
+    "help_check_output": (
+        "отчёт: .html, .pdf, .svg, .png, .json; о целой папке: .html, .csv, .json или папка",
+        "the report: .html, .pdf, .svg, .png, .json; of a whole folder: .html, .csv, .json or a folder",
+    ),
     "help_blank": ("бланк, на котором чертят план", "a blank to draw a plan on"),
     "help_blank_output": ("файл бланка: .pdf, .svg, .png", "the file of the blank: .pdf, .svg, .png"),
     "check_output": (
@@ -119,7 +130,7 @@ CHECK: dict[str, tuple[str, str]] = {
     ),
     "help_trace": (
         "вместо проверки: страница-калька, верный план поверх своего снимка (-o калька.html, без чертежа)",
-        "instead of checking: a tracing-paper page, the right plan over a picture of your own (-o trace.html, no drawing)",
+        "instead of checking: tracing paper, the right plan over a picture of your own (-o trace.html, no drawing)",
     ),
     "check_no_drawing": (
         "нет чертежа: planes check СЦЕНА ЧЕРТЁЖ --plan ПЛАН", "no drawing: planes check SCENE DRAWING --plan PLAN",
@@ -142,7 +153,7 @@ CHECK: dict[str, tuple[str, str]] = {
     "trace_hint": (
         "Откройте снимок чертежа: он остаётся в этом окне и никуда не отправляется. Тяните план за полюс — он едет, за "
         "отметку — поворачивается и растёт. Стрелки двигают ручку на 1 пиксель, с Shift — на 10.",
-        "Open a picture of a drawing: it stays in this window and is sent nowhere. Drag the plan by its pole to move it, "
+        "Open a picture of a drawing: it stays in this window, sent nowhere. Drag the plan by its pole to move it, "
         "by its mark to turn and resize it. Arrow keys move a handle by 1 pixel, with Shift by 10.",
     ),
     "trace_check": (
@@ -153,6 +164,7 @@ CHECK: dict[str, tuple[str, str]] = {
     "check_page_next": ("куда ведёт построение из своих точек", "where its own marks lead"),
     "check_page_truth": ("верный план", "the right plan"),
     "check_page_picture": ("снимок или линии", "the picture or lines"),
+    "check_reduced": ("изображено 1 : {n}", "drawn at 1 : {n}"),
     "check_page_save": ("Сохранить отметки", "Save the marks"),
     "check_page_reset": ("Вернуть как прочитано", "As it was read"),
     "check_page_moved": ("Отметки передвинуты, вывод обновлён.", "Marks have been moved; the verdict is up to date."),
@@ -170,6 +182,11 @@ CHECK: dict[str, tuple[str, str]] = {
         "The page draws by itself: please enable JavaScript; the verdict and the table stand without it.",
     ),
     "check_class": ("Работы", "Papers"),
+    "check_common": ("Частые ошибки", "Common mistakes"),
+    "check_class_output": (
+        "{file}: таблица класса пишется в .html, .csv, .json или в папку",
+        "{file}: a class is written to .html, .csv, .json or into a folder",
+    ),
     "check_file": ("файл", "file"),
     "check_first": ("первая ошибка", "first mistake"),
     "check_empty_folder": ("{file}: в папке нет чертежей", "{file}: there are no drawings in the folder"),

@@ -60,6 +60,14 @@ CYCLE: dict[str, tuple[str, str]] = {
     ),
     "help_chart_output": ("файл рисунка: .png, .svg или .pdf", "the figure's file: .png, .svg or .pdf"),
     "help_table": ("записать те же числа таблицей CSV", "write the same numbers as a CSV table"),
+    "help_cycle_errors": (
+        "± в таблице рядом с результатами: граница погрешности каждого",
+        "beside the results of a table their ±: a bound of the error of each",
+    ),
+    "cycle_errors_table": (
+        "± пишутся в таблицу всех результатов: нужны -o с .csv, .npy, .npz или .parquet и никакого --show",
+        "± are written into a table of all results: give -o with .csv, .npy, .npz or .parquet, and no --show",
+    ),
     "cycle_suffix": (
         "{file}: такую таблицу записать нельзя; подходят {suffixes}",
         "{file}: no table can be written with this suffix; valid: {suffixes}",
@@ -128,6 +136,8 @@ CYCLE: dict[str, tuple[str, str]] = {
     "method_digits": ("{number} знаков", "{number} digits"),
     "method_differences": ("разности положений", "differences of places"),
     "method_newton": ("итерации Ньютона", "Newton's iteration"),
+    "method_pylinkage": ("pylinkage {number}", "pylinkage {number}"),
+    "method_kinepy": ("kinepy {number} (разности)", "kinepy {number} (differences)"),
     "method_pencil": ("карандаш, {number} мм", "pencil, {number} mm"),
     "chart_pencils": (
         "карандаш: от {worst} мм\nдо {best} мм (лист, линейка)",
@@ -142,17 +152,30 @@ CYCLE: dict[str, tuple[str, str]] = {
     "chart_error_short": ("погрешность", "error"),
     "chart_speed": ("Скорость и точность", "Speed and accuracy"),
     "chart_front": ("граница Парето", "Pareto front"),
-    "chart_stability": ("Устойчивость у предела сборки", "Stability at the limit of assembly"),
-    "chart_distance": (
-        "расстояние до предела φ = {angle}°, рад",
-        "distance to the limit φ = {angle}°, rad",
+    "chart_end": ("Устойчивость у предела сборки", "Stability at the limit of assembly"),
+    "chart_change": ("Устойчивость у особого положения", "Stability at the change point"),
+    "chart_infinite": (
+        "Устойчивость у параллельных направляющих: встреча уходит в ∞",
+        "Stability at parallel guides: the crossing runs to ∞",
+    ),
+    "chart_distance_phi": ("расстояние до φ = {value}°, рад", "distance to φ = {value}°, rad"),
+    "chart_distance_s": ("расстояние до s = {value} м, м", "distance to s = {value} m, m"),
+    "chart_distance_length": (
+        "длина {name}: относительное расстояние до {value} м (в сцене {here} м), при {drive}",
+        "length {name}: relative distance to {value} m ({here} m in the scene), at {drive}",
+    ),
+    "chart_distance_angle": (
+        "угол направляющей {name}: расстояние до {value}° (в сцене {here}°), рад, при {drive}",
+        "angle of the guide {name}: distance to {value}° ({here}° in the scene), rad, at {drive}",
     ),
     "chart_at": ("относительная погрешность в положении", "relative error at the position"),
     "chart_sharpness": ("синус угла встречи", "sine of the meeting angle"),
     "chart_claim": ("заявленная погрешность", "claimed error"),
     "chart_no_limit": (
-        "Скорость и точность (предела сборки у механизма нет)",
-        "Speed and accuracy (the mechanism has no limit of assembly)",
+        "Скорость и точность (особых положений нет: ни привод, ни длины вшестеро больше и меньше,\n"
+        "ни повороты направляющих к ним не ведут)",
+        "Speed and accuracy (no limit: neither the drive, nor lengths up to six times longer or shorter,\n"
+        "nor turned guides lead to one)",
     ),
     "chart_suffix": (
         "{file}: такой рисунок записать нельзя; подходят {suffixes}",

@@ -150,8 +150,10 @@ METHOD: dict[str, tuple[str, str]] = {
         "{file}: states vectors and has no mechanism, so it has no structure",
     ),
     "help_planes": ("Планы механизмов, построенные и измеренные.", "Plans of mechanisms, drawn and measured."),
-    "help_solve": ("построить планы сцены и напечатать измеренное",
-                   "draw the plans of a scene and print what they measure"),
+    "help_solve": (
+        "построить планы сцены и напечатать измеренное; для папки: таблица всех её сцен и вариантов",
+        "draw the plans of a scene and print what they measure; for a folder, a table of all its scenes and variants",
+    ),
     "help_structure": ("напечатать W, q, группы Ассура и формулу строения",
                        "print W, q, Assur groups and the formula of structure"),
     "help_sheet": ("начертить лист сцены: SVG, PDF, PNG или DXF по окончанию имени файла",
@@ -166,6 +168,10 @@ METHOD: dict[str, tuple[str, str]] = {
     "help_object": ("печатать объект для программ", "print an object for programs"),
     "help_pencil": ("чертить с погрешностями карандаша, а не точно", "draw with a pencil's errors instead of exactly"),
     "help_seed": ("какие именно погрешности у карандаша", "which errors the pencil makes"),
+    "help_dxf_text": (
+        "буквы в файле DXF: текст, который можно править (text), или линии (strokes)",
+        "letters in a DXF: texts that can be edited (text), or lines (strokes)",
+    ),
     "help_sheet_number": (
         "лист проекта: 1 (структура и кинематика) или 2 (силовой расчёт); без него всё на одном листе",
         "a sheet of a project: 1 (structure and kinematics) or 2 (forces); without it all stands on one page",

@@ -92,7 +92,8 @@ MISTAKES: dict[str, tuple[str, str]] = {
         "{mark}: the Coriolis acceleration 2ωv is left out; the guide turns",
     ),
     "mistake_coriolis_reversed": (
-        "{mark}: кориолисово ускорение направлено в обратную сторону; поверните v_отн на 90° в сторону ω",
+        "{mark}: кориолисово ускорение направлено в обратную сторону; поверните относительную скорость на "
+        "90° в сторону ω",
         "{mark}: the Coriolis acceleration is reversed; turn the relative velocity by 90° in the sense of ω",
     ),
     "mistake_coriolis_half": (
