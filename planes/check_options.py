@@ -15,6 +15,7 @@ def add_options(parser: argparse.ArgumentParser, told: Callable[[str], str]) -> 
                         help=told("help_with"))  # fmt: skip
     parser.add_argument("--pole", metavar="X,Y", help=told("help_pole"))
     parser.add_argument("--mark", action="append", default=[], metavar="NAME=X,Y", help=told("help_mark"))
+    parser.add_argument("--format", choices=("A4", "A3", "A2", "A1"), help=told("help_picture_format"))
     parser.add_argument("--work", choices=("hand", "cad"), default="hand", help=told("help_work"))
     parser.add_argument("--trace", action="store_true", help=told("help_trace"))
     parser.add_argument("-o", "--output", metavar="FILE", help=told("help_check_output"))

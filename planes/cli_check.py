@@ -108,7 +108,8 @@ def read_paper(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
         from planes.check.photograph import paper_of_picture
 
         pole = place(args.pole, "--pole")[1] if args.pole else None
-        return paper_of_picture(file, prepare(asked), pole, dict(place(m, "--mark") for m in args.mark))
+        return paper_of_picture(file, prepare(asked), pole, dict(place(m, "--mark") for m in args.mark),
+                                args.format)  # fmt: skip
     raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import math
+import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -47,9 +49,9 @@ def run(args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Call
         draw_cycle(scene, span, args.output, asked(args.show), asked(args.hodograph), asked(args.path), args.lang)
         return 0
     if args.graphical is not None:
-        return _graphical(args, scene)
-    if args.listing or args.show or (span is not None and span.count == 1):
-        return _listing(args, scene, span)
+        return _graphical(args, scene, as_json)
+    if args.listing or (span is not None and span.count == 1):
+        return _listing(args, scene, span, as_json)
     return _summary(args, scene, span, as_json)
 
 
@@ -58,6 +60,8 @@ def driven_otherwise(scene: Scene, velocity: float | None, acceleration: float |
     mechanism = scene.mechanism
     if mechanism is None or (velocity is None and acceleration is None):
         return scene
+    if not all(x is None or math.isfinite(x) for x in (velocity, acceleration)):
+        raise PlanesError(Phrase("drive_not_finite"))
     drive = mechanism.drive
     v = drive.velocity if velocity is None else velocity
     a = drive.acceleration if acceleration is None else acceleration
@@ -89,8 +93,10 @@ def _table(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
     return write_curves(turn, span, args.output, args.lang)
 
 
-def _listing(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
-    from planes.diagrams.text import listing
+def _listing(
+    args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Callable[[object], str]
+) -> int:
+    from planes.diagrams.text import listed_json, listing, unsolved
     from planes.diagrams.turn import turn_of
     from planes.plans import state
 
@@ -99,7 +105,11 @@ def _listing(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
     if chosen.count > LISTED:
         raise PlanesError(Phrase("listing_long", count=chosen.count, most=LISTED))
     turn = turn_of(state(scene.mechanism, scene.file), _names(args), file=scene.file)
-    print(listing(turn, chosen[:], args.lang), end="")
+    refused = unsolved(turn, chosen[:], args.lang)
+    print(*refused, sep="\n", end="\n" if refused else "", file=sys.stderr)
+    if len(refused) == chosen.count:
+        return 2
+    print(as_json(listed_json(turn, chosen[:])) if args.json else listing(turn, chosen[:], args.lang).rstrip())
     return 0
 
 
@@ -118,7 +128,7 @@ def _summary(args: argparse.Namespace, scene: Scene, span: Span | None, as_json:
         ends = 0.0, FULL
     else:
         ends = span_of(plans).start, span_of(plans).end
-    found = summary(scene, plans, *ends)
+    found = summary(scene, plans, *ends, _names(args))
     if not found.grid.works.any():
         first, last = (f"{x:g}" for x in ends)
         raise PlanesError(Phrase("cycle_never", first=first, last=last))
@@ -126,9 +136,11 @@ def _summary(args: argparse.Namespace, scene: Scene, span: Span | None, as_json:
     return 0
 
 
-def _graphical(args: argparse.Namespace, scene: Scene) -> int:
+def _graphical(args: argparse.Namespace, scene: Scene, as_json: Callable[[object], str]) -> int:
+    from planes.diagrams.graphical_text import as_json as plain
     from planes.diagrams.graphical_text import report
     from planes.diagrams.motion import constructed
 
-    print(report(constructed(scene, args.graphical, args.pole), args.lang), end="")
+    found = constructed(scene, args.graphical, args.pole)
+    print(as_json(plain(found)) if args.json else report(found, args.lang).rstrip())
     return 0

@@ -48,13 +48,15 @@ class Ways:
     names: Mapping[str, str]
 
 
-def draw(path: Path, title: str, spots: Sequence[Spot], front: Sequence[Spot], ways: Ways | None, lang: Lang) -> None:
-    """Both charts side by side, in a file by its suffix."""
+def draw(
+    path: Path, title: str, spots: Sequence[Spot], front: Sequence[Spot], ways: Ways | None, seconds: str, lang: Lang
+) -> None:
+    """Both charts side by side, in a file by its suffix; ``seconds`` says what was timed, and on which machine."""
     with rc_context(CHARTS):
         figure = Figure(figsize=(12.6 if ways else 8.0, 5.6), dpi=150, layout="constrained")
         figure.suptitle(title, fontsize=10.5)
         plots = figure.subplots(1, 1 if ways is None else 2, squeeze=False)[0]
-        _speed(plots[0], spots, front, lang)
+        _speed(plots[0], spots, front, seconds, lang)
         if ways is None:
             plots[0].set_title(say("chart_no_limit", lang), fontsize=10)
         else:
@@ -67,8 +69,8 @@ METADATA: dict[str, dict[str, Any]] = {
 }  # fmt: skip
 
 
-def _speed(plot: Any, spots: Sequence[Spot], front: Sequence[Spot], lang: Lang) -> None:
-    plot.set(xscale="log", yscale="log", xlabel=say("chart_seconds", lang), ylabel=say("chart_error", lang))
+def _speed(plot: Any, spots: Sequence[Spot], front: Sequence[Spot], seconds: str, lang: Lang) -> None:
+    plot.set(xscale="log", yscale="log", xlabel=seconds, ylabel=say("chart_error", lang))
     plot.set_title(say("chart_speed", lang), fontsize=10)
     steps = [(m.seconds, m.error) for m in front]
     plot.plot(*zip(*steps, strict=True), color="#bbbbbb", linewidth=5, solid_capstyle="round", zorder=1,

@@ -151,11 +151,37 @@ def test_another_law_of_motion(capsys: Any) -> None:
     (["--listing", "--phi", "0:360:1"], "a listing is for a few positions, but 361 were asked for"),
     (["-o", "x.txt"], "no table can be written"),
     (["--graphical", "3"], "take from 6 to 72"),
+    (["--omega", "nan"], "must be finite numbers"),
 ])  # fmt: skip
 def test_refusals(argv: list[str], words: str, capsys: Any, tmp_path: Path, monkeypatch: Any) -> None:
     monkeypatch.chdir(tmp_path)
     assert words in refused(capsys, TWELVE, *argv)
     assert not list(tmp_path.iterdir())
+
+
+def test_listings_and_constructions_as_json(capsys: Any) -> None:
+    found = json.loads(out_of(capsys, TWELVE, "--phi", "245", "--json"))
+    assert found["positions"][0]["phi_deg"] == 245 and found["units"]["u_31"] == "1"
+    assert found["positions"][0]["values"]["a_D"] == pytest.approx(10.264938945670275, rel=1e-12)
+    assert found["positions"][0]["values"]["F_50_arm"] is None
+    both = json.loads(out_of(capsys, TWELVE, "--graphical", "--json"))["constructions"]
+    assert [c["kind"] for c in both] == ["differentiation", "integration"]
+    speeds = both[0]["diagrams"][1]
+    assert speeds["unit"] == "m/s" and len(speeds["points"]) == 12 and speeds["points"][0]["point"] == "0½"
+
+
+def test_what_is_shown_is_told_of_alone(capsys: Any) -> None:
+    said = out_of(capsys, TWELVE, "--show", "M_1,r_D_x", "--lang", "en")
+    names = [line.split()[0] for line in said.splitlines() if line.startswith("  ") and line.split()[0] != "unit"]
+    assert names == ["r_D_x", "M_1"] and "Paths" not in said and "K = 2.1966" in said
+
+
+def test_a_position_that_does_not_assemble_is_told(capsys: Any) -> None:
+    assert main(["cycle", SIX, "--listing", "--phi", "90:150:30", "--show", "u_31", "--lang", "en"]) == 0
+    found = capsys.readouterr()
+    assert found.err.count("\n") == 2 and "at φ = 90°" in found.err and "the nearest that works" in found.err
+    assert [line.split() for line in found.out.splitlines()][-1] == ["u_31", "1", "—", "—", "0.80127"]
+    assert refused(capsys, SIX, "--phi", "0", "--json").startswith("at φ = 0°")
 
 
 def test_a_scene_of_vectors_has_no_cycle(capsys: Any) -> None:

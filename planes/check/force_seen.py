@@ -10,20 +10,18 @@ should be, with an error as large as itself.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from itertools import pairwise, permutations
 
-from planes.check.bench import Bench, variants_of
-from planes.check.handwork import Hand, Miss, Variant
-from planes.check.motion_seen import (
-    ANYWHERE, COVERED, DOUBTFUL, GATE, NO_END, PER_MM, SLIP, VAGUE, pole_on, redrawn, sigmas_of,
-)  # fmt: skip
+from planes.check.bench import Bench
+from planes.check.force_ways import Guess, guesses, polygon_of, spread_of
+from planes.check.handwork import Miss
+from planes.check.motion_seen import ANYWHERE, COVERED, DOUBTFUL, GATE, NO_END, PER_MM, VAGUE, pole_on, sigmas_of
 from planes.check.paper import Spot
 from planes.check.places import Place, Seen
-from planes.check.polygons import Side, loads_of, sides_of
-from planes.naming import POLE, at, label_of, plan_of
-from planes.steps import Cross, Step
+from planes.check.polygons import loads_of, sides_of
+from planes.naming import POLE
 
 NOTHING_MM = 0.3  # a vector shorter than this is not drawn
 TINY_MM = 1.6  # a vector shorter than this may be hidden where two others meet
@@ -32,16 +30,6 @@ OPEN = 6.0  # what a polygon costs that does not close
 GAP_MM = 1.2  # ends nearer than this to the pole are at it
 NOTHING = 1.0  # what it costs to believe in a closing vector of no length
 MOST_STEPS = 4000
-
-
-@dataclass(frozen=True)
-class Guess:
-    """One way the polygon may have been drawn: its known vectors, the closing ones, what believing it costs."""
-
-    known: Mapping[str, complex]
-    closing: Mapping[str, complex]  # unit directions
-    cost: float = 0.0
-    free: str = ""  # a vector that may be anywhere
 
 
 @dataclass
@@ -59,8 +47,6 @@ class Polygon:
 
     seen: Seen
     pole: Place
-    sides: list[Side]
-    loads: set[str]
     spread: dict[str, Miss]
     steps: int = 0
     best: Laid | None = None
@@ -144,7 +130,9 @@ class Polygon:
                     continue
             elif last and abs(way) > 2 and self._goes_on(way / abs(way), chain):
                 price += OPEN
-            if price + chain.cost < self.most and price < 12 + OPEN and (abs(way) < 1 or self.covered(z, p.z) > COVERED):
+            if price + chain.cost >= self.most or price > 12 + OPEN:
+                continue
+            if abs(way) < 1 or self.covered(z, p.z) > COVERED:
                 rows = [*chain.rows, (name, p.z, p.sigma)]
                 self._lay_closing(guess, order[1:], Laid(chain.cost + price, rows, closed), p.z)
         if not last:  # a closing vector of no length
@@ -180,86 +168,12 @@ def _left_out(name: str, laid: Laid, right: Guess) -> bool:
     return start is not None and true > 1 and abs(ends[k + 1] - start) < 0.4 * true and abs(ends[k + 1] - start) < 0.8
 
 
-def polygon_of(sides: Iterable[Side], loads: set[str]) -> list[Side]:
-    """The sides of the outer polygon: the longest way round from the pole; chords of it are left out."""
-    sides = list(sides)
-    best: list[Side] = []
-
-    def walk(z: str, way: list[Side]) -> None:
-        nonlocal best
-        for s in sides:
-            if s.start == z and s.end not in [w.end for w in way]:
-                if s.end == POLE:
-                    best = max(best, [*way, s], key=len)
-                else:
-                    walk(s.end, [*way, s])
-
-    walk(POLE, [])
-    return best
-
-
-def guesses(bench: Bench, sides: list[Side], loads: set[str]) -> list[Guess]:
-    """The right polygon first, then one of every mistake, none twice."""
-    hand = Hand(bench.program, bench.given, bench.asked.skill, {})
-    found: list[Guess] = []
-    seen: set[tuple[complex, ...]] = set()
-    variants: list[Variant | None] = [None, *variants_of(bench, hand, bench.said_mu)]
-    for variant in variants:
-        vectors = _vectors(bench, sides, variant)
-        if vectors is None:
-            continue
-        known = {s.name: vectors[s.name] for s in sides if s.end in loads}
-        closing = {s.name: vectors[f"|{s.name}"] for s in sides if s.end not in loads}
-        key = tuple(complex(round(v.real * 2), round(v.imag * 2)) for v in known.values())
-        key += tuple(complex(round((u * u).real * 20), round((u * u).imag * 20)) for u in closing.values())
-        if key not in seen and max(map(abs, known.values()), default=0.0) < 400:
-            seen.add(key)
-            found.append(Guess(known, closing, SLIP if variant else 0.0))
-    return found
-
-
-def _vectors(bench: Bench, sides: list[Side], variant: Variant | None) -> dict[str, complex] | None:
-    """Every vector by name, and the direction of every closing one by |name."""
-    things = redrawn(bench, variant, lambda step, made: made)
-    if things is None:
-        return None
-    plan = bench.asked.plan
-    ends = {n: 0j if n == POLE else complex(things[at(plan, n)]) for s in sides for n in (s.start, s.end)}
-    out = {s.name: ends[s.end] - ends[s.start] for s in sides}
-    swaps = variant.swaps if variant else {}
-    lines = _lines([one for step in bench.program.steps for one in swaps.get(step.makes, (step,))], plan)
-    for s in sides:
-        u = out[s.name] if abs(out[s.name]) > 1 else 0j
-        for pair in ((s.start, s.end), (s.end, s.start)):
-            u = things[lines[pair]] if pair in lines else u
-        out[f"|{s.name}"] = complex(u) / abs(u) if u else 1 + 0j
-    return out if all(math.isfinite(abs(v)) for v in out.values()) else None
-
-
-def _lines(steps: Iterable[Step], plan: str) -> dict[tuple[str, str], str]:
-    """The directions of crossed lines by the labels of the marks they lead between."""
-    found = {}
-    for step in steps:
-        if isinstance(step, Cross) and plan_of(step.makes) == plan:
-            found[label_of(step.start), label_of(step.makes)] = step.along
-            found[label_of(step.other), label_of(step.makes)] = step.across
-    return found
-
-
-def spread_of(bench: Bench, sides: list[Side]) -> dict[str, Miss]:
-    """The covariance of every vector as a hand would draw it."""
-    hand, plan = Hand(bench.program, bench.given, bench.asked.skill, {}), bench.asked.plan
-    def end(name: str) -> object:
-        return 0j if name == POLE else hand.things[at(plan, name)]
-    return {s.name: hand.miss(0j, end(s.end) - end(s.start)) for s in sides}  # type: ignore[operator]
-
-
 def vectors_on(bench: Bench, seen: Seen, near: complex) -> tuple[list[Spot], bool, float]:
     """Rows of the polygon, whether nothing of it can have been overlooked, and the share of ink they explain."""
     plan = bench.asked.plan
     loads = loads_of(bench.plans, plan)
-    sides = polygon_of(sides_of(bench.plans, plan), loads)
-    polygon = Polygon(seen, pole_on(seen, near), sides, loads, spread_of(bench, sides))
+    sides = polygon_of(sides_of(bench.plans, plan), plan)
+    polygon = Polygon(seen, pole_on(seen, near), spread_of(bench, sides))
     right, *wrong = guesses(bench, sides, loads)
     best = polygon.lay(right, 60.0)
     if best is None or best.cost > 1.0 + 0.6 * len(sides):

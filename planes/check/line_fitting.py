@@ -109,7 +109,8 @@ def _laid(s: Any, found: Any, length: float) -> tuple[Any, float]:
     count = max(len(x) * STEP_MM / 1.0, 1.0)  # places nearer than a millimetre err together
     sigma = math.hypot(2 * scale / math.sqrt(count), UNSTEADY_MM)
     k = float(c[2]) / half**2
-    return numpy.array([c[0] - c[1] * middle / half + k * (middle**2 - half**2), c[1] / half - 2 * k * middle, k]), sigma
+    first = c[0] - c[1] * middle / half + k * (middle**2 - half**2)
+    return numpy.array([first, c[1] / half - 2 * k * middle, k]), sigma
 
 
 def _extend(line: Fitted, s: Any, t: Any, dark: Any) -> None:
@@ -122,7 +123,8 @@ def _extend(line: Fitted, s: Any, t: Any, dark: Any) -> None:
     flank = numpy.maximum(*((dark * (k * off > 0.55) * (k * off < 1.1)).max(axis=1) for k in (1, -1)))
     ends = []
     for sign in (-1, 1):
-        i = int(numpy.argmin(numpy.abs(s - (line.low + 0.3 * line.length if sign < 0 else line.high - 0.3 * line.length))))
+        inner = line.low + (0.5 + 0.2 * sign) * line.length
+        i = int(numpy.argmin(numpy.abs(s - inner)))
         last, white = i, 0.0
         while 0 <= i < len(s) and white < GAP_MM:
             if core[i] > 0.5:

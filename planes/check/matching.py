@@ -27,6 +27,7 @@ APART_MM = 0.7  # two marks nearer than this are one place
 WORDED = 0.6  # the share of marks with words from which on one without was not drawn
 USED = 4.0  # how strange it is, in mm from its word, for a mark to be where another one is
 HEADED = 0.5  # the share of strokes with arrowheads from which on a mark has one
+LOOSE = 0.2  # of how far joined ends are apart, the error of where they are
 ALONG = 0.7  # the share of a vector that must be drawn for its end to count
 
 
@@ -36,6 +37,7 @@ def paper_of(sketch: Sketch, bench: Bench, pole: complex | None = None) -> Paper
     if pole is not None:
         sketch.strokes = [(_at(pole, a), _at(pole, b)) for a, b in sketch.strokes if _at(pole, a) != _at(pole, b)]
     nodes = Nodes(sketch.strokes)
+    sketch.error_mm = max(sketch.error_mm, LOOSE * nodes.near)
     if not nodes.places:
         paper.notes.append(Phrase("check_no_lines"))
         return paper

@@ -61,9 +61,11 @@ class Search:
         out = Way(cost, {}, variant)
         places: dict[str, complex] = {}
 
+        lost: list[complex] = []
+
         def snap(step: Step, drawn: Any) -> Any:
-            if step.makes not in self.own or drawn != drawn:
-                return drawn
+            if step.makes not in self.own or drawn != drawn or any(abs(drawn - z) < 1e-9 for z in lost):
+                return drawn  # the same place is looked for but once
             goal = self.pole.z + complex(drawn)
             if fixed and step.makes == fixed[0]:
                 found: Place | None = fixed[1]
@@ -71,6 +73,7 @@ class Search:
                 found, price = self._nearest(step, goal, places, out.found)
                 out.cost += price
             if found is None:
+                lost.append(complex(drawn))
                 return drawn
             out.found[step.makes] = found
             places[step.makes] = found.z

@@ -10,7 +10,7 @@ from planes.check.bench import Bench
 from planes.check.fiducials import SHEET_MM, pole_place
 from planes.check.force_seen import vectors_on
 from planes.check.frame import by_frame
-from planes.check.motion_seen import marks_on, pole_found
+from planes.check.motion_seen import marks_on, pole_found, pole_on
 from planes.check.paper import Paper, Spot
 from planes.check.pencil_lines import sheet_of
 from planes.check.picture import Flat, by_points, cv, flatten, load
@@ -35,6 +35,14 @@ class Look:
     whole: bool = False
     explained: float = -1.0
 
+    def box(self, bench: Bench) -> tuple[float, float, float, float]:
+        """Where the flat picture lies, mm from the pole: left, bottom, right, top."""
+        printed = not self.spots and self.flat.by == "marks"
+        low = self.flat.corner - (blank_pole(bench) if printed else self.pole)
+        h, w = self.flat.grey.shape[:2]
+        high = low + complex(w, h) / self.flat.scale
+        return low.real, low.imag, high.real, high.imag
+
 
 def paper_of_picture(
     file: str, bench: Bench, pole: complex | None = None, marks: Mapping[str, complex] | None = None,
@@ -54,7 +62,7 @@ def paper_of_picture(
     if best is None:
         raise PlanesError(Phrase("check_no_marks"))
     paper.notes = list(best.flat.notes)
-    paper.picture = b"" if paper.scale_mark else shown(best.flat)
+    paper.picture, paper.box = shown(best.flat), best.box(bench)
     if best.explained < 0:
         paper.notes.append(Phrase("check_crowd", count="> 1500"))
     elif best.explained < EXPLAINED:
@@ -86,8 +94,9 @@ def looked(bench: Bench, flat: Flat, pole: complex | None) -> Look:
         return Look(flat, 0j)
     if not seen.lines:
         return Look(flat, 0j, explained=0.0)
-    blank = flat.size_mm == SHEET_MM and not (pole is None and flat.by == "frame")
-    near = pole if pole is not None else blank_pole(bench) if blank else pole_found(bench, seen)
+    near = pole if pole is not None else blank_pole(bench) if flat.size_mm == SHEET_MM else None
+    if near is None or (flat.by == "frame" and pole is None and not pole_on(seen, near).ended):
+        near = pole_found(bench, seen)
     if near is None:
         return Look(flat, 0j, explained=0.0)
     if kind_of(bench.asked.plan) == "force":

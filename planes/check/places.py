@@ -17,7 +17,7 @@ HIDDEN_MM = 9.0  # the most of a line's end that is hidden in another line's ink
 PASSING_MM = 0.3  # σ of what was put on a line, off it
 SAME_MM = 0.4  # places nearer than this are one
 ROUTE_MM = 0.9  # ink farther than this from a vector is not its own
-OWN = 0.3  # the share of a line that must be its own and not another's
+OWN = 0.22  # the share of a line that must be its own and not another's
 
 
 @dataclass

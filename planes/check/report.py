@@ -219,13 +219,20 @@ def _shown(found: Outcome, truth: Mapping[str, complex]) -> dict[str, Any]:
         (w, h), pole = SHEET_MM, blank_pole(found.bench)
         box = paper.box or (-pole.real, -pole.imag, w - pole.real, h - pole.imag)
         href = "data:image/jpeg;base64," + base64.b64encode(paper.picture).decode()
-        return {"picture": {"href": href, "box": box}, "box": box}
+        unread = found.grading is None or any(m not in found.grading.hand.taken for m in found.grading.marks)
+        return {"picture": {"href": href, "box": box}, "box": box if unread else _about(found, truth)}
+    return {"picture": None, "box": _about(found, truth)}
+
+
+def _about(found: Outcome, truth: Mapping[str, complex]) -> Pair:
+    """A box about both plans: left, bottom, right, top."""
+    paper = found.paper
     places = [0j, *truth.values(), *own_marks(found).values(), *(z for s in paper.strokes for z in s)]
     places = [z for z in places if math.isfinite(abs(z)) and abs(z) < 2000]
     xs, ys = [z.real for z in places], [z.imag for z in places]
     low, high = complex(min(xs), min(ys)), complex(max(xs), max(ys))
     margin = complex(MARGIN_MM, MARGIN_MM)
-    return {"picture": None, "box": [*_pair(low - margin), *_pair(high + margin)]}
+    return [*_pair(low - margin), *_pair(high + margin)]
 
 
 def _pair(z: complex) -> Pair:

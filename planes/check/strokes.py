@@ -11,7 +11,7 @@ from itertools import pairwise
 Stroke = tuple[complex, complex]
 Head = tuple[complex, complex]  # the tip of an arrowhead, and the unit way it points
 SHORT_MM = 0.8  # shorter strokes are ticks, dots and pieces of letters
-SNAPPED_MM, LOOSE_MM = 0.1, 0.6  # ends no farther apart are one place: joined by a program, or by eye
+SNAPPED_MM, LOOSE_MM, FARTHEST_MM = 0.1, 0.6, 2.0  # ends no farther apart are one: joined by a program, by eye, badly
 CROSSINGS = 400  # of more strokes than this crossings are not looked for
 CROWD = 0.03  # nodes per mm² beyond which any place would do for a mark
 
@@ -57,20 +57,23 @@ def _finite(z: complex) -> bool:
     return math.isfinite(z.real) and math.isfinite(z.imag)
 
 
-def _snapped(strokes: Sequence[Stroke]) -> bool:
-    """Whether nearly every end of a stroke is exactly where another one ends, as a program joins them."""
-    cells: dict[tuple[int, int], int] = defaultdict(int)
-    keys = [(round(z.real / SNAPPED_MM), round(z.imag / SNAPPED_MM)) for s in strokes for z in s]
-    for key in keys:
-        cells[key] += 1
-    return sum(cells[key] > 1 for key in keys) > 0.7 * len(keys)
+def reach_of(strokes: Sequence[Stroke]) -> float:
+    """How far apart, mm, ends that are one place may be: hardly where a program joined them, more where the eye did."""
+    ends = [(k, z) for k, stroke in enumerate(strokes) for z in stroke]
+    if len(ends) > 2 * CROSSINGS:
+        return LOOSE_MM
+    gaps = sorted(min((abs(z - w) for j, w in ends if j != k), default=math.inf) for k, z in ends)
+    joined = [g for g in gaps if g < FARTHEST_MM]
+    if sum(g < SNAPPED_MM for g in gaps) > 0.7 * len(gaps) or not joined:
+        return SNAPPED_MM if joined else LOOSE_MM
+    return min(max(LOOSE_MM, 1.3 * joined[int(0.9 * (len(joined) - 1))]), FARTHEST_MM)
 
 
 class Nodes:
     """Places where strokes end or cross, those nearer than ``near`` (mm) taken for one."""
 
     def __init__(self, strokes: Sequence[Stroke], near: float | None = None) -> None:
-        self.near = near or (SNAPPED_MM if _snapped(strokes) else LOOSE_MM)
+        self.near = near or reach_of(strokes)
         self.places: list[complex] = []
         self.weights: list[int] = []
         self.cells: dict[tuple[int, int], list[int]] = defaultdict(list)

@@ -141,6 +141,8 @@ def check(asked: Asked, paper: Paper) -> Outcome:
 
 def _look(out: Outcome) -> None:
     bench, paper = out.bench, out.paper
+    if paper.scale_mark and all(n.key != "check_scale_vector" for n in out.notes):
+        out.notes.append(Phrase("check_scale_vector", mark=paper.scale_mark))
     if paper.spots:
         out.grading = grade(bench, paper)
     if out.grading:

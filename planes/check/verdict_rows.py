@@ -35,6 +35,8 @@ def mark_rows(out: Outcome) -> list[dict[str, Any]]:
                 row["warning"] = Phrase("check_close").told("en")
         elif absent:
             row["verdict"] = "unread"
+        if label_of(mark) == out.paper.scale_mark:
+            row["unjudged"] = "length"  # the scale was taken from it
         rows.append(row)
     return rows
 

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
+import os
+import platform
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -35,6 +38,16 @@ class Method:
     number: str
     seconds: float
     error: float
+
+
+def machine() -> tuple[str, int]:
+    """The processor times are measured on, and how many cores of it there are."""
+    name = platform.processor() or platform.machine()
+    told = Path("/proc/cpuinfo")
+    if told.exists():
+        lines = told.read_text(encoding="utf-8").splitlines()
+        name = next((line.partition(": ")[2] for line in lines if line.startswith("model name")), name)
+    return name, os.cpu_count() or 1
 
 
 def clock(work: Callable[[], object], times: int = 3) -> float:

@@ -68,6 +68,19 @@ def scales(c: Construction, lang: Lang) -> list[str]:
     return lines
 
 
+def as_json(constructions: list[Construction]) -> dict[str, Any]:
+    """The constructions as plain things: scales, poles, and every point with what was found and what is exact, SI."""
+    return {"planes": 1, "constructions": [{
+        "kind": c.kind, "link": c.motion.link, "mu_t": c.mu_t, "diagrams": [{
+            "quantity": LETTERS[c.motion.slides][r.stage.rank], "unit": UNITS[c.motion.slides][r.stage.rank],
+            "mu": r.stage.mu, "pole_mm": r.stage.pole_mm, "given": r.stage.given, "points": [
+                {"point": label, "phi_deg": _angle(c, half), "found": found, "exact": exact, "pencil": spread}
+                for (half, label), found, exact, spread in zip(r.stage.points, r.found, r.exact, r.pencil, strict=True)
+                if half >= 0
+            ]} for r in readings(c)],
+    } for c in constructions]}  # fmt: skip
+
+
 def report(constructions: list[Construction], lang: Lang) -> str:
     """Tables of the constructions, one after the other."""
     lines: list[str] = []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -77,11 +78,12 @@ class Path:
 
 @dataclass(frozen=True)
 class Summary:
-    """What is known of a cycle; all of it is read off one :class:`Grid`."""
+    """What is known of a cycle, all of it read off one :class:`Grid`; ``names``: the curves a person asked for."""
 
     scene: Scene
     plans: Plans
     grid: Grid
+    names: tuple[str, ...] = ()
 
     @cached_property
     def extremes(self) -> dict[str, list[Extreme]]:
@@ -151,6 +153,8 @@ class Summary:
         return Row((curve.name,), curve.unit, curve.group, low, high, tuple(some), size)
 
     def _shown(self, curve: Curve) -> bool:
+        if self.names:
+            return curve.name in self.names
         if curve.name.startswith(("MZ_", "FbZ_")) or curve.name.endswith(("_x", "_y")):
             return False
         link = curve.name.removeprefix("phi_")
@@ -196,12 +200,16 @@ def _same(y: Any, other: Any, curve: Curve, row: Row) -> bool:
     return bool(np.array_equal(np.isnan(y), np.isnan(other)) and np.nanmax(np.abs(y - other)) <= SAME * size)
 
 
-def summary(scene: Scene, plans: Plans, start: float = 0.0, end: float = FULL) -> Summary:
-    """The cycle between two places of the driver (degrees, or metres): every curve, read at 721 places or more.
+def summary(
+    scene: Scene, plans: Plans, start: float = 0.0, end: float = FULL, names: Iterable[str] | None = None
+) -> Summary:
+    """The cycle between two places of the driver (degrees, or metres): every curve, read at 721 places or more;
+    ``names`` are those that are told of.
 
     A full turn in which the mechanism stops somewhere is begun there, so that a working range is one piece.
     """
     count = max(721, round(abs(end - start) / 0.5) + 1) if plans.mechanism.drive.kind == "phi" else 721
+    told = () if names is None else tuple(c.name for c in turn_of(plans, names, file=scene.file).curves)
     turn, low, high = turn_of(plans), min(start, end), max(start, end)
     g = grid(turn, low, high, min(count, 20001))
     works = g.works
@@ -209,7 +217,7 @@ def summary(scene: Scene, plans: Plans, start: float = 0.0, end: float = FULL) -
         stops = (~works).nonzero()[0]
         low = float(g.places[stops[len(stops) // 2]]) - FULL
         g = grid(turn, low, low + FULL, len(g.places))
-    return Summary(scene, plans, g)
+    return Summary(scene, plans, g, told)
 
 
 def is_turn(g: Grid) -> bool:

@@ -11,9 +11,13 @@ from planes.diagrams.curves import Curve
 from planes.diagrams.extremes import Extreme
 from planes.diagrams.summary import Row, Stroke, Summary
 from planes.diagrams.turn import Turn
-from planes.solving import told
+from planes.drawing import run
+from planes.nearest import nearest
+from planes.scales import unit_scales
+from planes.solving import failed, key_of, told
 from planes.tables import table
 from planes.units import quantity
+from planes.wording import PlanFailure
 from planes.words import Lang, say
 
 GROUPS = ("place", "analogue", "rate", "force")
@@ -33,7 +37,7 @@ def report(s: Summary, lang: Lang) -> str:
     for group in GROUPS:
         rows = [_cells(s, row, lang) for row in s.rows if row.group == group]
         lines += table(say(f"group_{group}", lang), head, rows)
-    lines += _paths(s, lang)
+    lines += [] if s.names else _paths(s, lang)
     return "\n".join(line for k, line in enumerate(lines) if line or k) + "\n"
 
 
@@ -148,16 +152,38 @@ def _extreme(e: Extreme) -> dict[str, Any]:
 # the listing of single positions
 
 
+def listed(turn: Turn, values: Any) -> dict[str, list[float]]:
+    """Every curve at each value of the drive, by its name."""
+    sample = turn.sample(values)
+    return {c.name: [float(x) for x in c.read(sample) + np.zeros(len(values))] for c in turn.curves}
+
+
+def listed_json(turn: Turn, values: Any) -> dict[str, Any]:
+    """The listing for a program: None where a curve has no value."""
+    rows, key = listed(turn, values), key_of(turn.plans)
+    positions = [{key: float(v), "values": {n: row[k] if math.isfinite(row[k]) else None for n, row in rows.items()}}
+                 for k, v in enumerate(values)]  # fmt: skip
+    return {"planes": 1, "units": {c.name: c.unit for c in turn.curves}, "positions": positions}
+
+
+def unsolved(turn: Turn, values: Any, lang: Lang) -> list[str]:
+    """Why positions cannot be drawn, a sentence for each that cannot."""
+    plans, found = turn.plans, []
+    given = {**plans.given, **dict.fromkeys(unit_scales(plans), 1000.0)}
+    for value in map(float, values):
+        try:
+            run(plans.program, {**given, plans.drive_given: value})
+        except PlanFailure as failure:
+            found.append(failed(failure, value, plans.mechanism.drive.kind, nearest(plans, value), lang))
+    return found
+
+
 def listing(turn: Turn, values: Any, lang: Lang) -> str:
     """Every curve in each position, in the order of the analytic method, with five decimals."""
-    sample = turn.sample(values)
-    kind = turn.plans.mechanism.drive.kind
+    told_rows, kind = listed(turn, values), turn.plans.mechanism.drive.kind
     lines: list[str] = []
     for key, curves in _chapters(turn.curves):
-        rows = []
-        for c in curves:
-            numbers = c.read(sample) + np.zeros(len(values))
-            rows.append([c.name, say(c.unit, lang), *map(decimals, numbers)])
+        rows = [[c.name, say(c.unit, lang), *map(decimals, told_rows[c.name])] for c in curves]
         head = ["", say("column_unit", lang), *(told(float(v), kind, lang) for v in values)]
         lines += table(say(key, lang), head, rows)
     return "\n".join(lines[1:]) + "\n"

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from planes.cycle.limits import Limit
-from planes.cycle.methods import Method, front, measure
+from planes.cycle.methods import Method, front, machine, measure
 from planes.cycle.peers import installed, version
 from planes.cycle.stability import Approach, approach
 from planes.mechanism import Mechanism
@@ -30,7 +30,7 @@ def draw_chart(scene: Scene, output: str, table: str | None, lang: Lang) -> None
     methods, way = measure(plans), approach(plans)
     ways = None if way is None else _ways(way, lang)
     try:
-        draw(path, scene.title.get(lang, ""), _spots(methods), _spots(front(methods)), ways, lang)
+        draw(path, scene.title.get(lang, ""), _spots(methods), _spots(front(methods)), ways, _seconds(lang), lang)
         if table:
             Path(table).write_text(text(methods, way, lang), encoding="utf-8")
     except OSError as error:
@@ -65,6 +65,11 @@ def axis(limit: Limit, lang: Lang) -> str:
     drive = f"{letter} = {told(held, kind, lang)}".replace("-", "−")
     key, name = ("length", way.name) if way.unit == "1" else ("angle", way.name.removeprefix("angle_∥"))
     return say(f"chart_distance_{key}", lang, name=name, value=value, here=f"{way.here:.6g}", drive=drive)
+
+
+def _seconds(lang: Lang) -> str:
+    name, cores = machine()
+    return say("chart_seconds", lang) + "\n" + say("chart_machine", lang, name=name, cores=cores)
 
 
 def _spots(methods: list[Method]) -> list[Spot]:

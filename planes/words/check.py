@@ -117,6 +117,10 @@ CHECK: dict[str, tuple[str, str]] = {
     "help_mu": ("масштаб чертежа", "scale of the drawing"),
     "help_with": ("чертёж более раннего плана того же человека", "the same person's drawing of an earlier plan"),
     "help_pole": ("место полюса на картинке", "where the pole is on the picture"),
+    "help_picture_format": (
+        "формат листа на снимке, если у него рамка, но нет угловых меток бланка",
+        "the format of the sheet on the picture, if it has a frame but no corner marks of a blank",
+    ),
     "help_mark": ("место отметки на картинке", "where a mark is on the picture"),
     "help_work": ("допуски: от руки или на компьютере", "tolerances: by hand or on a computer"),
     "help_check_output": (

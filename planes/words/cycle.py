@@ -145,6 +145,7 @@ CYCLE: dict[str, tuple[str, str]] = {
     ),
     "chart_method": ("способ", "method"),
     "chart_seconds": ("время на одно положение, с", "time per position, s"),
+    "chart_machine": ("({name}, ядер: {cores})", "({name}, {cores} cores)"),
     "chart_error": (
         "наибольшая относительная погрешность за цикл",
         "largest relative error over the cycle",

@@ -32,12 +32,16 @@ DIAGRAMS: dict[str, tuple[str, str]] = {
         "другое ускорение ведущего звена, рад/с² или м/с²",
         "another acceleration of the driver, rad/s² or m/s²",
     ),
-    "help_cycle_json": ("напечатать сводку как объект JSON", "print the summary as a JSON object"),
+    "help_cycle_json": ("напечатать ответ как объект JSON", "print the answer as a JSON object"),
     "cycle_range": (
         "{name} = {first}…{last}, {velocity} = {v}, {acceleration} = {a}",
         "{name} = {first}…{last}, {velocity} = {v}, {acceleration} = {a}",
     ),
     "cycle_assembles": ("Собирается при {name} = {ranges}", "Assembles for {name} = {ranges}"),
+    "drive_not_finite": (
+        "скорость и ускорение ведущего звена должны быть конечными числами",
+        "the speed and acceleration of the driver must be finite numbers",
+    ),
     "cycle_flips": (
         "При {name} = {place} звенья {links} перебрасываются: ползун проходит через свой шарнир, и сборка меняется",
         "At {name} = {place} links {links} turn over: a slider passes through its hinge, and the assembly changes",

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from planes.angles import Span
+from planes.cycle.methods import machine
 from planes.plans import Plans, state
 from planes.scene import load
 
@@ -29,15 +30,6 @@ def angles(name: str, count: int) -> np.ndarray:
     return Span(plans(name).mechanism.drive.position - 5, 10 / count, count)[0:count]
 
 
-def machine() -> str:
-    """The processor, and how busy it is."""
-    name = platform.processor() or platform.machine()
-    if Path("/proc/cpuinfo").exists():
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-        name = next((line.partition(": ")[2] for line in lines if line.startswith("model name")), name)
-    return f"{name}, {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}, Python {platform.python_version()}"
-
-
 def pytest_terminal_summary(terminalreporter, config):
     session = getattr(config, "_benchmarksession", None)
     groups: dict[str, list] = {}
@@ -45,7 +37,9 @@ def pytest_terminal_summary(terminalreporter, config):
         if bench.stats.rounds:
             groups.setdefault(bench.group, []).append(bench)
     if groups:
-        terminalreporter.write_line(machine() + "; times of the quickest round, in brackets of the middle one")
+        name, cores = machine()
+        busy = f"{name}, {cores} cores, load {os.getloadavg()[0]:.1f}, Python {platform.python_version()}"
+        terminalreporter.write_line(busy + "; times of the quickest round, in brackets of the middle one")
     for group, found in sorted(groups.items()):
         terminalreporter.write_line(f"{group}:")
         ours = next((b for b in found if b.extra_info["what"] == "fused"), found[0])
