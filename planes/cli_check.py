@@ -12,8 +12,9 @@ from typing import Any
 from planes.check.bench import Asked, prepare
 from planes.check.nudging import HAND, cad
 from planes.check.paper import Paper, read_table
+from planes.check.report import numbers_of
 from planes.check.verdict import STATUS, Outcome, check
-from planes.check.verdict_rows import as_json, mark_rows, result_rows
+from planes.check.verdict_rows import as_json, mark_rows
 from planes.cli_class import check_class
 from planes.scales import kind_of
 from planes.scene import Scene
@@ -149,8 +150,7 @@ def told(found: Outcome, lang: Lang) -> str:
              + (" !" if "warning" in r else "")] for r in mark_rows(found)]  # fmt: skip
     head = [say(k, lang) for k in ("check_mark", "check_deviation", "check_tolerance", "check_verdict")]
     lines += table(say("check_marks", lang), head, rows)
-    numbers = [[r["name"], f"{r['given']:.4g}", f"{r['true']:.4g}", say(f"verdict_{r['verdict']}", lang)]
-               for r in result_rows(found)]  # fmt: skip
+    numbers = [row for _, *row in numbers_of(found, lang)]
     head = [say(k, lang) for k in ("check_result", "check_given", "check_true", "check_verdict")]
     lines += table(say("check_numbers", lang), head, numbers)
     return "\n".join(lines + [f"! {n.told(lang)}" for n in found.notes])

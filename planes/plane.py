@@ -90,12 +90,13 @@ def arcs(c: Point, r: Real, d: Point, s: Real, side: Real, ar: Arithmetic) -> tu
 def tangent(c: Point, a: Point, offset: Real, side: Real, ar: Arithmetic) -> tuple[Point, Real, Real]:
     """Direction u of the line through ``c`` that has ``a`` at ``offset`` to its left, ahead (+1) or behind.
 
-    It is the tangent from ``a`` to the circle of radius ``offset`` about ``c``. Returns u, the sharpness and by
-    how much the circle is too large (negative: it is not).
+    It is the tangent from ``a`` to the circle of radius ``offset`` about ``c``, √(|a - c|² - offset²) long. Returns u,
+    the sharpness and by how much the circle is too large (negative: it is not).
     """
     apart = abs(a - c)
     safe = apart + (apart == 0)
-    ahead = side * ar.sqrt((apart - offset) * (apart + offset))
+    through = isinstance(offset, float) and offset == 0  # the line through both
+    ahead = side * (apart if through else ar.sqrt(-ar.gap(c, a, offset, 0.0)))
     u = (a - c) * (ahead - 1j * offset) / (safe * safe)
     size = abs(u)
     return u / (size + (size == 0)), abs(ahead) / safe, abs(offset) - apart

@@ -92,6 +92,24 @@ def _drawing(sheet: Overlay, field: tuple[float, float, float, float]) -> list[M
     return out
 
 
+def over_picture(sheet: Overlay, corner: complex) -> dict[str, list[Mark]]:
+    """The same over a picture whose lower left corner is at ``corner``, mm from the pole: marks by their colour."""
+
+    def shifted(vectors: Sequence[Vector], style: str) -> list[Mark]:
+        return [_stroke(sheet, a - corner, b - corner, style) for a, b in vectors if abs(b - a) > 0.2]
+
+    rings: list[Mark] = [Arc(z - corner, RING["wrong"]) for z, v in sheet.marks.values() if v == "wrong"]
+    labels = [Label(n, z - corner, LETTER, clear=1.0) for n, (z, _) in sheet.marks.items() if n not in sheet.along]
+    labels += [Label(n, (a - corner, b - corner), LETTER) for n, (a, b) in sheet.along.items() if abs(b - a) > 0.2]
+    own = shifted(sheet.own, "thin")
+    return {
+        "#1f7a3d": shifted(sheet.true, "dash"),
+        "#a35c00": [Line((a - corner, b - corner), "dash", "construction") for a, b in sheet.next],
+        "#163a70": [*own, *place(labels, [*own, *rings]).marks],
+        "#b3201a": rings,
+    }
+
+
 def _stroke(sheet: Overlay, a: complex, b: complex, style: str) -> Mark:
     return Line((a, b), style, "plan") if sheet.lines else Arrow(a, b, style, "plan")
 

@@ -98,8 +98,10 @@ def same_ink(easel: Easel, one: Mistake | None, two: Mistake | None) -> bool:
 
 def _drawn_too(strokes: list[Stroke], lines: list[Stroke]) -> bool:
     ends = [z for s in lines for z in s]
-    return bool(ends or not strokes) and all(min(abs(z - w) for w in ends) < ALIKE_MM for s in strokes for z in s) and all(
-        any(_beside(a + (b - a) * t / 20, *s) for s in lines) for a, b in strokes for t in range(21))
+    if any(min((abs(z - w) for w in ends), default=ALIKE_MM) >= ALIKE_MM for s in strokes for z in s):
+        return False
+    steps = [a + (b - a) * t / 20 for a, b in strokes for t in range(21)]
+    return all(any(_beside(z, *s) for s in lines) for z in steps)
 
 
 def _beside(z: complex, a: complex, b: complex) -> bool:

@@ -10,6 +10,7 @@ prints each fault in a line, then how full the sheets are, and ends with 1 where
 from __future__ import annotations
 
 import argparse
+import random
 import re
 import statistics
 import sys
@@ -31,6 +32,7 @@ from render.marks import Arrow, Line, Mark, Text
 from render.names import Naming
 from render.sheet import Sheet
 from render.typeset import plain
+from render.views.moments import MomentLines
 from render.views.tables import Tables
 
 ROOT = Path(__file__).parent.parent
@@ -211,8 +213,8 @@ def forces(p: Position, naming: Naming) -> Iterator[tuple[str, str]]:
             if f.spot and value > STILL * max([1e-9, *sizes.values()]):
                 yield f"load {f.name}", plain(naming.vector(f.name))
     for m in p.plans.moments:
-        terms = [t for t, _ in m.terms]
-        if any(abs(float(p.drawing[t])) > 1e-6 for t in terms if t in p.drawing and not t.startswith("°")):
+        made = next((s for s in p.drawing.program.steps if s.makes == m.unknown), None)
+        if any(MomentLines(p, naming).value(t) for t in getattr(made, "terms", ())):
             yield f"moments of {'–'.join(m.links)}", f"…ΣM{plain(naming.point(m.about))}"
 
 
@@ -274,22 +276,28 @@ def main() -> int:
     parser.add_argument("--one", action="store_true", help="only the position each scene gives")
     parser.add_argument("--pictures", metavar="FOLDER")
     parser.add_argument("--processes", type=int, default=1)
+    parser.add_argument("--seed", type=int, help="only some of them, drawn at random")
+    parser.add_argument("--count", type=int, default=100, help="how many, with --seed")
     args = parser.parse_args()
     wanted = jobs(args.samples, args.assignments, args.scenes, not args.one)
+    if args.seed is not None:
+        wanted = random.Random(args.seed).sample(wanted, min(args.count, len(wanted)))
+    found = []
     with ProcessPoolExecutor(args.processes) as pool:
-        found = list(pool.map(look, wanted, [args.pictures] * len(wanted), chunksize=1))
+        for one in pool.map(look, wanted, [args.pictures] * len(wanted), chunksize=1):
+            found.append(one)
+            print(*told(one), sep="\n", end="\n" if told(one) else "", flush=True)
     return report(found)
 
 
+def told(one: Looked) -> list[str]:
+    """What must be said of a sheet, a line each."""
+    said = [*one.faults, *([f"not drawn: {one.failed}"] if one.failed else []), *one.said]
+    return [f"{one.job}: {sentence}" for sentence in said]
+
+
 def report(found: Sequence[Looked]) -> int:
-    """Print every fault and what was counted; 1 if there was one."""
-    for one in found:
-        for fault in one.faults:
-            print(f"{one.job}: {fault}")
-        if one.failed:
-            print(f"{one.job}: not drawn: {one.failed}")
-        for sentence in one.said:
-            print(f"{one.job}: {sentence}")
+    """Print what was counted; 1 if there was a fault."""
     drawn = [one for one in found if not one.failed]
     for number in NUMBERS:
         some = [one for one in drawn if one.job.number == number]

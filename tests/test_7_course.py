@@ -92,6 +92,7 @@ REFUSED = [
     ("course: 1\nstudents: [{name: A, variant: Ж}]\n", "", r"course\.yaml:2: .*Ж.*А, Б"),
     ("course: 1\nsheet: {grup: М}\n", "", r"course\.yaml:2: .*grup.*group"),
     ("", "А\nБ\nА\n", r"students\.txt:3: .*\"А\".*line 1"),
+    ('course: 1\nstudents: ["A\\u2028B"]\n', "", r'course\.yaml:2: the name "A\\u2028B" holds'),
     ("", "# никого\n", r"students\.txt: nobody"),
 ]
 

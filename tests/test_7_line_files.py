@@ -5,11 +5,13 @@ from __future__ import annotations
 import cmath
 import math
 import random
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import confusion
+import drawings
 import line_drawings
 import pytest
 import test_7_check
@@ -122,6 +124,36 @@ def test_a_short_vector_with_a_head_is_no_tick(tmp_path: Path) -> None:
     found = svg(tmp_path, PAGE + '<g stroke="#000">'
                 '<path d="M20 90v-.6" marker-end="url(#a)"/><path d="M20 80v.6"/></g></svg>')  # fmt: skip
     assert len(found.strokes) == 1
+
+
+def test_thousands_of_lines_with_heads_are_refused_in_a_moment(tmp_path: Path) -> None:
+    rng, start = random.Random(1), time.perf_counter()
+    ends = [(rng.uniform(0, 400), rng.uniform(0, 280), rng.uniform(0, 400), rng.uniform(0, 280)) for _ in range(10000)]
+    lines = "".join(f'<path d="M{a:.1f} {b:.1f} {c:.1f} {d:.1f}"/>' for a, b, c, d in ends)
+    words = "".join(f'<text x="{a:.0f}" y="{b:.0f}">{rng.choice("pbchl")}</text>' for a, b, _, _ in ends[:500])
+    found = svg(tmp_path, PAGE + f'<g stroke="#000" marker-end="url(#a)">{lines}</g>{words}</svg>')
+    bench = confusion.bench("six-link", "velocity")
+    assert check(bench.asked, paper_of(found, bench)).verdict == "unreadable"
+    polygon = confusion.bench("six-link", "force:2-3", False)
+    assert check(polygon.asked, paper_of(found, polygon)).verdict == "unreadable"
+    assert time.perf_counter() - start < 30
+
+
+def test_a_polygon_on_a_sheet_full_of_other_lines(tmp_path: Path) -> None:
+    """A frame, a title block, hatching and dimensions beside the polygon change nothing."""
+    easel = next(e for e in easels() if (e.sample, e.plan) == ("six-link", "force:2-3"))
+    bench, rng = confusion.bench("six-link", "force:2-3"), random.Random(1)
+    for mistake in (None, drawings.Mistake("inertia_along_acceleration", "I_2")):
+        strokes, words = test_7_check.sketch_of(easel, mistake)
+        text = line_drawings.inkscape(strokes, words, 200 + 150j)
+        hatch = "".join(f'<path d="M{x} 5l4 4"/>' for x in range(10, 400, 2))
+        block = "".join(f'<path d="M235 {y}h180"/>' for y in range(240, 290, 5)) + '<path d="M20 5h395v287h-395z"/>'
+        sizes = "".join(f'<path d="M{rng.uniform(30, 90):.1f} 260h20" marker-start="url(#a)" marker-end="url(#a)"/>'
+                        for _ in range(9))  # fmt: skip
+        file = tmp_path / "t.svg"
+        file.write_text(text.replace("</svg>", f'<g stroke="#000">{hatch}{block}{sizes}</g></svg>'), encoding="utf-8")
+        found = check(bench.asked, paper_of(read_svg(file), bench))
+        assert (found.verdict, found.mistake) == (("wrong", mistake.name) if mistake else ("right", None))
 
 
 def test_words_wherever_they_are_anchored(tmp_path: Path) -> None:
@@ -297,3 +329,41 @@ def test_wrong_plans_as_files(tmp_path: Path) -> None:
             named += same
     print("wrong plans as files", count, "found", found, "blamed", blamed, "named", named)
     assert found >= 0.97 * count and blamed >= 0.95 * count and named >= 0.90 * count
+
+
+@pytest.mark.parametrize("factor", [0.6, 1.7])
+def test_plans_of_another_size_as_files(tmp_path: Path, factor: float) -> None:
+    """The scale is the drawer's choice, and words tell it to the reader."""
+    right, count, file = 0, 0, tmp_path / "t.svg"
+    for easel in easels():
+        strokes, words = test_7_check.sketch_of(easel, None, 1, factor)
+        file.write_text(line_drawings.inkscape(strokes, words, 200 + 150j), encoding="utf-8")
+        bench = confusion.bench(easel.sample, easel.plan, False)
+        right += check(bench.asked, paper_of(read_svg(file), bench)).verdict == "right"
+        count += 1
+    print("factor", factor, right, count)
+    assert right >= 0.96 * count
+
+
+def test_lines_that_do_not_quite_meet(tmp_path: Path) -> None:
+    """Ends drawn by eye, 0.15 mm off each way, without snapping."""
+    rng, right, count, wrong, named, mistakes, file = random.Random(3), 0, 0, 0, 0, 0, tmp_path / "t.svg"
+    for easel in easels():
+        every = possible(easel)
+        for mistake in [None, *rng.sample(every, min(2, len(every)))]:
+            strokes, words = test_7_check.sketch_of(easel, mistake)
+            loose = [tuple(z + complex(rng.gauss(0, 0.15), rng.gauss(0, 0.15)) for z in s) for s in strokes]
+            file.write_text(line_drawings.inkscape(loose, words, 200 + 150j), encoding="utf-8")  # type: ignore[arg-type]
+            bench = confusion.bench(easel.sample, easel.plan)
+            found = check(bench.asked, paper_of(read_svg(file), bench))
+            if mistake is None:
+                right += found.verdict == "right"
+                count += 1
+            else:
+                mistakes += 1
+                wrong += found.verdict != "right"
+                told = found.mistake or "", found.first_wrong
+                same = told == (mistake.name.partition(":")[0], mistake.where)
+                named += same or told in confusion.alike(easel, mistake)
+    print("loose", right, count, "wrong", wrong, named, mistakes)
+    assert right >= 0.96 * count and wrong >= 0.95 * mistakes and named >= 0.88 * mistakes

@@ -28,7 +28,6 @@ from planes.check.frame import SIZES_MM, frame_corners, shape_of  # noqa: E402
 from planes.check.photograph import paper_of_picture  # noqa: E402
 from planes.check.verdict import Outcome, check  # noqa: E402
 from planes.check.verdict_rows import as_json  # noqa: E402
-from planes.wording import PlanesError  # noqa: E402
 
 SIX = str(SAMPLES / "six-link.yaml")
 MOTION = [("six-link", "velocity"), ("six-link", "acceleration"), ("kind-2-rrp", "acceleration"),
@@ -90,7 +89,7 @@ def test_any_paper(camera: Camera, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(("plan", "mistake"), [
     ("velocity", Mistake("omega1_reversed", "b")), ("velocity", Mistake("along_link", "c")),
-    ("acceleration", Mistake("normal_outward", "n_CB")), ("acceleration", Mistake("coriolis_missing", "k_HL")),
+    ("acceleration", Mistake("normal_outward", "n_CB")), ("acceleration", Mistake("coriolis_half", "k_HL")),
     ("force:4-5", Mistake("force_missing", "P_5")), ("force:2-3", Mistake("inertia_along_acceleration", "I_2")),
     ("force:2-3", Mistake("tangential_reversed", "F_21t")), ("force:1", Mistake("not_closed", "F_10")),
 ])  # fmt: skip
@@ -149,15 +148,8 @@ def test_a_sheet_without_corner_marks(size: str, camera: Camera, told: bool, tmp
     paper = paper_of_picture(str(file), b, format_=size if told else None)
     assert check(b.asked, paper).verdict == "right"
     assert abs(paper.spots[0].place - pole) < 0.6
-    if told:
-        with pytest.raises(PlanesError) if size == "A4" else pytest.warns() if False else _wrong():
-            found = paper_of_picture(str(file), b, format_="A2")
-            assert check(b.asked, found).verdict != "right"
-            raise PlanesError("as it should be")
-
-
-def _wrong() -> Any:
-    return pytest.raises(PlanesError)
+    if told:  # a wrong format is a wrong scale, never a pass
+        assert check(b.asked, paper_of_picture(str(file), b, format_="A2")).verdict == "unreadable"
 
 
 def photo_of(what: str) -> Any:
@@ -229,4 +221,6 @@ def test_the_vector_that_gave_the_scale_is_not_judged_in_length(tmp_path: Path) 
     rows = {m["mark"]: m for m in found["marks"]}
     assert rows["b"]["unjudged"] == "length" and all("unjudged" not in r for n, r in rows.items() if n != "b")
     assert sum("could not be judged" in w for w in found["warnings"]) == 1
-    assert all(r["deviation_mm"] < 1 for r in rows.values())
+    stretched = 60 / abs(drawn.marks["b"])  # as if b had been laid off exactly
+    for name, row in rows.items():
+        assert abs(complex(*row["read_mm"]) - drawn.marks[name] * stretched) < 0.3, name

@@ -27,7 +27,7 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "cycle.rounding home scene.yaml_faults steps.base thing_names wording",
     "angles check.paper check.picture check.read_dxf check.read_svg course.crowd course.ledger equations instruments "
     "scene.expressions scene.source statement steps.crossings steps.reckoning structure units",
-    "check.ink course course.scenes cycle.digits lesson.formulas program scene.reader self_aligning steps",
+    "check.frame check.ink course course.scenes cycle.digits lesson.formulas program scene.reader self_aligning steps",
     "check.line_fitting check.nudging course.students crank_slider.reading_table cycle.tracing drafting drawing "
     "scene.links scene.motion scene.settings scene.vectors",
     "check.handwork check.places course.giving cycle.fused diagrams.graphical lesson.moments plans.assembly "
@@ -44,13 +44,13 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "scales",
     "alignment check.mistakes check.mistakes_force check.mistakes_position course.showing crank_slider.engine "
     "cycle.peers lesson.steps measuring nearest",
-    "check.bench crank_slider.kinematics cycle.columns lesson lesson.figures solving working",
+    "check.accounts check.bench crank_slider.kinematics cycle.columns lesson solving working",
     "check.chains check.motion_seen check.scaling course.numbers crank_slider.forces crank_slider.pages cycle "
     "cycle.explaining lesson.note lesson.practice lesson.zones remedies tables",
-    "check check.force_seen check.sizing course.papers course.settling crank_slider.balance crank_slider.misprints "
+    "check check.force_ways check.sizing course.papers course.settling crank_slider.balance crank_slider.misprints "
     "cycle.bench cycle.claims cycle.spread cycle.streams diagrams.graphical_text diagrams.turn lesson.data",
-    "check.matching check.regrading check.verdict course.summary crank_slider.shaft cycle.limits cycle.long_run "
-    "cycle.methods diagrams.extremes erring roof.lesson",
+    "check.force_seen check.matching check.regrading check.verdict course.summary crank_slider.shaft cycle.limits "
+    "cycle.long_run cycle.methods diagrams.extremes erring roof.lesson",
     "check.photograph check.verdict_rows cli_solve crank_slider.fatigue cycle.stability diagrams.motion "
     "diagrams.summary",
     "check.report crank_slider.rod diagrams.runs diagrams.text roof.charts survey",

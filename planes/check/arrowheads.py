@@ -14,6 +14,7 @@ from planes.check.strokes import Head, Sketch, Stroke
 
 LARGEST_MM = 8.0  # a closed figure no larger may be a head
 NEAR_MM = 0.7  # a tip is at the end of its stroke
+MOST_PAIRS = 1_000_000  # of more strokes and heads none is told whose it is
 BOTH = 2
 STRAIGHT = 0.94  # the cosine of the angle between a head and its stroke, at the least
 
@@ -49,6 +50,8 @@ def settle(sketch: Sketch) -> None:
 def given(strokes: Sequence[Stroke], heads: Sequence[Head]) -> list[int]:
     """Which end of each stroke has a head: +1 the second, -1 the first, 0 neither, 2 both. A head has one stroke."""
     found = [0] * len(strokes)
+    if len(strokes) * len(heads) > MOST_PAIRS:
+        return found
     wanted = sorted((_candidates(strokes, head) for head in heads), key=len)
     for candidates in wanted:
         free = [(far + 5 * (found[k] != 0), k, way) for far, k, way in candidates if found[k] in (0, -way)]

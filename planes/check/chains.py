@@ -20,6 +20,7 @@ NO_WORD, FAR_WORD, UNLIKE, TOO_FAR = 5.0, 9.0, 7.0, 13.0  # what a name may cost
 NAMED_UNLIKE = 3.0  # what is written counts for more than what is likely
 TIP = 8.0  # of two vectors upon each other a name belongs to the one whose tip is nearer
 LONGEST = 26  # vectors in a polygon
+MOST_LINES = 4 * LONGEST
 WHOLE = 0.5  # how much a polygon that leaves no line over is to be preferred
 MOST_TRAILS, MOST_SEEN = 400, 20000
 
@@ -45,8 +46,10 @@ def force_chain(sketch: Sketch, nodes: Nodes, bench: Bench, paper: Paper) -> Pap
     truth = true_vectors(bench)
     pole = _pole(sketch.words, nodes)
     for split in (False, True):
-        edges = _edges(sketch, nodes, split)
-        if not edges or len(edges) > 4 * LONGEST:
+        if split and len(sketch.strokes) > MOST_LINES:
+            continue
+        edges = _reached(_edges(sketch, nodes, split), pole)
+        if not edges or len(edges) > MOST_LINES:
             continue
         words = beside(sketch.words, nodes, edges, truth)
         best: tuple[float, list[Spot], bool] | None = None
@@ -89,6 +92,18 @@ def _edges(sketch: Sketch, nodes: Nodes, split: bool) -> list[Edge]:
         path = [i, *(n for _, n in sorted(inside)), j]
         found += [Edge(one, two, way != 0) for one, two in pairwise(path) if one != two]
     return found
+
+
+def _reached(edges: list[Edge], pole: int | None) -> list[Edge]:
+    """The lines that hang together with the pole; all of them where it is not known."""
+    if pole is None:
+        return edges
+    seen, grown = {pole}, True
+    while grown:
+        more = {n for e in edges if (e.start in seen) != (e.end in seen) for n in (e.start, e.end)}
+        grown = bool(more - seen)
+        seen |= more
+    return [e for e in edges if e.start in seen]
 
 
 def beside(

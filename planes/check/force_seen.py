@@ -25,6 +25,7 @@ from planes.naming import POLE
 
 NOTHING_MM = 0.3  # a vector shorter than this is not drawn
 TINY_MM = 1.6  # a vector shorter than this may be hidden where two others meet
+MOST_HIDDEN = 3.5
 HIDDEN = 1.5  # what it costs to believe in an end that is not seen, for a vector of a millimetre
 OPEN = 6.0  # what a polygon costs that does not close
 GAP_MM = 1.2  # ends nearer than this to the pole are at it
@@ -38,7 +39,7 @@ class Laid:
 
     cost: float
     rows: list[tuple[str, complex, float]] = field(default_factory=list)
-    closed: bool = True
+    hidden: tuple[str, ...] = ()
 
 
 @dataclass
@@ -83,7 +84,8 @@ class Polygon:
             for price, place, sigma, hidden in self._ends(guess, name, v, z, loose):
                 rows = [*chain.rows, (name, place, sigma)]
                 now = math.hypot(loose, sigma) if hidden else 0.0
-                self._lay_known(guess, rest, Laid(chain.cost + price, rows), place, now)
+                unseen = (*chain.hidden, name) if hidden and abs(v) > NOTHING_MM else chain.hidden
+                self._lay_known(guess, rest, Laid(chain.cost + price, rows, unseen), place, now)
 
     def _ends(
         self, guess: Guess, name: str, v: complex, z: complex, loose: float
@@ -105,7 +107,7 @@ class Polygon:
         found.sort(key=lambda f: f[0])
         least = found[0][0] if found else math.inf
         if least > 1.0 + HIDDEN * min(abs(v), 2.0) and (abs(v) < TINY_MM or self.covered(z, goal) > 1 - 0.8 / abs(v)):
-            price = min(1.0 + HIDDEN * abs(v), 5.0)
+            price = min(1.0 + HIDDEN * abs(v), MOST_HIDDEN)
             found.append((price, goal, min(0.3 + 0.5 * abs(v), 1.0), True))
         return found
 
@@ -128,23 +130,28 @@ class Polygon:
                 price += VAGUE * p.sigma + DOUBTFUL * p.doubtful
                 if last and abs(p.z - self.pole.z) < GAP_MM:
                     continue
-            elif last and abs(way) > 2 and self._goes_on(way / abs(way), chain):
+            elif last and abs(way) > 2 and self._goes_on(z, chain):
                 price += OPEN
             if price + chain.cost >= self.most or price > 12 + OPEN:
                 continue
             if abs(way) < 1 or self.covered(z, p.z) > COVERED:
                 rows = [*chain.rows, (name, p.z, p.sigma)]
-                self._lay_closing(guess, order[1:], Laid(chain.cost + price, rows, closed), p.z)
+                self._lay_closing(guess, order[1:], Laid(chain.cost + price, rows, chain.hidden), p.z)
         if not last:  # a closing vector of no length
             rows = [*chain.rows, (name, z, NOTHING_MM)]
-            self._lay_closing(guess, order[1:], Laid(chain.cost + NOTHING, rows), z)
+            self._lay_closing(guess, order[1:], Laid(chain.cost + NOTHING, rows, chain.hidden), z)
 
-    def _goes_on(self, u: complex, chain: Laid) -> bool:
-        """Whether there is ink beyond the pole in a direction in which no vector starts there."""
-        first = chain.rows[0][1] - self.pole.z if chain.rows else 0j
-        if abs((first * u.conjugate()).imag) < 1 and (first * u.conjugate()).real > 0:
-            return False
-        return self.covered(self.pole.z + 2.4 * u, self.pole.z + 5 * u) > 0.9
+    def _goes_on(self, z: complex, chain: Laid) -> bool:
+        """Whether the line from z to the pole ends beyond it, where no vector begins."""
+        way = self.pole.z - z
+        first = chain.rows[0][1] if chain.rows else z
+        for p in self._ended():
+            w = p.z - z
+            if abs(w) < abs(way) + 2.4 or abs(p.z - first) < GAP_MM or (w * way.conjugate()).real < 0:
+                continue
+            if abs((way * w.conjugate()).imag) < 1.2 * abs(w) and self.covered(z, p.z) > 0.9:
+                return True
+        return False
 
     def _aside(self, way: complex, u: complex | None) -> float:
         """What it costs that a closing vector is not quite in its direction."""
@@ -159,17 +166,16 @@ class Polygon:
         return self.seen.left([(a, b) for a, b in pairwise(ends) if a != b], self.pole.z)
 
 
-def _left_out(name: str, laid: Laid, right: Guess) -> bool:
+def _left_out(name: str, laid: Laid, right: Guess, pole: complex) -> bool:
     """Whether a known vector of some length is laid with none: nobody drew it."""
-    ends = [0j, *(z for _, z, _ in laid.rows)]
     k = next(i for i, row in enumerate(laid.rows) if row[0] == name)
-    start = ends[k] if k else None
+    drawn = abs(laid.rows[k][1] - (laid.rows[k - 1][1] if k else pole))
     true = abs(right.known.get(name, 0j))
-    return start is not None and true > 1 and abs(ends[k + 1] - start) < 0.4 * true and abs(ends[k + 1] - start) < 0.8
+    return true > 1 and drawn < min(0.4 * true, 0.8)
 
 
-def vectors_on(bench: Bench, seen: Seen, near: complex) -> tuple[list[Spot], bool, float]:
-    """Rows of the polygon, whether nothing of it can have been overlooked, and the share of ink they explain."""
+def vectors_on(bench: Bench, seen: Seen, near: complex) -> tuple[list[Spot], bool, float, tuple[str, ...]]:
+    """Rows of the polygon, whether nothing can have been overlooked, the share of ink explained, and ends not seen."""
     plan = bench.asked.plan
     loads = loads_of(bench.plans, plan)
     sides = polygon_of(sides_of(bench.plans, plan), plan)
@@ -185,8 +191,8 @@ def vectors_on(bench: Bench, seen: Seen, near: complex) -> tuple[list[Spot], boo
             laid = polygon.lay(Guess(right.known, right.closing, ANYWHERE, name), best.cost if best else 60.0)
             best = laid or best
     if best is None:
-        return [], False, 0.0
+        return [], False, 0.0, ()
     explained = 1 - polygon.unexplained(best) / max(seen.ink_mm, 1.0)
     rows = [Spot(POLE, polygon.pole.z, polygon.pole.sigma)]
-    rows += [Spot(n, z, sigma) for n, z, sigma in best.rows if not _left_out(n, best, right)]
-    return rows, explained > 0.9, explained
+    rows += [Spot(n, z, sigma) for n, z, sigma in best.rows if not _left_out(n, best, right, polygon.pole.z)]
+    return rows, explained > 0.9, explained, best.hidden

@@ -27,6 +27,7 @@ APART_MM = 0.7  # two marks nearer than this are one place
 WORDED = 0.6  # the share of marks with words from which on one without was not drawn
 USED = 4.0  # how strange it is, in mm from its word, for a mark to be where another one is
 HEADED = 0.5  # the share of strokes with arrowheads from which on a mark has one
+DENSE = 80  # so many ends near one word leave nothing to choose by
 LOOSE = 0.2  # of how far joined ends are apart, the error of where they are
 ALONG = 0.7  # the share of a vector that must be drawn for its end to count
 
@@ -46,7 +47,7 @@ def paper_of(sketch: Sketch, bench: Bench, pole: complex | None = None) -> Paper
     bench = sized(bench, sketch, nodes, near)
     if kind_of(bench.asked.plan) == "force":
         return force_chain(sketch, nodes, bench, paper)
-    if nodes.crowded and len(near) < 2:
+    if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):
         paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))
         return paper
     origin = pole if pole is not None else _pole(nodes, bench, near)

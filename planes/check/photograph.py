@@ -34,6 +34,7 @@ class Look:
     spots: list[Spot] = field(default_factory=list)
     whole: bool = False
     explained: float = -1.0
+    hidden: tuple[str, ...] = ()  # vectors whose ends are not seen
 
     def box(self, bench: Bench) -> tuple[float, float, float, float]:
         """Where the flat picture lies, mm from the pole: left, bottom, right, top."""
@@ -64,11 +65,13 @@ def paper_of_picture(
     paper.notes = list(best.flat.notes)
     paper.picture, paper.box = shown(best.flat), best.box(bench)
     if best.explained < 0:
-        paper.notes.append(Phrase("check_crowd", count="> 1500"))
+        paper.notes.append(Phrase("check_crowd", count=f"> {2 * MOST_LINES}"))
     elif best.explained < EXPLAINED:
         paper.notes.append(Phrase("check_no_plan_seen", share=f"{100 * best.explained:.0f}"))
     else:
         paper.spots, paper.whole = best.spots, best.whole
+        if best.hidden:
+            paper.notes.append(Phrase("check_hidden", names=", ".join(best.hidden)))
     return paper
 
 

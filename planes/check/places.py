@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from planes.check.ink import Ink
 from planes.check.line_fitting import Fitted, fitted
+from planes.check.picture import cv
 
 END_MM = 2.2  # a line that stops nearer than this to a crossing may end there
 CLEAR_MM, DIM_MM = 0.2, 1.2  # σ along a line of an end that stands free, of one within other ink
@@ -17,6 +18,8 @@ HIDDEN_MM = 9.0  # the most of a line's end that is hidden in another line's ink
 PASSING_MM = 0.3  # σ of what was put on a line, off it
 SAME_MM = 0.4  # places nearer than this are one
 ROUTE_MM = 0.9  # ink farther than this from a vector is not its own
+RIM_MM = 0.35  # of an arrowhead beside its line
+LEAST_MM, SHORT_MM = 1.2, 7.0  # of strokes looked for in what is left of the ink
 OWN = 0.22  # the share of a line that must be its own and not another's
 
 
@@ -77,9 +80,34 @@ def seen(ink: Ink, rough: Iterable[tuple[complex, complex]]) -> Seen:
     found = [f for f in (fitted(ink, a, b) for a, b in rough if abs(b - a) > 1.2) if f]
     for _ in range(2):  # now that more of each line is known
         found = [f for f in (fitted(ink, *x.ends) for x in found) if f]
-    out = Seen(ink, own(found))
+    kept = own(found)
+    short = [f for f in (fitted(ink, a, b) for a, b in _missed(ink, kept)) if f and f.length < SHORT_MM]
+    out = Seen(ink, own([*kept, *short]))
     out.places = places_of(out.lines)
     return out
+
+
+def _missed(ink: Ink, lines: Sequence[Fitted]) -> Iterator[tuple[complex, complex]]:
+    """Short strokes of ink that no line runs along, by their ends: a small vector between two large ones."""
+    import numpy
+
+    cv2, flat, mask = cv(), ink.flat, ink.mask
+    for line in lines:
+        s = numpy.linspace(line.low - 0.5, line.high + 0.5, 9)
+        path = numpy.array([flat.px(line.at(float(x))) for x in s]).round().astype(numpy.int32)
+        cv2.polylines(mask, [path], False, 0, max(1, round((line.width + 2 * RIM_MM) * flat.scale)))
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(mask, connectivity=8)
+    for k, (x, y, w, h, area) in enumerate(stats.tolist()):
+        if k and LEAST_MM * flat.scale < max(w, h) < SHORT_MM * flat.scale and area > 0.2 * LEAST_MM * flat.scale**2:
+            down, across = numpy.nonzero(labels[y : y + h, x : x + w] == k)
+            z = (across + x) + 1j * (down + y)
+            middle = complex(z.mean())
+            z = z - middle
+            u = numpy.exp(0.5j * numpy.angle((z * z).sum()))
+            local = z * u.conjugate()
+            if local.imag.std() < 0.25 * flat.scale:
+                ends = [middle + u * t for t in (local.real.min(), local.real.max())]
+                yield flat.mm(ends[0].real, ends[0].imag), flat.mm(ends[1].real, ends[1].imag)
 
 
 def own(lines: Iterable[Fitted]) -> list[Fitted]:

@@ -91,9 +91,14 @@ def rows_of(found: Outcome, lang: Lang) -> list[list[str]]:
 
 
 def numbers_of(found: Outcome, lang: Lang) -> list[list[str]]:
-    """Rows of the table of results: verdict, name, written, true, verdict in words."""
-    return [[r["verdict"], r["name"], f"{r['given']:.4g}", f"{r['true']:.4g}", say(f"verdict_{r['verdict']}", lang)]
-            for r in result_rows(found)]  # fmt: skip
+    """Rows of the table of results: verdict, name, written, true, verdict in words with the slip if it is known."""
+    rows = []
+    for r in result_rows(found):
+        told, slip = say(f"verdict_{r['verdict']}", lang), r.get("mistake")
+        if slip:
+            told += ": " + Phrase(f"mistake_{slip}", mark="").told(lang).removeprefix(": ")
+        rows.append([r["verdict"], r["name"], f"{r['given']:.4g}", f"{r['true']:.4g}", told])
+    return rows
 
 
 def heads(lang: Lang) -> tuple[list[str], list[str]]:

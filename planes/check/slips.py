@@ -37,6 +37,8 @@ class Scored:
     sigma: float
     verdict: str
     close: bool = False
+    mine: float | None = None  # what the person's own drawing gives
+    slip: str | None = None  # the slip of reckoning that gives the number
 
 
 def number_mistake(s: Scored, free: Hand, plans: Plans) -> str | None:

@@ -6,11 +6,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 from planes.check import Grading, grade, readable
+from planes.check.accounts import Account, account, result_figures, segment_figures
 from planes.check.bench import Asked, Bench, prepare, variants_of
 from planes.check.handwork import Hand, Taken, Variant
 from planes.check.paper import Paper
 from planes.check.slips import Figure
-from planes.lesson.figures import Account, account, result_figures, segment_figures
 from planes.measuring import catalogue
 from planes.naming import label_of, mu_of
 from planes.scales import kind_of

@@ -53,6 +53,7 @@ def result_rows(out: Outcome) -> list[dict[str, Any]]:
     rows = []
     for s in out.results.scored if out.results else []:
         row = {"name": s.figure.name, "given": s.figure.given, "true": s.true, "verdict": s.verdict}
+        row |= {"mistake": s.slip} if s.verdict == "wrong" else {}
         rows.append(row | ({"warning": Phrase("check_close").told("en")} if s.close else {}))
     return rows
 

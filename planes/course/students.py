@@ -63,13 +63,15 @@ def _head(cells: list[str], file: str) -> list[str]:
 
 
 def check_students(file: str, students: tuple[Student, ...], assignments: tuple[Assignment, ...]) -> None:
-    """Refuse an empty list, a name twice, and assignments and variants that are not there."""
+    """Refuse an empty list, a name twice or of odd letters, and assignments and variants that are not there."""
     if not students:
         raise SceneError(Phrase("course_nobody"), file)
     seen: dict[tuple[str, str], int] = {}
     for s in students:
         if len(s.name) > MOST_NAME:
             raise SceneError(Phrase("course_long_name", name=shown(s.name), most=MOST_NAME), file, s.line)
+        if not (s.name + s.group).isprintable():
+            raise SceneError(Phrase("course_odd_name", name=shown(s.name + s.group)), file, s.line)
         if (s.name, s.group) in seen:
             first = seen[s.name, s.group]
             raise SceneError(Phrase("course_twice", name=shown(s.name), first=first), file, s.line)

@@ -16,6 +16,8 @@ from planes.lesson.note import Block, Heading, Prose, Table
 from planes.scene import loads
 from planes.words import Lang, say
 
+NOISE = 1e-9
+
 
 @dataclass(frozen=True)
 class Row:
@@ -94,9 +96,14 @@ def as_blocks(rows: Sequence[Row], title: str, lang: Lang) -> Iterator[Block]:
         whose = [(row.share.student.name, variant(row, lang)) for row in own]
         yield from _table("sum_numbers", (*heads, *units), whose, numbers, lang)
         units = (f"⟨{n}⟩, {say(u, lang)}" for n, u in answers)
-        found = (tuple(number(row.found[k], lang) if k in row.found else "—" for k in answers) for row in own)
+        found = (tuple(_told(row.found.get(k), lang) for k in answers) for row in own)
         yield from _table("sum_answers", (*heads, *units), whose, found, lang)
         yield from (Prose(f"{row.share.student.name}: {row.fault}") for row in lines if row.fault)
+
+
+def _told(value: float | None, lang: Lang) -> str:
+    """An answer for people: noise of rounding is zero."""
+    return "—" if value is None else number(0.0 if abs(value) <= NOISE else value, lang)
 
 
 def _table(

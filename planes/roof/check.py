@@ -44,6 +44,7 @@ def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Any], str]:
     title = asked.scene.title.get(lang, "") or asked.scene.file
     mu = mu_text(bench.said_mu, kind_of(asked.plan), lang)
     squares = [(z, cells(k), SIDE_MM) for k, z in enumerate(centres(SHEET_MM))]
+    mu = mu.replace(".", ",") if lang == "ru" else mu
     texts = [f"{say_plan(asked.plan, lang)}, μ = {mu}", title, *more]
     return blank.compose(SHEET_MM, squares, blank_pole(bench), texts), title
 
@@ -76,8 +77,23 @@ def write_report(found: Outcome, output: str, lang: Lang) -> None:
     elif suffix in (".html", ".htm"):
         words = {k: say(f"check_page_{k}", lang) for k in PAGE_WORDS}
         write_text(check_page.page(report.page_data(found, lang), words, lang), output)
+    elif suffix == ".png" and found.paper.picture and found.paper.box:
+        _write_over(found, output, lang)
     else:
-        _write(_sheet(found, lang), report.title(found, lang), output, lang)
+        _write(check_sheet.compose(SHEET_MM, _overlay(found, lang)), report.title(found, lang), output, lang)
+
+
+def _write_over(found: Outcome, output: str, lang: Lang) -> None:
+    """The sheet, and under it the picture with both plans upon it."""
+    overlay, title = _overlay(found, lang), report.title(found, lang)
+    left, low, right, top = found.paper.box or (0.0, 0.0, *SHEET_MM)
+    colours = check_sheet.over_picture(overlay, complex(left, low))
+    sheet = png.write(check_sheet.compose(SHEET_MM, overlay), SHEET_MM, title)
+    layers = {colour: png.write(marks, (right - left, top - low), title) for colour, marks in colours.items() if marks}
+    try:
+        Path(output).write_bytes(png.stacked(sheet, found.paper.picture, layers))
+    except OSError as error:
+        raise PlanesError(Phrase("check_no_file", file=output, why=error.strerror or "")) from None
 
 
 def write_class(group: Any, output: str, lang: Lang) -> None:
@@ -111,8 +127,8 @@ def write_text(text: str, output: str) -> None:
         raise PlanesError(Phrase("check_no_file", file=output, why=error.strerror or "")) from None
 
 
-def _sheet(found: Outcome, lang: Lang) -> list[Any]:
-    """The overlay as a sheet."""
+def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:
+    """What a sheet shows: both plans, the table and the sentence."""
     bench, naming = found.bench, _naming(found, lang)
     kind, own = kind_of(bench.asked.plan), report.own_marks(found)
     at_own, at_true = {POLE: 0j, **own}, {POLE: 0j, **report.true_marks(found)}
@@ -125,7 +141,7 @@ def _sheet(found: Outcome, lang: Lang) -> list[Any]:
     head = [say(k, lang) for k in ("check_mark", "check_deviation", "check_tolerance", "check_verdict")]
     first, said = found.first_wrong or "", found.sentence.told(lang)
     ends = [(a, b) for a, b in report.vectors(bench) if a in at_own and b in at_own]
-    sheet = check_sheet.Overlay(
+    return check_sheet.Overlay(
         own=[(at_own[a], at_own[b]) for a, b in ends],
         true=[(at_true[a], at_true[b]) for a, b in report.vectors(bench)],
         next=report.leads(found),
@@ -137,7 +153,6 @@ def _sheet(found: Outcome, lang: Lang) -> list[Any]:
         legend=(say("check_page_own", lang), say("check_page_truth", lang), say("check_page_next", lang)),
         reduced=say("check_reduced", lang, n="{n}"), lines=kind == "position",
     )  # fmt: skip
-    return check_sheet.compose(SHEET_MM, sheet)
 
 
 def _naming(found: Outcome, lang: Lang) -> Naming:

@@ -93,6 +93,10 @@ CHECK: dict[str, tuple[str, str]] = {
         "Векторы многоугольника сил на снимке не удаётся уверенно назвать; запишите их концы в таблицу mark,x_mm,y_mm.",
         "The vectors of the force polygon cannot be told apart surely; write their ends into a table mark,x_mm,y_mm.",
     ),
+    "check_hidden": (
+        "Концы векторов {names} закрыты другими линиями или слишком малы; взяты там, где должны быть, и не проверены.",
+        "The ends of {names} are hidden by other lines or too small; they are taken where they should be, unchecked.",
+    ),
     "check_no_plan_seen": (
         "Линии на снимке не складываются в этот план: его векторам отвечают лишь {share} % их длины.",
         "The lines of the picture do not make up this plan: its vectors account for only {share} % of their length.",

@@ -42,6 +42,8 @@ COURSE: dict[str, tuple[str, str]] = {
     ),
     "course_long_name": ("имя {name} длиннее {most} знаков; сократите его",
                          "the name {name} is longer than {most} characters; shorten it"),
+    "course_odd_name": ("в имени {name} есть знаки, которых не напечатать; уберите их",
+                        "the name {name} holds characters that cannot be printed; remove them"),
     "course_twice": (
         "студент {name} уже есть в строке {first}; однофамильцев различайте именем или группой",
         "the student {name} already stands in line {first}; tell namesakes apart by name or group",

@@ -76,8 +76,7 @@ def place(
     board = _Board(labels, ink(marks), field, ink(yielding))
     board.choose()
     board.repair()
-    if board.unhappy():
-        board.widen()
+    while board.widen():
         board.repair()
     return board.placed()
 
@@ -93,6 +92,7 @@ class _Board:
         self.boxes = np.full((len(labels), 4), np.nan)
         self.leaders = np.full((len(labels), 2), np.nan, dtype=complex)
         self.chosen = [0] * len(labels)
+        self.wide: set[int] = set()
 
     def _judged(self, options: Sequence[Candidates], leaders: bool = False) -> list[Any]:
         """What every candidate costs before the other labels are looked at."""
@@ -205,13 +205,17 @@ class _Board:
         self._take(k, int(np.argmin(costs)))
         return bool(costs.min() < HARD)
 
-    def widen(self) -> None:
-        """Give the labels that still overlap places farther off, with leader lines."""
-        late = self.unhappy()
+    def widen(self) -> bool:
+        """Give the labels that still overlap places farther off, with leader lines; False if none is left to be given."""
+        late = [k for k in self.unhappy() if k not in self.wide]
+        self.wide |= set(late)
+        if not late:
+            return False
         far = [far_off(self.labels[k], self.extents[k], FAR) for k in late]
         for k, option, cost in zip(late, far, self._judged(far, leaders=True), strict=True):
             self.options[k] = union(self.options[k], option)
             self.static[k] = np.concatenate([self.static[k], cost])
+        return True
 
     def placed(self) -> Placed:
         """The chosen places as marks."""

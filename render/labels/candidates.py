@@ -17,7 +17,7 @@ import numpy as np
 NEAR = (0.9, 1.8, 3.2)
 """Distances in mm from a point or segment to its label's box."""
 
-FAR = (6.0, 9.0, 12.0, 16.0, 20.0, 25.0, 32.0)
+FAR = (6.0, 9.0, 12.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0)
 """Distances in mm of labels that need a leader line."""
 
 _ALONG = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)

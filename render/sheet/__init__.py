@@ -25,7 +25,7 @@ format, or the one the scene names, alone."""
 LETTERS = {"A4": (2.5,), "A3": (3.5, 2.5), "A2": (3.5,), "A1": (5.0, 3.5)}
 """Letter heights of tables to try on a format, in mm; equations are a step larger."""
 
-EASY = 5  # arrangements that must be found for larger plans, so that one of them can be read easily
+EASY = 9  # arrangements that must be found for larger plans, so that one of them can be read easily
 
 
 @dataclass(frozen=True)
@@ -99,9 +99,11 @@ def enlarged(
     x0, y0, x1, y1 = paper.field
     most = LARGEST * min(x1 - x0, y1 - y0)
 
+    first = packed(views(sizes), paper, QUICK)
+
     def fits(sizes: Sizes) -> bool:
         found = packed(views(sizes), paper, QUICK)
-        return found is not None and found.choice >= EASY
+        return found is not None and found.choice >= EASY and (found.led or not first or not first.led)
 
     shown = views(grown(sizes, contents.extents, most, fits))
     best = packed(shown, paper, FULL)

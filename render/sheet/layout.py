@@ -12,6 +12,7 @@ from render.sheet.rectangles import RULES, Rule, Size, Spot, filled
 
 GAP_MM = 7.0  # least distance of views from each other and from the frame
 ROUNDS = 80
+FIRST = 4.0  # how much more the place of the first view matters than those of the others
 
 
 @dataclass(frozen=True)
@@ -23,15 +24,17 @@ class Effort:
     moves: int = 0
 
 
-FULL, USUAL, QUICK = Effort(moves=400), Effort(), Effort(60, 6)
+FULL, USUAL, QUICK = Effort(moves=400), Effort(), Effort(80, 12)
 
 
 @dataclass(frozen=True)
 class Packed:
-    """Places of rectangles, how far they are from being read easily, and out of how many arrangements they are best."""
+    """Places of rectangles, how far they are from being read easily, whether the first figure stands first, and out of
+    how many arrangements they are the best."""
 
     spots: list[Spot]
     cost: float
+    led: bool = True
     choice: int = 1
 
 
@@ -50,7 +53,8 @@ class Field:
         if found is None:
             return None
         spots = [found[order.index(k)] for k in range(len(sizes))]
-        return Packed(spots, _cost(spots, self.inside, self.figures))
+        led = not any(_before(other, spots[0]) for other in spots[1 : self.figures])
+        return Packed(spots, _cost(spots, self.inside, self.figures), led)
 
     def holds(self, sizes: Sequence[Size]) -> bool:
         """Whether there is any use in trying."""
@@ -103,16 +107,21 @@ def _cost(spots: Sequence[Spot], field: Bounds, figures: int) -> float:
     """
     cost = 5.0 * (spots[0].x - field[0] + field[3] - spots[0].top)
     for k, later in enumerate(spots):
-        for earlier in spots[:k]:
-            lower = earlier.top - later.top
-            if later.x < earlier.right and (lower < -8 or (later.x < earlier.x and _in_row(earlier, later))):
-                cost += 90.0 if k < figures else 8.0
-            elif lower < -8:
+        for j, earlier in enumerate(spots[:k]):
+            if _before(later, earlier):
+                cost += (1.0 if j else FIRST) * (90.0 if k < figures else 8.0)
+            elif later.top > earlier.top + 8:
                 cost += 12.0 if k < figures else 2.0
     cost += 15.0 * len({round(spot.top) for spot in spots}) + 5.0 * len({round(spot.x) for spot in spots})
     near = sum(0.25 * abs(complex(b.x - a.x, b.top - a.top)) for a, b in pairwise(spots))
     aside = sum(0.1 * (field[2] - spot.right + spot.y - field[1]) for spot in spots[figures:])
     return cost + near + aside
+
+
+def _before(later: Spot, earlier: Spot) -> bool:
+    """Whether a rectangle that is to be read later stands above, or on the left in the same row."""
+    higher = later.top > earlier.top + 8
+    return later.x < earlier.right and (higher or (later.x < earlier.x and _in_row(earlier, later)))
 
 
 def _in_row(one: Spot, other: Spot) -> bool:

@@ -13,6 +13,7 @@ from render.names import Naming
 from render.symbols import dot
 from render.views.plotted import of_position
 from render.views.polygon import SAME_MM, ZERO_MM
+from render.views.senses import parted, yielding
 
 FORCE_MM = 14.0
 STEP_MM = 6.0
@@ -38,8 +39,9 @@ class Lever:
         named = self.letters([(label, 1j * plotted.mark(plan, label)) for label in plotted.labels(plan)])
         marks += dot(0j, 0.8, "plan")
         forces, names = self.forces()
-        ground = (*marks, *forces)
-        return (*ground, *labels.place([*named, *names], ground).marks)
+        thin, rest = yielding([*marks, *forces])
+        placed = labels.place([*named, *names], rest, None, thin)
+        return (*parted(thin, placed.texts), *rest, *placed.marks)
 
     def letters(self, marks: list[tuple[str, complex]]) -> list[labels.Label]:
         """Letters of the marks; those that coincide share one."""

@@ -14,6 +14,9 @@ from render import labels
 from render.marks import Line, Mark
 from render.views.places import outline_of
 
+MOST = 3.5  # times its usual size a scheme may have in the course of a turn
+NEAR = 1.8  # and so many times where it grows beyond that: the positions farther off are not drawn
+
 
 @dataclass(frozen=True)
 class Numbered:
@@ -41,7 +44,10 @@ class Many:
     def reach(self) -> float:
         """How far from the driver's pair a point may stand to be drawn: near a dead point it may be anywhere."""
         sizes = [self.size(r) for r in self.turn if r]
-        return 1.8 * median(sizes) if sizes else 0.0
+        if not sizes:
+            return 0.0
+        usual = median(sizes)
+        return max(sizes) if len(sizes) == len(self.turn) and max(sizes) < MOST * usual else NEAR * usual
 
     def size(self, result: dict[str, Any]) -> float:
         """The largest distance of a point from the driver's pair, on paper."""

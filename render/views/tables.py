@@ -148,6 +148,8 @@ class Tables:
             return None
         unit = self.say(UNITS[kind_of(plan)])
         rows = []
+        if max((s["mm"] for s in measured["segments"].values()), default=0.0) <= NOISE_MM:
+            return None
         for segment in (s for s in self.position.plans.segments if s.plan == plan):
             found = measured["segments"].get(segment.start + segment.end)
             if found and found["name"] == segment.name:

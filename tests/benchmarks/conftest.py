@@ -39,7 +39,7 @@ def pytest_terminal_summary(terminalreporter, config):
     if groups:
         name, cores = machine()
         busy = f"{name}, {cores} cores, load {os.getloadavg()[0]:.1f}, Python {platform.python_version()}"
-        terminalreporter.write_line(busy + "; times of the quickest round, in brackets of the middle one")
+        terminalreporter.write_line(busy + "; processor time of the quickest round, in brackets of the middle one")
     for group, found in sorted(groups.items()):
         terminalreporter.write_line(f"{group}:")
         ours = next((b for b in found if b.extra_info["what"] == "fused"), found[0])

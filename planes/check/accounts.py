@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from planes.check.handwork import Hand, Variant
@@ -109,10 +109,15 @@ def account(
 ) -> Account:  # fmt: skip
     """Judge figures against the true plan; name the mistake of the first wrong one."""
     found = Account([_judged(f, free, own, ruler_mm) for f in figures])
+    for s in found.scored:
+        if s.verdict == "wrong":
+            s.slip = number_mistake(s, free, plans)
+            if s.slip is None and own is not None and s.mine:  # a slip made with the person's own segments
+                s.slip = number_mistake(replace(s, true=s.mine), own, plans)
     first = found.first_wrong
     if first is None:
         return found
-    found.number_mistake = number_mistake(first, free, plans)
+    found.number_mistake = first.slip
     if found.number_mistake is None:
         _name(found, free, variants)
     return found
@@ -124,11 +129,12 @@ def _judged(f: Figure, free: Hand, own: Hand | None, ruler_mm: float) -> Scored:
     off = _off(f, true)
     if off <= max(3 * sigma, SHARE * abs(true)) + 1e-9 * abs(true):
         return Scored(f, true, sigma, "right", off > max(2 * sigma, SHARE * abs(true)))
+    mine = None
     if own is not None:
         mine = first_of(f.read(own.things))
         if _off(f, mine) <= max(3 * own.spread_of(f.read(own.things)), SHARE * abs(mine)):
-            return Scored(f, true, sigma, "follows")
-    return Scored(f, true, sigma, "wrong")
+            return Scored(f, true, sigma, "follows", mine=mine)
+    return Scored(f, true, sigma, "wrong", mine=mine)
 
 
 def _ruler(f: Figure, free: Hand, ruler_mm: float) -> float:
