@@ -21,6 +21,7 @@ LOOK = {  # of a method: colour, marker, dashes
     "method_pylinkage": (7, "<", "--"), "method_kinepy": (8, ">", "--"),
 }  # fmt: skip
 FLOOR = 1e-17  # errors below the last place of a double are drawn here
+NONSENSE = 1e6  # errors so many times the truth are not drawn: the method is lost
 CHARTS: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path"}
 
 
@@ -127,7 +128,7 @@ def _stability(plot: Any, ways: Ways, lang: Lang) -> None:
     plot.plot(d, ways.claim, color="#999999", linewidth=2.0, label=say("chart_claim", lang), zorder=1)
     for key, errors in ways.errors.items():
         colour, marker, dashes = LOOK[key]
-        shown = [max(e, FLOOR) for e in errors]
+        shown = [max(e, FLOOR) if e < NONSENSE else float("nan") for e in errors]
         wide = {"method_scalar": 1.8, "method_batch": 1.6, "method_fused": 1.6}.get(key, 1.0)
         plot.plot(d, shown, color=INK[colour], marker=marker, linestyle=dashes, linewidth=wide, markersize=3.5,
                   label=ways.names[key])  # fmt: skip

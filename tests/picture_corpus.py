@@ -1,7 +1,8 @@
 """Drawings of all samples' plans as pictures on paper, each right or with one mistake, checked and counted.
 
-`python tests/picture_corpus.py [DRAWINGS OF EACH PLAN] [failures]` prints the shares, the errors of the marks and the
-confusion table. The generator shares the scene with the checker and the printed blank, and nothing else.
+`python tests/picture_corpus.py [OF EACH PLAN AND KIND] [failures] [WORDS OF A SAMPLE OR PLAN]` prints the shares, the
+errors of the marks and the confusion table; Ctrl+C ends it early with what was counted. The generator shares the scene
+with the checker and the printed blank, and nothing else.
 """
 
 from __future__ import annotations
@@ -12,10 +13,10 @@ import tempfile
 import time
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import confusion
 import line_drawings
@@ -230,14 +231,15 @@ def told(count: Count) -> str:
 
 
 def main(each: int, failures: bool, chosen: Iterable[Easel]) -> None:
+    """Draw, check, count and print; stopped early (Ctrl+C), what was counted so far."""
     sums: dict[tuple[str, str], Count] = defaultdict(Count)
     whole = Count()
-    for kind, easel, one in draw_all(each, chosen):
-        plan = easel.plan.partition(":")[0]
-        sums[kind, plan].add(one)
-        whole.add(one)
-        if failures and one.failures:
-            print(kind, one.failures[0], flush=True)
+    with suppress(KeyboardInterrupt):
+        for kind, easel, one in draw_all(each, chosen):
+            sums[kind, easel.plan.partition(":")[0]].add(one)
+            whole.add(one)
+            if failures and one.failures:
+                print(kind, one.failures[0], flush=True)
     for (kind, plan), count in sorted(sums.items()):
         print(f"{kind}: {plan}\n{told(count)}")
     print(f"all\n{told(whole)}\n")
@@ -254,6 +256,6 @@ def table(count: Count) -> str:
 
 
 if __name__ == "__main__":
-    WORDS: list[Any] = [w for w in sys.argv[2:] if w != "failures"]
+    WORDS = [w for w in sys.argv[2:] if w != "failures"]
     main(int(sys.argv[1]) if len(sys.argv) > 1 else 1, "failures" in sys.argv,
          [e for e in easels() if all(w in f"{e.sample} {e.plan}" for w in WORDS)])

@@ -371,7 +371,7 @@ def test_numbers_are_checked_apart_from_the_drawing(tmp_path: Path, capsys: pyte
 
 
 def test_slips_are_named_beside_a_wrong_drawing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """The drawing's own mistake comes first; numbers reckoned wrongly, from true or from own segments, keep their names."""
+    """The drawing's mistake comes first; numbers reckoned wrongly, from true or from own segments, keep their names."""
     file, own = tmp_path / "v.csv", {n: -z for n, z in RIGHT.items()} | {"c": 30 + 40j}
     rows = f"v_C,{abs(own['c'])},m/s\nomega_2,{8.12 / 250},\nv_B,2,m/s\nv_S2,0.123,m/s\n"
     file.write_text(csv(own) + "result,value,unit\n" + rows, encoding="utf-8")

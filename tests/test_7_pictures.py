@@ -87,6 +87,23 @@ def test_any_paper(camera: Camera, tmp_path: Path) -> None:
         assert looked(easel(sample, plan), camera, tmp_path)[1].verdict == "right"
 
 
+@pytest.mark.parametrize("plan", ["velocity", "acceleration", "force:4-5"])
+def test_lines_drawn_beyond_their_crossings(plan: str, tmp_path: Path) -> None:
+    """Thin lines of construction go on past the marks; a polygon that cannot surely be told from them is not judged."""
+    one, rng, file = easel("six-link", plan), random.Random(3), tmp_path / "p.jpg"
+    drawn, pole, page = corpus.drawn(one, None, rng), corpus.pole_of(one), photographs.Page(200)
+    assert drawn is not None
+    page.print_blank(pole, True)
+    for a, b in drawn.strokes:
+        page.stroke(a + pole, b + pole, 0.1, rng)
+        if abs(a) > 1:
+            u = (b - a) / abs(b - a)
+            page.line([a - 3 * u + pole, b + rng.uniform(4, 10) * u + pole], 120, 0.2)
+    photographs.save(str(file), photographs.shot(page.grey, SCAN, rng), SCAN)
+    found = corpus.looked_at(one, file)[0]
+    assert found.verdict in (("right", "unreadable") if plan.startswith("force") else ("right",))
+
+
 @pytest.mark.parametrize(("plan", "mistake"), [
     ("velocity", Mistake("omega1_reversed", "b")), ("velocity", Mistake("along_link", "c")),
     ("acceleration", Mistake("normal_outward", "n_CB")), ("acceleration", Mistake("coriolis_half", "k_HL")),
@@ -224,3 +241,16 @@ def test_the_vector_that_gave_the_scale_is_not_judged_in_length(tmp_path: Path) 
     stretched = 60 / abs(drawn.marks["b"])  # as if b had been laid off exactly
     for name, row in rows.items():
         assert abs(complex(*row["read_mm"]) - drawn.marks[name] * stretched) < 0.3, name
+
+
+def test_a_pole_named_on_a_blank_counts_more_than_the_printed_one(tmp_path: Path) -> None:
+    """Somebody began elsewhere than at the cross: the corner marks still give the scale."""
+    one, rng, file = easel("six-link", "velocity"), random.Random(7), tmp_path / "p.png"
+    drawn, camera, shift = corpus.drawn(one, None, rng), replace(SCAN, dpi=300), 11 - 7j
+    assert drawn is not None
+    strokes = [(a + shift, b + shift) for a, b in drawn.strokes]
+    corpus.picture(replace(drawn, strokes=strokes, words=[]), corpus.pole_of(one), camera, rng, file)
+    place, k = corpus.pole_of(one) + shift, camera.dpi / 25.4
+    b = confusion.bench(one.sample, one.plan)
+    paper = paper_of_picture(str(file), b, complex(place.real * k, (210 - place.imag) * k))
+    assert check(b.asked, paper).verdict == "right" and abs(paper.spots[0].place - place) < 0.2

@@ -58,7 +58,7 @@ def test_sheet_1_shows_structure_plans_and_diagrams(name):
     assert any(text.startswith("W = 3n") for text in said)
     assert any(text.startswith("I(") for text in said)
     assert "Исходные данные" in said
-    assert any(text.startswith("Диаграммы") for text in said) == (SCENES[name].mechanism.drive.kind == "phi")
+    assert any(text.startswith("Диаграммы") for text in said)
 
 
 @pytest.mark.parametrize("name", list(SCENES))
@@ -68,7 +68,8 @@ def test_sheet_2_shows_every_group_with_its_forces_and_the_lever(name):
     titles = [text for text in said if "с силами" in text]
     m = SCENES[name].mechanism
     assert len(titles) == (len(m.links) - 1) // 2 + 1
-    assert {"Рычаг Жуковского", "Реакции", "Уравновешивание и проверка"} <= said
+    assert {"Реакции", "Уравновешивание и проверка"} <= said
+    assert any(text.startswith("Рычаг Жуковского") for text in said)
     loads = {f"P_{x.link}" for x in m.loads if x.kind == "force"}
     assert loads <= {a.name for a in found.marks if isinstance(a, Arrow)}
 

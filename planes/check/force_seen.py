@@ -10,7 +10,7 @@ should be, with an error as large as itself.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise, permutations
 
@@ -26,6 +26,9 @@ from planes.naming import POLE
 NOTHING_MM = 0.3  # a vector shorter than this is not drawn
 TINY_MM = 1.6  # a vector shorter than this may be hidden where two others meet
 MOST_HIDDEN = 3.5
+MOST_COST = 60.0  # of a chain that explains a picture at all
+POOR = 8.0  # a right polygon that fits worse, a unit for each vector aside, is not surely one
+UNSURE = 6.0  # a mistake that is believed in by less is not surely one
 HIDDEN = 1.5  # what it costs to believe in an end that is not seen, for a vector of a millimetre
 OPEN = 6.0  # what a polygon costs that does not close
 GAP_MM = 1.2  # ends nearer than this to the pole are at it
@@ -92,8 +95,9 @@ class Polygon:
     ) -> list[tuple[float, complex, float, bool]]:  # fmt: skip
         """Where a vector from z may end: its price, the place, its σ, and whether it is hidden; the likeliest first."""
         if name == guess.free:
-            return sorted((VAGUE * p.sigma, p.z, p.sigma, False) for p in self._ended()
-                          if not p.doubtful and abs(p.z - z) > 2 and self.covered(z, p.z) > COVERED)  # fmt: skip
+            free = [p for p in self._ended() if not p.doubtful and abs(p.z - z) > 2]
+            free = [p for p in free if self.covered(z, p.z) > COVERED]
+            return [(VAGUE * p.sigma, p.z, p.sigma, False) for p in sorted(free, key=lambda p: p.sigma)]
         if abs(v) < NOTHING_MM:
             return [(0.0, z + v, NOTHING_MM, True)]
         goal = z + v
@@ -175,24 +179,42 @@ def _left_out(name: str, laid: Laid, right: Guess, pole: complex) -> bool:
 
 
 def vectors_on(bench: Bench, seen: Seen, near: complex) -> tuple[list[Spot], bool, float, tuple[str, ...]]:
-    """Rows of the polygon, whether nothing can have been overlooked, the share of ink explained, and ends not seen."""
+    """Rows of the polygon, whether nothing can have been overlooked, the share of ink explained, and ends not seen.
+
+    No rows where it cannot surely be told what was drawn.
+    """
     plan = bench.asked.plan
-    loads = loads_of(bench.plans, plan)
     sides = polygon_of(sides_of(bench.plans, plan), plan)
     polygon = Polygon(seen, pole_on(seen, near), spread_of(bench, sides))
-    right, *wrong = guesses(bench, sides, loads)
-    best = polygon.lay(right, 60.0)
-    if best is None or best.cost > 1.0 + 0.6 * len(sides):
-        for guess in wrong:
-            laid = polygon.lay(guess, best.cost if best else 60.0)
-            best = laid or best
-    if best is None or best.cost > ANYWHERE + 4.0 + len(sides):
-        for name in right.known:
-            laid = polygon.lay(Guess(right.known, right.closing, ANYWHERE, name), best.cost if best else 60.0)
-            best = laid or best
+    right, *wrong = guesses(bench, sides, loads_of(bench.plans, plan))
+    plain = polygon.lay(right, MOST_COST)
+    best = _likelier(polygon, plain, right, wrong, len(sides))
     if best is None:
         return [], False, 0.0, ()
+    if not _sure(best, plain, len(sides), polygon.pole.z):
+        return [], False, 1.0, ()
     explained = 1 - polygon.unexplained(best) / max(seen.ink_mm, 1.0)
     rows = [Spot(POLE, polygon.pole.z, polygon.pole.sigma)]
     rows += [Spot(n, z, sigma) for n, z, sigma in best.rows if not _left_out(n, best, right, polygon.pole.z)]
     return rows, explained > 0.9, explained, best.hidden
+
+
+def _likelier(polygon: Polygon, plain: Laid | None, right: Guess, wrong: Sequence[Guess], count: int) -> Laid | None:
+    """The likeliest chain: the right one if it fits well, else a mistake's, at last one with a vector anywhere."""
+    best = plain
+    if best is None or best.cost > 1.0 + 0.6 * count:
+        for guess in wrong:
+            best = polygon.lay(guess, best.cost if best else MOST_COST) or best
+    if best is None or best.cost > ANYWHERE + 4.0 + count:
+        for name in right.known:
+            free = Guess(right.known, right.closing, ANYWHERE, name)
+            best = polygon.lay(free, best.cost if best else MOST_COST) or best
+    return best
+
+
+def _sure(best: Laid, plain: Laid | None, count: int, pole: complex) -> bool:
+    """Whether a right polygon fits well enough, or a wrong one much better than the right one."""
+    if best is plain:
+        gapes = bool(best.rows) and best.rows[-1][1] != pole
+        return best.cost <= POOR + count + OPEN * gapes
+    return plain is None or plain.cost - best.cost >= UNSURE

@@ -141,4 +141,4 @@ def _straight(grey: Any, corners: Any, size_mm: tuple[float, float]) -> Flat:
     warp = cv2.getPerspectiveTransform(corners.astype(numpy.float32), goal)
     size = round(w * scale), round(h * scale)
     flat = cv2.warpPerspective(grey, warp, size, flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
-    return Flat(flat, scale, 0j, "frame", grey, warp)
+    return Flat(flat, scale, 0j, "frame", warp)

@@ -70,6 +70,8 @@ def paper_of_picture(
         paper.notes.append(Phrase("check_no_plan_seen", share=f"{100 * best.explained:.0f}"))
     else:
         paper.spots, paper.whole = best.spots, best.whole
+        if not best.spots:
+            paper.notes.append(Phrase("check_force_unsure"))
         if best.hidden:
             paper.notes.append(Phrase("check_hidden", names=", ".join(best.hidden)))
     return paper

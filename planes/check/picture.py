@@ -1,4 +1,4 @@
-"""A photograph or scan of a plan on paper, made straight and to scale: by the blank's corner marks or by two points."""
+"""A photograph or scan of a plan on paper, made straight and to scale by the blank's corner marks or by two points."""
 
 from __future__ import annotations
 
@@ -23,8 +23,7 @@ class Flat:
     grey: Any
     scale: float
     corner: complex = 0j
-    by: str = "marks"  # what it was made flat by: "marks" of a blank, or "points" somebody named
-    source: Any = None
+    by: str = "marks"  # what it was made flat by: "marks" of a blank, "points" named, the "frame"
     warp: Any = None
     notes: list[Phrase] = field(default_factory=list)
 
@@ -156,7 +155,8 @@ def flatten(grey: Any, size_mm: tuple[float, float] = SHEET_MM) -> Flat | None:
         return None
     width, height = (round(s * PX_PER_MM) for s in size_mm)
     flat = cv2.warpPerspective(small, warp, (width, height), flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
-    return Flat(flat, PX_PER_MM, 0j, "marks", small, warp, _few(marks))
+    whole = warp @ numpy.diag([factor, factor, 1.0])  # from the picture as it was
+    return Flat(flat, PX_PER_MM, 0j, "marks", whole, _few(marks))
 
 
 def _few(marks: Mapping[int, Any]) -> list[Phrase]:
@@ -175,6 +175,6 @@ def by_points(grey: Any, pole: complex, mark: complex, length_mm: float) -> Flat
     how = cv2.INTER_AREA if factor < 1 else cv2.INTER_CUBIC
     flat = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=how)
     corner = -complex(pole.real * factor, flat.shape[0] - pole.imag * factor) / PX_PER_MM
-    return Flat(flat, PX_PER_MM, corner, "points", grey)
+    return Flat(flat, PX_PER_MM, corner, "points")
 
 

@@ -15,8 +15,8 @@ from typing import Any
 from planes.check import Grading
 from planes.check.handwork import Variant
 from planes.check.nudging import Skill
-from planes.cycle.symbols import Num, Test, Vec, place_of
-from planes.cycle.tape import LEAVES, Tape
+from planes.cycle.symbols import Num, Vec, place_of
+from planes.cycle.tape import Tape
 from planes.cycle.tracing import Recording, Source, TracingHand
 from planes.naming import POLE, label_of, plan_of
 from planes.steps import Same, Step
@@ -162,13 +162,9 @@ def exported(tape: Tape, sources: Iterable[Source]) -> dict[str, Any]:
         "consts": {p: _number(v) for p, v in tape.values.items() if tape.ops[p][0] == "const"},
         "givens": {v: p for p, v in tape.values.items() if tape.ops[p][0] == "given"},
         "sources": [[s.place, s.size] for s in sources],
-        "leaves": sorted(LEAVES),
     }
 
 
 def _number(value: Any) -> float | None:
     """A constant; null stands for what is no number."""
     return float(value) if math.isfinite(value) else None
-
-
-__all__ = ["Retraced", "Test", "exported", "retrace"]

@@ -19,7 +19,7 @@ from render.labels.footprints import Bounds, Ink, ink
 from render.marks import Layer, Line, Mark, Text
 from render.typeset import extent
 
-HARD = 100.0  # cost of one overlap
+HARD = 200.0  # cost of one overlap, more than all that is merely disliked together
 OUTSIDE = 1000.0  # cost of leaving the field
 TIGHT = 1.5  # cost of standing closer than ROOM_MM to ink
 AMBIGUOUS = 8.0  # cost of standing nearer to another label's point than to its own
@@ -29,6 +29,7 @@ CLEAR_MM = 0.5  # least distance of a label from ink and from labels
 ROOM_MM = 1.3
 APART_MM = 4.0  # labels side by side read as one when they stand closer than this
 READ_AS_ONE = 3.0  # cost of it
+ENOUGH = 8  # crossings, or lines broken: more are hardly worse
 _SWEEPS = 8
 _GROWN = np.array([-1, -1, 1, 1]) * 0.3  # mm a leader keeps away from letters
 
@@ -99,7 +100,7 @@ class _Board:
         boxes = np.concatenate([option.boxes for option in options])
         cost = np.concatenate([option.wish for option in options]) + self._on_ink(boxes)
         if leaders:
-            cost += CROSSING * self._crossings(np.concatenate([option.leaders for option in options]))
+            cost += CROSSING * _bounded(self._crossings(np.concatenate([option.leaders for option in options])))
         if self.field is not None:
             x0, y0, x1, y1 = self.field
             inside = (boxes[:, 0] >= x0) & (boxes[:, 1] >= y0) & (boxes[:, 2] <= x1) & (boxes[:, 3] <= y1)
@@ -118,7 +119,7 @@ class _Board:
             cost += HARD * np.bincount(pairs[0, apart <= CLEAR_MM], minlength=len(boxes))
         if len(self.yielding.shapes):
             broken = self.yielding.within(shapely.box(*boxes.T), CLEAR_MM)[0]
-            cost += BROKEN * np.bincount(broken, minlength=len(boxes))
+            cost += BROKEN * _bounded(np.bincount(broken, minlength=len(boxes)))
         return cost
 
     def _crossings(self, leaders: Any) -> Any:
@@ -206,7 +207,7 @@ class _Board:
         return bool(costs.min() < HARD)
 
     def widen(self) -> bool:
-        """Give the labels that still overlap places farther off, with leader lines; False if none is left to be given."""
+        """Give labels that still overlap places farther off, with leader lines; False if none is left to be given."""
         late = [k for k in self.unhappy() if k not in self.wide]
         self.wide |= set(late)
         if not late:
@@ -226,6 +227,11 @@ class _Board:
             if not math.isnan(self.leaders[k, 0].real):
                 leaders.append(Line(tuple(complex(z) for z in self.leaders[k]), "thin", label.layer, name="leader"))
         return Placed(tuple(texts), tuple(leaders))
+
+
+def _bounded(counts: Any) -> Any:
+    """Numbers of what is disliked: beyond some it hardly gets worse."""
+    return np.minimum(counts, ENOUGH) + 0.02 * counts
 
 
 def _overlaps(boxes: Any, others: Any, beside: float = CLEAR_MM) -> Any:

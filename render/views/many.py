@@ -47,7 +47,15 @@ class Many:
         if not sizes:
             return 0.0
         usual = median(sizes)
-        return max(sizes) if len(sizes) == len(self.turn) and max(sizes) < MOST * usual else NEAR * usual
+        return max(sizes) if self.closed and max(sizes) < MOST * usual else NEAR * usual
+
+    @property
+    def closed(self) -> bool:
+        """Whether the driver goes round: everything ends where it began."""
+        first, last = self.turn[0], self.turn[-1]
+        if not first or not last:
+            return False
+        return all(abs(self.place(first, p) - self.place(last, p)) < 0.1 for p in first["points"])
 
     def size(self, result: dict[str, Any]) -> float:
         """The largest distance of a point from the driver's pair, on paper."""
