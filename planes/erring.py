@@ -8,8 +8,8 @@ from typing import Any
 
 from planes.cycle import Cycle
 from planes.cycle.claims import Claims
-from planes.cycle.spread import Spread
 from planes.cycle.columns import Column, columns_of
+from planes.cycle.spread import Spread
 from planes.drafting import Segment
 from planes.instruments import Instrument, Pencil
 from planes.measuring import Quantity, Reader, catalogue

@@ -89,8 +89,8 @@ def inkscape(strokes: list[Stroke], words: list[tuple[str, complex]], origin: co
            f'<g transform="translate({origin.real},{size - origin.imag})"><g transform="scale(1,-1) rotate(0)">']
     for a, b in strokes:
         d = b - a
-        out.append(f'<path style="fill:none;stroke:#000000;stroke-width:0.6;marker-end:url(#TriangleOutL)" d="m {a.real:.3f},{a.imag:.3f} '
-                   f'{d.real:.3f},{d.imag:.3f}"/>')
+        out.append('<path style="fill:none;stroke:#000000;stroke-width:0.6;marker-end:url(#TriangleOutL)" '
+                   f'd="m {a.real:.3f},{a.imag:.3f} {d.real:.3f},{d.imag:.3f}"/>')
     out.append("</g>")
     for text, z in words:
         out.append(f'<text style="font-size:4.8px" x="{z.real:.2f}" y="{-z.imag:.2f}"><tspan x="{z.real:.2f}" '
@@ -103,7 +103,8 @@ def illustrator(strokes: list[Stroke], words: list[tuple[str, complex]], origin:
     k = 72 / 25.4
     high = 297 * k
     out = [f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" '
-           f'width="{420 * k:.2f}pt" height="{high:.2f}pt" viewBox="0 0 {420 * k:.2f} {high:.2f}">', "<style>.h{fill:#231f20;} .l{fill:none;stroke:#000;}</style><defs>"]
+           f'width="{420 * k:.2f}pt" height="{high:.2f}pt" viewBox="0 0 {420 * k:.2f} {high:.2f}">',
+           "<style>.h{fill:#231f20;} .l{fill:none;stroke:#000;}</style><defs>"]
     for i, (a, b) in enumerate(strokes):
         out.append(f'<polyline id="s{i}" class="l" points="{a.real * k:.3f},{-a.imag * k:.3f} '
                    f'{b.real * k:.3f},{-b.imag * k:.3f}"/>')
