@@ -310,6 +310,8 @@ def report(found: Sequence[Looked]) -> int:
                   f"{sum(one.leaders for one in some)} leaders crossing {sum(one.crossings for one in some)} strokes; "
                   f"{statistics.median(one.seconds for one in some):.2f} s, at most "
                   f"{max(one.seconds for one in some):.2f} s")  # fmt: skip
+    least = sorted(drawn, key=lambda one: one.full)[:3]
+    print("emptiest:", "; ".join(f"{one.job} {one.full:.2f} of {one.paper}" for one in least))
     faulty = sum(bool(one.faults) for one in found)
     print(f"{len(found)} sheets, {len(found) - len(drawn)} could not be drawn, {faulty} with faults")
     return 1 if faulty else 0

@@ -215,6 +215,10 @@ def _likelier(polygon: Polygon, plain: Laid | None, right: Guess, wrong: Sequenc
 def _sure(best: Laid, plain: Laid | None, count: int, pole: complex) -> bool:
     """Whether a right polygon fits well enough, or a wrong one much better than the right one."""
     if best is plain:
-        gapes = bool(best.rows) and best.rows[-1][1] != pole
-        return best.cost <= POOR + count + OPEN * gapes
-    return plain is None or plain.cost - best.cost >= UNSURE
+        return best.cost <= POOR + count + OPEN * _gapes(best, pole)
+    return plain is None or _gapes(plain, pole) or plain.cost - best.cost >= UNSURE
+
+
+def _gapes(laid: Laid, pole: complex) -> bool:
+    """Whether a chain does not close."""
+    return bool(laid.rows) and laid.rows[-1][1] != pole
