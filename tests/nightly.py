@@ -172,9 +172,10 @@ def _count(c: Cycle, seed: int, tally: Tally, found: tuple[Any, Any, Any, Any]) 
 def _compiled(c: Cycle, seed: int, tally: Tally, found: tuple[Any, Any, Any]) -> None:
     """The same positions by the compiled loop, which rounds otherwise."""
     values, true, claimed = found
-    (block,) = c.blocks(values, fast=True)
-    over = (errors(block.table, true) > claimed) & (block.codes == 0)
-    tally.count.update(compiled=int((block.codes == 0).sum()), compiled_wrong=int(over.sum()))
+    blocks = list(c.blocks(values, fast=True))
+    table, good = np.hstack([b.table for b in blocks]), np.hstack([b.codes for b in blocks]) == 0
+    over = (errors(table, true) > claimed) & good
+    tally.count.update(compiled=int(good.sum()), compiled_wrong=int(over.sum()))
     if over.any():
         row, k = np.argwhere(over)[0]
         print(f"seed {seed}, compiled: {c.columns[row].name} at {values[k]!r} is further off than claimed")

@@ -113,6 +113,11 @@ def test_claims_hold_at_the_scales_of_a_sheet() -> None:
     assert np.median(ratios(scaled, np.linspace(140, 210, 40))) < 12
 
 
+def test_arrays_may_round_more_often_than_a_tape() -> None:
+    """They divide complex numbers otherwise: of two equal speeds a whole last place is left."""
+    assert ratios(random_cycle(8000064, sliding=False), 173.69206220142857 + np.linspace(-1e-9, 1e-9, 101)).size
+
+
 def test_a_table_carries_its_claims_block_by_block() -> None:
     c = cycle_of("kind-1-rrr")
     lengths = c.given["l_BC"] * np.linspace(1, 1.01, 9)

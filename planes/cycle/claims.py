@@ -112,7 +112,11 @@ class _Running:
                 self.reach[place][new] = np.fmin(self.reach[place][new], self._bound(place, new))
 
     def _bound(self, place: int, where: Any) -> Any:
-        """How far a place may be off: every loss at its worst, and the roundings at their worst or by chance."""
+        """How far a place may be off: every loss at its worst, and the roundings by chance.
+
+        The worst sum of the roundings is no bound even where it is the smaller: arrays and single positions divide
+        complex numbers otherwise than a tape does, with more of them.
+        """
         if place not in self.carrying.rows:
             return np.zeros(self.count)[where]
         rows = self.carrying.rows[place][:, where]
@@ -120,9 +124,8 @@ class _Running:
         losing = np.flatnonzero(self.losing[: len(rows)])
         lost = np.einsum("kp,kp->p", size[losing], self.lost[losing][:, where])
         size *= self.largest[: len(rows), where]
-        total = size.sum(axis=0)
         size *= size
-        return np.minimum(total, SIGMAS * np.sqrt(self.usual[: len(rows)] @ size)) + lost
+        return SIGMAS * np.sqrt(self.usual[: len(rows)] @ size) + lost
 
     def _turning(self, args: tuple[int, ...]) -> Any:
         """How far off a sense may be: what is called a standstill may be a motion, and of a motion that is all error
