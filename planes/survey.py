@@ -15,6 +15,7 @@ from planes.tables import table
 from planes.vectors import solve_vectors
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
+from planes.working import FULL
 
 AGREE = 1e-9  # relative: how far the two balancing loads may be apart
 
@@ -104,11 +105,14 @@ def _loads(position: Position, plans: Plans) -> tuple[float | None, float | None
 def _no_turn(scene: Scene, plans: Plans, lang: Lang) -> Iterator[str]:
     """A sentence where a turning driver cannot go all the way round."""
     drive = plans.mechanism.drive
-    ranges = summary(scene, plans).ranges if drive.kind == "phi" else ((0.0, 360.0),)
-    if ranges == ((0.0, 360.0),):
+    if drive.kind != "phi":
         return
-    edges = [0.0, *(edge for pair in ranges for edge in pair), 360.0]
-    gaps = [(a, b) for a, b in zip(edges[::2], edges[1::2], strict=True) if b > a]
+    ranges = summary(scene, plans).ranges
+    starts = [*(low for low, _ in ranges[1:]), ranges[0][0] + FULL]
+    pairs = zip([high for _, high in ranges], starts, strict=True)
+    gaps = [(high % FULL, high % FULL + low - high) for high, low in pairs if low > high + 1e-9]
+    if not gaps:
+        return
     said = tuple(Phrase("survey_gap", low=_angle(a, lang), high=_angle(b, lang)) for a, b in gaps)
     yield say("survey_no_turn", lang, link=drive.link, ranges=said)
 

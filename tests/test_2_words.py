@@ -25,7 +25,7 @@ from planes.wording import PlanesError, PlanFailure, SceneError
 from planes.words import TABLE, Phrase, say
 
 TABLES = [table for name, table in vars(words).items() if name.isupper() and name != "TABLE"]
-HOUSES = [Path(cli.__file__).parent, Path(cli.__file__).parents[1] / "render"]
+HOUSES = [Path(words.__file__).parents[1], Path(words.__file__).parents[2] / "render"]
 SOURCES = [p for house in HOUSES for p in house.rglob("*.py") if not p.name.startswith("words")]
 TREES = {f"{p.parent.name}/{p.name}": ast.parse(p.read_text(encoding="utf-8")) for p in SOURCES}
 TELLERS = ("Phrase", "say", "PlanFailure", "_help", "help_of")

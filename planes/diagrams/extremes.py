@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 
 from planes.diagrams.curves import Curve
-from planes.diagrams.turn import FULL, Turn, unwound
+from planes.diagrams.turn import Turn, unwound
+from planes.working import FULL
 
 CELLS = 8  # parts a bracket is cut into, each round
 ROUNDS = 14

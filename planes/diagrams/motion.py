@@ -10,13 +10,13 @@ from planes.diagrams.curves import curves_of, ratio_name
 from planes.diagrams.extremes import extremes, grid
 from planes.diagrams.graphical import Construction, differentiated, integrated
 from planes.diagrams.stages import Motion
-from planes.diagrams.turn import FULL, Turn, turn_of, unwound
+from planes.diagrams.turn import Turn, turn_of, unwound
 from planes.plans import Plans, state
 from planes.plans.driven import driven
 from planes.scene import Scene
 from planes.wording import PlanesError
 from planes.words import Phrase
-from planes.working import span_of
+from planes.working import FULL, span_of
 
 DENSE = 10  # places of the drawn curve within a section
 FEWEST, MOST = 6, 72

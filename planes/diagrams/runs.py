@@ -9,8 +9,9 @@ import numpy as np
 from planes.diagrams.extremes import Grid, extremes, grid
 from planes.diagrams.motion import ends_of
 from planes.diagrams.summary import output_curves
-from planes.diagrams.turn import FULL, turn_of
+from planes.diagrams.turn import turn_of
 from planes.plans import Plans
+from planes.working import FULL
 
 BESIDE = 1e-6  # degrees (or metres) on either side of a dead point, where what depends on the sense of motion jumps
 STEPS = 720

@@ -11,11 +11,12 @@ import numpy as np
 
 from planes.diagrams.curves import Curve, ratio_name
 from planes.diagrams.extremes import Extreme, Grid, extremes, grid, varies
-from planes.diagrams.turn import FULL, turn_of
+from planes.diagrams.turn import turn_of
 from planes.mechanism import FRAME
 from planes.plans import Plans
 from planes.plans.driven import driven
 from planes.scene import Scene
+from planes.working import FULL
 
 SAME = 1e-12
 

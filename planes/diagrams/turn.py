@@ -14,8 +14,7 @@ from planes.diagrams.curves import UNIT, Arrow, Curve, arrows_of, curves_of
 from planes.plans import Plans
 from planes.wording import PlanesError, choices
 from planes.words import Phrase
-
-FULL = 360.0
+from planes.working import FULL
 
 
 class Turn:

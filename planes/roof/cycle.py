@@ -13,11 +13,12 @@ from planes.diagrams.curves import Curve, curves_of
 from planes.diagrams.extremes import Extreme, Grid, extremes, grid
 from planes.diagrams.runs import Runs
 from planes.diagrams.summary import output_curves
-from planes.diagrams.turn import FULL, Turn, turn_of
+from planes.diagrams.turn import Turn, turn_of
 from planes.plans import Plans, state
 from planes.scene import Scene
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase
+from planes.working import FULL
 from render.cycle_charts import Drawn, Loop, Panel, draw
 from render.names import Naming
 

@@ -167,7 +167,7 @@ def crossed(boxes: Any, lines: Any) -> Any:
 
 
 def meeting(lines: Any, others: Any) -> Any:
-    """Whether segments (…, 2; complex) meet others, by broadcasting; parallel ones do not."""
+    """Whether segments (…, 2; complex) meet others, by broadcasting; those on one line too, where they overlap."""
     start, span = lines[..., 0], lines[..., 1] - lines[..., 0]
     began, way = others[..., 0], others[..., 1] - others[..., 0]
     across = (span.conjugate() * way).imag
@@ -175,4 +175,8 @@ def meeting(lines: Any, others: Any) -> Any:
     apart = began - start
     on_line, on_other = (apart.conjugate() * way).imag / safe, (apart.conjugate() * span).imag / safe
     inside = (on_line >= -0.02) & (on_line <= 1.02) & (on_other >= -0.02) & (on_other <= 1.02)
-    return inside & (across != 0)
+    unit = span / np.abs(span)
+    one, two = apart * unit.conjugate(), (apart + way) * unit.conjugate()
+    along = (np.maximum(one.real, two.real) >= -0.3) & (np.minimum(one.real, two.real) <= np.abs(span) + 0.3)
+    level = (np.abs(one.imag) < 0.3) & (np.abs(two.imag) < 0.3)
+    return (inside & (across != 0)) | (level & along)

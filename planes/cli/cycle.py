@@ -1,4 +1,4 @@
-"""The command ``planes cycle``: its options, and which of its answers is asked for: a table, a picture or a summary."""
+"""The command ``planes cycle``: which of its answers is asked for: a table, a picture or a summary."""
 
 from __future__ import annotations
 
@@ -16,22 +16,6 @@ from planes.words import Phrase
 
 PICTURES = (".png", ".svg", ".pdf")
 LISTED = 24  # positions a listing may have
-
-
-def add_options(parser: argparse.ArgumentParser, help_of: Callable[[str], str]) -> None:
-    """The options beside the scene and its positions."""
-    parser.add_argument("-o", "--output", metavar="FILE", help=help_of("help_cycle_output"))
-    parser.add_argument("--show", metavar="NAMES", help=help_of("help_cycle_show"))
-    parser.add_argument("--hodograph", metavar="NAMES", help=help_of("help_hodograph"))
-    parser.add_argument("--path", metavar="POINTS", help=help_of("help_path"))
-    parser.add_argument("--listing", action="store_true", help=help_of("help_listing"))
-    parser.add_argument("--graphical", metavar="N", type=int, nargs="?", const=12, help=help_of("help_graphical"))
-    parser.add_argument("--pole", metavar="H", type=float, help=help_of("help_pole_distance"))
-    parser.add_argument("--omega", metavar="ω", type=float, help=help_of("help_omega"))
-    parser.add_argument("--epsilon", metavar="ε", type=float, help=help_of("help_epsilon"))
-    parser.add_argument("--json", action="store_true", help=help_of("help_cycle_json"))
-    parser.add_argument("--errors", action="store_true", help=help_of("help_cycle_errors"))
-    parser.add_argument("--plain", action="store_true", help=help_of("help_slow"))
 
 
 def run(args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Callable[[object], str]) -> int:

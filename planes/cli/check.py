@@ -15,7 +15,7 @@ from planes.check.paper import Paper, read_table
 from planes.check.report import numbers_of
 from planes.check.verdict import STATUS, Outcome, check
 from planes.check.verdict_rows import as_json, mark_rows
-from planes.cli_class import check_class
+from planes.cli.classes import check_class
 from planes.scales import kind_of
 from planes.scene import Scene
 from planes.tables import table

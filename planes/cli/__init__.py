@@ -11,9 +11,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from planes.angles import read_range, read_span
-from planes.check_options import add_blank_options, add_options
-from planes.cli_cycle import add_options as add_cycle_options
-from planes.course_options import add_course_options
+from planes.cli.options import add_blank_options, add_check_options, add_course_options, add_cycle_options
 from planes.home import Parser, help_of, home_lang
 from planes.scene import Scene, load
 from planes.wording import PlanesError
@@ -83,7 +81,7 @@ def _parser() -> argparse.ArgumentParser:
     crank.add_argument("--phi", type=float, metavar="A", help=help_of("help_sheet_phi"))
     check = _command(commands, "check", _check, help_of("help_check"))
     _positions(check)
-    add_options(check, help_of)
+    add_check_options(check, help_of)
     blank = _command(commands, "blank", _blank, help_of("help_blank"))
     _positions(blank)
     add_blank_options(blank, help_of)
@@ -125,10 +123,10 @@ def _range(args: argparse.Namespace, scene: Scene) -> tuple[str, str | None]:
 
 
 def _solve(args: argparse.Namespace) -> int:
-    from planes.cli_solve import run
+    from planes.cli.solve import run
 
     if os.path.isdir(args.scene):
-        from planes.cli_survey import run as survey
+        from planes.cli.survey import run as survey
 
         return survey(args, _json)
     scene = load(args.scene, args.variant)
@@ -172,7 +170,7 @@ def _structure(args: argparse.Namespace) -> int:
 
 
 def _check(args: argparse.Namespace) -> int:
-    from planes.cli_check import run
+    from planes.cli.check import run
 
     scene = load(args.scene, args.variant)
     values = _values(args, scene)
@@ -180,7 +178,7 @@ def _check(args: argparse.Namespace) -> int:
 
 
 def _blank(args: argparse.Namespace) -> int:
-    from planes.cli_check import write_blank
+    from planes.cli.check import write_blank
 
     scene = load(args.scene, args.variant)
     values = _values(args, scene)
@@ -218,7 +216,7 @@ def _note(args: argparse.Namespace) -> int:
 
 
 def _cycle(args: argparse.Namespace) -> int:
-    from planes.cli_cycle import run
+    from planes.cli.cycle import run
 
     scene = load(args.scene, args.variant)
     kind, text = _range(args, scene)
@@ -226,7 +224,7 @@ def _cycle(args: argparse.Namespace) -> int:
 
 
 def _course(args: argparse.Namespace) -> int:
-    from planes.cli_course import run
+    from planes.cli.course import run
 
     return run(args)
 
@@ -242,7 +240,3 @@ def _crank_slider(args: argparse.Namespace) -> int:
     from planes.roof.crank_slider import run
 
     return run(load(args.scene, args.variant), args, args.lang)
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,0 +1,54 @@
+"""The options of ``planes check``, ``blank``, ``cycle`` and ``course`` on the command line."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+
+
+def add_check_options(parser: argparse.ArgumentParser, told: Callable[[str], str]) -> None:
+    """What ``planes check`` takes beside the scene."""
+    parser.add_argument("drawing", nargs="?", metavar="DRAWING", help=told("help_drawing"))
+    parser.add_argument("--plan", required=True, metavar="PLAN", help=told("help_plan"))
+    parser.add_argument("--mu", metavar="MU", help=told("help_mu"))
+    parser.add_argument("--with", dest="others", action="append", default=[], metavar="PLAN=FILE",
+                        help=told("help_with"))  # fmt: skip
+    parser.add_argument("--pole", metavar="X,Y", help=told("help_pole"))
+    parser.add_argument("--mark", action="append", default=[], metavar="NAME=X,Y", help=told("help_mark"))
+    parser.add_argument("--format", choices=("A4", "A3", "A2", "A1"), help=told("help_picture_format"))
+    parser.add_argument("--work", choices=("hand", "cad"), default="hand", help=told("help_work"))
+    parser.add_argument("--trace", action="store_true", help=told("help_trace"))
+    parser.add_argument("-o", "--output", metavar="FILE", help=told("help_check_output"))
+    parser.add_argument("--json", action="store_true", help=told("help_json"))
+
+
+def add_blank_options(parser: argparse.ArgumentParser, told: Callable[[str], str]) -> None:
+    """What ``planes blank`` takes beside the scene."""
+    parser.add_argument("--plan", default="velocity", metavar="PLAN", help=told("help_plan"))
+    parser.add_argument("--mu", metavar="MU", help=told("help_mu"))
+    parser.add_argument("-o", "--output", required=True, metavar="FILE", help=told("help_blank_output"))
+
+
+def add_cycle_options(parser: argparse.ArgumentParser, told: Callable[[str], str]) -> None:
+    """What ``planes cycle`` takes beside the scene and its positions."""
+    parser.add_argument("-o", "--output", metavar="FILE", help=told("help_cycle_output"))
+    parser.add_argument("--show", metavar="NAMES", help=told("help_cycle_show"))
+    parser.add_argument("--hodograph", metavar="NAMES", help=told("help_hodograph"))
+    parser.add_argument("--path", metavar="POINTS", help=told("help_path"))
+    parser.add_argument("--listing", action="store_true", help=told("help_listing"))
+    parser.add_argument("--graphical", metavar="N", type=int, nargs="?", const=12, help=told("help_graphical"))
+    parser.add_argument("--pole", metavar="H", type=float, help=told("help_pole_distance"))
+    parser.add_argument("--omega", metavar="ω", type=float, help=told("help_omega"))
+    parser.add_argument("--epsilon", metavar="ε", type=float, help=told("help_epsilon"))
+    parser.add_argument("--json", action="store_true", help=told("help_cycle_json"))
+    parser.add_argument("--errors", action="store_true", help=told("help_cycle_errors"))
+    parser.add_argument("--plain", action="store_true", help=told("help_slow"))
+
+
+def add_course_options(parser: argparse.ArgumentParser, told: Callable[[str], str]) -> None:
+    """What ``planes course`` takes."""
+    parser.add_argument("folder", metavar="DIR", help=told("help_course_folder"))
+    parser.add_argument("-o", "--output", metavar="FOLDER", help=told("help_course_output"))
+    parser.add_argument("--jobs", type=int, metavar="N", help=told("help_jobs"))
+    parser.add_argument("--scheduler", metavar="ADDRESS", help=told("help_scheduler"))
+    parser.add_argument("--lang", choices=("ru", "en"), help=told("help_lang"))
