@@ -22,7 +22,7 @@ from planes.words import Lang, say
 from render.charts import LOOKS, STYLE
 from render.curve_names import lettered_curve
 from render.names import Naming
-from render.words import number
+from render.numbers import number
 
 LOOK: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path", "axes.grid": False}
 METADATA: dict[str, dict[str, Any]] = {

@@ -14,6 +14,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, Literal
 
+from planes.words import say
 from render.cutting import uncovered
 from render.dxf_blocks import insert_form, insert_signs
 from render.dxf_entities import GREY, OBLIQUE_DEG, Entities, style_name
@@ -21,7 +22,6 @@ from render.faces import Face
 from render.ink import checked, save
 from render.marks import Mark, Text
 from render.style import LAYERS, PENS, pen, weight
-from render.words import say
 
 OWN_FONT = "isocpeur.ttf"  # a single-stroke font with Cyrillic letters that AutoCAD brings; others put a like one
 LAYER_STYLES = {

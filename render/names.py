@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from planes.words import Lang
-from render.words import say
+from planes.words import Lang, say
 
 PRIME = "′"
 _GREEK = {"omega": "ω", "epsilon": "ε", "phi": "φ", "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "psi": "ψ",

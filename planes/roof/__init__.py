@@ -16,7 +16,7 @@ from planes.scene import Scene
 from planes.solving import Position
 from planes.vectors import solve_vectors
 from planes.wording import PlanesError
-from planes.words import Lang
+from planes.words import Lang, say
 from render.faces import lettered
 from render.fonts import face_of
 from render.ink import save
@@ -24,7 +24,6 @@ from render.sheet import Sheet
 from render.sheet.composer import Composer
 from render.sheet.sizes import Sizes
 from render.views.single import Makers, Page, of_mechanism, of_scene_of_vectors, page
-from render.words import say
 
 SUFFIXES = (".svg", ".pdf", ".png", ".dxf")
 

@@ -9,6 +9,7 @@ from typing import Any
 from planes.plans import Plans
 from planes.scene import Scene
 from planes.solving import Position
+from planes.words import say
 from render.curve_names import lettered_curve
 from render.names import Naming
 from render.sheet.composer import Composer
@@ -16,7 +17,6 @@ from render.views import View, view
 from render.views.diagrams import Curve
 from render.views.hodograph import Hodograph
 from render.views.single import LETTER_MM, Makers
-from render.words import say
 
 STATIONS = 12
 

@@ -15,13 +15,12 @@ from planes.scene import Scene
 from planes.solving import Position, failed, plans_of, position
 from planes.vectors import solve_vectors
 from planes.wording import PlanesError, PlanFailure
-from planes.words import Lang
+from planes.words import Lang, say
 from render.sheet import Contents, Sheet, compose
 from render.sheet.composer import Composer
 from render.sheet.project import Project
 from render.sheet.sizes import Sizes
 from render.views import View
-from render.words import say
 
 
 def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", number: int | None = None) -> Sheet:

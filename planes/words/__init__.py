@@ -16,6 +16,7 @@ from planes.words.diagrams import DIAGRAMS
 from planes.words.links import LINKS
 from planes.words.method import METHOD
 from planes.words.scene import SCENE
+from planes.words.sheets import SHEETS
 from planes.words.text import TEXT
 
 Lang = Literal["ru", "en"]
@@ -161,7 +162,7 @@ class Phrase:
 Told = Phrase | str
 """A phrase, or words that are the same in both languages: a name, a number, a key of the file."""
 
-TABLE = {**WORDS, **TEXT, **SCENE, **LINKS, **METHOD, **CRANK_SLIDER, **CHECK, **CYCLE, **DIAGRAMS, **COURSE}
+TABLE = {**WORDS, **TEXT, **SCENE, **LINKS, **METHOD, **CRANK_SLIDER, **CHECK, **CYCLE, **DIAGRAMS, **COURSE, **SHEETS}
 
 
 class _Teller(Formatter):

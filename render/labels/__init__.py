@@ -195,11 +195,18 @@ class _Board:
         free = [int(c) for c in np.argsort(self.static[k], kind="stable") if self.static[k][c] < HARD]
         for option in free:
             self._take(k, option)
-            others = np.delete(np.arange(len(self.labels)), k)
-            held = others[_overlaps(self.boxes[k : k + 1], self.boxes[others])[0]]
+            held = self._in_the_way(k)
             if all(self._moves(int(j)) for j in held) and self.costs(k)[option] < HARD:
                 return
             self.chosen, self.boxes[:], self.leaders[:] = list(kept), boxes, leaders
+
+    def _in_the_way(self, k: int) -> list[int]:
+        """The labels that the present place of label k clashes with, by letters or by leader lines."""
+        box, leader = self.boxes[k], self.leaders[k]
+        found = _overlaps(box[None], self.boxes)[0] | crossed(box + _GROWN, self.leaders)
+        if not np.isnan(leader[0]):
+            found |= crossed(self.boxes + _GROWN, leader) | meeting(leader, self.leaders)
+        return [int(j) for j in np.flatnonzero(found) if j != k]
 
     def _moves(self, k: int) -> bool:
         costs = self.costs(k)

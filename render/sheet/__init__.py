@@ -8,7 +8,7 @@ from itertools import product
 
 from planes.scene import Scene
 from planes.wording import SceneError
-from planes.words import Lang
+from planes.words import Lang, say
 from render import svg
 from render.marks import Mark
 from render.sheet.frame import FORMATS, Paper
@@ -17,7 +17,6 @@ from render.sheet.said import cells
 from render.sheet.sizes import LARGEST, Extents, Sizes, grown
 from render.typeset import plain
 from render.views import View
-from render.words import say
 
 SMALLER = (0.8, 0.63, 0.5, 0.4)
 """How small, against the usual, plans may become where the scene leaves μ open; all but the first on the largest

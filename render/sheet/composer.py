@@ -12,8 +12,9 @@ from planes.scene import Scene
 from planes.solving import Position
 from planes.units import mu_text
 from planes.vectors import PLAN, VectorResults
-from planes.words import Lang
+from planes.words import Lang, say
 from render.names import Naming
+from render.numbers import decimal
 from render.views import View, stacked, view
 from render.views.formulas import Formulas
 from render.views.moments import MomentLines
@@ -21,7 +22,6 @@ from render.views.plotted import Plotted, of_position, of_vectors
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme
 from render.views.tables import Tables
-from render.words import decimal, say
 
 LARGER = {2.5: 3.5, 3.5: 5.0, 5.0: 7.0}
 """Letter height of equations beside that of tables, mm."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from planes.naming import mu_of
 from planes.solving import Position
+from planes.words import say
 from render.sheet.composer import LARGER, Composer
 from render.sheet.sizes import Sizes
 from render.views import View, beside, stacked, view
@@ -16,7 +17,6 @@ from render.views.moments import MomentLines
 from render.views.places import Places
 from render.views.plotted import of_position
 from render.views.scheme import Scheme
-from render.words import say
 
 CROWDED, ALONE = 1.3, 2.2  # how much larger than on paper a group, or a link alone, counts: it need not grow as far
 

@@ -8,7 +8,9 @@ from typing import Any
 
 from planes.naming import mu_of
 from planes.solving import Position
+from planes.words import say
 from render.marks import Mark, Text
+from render.numbers import decimal
 from render.sheet.composer import LARGER, Composer, drawn_plans
 from render.sheet.forces import Drawer, Forces, extents
 from render.sheet.sizes import Sizes
@@ -18,7 +20,6 @@ from render.views.hodograph import Hodograph, hodograph_view
 from render.views.many import Many, Numbered
 from render.views.plotted import of_position
 from render.views.scheme import Scheme
-from render.words import decimal, say
 
 
 @dataclass
@@ -89,7 +90,7 @@ class Project:
             parts = [self.part(position, (structure.driver,), say("primary", c.lang), True, letter)]
             for g in structure.groups:
                 links = "–".join(c.naming.link(x) for x in g.links)
-                text = say("group", c.lang, links=links, kind=g.kind)
+                text = say("group_of_kind", c.lang, links=links, kind=g.kind)
                 parts.append(self.part(position, g.links, text, False, letter))
             row = beside(parts)
             w, q = decimal(str(structure.W), c.lang), decimal(str(structure.q), c.lang)

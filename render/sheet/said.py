@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from planes.scene import Scene
-from planes.words import Lang
+from planes.words import Lang, say
 from render.form1 import LOWER, REVISIONS, UPPER
-from render.words import decimal, say
+from render.numbers import decimal
 
 _COLUMNS = ("change", "sheet", "document", "sign", "date")
 _SAME = (

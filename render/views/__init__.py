@@ -13,6 +13,7 @@ from render.marks import Mark, Text, moved
 from render.typeset import extent
 
 TITLE_MM = 5.0  # letter height of titles
+REMARK_MM = 2.5
 TITLE_GAP = 4.0  # from a title to its view
 
 
@@ -63,6 +64,12 @@ def view(key: str, title: str, marks: Iterable[Mark], height: float = TITLE_MM, 
         half = (x1 - x0) / 2
         box = (min(box[0], place.real - half), box[1], max(box[2], place.real + half), place.imag + y1)
     return View(key, title, held, box, figure)
+
+
+def remark(text: str, marks: Iterable[Mark]) -> Text:
+    """What must be known of the marks, in small letters beneath them."""
+    x0, y0, x1, _ = bounds(tuple(marks))
+    return Text(text, complex((x0 + x1) / 2, y0 - 5.0), REMARK_MM, "middle", name="remark")
 
 
 def shifted(one: View, by: complex) -> View:

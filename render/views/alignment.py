@@ -10,6 +10,7 @@ from planes.mechanism import FRAME, Link
 from planes.self_aligning import Aligned, Sign
 from planes.solving import Position
 from planes.structure import Pair
+from planes.words import say
 from render import labels, symbols
 from render.marks import Arc, Line, Mark, Text
 from render.names import Naming
@@ -17,7 +18,6 @@ from render.style import HINGE_MM
 from render.views import View, stacked, view
 from render.views.places import degrees
 from render.views.scheme import Scheme
-from render.words import say
 
 CUP_MM = 2.4  # radius of the cup about a spherical pair's ball
 RING_MM = 2.4  # of the bushing about a cylindrical pair's pin

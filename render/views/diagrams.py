@@ -11,9 +11,10 @@ from typing import Any
 from planes.plans import Plans
 from planes.plans.driven import driven
 from planes.units import quantity, standard_mu
+from planes.words import say
 from render.marks import Arrow, Line, Mark, Text
 from render.names import Naming
-from render.words import decimal, number, say
+from render.numbers import decimal, number
 
 SECTIONS = 12
 WIDTHS_MM = (12.0, 15.0, 18.0, 24.0, 30.0)  # of a section: over a whole turn μ_φ is 0.4, 0.5, … mm per degree

@@ -8,11 +8,12 @@ import re
 from dataclasses import dataclass, field
 
 from planes.equations import Equation, Term
+from planes.words import say
 from render.marks import Line, Mark, Text
 from render.names import Naming
+from render.numbers import number
 from render.typeset import extent, over
 from render.views.plotted import Plotted
-from render.words import number, say
 
 UNITS = {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "force": "N"}
 NOISE_MM = 1e-7  # a shorter vector is rounding noise

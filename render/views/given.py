@@ -9,8 +9,9 @@ from dataclasses import dataclass
 
 from planes.mechanism import Guide, Link
 from planes.solving import Position
+from planes.words import say
 from render.names import Naming, greek
-from render.words import number, say
+from render.numbers import number
 
 RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m")
 """Units in the order their rows stand in."""

@@ -12,12 +12,13 @@ from planes.diagrams.stages import Stage
 from planes.drawing import Drawing
 from planes.naming import at
 from planes.units import quantity
+from planes.words import say
 from render.marks import Arc, Arrow, Line, Mark, Text
 from render.names import Naming
+from render.numbers import decimal, number
 from render.style import DOT_MM
 from render.symbols import dot
 from render.typeset import extent
-from render.words import decimal, number, say
 
 BETWEEN_MM = 15.0
 BEYOND_MM = 9.0  # of an axis past its last section

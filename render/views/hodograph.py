@@ -6,12 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from planes.units import quantity, standard_mu
+from planes.words import say
 from render import labels
 from render.marks import Arrow, Line, Mark
 from render.names import Naming
+from render.numbers import decimal
 from render.symbols import dot
 from render.views import View, view
-from render.words import decimal, say
 
 WIDE_MM = 70.0  # the larger side of a hodograph
 AXIS_MM = 8.0  # of the axes beyond it

@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from planes.drafting import Moments
 from planes.solving import Position
 from planes.steps.reckoning import Calculate
+from planes.words import say
 from render.marks import Mark
 from render.names import Naming
+from render.numbers import number
 from render.views.formulas import Setter, Word
-from render.words import number, say
 
 NOISE = 1e-9  # of the largest moment of the equation: nothing
 

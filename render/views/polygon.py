@@ -8,13 +8,13 @@ from dataclasses import dataclass, field
 from planes.equations import Term
 from planes.naming import POLE, label_of, plan_of
 from planes.steps import Image, Similar
+from planes.words import say
 from render import detail, labels
-from render.marks import Arrow, Layer, Line, Mark, Text
+from render.marks import Arrow, Layer, Line, Mark
 from render.names import Naming
 from render.symbols import dot
-from render.views import bounds
+from render.views import remark
 from render.views.plotted import Plotted
-from render.words import say
 
 ZERO_MM = 0.05  # a vector shorter than this is nothing on paper
 SAME_MM = 0.35  # marks closer than this share one label
@@ -60,7 +60,7 @@ class Polygon:
         circled = (*ground, *(d.circle() for d in details))
         marks = (*circled, *labels.place([*named, *(d.named() for d in details)], circled).marks)
         marks = detail.beside(marks, [d.drawn(ground, named) for d in details])
-        return (*marks, *self.remark(marks)) if self.shifted else marks
+        return (*marks, remark(f"({say('shifted', self.naming.lang)})", marks)) if self.shifted else marks
 
     def letters(self) -> list[str]:
         """Letters for the details of this plan, after those of the plans before it."""
@@ -72,12 +72,6 @@ class Polygon:
             other.vectors()
             used += detail.count(other.places.values())
         return detail.letters(map(label_of, self.plotted.drawing.things), self.naming.lang == "ru")[used:]
-
-    def remark(self, marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
-        """What must be known of vectors drawn side by side, beneath the plan."""
-        x0, y0, x1, _ = bounds(marks)
-        text = f"({say('shifted', self.naming.lang)})"
-        return (Text(text, complex((x0 + x1) / 2, y0 - 5.0), 2.5, "middle", name="remark"),)
 
     def collect(self) -> None:
         """Every measured segment by its ends."""

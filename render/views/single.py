@@ -9,6 +9,7 @@ from types import MappingProxyType
 from planes.solving import Position
 from planes.vectors import PLAN, VectorResults
 from planes.wording import PlanesError
+from planes.words import say
 from render import svg
 from render.marks import Mark
 from render.sheet.composer import Composer
@@ -17,7 +18,6 @@ from render.sheet.project import Project
 from render.views import View
 from render.views.plotted import of_position, of_vectors
 from render.views.tables import Tables
-from render.words import say
 
 MARGIN_MM = 5.0
 LETTER_MM = 3.5  # letter height of tables; equations are a step larger

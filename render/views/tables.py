@@ -12,15 +12,16 @@ from planes.naming import POLE, label_of
 from planes.scales import kind_of
 from planes.solving import Position
 from planes.vectors import VectorResults
+from planes.words import say
 from render import symbols
 from render.ink import head as ink_head
 from render.marks import Arc, Line, Mark, Shape, Text
 from render.names import Naming
+from render.numbers import number
 from render.typeset import extent
-from render.views import View, view
+from render.views import View, remark, view
 from render.views.formulas import NOISE_MM, UNITS
 from render.views.given import Given
-from render.words import number, say
 
 Row = Sequence[str]
 CLEAR_MM = 0.25  # least distance of a text from the lines above and beneath it
@@ -123,12 +124,14 @@ class Tables:
         """A number of the sheet."""
         return number(value, self.naming.lang, digits)
 
-    def table(self, key: str, title: str, head: Row, rows: Sequence[Row]) -> View | None:
-        """A table as a view, or nothing when it has no rows."""
+    def table(self, key: str, title: str, head: Row, rows: Sequence[Row], note: str = "") -> View | None:
+        """A table as a view, or nothing when it has no rows; ``note`` stands beneath it."""
         if not rows:
             return None
         head, rows = folded(head, rows)
-        return view(key, title, Grid(self.letter).drawn(head, rows), self.letter * 10 / 7 if self.letter < 3 else 5.0)
+        drawn = Grid(self.letter).drawn(head, rows)
+        marks = (*drawn, remark(note, drawn)) if note else drawn
+        return view(key, title, marks, self.letter * 10 / 7 if self.letter < 3 else 5.0)
 
     def all(self) -> list[View]:
         """Every table that has something to say."""
@@ -178,7 +181,7 @@ class Tables:
             cells = [self.turning(r[k]) if k in r else "" for k in ("omega", "epsilon")]
             if any(cells):
                 rows.append([self.naming.link(name), *cells])
-        head = [self.say("link"), f"ω, {self.say('rad/s')}", f"ε, {self.say('rad/s²')}"]
+        head = [self.say("column_link"), f"ω, {self.say('rad/s')}", f"ε, {self.say('rad/s²')}"]
         return self.table("links", self.say("links_table"), head, rows)
 
     def turning(self, value: float) -> str:
@@ -195,9 +198,11 @@ class Tables:
             arm = self.number(r["arm"]) if isinstance(r, dict) else ""
             armed |= arm not in ("", "0")
             rows.append([self.naming.vector(name), self.number(abs(force)), angle, arm])
-        head = ["", self.say("N"), self.say("angle"), self.say("arm")]
+        head = ["", self.say("N"), self.say("angle"), self.say("column_arm")]
         most = 4 if armed else 3
-        return self.table("reactions", self.say("reactions_table"), head[:most], [row[:most] for row in rows])
+        convention = self.say("from_on" if self.naming.from_on else "on_from")
+        rows = [row[:most] for row in rows]
+        return self.table("reactions", self.say("reactions_table"), head[:most], rows, convention)
 
     def check(self) -> View | None:
         """The balancing moment (or force), Zhukovsky's, and the difference in per cent."""
@@ -206,11 +211,11 @@ class Tables:
             found, check = r.get(f"balancing_{what}"), r.get(f"zhukovsky_{what}")
             name = self.naming.balancing(what == "moment")
             if found is not None:
-                rows.append([self.say("balancing_moment"), f"{name}, {self.say(unit)}", self.number(found)])
+                rows.append([self.say("by_force_plan"), f"{name}, {self.say(unit)}", self.number(found)])
             if check is not None:
                 rows.append([self.say("zhukovsky"), f"{name}, {self.say(unit)}", self.number(check)])
             if found is not None and check is not None:
                 largest = max(abs(found), abs(check))
                 apart = 100 * abs(found - check) / largest if largest else 0.0
-                rows.append([self.say("difference"), "", self.number(apart if apart > 1e-6 else 0.0, 2)])
+                rows.append([self.say("difference_percent"), "", self.number(apart if apart > 1e-6 else 0.0, 2)])
         return self.table("check", self.say("check_table"), ["", "", ""], rows)

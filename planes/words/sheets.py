@@ -1,11 +1,8 @@
-"""Words of the sheets, in Russian and in English, and numbers as each language writes them."""
+"""Words of the sheets: titles, heads of tables, notes, and the refusals of what cannot be drawn."""
 
 from __future__ import annotations
 
-from planes.units import quantity
-from planes.words import Lang
-
-WORDS: dict[str, tuple[str, str]] = {
+SHEETS: dict[str, tuple[str, str]] = {
     "scheme": ("Схема механизма", "Scheme of the mechanism"),
     "velocity": ("План скоростей", "Velocity plan"),
     "acceleration": ("План ускорений", "Acceleration plan"),
@@ -22,9 +19,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "shifted": ("векторы одной прямой раздвинуты", "vectors of one line are drawn side by side"),
     "given": ("Исходные данные", "Given"),
     "found": ("Результаты кинематики", "Results of kinematics"),
-    "points_table": ("Скорости и ускорения точек", "Velocities and accelerations of points"),
     "links_table": ("Угловые скорости и ускорения звеньев", "Angular velocities and accelerations of links"),
-    "slides_table": ("Движение ползунов по направляющим", "Sliders along their guides"),
     "reactions_table": ("Реакции", "Reactions"),
     "check_table": ("Уравновешивание и проверка", "Balancing and check"),
     "structure": ("Структура механизма", "Structure of the mechanism"),
@@ -42,9 +37,6 @@ WORDS: dict[str, tuple[str, str]] = {
     ),
     "integration": ("Графическое интегрирование, звено {link}", "Graphical integration, link {link}"),
     "graphical_drawn": ("построено", "drawn"),
-    "graphical_exact": ("точно", "exact"),
-    "s": ("с", "s"),
-    "rad": ("рад", "rad"),
     "self_aligning": ("Самоустанавливающийся вариант механизма", "Self-aligning variant of the mechanism"),
     "short_R": ("1в", "1R"),
     "short_P": ("1п", "1P"),
@@ -57,41 +49,26 @@ WORDS: dict[str, tuple[str, str]] = {
     "hodograph": ("Годограф {name}", "Hodograph of {name}"),
     "sheet_1": ("Структурный и кинематический анализ", "Structure and kinematics"),
     "sheet_2": ("Силовой расчёт", "Force analysis"),
-    "point": ("Точка", "Point"),
-    "link": ("Звено", "Link"),
-    "slider": ("Ползун", "Slider"),
+    "column_link": ("Звено", "Link"),
     "quantity": ("Величина", "Quantity"),
     "value": ("Значение", "Value"),
     "unit": ("Ед.", "Unit"),
     "pair": ("Пара", "Pair"),
     "angle": ("Угол, °", "Angle, °"),
-    "arm": ("Плечо, м", "Arm, m"),
-    "balancing_moment": ("Из плана сил", "From the force plan"),
-    "balancing_force": ("Из плана сил", "From the force plan"),
+    "column_arm": ("Плечо, м", "Arm, m"),
+    "by_force_plan": ("Из плана сил", "From the force plan"),
     "zhukovsky": ("По рычагу Жуковского", "By Zhukovsky's lever"),
-    "difference": ("Расхождение, %", "Difference, %"),
+    "difference_percent": ("Расхождение, %", "Difference, %"),
     "balance": ("ур", "b"),
-    "chebyshev": ("Степень подвижности по Чебышёву", "Degree of freedom (Chebyshev)"),
-    "reshetov": ("Избыточные связи по Решетову", "Redundant constraints (Reshetov)"),
     "formula": ("Формула строения", "Formula of structure"),
-    "group": ("группа {links}: II класс, {kind}-й вид", "group {links}: class II, kind {kind}"),
-    "on_from": ("F_{ij}: сила на звено i со стороны звена j", "F_{ij}: the force on link i from link j"),
-    "from_on": ("F_{ij}: сила со стороны звена i на звено j", "F_{ij}: the force from link i on link j"),
+    "group_of_kind": ("группа {links}: II класс, {kind}-й вид", "group {links}: class II, kind {kind}"),
+    "on_from": ("F_{{ij}}: сила на звено i со стороны звена j", "F_{{ij}}: the force on link i from link j"),
+    "from_on": ("F_{{ij}}: сила со стороны звена i на звено j", "F_{{ij}}: the force from link i on link j"),
     "ccw": ("против ч. с.", "counter-clockwise"),
     "cw": ("по ч. с.", "clockwise"),
-    "m": ("м", "m"),
-    "mm": ("мм", "mm"),
     "kg": ("кг", "kg"),
     "kgm2": ("кг·м²", "kg·m²"),
-    "m/s": ("м/с", "m/s"),
-    "m/s²": ("м/с²", "m/s²"),
-    "rad/s": ("рад/с", "rad/s"),
-    "rad/s²": ("рад/с²", "rad/s²"),
-    "N": ("Н", "N"),
     "W": ("Вт", "W"),
-    "N·m": ("Н·м", "N·m"),
-    "1/m": ("1/м", "1/m"),
-    "1/m²": ("1/м²", "1/m²"),
     "line_axis": ("штрихпунктирная тонкая ГОСТ 2.303", "thin chain line, GOST 2.303"),
     "line_phantom": ("штрихпунктирная с двумя точками ГОСТ 2.303", "chain line with two dots, GOST 2.303"),
     "line_dash": ("штриховая ГОСТ 2.303", "dashed line, GOST 2.303"),
@@ -148,20 +125,3 @@ WORDS: dict[str, tuple[str, str]] = {
         "a sheet is drawn for one position, but {count} were asked for; give one value",
     ),
 }
-
-
-def say(key: str, lang: Lang, **names: object) -> str:
-    """The words of a key in a language; braces of indices are kept where nothing is to be filled in."""
-    text = WORDS[key][0 if lang == "ru" else 1]
-    return text.format(**names) if names else text
-
-
-def decimal(text: str, lang: Lang) -> str:
-    """A printed number with a true minus and the decimal sign of the language."""
-    text = text.replace("-", "−")
-    return text.replace(".", ",") if lang == "ru" else text
-
-
-def number(value: float | None, lang: Lang, digits: int = 4) -> str:
-    """A number for people, a dash for none."""
-    return "—" if value is None else decimal(quantity(0.0 if value == 0 else value, "", digits), lang)
