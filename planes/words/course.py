@@ -213,25 +213,25 @@ COURSE: dict[str, tuple[str, str]] = {
     "task_friction": ("Коэффициент трения в направляющей {guide}: {f}.", "Friction in the guide {guide}: {f}."),
     "task_todo": ("Требуется", "To do"),
     "task_structure": (
-        "Строение: степень подвижности, избыточные связи, группы Ассура, формула строения.",
-        "Structure: degree of freedom, redundant constraints, Assur groups, formula of structure.",
+        "Строение: W, q, группы Ассура, формула строения.",
+        "Structure: W, q, Assur groups, formula of structure.",
     ),
     "task_position": ("План положения при {drive}.", "Position plan at {drive}."),
     "task_velocity": (
-        "План скоростей: скорости точек, угловые скорости звеньев и их направления.",
-        "Velocity plan: velocities of points, angular velocities of links and their senses.",
+        "План скоростей: скорости точек, угловые скорости звеньев.",
+        "Velocity plan: velocities of points, angular velocities of links.",
     ),
     "task_acceleration": (
-        "План ускорений: ускорения точек, угловые ускорения звеньев и их направления.",
-        "Acceleration plan: accelerations of points, angular accelerations of links and their senses.",
+        "План ускорений: ускорения точек, угловые ускорения звеньев.",
+        "Acceleration plan: accelerations of points, angular accelerations of links.",
     ),
     "task_force_plan": (
-        "Планы сил групп и ведущего звена: реакции во всех парах, уравновешивающая нагрузка.",
-        "Force plans of the groups and the driver: reactions in all pairs, the balancing load.",
+        "Планы сил групп и ведущего звена: реакции и уравновешивающая нагрузка.",
+        "Force plans of the groups and the driver: reactions and the balancing load.",
     ),
     "task_lever": (
-        "Рычаг Жуковского: проверка уравновешивающей нагрузки, расхождение в процентах.",
-        "Zhukovsky's lever: the balancing load checked, the difference in per cent.",
+        "Рычаг Жуковского: проверка уравновешивающей нагрузки.",
+        "Zhukovsky's lever: the balancing load checked.",
     ),
     "task_find": ("В ответе привести {names}.", "Give {names} as the answer."),
     # answers
