@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from render.names import Naming
-
-_GREEK = {"omega": "ω", "epsilon": "ε", "phi": "φ"}
+from render.names import Naming, rate_of
 
 
 def lettered_curve(name: str, naming: Naming) -> str:
@@ -23,8 +21,7 @@ def lettered_curve(name: str, naming: Naming) -> str:
         return f"a^{{k}}_{{{index}{axis}}}"
     if index == "slide":
         index, _, axis = axis.partition("_")
-    analogue = "q" if head.endswith("q") else ""
-    letter = _GREEK.get(head.removesuffix("q"), head.removesuffix("q"))
+    letter, analogue = rate_of(head)
     return f"{letter}_{{{analogue}{index}{axis}}}"
 
 

@@ -41,10 +41,10 @@ class Naming:
         return lettered(label) + PRIME * primes
 
     def vector(self, name: str) -> str:
-        """A vector or a value: v_CB, a_HL^k, F_21^t, G_2, I_2, P_5, omega_2, M_3, l_AB."""
+        """A vector or a value: v_CB, a_HL^k, F_21^t, G_2, I_2, P_5, omega_2, M_3, l_AB, omegaq_2 of a unit drive."""
         base, _, part = name.partition("^")
         letter, _, index = base.partition("_")
-        letter = _GREEK.get(letter, letter)
+        letter, analogue = rate_of(letter)
         if letter in ("F", "R") and index:
             index = self.reaction(index)
         elif letter == "I":
@@ -55,7 +55,9 @@ class Naming:
             index = self.reaction(index[2:])
         elif letter in ("v", "a"):
             index = self.driver if index == "drive" else index.removeprefix("slide_")
-            index = self.grounded(index)
+            index = analogue + self.grounded(index)
+        elif analogue:
+            index = analogue + index
         elif letter == "Fb":
             return self.balancing(False)
         return letter + (f"_{{{index.replace('_', ',')}}}" if index else "") + (f"^{{{part}}}" if part else "")
@@ -75,6 +77,13 @@ class Naming:
     def balancing(self, turning: bool) -> str:
         """The balancing moment or force."""
         return f"{'M' if turning else 'F'}_{{{say('balance', self.lang)}}}"
+
+
+def rate_of(letter: str) -> tuple[str, str]:
+    """The letter as it is written, and the index of an analogue: omegaq -> ω, q."""
+    plain = letter.removesuffix("q")
+    known = plain in ("v", "a", *_GREEK)
+    return (_GREEK.get(plain, plain), letter[len(plain) :]) if known else (letter, "")
 
 
 def lettered(name: str) -> str:

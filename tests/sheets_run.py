@@ -92,10 +92,16 @@ def look(job: Job, pictures: str | None = None) -> Looked:
     seconds = time.perf_counter() - start
     if pictures:
         write(sheet, Path(pictures) / f"{job.path.stem}-{job.number or 'page'}-{job.value or ''}.png", job.lang)
-    faults = [*clashes(sheet), *omissions(scene, values, sheet, job)]
+    faults = [*clashes(sheet), *unlettered(sheet), *omissions(scene, values, sheet, job)]
     led = leaders(sheet.marks)
     return Looked(job, tuple(faults), "", sheet.paper.name, full(sheet), empty(sheet), len(led),
                   len(crossings(sheet.marks)), seconds, sheet.warnings)  # fmt: skip
+
+
+def unlettered(sheet: Sheet) -> list[str]:
+    """Names as the program writes them, which no draughtsman would letter."""
+    raw = re.compile(r"omega|epsilon|phi|slide_|_drive|_[^{]|vq")
+    return [f"{m.text!r} is not lettered" for m in sheet.marks if isinstance(m, Text) and raw.search(m.text)]
 
 
 # overlaps

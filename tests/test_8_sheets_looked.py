@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 import sheets_run
-from sheets_run import Job, clashes, crossings, jobs, leaders, look, omissions, scene_of
+from sheets_run import Job, clashes, crossings, jobs, leaders, look, omissions, scene_of, unlettered
 
 from planes.roof import sheet_of
 from render.labels import Label, place
@@ -32,10 +32,19 @@ def test_the_looking_sees_what_is_wrong() -> None:
     name, at = next((m, k) for k, m in enumerate(sheet.marks) if isinstance(m, Text) and m.name == "C")
     struck = replace(sheet, marks=(*sheet.marks, Line((name.place, name.place + 4 + 4j))))
     assert any("'C' lies on 'line" in fault for fault in clashes(struck))
+    raw = replace(sheet, marks=(*sheet.marks, Text("M omegaq_1", 100 + 100j)))
+    assert unlettered(sheet) == [] and len(unlettered(raw)) == 1
     gone = replace(sheet, marks=tuple(moved(m, 400j) if k == at else m for k, m in enumerate(sheet.marks)))
     assert any("sticks out" in fault for fault in clashes(gone))
     unsaid = replace(sheet, marks=tuple(m for m in sheet.marks if not (isinstance(m, Text) and "21" in m.text)))
     assert any("F_21" in fault for fault in omissions(scene, None, unsaid, job))
+
+
+def test_the_lever_of_a_mechanism_at_rest_is_lettered() -> None:
+    job = Job(next(p for p in sheets_run.SAMPLES if p.stem == "bntu-1"), 2)
+    sheet = sheet_of(scene_of(job), None, "ru", 2)
+    assert any("ω_{q1}" in m.text for m in sheet.marks if isinstance(m, Text))
+    assert unlettered(sheet) == []
 
 
 def boxed_in(centre: complex) -> list[Mark]:
