@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,6 +13,10 @@ from planes.wording import PlanFailure, ProgramError, valid_names
 from planes.words import Phrase
 
 NOWHERE = complex("nan+nanj")  # the mark of a drawing of many that could not be drawn
+
+
+painters: list[Callable[[Drawing], str | None]] = []
+"""How a drawing is shown in a notebook; the renderer says it, once it is there."""
 
 
 @dataclass
@@ -32,6 +36,10 @@ class Drawing:
 
     def __contains__(self, name: object) -> bool:
         return name in self.things
+
+    def _repr_svg_(self) -> str | None:
+        """The picture a notebook shows: nothing before ``planes.roof`` is imported, as drawings know no pictures."""
+        return painters[-1](self) if painters else None
 
     @property
     def sharpness(self) -> dict[str, Any]:

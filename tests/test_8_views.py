@@ -13,8 +13,10 @@ from planes.scene import load
 from planes.solving import solve
 from planes.wording import PlanesError
 from render.labels.footprints import conflicts
+from render.marks import Line, Text
 from render.views import bounds
 from render.views.single import MARGIN_MM
+from render.views.traces import traced
 
 SAMPLES = {path.stem: path for path in sorted((Path(__file__).parent.parent / "samples").glob("*.yaml"))}
 
@@ -88,3 +90,15 @@ def test_a_notebook_shows_a_position_as_it_was_drawn():
     assert shown._repr_svg_().startswith("<svg ")
     assert shown.marks != picture(scene, "velocity-plan").marks
     assert "<svg" in picture(load(SAMPLES["vectors"]))._repr_svg_()
+
+
+@pytest.mark.parametrize("name", ["six-link", "kind-4-prp", "sliding-driver"])
+def test_a_drawing_shows_itself_with_every_plan(name):
+    drawing = solve(load(SAMPLES[name])).positions[0].drawing
+    page = traced(drawing, "en")
+    written = {m.text for m in page.marks if isinstance(m, Text)}
+    assert {"position plan", "velocity plan", "acceleration plan"} <= written
+    ends = [z for m in page.marks if isinstance(m, Line) for z in m.points]
+    lengths = {round(abs(a - b), 6) for a in ends for b in ends}
+    assert round(abs(drawing["velocity:b"]), 6) in lengths  # in mm, as it was drawn
+    assert drawing._repr_svg_().startswith("<svg ")

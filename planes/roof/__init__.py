@@ -8,6 +8,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from planes.drawing import Drawing, painters
 from planes.roof import sheets
 from planes.roof.graphs import views_beside
 from planes.roof.sheets import Drawn
@@ -24,8 +25,18 @@ from render.sheet import Sheet
 from render.sheet.composer import Composer
 from render.sheet.sizes import Sizes
 from render.views.single import Makers, Page, of_mechanism, of_scene_of_vectors, page
+from render.views.traces import traced
 
 SUFFIXES = (".svg", ".pdf", ".png", ".dxf")
+
+
+def shown(drawing: Drawing) -> str | None:
+    """A drawing by itself as SVG: its plans with the lines they were found by."""
+    page_of = traced(drawing)
+    return page_of._repr_svg_() if page_of else None
+
+
+painters[:] = [shown]
 
 
 def draw_sheet(
