@@ -28,17 +28,18 @@ def nearest(plans: Plans, value: float) -> float | None:
     while step <= far:
         for side in (1.0, -1.0):
             if works(plans, value + side * step):
-                return _edge(plans, value, side * before, side * step) if before else value + side * step
+                offset = side * step
+                return value + (edge(plans, value, side * before, offset, HALVINGS) if before else offset)
         before, step = step, step * GROWTH
     return None
 
 
-def _edge(plans: Plans, value: float, bad: float, good: float) -> float:
-    """The end of the working range between two offsets, on its working side."""
-    for _ in range(HALVINGS):
+def edge(plans: Plans, value: float, bad: float, good: float, halvings: int) -> float:
+    """The end of the working range between two offsets from a value, on its working side: an offset too."""
+    for _ in range(halvings):
         middle = (bad + good) / 2
         if works(plans, value + middle):
             good = middle
         else:
             bad = middle
-    return value + good
+    return good

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from planes.nearest import works
+from planes.nearest import edge, works
 from planes.plans import Plans
 
 FULL = 360.0
@@ -47,9 +47,5 @@ def _reach(plans: Plans, step: float, steps: int) -> float:
     start = plans.mechanism.drive.position
     for k in range(1, steps + 1):
         if not works(plans, start + k * step):
-            good, bad = (k - 1) * step, k * step
-            for _ in range(HALVINGS):
-                middle = (good + bad) / 2
-                good, bad = (middle, bad) if works(plans, start + middle) else (good, middle)
-            return abs(good)
+            return abs(edge(plans, start, k * step, (k - 1) * step, HALVINGS))
     return abs(steps * step)

@@ -153,19 +153,23 @@ class _Board:
     def costs(self, k: int, rows: slice = slice(None)) -> Any:
         """What the candidates of label k (or those ``rows``) cost among the present places of the others."""
         option = self.options[k].some(rows)
-        taken = np.delete(self.boxes, k, axis=0)
-        blocked = _overlaps(option.boxes, taken).sum(axis=1).astype(float)
-        close = _overlaps(option.boxes, taken, APART_MM).sum(axis=1)
-        leaders = np.delete(self.leaders, k, axis=0)
-        leaders = leaders[~np.isnan(leaders[:, 0])]
-        if len(leaders):
-            blocked += crossed(option.boxes[:, None, :] + _GROWN, leaders[None, :, :]).sum(axis=1)
+        blocked = self._clashes(k, option).sum(axis=1)
+        close = _overlaps(option.boxes, np.delete(self.boxes, k, axis=0), APART_MM).sum(axis=1)
+        return self.static[k][rows] + HARD * blocked + READ_AS_ONE * (close > 0)
+
+    def _clashes(self, k: int, option: Candidates) -> Any:
+        """How often each candidate of label k (rows) clashes with each other label (columns): letters and leaders."""
+        found = _overlaps(option.boxes, self.boxes).astype(int)
+        others = np.flatnonzero(~np.isnan(self.leaders[:, 0]))
+        leaders = self.leaders[others][None, :, :]
+        found[:, others] += crossed(option.boxes[:, None, :] + _GROWN, leaders)
         led = np.flatnonzero(~np.isnan(option.leaders[:, 0]))
         if len(led):
             own = option.leaders[led][:, None, :]
-            blocked[led] += crossed(taken[None, :, :] + _GROWN, own).sum(axis=1)
-            blocked[led] += meeting(own, leaders[None, :, :]).sum(axis=1)
-        return self.static[k][rows] + HARD * blocked + READ_AS_ONE * (close > 0)
+            found[led] += crossed(self.boxes[None, :, :] + _GROWN, own)
+            found[np.ix_(led, others)] += meeting(own, leaders)
+        found[:, k] = 0
+        return found
 
     def _take(self, k: int, option: int) -> None:
         self.chosen[k] = option
@@ -195,18 +199,10 @@ class _Board:
         free = [int(c) for c in np.argsort(self.static[k], kind="stable") if self.static[k][c] < HARD]
         for option in free:
             self._take(k, option)
-            held = self._in_the_way(k)
+            held = np.flatnonzero(self._clashes(k, self.options[k].some(slice(option, option + 1)))[0])
             if all(self._moves(int(j)) for j in held) and self.costs(k)[option] < HARD:
                 return
             self.chosen, self.boxes[:], self.leaders[:] = list(kept), boxes, leaders
-
-    def _in_the_way(self, k: int) -> list[int]:
-        """The labels that the present place of label k clashes with, by letters or by leader lines."""
-        box, leader = self.boxes[k], self.leaders[k]
-        found = _overlaps(box[None], self.boxes)[0] | crossed(box + _GROWN, self.leaders)
-        if not np.isnan(leader[0]):
-            found |= crossed(self.boxes + _GROWN, leader) | meeting(leader, self.leaders)
-        return [int(j) for j in np.flatnonzero(found) if j != k]
 
     def _moves(self, k: int) -> bool:
         costs = self.costs(k)
