@@ -10,7 +10,7 @@ from typing import Any
 from planes.instruments import Instrument
 from planes.measuring import BLUNT, Quantity, Reader, say_plan
 from planes.naming import mu_of
-from planes.nearest import works
+from planes.nearest import trials
 from planes.plans import Plans
 from planes.scales import FIT_MM, extent, kind_of
 from planes.scene import Scene
@@ -101,7 +101,7 @@ def interpolated(plans: Plans, draw: Draw, value: float, why: str, lang: Lang) -
     """
     drive = plans.mechanism.drive
     near = [value - BESIDE_DEG, value + BESIDE_DEG]
-    if drive.kind != "phi" or not all(works(plans, v) for v in near):
+    if drive.kind != "phi" or not all(map(trials(plans), near)):
         return None
     way = math.copysign(ASIDE_DEG, drive.velocity)
     ways = {

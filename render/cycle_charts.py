@@ -19,15 +19,13 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 from planes.words import Lang, say
+from render.chart_files import save
 from render.charts import LOOKS, STYLE
 from render.curve_names import lettered_curve
 from render.names import Naming
-from render.numbers import number
+from render.numbers import number, with_unit
 
 LOOK: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path", "axes.grid": False}
-METADATA: dict[str, dict[str, Any]] = {
-    ".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None},
-}  # fmt: skip
 WIDE = 7.2  # inches
 TALL = 1.9  # of one pair of axes
 SQUARE = 3.6  # of a hodograph
@@ -92,7 +90,7 @@ def draw(
                 _loop(plot, loop, naming)
             for plot in squares[len(loops):]:
                 plot.set_axis_off()
-        figure.savefig(path, metadata=METADATA[path.suffix.lower()])
+        save(figure, path)
 
 
 def _math(text: str) -> str:
@@ -128,13 +126,14 @@ def _degrees(plot: Any, axis: Drawn, lang: Lang) -> None:
     for x in axis.stations:
         plot.annotate(number(_told(x, axis), lang), (x, 0), (0, -3), ha="center", fontsize=8.5, **where)
     letter = _math(f"{'φ' if axis.turning else 's'}_{{{axis.link}}}")
-    unit = "°" if axis.turning else say("m", lang)
-    plot.annotate(f"{letter}, {unit}", (axis.end, 0), (0, -16), ha="right", fontsize=10, **where)
+    text = with_unit(letter, "°" if axis.turning else "m", lang)
+    plot.annotate(text, (axis.end, 0), (0, -16), ha="right", fontsize=10, **where)
 
 
 def _told(place: float, axis: Drawn) -> float:
     """A place on the axis as it is written: an angle within one turn, to a tenth of a degree."""
-    return round(float(place) % 360.0 if axis.end - axis.start > 359 else float(place), 1 if axis.turning else 3)
+    told = round(float(place), 1 if axis.turning else 3)
+    return told % 360.0 if axis.end - axis.start > 359 else told
 
 
 def _frame(plot: Any, panel: Panel, axis: Drawn, naming: Naming) -> None:
@@ -154,9 +153,8 @@ def _frame(plot: Any, panel: Panel, axis: Drawn, naming: Naming) -> None:
     plot.plot(1, zero, ">", transform=plot.get_yaxis_transform(), **arrow)
     plot.plot(0, 1, "^", transform=plot.transAxes, **arrow)
     names = ", ".join(_math(lettered_curve(name, naming)) for name, _, _ in panel.curves)
-    unit = "" if panel.unit == "1" else f", {say(panel.unit, naming.lang)}"
-    plot.annotate(names + unit, (0, 1), (7, -2), xycoords="axes fraction", textcoords="offset points", va="top",
-                  fontsize=10)  # fmt: skip
+    plot.annotate(with_unit(names, panel.unit, naming.lang), (0, 1), (7, -2), xycoords="axes fraction",
+                  textcoords="offset points", va="top", fontsize=10)  # fmt: skip
     plot.yaxis.set_major_formatter(lambda v, _: number(float(f"{v:.6g}"), naming.lang))
     plot.locator_params(axis="y", nbins=5)
 
@@ -237,9 +235,8 @@ def _square(plot: Any, loop: Loop, naming: Naming, path: bool, ink: Sequence[com
     name = loop.name.removeprefix("r_") if path else lettered_curve(loop.name, naming)
     key = "chart_path" if path else "chart_hodograph"
     plot.set_title(say(key, lang, name=_math(naming.point(name) if path else name)), fontsize=10)
-    unit = say(loop.unit, lang)
-    plot.set_xlabel(f"{_math('x')}, {unit}")
-    plot.set_ylabel(f"{_math('y')}, {unit}")
+    plot.set_xlabel(with_unit(_math("x"), loop.unit, lang))
+    plot.set_ylabel(with_unit(_math("y"), loop.unit, lang))
     xs, ys = [z.real for z in ink] or [0.0], [z.imag for z in ink] or [0.0]
     half = 0.6 * max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0
     x, y = (max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2

@@ -11,6 +11,7 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 from planes.words import Lang, say
+from render.chart_files import save
 from render.charts import STYLE
 
 INK = ("#000000", "#1f5fa8", "#c1440e", "#2f7d32", "#7a3b8f", "#8a6d00", "#777777", "#0f8b8d", "#d0307a")
@@ -62,12 +63,7 @@ def draw(
             plots[0].set_title(say("chart_no_limit", lang), fontsize=10)
         else:
             _stability(plots[1], ways, lang)
-        figure.savefig(path, metadata=METADATA[path.suffix.lower()])
-
-
-METADATA: dict[str, dict[str, Any]] = {
-    ".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None},
-}  # fmt: skip
+        save(figure, path)
 
 
 def _speed(plot: Any, spots: Sequence[Spot], front: Sequence[Spot], seconds: str, lang: Lang) -> None:

@@ -1,7 +1,7 @@
 """Sheets looked over mark by mark, before any backend: what overlaps, what leaves the field, what is not named.
 
     python tests/sheets_run.py --samples --assignments --processes 2
-    python tests/sheets_run.py samples/kind-3-rpr.yaml --pictures FOLDER
+    python tests/sheets_run.py samples/kind-3-rpr.yaml --lang en --pictures FOLDER
 
 Run by hand it goes through every sample in twelve positions and sheets 1, 2 and the single page of all assignments,
 prints each fault in a line, then how full the sheets are, and ends with 1 where anything was wrong.
@@ -27,6 +27,7 @@ from planes.roof import sheet_of, write
 from planes.scene import Scene, load
 from planes.solving import Position, solve
 from planes.wording import PlanesError
+from planes.words import Lang
 from render.labels.footprints import conflicts, described
 from render.marks import Arrow, Line, Mark, Text
 from render.names import Naming
@@ -51,12 +52,13 @@ class Job:
     number: int | None
     value: float | None = None
     variant: str | None = None
-    lang: str = "ru"
+    lang: Lang = "ru"
 
     def __str__(self) -> str:
         at = "" if self.value is None else f" at {self.value:g}"
         variant = f" {self.variant}" if self.variant else ""
-        return f"{self.path.stem}{variant}{at}, {f'sheet {self.number}' if self.number else 'one page'}"
+        lang = "" if self.lang == "ru" else f" in {self.lang}"
+        return f"{self.path.stem}{variant}{at}{lang}, {f'sheet {self.number}' if self.number else 'one page'}"
 
 
 @dataclass(frozen=True)
@@ -92,7 +94,8 @@ def look(job: Job, pictures: str | None = None) -> Looked:
     seconds = time.perf_counter() - start
     if pictures:
         write(sheet, Path(pictures) / f"{job.path.stem}-{job.number or 'page'}-{job.value or ''}.png", job.lang)
-    faults = [*clashes(sheet), *unlettered(sheet), *omissions(scene, values, sheet, job)]
+    faults = [*clashes(sheet), *unlettered(sheet), *untranslated(sheet, job.lang)]
+    faults += omissions(scene, values, sheet, job)
     led = leaders(sheet.marks)
     return Looked(job, tuple(faults), "", sheet.paper.name, full(sheet), empty(sheet), len(led),
                   len(crossings(sheet.marks)), seconds, sheet.warnings)  # fmt: skip
@@ -102,6 +105,12 @@ def unlettered(sheet: Sheet) -> list[str]:
     """Names as the program writes them, which no draughtsman would letter."""
     raw = re.compile(r"omega|epsilon|phi|slide_|_drive|_[^{]|vq")
     return [f"{m.text!r} is not lettered" for m in sheet.marks if isinstance(m, Text) and raw.search(m.text)]
+
+
+def untranslated(sheet: Sheet, lang: Lang) -> list[str]:
+    """Russian words on an English sheet."""
+    texts = (m.text for m in sheet.marks if isinstance(m, Text))
+    return [f"{text!r} is Russian" for text in texts if lang == "en" and re.search("[А-яЁё]", text)]
 
 
 # overlaps
@@ -176,9 +185,9 @@ def omissions(scene: Scene, values: list[float] | None, sheet: Sheet, job: Job) 
     """Names of the results that are nowhere on the sheet, unless a sentence says that they were left out."""
     if scene.mechanism is None:
         return []
-    position = solve(scene, values, None, job.lang).positions[0]  # type: ignore[arg-type]
+    position = solve(scene, values, None, job.lang).positions[0]
     drive = scene.mechanism.drive.link
-    naming = Naming(job.lang, scene.frame_number, scene.sheet.get("reactions") == "from-on", drive)  # type: ignore[arg-type]
+    naming = Naming(job.lang, scene.frame_number, scene.sheet.get("reactions") == "from-on", drive)
     there = said(sheet)
     parts = {None: (kinematics, forces), 1: (kinematics,), 2: (forces,)}[job.number]
     named = [pair for part in parts for pair in part(position, naming)]
@@ -252,16 +261,18 @@ def empty(sheet: Sheet) -> float:
 # everything
 
 
-def jobs(samples: bool, assignments: bool, named: Sequence[str] = (), twelve: bool = True) -> list[Job]:
+def jobs(
+    samples: bool, assignments: bool, named: Sequence[str] = (), twelve: bool = True, lang: Lang = "ru"
+) -> list[Job]:
     """Every sheet of the samples in twelve positions and of the assignments in their own."""
     found = []
     for path in [Path(n) for n in named] or (SAMPLES if samples else []):
         scene = load(path)
         numbers = NUMBERS if scene.mechanism else (None,)
-        found += [Job(path, n) for n in numbers]
+        found += [Job(path, n, lang=lang) for n in numbers]
         if scene.mechanism and twelve:
-            found += [Job(path, n, v) for v in positions(scene) for n in numbers]
-    return found + [Job(path, n) for path in (ASSIGNMENTS if assignments else []) for n in NUMBERS]
+            found += [Job(path, n, v, lang=lang) for v in positions(scene) for n in numbers]
+    return found + [Job(path, n, lang=lang) for path in (ASSIGNMENTS if assignments else []) for n in NUMBERS]
 
 
 def positions(scene: Scene) -> list[float]:
@@ -280,12 +291,13 @@ def main() -> int:
     parser.add_argument("--samples", action="store_true")
     parser.add_argument("--assignments", action="store_true")
     parser.add_argument("--one", action="store_true", help="only the position each scene gives")
+    parser.add_argument("--lang", choices=("ru", "en"), default="ru")
     parser.add_argument("--pictures", metavar="FOLDER")
     parser.add_argument("--processes", type=int, default=1)
     parser.add_argument("--seed", type=int, help="only some of them, drawn at random")
     parser.add_argument("--count", type=int, default=100, help="how many, with --seed")
     args = parser.parse_args()
-    wanted = jobs(args.samples, args.assignments, args.scenes, not args.one)
+    wanted = jobs(args.samples, args.assignments, args.scenes, not args.one, args.lang)
     if args.seed is not None:
         wanted = random.Random(args.seed).sample(wanted, min(args.count, len(wanted)))
     found = []

@@ -15,13 +15,16 @@ from mechanisms import KINDS, make, to_yaml
 from oracle import solve as solve_independently
 
 from planes.diagrams.curves import UNIT, curves_of
-from planes.diagrams.extremes import extremes, grid
+from planes.diagrams.extremes import extremes
+from planes.diagrams.motion import dead_points, driven_grid
 from planes.diagrams.summary import Summary, summary
 from planes.diagrams.text import as_json, decimals, report
-from planes.diagrams.turn import Turn, turn_of, unwound
+from planes.diagrams.turn import Turn, grid, reach, span_of, turn_of, unwound
+from planes.nearest import trials
 from planes.plans import Plans, state
 from planes.scene import Scene, load, loads
 from planes.wording import PlanesError
+from planes.working import Span
 
 SAMPLES = Path(__file__).parents[1] / "samples"
 R, L = 0.1, 0.35
@@ -230,6 +233,45 @@ def test_limits_of_assembly_are_found_and_what_grows_there_is_said() -> None:
     plain = as_json(found)
     assert any(e.get("unbounded") for e in plain["curves"]["u_31"]["extremes"])
     json.dumps(plain, allow_nan=False)
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_a_driver_can_go_as_far_as_every_step_can_be_drawn(seed: int) -> None:
+    rng = random.Random(seed)
+    plans = plans_of(to_yaml(make(rng, [KINDS[seed % 5]], friction=False).scene))
+    works = trials(plans)
+    span, (low, high), drive = span_of(plans), reach(plans), plans.mechanism.drive
+    assert span.start <= drive.position <= span.end
+    assert all(map(works, Span(span.start, span.end).inner(0.01).values(20)))
+    assert span.whole or drive.kind == "s" or span.end - span.start < 360
+    beside = 1e-5 * (high - low)
+    for end, way, far in ((span.start, -1, low), (span.end, 1, high)):
+        assert span.whole or (drive.kind == "s" and abs(end - far) < beside) or not works(end + way * beside)
+
+
+def test_nothing_is_told_of_where_the_mechanism_does_not_assemble() -> None:
+    found = summed((SAMPLES / "assignments" / "66.yaml").read_text(encoding="utf-8"))
+    ((low, high),) = found.ranges
+    row = next(r for r in found.rows if "phi_5" in r.names)
+    assert row.greatest.value - row.least.value == pytest.approx(high - low, abs=1e-6)
+    path = next(p for p in found.paths if p.point == "A")
+    assert path.y == pytest.approx((0.5 * math.sin(math.radians(low)), 0.5), abs=1e-6)
+
+
+def test_what_grows_where_a_sliding_driver_stops_is_said(capsys: Any) -> None:
+    from planes.cli import main
+
+    assert main(["cycle", str(SAMPLES / "sliding-driver.yaml"), "--lang", "en"]) == 0
+    out = capsys.readouterr().out
+    assert "Assembles for s1 = -0.137878 m…0.85 m" in out and "→ ∞  -0.137878 m" in out and "·10" not in out
+
+
+def test_dead_points_are_those_of_places_and_need_no_motion() -> None:
+    moving, resting = (dead_points(driven_grid(plans_of(crank(0.05, w)), 0.0, 360.0)) for w in (20.0, 0.0))
+    assert moving == resting and len(moving) == 2
+    assert moving[0] == pytest.approx(math.degrees(math.asin(0.05 / (L + R))), abs=1e-9)
+    turning_over = plans_of((SAMPLES / "assignments" / "57.yaml").read_text(encoding="utf-8"))
+    assert dead_points(driven_grid(turning_over, 30.0, 390.0)) == pytest.approx([360.0, 370.1618], abs=1e-4)
 
 
 def test_a_double_crank_has_no_extreme_position() -> None:

@@ -13,6 +13,7 @@ from planes.roof import sheet_of, view_of
 from planes.scene import load
 from render.marks import Arc, Line, Text
 from render.names import Naming
+from render.numbers import scale, unit, with_unit
 from render.typeset import plain
 from render.views.graphical import Graphical, cropped, smooth
 from render.views.hodograph import _pieces
@@ -72,3 +73,10 @@ def test_the_self_aligning_variant_names_every_pair(lang: str) -> None:
     said = " ".join(plain(m.text) for m in found.marks if isinstance(m, Text))
     short = ("1в", "2ц", "3с") if lang == "ru" else ("1R", "2C", "3S")
     assert all(text in said for text in (*short, "W = 6n", "q = 0", "(5–6)", "(2–4)"))
+
+
+def test_a_unit_is_said_in_one_way_everywhere():
+    assert [unit(key, "ru") for key in ("°", "1", "", "kgm2", "1/m")] == ["°", "", "", "кг·м²", "1/м"]
+    told = [scale(20.0, key, "en") for key in ("m", "m/s²", "°", "1")]
+    assert told == ["20 mm/m", "20 mm/(m/s²)", "20 mm/°", "20 mm"]
+    assert (with_unit("u", "1", "en"), with_unit("v", "m/s", "ru")) == ("u", "v, м/с")

@@ -9,12 +9,12 @@ from pathlib import Path
 import pytest
 
 from planes.cli import main
+from planes.diagrams.turn import span_of
 from planes.plans.driven import driven
 from planes.roof import sheet_of
 from planes.roof.turning import turned_once
 from planes.scene import load, loads
 from planes.solving import plans_of, solve
-from planes.working import span_of
 from render.marks import Arrow, Line, Text
 from render.names import Naming
 from render.sheet.composer import Composer

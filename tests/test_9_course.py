@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -175,6 +176,21 @@ def test_a_slip_of_a_document_is_a_sentence(whole: Path, tmp_path: Path, monkeyp
     assert slip in said.err
     assert (at / "out/students/Студент-1/task.pdf").is_file()
     assert not (at / "out/teacher/Студент-1/lesson.html").exists()
+
+
+def test_what_a_sheet_leaves_out_is_said_and_said_again_of_a_sheet_that_is_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    drawn = documents.sheet_of
+    monkeypatch.setattr(documents, "sheet_of", lambda *how: replace(drawn(*how), warnings=("no room on A4",)))
+    at = folder(tmp_path / "course", LIGHT.replace("task, blank, key", "task, sheets"), 1)
+    for made in ("5 files made, 0 verified", "0 files made, 5 verified"):
+        assert main(["course", str(at), "--jobs", "1", "--lang", "en"]) == 0
+        told = capsys.readouterr()
+        assert told.err == "".join(f"Студент-1/sheet-{n}.pdf: no room on A4\n" for n in (1, 2)) and made in told.out
+    listed = json.loads((at / "out/manifest.json").read_text("utf-8"))["files"]
+    said = {name: entry["said"] for name, entry in listed.items() if "said" in entry}
+    assert said == {f"teacher/Студент-1/sheet-{n}.pdf": ["no room on A4"] for n in (1, 2)}
 
 
 def test_all_documents_in_all_formats(tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ import pypdfium2
 import pytest
 from crank_slider_scenes import SAMPLE, changed, two_stroke
 
+from planes import roof
 from planes.cli import main
 
 REFUSALS = [
@@ -137,3 +138,10 @@ def test_the_force_plans_stand_on_a_sheet(tmp_path, capsys):
     assert "F_{32}" in sheet.read_text(encoding="utf-8") or "F_32" in sheet.read_text(encoding="utf-8")
     assert main(["crank-slider", scene, "--sheet", str(sheet), "--phi", "900", "--lang", "en"]) == 2
     assert "from 0° to 720°" in capsys.readouterr().err
+
+
+def test_what_the_sheet_leaves_out_is_said(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(roof, "draw_sheet", lambda *how: ("no room on A4",))
+    (tmp_path / "scene.yaml").write_text(SAMPLE, encoding="utf-8")
+    assert main(["crank-slider", str(tmp_path / "scene.yaml"), "--sheet", "sheet.svg", "--lang", "en"]) == 0
+    assert capsys.readouterr().err == "no room on A4\n"

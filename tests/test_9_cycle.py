@@ -212,3 +212,9 @@ def test_structure_is_told_even_where_the_variant_is_not(tmp_path: Path, capsys:
     assert json.loads(capsys.readouterr().out)["self_aligning"] is None
     assert main(["structure", TWELVE, "--lang", "en"]) == 0
     assert "30 − 10 − 16 − 3 = 1, q = 0" in capsys.readouterr().out
+
+
+def test_one_place_makes_no_diagram(tmp_path: Path, capsys: Any) -> None:
+    out = tmp_path / "x.png"
+    told = refused(capsys, SIX, "--phi", "240", "-o", str(out))
+    assert "diagrams need a range of positions: --phi 0:360:1" in told and not out.exists()

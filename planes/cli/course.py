@@ -1,4 +1,4 @@
-"""``planes course``: the whole set of a course, what was made, and what could not be."""
+"""``planes course``: the whole set of a course, what was made, what could not be, and what must be said of it."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def run(args: argparse.Namespace) -> int:
     folder = Path(args.output) if args.output else Path(course.file).parent / FOLDER
     with crowd(args.jobs, args.scheduler) as each, bar() as step:
         report = conduct(course, folder, each, lang, step, bool(args.scheduler))
-    for place, file, sentence in report.faults:
+    for place, file, sentence in (*report.faults, *report.said):
         print(f"{place}{f'/{file}' if file else ''}: {sentence}", file=sys.stderr)
     counts = {"students": len(course.students), "made": report.made, "kept": report.kept, "faults": len(report.faults)}
     print(say("course_done", args.lang, folder=str(folder), **counts))

@@ -101,8 +101,9 @@ def _summary(args: argparse.Namespace, scene: Scene, span: Span | None, as_json:
     from planes.diagrams.summary import summary
     from planes.diagrams.text import as_json as plain
     from planes.diagrams.text import report
+    from planes.diagrams.turn import reach
     from planes.plans import state
-    from planes.working import FULL, span_of
+    from planes.working import FULL
 
     assert scene.mechanism
     plans = state(scene.mechanism, scene.file)
@@ -111,7 +112,7 @@ def _summary(args: argparse.Namespace, scene: Scene, span: Span | None, as_json:
     elif scene.mechanism.drive.kind == "phi":
         ends = 0.0, FULL
     else:
-        ends = span_of(plans).start, span_of(plans).end
+        ends = reach(plans)
     found = summary(scene, plans, *ends, _names(args))
     if not found.grid.works.any():
         first, last = (f"{x:g}" for x in ends)

@@ -11,7 +11,7 @@ import json
 import os
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from planes.wording import PlanesError
 from planes.words import Phrase
@@ -25,8 +25,21 @@ def digest(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
+class Entry(NamedTuple):
+    """The hash of what a file was made from, the hash of the file, and sentences that must be said of it."""
+
+    source: str = ""
+    sha256: str = ""
+    said: tuple[str, ...] = ()
+
+    def json(self) -> dict[str, Any]:
+        """As the manifest has it."""
+        said = {"said": list(self.said)} if self.said else {}
+        return {"from": self.source, "sha256": self.sha256, **said}
+
+
 class Ledger:
-    """The files of one folder: name within it -> (hash of what it was made from, hash of the file)."""
+    """The files of one folder by their names within it."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
@@ -36,12 +49,12 @@ class Ledger:
             _lock(self.journal, folder)
             for part in folder.rglob(f".*{PART}"):
                 part.unlink()
-            self.entries: dict[str, tuple[str, str]] = dict(self._read())
+            self.entries: dict[str, Entry] = dict(self._read())
             self.journal.write("\n")  # after a line that was cut short
         except OSError as error:
             raise _refused(error, folder) from None
 
-    def _read(self) -> Iterable[tuple[str, tuple[str, str]]]:
+    def _read(self) -> Iterable[tuple[str, Entry]]:
         """What the manifest says, then the journal's whole lines."""
         manifest = self.folder / MANIFEST
         listed = _parsed(manifest.read_text("utf-8", "replace")).get("files") if manifest.is_file() else None
@@ -53,17 +66,20 @@ class Ledger:
 
     def fresh(self, name: str, source: str) -> bool:
         """Whether the file is there as it was made, and was made from the same."""
-        made_from, is_now = self.entries.get(name, ("", ""))
+        entry = self.entries.get(name, Entry())
         path = self.folder / name
-        return made_from == source and path.is_file() and digest(path.read_bytes()) == is_now
+        return entry.source == source and path.is_file() and digest(path.read_bytes()) == entry.sha256
 
-    def keep(self, name: str, source: str, data: bytes) -> None:
+    def said(self, name: str) -> tuple[str, ...]:
+        """What must be said of a file that is there."""
+        return self.entries.get(name, Entry()).said
+
+    def keep(self, name: str, source: str, data: bytes, said: tuple[str, ...] = ()) -> None:
         """Write a file whole, then its line."""
         try:
             put(self.folder / name, data)
-            self.entries[name] = (source, digest(data))
-            line = {"name": name, "from": source, "sha256": digest(data)}
-            self.journal.write(json.dumps(line, ensure_ascii=False) + "\n")
+            entry = self.entries[name] = Entry(source, digest(data), said)
+            self.journal.write(json.dumps({"name": name, **entry.json()}, ensure_ascii=False) + "\n")
             self.journal.flush()
         except OSError as error:
             raise _refused(error, self.folder / name) from None
@@ -73,7 +89,7 @@ class Ledger:
         try:
             for name in self.entries.keys() - set(wanted) if wanted is not None else ():
                 self.forget(name)
-            files = {name: {"from": a, "sha256": b} for name, (a, b) in sorted(self.entries.items())}
+            files = {name: entry.json() for name, entry in sorted(self.entries.items())}
             text = json.dumps({"planes": 1, "files": files}, ensure_ascii=False, indent=1) + "\n"
             put(self.folder / MANIFEST, text.encode())
             self.journal.close()
@@ -83,7 +99,7 @@ class Ledger:
 
     def forget(self, name: str) -> None:
         """Take away a file made earlier, unless a person has changed it."""
-        path, (_, was) = self.folder / name, self.entries.pop(name, ("", ""))
+        path, was = self.folder / name, self.entries.pop(name, Entry()).sha256
         if path.is_file() and digest(path.read_bytes()) == was:
             path.unlink()
             for folder in path.parents:
@@ -112,9 +128,13 @@ def _parsed(text: str) -> dict[str, Any]:
     return found if isinstance(found, dict) else {}
 
 
-def _entry(said: Any) -> tuple[str, str]:
-    """What a file was made from, and its hash."""
-    return (str(said.get("from")), str(said.get("sha256"))) if isinstance(said, dict) else ("", "")
+def _entry(read: Any) -> Entry:
+    """An entry of the manifest or the journal, an empty one if it is none."""
+    if not isinstance(read, dict):
+        return Entry()
+    said = read.get("said")
+    sentences = tuple(map(str, said)) if isinstance(said, list) else ()
+    return Entry(str(read.get("from")), str(read.get("sha256")), sentences)
 
 
 def _lock(file: Any, folder: Path) -> None:

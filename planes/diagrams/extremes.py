@@ -1,4 +1,4 @@
-"""Extremes of curves, refined between the positions of a grid; limits of assembly; both found for many curves at once.
+"""Extremes of curves, refined between the positions of a grid, for many curves at once.
 
 Where a curve's derivative is in the program (a place's is its analogue of velocity, a velocity's its analogue of
 acceleration) the extreme is where that crosses zero; else the bracket is closed in on the value itself, which fixes the
@@ -8,19 +8,17 @@ value to the last digits and the place to about 10⁻⁶ of a degree.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from planes.diagrams.curves import Curve
-from planes.diagrams.turn import Turn, unwound
+from planes.diagrams.turn import Grid, Turn
 from planes.working import FULL
 
 CELLS = 8  # parts a bracket is cut into, each round
 ROUNDS = 14
 STILL = 1e-11  # a curve that varies less than this, beside its size, is constant
-FLIP = 90.0  # degrees a link cannot turn by from one place to the next
 GROWS = 3.0  # how many times larger ten thousand times nearer to a limit: without bound
 
 
@@ -33,75 +31,6 @@ class Extreme:
     value: float
     sense: int
     at: str = ""
-
-
-@dataclass(frozen=True)
-class Grid:
-    """A turn sampled at evenly spaced places; ``closed``: the first and the last are one position."""
-
-    turn: Turn
-    places: Any
-    closed: bool
-
-    @cached_property
-    def sample(self) -> dict[str, Any]:
-        """The columns at every place."""
-        return self.turn.sample(self.places)
-
-    @cached_property
-    def works(self) -> Any:
-        """Where the mechanism assembles: a mask, by the columns of places."""
-        found = np.ones(len(self.places), bool)
-        for name, row in self.sample.items():
-            if name.startswith(("r_", "phi_", "q:v_", "q:omega_")):
-                found &= np.isfinite(row)
-        return found
-
-    def values(self, curve: Curve) -> Any:
-        """A curve over the grid, angles unwound."""
-        found = curve.read(self.sample) + np.zeros(len(self.places))
-        return unwound(found) if curve.angular else found
-
-    @cached_property
-    def limits(self) -> tuple[tuple[int, float], ...]:
-        """Limits of assembly: the last working place of the grid beside each, and the limit itself (to 10⁻¹²)."""
-        inside = np.flatnonzero(self.works[1:] != self.works[:-1])
-        good = np.where(self.works[inside], inside, inside + 1)
-        low = self.places[good].copy()
-        high = self.places[np.where(self.works[inside], inside + 1, inside)].copy()
-        if not len(inside):
-            return ()
-        for _ in range(44):
-            middle = (low + high) / 2
-            ok = Grid(self.turn, middle, False).works
-            low, high = np.where(ok, middle, low), np.where(ok, high, middle)
-        return tuple((int(i), float(z)) for i, z in zip(good, low, strict=True))
-
-    @cached_property
-    def flips(self) -> tuple[tuple[str, float], ...]:
-        """Curves of angles that turn over, and where: a slider passes through its hinge, the assembly changes."""
-        found = []
-        for curve in (c for c in self.turn.curves if c.angular):
-            for i in np.flatnonzero(np.abs(np.diff(self.values(curve))) > FLIP):
-                low, high = float(self.places[i]), float(self.places[i + 1])
-                for _ in range(24):
-                    middle = (low + high) / 2
-                    low, high = (middle, high) if self._turn(curve, low, middle) <= FLIP else (low, middle)
-                if not self._turn(curve, low, high) <= FLIP:  # or it cannot be drawn there at all
-                    found.append((curve.name, high))
-        return tuple(found)
-
-    def _turn(self, curve: Curve, one: float, two: float) -> float:
-        a, b = curve.read(self.turn.sample([one, two])) + np.zeros(2)
-        return float(abs((b - a + FULL / 2) % FULL - FULL / 2))
-
-
-def grid(turn: Turn, start: float, end: float, least: int = 721) -> Grid:
-    """A grid of at least so many places; closed if it is a whole turn of a crank that works all the way."""
-    count = max(least, 2) if end > start else 1
-    g = Grid(turn, np.linspace(start, end, count), False)
-    whole = turn.plans.mechanism.drive.kind == "phi" and abs(end - start - FULL) < 1e-9
-    return Grid(turn, g.places, bool(whole and g.works.all()))
 
 
 @dataclass

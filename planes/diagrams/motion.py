@@ -7,16 +7,16 @@ from typing import Any
 import numpy as np
 
 from planes.diagrams.curves import curves_of, ratio_name
-from planes.diagrams.extremes import extremes, grid
+from planes.diagrams.extremes import extremes
 from planes.diagrams.graphical import Construction, differentiated, integrated
 from planes.diagrams.stages import Motion
-from planes.diagrams.turn import Turn, turn_of, unwound
+from planes.diagrams.turn import Grid, Turn, grid, span_of, turn_of, unwound
 from planes.plans import Plans, state
 from planes.plans.driven import driven
 from planes.scene import Scene
 from planes.wording import PlanesError
 from planes.words import Phrase
-from planes.working import FULL, span_of
+from planes.working import FULL
 
 DENSE = 10  # places of the drawn curve within a section
 FEWEST, MOST = 6, 72
@@ -77,10 +77,24 @@ def ends_of(plans: Plans) -> tuple[float, float, bool]:
     if not span.whole:
         inner = span.inner(INSET)
         return inner.start, inner.end, False
-    turn = turn_of(plans, _names(plans, *driven(plans))[:1])
-    inner_extremes = [e.place for e in extremes(grid(turn, 0.0, FULL))[0] if not e.at]
-    start = min(inner_extremes, default=0.0)
+    start = min(dead_points(driven_grid(plans, 0.0, FULL)), default=0.0)
     return start, start + FULL, True
+
+
+def driven_grid(plans: Plans, start: float, end: float) -> Grid:
+    """The driven link's place between two places of the driver."""
+    return grid(turn_of(plans, _names(plans, *driven(plans))[:1]), start, end)
+
+
+def dead_points(g: Grid) -> list[float]:
+    """Where the driven link turns back, in order: not where it turns over, nor at ends of the range and of assembly."""
+    cell = 1.01 * (g.places[-1] - g.places[0]) / max(1, len(g.places) - 1)
+    return [e.place for e in extremes(g)[0] if not e.at and all(_apart(e.place, z, g) > cell for _, z in g.flips)]
+
+
+def _apart(one: float, two: float, g: Grid) -> float:
+    """How far two places of the driver are apart, the short way round where it goes round."""
+    return abs((one - two + FULL / 2) % FULL - FULL / 2) if g.closed else abs(one - two)
 
 
 def constructed(scene: Scene, sections: int, pole_mm: float | None = None) -> list[Construction]:

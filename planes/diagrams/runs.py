@@ -6,10 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from planes.diagrams.extremes import Grid, extremes, grid
-from planes.diagrams.motion import ends_of
-from planes.diagrams.summary import output_curves
-from planes.diagrams.turn import turn_of
+from planes.diagrams.motion import dead_points, driven_grid, ends_of
 from planes.plans import Plans
 from planes.working import FULL
 
@@ -23,9 +20,8 @@ class Runs:
 
     def __init__(self, plans: Plans, start: float, end: float) -> None:
         self.plans, self.start, self.end = plans, start, end
-        self.grid: Grid = grid(turn_of(plans, output_curves(plans)[:1]), start, end)
-        self.dead = [e.place for e in extremes(self.grid)[0] if not e.at]
-        self.closed = self.grid.closed
+        places = driven_grid(plans, start, end)
+        self.dead, self.closed = dead_points(places), places.closed
 
     @classmethod
     def whole(cls, plans: Plans) -> Runs:

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from planes.diagrams.curves import Curve, ratio_name
-from planes.diagrams.extremes import Extreme, Grid, extremes, grid, varies
-from planes.diagrams.turn import turn_of
+from planes.diagrams.extremes import Extreme, extremes, varies
+from planes.diagrams.turn import Grid, grid, in_one_piece, turn_of
 from planes.mechanism import FRAME
 from planes.plans import Plans
 from planes.plans.driven import driven
@@ -94,14 +94,7 @@ class Summary:
     @cached_property
     def ranges(self) -> tuple[tuple[float, float], ...]:
         """The parts of the range in which the mechanism assembles."""
-        works, places, limits = self.grid.works, self.grid.places, dict(self.grid.limits)
-        edges = np.flatnonzero(np.diff(np.concatenate(([False], works, [False])).astype(int)))
-        found = []
-        for first, last in zip(edges[::2], edges[1::2] - 1, strict=True):
-            low = limits.get(int(first), float(places[first])) if first else float(places[0])
-            high = limits.get(int(last), float(places[last])) if last < len(places) - 1 else float(places[-1])
-            found.append((low, high))
-        return tuple(found)
+        return self.grid.ranges
 
     @cached_property
     def stroke(self) -> Stroke | None:
@@ -212,18 +205,7 @@ def summary(
     count = max(721, round(abs(end - start) / 0.5) + 1) if plans.mechanism.drive.kind == "phi" else 721
     told = () if names is None else tuple(c.name for c in turn_of(plans, names, file=scene.file).curves)
     turn, low, high = turn_of(plans), min(start, end), max(start, end)
-    g = grid(turn, low, high, min(count, 20001))
-    works = g.works
-    if is_turn(g) and works[0] and works[-1] and not works.all():
-        stops = (~works).nonzero()[0]
-        low = float(g.places[stops[len(stops) // 2]]) - FULL
-        g = grid(turn, low, low + FULL, len(g.places))
-    return Summary(scene, plans, g, told)
-
-
-def is_turn(g: Grid) -> bool:
-    """Whether a grid goes once round."""
-    return g.turn.plans.mechanism.drive.kind == "phi" and abs(float(g.places[-1] - g.places[0]) - FULL) < 1e-9
+    return Summary(scene, plans, in_one_piece(grid(turn, low, high, min(count, 20001))), told)
 
 
 def output_curves(plans: Plans) -> tuple[str, ...]:

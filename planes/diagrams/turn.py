@@ -1,8 +1,12 @@
-"""The mechanism turned through its cycle: the one batch program, run with the drive's motion and with a unit drive."""
+"""The mechanism turned through its cycle: the one batch program, run with the drive's motion and with a unit drive.
+
+Sampled at evenly spaced places it shows how far the driver can go, where a link turns over and where nothing assembles.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -14,7 +18,9 @@ from planes.diagrams.curves import UNIT, Arrow, Curve, arrows_of, curves_of
 from planes.plans import Plans
 from planes.wording import PlanesError, choices
 from planes.words import Phrase
-from planes.working import FULL
+from planes.working import FULL, Span
+
+FLIP = 90.0  # degrees a link cannot turn by from one place to the next
 
 
 class Turn:
@@ -98,3 +104,115 @@ def unwound(angles: Any, period: float = FULL) -> Any:
         found[good] = np.unwrap(told[good], period=period)
         found -= period * np.round(np.median((found - told)[good]) / period)
     return found
+
+
+@dataclass(frozen=True)
+class Grid:
+    """A turn sampled at evenly spaced places; ``closed``: the first and the last are one position."""
+
+    turn: Turn
+    places: Any
+    closed: bool
+
+    @cached_property
+    def sample(self) -> dict[str, Any]:
+        """The columns at every place."""
+        return self.turn.sample(self.places)
+
+    @cached_property
+    def works(self) -> Any:
+        """Where the mechanism assembles: a mask, by the columns of places."""
+        found = np.ones(len(self.places), bool)
+        for name, row in self.sample.items():
+            if name.startswith(("r_", "phi_", "q:v_", "q:omega_")):
+                found &= np.isfinite(row)
+        return found
+
+    def values(self, curve: Curve) -> Any:
+        """A curve over the grid, NaN where the mechanism does not assemble; angles unwound."""
+        found = np.where(self.works, curve.read(self.sample), np.nan)
+        return unwound(found) if curve.angular else found
+
+    @cached_property
+    def limits(self) -> tuple[tuple[int, float], ...]:
+        """Limits of assembly: the last working place of the grid beside each, and the limit itself (to 10⁻¹²)."""
+        inside = np.flatnonzero(self.works[1:] != self.works[:-1])
+        good = np.where(self.works[inside], inside, inside + 1)
+        low = self.places[good].copy()
+        high = self.places[np.where(self.works[inside], inside + 1, inside)].copy()
+        if not len(inside):
+            return ()
+        for _ in range(44):
+            middle = (low + high) / 2
+            ok = Grid(self.turn, middle, False).works
+            low, high = np.where(ok, middle, low), np.where(ok, high, middle)
+        return tuple((int(i), float(z)) for i, z in zip(good, low, strict=True))
+
+    @cached_property
+    def ranges(self) -> tuple[tuple[float, float], ...]:
+        """The parts in which the mechanism assembles."""
+        edges = [z for _, z in self.limits]
+        if self.works[0]:
+            edges.insert(0, float(self.places[0]))
+        if self.works[-1]:
+            edges.append(float(self.places[-1]))
+        return tuple(zip(edges[::2], edges[1::2], strict=True))
+
+    @cached_property
+    def flips(self) -> tuple[tuple[str, float], ...]:
+        """Curves of angles that turn over, and where: a slider passes through its hinge, the assembly changes."""
+        found = []
+        for curve in (c for c in self.turn.curves if c.angular):
+            for i in np.flatnonzero(np.abs(np.diff(self.values(curve))) > FLIP):
+                low, high = float(self.places[i]), float(self.places[i + 1])
+                for _ in range(24):
+                    middle = (low + high) / 2
+                    low, high = (middle, high) if self._turn(curve, low, middle) <= FLIP else (low, middle)
+                if not self._turn(curve, low, high) <= FLIP:  # or it cannot be drawn there at all
+                    found.append((curve.name, high))
+        return tuple(found)
+
+    def _turn(self, curve: Curve, one: float, two: float) -> float:
+        a, b = curve.read(self.turn.sample([one, two])) + np.zeros(2)
+        return float(abs((b - a + FULL / 2) % FULL - FULL / 2))
+
+
+def grid(turn: Turn, start: float, end: float, least: int = 721) -> Grid:
+    """A grid of at least so many places; closed if it is a whole turn of a crank that works all the way."""
+    count = max(least, 2) if end > start else 1
+    g = Grid(turn, np.linspace(start, end, count), False)
+    return Grid(turn, g.places, bool(_is_turn(g) and g.works.all()))
+
+
+def in_one_piece(g: Grid) -> Grid:
+    """A turn in which the mechanism stops somewhere begun there, so that a working range is one piece."""
+    works = g.works
+    if not _is_turn(g) or works.all() or not (works[0] and works[-1]):
+        return g
+    stops = np.flatnonzero(~works)
+    low = float(g.places[stops[len(stops) // 2]]) - FULL
+    return grid(g.turn, low, low + FULL, len(g.places))
+
+
+def _is_turn(g: Grid) -> bool:
+    """Whether a grid goes once round."""
+    return g.turn.plans.mechanism.drive.kind == "phi" and abs(float(g.places[-1] - g.places[0]) - FULL) < 1e-9
+
+
+def reach(plans: Plans) -> tuple[float, float]:
+    """Between what places of the driver its range is looked for: a turn from the scene's own, or twice the longest link
+    to either side of it."""
+    drive = plans.mechanism.drive
+    if drive.kind == "phi":
+        return drive.position, drive.position + FULL
+    lengths = (abs(v) for k, v in plans.given.items() if k.startswith("l_") and isinstance(v, float))
+    far = 2 * max(lengths, default=1.0)
+    return drive.position - far, drive.position + far
+
+
+def span_of(plans: Plans) -> Span:
+    """The range in which the mechanism assembles about the scene's own place of the drive."""
+    turn = Turn(plans, [c for c in curves_of(plans).values() if c.group == "place"])
+    g, here = in_one_piece(grid(turn, *reach(plans))), plans.mechanism.drive.position
+    away = lambda ends: max(ends[0] - here, here - ends[1])  # noqa: E731
+    return Span(*min(g.ranges, key=away, default=(here, here)), g.closed)

@@ -16,7 +16,8 @@ from planes.scene import Scene
 from planes.solving import told
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
-from render.method_charts import METADATA, Spot, Ways, draw
+from render.chart_files import METADATA
+from render.method_charts import Spot, Ways, draw
 
 
 def draw_chart(scene: Scene, output: str, table: str | None, lang: Lang) -> None:

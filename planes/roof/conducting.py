@@ -33,11 +33,13 @@ Step = Callable[[int, int], None]
 
 @dataclass
 class Report:
-    """What a run did: files made, files kept, and (place, file, sentence) of what could not be made."""
+    """What a run did: files made, files kept, and (place, file, sentence) of what could not be made; ``said``: of files
+    that are there, what must be said of them."""
 
     made: int = 0
     kept: int = 0
     faults: list[tuple[str, str, str]] = field(default_factory=list)
+    said: list[tuple[str, str, str]] = field(default_factory=list)
 
 
 @dataclass
@@ -65,6 +67,8 @@ class Conductor:
         wanted = [self.place(s, n, names) for s in orders for n in (SCENE, KEY, *names)]
         self.ledger.close([*wanted, *self.summary(given, settled)])
         self.report.faults.sort()
+        self.report.said = sorted((s.place, n, sentence) for s in orders for n in names
+                                  for sentence in self.ledger.said(self.place(s, n, names)))  # fmt: skip
         return self.report
 
     def place(self, share: Share, name: str, names: dict[str, str]) -> str:
@@ -114,12 +118,12 @@ class Conductor:
         for name, text in ((SCENE, answer.scene), (KEY, answer.key)):
             self.keep(self.place(share, name, {}), made_of(q, ""), text.encode())
 
-    def keep(self, name: str, source: str, data: bytes) -> None:
+    def keep(self, name: str, source: str, data: bytes, said: tuple[str, ...] = ()) -> None:
         """Write a file, unless it is there."""
         if self.ledger.fresh(name, source):
             self.report.kept += 1
         else:
-            self.ledger.keep(name, source, data)
+            self.ledger.keep(name, source, data, said)
             self.report.made += 1
         self.tell(1)
 
@@ -169,7 +173,8 @@ class Conductor:
     def written(self, share: Share, order: Order, made: Made, names: dict[str, str]) -> None:
         """One student's documents in the folder."""
         for name, data in made.files.items():
-            self.keep(self.place(share, name, names), made_of(replace(order, files=()), name), data)
+            source = made_of(replace(order, files=()), name)
+            self.keep(self.place(share, name, names), source, data, made.said.get(name, ()))
         for name, sentence in made.faults.items():
             self.ledger.forget(self.place(share, name, names))  # an earlier one would be of other numbers
             self.report.faults.append((share.place, name, sentence))

@@ -48,10 +48,12 @@ class Order:
 
 @dataclass(frozen=True)
 class Made:
-    """The contents of files by name; of those that could not be made, the sentence why."""
+    """The contents of files by name; of those that could not be made, the sentence why; ``said``: what must be said of
+    those that were."""
 
     files: dict[str, bytes] = field(default_factory=dict)
     faults: dict[str, str] = field(default_factory=dict)
+    said: dict[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 def names_of(course: Course) -> dict[str, str]:
@@ -72,6 +74,7 @@ def make(order: Order) -> Made:
         for name in order.files:
             try:
                 made.files[name] = desk.file(name)
+                made.said[name] = desk.said(name)
             except PlanesError as error:
                 made.faults[name] = error.told(order.lang)
             except Exception as error:  # a slip of the program: the others still get theirs
@@ -98,13 +101,24 @@ class Desk:
 
     def file(self, name: str) -> bytes:
         """The contents of one file."""
-        stem, _, suffix = name.rpartition(".")
-        if stem.startswith("sheet-"):
-            number = int(stem[-1])
-            if number not in self.sheets:
-                self.sheets[number] = sheet_of(self.scene, None, self.order.lang, number)
-            return rendered(self.sheets[number], f".{suffix}", self.order.lang)
+        if sheet := self.sheet(name):
+            return rendered(sheet, f".{name.rpartition('.')[2]}", self.order.lang)
         return _MAKERS[name](self)
+
+    def said(self, name: str) -> tuple[str, ...]:
+        """What must be said of a file."""
+        sheet = self.sheet(name)
+        return sheet.warnings if sheet else ()
+
+    def sheet(self, name: str) -> Sheet | None:
+        """The sheet that a file shows, if it is one."""
+        stem = name.rpartition(".")[0]
+        if not stem.startswith("sheet-"):
+            return None
+        number = int(stem[-1])
+        if number not in self.sheets:
+            self.sheets[number] = sheet_of(self.scene, None, self.order.lang, number)
+        return self.sheets[number]
 
     def task(self) -> bytes:
         """The sheet of the task, its scheme drawn in another position."""

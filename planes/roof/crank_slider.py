@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from argparse import Namespace
 from pathlib import Path
 
@@ -42,7 +43,8 @@ def _sheet(found: Calculation, path: str, phi: float | None, lang: Lang) -> None
     if phi is not None and not low <= phi <= high:
         raise PlanesError(Phrase("cs_phi", value=phi, low=low, high=high))
     asked = worked(found) if phi is None else float(found.motion.phi_deg[found.at(phi)])
-    draw_sheet(scene_at(found, asked), [asked], path, lang)
+    for sentence in draw_sheet(scene_at(found, asked), [asked], path, lang):
+        print(sentence, file=sys.stderr)
 
 
 def _write(found: Calculation, path: Path, lang: Lang) -> None:

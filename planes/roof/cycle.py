@@ -10,10 +10,10 @@ import numpy as np
 
 from planes.angles import Span
 from planes.diagrams.curves import Curve, curves_of
-from planes.diagrams.extremes import Extreme, Grid, extremes, grid
+from planes.diagrams.extremes import Extreme, extremes
 from planes.diagrams.runs import Runs
 from planes.diagrams.summary import output_curves
-from planes.diagrams.turn import Turn, turn_of
+from planes.diagrams.turn import Grid, Turn, grid, turn_of
 from planes.plans import Plans, state
 from planes.scene import Scene
 from planes.wording import PlanesError
@@ -29,6 +29,8 @@ def draw_cycle(
 ) -> None:  # fmt: skip
     """Draw the diagrams into a file by its suffix; what is asked for is found before the file is touched."""
     assert scene.mechanism
+    if span is not None and span.count < 2:
+        raise PlanesError(Phrase("cycle_one_place", file=scene.file))
     plans = state(scene.mechanism, scene.file)
     panels = [name.split("+") for name in (show if show is not None else default_curves(plans, hodographs, paths))]
     loops = [*(hodographs or ()), *(f"r_{p.removeprefix('r_')}" for p in paths or ())]

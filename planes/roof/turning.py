@@ -8,21 +8,21 @@ from typing import Any
 
 from planes.cycle import Cycle
 from planes.cycle.columns import columns_of
+from planes.diagrams.motion import dead_points, driven_grid
+from planes.diagrams.turn import span_of
 from planes.measuring import catalogue
 from planes.plans import Plans
 from planes.roof.graphs import over_cycle
 from planes.scene import Scene
-from planes.working import FULL, Span, span_of
+from planes.working import FULL, Span
 from render.sheet.composer import Composer
 from render.sheet.project import Project
-from render.views.diagrams import changes, rate_of
 from render.views.many import Numbered
 
 SECTIONS = 12
 FINE = 360  # places of the driver for curves and paths
 MARGIN = 0.04  # of a range that is not a whole turn, left out at each end
 CLOSE = 0.04  # of a section: an extreme position no farther from a numbered one is that one
-REFINED = 4
 
 Result = dict[str, Any] | None
 
@@ -30,10 +30,13 @@ Result = dict[str, Any] | None
 def turned_once(scene: Scene, plans: Plans, composer: Composer, twelve: bool) -> Project:
     """A project with the driver moved through its range, on request with the numbered positions of the scheme."""
     found, motion = span_of(plans), Motion(plans)
-    span = motion.from_extreme(found) if found.whole else found.inner(MARGIN)
+    span = found if found.whole else found.inner(MARGIN)
+    dead = dead_points(driven_grid(plans, span.start, span.end)) if span.whole or twelve else []
+    if span.whole and dead:
+        span = Span(dead[0], dead[0] + FULL, True)
     values = span.values(FINE)
     turn = motion.results(values)
-    numbered = motion.numbered(span, values, turn) if twelve else []
+    numbered = motion.numbered(span, turn, dead) if twelve else []
     asked = over_cycle(scene, plans, values, composer.naming)
     return Project(composer, values, turn, numbered, span.whole, *asked)
 
@@ -65,32 +68,10 @@ class Motion:
             found[kind].setdefault(thing, {})[key] = value
         return found
 
-    def from_extreme(self, span: Span) -> Span:
-        """The whole turn from where the driven link stands in its first extreme position."""
-        values = span.values(FINE)
-        brackets = changes(values, rate_of(self.plans, self.results(values)))
-        start = self.refined(*brackets[0]) if brackets else values[0]
-        return Span(start, start + FULL, True)
-
-    def refined(self, low: float, high: float, at_low: float, at_high: float) -> float:
-        """Where a rate changes its sign between two values of the drive, by false position."""
-        middle = low
-        for _ in range(REFINED):
-            middle = low + (high - low) * at_low / (at_low - at_high)
-            (now,) = rate_of(self.plans, self.results([middle]))
-            if not now:
-                break
-            if now * at_low > 0:
-                low, at_low = middle, now
-            else:
-                high, at_high = middle, now
-        return middle
-
-    def numbered(self, span: Span, values: Sequence[float], turn: Sequence[Result]) -> list[Numbered]:
+    def numbered(self, span: Span, turn: Sequence[Result], extreme: Sequence[float]) -> list[Numbered]:
         """The numbered positions, and every extreme one, with a prime unless it is a numbered one."""
         section, every = (span.end - span.start) / SECTIONS, FINE // SECTIONS
         last = SECTIONS - 1 if span.whole else SECTIONS
-        extreme = [self.refined(*b) for b in changes(values, rate_of(self.plans, turn))]
         places = [(v - span.start) / section for v in extreme]
         near = {round(p) % (last + 1) for p in places if _close(p)} | {0, 0 if span.whole else SECTIONS}
         found = [Numbered(str(k), turn[k * every], k in near) for k in range(last + 1)]

@@ -85,6 +85,10 @@ CYCLE: dict[str, tuple[str, str]] = {
         "{file}: сцена задаёт векторы без механизма, положений у неё нет",
         "{file}: states vectors and has no mechanism, so it has no positions",
     ),
+    "cycle_one_place": (
+        "{file}: для диаграмм нужен диапазон положений: --phi 0:360:1",
+        "{file}: diagrams need a range of positions: --phi 0:360:1",
+    ),
     "cycle_failed": (
         "{name} = {first}…{last} ({count} положений): {why}",
         "{name} = {first}…{last} ({count} positions): {why}",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from planes.crank_slider.pages import Chart, Drawn, Sketch
@@ -25,6 +26,17 @@ class Figure:
 
     marks: tuple[Mark, ...]
     size: tuple[float, float]
+
+
+def shown(block: Chart | Drawn | Sketch, lang: Lang) -> tuple[Sequence[Picture | Figure], str]:
+    """What a block shows, and the title beneath."""
+    match block:
+        case Chart():
+            return [chart(block, lang)], block.title
+        case Drawn():
+            return drawn(block, lang)
+        case Sketch():
+            return [sketch(block)], block.title
 
 
 def chart(block: Chart, lang: Lang) -> Picture:

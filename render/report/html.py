@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from planes.crank_slider.pages import (
     Block,
@@ -17,10 +18,9 @@ from planes.crank_slider.pages import (
     TableBlock,
 )
 from render import svg
-from render.report import figures as report_figures
-from render.report.figures import Figure
+from render.report.figures import Figure, shown
 from render.report.mathematics import formula
-from render.report.strokes import escaped
+from render.report.strokes import Picture, escaped
 
 CSS = """
 body{font:16px/1.5 "PT Serif","DejaVu Serif",Georgia,"Times New Roman",serif;color:#111;background:#fff;max-width:46rem;
@@ -82,14 +82,8 @@ class _Page:
                 return f'<div class="formula"><span class="parts">{parts}</span>{tail}</div>'
             case TableBlock():
                 return self.table(block)
-            case Chart():
-                picture = report_figures.chart(block, self.document.lang)
-                return self.figure([picture.svg(block.title, 1.05)], block.title)
-            case Drawn():
-                drawn, title = report_figures.drawn(block, self.document.lang)
-                return self.figure([self.marks(f, title) for f in drawn], title)
-            case Sketch():
-                return self.figure([self.marks(report_figures.sketch(block), block.title)], block.title)
+            case Chart() | Drawn() | Sketch():
+                return self.figure(*shown(block, self.document.lang))
 
     def heading(self, text: str, level: int) -> str:
         """A chapter, which the list of contents links to, or a section."""
@@ -105,9 +99,10 @@ class _Page:
         return (f'<div class="wide"><table><caption>{rich(block.title)}</caption><thead><tr>{head}</tr></thead>'
                 f"<tbody>{rows}</tbody></table></div>")  # fmt: skip
 
-    def figure(self, pictures: list[str], title: str) -> str:
+    def figure(self, pictures: Sequence[Picture | Figure], title: str) -> str:
         """A figure with its title beneath."""
-        return f"<figure>{''.join(pictures)}<figcaption>{rich(title)}</figcaption></figure>"
+        drawn = "".join(p.svg(title, 1.05) if isinstance(p, Picture) else self.marks(p, title) for p in pictures)
+        return f"<figure>{drawn}<figcaption>{rich(title)}</figcaption></figure>"
 
     def marks(self, figure: Figure, title: str) -> str:
         """Marks as inline SVG; groups lose their ids, for a page may hold many drawings."""

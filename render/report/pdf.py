@@ -28,10 +28,10 @@ from planes.crank_slider.pages import (
     Sketch,
     TableBlock,
 )
+from planes.words import Lang
 from render.outlines import dejavu
 from render.pdf import POINTS_PER_MM, draw_marks
-from render.report import figures as report_figures
-from render.report.figures import Figure
+from render.report.figures import Figure, shown
 from render.report.html import is_number
 from render.report.mathematics import formula
 from render.report.strokes import Picture, escaped
@@ -66,7 +66,7 @@ def write(document: Document) -> bytes:
     made = _Template(data, document)
     story: list[Any] = [Words(escaped(document.title), TITLE)]
     for block in document.blocks:
-        story += _block(block, document)
+        story += _block(block, document.lang)
     made.build(story)
     return data.getvalue()
 
@@ -104,7 +104,7 @@ class _Template(BaseDocTemplate):  # type: ignore[misc]
             self.canv.addOutlineEntry(text, key, level=int(style[1]) - 1, closed=style == "h1")
 
 
-def _block(block: Block, document: Document) -> list[Any]:
+def _block(block: Block, lang: Lang) -> list[Any]:
     match block:
         case Heading(text, level):
             return [Words(rich(text), HEADS[level])]
@@ -116,13 +116,10 @@ def _block(block: Block, document: Document) -> list[Any]:
             return [_Line(formula(tex, 9.5), number)]
         case TableBlock():
             return _table(block)
-        case Chart():
-            return [_Drawing(report_figures.chart(block, document.lang), True), Words(rich(block.title), CAPTION)]
-        case Drawn():
-            drawn, title = report_figures.drawn(block, document.lang)
-            return [*(_Marks(f) for f in drawn), Words(rich(title), CAPTION)]
-        case Sketch():
-            return [_Marks(report_figures.sketch(block)), Words(rich(block.title), CAPTION)]
+        case Chart() | Drawn() | Sketch():
+            pictures, title = shown(block, lang)
+            drawn = (_Drawing(p, True) if isinstance(p, Picture) else _Marks(p) for p in pictures)
+            return [*drawn, Words(rich(title), CAPTION)]
 
 
 def _table(block: TableBlock) -> list[Any]:

@@ -5,16 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 from typing import Any
 
 from planes.plans import Plans
 from planes.plans.driven import driven
-from planes.units import quantity, standard_mu
+from planes.units import standard_mu
 from planes.words import say
 from render.marks import Arrow, Line, Mark, Text
 from render.names import Naming
-from render.numbers import decimal, number
+from render.numbers import number, scale, unit
 
 SECTIONS = 12
 WIDTHS_MM = (12.0, 15.0, 18.0, 24.0, 30.0)  # of a section: over a whole turn μ_φ is 0.4, 0.5, … mm per degree
@@ -123,12 +122,9 @@ class Diagrams:
         ]
         n, lang = self.naming, self.naming.lang
         link = n.link(driven(self.plans)[0])
-        unit = curve.unit if curve.unit in ("°", "1") else say(curve.unit, lang)
-        per = f"({unit})" if "/" in unit else unit
-        mm = say("mm", lang) + ("" if unit == "1" else f"/{per}")
-        scale = f"μ_{{{curve.letter}}} = {decimal(quantity(mu), lang)} {mm}"
-        name = f"{curve.name or f'{curve.letter}_{{{link}}}'}, {scale}"
-        marks.append(Text(name, complex(2.5, zero + top + 5), 3.5))
+        name = curve.name or f"{curve.letter}_{{{link}}}"
+        text = f"{name}, μ_{{{curve.letter}}} = {scale(mu, curve.unit, lang)}"
+        marks.append(Text(text, complex(2.5, zero + top + 5), 3.5))
         for piece in pieces(curve.places or self.angles, curve.values):
             points = tuple(complex(self.x(a), zero + mu * v) for a, v in piece)
             marks.append(Line(points, "thick", "plan"))
@@ -156,12 +152,12 @@ class Diagrams:
         at = [(k, complex(self.section * k, level)) for k in range(SECTIONS + 1)]
         found: list[Mark] = [Text(str(k), z, 3.5, "middle") for k, z in at]
         turning, lang = self.plans.mechanism.drive.kind == "phi", self.naming.lang
-        letter, unit = ("φ", "°") if turning else ("s", say("m", lang))
-        first = self.angles[0] % FULL if turning else self.angles[0]
-        start = f"{letter}_{{0}} = {number(first, lang)}" + ("°" if turning else f" {unit}")
+        letter, key = ("φ", "°") if turning else ("s", "m")
+        first = round(self.angles[0], 6) % FULL if turning else self.angles[0]
+        start = f"{letter}_{{0}} = {number(first, lang)}{'' if turning else ' '}{unit(key, lang)}"
         mu = self.section * SECTIONS / (self.angles[-1] - self.angles[0])
-        scale = f"μ_{{{letter}}} = {number(mu, lang)} {say('mm', lang)}/{unit}"
-        return [*found, Text(f"{start},  {scale}", complex(self.section * SECTIONS / 2, level - 7.0), 3.5, "middle")]
+        text = f"{start},  μ_{{{letter}}} = {scale(mu, key, lang)}"
+        return [*found, Text(text, complex(self.section * SECTIONS / 2, level - 7.0), 3.5, "middle")]
 
 
 def cut_off(curve: Curve) -> Curve:
@@ -191,17 +187,3 @@ def pieces(angles: Sequence[float], values: Sequence[float | None]) -> list[list
         else:
             found[-1].append((angle, value))
     return [piece for piece in found if len(piece) > 1]
-
-
-def rate_of(plans: Plans, results: Sequence[dict[str, Any] | None]) -> tuple[float | None, ...]:
-    """The driven link's rate in every position."""
-    return curves(plans, results)[1].values
-
-
-def changes(values: Sequence[float], rates: Sequence[float | None]) -> list[tuple[float, float, float, float]]:
-    """Where the driven link turns back: two values of the drive beside each other with rates of unlike signs."""
-    found = []
-    for (a, u), (b, v) in pairwise(zip(values, rates, strict=True)):
-        if u is not None and v is not None and (u < 0 <= v or u > 0 >= v):
-            found.append((a, b, u, v))
-    return found

@@ -9,9 +9,8 @@ from dataclasses import dataclass
 
 from planes.mechanism import Guide, Link
 from planes.solving import Position
-from planes.words import say
 from render.names import Naming, greek
-from render.numbers import number
+from render.numbers import number, unit
 
 RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m")
 """Units in the order their rows stand in."""
@@ -52,7 +51,7 @@ class Given:
     def row(self, r: Row) -> list[str]:
         """A row in words."""
         lang = self.naming.lang
-        return [r.name, number(r.value, lang), r.unit if r.unit == "°" else say(r.unit, lang) if r.unit else "—"]
+        return [r.name, number(r.value, lang), unit(r.unit, lang) or "—"]
 
     def drive(self) -> list[Row]:
         """The driver's place in this position, and its motion."""

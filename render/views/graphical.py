@@ -11,11 +11,10 @@ from planes.diagrams.graphical import Construction
 from planes.diagrams.stages import Stage
 from planes.drawing import Drawing
 from planes.naming import at
-from planes.units import quantity
 from planes.words import say
 from render.marks import Arc, Arrow, Line, Mark, Text
 from render.names import Naming
-from render.numbers import decimal, number
+from render.numbers import number, scale
 from render.style import DOT_MM
 from render.symbols import dot
 from render.typeset import extent
@@ -102,12 +101,8 @@ class Graphical:
         if k:
             other = letters[c.stages[k - 1].rank]
             text += f"H·μ_{{{other}}}/μ_{{t}} = " if c.kind == "differentiation" else f"μ_{{{other}}}·μ_{{t}}/H = "
-        unit = say(units[stage.rank], lang)
-        unit = f"({unit})" if "/" in unit else unit
-        text += f"{decimal(quantity(stage.mu), lang)} {say('mm', lang)}/{unit}"
-        if not k:
-            text += f";  μ_{{t}} = {decimal(quantity(c.mu_t), lang)} {say('mm', lang)}/{say('s', lang)}"
-        return text
+        text += scale(stage.mu, units[stage.rank], lang)
+        return text if k else f"{text};  μ_{{t}} = {scale(c.mu_t, 's', lang)}"
 
     def pole(self, stage: Stage, zero: complex) -> list[Mark]:
         """The pole, its rays to the axis of ordinates, and its distance."""

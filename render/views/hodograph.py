@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from planes.units import quantity, standard_mu
+from planes.units import standard_mu
 from planes.words import say
 from render import labels
 from render.marks import Arrow, Line, Mark
 from render.names import Naming
-from render.numbers import decimal
+from render.numbers import scale
 from render.symbols import dot
 from render.views import View, view
 
@@ -46,11 +46,8 @@ def _one(loop: Hodograph, naming: Naming) -> View:
     wide = max(max(z.real for z in known) - min(z.real for z in known),
                max(z.imag for z in known) - min(z.imag for z in known))  # fmt: skip
     mu = standard_mu(wide, WIDE_MM)
-    unit = say(loop.unit, lang)
-    per = f"({unit})" if "/" in unit else unit
     letter = loop.name.partition("_")[0]
-    scale = f"μ_{{{letter}}} = {decimal(quantity(mu), lang)} {say('mm', lang)}/{per}"
-    title = f"{say('hodograph', lang, name=loop.name)}, {scale}"
+    title = f"{say('hodograph', lang, name=loop.name)}, μ_{{{letter}}} = {scale(mu, loop.unit, lang)}"
     return view("hodograph", title, _drawn(loop, mu, [z * mu for z in known]), 3.5)
 
 
