@@ -15,6 +15,7 @@ from typing import Any
 from render.ink import arc_dashes, arrow_parts, by_layer, checked, hatch_strokes, is_circle, length_mm, save
 from render.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
 from render.outlines import dejavu
+from render.photo import Photo
 from render.style import BLACK, CAPITALS, PAPER, fitted, pen
 from render.typeset import Laid, layout
 
@@ -33,9 +34,10 @@ def write(
     *,
     description: str = "",
     lang: str = "ru",
+    under: Photo | None = None,
 ) -> bytes:
-    """The sheet as a PDF file of one page; also written to ``path`` if one is given."""
-    return write_pages([(marks, size_mm)], title, path, description=description, lang=lang)
+    """The sheet as a PDF file of one page, ``under`` it a picture; also written to ``path`` if one is given."""
+    return write_pages([(marks, size_mm)], title, path, description=description, lang=lang, under=under)
 
 
 def write_pages(
@@ -45,6 +47,7 @@ def write_pages(
     *,
     description: str = "",
     lang: str = "ru",
+    under: Photo | None = None,
 ) -> bytes:
     """Several sheets (marks and width × height in mm) as one PDF file."""
     from reportlab.pdfgen.canvas import Canvas
@@ -60,6 +63,7 @@ def write_pages(
         canvas.setPageSize(tuple(POINTS_PER_MM * side for side in size_mm))
         canvas.scale(POINTS_PER_MM, POINTS_PER_MM)
         canvas.setLineJoin(_ROUND)
+        _lay(canvas, under)
         _Page(canvas).draw(held)
         canvas.showPage()
     canvas.save()
@@ -71,6 +75,15 @@ def draw_marks(canvas: Any, marks: Iterable[Mark]) -> None:
     _font()
     canvas.setLineJoin(_ROUND)
     _Page(canvas).draw(marks)
+
+
+def _lay(canvas: Any, photo: Photo | None) -> None:
+    """A picture on the empty page."""
+    if photo:
+        from reportlab.lib.utils import ImageReader
+
+        x0, y0, x1, y1 = photo.box
+        canvas.drawImage(ImageReader(io.BytesIO(photo.data)), x0, y0, x1 - x0, y1 - y0)
 
 
 def _font() -> str:

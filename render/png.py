@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from pathlib import Path
 
 from render import pdf
 from render.ink import save
 from render.marks import Mark
+from render.photo import Photo
 
 
 def write(
@@ -18,9 +19,10 @@ def write(
     path: str | Path | None = None,
     *,
     dpi: float = 200,
+    under: Photo | None = None,
 ) -> bytes:
-    """The sheet as a PNG file at ``dpi`` pixels per inch; also written to ``path`` if one is given."""
-    return save(from_pdf(pdf.write(marks, size_mm, title), dpi), path)
+    """The sheet as a PNG file at ``dpi`` pixels per inch, ``under`` it a picture; also written to ``path`` if given."""
+    return save(from_pdf(pdf.write(marks, size_mm, title, under=under), dpi), path)
 
 
 def from_pdf(data: bytes, dpi: float = 200, page: int = 0) -> bytes:
@@ -34,22 +36,4 @@ def from_pdf(data: bytes, dpi: float = 200, page: int = 0) -> bytes:
         document.close()
     out = io.BytesIO()
     picture.save(out, format="PNG", dpi=(dpi, dpi), optimize=False)
-    return out.getvalue()
-
-
-def stacked(above: bytes, picture: bytes, layers: Mapping[str, bytes]) -> bytes:
-    """A PNG file over a picture that has sheets of ink upon it, each in its colour ("#rrggbb")."""
-    from PIL import Image, ImageOps
-
-    top = Image.open(io.BytesIO(above)).convert("RGB")
-    under = Image.open(io.BytesIO(picture)).convert("RGB")
-    under = under.resize((top.width, round(under.height * top.width / under.width)))
-    for colour, data in layers.items():
-        ink = ImageOps.invert(Image.open(io.BytesIO(data)).convert("L").resize(under.size))
-        under.paste(Image.new("RGB", under.size, colour), mask=ink)
-    whole = Image.new("RGB", (top.width, top.height + under.height), "white")
-    whole.paste(top, (0, 0))
-    whole.paste(under, (0, top.height))
-    out = io.BytesIO()
-    whole.save(out, format="PNG")
     return out.getvalue()

@@ -37,6 +37,15 @@ PENS: dict[str, Pen] = {
     "construction": Pen(0.18, (), GREY),
 }
 
+REPORT_PENS: dict[str, Pen] = {
+    "own": Pen(0.4, (), "#163a70"),
+    "truth": Pen(0.3, (3.0, 1.5), "#1f7a3d"),
+    "next": Pen(0.25, (0.8, 0.8), "#a35c00"),
+    "wrong": Pen(0.5, (), "#b3201a"),
+    "follows": Pen(0.3, (), "#a35c00"),
+}
+"""Lines of the report of a checked drawing, in the colours of its page; each can be told without them too."""
+
 LAYERS: tuple[Layer, ...] = (
     "construction",
     "axis",
@@ -80,9 +89,10 @@ HATCH_GAP_MM = 1.6  # between its strokes
 
 def pen(style: str) -> Pen:
     """The pen of a style; an unknown name is an error that lists the known ones."""
-    if style not in PENS:
+    found = PENS.get(style) or REPORT_PENS.get(style)
+    if found is None:
         raise ValueError(f"there is no line style {style!r}; use one of {', '.join(PENS)}")
-    return PENS[style]
+    return found
 
 
 _WEIGHTS = (5, 9, 13, 15, 18, 20, 25, 30, 35, 40, 50, 53, 60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211)

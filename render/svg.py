@@ -6,6 +6,7 @@ marks give the same bytes.
 
 from __future__ import annotations
 
+import base64
 import math
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -13,6 +14,7 @@ from typing import Any
 
 from render.ink import arc_dashes, arrow_parts, by_layer, checked, hatch_strokes, is_circle, length_mm, save
 from render.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
+from render.photo import Photo
 from render.style import BLACK, CAPITALS, PAPER, fitted, pen
 from render.typeset import layout
 
@@ -27,9 +29,10 @@ def write(
     *,
     description: str = "",
     lang: str = "ru",
+    under: Photo | None = None,
 ) -> bytes:
-    """The sheet as an SVG file, UTF-8; also written to ``path`` if one is given."""
-    return save(_Sheet(size_mm, title, description, lang).drawn(checked(marks, size_mm)), path)
+    """The sheet as an SVG file, UTF-8, ``under`` it a picture; also written to ``path`` if one is given."""
+    return save(_Sheet(size_mm, title, description, lang).drawn(checked(marks, size_mm), under), path)
 
 
 def inline(marks: Iterable[Mark], size_mm: tuple[float, float], title: str, lang: str = "ru") -> str:
@@ -57,9 +60,11 @@ class _Sheet:
         self.svg.set_desc(title, description or None)
         self.svg.attribs.update({"role": "img", "aria-label": title, "xml:lang": lang, "lang": lang})
 
-    def drawn(self, marks: Iterable[Mark]) -> bytes:
+    def drawn(self, marks: Iterable[Mark], under: Photo | None = None) -> bytes:
         """The file with a white ground and one group for each layer."""
         self.svg.add(self.svg.rect((0, 0), (number(self.width), number(self.height)), fill=PAPER))
+        if under:
+            self.svg.add(self._photo(under))
         for layer, held in by_layer(marks):
             group = self.svg.g(id=layer, fill="none", stroke_linejoin="round", stroke_linecap="round")
             for mark in held:
@@ -67,6 +72,12 @@ class _Sheet:
                     group.add(element)
             self.svg.add(group)
         return f'<?xml version="1.0" encoding="UTF-8"?>\n{self.svg.tostring()}\n'.encode()
+
+    def _photo(self, photo: Photo) -> Any:
+        href = "data:image/jpeg;base64," + base64.b64encode(photo.data).decode()
+        x0, y0, x1, y1 = photo.box
+        corner, size = (number(x0), number(self.height - y1)), (number(x1 - x0), number(y1 - y0))
+        return self.svg.image(href, corner, size, preserveAspectRatio="none")
 
     def _elements(self, mark: Mark) -> list[Any]:
         if isinstance(mark, Line):

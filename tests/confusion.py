@@ -41,37 +41,37 @@ class Easel:
     def draw(self, mistake: Mistake | None, hand: Hand) -> tuple[dict[str, complex], list[tuple[str, str]]]:
         """Marks from the pole (of a force plan: vectors in their order), and mistakes it could hold."""
         scheme_mu = bench(self.sample, self.plan).given["mu_position"]
+        m = motion(self.sample)
+        scheme = drawings.draw_scheme(m, hand, scheme_mu)
         if self.plan.startswith("force"):
             f = forces(self.sample)
-            f.rates = self.accelerations(hand, scheme_mu)
-            f.drawn = {}
+            f.begin(scheme, scheme_mu, self.accelerations(hand, scheme), self.mu_a, hand)
             for g in reversed(f.model.groups):
                 if self.plan == f"force:{'-'.join(g)}":
                     break
                 mu = bench(self.sample, self.plan).given[f"mu_force:{'-'.join(g)}"]
-                f.drawn |= drawings_force.draw_group(f, g, mu, scheme_mu, hand).found
+                f.drawn |= drawings_force.draw_group(f, g, mu, hand).found
             group = next((g for g in f.model.groups if self.plan == f"force:{'-'.join(g)}"), None)
             if group:
-                sheet = drawings_force.draw_group(f, group, self.mu, scheme_mu, hand, mistake)
+                sheet = drawings_force.draw_group(f, group, self.mu, hand, mistake)
             else:
                 sheet = drawings_force.draw_driver(f, self.mu, hand, mistake)
             return dict(sheet.vectors), sheet.made
-        m = motion(self.sample)
         if self.plan == "velocity":
-            drawn = drawings.draw_velocity(m, hand, self.mu, scheme_mu, mistake)
+            drawn = drawings.draw_velocity(m, hand, self.mu, scheme, mistake)
         else:
-            velocity = drawings.draw_velocity(m, hand, self.mu_v, scheme_mu)
-            drawn = drawings.draw_acceleration(m, hand, self.mu, scheme_mu, velocity, self.mu_v, mistake)
+            velocity = drawings.draw_velocity(m, hand, self.mu_v, scheme)
+            drawn = drawings.draw_acceleration(m, hand, self.mu, scheme, velocity, self.mu_v, mistake)
         return drawn.marks, drawn.made
 
-    def accelerations(self, hand: Hand, scheme_mu: float) -> dict[str, complex]:
-        """What a person's own acceleration plan shows, for the forces of inertia."""
+    def accelerations(self, hand: Hand, scheme: drawings.Scheme) -> dict[str, complex]:
+        """A person's own acceleration plan by points, mm, for the forces of inertia."""
         m = motion(self.sample)
         if not any("mass" in b for _, b in m.links()) or not float(m.scene["drive"].get("omega", 1)):
             return {}
-        velocity = drawings.draw_velocity(m, hand, self.mu_v, scheme_mu)
-        drawn = drawings.draw_acceleration(m, hand, self.mu_a, scheme_mu, velocity, self.mu_v)
-        return {n: drawn.marks[n.lower() + "'"] / self.mu_a for n in m.sol.points if n.lower() + "'" in drawn.marks}
+        velocity = drawings.draw_velocity(m, hand, self.mu_v, scheme)
+        drawn = drawings.draw_acceleration(m, hand, self.mu_a, scheme, velocity, self.mu_v)
+        return {n: drawn.marks[n.lower() + "'"] for n in m.sol.points if n.lower() + "'" in drawn.marks}
 
 
 @cache

@@ -174,12 +174,20 @@ class Motion:
         return name.lower() + ("'" if quick else "")
 
 
+Scheme = Mapping[str, complex]  # points of the mechanism as somebody drew them, mm
+
+
+def draw_scheme(m: Motion, hand: Hand, scheme_mu: float) -> Scheme:
+    """The mechanism to scale: one scheme, that all plans take their directions and arms from."""
+    return {n: hand.mark(z[0] * scheme_mu) for n, z in m.sol.points.items()}
+
+
 class Plan:
     """One drawing of a motion plan in the making."""
 
-    def __init__(self, m: Motion, hand: Hand, mu: float, scheme_mu: float, mistake: Mistake | None) -> None:
+    def __init__(self, m: Motion, hand: Hand, mu: float, scheme: Scheme, mistake: Mistake | None) -> None:
         self.m, self.hand, self.mu, self.mistake = m, hand, mu, mistake
-        self.scheme = {n: hand.mark(z[0] * scheme_mu) for n, z in m.sol.points.items()}
+        self.scheme = scheme
         self.sheet = Sheet()
         self.ends: dict[str, complex] = {"": 0j}  # point -> end of its vector
         for n in m.frame:
@@ -296,9 +304,9 @@ def drawn_turn(plan: Plan, leg: Leg) -> complex:
 Velocities = Mapping[str, Any]
 
 
-def draw_velocity(m: Motion, hand: Hand, mu: float, scheme_mu: float, mistake: Mistake | None = None) -> Sheet:
+def draw_velocity(m: Motion, hand: Hand, mu: float, scheme: Scheme, mistake: Mistake | None = None) -> Sheet:
     """A velocity plan."""
-    plan = Plan(m, hand, mu, scheme_mu, mistake)
+    plan = Plan(m, hand, mu, scheme, mistake)
     base = driver_points(plan, False)
     bases: dict[str, tuple[str, str]] = {m.model.driver: base} if base else {}
     finish(plan, m.model.driver, bases, False, {})
@@ -391,10 +399,10 @@ def wrong_line(plan: Plan, task: Task, leg: Leg, lines: list[complex], k: int, l
     return line
 
 
-def draw_acceleration(m: Motion, hand: Hand, mu: float, scheme_mu: float, velocity: Sheet, mu_v: float,
+def draw_acceleration(m: Motion, hand: Hand, mu: float, scheme: Scheme, velocity: Sheet, mu_v: float,
                       mistake: Mistake | None = None) -> Sheet:
     """An acceleration plan, its normal and Coriolis parts reckoned from a measured velocity plan."""
-    plan = Plan(m, hand, mu, scheme_mu, mistake)
+    plan = Plan(m, hand, mu, scheme, mistake)
     base = driver_points(plan, True)
     bases: dict[str, tuple[str, str]] = {m.model.driver: base} if base else {}
     finish(plan, m.model.driver, bases, True, {})

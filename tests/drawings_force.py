@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import random
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from drawings import Hand, Mistake, meet
+from drawings import NONE, Hand, Mistake, Scheme, meet
 from oracle import Model, Pair, Solution, read
 
 
@@ -16,13 +17,14 @@ def crossed(a: complex, b: complex) -> float:
 
 @dataclass
 class Force:
-    """A force on a link at a place of the scheme (m), N."""
+    """A force on a link at a place (m), N, as a person has it, and the true one."""
 
     name: str
     link: str
     vector: complex
     place: complex
     kind: str
+    true: complex
 
 
 @dataclass
@@ -60,8 +62,31 @@ class Forces:
 
     def __init__(self, scene: Mapping[str, Any], sol: Solution) -> None:
         self.scene, self.sol, self.model = scene, sol, read(scene)
-        self.rates: Mapping[str, complex] = {}  # accelerations as a person drew them, by point, m/s²
+        self.begin({}, 1.0, {}, 1.0, Hand(NONE, random.Random(0)))
+
+    def begin(self, scheme: Scheme, scheme_mu: float, rates: Mapping[str, complex], mu_a: float, hand: Hand) -> None:
+        """Whoever draws has a scheme and an acceleration plan of his own, mm by points, and no reactions yet."""
+        self.scheme, self.scheme_mu, self.rates, self.mu_a = scheme, scheme_mu, rates, mu_a
+        self.measured = {n: z * hand.read(abs(z)) / abs(z) / mu_a if z else z for n, z in rates.items()}
         self.drawn: dict[tuple[str, str], complex] = {}  # reactions as a person drew them, N
+
+    def seen(self, place: complex) -> complex:
+        """Where a place is on the person's own scheme, m."""
+        near = min(self.sol.points, key=lambda n: abs(self.sol.points[n][0] - place))
+        known = near in self.scheme and abs(self.sol.points[near][0] - place) < 1e-9
+        return self.scheme[near] / self.scheme_mu if known else place
+
+    def own_couple(self, link: str, true: float, hand: Hand) -> float:
+        """-J·ε with ε from the tangential part between two points of the link on the person's own plan."""
+        names = [n for n in self.scene["links"][link]["points"] if n in self.scheme]
+        base = names[0] if names else ""
+        far = max(names, key=lambda n: abs(self.scheme[n] - self.scheme[base]), default="")
+        epsilon = self.sol.links[link][2]
+        if far == base or not epsilon or not self.rates:
+            return true
+        way = (self.scheme[far] - self.scheme[base]) / self.scheme_mu
+        part = (self.rates.get(far, 0j) - self.rates.get(base, 0j)) / (1j * way / abs(way))
+        return true * hand.read(part.real) / self.mu_a / abs(way) / epsilon
 
     def on(self, link: str) -> list[Force]:
         """Weights, inertia and loads of a link."""
@@ -73,20 +98,24 @@ class Forces:
                     count += 1
                 tail = f"_{count}" if letter == "P" and count > 1 else ""
                 force = self.inertia(link, a.force) if letter == "I" else a.force
-                found.append(Force(f"{letter}_{link}{tail}", link, force, a.place, a.kind))
+                found.append(Force(f"{letter}_{link}{tail}", link, force, a.place, a.kind, a.force))
         return found
 
     def inertia(self, link: str, force: complex) -> complex:
         """-m·a with the acceleration as it was drawn."""
         body = self.scene["links"][link]
         centre = str(body.get("centre", next(iter(body["points"]))))
-        return -float(body["mass"]) * self.rates[centre] if centre in self.rates else force
+        return -float(body["mass"]) * self.measured[centre] if centre in self.measured else force
 
     def reaction(self, on: str, by: str) -> complex:
         """The force on one link from another."""
         for (i, j), force in self.drawn.items():
             if (on, by) in ((i, j), (j, i)):
                 return force if (on, by) == (i, j) else -force
+        return self.true_reaction(on, by)
+
+    def true_reaction(self, on: str, by: str) -> complex:
+        """The solver's."""
         for (i, j), r in self.sol.reactions.items():
             force = r[0] if isinstance(r, tuple) else r
             if (i, j) == (on, by):
@@ -103,7 +132,8 @@ class Forces:
             if other in solved:
                 slide = isinstance(r, tuple)
                 place = self.sol.feet[i] if slide else self.hinge(i, j)
-                found.append(Force(pair_name(link, other), link, self.reaction(link, other), place, "handed"))
+                true = self.true_reaction(link, other)
+                found.append(Force(pair_name(link, other), link, self.reaction(link, other), place, "handed", true))
         return found
 
     def hinge(self, i: str, j: str) -> complex:
@@ -120,15 +150,14 @@ class Forces:
         return next(p for p in (*self.model.hinges, *self.model.slides) if {p.i, p.j} == {i, j})
 
 
-def draw_group(f: Forces, pair: tuple[str, str], mu: float, scheme_mu: float, hand: Hand,
-               mistake: Mistake | None = None) -> Polygon:
+def draw_group(f: Forces, pair: tuple[str, str], mu: float, hand: Hand, mistake: Mistake | None = None) -> Polygon:
     """The polygon of one group, after those of the groups that hang on it."""
     later = f.model.groups[f.model.groups.index(pair) + 1:]
     after = {n for g in later for n in g}
     halves = {n: f.half(n, pair[1 - k], after) for k, n in enumerate(pair)}
     inner = f.inner(*pair)
     first, last = order(halves, inner)
-    return Drawer(f, first, last, inner, mu, scheme_mu, hand, mistake).draw()
+    return Drawer(f, first, last, inner, mu, hand, mistake).draw()
 
 
 def order(halves: Mapping[str, Half], inner: Pair) -> tuple[Half, Half]:
@@ -151,7 +180,6 @@ class Drawer:
     last: Half
     inner: Pair
     mu: float
-    scheme_mu: float
     hand: Hand
     mistake: Mistake | None
     sheet: Polygon = field(default_factory=Polygon)
@@ -192,7 +220,9 @@ class Drawer:
         self.sheet.vectors = [*((n, v) for n, v in flat if v != 0), *tail]
         for half in (self.first, self.last):
             parts = [v for n, v in self.sheet.vectors if n in (half.name, half.name + "n", half.name + "t")]
-            self.sheet.found[half.link, half.mate] = sum(parts, 0j) / self.mu
+            found = sum(parts, 0j)
+            read = self.hand.read(abs(found)) / abs(found) if found else 1.0
+            self.sheet.found[half.link, half.mate] = found * read / self.mu
         return self.sheet
 
     def sliding_inside(self, e_a: complex, e_b: complex) -> complex:
@@ -212,7 +242,7 @@ class Drawer:
     def line(self, half: Half) -> complex:
         """The known line of an outer reaction."""
         if half.split:
-            return self.hand.ray(self.arm_of(half))
+            return self.hand.ray(self.f.seen(half.about) - self.f.seen(self.hinge(half)))
         u = half.reaction
         if half.pair.u is not None and not half.pair.friction:
             u = 1j * next(u for g, _, u in self.f.sol.guides.values() if g == half.pair.name)
@@ -227,7 +257,10 @@ class Drawer:
         return self.hand.ray(u)
 
     def arm_of(self, half: Half) -> complex:
-        return half.about - self.f.hinge(half.pair.i, half.pair.j)
+        return half.about - self.hinge(half)
+
+    def hinge(self, half: Half) -> complex:
+        return self.f.hinge(half.pair.i, half.pair.j)
 
     def known(self, half: Half) -> list[tuple[str, complex]]:
         """The known vectors of one link, mm, with the mistakes that can be made in each."""
@@ -237,9 +270,8 @@ class Drawer:
             turns = next((h for h in turning if h is half or self.inner.u is not None), None)
             moment = crossed(force.place - turns.about, force.vector) if turns else 0.0
             vector, change = self.force(force, moment, turns)
-            error = self.hand.care.ruler / self.scheme_mu * abs(force.vector) * self.hand.rng.gauss(0, 1)
             if turns:
-                self.pending[turns.link] = self.pending.get(turns.link, 0.0) + change + error
+                self.pending[turns.link] = self.pending.get(turns.link, 0.0) + change
             out.append((force.name, self.laid(force, vector)))
             moments += change
         if half.split:
@@ -266,9 +298,7 @@ class Drawer:
         """A vector as it is laid off: with the errors of what it was reckoned from and of the hand."""
         if vector is None:
             return None
-        size = abs(vector) * self.mu
-        ruled = self.hand.read(size) if force.kind in ("handed", "inertia") else size
-        return self.hand.mark(self.hand.ray(vector) * ruled) if size else None
+        return self.hand.mark(self.hand.ray(vector) * abs(vector) * self.mu) if vector else None
 
     def force(self, force: Force, moment: float, turns: Half | None) -> tuple[complex | None, float]:
         """The force as it is laid off, and what is wrongly added to the moments."""
@@ -307,7 +337,8 @@ class Drawer:
         along = self.arm_of(half)
         across = 1j * along / abs(along)
         where = half.name + "t"
-        size = (half.reaction / across).real - self.pending.get(half.link, 0.0) / crossed(-along, across)
+        wrong = self.pending.get(half.link, 0.0) + sum(self.own_moments(half))
+        size = (self.f.true_reaction(half.link, half.mate) / across).real - wrong / crossed(-along, across)
         links = [half.link, *([self.other(half).link] if self.inner.u is not None else [])]
         for link in links:
             couple = sum(a.moment for a in self.f.sol.actions if a.kind == "inertia" and a.link == link)
@@ -318,7 +349,23 @@ class Drawer:
             size = -size
         if self.now("reaction_along_loaded_link", where):
             return None
-        return self.hand.mark(self.hand.ray(across) * size * self.mu)
+        own = self.f.seen(half.about) - self.f.seen(self.hinge(half))
+        if self.inner.u is not None:  # the distance changes from position to position: it is measured
+            size *= abs(along) / (abs(own) + self.hand.read(0.0) / self.f.scheme_mu)
+        return self.hand.mark(self.hand.ray(1j * own) * size * self.mu)
+
+    def own_moments(self, half: Half) -> Iterator[float]:
+        """By how much each moment is off because forces and arms are the person's own: drawn, and measured."""
+        links = [half, *([self.other(half)] if self.inner.u is not None else [])]
+        for force in (f for h in links for f in h.forces):
+            true = crossed(force.place - half.about, force.true)
+            arm = self.f.seen(force.place) - self.f.seen(half.about)
+            read = self.hand.read(0.0) / self.f.scheme_mu * abs(force.vector)
+            yield crossed(arm, force.vector) + read - true
+        for link in (h.link for h in links):
+            for a in self.f.sol.actions:
+                if a.kind == "inertia" and a.link == link and a.moment:
+                    yield self.f.own_couple(link, a.moment, self.hand) - a.moment
 
 
 def draw_driver(f: Forces, mu: float, hand: Hand, mistake: Mistake | None = None) -> Polygon:
@@ -326,7 +373,7 @@ def draw_driver(f: Forces, mu: float, hand: Hand, mistake: Mistake | None = None
     link, sheet = f.model.driver, Polygon()
     after = {n for g in f.model.groups for n in g}
     half = Half(link, "0", f.model.hinges[0], f.on(link) + f.handed(link, after), f.reaction(link, "0"))
-    draw = Drawer(f, half, half, f.model.hinges[0], mu, 1000.0, hand, mistake, sheet)
+    draw = Drawer(f, half, half, f.model.hinges[0], mu, hand, mistake, sheet)
     flat = []
     for force in half.forces:
         vector, _ = draw.force(force, 0.0, None)

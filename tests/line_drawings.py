@@ -73,6 +73,34 @@ def vector_labels(vectors: list[tuple[str, complex]], height: float = 3.5) -> li
     return out
 
 
+def beside_lines(words: list[tuple[str, complex]], strokes: list[Stroke], height: float = 3.5
+                 ) -> list[tuple[str, complex]]:  # fmt: skip
+    """The words moved as little as need be to stand on no stroke and on no other word, as a person writes them."""
+    out: list[tuple[str, complex]] = []
+    for text, corner in words:
+        width, taken = 0.7 * height * len(text), [(z, 0.7 * height * len(t)) for t, z in out]
+        ways = [complex(math.cos(k * math.pi / 12), math.sin(k * math.pi / 12)) for k in range(24)]
+        places = [corner, *(corner + far * u for far in range(1, 25) for u in ways)]
+        out.append((text, next((z for z in places if _free(z, width, height, strokes, taken)), corner)))
+    return out
+
+
+def _free(corner: complex, width: float, height: float, strokes: list[Stroke],
+          taken: list[tuple[complex, float]]) -> bool:  # fmt: skip
+    """Whether a word's box, with a millimetre around it, touches no stroke and no other word."""
+    low, high = corner - (1 + 1.5j), corner + complex(width + 1, height + 1)
+    for other, wide in taken:
+        gap = other - corner
+        if -wide - 1 < gap.real < width + 1 and abs(gap.imag) < height + 1:
+            return False
+    for a, b in strokes:
+        for k in range(count := int(abs(b - a) / 0.5) + 2):
+            z = a + (b - a) * k / (count - 1)
+            if low.real < z.real < high.real and low.imag < z.imag < high.imag:
+                return False
+    return True
+
+
 def head(a: complex, b: complex) -> list[complex]:
     """A filled arrowhead: tip and two corners, smaller on a short vector."""
     size = min(3.0, 0.7 * abs(b - a))

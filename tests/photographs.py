@@ -15,6 +15,7 @@ from planes.check.fiducials import SHEET_MM, SIDE_MM, cells, centres
 
 Stroke = tuple[complex, complex]
 PAPER, PRINT = 246, 40  # grey of clean paper and of what is printed
+HEADED_MM = 6.0  # shorter vectors have no arrowhead
 
 
 @dataclass(frozen=True)
@@ -29,10 +30,12 @@ class Camera:
     wobble_mm: float = 0.1
     letters: bool = True
     grid: str = ""  # "square": 5 mm, "millimetre"
+    grid_ink: float = 1.0  # how dark the grid is: in one colour of a coloured grid less than in another
     erased: int = 0  # lines rubbed out again
     quality: int = 85
     corners: bool = True  # the blank's corner marks, or the frame alone
     turn_deg: float = 0.0  # how askew the sheet lies
+    lens: float = 0.0  # how much farther out (in: negative) a picture's corners are seen than by a straight lens
 
 
 SCAN = Camera()
@@ -71,14 +74,14 @@ class Page:
         path = np.array([self.px(z) for z in points], np.int32)
         cv2.polylines(self.grey, [path], False, grey, max(1, round(width_mm * self.k)), cv2.LINE_AA, 4)
 
-    def grid(self, kind: str) -> None:
+    def grid(self, kind: str, ink: float = 1.0) -> None:
         w, h = self.size
         step = 1 if kind == "millimetre" else 5
         for along, most in ((1, w), (1j, h)):
             for n in range(0, int(most), step):
                 grey = {0: 188, 5: 205}.get(n % 10, 222) if step == 1 else 200
                 other = 1j * h if along == 1 else w
-                self.line([n * along, n * along + other], grey, 0.12)
+                self.line([n * along, n * along + other], round(PAPER - ink * (PAPER - grey)), 0.12)
 
     def stroke(self, a: complex, b: complex, wobble_mm: float, rng: random.Random) -> None:
         """A pencil's line from a to b, slightly bent, with an arrowhead if it is long enough."""
@@ -87,7 +90,7 @@ class Page:
         u = (b - a) / abs(b - a)
         points = [a + (b - a) * t / count + 1j * u * bend * math.sin(math.pi * t / count) for t in range(count + 1)]
         self.line(points, rng.randint(50, 90), rng.uniform(0.35, 0.6))
-        if abs(b - a) > 6:
+        if abs(b - a) > HEADED_MM:
             tip = [self.px(b), self.px(b - u * (3.5 + 0.7j)), self.px(b - u * (3.5 - 0.7j))]
             cv2.fillPoly(self.grey, [np.array(tip, np.int32)], 70, cv2.LINE_AA, 4)
 
@@ -101,7 +104,8 @@ class Page:
         x, y = (v // 16 for v in self.px((a + b) / 2))
         r = int(8 * self.k)
         part = smear[max(y - r, 0) : y + r, max(x - r, 0) : x + r]
-        part[:] = np.minimum(part, cv2.GaussianBlur(part, (0, 0), 3 * self.k).clip(225, 255))
+        if part.size:  # it may lead off the sheet
+            part[:] = np.minimum(part, cv2.GaussianBlur(part, (0, 0), 3 * self.k).clip(225, 255))
 
     def word(self, text: str, z: complex) -> None:
         x, y = self.px(z)
@@ -135,7 +139,7 @@ def sheet(strokes: list[Stroke], words: list[tuple[str, complex]], pole: complex
     """The sheet of a blank with the plan drawn on it, seen straight from above."""
     page = Page(camera.dpi, size_mm)
     if camera.grid:
-        page.grid(camera.grid)
+        page.grid(camera.grid, camera.grid_ink)
     page.print_blank(pole, camera.corners)
     strokes = [(a + pole, b + pole) for a, b in strokes]
     for _ in range(camera.erased if strokes else 0):
@@ -165,6 +169,8 @@ def shot(page: Any, camera: Camera, rng: random.Random) -> Any:
         turn = cv2.getRotationMatrix2D((w / 2, h / 2), camera.turn_deg, min(room, 1.0))
         seen = cv2.transform(seen[None], turn)[0].astype(np.float32)
         small = cv2.warpPerspective(small, cv2.getPerspectiveTransform(corners, seen), (w, h), borderValue=90)
+    if camera.lens:
+        small = bent(small, camera.lens)
     small = small.astype(np.float32)
     if camera.shade:
         x, y = np.meshgrid(np.linspace(0, 1, w), np.linspace(0, 1, h))
@@ -173,6 +179,30 @@ def shot(page: Any, camera: Camera, rng: random.Random) -> Any:
     small = cv2.GaussianBlur(small, (0, 0), camera.blur)
     small += np.random.default_rng(rng.randrange(10**6)).normal(0, camera.noise, small.shape)
     return np.clip(small, 0, 255).astype(np.uint8)
+
+
+def bent(picture: Any, lens: float) -> Any:
+    """The picture as a lens bends it: what is at r of the half diagonal is seen at r (1 + lens r²), nothing cut off."""
+    h, w = picture.shape
+    x, y = np.meshgrid(np.arange(w) - w / 2, np.arange(h) - h / 2)
+    half = math.hypot(w, h) / 2
+    z = (x + 1j * y) / half * (1 + max(lens, 0.0))
+    straight = z
+    for _ in range(20):
+        straight = z / (1 + lens * np.abs(straight) ** 2)
+    maps = ((straight.real * half + w / 2).astype(np.float32), (straight.imag * half + h / 2).astype(np.float32))
+    return cv2.remap(picture, *maps, cv2.INTER_CUBIC, borderValue=90)
+
+
+def coloured(strokes: list[Stroke], words: list[tuple[str, complex]], pole: complex, camera: Camera, seed: int,
+             inks: tuple[float, float, float]) -> Any:
+    """A picture of paper with a coloured grid: how dark it is in blue, in green and in red light."""
+    shades = []
+    for ink in inks:
+        rng = random.Random(seed)
+        one = replace(camera, grid_ink=ink)
+        shades.append(shot(sheet(strokes, words, pole, one, rng), one, rng))
+    return cv2.merge(shades)
 
 
 def save(path: str, picture: Any, camera: Camera) -> None:

@@ -62,8 +62,9 @@ def drawn(easel: Easel, mistake: Mistake | None, rng: random.Random, care: Care 
         words = line_drawings.labels({"p": 0j, **found}, rng)
     pole, (left, right, lower, upper) = pole_of(easel), ROOM
     ends = [z + pole for s in strokes for z in s]
-    fits = bool(ends) and all(left < z.real < right and lower < z.imag < upper for z in ends)
-    return Drawn(strokes, words, marks) if fits else None
+    large = max((abs(z - pole) for z in ends), default=0.0) > LEAST_MM
+    fits = large and all(left < z.real < right and lower < z.imag < upper for z in ends)
+    return Drawn(strokes, line_drawings.beside_lines(words, strokes), marks) if fits else None
 
 
 def pole_of(easel: Easel) -> complex:
@@ -76,31 +77,39 @@ def picture(one: Drawn, pole: complex, camera: photographs.Camera, rng: random.R
 
 
 ALIKE_MM = 1.0  # ink that differs by less is the same to the eye
+LEAST_MM = 10.0  # nobody hands in a smaller drawing
 
 
-def ink(easel: Easel, mistake: Mistake | None) -> tuple[dict[str, complex], list[Stroke]]:
-    """What an unerring hand leaves on paper: a polygon's vectors by name, else strokes."""
+@cache
+def ink(easel: Easel, mistake: Mistake | None, order: tuple[str, ...] = ()) -> list[Stroke]:
+    """What an unerring hand leaves on paper; a force polygon's vectors in an order, where they are in it."""
     found, _ = easel.draw(mistake, Hand(NONE, random.Random(0)))
-    if easel.plan.startswith("force"):
-        return found, []
-    return {}, line_drawings.motion_strokes(motion(easel.sample), found, easel.plan == "acceleration")
+    if not easel.plan.startswith("force"):
+        return line_drawings.motion_strokes(motion(easel.sample), found, easel.plan == "acceleration")
+    strokes, z = [], 0j
+    for name in dict.fromkeys([*(n for n in order if n in found), *found]):
+        if abs(found[name]) > 0.3:
+            strokes.append((z, z + found[name]))
+        z += found[name]
+    return strokes
 
 
-def same_ink(easel: Easel, one: Mistake | None, two: Mistake | None) -> bool:
+def same_ink(easel: Easel, one: Mistake | None, two: Mistake | None, order: tuple[str, ...] = ()) -> bool:
     """Whether two drawings differ in the letters beside them alone, which nobody reads on a picture."""
     try:
-        (vectors, strokes), (others, lines) = ink(easel, one), ink(easel, two)
+        strokes, lines = ink(easel, one, order), ink(easel, two, order)
     except ZeroDivisionError:
-        return False
-    if any(abs(vectors.get(n, 0j) - others.get(n, 0j)) > ALIKE_MM for n in {*vectors, *others}):
         return False
     return all(_drawn_too(a, b) for a, b in ((strokes, lines), (lines, strokes)))
 
 
 def _drawn_too(strokes: list[Stroke], lines: list[Stroke]) -> bool:
-    ends = [z for s in lines for z in s]
-    if any(min((abs(z - w) for w in ends), default=ALIKE_MM) >= ALIKE_MM for s in strokes for z in s):
-        return False
+    """Whether all ink of the strokes, and every head, is ink of the lines too."""
+    for a, b in strokes:
+        alike_ways = (abs(b - d) < ALIKE_MM and ((b - a) / (d - c)).real > 0.95 * abs((b - a) / (d - c))
+                      for c, d in lines if abs(d - c) > photographs.HEADED_MM)  # fmt: skip
+        if abs(b - a) > photographs.HEADED_MM and not any(alike_ways):
+            return False
     steps = [a + (b - a) * t / 20 for a, b in strokes for t in range(21)]
     return all(any(_beside(z, *s) for s in lines) for z in steps)
 
@@ -111,11 +120,11 @@ def _beside(z: complex, a: complex, b: complex) -> bool:
 
 
 @cache
-def alike_on_paper(easel: Easel, mistake: Mistake) -> frozenset[tuple[str, str]]:
+def alike_on_paper(easel: Easel, mistake: Mistake, order: tuple[str, ...]) -> frozenset[tuple[str, str]]:
     """Other mistakes that leave the same ink."""
     _, made = easel.draw(None, Hand(NONE, random.Random(0)))
     others = (Mistake(n, where, k) for n, where in dict.fromkeys(made) for k in (0, 1))
-    found = {(m.name.partition(":")[0], m.where) for m in others if same_ink(easel, mistake, m)}
+    found = {(m.name.partition(":")[0], m.where) for m in others if same_ink(easel, mistake, m, order)}
     return alike(easel, mistake) | frozenset(found - {(mistake.name.partition(":")[0], mistake.where)})
 
 
@@ -167,7 +176,7 @@ def told_of(easel: Easel, mistake: Mistake | None, one: Drawn, found: Outcome, s
         out.right, out.accepted = 1, found.verdict == "right"
         good = bool(out.accepted)
     else:
-        same = (found.mistake or "", blamed) in alike_on_paper(easel, mistake)
+        same = (found.mistake or "", blamed) in alike_on_paper(easel, mistake, tuple(one.marks))
         out.wrong, out.found = 1, found.verdict == "wrong"
         out.blamed, out.named = blamed == mistake.where or same, found.mistake == true or same
         good = bool(out.blamed and out.named)
@@ -197,13 +206,13 @@ def draw_all(each: int, chosen: Iterable[Easel], seed: int = 1) -> Iterator[tupl
     with tempfile.TemporaryDirectory() as folder:
         for easel in chosen:
             rng = random.Random(f"{seed} {easel.sample} {easel.plan}")
-            mistakes = [m for m in possible(easel) if not same_ink(easel, None, m)]
+            mistakes = possible(easel)
             rng.shuffle(mistakes)
             for k in range(each * len(KINDS)):
                 kind = list(KINDS)[k % len(KINDS)]
                 for mistake in (None, mistakes[(k // len(KINDS) + 7 * k) % len(mistakes)]):
                     one = drawn(easel, mistake, rng)
-                    if one is not None:
+                    if one is not None and (mistake is None or not same_ink(easel, None, mistake, tuple(one.marks))):
                         file = Path(folder) / "p.jpg"
                         picture(one, pole_of(easel), KINDS[kind](rng), rng, file)
                         yield kind, easel, told_of(easel, mistake, one, *looked_at(easel, file))

@@ -171,8 +171,9 @@ def test_the_same_persons_velocities_count() -> None:
     easel = next(e for e in easels() if e.sample == "kind-1-rrr" and e.plan == "acceleration")
     m, hand = confusion.motion("kind-1-rrr"), Hand(drawings.NONE, random.Random(1))
     mu_scheme = confusion.bench("kind-1-rrr", "acceleration").given["mu_position"]
-    velocity = drawings.draw_velocity(m, hand, easel.mu_v, mu_scheme, Mistake("relative_from_pole", "c"))
-    drawn = drawings.draw_acceleration(m, hand, easel.mu, mu_scheme, velocity, easel.mu_v)
+    scheme = drawings.draw_scheme(m, hand, mu_scheme)
+    velocity = drawings.draw_velocity(m, hand, easel.mu_v, scheme, Mistake("relative_from_pole", "c"))
+    drawn = drawings.draw_acceleration(m, hand, easel.mu, scheme, velocity, easel.mu_v)
     papers = [Paper("t", [Spot("p", 0j), *(Spot(n, z) for n, z in s.marks.items())]) for s in (velocity, drawn)]
     scene = load(SAMPLES / "kind-1-rrr.yaml")
     alone = check(Asked(scene, "acceleration"), papers[1])
@@ -220,7 +221,7 @@ def test_confusion_table_without_mu(capsys: pytest.CaptureFixture[str]) -> None:
         print("\nwithout μ\n" + told(found))
     assert found.right > 100 and found.mistakes > 300
     assert found.accepted >= 0.98 * found.right
-    assert found.found >= 0.97 * found.mistakes
+    assert found.found >= 0.98 * found.mistakes
     assert found.blamed >= 0.95 * found.mistakes
     assert found.named >= 0.90 * found.mistakes
 
@@ -353,7 +354,7 @@ def test_a_class_as_a_file(folder: Path, tmp_path: Path, name: str, capsys: pyte
     text = target.read_text(encoding="utf-8")
     assert all(f in text for f in ("anna.csv", "boris.csv", "egor.doc", "vera.csv"))
     if target.suffix == ".html":
-        assert "против вращения ведущего звена; поверните вектор на 180° — 2" in text
+        assert "против вращения ведущего звена; поверните вектор на 180° — <b>2</b>: " in text
     assert main(["check", SIX, str(folder), "--plan", "velocity", "-o", str(tmp_path / "class.doc")]) == 2
     capsys.readouterr()
 
@@ -397,13 +398,15 @@ def test_the_printed_report_keeps_to_its_sheet(sample: str, plan: str) -> None:
     spots = [Spot("p", 0j), *(Spot(m.rpartition(":")[2], complex(drawn[m])) for m in bench.marks)]
     spots[2] = Spot(spots[2].name, spots[2].place * 9 - 400)
     found = check(Asked(bench.asked.scene, plan, mu=bench.said_mu), Paper("t", spots))
-    marks = compose(SHEET_MM, _overlay(found, "ru"))
+    marks, photo = compose(SHEET_MM, _overlay(found, "ru"))
     places = [z for m in marks for z in ((m.start, m.end) if isinstance(m, Arrow) else m.points if isinstance(m, Line)
                                          else (m.place,) if isinstance(m, Text) else (m.centre,))]  # fmt: skip
     assert all(19.9 <= z.real <= SHEET_MM[0] - 4.9 and 4.9 <= z.imag <= SHEET_MM[1] - 4.9 for z in places)
-    left = min(z.real for m in marks if isinstance(m, Line) and m.layer == "table" for z in m.points)
+    table = [z for m in marks if isinstance(m, Line) and m.layer == "table" for z in m.points]
+    left, top, low = min(z.real for z in table), max(z.imag for z in table), min(z.imag for z in table)
     inked = [m.end if isinstance(m, Arrow) else m.centre for m in marks if isinstance(m, Arrow | Arc)]
-    assert all(z.real < left for z in inked) and len(marks) > 40
+    beside, beneath = (all(test(z) for z in inked) for test in (lambda z: z.real < left, lambda z: z.imag > top))
+    assert (beside or beneath) and low > 4.9 and photo is None and len(marks) > 40
 
 
 @pytest.mark.parametrize("suffix", [".pdf", ".svg", ".png"])

@@ -24,8 +24,11 @@ import picture_corpus as corpus  # noqa: E402
 from photographs import PHONE, SCAN, Camera  # noqa: E402
 
 from planes.check.bench import Asked  # noqa: E402
+from planes.check.colours import plainest  # noqa: E402
+from planes.check.fiducials import SHEET_MM  # noqa: E402
 from planes.check.frame import SIZES_MM, frame_corners, shape_of  # noqa: E402
 from planes.check.photograph import paper_of_picture  # noqa: E402
+from planes.check.picture import flatten  # noqa: E402
 from planes.check.verdict import Outcome, check  # noqa: E402
 from planes.check.verdict_rows import as_json  # noqa: E402
 
@@ -254,3 +257,58 @@ def test_a_pole_named_on_a_blank_counts_more_than_the_printed_one(tmp_path: Path
     b = confusion.bench(one.sample, one.plan)
     paper = paper_of_picture(str(file), b, complex(place.real * k, (210 - place.imag) * k))
     assert check(b.asked, paper).verdict == "right" and abs(paper.spots[0].place - place) < 0.2
+
+
+def coloured(easel_: Easel, camera: Camera, inks: tuple[float, float, float], file: Path) -> corpus.Drawn:
+    drawn = corpus.drawn(easel_, None, random.Random(5))
+    assert drawn is not None
+    pole = corpus.pole_of(easel_)
+    picture = photographs.coloured(drawn.strokes, drawn.words, pole, camera, 3, inks)
+    cv2.imwrite(str(file), picture, [cv2.IMWRITE_JPEG_QUALITY, camera.quality])
+    return drawn
+
+
+@pytest.mark.parametrize("lens", [-0.08, -0.03, 0.05, 0.08])
+def test_a_lens_that_bends_is_told_by_the_frame(lens: float, tmp_path: Path) -> None:
+    errors, count = [], 0
+    for sample, plan in MOTION[:4]:
+        drawn, found = looked(easel(sample, plan), replace(PHONE, lens=lens), tmp_path)
+        assert found.verdict == "right", (sample, plan, found.sentence.told("en"))
+        errors += corpus.mark_errors(easel(sample, plan), drawn, found)
+        count += len(drawn.marks)
+    errors.sort()
+    assert len(errors) >= 0.95 * count and errors[int(0.95 * len(errors))] < 0.6
+
+
+def test_pixels_of_a_bent_picture_are_found_on_the_sheet() -> None:
+    camera, place = replace(SCAN, lens=0.06), 90 + 150j
+    page = photographs.sheet([], [], 150 + 100j, camera, random.Random(1))
+    flat = flatten(photographs.shot(page, camera, random.Random(2)))
+    assert flat is not None and flat.bend is not None
+    half = abs(complex(*SHEET_MM)) / 2
+    z = (place - complex(*SHEET_MM) / 2) / half / (1 + camera.lens)
+    off = z * (1 + camera.lens * (abs(z) * (1 + camera.lens)) ** 2)
+    seen = complex(*SHEET_MM) / 2 + half * off
+    k = camera.dpi / 25.4
+    assert abs(flat.place(complex(seen.real * k, (SHEET_MM[1] - seen.imag) * k)) - place) < 0.3
+
+
+@pytest.mark.parametrize("inks", [(0.2, 1.2, 2.2), (0.5, 2.9, 3.8), (3.9, 2.9, 0.4)],
+                         ids=["blue", "dark blue", "dark orange"])  # fmt: skip
+@pytest.mark.parametrize("camera", [SCAN, PHONE], ids=["scan", "phone"])
+def test_a_coloured_grid_is_looked_past(camera: Camera, inks: tuple[float, float, float], tmp_path: Path) -> None:
+    """Printed so dark that in grey it is as dark as a pencil."""
+    one, file = easel("six-link", "acceleration"), tmp_path / "p.jpg"
+    drawn = coloured(one, replace(camera, grid="millimetre"), inks, file)
+    found = corpus.looked_at(one, file)[0]
+    assert found.verdict == "right", found.sentence.told("en")
+    assert max(corpus.mark_errors(one, drawn, found)) < 0.6
+
+
+def test_what_is_drawn_in_colour_does_not_fade() -> None:
+    """A pen as blue as a faint grid keeps its ink: grey is looked at."""
+    colour = np.full((900, 1300, 3), 245, np.uint8)
+    for x in range(0, 1300, 8):
+        colour[:, x] = (240, 215, 200)
+    cv2.line(colour, (300, 200), (900, 700), (200, 60, 30), 5, cv2.LINE_AA)
+    assert np.array_equal(plainest(cv2, colour), cv2.cvtColor(colour, cv2.COLOR_BGR2GRAY))

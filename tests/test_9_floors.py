@@ -16,12 +16,12 @@ LONGEST_FILE = 260
 LONGEST_BODY = 25  # lines, of nine functions in ten
 
 STOREYS = (  # a module imports only from the storeys above its own in this list
-    "check.fiducials check.strokes check.svg_shapes cli.options course.fingerprint crank_slider "
-    "crank_slider.indicator crank_slider.materials crank_slider.sections crank_slider.words_balance "
-    "crank_slider.words_forces crank_slider.words_report crank_slider.words_rod crank_slider.words_strength "
-    "cycle.tape degrees diagrams diagrams.stages lossless mechanism naming words.course words.crank_slider "
-    "words.cycle words.diagrams words.links words.method words.mistakes words.note words.scene words.sheets "
-    "words.text words.why",
+    "check.bend check.colours check.fiducials check.rows_across check.strokes check.svg_shapes cli.options "
+    "course.fingerprint crank_slider crank_slider.indicator crank_slider.materials crank_slider.sections "
+    "crank_slider.words_balance crank_slider.words_forces crank_slider.words_report crank_slider.words_rod "
+    "crank_slider.words_strength cycle.tape degrees diagrams diagrams.stages lossless mechanism naming "
+    "words.course words.crank_slider words.cycle words.diagrams words.links words.method words.mistakes "
+    "words.note words.scene words.sheets words.text words.why working",
     "arithmetic check.arrowheads cycle.fused_functions cycle.reading cycle.slopes cycle.symbols mark_names "
     "words.check words.lesson",
     "cycle.fused_text cycle.twofold plane tools words",
@@ -30,14 +30,14 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "instruments scene.expressions scene.source statement steps.crossings steps.reckoning structure units",
     "check.frame check.ink course course.scenes cycle.digits lesson.formulas program scene.reader self_aligning "
     "steps",
-    "check.line_fitting check.nudging course.students crank_slider.reading_table cycle.tracing drafting drawing "
-    "scene.links scene.motion scene.settings scene.vectors",
-    "check.handwork check.places course.giving cycle.fused diagrams.graphical lesson.moments plans.assembly "
+    "check.line_fitting check.nudging check.symbols_seen course.students crank_slider.reading_table cycle.tracing "
+    "drafting drawing scene.links scene.motion scene.settings scene.vectors",
+    "check.handwork check.heads course.giving cycle.fused diagrams.graphical lesson.moments plans.assembly "
     "plans.bodies scene",
-    "check.judging check.pencil_lines course.reading crank_slider.shape plans.positions vectors",
-    "crank_slider.given plans.legs",
-    "crank_slider.reading_parts plans.kinematics",
-    "crank_slider.reading plans.loads",
+    "check.arrow_tips check.jointly course.reading crank_slider.shape plans.positions vectors",
+    "check.drawn_lines check.judging crank_slider.given plans.legs",
+    "check.places crank_slider.reading_parts plans.kinematics",
+    "check.pencil_lines check.ways_of_ink crank_slider.reading plans.loads",
     "plans.friction plans.reactions",
     "plans.lever plans.primary",
     "plans.statics",
@@ -46,22 +46,22 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "plans.driven scales",
     "alignment check.mistakes check.mistakes_force check.mistakes_position course.showing crank_slider.engine "
     "cycle.peers lesson.steps measuring nearest",
-    "check.accounts check.bench crank_slider.kinematics cycle.columns lesson solving working",
+    "check.accounts check.bench crank_slider.kinematics cycle.columns lesson solving",
     "check.chains check.motion_seen check.scaling course.numbers crank_slider.forces crank_slider.pages cycle "
     "cycle.explaining lesson.note lesson.practice lesson.zones remedies tables",
-    "check check.force_ways check.sizing course.papers course.settling crank_slider.balance "
+    "check check.force_ways check.scheme_seen check.sizing course.papers course.settling crank_slider.balance "
     "crank_slider.misprints cycle.bench cycle.claims cycle.spread cycle.streams diagrams.graphical_text "
     "diagrams.turn lesson.data",
     "check.force_seen check.matching check.regrading check.verdict course.summary crank_slider.shaft cycle.limits "
     "cycle.long_run cycle.methods diagrams.extremes erring roof.lesson",
-    "check.photograph check.verdict_rows cli.solve crank_slider.fatigue cycle.stability diagrams.motion "
-    "diagrams.summary",
-    "check.report crank_slider.rod diagrams.runs diagrams.text roof.charts survey",
-    "check.tracing_paper cli.survey crank_slider.calculation roof.cycle roof.graphs",
-    "cli.cycle crank_slider.pages_balance crank_slider.pages_kinematics crank_slider.pages_rod "
-    "crank_slider.pages_shaft roof.check roof.turning",
-    "cli.classes crank_slider.numbers crank_slider.pages_forces roof.sheets",
-    "cli.check crank_slider.report roof",
+    "check.photograph check.shown check.verdict_rows cli.solve crank_slider.fatigue cycle.stability "
+    "diagrams.motion diagrams.summary",
+    "check.report check.tracing_paper crank_slider.rod diagrams.runs diagrams.text roof.charts survey",
+    "cli.survey crank_slider.calculation roof.check roof.cycle roof.graphs",
+    "cli.classes cli.cycle crank_slider.pages_balance crank_slider.pages_kinematics crank_slider.pages_rod "
+    "crank_slider.pages_shaft roof.turning",
+    "cli.check crank_slider.numbers crank_slider.pages_forces roof.sheets",
+    "crank_slider.report roof",
     "roof.course roof.crank_slider roof.notebook",
     "roof.conducting",
     "cli.course",

@@ -156,9 +156,8 @@ def _long(found: Grading, step: Step) -> bool:
 
 
 def _worth(found: Grading) -> float:
-    """How much a grading is to be believed: few wrong marks, a named mistake rather than none."""
-    wrong = len([v for v in found.verdicts.values() if v == "wrong"])
-    return -6.0 * wrong - (0.0 if found.judgement.named or not wrong else 4.0)
+    """How much a grading is to be believed: how likely the drawing is, with the mistake named or without any."""
+    return found.judgement.score
 
 
 def _earlier(bench: Bench) -> dict[str, Taken]:

@@ -12,24 +12,26 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import pairwise, permutations
+from itertools import permutations
 
 from planes.check.bench import Bench
 from planes.check.force_ways import Guess, guesses, polygon_of, spread_of
 from planes.check.handwork import Miss
-from planes.check.motion_seen import ANYWHERE, COVERED, DOUBTFUL, GATE, NO_END, PER_MM, VAGUE, pole_on, sigmas_of
+from planes.check.motion_seen import ANYWHERE, COVERED, DOUBTFUL, GATE, NO_END, VAGUE, pole_on, sigmas_of
 from planes.check.paper import Spot
 from planes.check.places import Place, Seen
 from planes.check.polygons import loads_of, sides_of
+from planes.check.ways_of_ink import Ways
 from planes.naming import POLE
 
 NOTHING_MM = 0.3  # a vector shorter than this is not drawn
 TINY_MM = 1.6  # a vector shorter than this may be hidden where two others meet
 MOST_HIDDEN = 3.5
 MOST_COST = 60.0  # of a chain that explains a picture at all
-POOR = 8.0  # a right polygon that fits worse, a unit for each vector aside, is not surely one
-UNSURE = 6.0  # a mistake that is believed in by less is not surely one
+POOR, POORLY = 8.0, 2.0  # a polygon that costs more than this, and this for each vector, is not surely one
+UNSURE = 0.5  # a mistake and none that cost so nearly the same cannot be told apart
 HIDDEN = 1.5  # what it costs to believe in an end that is not seen, for a vector of a millimetre
+NO_INK = 5.0  # what it costs if no ink is on its way
 OPEN = 6.0  # what a polygon costs that does not close
 GAP_MM = 1.2  # ends nearer than this to the pole are at it
 NOTHING = 1.0  # what it costs to believe in a closing vector of no length
@@ -43,6 +45,8 @@ class Laid:
     cost: float
     rows: list[tuple[str, complex, float]] = field(default_factory=list)
     hidden: tuple[str, ...] = ()
+    steps: int = 0  # of ink, and heads, that the vectors account for: bits
+    heads: int = 0
 
 
 @dataclass
@@ -55,8 +59,12 @@ class Polygon:
     steps: int = 0
     best: Laid | None = None
     most: float = 0.0
-    known: dict[tuple[frozenset[str], complex], float] = field(default_factory=dict)
+    known: dict[tuple[frozenset[str], complex], list[Laid]] = field(default_factory=dict)
     ways: dict[tuple[complex, complex], float] = field(default_factory=dict)
+    ink: Ways = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.ink = Ways(self.seen, self.pole.z)
 
     def covered(self, a: complex, b: complex) -> float:
         """The share of the way that is ink (remembered)."""
@@ -74,21 +82,34 @@ class Polygon:
 
     def _lay_known(self, guess: Guess, left: Mapping[str, complex], chain: Laid, z: complex, loose: float) -> None:
         """Every order of the known vectors that the ink allows, then the closing ones."""
-        key = frozenset(left), complex(round(z.real, 1), round(z.imag, 1))
         self.steps += 1
-        if chain.cost >= min(self.most, self.known.get(key, math.inf)) or self.steps > MOST_STEPS:
+        if chain.cost >= self.most or self.steps > MOST_STEPS or self._outdone(frozenset(left), chain, z):
             return
-        self.known[key] = chain.cost
         if not left:
             for order in permutations(guess.closing):
                 self._lay_closing(guess, order, chain, z)
         for name, v in left.items():
             rest = {n: w for n, w in left.items() if n != name}
             for price, place, sigma, hidden in self._ends(guess, name, v, z, loose):
-                rows = [*chain.rows, (name, place, sigma)]
                 now = math.hypot(loose, sigma) if hidden else 0.0
                 unseen = (*chain.hidden, name) if hidden and abs(v) > NOTHING_MM else chain.hidden
-                self._lay_known(guess, rest, Laid(chain.cost + price, rows, unseen), place, now)
+                self._lay_known(guess, rest, self._longer(chain, z, price, (name, place, sigma), unseen), place, now)
+
+    def _outdone(self, left: frozenset[str], chain: Laid, z: complex) -> bool:
+        """Whether the same place was come to more cheaply, with no ink accounted for the less."""
+        found = self.known.setdefault((left, complex(round(z.real, 1), round(z.imag, 1))), [])
+        if any(c.cost <= chain.cost and not (chain.steps & ~c.steps or chain.heads & ~c.heads) for c in found):
+            return True
+        found.append(chain)
+        return False
+
+    def _longer(
+        self, chain: Laid, z: complex, price: float, row: tuple[str, complex, float], hidden: tuple[str, ...] = ()
+    ) -> Laid:  # fmt: skip
+        """The chain with one more vector, from z."""
+        steps, heads = self.ink.along(z, row[1])
+        cost = chain.cost + price + self.ink.bare(z, row[1])
+        return Laid(cost, [*chain.rows, row], hidden or chain.hidden, chain.steps | steps, chain.heads | heads)
 
     def _ends(
         self, guess: Guess, name: str, v: complex, z: complex, loose: float
@@ -102,17 +123,18 @@ class Polygon:
             return [(0.0, z + v, NOTHING_MM, True)]
         goal = z + v
         found: list[tuple[float, complex, float, bool]] = []
-        for p in [*self.seen.within(goal, min(4.0 + 0.08 * abs(v), 12.0)), self.pole]:
+        closer = self.seen.closer(z, goal)
+        for p in [*self.seen.within(goal, min(4.0 + 0.08 * abs(v), 12.0)), self.pole, *([closer] if closer else [])]:
             sigmas = sigmas_of(p.z - goal, self.spread[name], math.hypot(p.sigma, loose))
             if sigmas < GATE and (abs(v) < 2 or self.covered(z, p.z) > COVERED):
                 price = sigmas**2 / 2 + VAGUE * p.sigma + DOUBTFUL * p.doubtful
-                price += 0.0 if p.ended or p.tip or p is self.pole else NO_END
+                price += 0.0 if p.ended or p is self.pole or (p.tip and self.ink.pointed(z, p.z)) else NO_END
                 found.append((price, p.z, p.sigma, False))
         found.sort(key=lambda f: f[0])
         least = found[0][0] if found else math.inf
         if least > 1.0 + HIDDEN * min(abs(v), 2.0) and (abs(v) < TINY_MM or self.covered(z, goal) > 1 - 0.8 / abs(v)):
-            price = min(1.0 + HIDDEN * abs(v), MOST_HIDDEN)
-            found.append((price, goal, min(0.3 + 0.5 * abs(v), 1.0), True))
+            price = min(1.0 + HIDDEN * abs(v), MOST_HIDDEN) + NO_INK * (1 - self.covered(z, goal))
+            found.append((price, goal, self.spread[name].worst, True))
         return found
 
     def _ended(self) -> list[Place]:
@@ -121,7 +143,7 @@ class Polygon:
     def _lay_closing(self, guess: Guess, order: tuple[str, ...], chain: Laid, z: complex) -> None:
         """The closing vectors after the known ones, the last to the pole (or not, which is a mistake)."""
         if not order:
-            chain.cost += PER_MM * self.unexplained(chain)
+            chain.cost += self.ink.over(chain.steps, chain.heads)
             if chain.cost < self.most:
                 self.best, self.most = chain, chain.cost
             return
@@ -139,11 +161,9 @@ class Polygon:
             if price + chain.cost >= self.most or price > 12 + OPEN:
                 continue
             if abs(way) < 1 or self.covered(z, p.z) > COVERED:
-                rows = [*chain.rows, (name, p.z, p.sigma)]
-                self._lay_closing(guess, order[1:], Laid(chain.cost + price, rows, chain.hidden), p.z)
+                self._lay_closing(guess, order[1:], self._longer(chain, z, price, (name, p.z, p.sigma)), p.z)
         if not last:  # a closing vector of no length
-            rows = [*chain.rows, (name, z, NOTHING_MM)]
-            self._lay_closing(guess, order[1:], Laid(chain.cost + NOTHING, rows, chain.hidden), z)
+            self._lay_closing(guess, order[1:], self._longer(chain, z, NOTHING, (name, z, NOTHING_MM)), z)
 
     def _goes_on(self, z: complex, chain: Laid) -> bool:
         """Whether the line from z to the pole ends beyond it, where no vector begins."""
@@ -163,11 +183,6 @@ class Polygon:
             return 0.0
         aside = abs((way * u.conjugate()).imag)
         return 0.5 * (aside / (0.35 + 0.012 * abs(way))) ** 2
-
-    def unexplained(self, laid: Laid) -> float:
-        """How many mm of ink no vector runs along."""
-        ends = [self.pole.z, *(z for _, z, _ in laid.rows)]
-        return self.seen.left([(a, b) for a, b in pairwise(ends) if a != b], self.pole.z)
 
 
 def _left_out(name: str, laid: Laid, right: Guess, pole: complex) -> bool:
@@ -193,7 +208,7 @@ def vectors_on(bench: Bench, seen: Seen, near: complex) -> tuple[list[Spot], boo
         return [], False, 0.0, ()
     if not _sure(best, plain, len(sides), polygon.pole.z):
         return [], False, 1.0, ()
-    explained = 1 - polygon.unexplained(best) / max(seen.ink_mm, 1.0)
+    explained = 1 - polygon.ink.left(best.steps) / max(seen.ink_mm, 1.0)
     rows = [Spot(POLE, polygon.pole.z, polygon.pole.sigma)]
     rows += [Spot(n, z, sigma) for n, z, sigma in best.rows if not _left_out(n, best, right, polygon.pole.z)]
     return rows, explained > 0.9, explained, best.hidden
@@ -202,7 +217,7 @@ def vectors_on(bench: Bench, seen: Seen, near: complex) -> tuple[list[Spot], boo
 def _likelier(polygon: Polygon, plain: Laid | None, right: Guess, wrong: Sequence[Guess], count: int) -> Laid | None:
     """The likeliest chain: the right one if it fits well, else a mistake's, at last one with a vector anywhere."""
     best = plain
-    if best is None or best.cost > 1.0 + 0.6 * count:
+    if best is None or best.cost > min((guess.cost for guess in wrong), default=math.inf):
         for guess in wrong:
             best = polygon.lay(guess, best.cost if best else MOST_COST) or best
     if best is None or best.cost > ANYWHERE + 4.0 + count:
@@ -213,10 +228,11 @@ def _likelier(polygon: Polygon, plain: Laid | None, right: Guess, wrong: Sequenc
 
 
 def _sure(best: Laid, plain: Laid | None, count: int, pole: complex) -> bool:
-    """Whether a right polygon fits well enough, or a wrong one much better than the right one."""
+    """Whether the likeliest polygon fits well enough, and a wrong one better than the right one."""
+    most = POOR + POORLY * count
     if best is plain:
-        return best.cost <= POOR + count + OPEN * _gapes(best, pole)
-    return plain is None or _gapes(plain, pole) or plain.cost - best.cost >= UNSURE
+        return best.cost <= most + OPEN * _gapes(best, pole)
+    return best.cost <= most + ANYWHERE and (plain is None or plain.cost - best.cost >= UNSURE)
 
 
 def _gapes(laid: Laid, pole: complex) -> bool:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from planes.check.bench import Bench, variants_of
 from planes.check.handwork import Hand, Miss, Variant
-from planes.check.motion_seen import SLIP, redrawn
+from planes.check.motion_seen import redrawn, slip
 from planes.check.polygons import Side
 from planes.naming import POLE, at, label_of, plan_of
 from planes.steps import Cross, Step
@@ -63,8 +63,8 @@ def guesses(bench: Bench, sides: list[Side], loads: set[str]) -> list[Guess]:
         key += tuple(complex(round((u * u).real * 20), round((u * u).imag * 20)) for u in closing.values())
         if key not in seen and max(map(abs, known.values()), default=0.0) < WILDEST_MM:
             seen.add(key)
-            found.append(Guess(known, closing, SLIP if variant else 0.0))
-    return found
+            found.append(Guess(known, closing))
+    return found[:1] + [replace(guess, cost=slip(len(found) - 1)) for guess in found[1:]]
 
 
 def _vectors(bench: Bench, sides: list[Side], variant: Variant | None) -> dict[str, complex] | None:

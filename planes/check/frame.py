@@ -10,10 +10,10 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+from planes.check.bend import LEFT_MM, OTHER_MM
 from planes.check.picture import LARGEST_PX, PX_PER_MM, Flat, cv
 
 SIZES_MM = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}  # lying
-LEFT_MM, OTHER_MM = 20.0, 5.0
 LEAST_SHARE = 0.2  # of the picture that a frame takes up
 NEAR_RATIO = (0.004, 0.15)  # formats whose frames are so nearly of the shape seen, straight or askew, are worth trying
 LOOK_PX = 2000

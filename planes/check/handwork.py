@@ -13,7 +13,7 @@ from typing import Any
 
 from planes.check.nudging import Columns, Nudged, Skill
 from planes.program import Program
-from planes.steps import Same, Step
+from planes.steps import Aim, Same, Step, Turn
 from planes.steps.reckoning import Measure
 
 LEAST_MM = 0.1  # no mark on paper is surer than this
@@ -33,6 +33,7 @@ class Miss:
 
     off: complex
     cov: tuple[float, float, float]  # xx, xy, yy
+    change: Any = field(default=None, compare=False, repr=False)  # what each error of the drawing adds to it
 
     @property
     def sigmas(self) -> float:
@@ -47,8 +48,13 @@ class Miss:
         found = self.sigmas
         if found > 1e-9 and abs(self.off) > 1e-9:
             return limit * abs(self.off) / found
+        return limit * self.worst
+
+    @property
+    def worst(self) -> float:
+        """The standard deviation in the direction where it is largest, mm."""
         xx, xy, yy = self.cov
-        return limit * math.sqrt((xx + yy) / 2 + math.hypot((xx - yy) / 2, xy))
+        return math.sqrt((xx + yy) / 2 + math.hypot((xx - yy) / 2, xy))
 
     @property
     def log_density(self) -> float:
@@ -68,6 +74,11 @@ class Variant:
     givens: Mapping[str, Any] = field(default_factory=dict)
     weight: float = 1.0
     about: Mapping[str, str] = field(default_factory=dict)  # names for the sentence
+
+
+def by_protractor(step: Step, given: Mapping[str, Any]) -> bool:
+    """Whether a direction is drawn at an angle that no set square has."""
+    return isinstance(step, Aim | Turn) and step.angle is not None and float(given.get(step.angle, 0.0)) % 90 != 0
 
 
 class Hand:
@@ -118,7 +129,8 @@ class Hand:
             along = self.tool.spread(things[step.along] + 0j)[0]
             sign = -1.0 if (way * along.conjugate()).real < 0 else 1.0
             return sign * replace(step, along=None).draw(things, self.tool)
-        return step.draw(things, self.tool)
+        made = step.draw(things, self.tool)
+        return self.tool.ray(made) if by_protractor(step, self.given) else made
 
     def _own(self, mark: str) -> bool:
         """Whether a mark is a person's own (the pole is)."""
@@ -138,7 +150,7 @@ class Hand:
         change = numpy.nan_to_num(off[1:] - off[0], nan=0.0, posinf=0.0, neginf=0.0)
         floor = LEAST_MM**2
         xx, yy = float(change.real @ change.real) + floor, float(change.imag @ change.imag) + floor
-        return Miss(complex(off[0]), (xx, float(change.real @ change.imag), yy))
+        return Miss(complex(off[0]), (xx, float(change.real @ change.imag), yy), change)
 
     def spread_of(self, value: Any) -> float:
         """Standard deviation of a real value."""

@@ -10,6 +10,7 @@ from planes.check.picture import Flat, cv
 
 LETTER_MM = 7.5  # smaller separate marks of ink are letters
 DARK = 0.4  # of a pencil's darkness: less is paper, a grid's line, or a line rubbed out
+LIGHT = 0.3  # of a pencil's darkness: is paper
 FRAME_MM = (21.5, 8.5)  # how much of a sheet is its frame: at the left, and at the other edges
 
 
@@ -91,7 +92,7 @@ def _levels(even: Any) -> tuple[float, float]:
     share = numpy.cumsum(dark) / max(dark.sum(), 1.0)
     pencil = float(numpy.searchsorted(share, 0.3)) if dark.sum() > 400 else 120.0
     pencil = min(max(pencil, 20.0), 140.0)
-    return 255.0 - 0.3 * (255.0 - pencil), pencil
+    return 255.0 - LIGHT * (255.0 - pencil), pencil
 
 
 def _drop_letters(ink: Ink) -> None:

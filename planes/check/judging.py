@@ -1,16 +1,18 @@
 """Judging a hand's misses: which mark is the first wrong one, and which mistake of the catalogue explains it.
 
-Every mistake is a hypothesis with the likelihood of the drawing under it, mark by mark; "correct but for noise" and
-"wrong there for some other cause" are hypotheses too. A mistake is named when it beats them and the runner-up.
+Every mistake is a hypothesis with the likelihood of the drawing under it, every mark given those before it; "correct
+but for noise" and "wrong there for some other cause" are hypotheses too. A mistake is named when it beats them and the
+runner-up. Where all marks are within limits, close calls are looked at again for a mistake that explains them.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from planes.check.handwork import Hand, Miss, Variant
+from planes.check.jointly import given_before, order_of_reckoning
 from planes.naming import label_of
 
 FALSE_ALARM = 0.02  # of right drawings, how many a hand as shaky as supposed would see refused
@@ -20,19 +22,12 @@ OTHER_CAUSE = 0.1  # the weight of "some other cause" beside a named mistake
 UNDRAWN = 0.1  # the weight of "drawn wrongly" beside "left out", for a mark that is not on the drawing
 LEFT_OUT = ("_missing", "_along_loaded_link")
 MARGIN = 0.7  # the logarithm of how much better than the runner-up a mistake must be
+TOO_WELL = math.log(20)  # the logarithm of how much better than chance a mistake must explain what is within limits
 
 
 def limit_of(count: int) -> float:
     """How many σ a mark may miss by: 3σ of a lone one, more where many could each be the unlucky one."""
     return math.sqrt(-2 * math.log(FALSE_ALARM / max(count, 4)))
-
-
-@dataclass(frozen=True)
-class Named:
-    """A hypothesis with its logarithmic score against "correct but for noise"."""
-
-    score: float
-    variant: Variant
 
 
 @dataclass
@@ -45,7 +40,7 @@ class Judgement:
     named: Variant | None = None
     runner_up: Variant | None = None
     explained: frozenset[str] = frozenset()
-    score: float = 0.0
+    score: float = 0.0  # logarithm of how likely the drawing is, with the mistake that is named or without any
 
     @property
     def first_wrong(self) -> str | None:
@@ -59,14 +54,15 @@ def judge(
     hand: Hand, marks: Sequence[str], variants: Iterable[Variant], extent_mm: float, absent: Collection[str] = ()
 ) -> Judgement:
     """Grade the marks of a hand, in order of drawing, and name the first mistake; ``absent`` are not there at all."""
-    misses = hand.misses(marks)
-    limit = limit_of(len(misses))
-    found = Judgement(limit, misses)
-    broad = breadth(extent_mm)
-    found.wrong = [m for m, miss in misses.items() if not miss.sigmas <= limit]
-    found.score = sum(_mixed(miss, broad) for miss in misses.values())
+    weighing = _Weighing(hand, marks, breadth(extent_mm))
+    found = Judgement(weighing.limit, weighing.misses)
+    found.wrong = [m for m, miss in found.misses.items() if not miss.sigmas <= found.limit]
+    found.score = sum(_mixed(miss, weighing.broad) for miss in found.misses.values())
+    drawn = {label_of(m) for m in found.misses} - set(absent)
     if found.wrong:
-        _name(hand, found, variants, broad, absent)
+        _name(found, weighing.ranked(variants, drawn, found.wrong[:1]), weighing.broad)
+    elif close := [m for m, miss in found.misses.items() if miss.sigmas > WARN]:
+        _look_closer(found, weighing.ranked(variants, drawn, close))
     return found
 
 
@@ -85,33 +81,63 @@ def _mixed(miss: Miss, broad: float) -> float:
     return best + math.log(math.exp(top - best) + math.exp(rest - best))
 
 
-def _name(
-    hand: Hand, found: Judgement, variants: Iterable[Variant], broad: float, absent: Collection[str]
-) -> None:
-    """Score the variants that touch the first wrong mark, and keep the best if it is good enough."""
-    first = found.wrong[0]
-    scored, under = [], {}
-    drawn = {label_of(m) for m in found.misses} - set(absent)
-    for variant in variants:
-        new = hand.misses(list(found.misses), hand.under(variant))
-        if first not in new or not math.isfinite(new[first].sigmas):
-            continue
-        gain = sum(_mixed(miss, broad) - _mixed(found.misses[m], broad) for m, miss in new.items())
-        scored.append(Named(gain + math.log(variant.weight * _likely(variant, drawn)), variant))
-        under[id(variant)] = new
-    ranked = _by_mistake(scored)
+@dataclass(frozen=True)
+class Named:
+    """A hypothesis with its logarithmic score against "correct but for noise", and the misses under it."""
+
+    score: float
+    variant: Variant
+    under: Mapping[str, Miss]
+
+
+class _Weighing:
+    """Weighs hypotheses about the marks of a hand against each other."""
+
+    def __init__(self, hand: Hand, marks: Sequence[str], broad: float) -> None:
+        self.hand, self.broad = hand, broad
+        self.order = order_of_reckoning(hand.program.steps, marks)
+        self.plain = hand.misses(marks)
+        self.limit = limit_of(len(self.plain))
+        self.misses = given_before(self.plain, self.order, self.limit)
+
+    def ranked(self, variants: Iterable[Variant], drawn: set[str], suspects: Collection[str]) -> list[Named]:
+        """The mistakes that touch a suspected mark, the likeliest first."""
+        scored = []
+        for variant in variants:
+            touched = self.hand.misses(list(self.plain), self.hand.under(variant))
+            if not any(m in touched and math.isfinite(touched[m].sigmas) for m in suspects):
+                continue
+            under = given_before({**self.plain, **touched}, self.order, self.limit)
+            gain = sum(_mixed(miss, self.broad) - _mixed(self.misses[m], self.broad) for m, miss in under.items())
+            scored.append(Named(gain + math.log(variant.weight * _likely(variant, drawn)), variant, under))
+        return _by_mistake(scored)
+
+
+def _name(found: Judgement, ranked: Sequence[Named], broad: float) -> None:
+    """Keep the likeliest mistake if it is good enough to explain the first wrong mark."""
     if not ranked:
         return
+    other = math.log(OTHER_CAUSE) + broad - _mixed(found.misses[found.wrong[0]], broad)
+    _keep(found, ranked, ranked[0].score >= max(0.0, other))
+
+
+def _look_closer(found: Judgement, ranked: Sequence[Named]) -> None:
+    """No mark is wrong by itself, but some are close calls: a mistake may explain them too well for chance."""
+    if ranked and ranked[0].score >= TOO_WELL:
+        found.wrong = [m for m in found.misses if label_of(m) == ranked[0].variant.blames]
+        _keep(found, ranked, True)
+
+
+def _keep(found: Judgement, ranked: Sequence[Named], good: bool) -> None:
+    """Name the likeliest mistake if it is good enough and well ahead of the next."""
     best, rest = ranked[0], ranked[1:]
-    other = math.log(OTHER_CAUSE) + broad - _mixed(found.misses[first], broad)
-    second = rest[0].score if rest else -math.inf
-    if best.score >= max(0.0, other) and best.score - second >= MARGIN:
-        found.named = best.variant
-        found.runner_up = rest[0].variant if rest else None
-        new = under[id(best.variant)]
-        found.explained = frozenset(m for m in new if new[m].sigmas <= found.limit)
-    else:
+    if not good or (rest and best.score - rest[0].score < MARGIN):
         found.runner_up = best.variant
+        return
+    found.named = best.variant
+    found.runner_up = rest[0].variant if rest else None
+    found.explained = frozenset(m for m, miss in best.under.items() if miss.sigmas <= found.limit)
+    found.score += best.score + math.log(SLIP)
 
 
 def _likely(variant: Variant, drawn: set[str]) -> float:
@@ -128,7 +154,7 @@ def _by_mistake(scored: Sequence[Named]) -> list[Named]:
     for group in groups.values():
         best = max(group, key=lambda n: n.score)
         total = best.score + math.log(sum(math.exp(n.score - best.score) for n in group))
-        merged.append(Named(total, best.variant))
+        merged.append(replace(best, score=total))
     return sorted(merged, key=lambda n: -n.score)
 
 

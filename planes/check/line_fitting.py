@@ -7,17 +7,34 @@ straight (if long: slightly bent) line is laid through these robustly. The ends 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from planes.check.ink import DARK, Ink
+from planes.check.rows_across import CELL_MM, Rows, nearest
 
 STEP_MM = 0.2
+DRIFT_MM = 0.1  # how far off a line the ink of its end may be
+ASKEW = 0.25  # lines that run more askew only cross
+LEAST_CLEAR = 0.15  # of a line beside others, the share that must be told apart from them
 BEYOND_MM = 25.0  # how far past its ends a line is looked for
 GAP_MM = 1.2  # of a line's ink that is nothing but a poor stroke
+TORN_MM, OWN_MM = 0.3, 0.6  # a longer gap must have so much of plainly the same line beyond it
+WHITE = 0.25  # of a pencil's darkness: where nothing is
 BEND_MM = 0.3  # σ of how far a long line's middle is off its chord
 MOST_BENT_MM = 0.7  # a line that is bent more is two that lie side by side
 UNSTEADY_MM = 0.05  # σ of what a hand does beside bending
+
+
+@dataclass(frozen=True)
+class Tip:
+    """An arrowhead's tip: how far along its line, +1 if it points to its high end, the place, and its σ along."""
+
+    s: float
+    sign: int
+    z: complex
+    sigma: float
 
 
 @dataclass
@@ -32,20 +49,20 @@ class Fitted:
     sigma: float  # lateral, mm
     width: float
     clear: list[bool] = field(default_factory=lambda: [True, True])  # whether nothing else is where it ends
-    tips: list[tuple[float, int]] = field(default_factory=list)  # arrowheads: s, and +1 if it points to high
+    heads: list[Tip] = field(default_factory=list)
 
     @property
     def length(self) -> float:
         return self.high - self.low
 
-    def at(self, s: float) -> complex:
-        """The place at s."""
+    def at(self, s: Any) -> Any:
+        """The place at s (a number or an array)."""
         c0, c1, c2 = self.shape
-        return self.origin + self.along * complex(s, c0 + c1 * s + c2 * s * s)
+        return self.origin + self.along * (s + 1j * (c0 + c1 * s + c2 * s * s))
 
-    def direction(self, s: float) -> complex:
-        """The unit direction at s."""
-        u = complex(1, self.shape[1] + 2 * self.shape[2] * s)
+    def direction(self, s: Any) -> Any:
+        """The unit direction at s (a number or an array)."""
+        u = 1 + 1j * (self.shape[1] + 2 * self.shape[2] * s)
         return self.along * u / abs(u)
 
     def local(self, z: complex) -> tuple[float, float]:
@@ -60,35 +77,53 @@ class Fitted:
         return self.at(self.low), self.at(self.high)
 
 
-def fitted(ink: Ink, a: complex, b: complex) -> Fitted | None:
-    """The line of ink from about ``a`` to about ``b``; None where there is none."""
+def fitted(ink: Ink, a: complex, b: complex, beside: Sequence[Fitted] = ()) -> Fitted | None:
+    """The line of ink from about ``a`` to about ``b``, with others ``beside`` it; None where there is none."""
     import numpy
 
     length = abs(b - a)
     along = (b - a) / length
     s = numpy.arange(-BEYOND_MM, length + BEYOND_MM, STEP_MM)
-    t = numpy.arange(-1.5, 1.51, 0.1)
+    t = numpy.arange(-1.5, 1.51, CELL_MM)
     dark = ink.at((a + along * s)[:, None] + (1j * along * t)[None, :])
     inside = (s >= 0) & (s <= length)
+    others = _others(a + along * s, along, beside)
     shape, sigma, width = numpy.zeros(3), 0.2, 0.5
     for reach in (0.8, 0.55, 0.55):
         middle = shape[0] + shape[1] * s + shape[2] * s * s
-        off = t[None, :] - middle[:, None]
-        near = dark * (numpy.abs(off) < reach)
-        mass = near.sum(axis=1) * 0.1
-        rim = (dark * ((numpy.abs(off) >= reach) & (numpy.abs(off) < reach + 0.3))).sum(axis=1) * 0.1
-        if (inside & (mass > 0.08)).sum() < 4:
+        rows = Rows(dark, t, middle, *nearest(others - middle), reach)
+        lone = inside & (rows.mass > 0.08) & (rows.left > 1.2) & (rows.right > 1.2)
+        if (inside & (rows.mass > 0.08)).sum() < 4:
             return None
-        width = float(numpy.median(mass[inside & (mass > 0.08)]))
-        good = inside & (mass > 0.4 * width) & (mass < 1.45 * width) & (rim < 0.04)
-        if good.sum() < 5:
-            good = inside & (mass > 0.4 * width)
-        found = middle + (near * off).sum(axis=1) * 0.1 / numpy.maximum(mass, 1e-6)
+        if lone.sum() > 10 or not beside:
+            width = float(numpy.median(rows.mass[lone]))
+        good, found = rows.middles(width)
+        good &= inside
+        if good.sum() < (LEAST_CLEAR * inside.sum() if beside else 5):
+            if beside:
+                return None
+            good, found = inside & (rows.mass > 0.4 * width), rows.centroid
         shape, sigma = _laid(s[good], found[good], length)
     line = Fitted(a, along, (float(shape[0]), float(shape[1]), float(shape[2])), 0.0, length, sigma, width)
     _extend(line, s, t, dark)
     sagitta = abs(line.shape[2]) * line.length**2 / 4
     return line if line.length > 1.0 and sagitta < MOST_BENT_MM else None
+
+
+def _others(z: Any, along: complex, beside: Sequence[Fitted]) -> Any:
+    """How far to the left of places on a line the others are that run along it: a row each, nan where there is none."""
+    import numpy
+
+    found = numpy.full((len(beside) + 1, len(z)), numpy.nan)
+    for k, line in enumerate(beside):
+        turn = along * line.along.conjugate()
+        if abs(turn.imag) < ASKEW:
+            p = (z - line.origin) * line.along.conjugate()
+            s = numpy.clip(p.real, line.low, line.high)
+            c0, c1, c2 = line.shape
+            off = -(p.imag - c0 - c1 * s - c2 * s * s) / turn.real
+            found[k] = numpy.where(abs(p.real - s) < 0.5, off, numpy.nan)
+    return found
 
 
 def _laid(s: Any, found: Any, length: float) -> tuple[Any, float]:
@@ -124,63 +159,32 @@ def _extend(line: Fitted, s: Any, t: Any, dark: Any) -> None:
     ends = []
     for sign in (-1, 1):
         inner = line.low + (0.5 + 0.2 * sign) * line.length
-        i = int(numpy.argmin(numpy.abs(s - inner)))
-        last, white = i, 0.0
-        while 0 <= i < len(s) and white < GAP_MM:
-            if core[i] > 0.5:
-                last, white = i, 0.0
-            else:
-                white += STEP_MM
-            i += sign
+        last = _last(core, flank < DARK, int(numpy.argmin(numpy.abs(s - inner))), sign)
         end = float(s[last])
         if 0 < last + sign < len(s) and core[last] > core[last + sign]:  # where the ink is half as dark
             end += sign * STEP_MM * float((core[last] - 0.5) / (core[last] - core[last + sign]))
         beyond = slice(last + 2, last + 8) if sign > 0 else slice(max(last - 7, 0), max(last - 1, 0))
-        line.clear[(sign + 1) // 2] = bool((flank[beyond] < DARK).all())
+        white = slice(last + 2, last + 4) if sign > 0 else slice(max(last - 3, 0), max(last - 1, 0))
+        within = slice(max(last - 4, 0), last + 1) if sign > 0 else slice(last, last + 5)
+        ink = dark[within] * (numpy.abs(off[within]) < 0.55)
+        drift = float((ink * off[within]).sum() / max(ink.sum(), 1e-9))  # off the line it is another's, met askew
+        lone = (core[white] < WHITE).all() and (flank[within] < DARK).all() and abs(drift) < DRIFT_MM
+        line.clear[(sign + 1) // 2] = bool(lone or (flank[beyond] < DARK).all())
         ends.append(end - sign * min(line.width / 2, 0.4))
     line.low, line.high = ends
-    line.tips = tips_of(line, s, dark, off)
 
 
-def tips_of(line: Fitted, s: Any, dark: Any, off: Any) -> list[tuple[float, int]]:
-    """Arrowheads along the line: ink that widens to both sides for some millimetres, then is a line again or ends.
-
-    The tip is where the head's narrowing sides would meet.
-    """
-    import numpy
-
-    found: list[tuple[float, float, int]] = []
-    for aside in numpy.arange(-0.45, 0.46, 0.15):  # the head may be of a line drawn a little beside
-        half = [(dark * (k * (off - aside) > 0) * (k * (off - aside) < 1.2)).sum(axis=1) * 0.1 for k in (1, -1)]
-        outer = numpy.maximum(*((dark * (k * off > 1.2)).max(axis=1) for k in (1, -1)))
-        wide = 2 * numpy.minimum(*half) * (outer < DARK)  # another line's ink is wide on one side, or does not end
-        high = numpy.flatnonzero((wide > line.width + 0.3) & (s > line.low - 6) & (s < line.high + 6))
-        for i in high[(high > 6) & (high < len(s) - 7)]:
-            if wide[i] == wide[i - 4 : i + 5].max():
-                tips = ((_narrowing(s, wide, int(i), sign, line.width), sign) for sign in (1, -1))
-                found += [(-float(wide[i]), tip, sign) for tip, sign in tips if tip is not None]
-    kept: list[tuple[float, int]] = []
-    for _, tip, sign in sorted(found):
-        if line.low - 1.5 < tip < line.high + 1.5 and all(abs(tip - t) > 1 for t, _ in kept):
-            kept.append((tip, sign))
-    return kept
-
-
-def _narrowing(s: Any, wide: Any, base: int, sign: int, width: float) -> float | None:
-    """Where the sides of a head with its base at a row meet; None where they do not narrow as an arrowhead's do."""
-    import numpy
-
-    behind = wide[base - 6 : base] if sign > 0 else wide[base + 1 : base + 7]
-    if behind[0 if sign > 0 else -1] > width + 0.5 * (wide[base] - width):
-        return None
-    rows = [base]
-    while 0 < rows[-1] + sign < len(s) and width + 0.08 < wide[rows[-1] + sign] < wide[rows[-1]] + 0.05:
-        rows.append(rows[-1] + sign)
-    rows = [i for i in rows if wide[i] > 0.5 * wide[base]]  # nearer the tip the line itself is as wide
-    if len(rows) < 5:
-        return None
-    slope, height = numpy.polyfit(s[rows], wide[rows], 1)
-    if not 0.12 < -sign * slope < 1.5:
-        return None
-    tip = -float(height) / float(slope)
-    return tip if 2.0 < sign * (tip - float(s[base])) < 7.0 else None
+def _last(core: Any, alone: Any, i: int, sign: int) -> int:
+    """The last row of a line's ink; beyond a gap that is only what is plainly its own, and not another's it meets."""
+    last, white, own, torn = i, 0.0, 0, False
+    while 0 <= i < len(core) and white < GAP_MM and abs(i - last) * STEP_MM < 2 * GAP_MM:
+        if core[i] > 0.5:
+            own += bool(alone[i])
+            if not torn or own * STEP_MM >= OWN_MM:
+                last, white, torn = i, 0.0, False
+        else:
+            white += STEP_MM
+            if white > TORN_MM:
+                torn, own = True, 0
+        i += sign
+    return last

@@ -8,8 +8,11 @@ the drawing is right is judged afterwards, from the places.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+import math
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import reduce
+from operator import or_
 from typing import Any
 
 from planes.check.bench import Bench, variants_of
@@ -17,19 +20,19 @@ from planes.check.handwork import Hand, Miss, Taken, Variant
 from planes.check.judging import LEFT_OUT
 from planes.check.paper import Spot
 from planes.check.places import Normal, Place, Seen
+from planes.check.ways_of_ink import Ways
 from planes.drawing import run
 from planes.instruments import Exact
-from planes.naming import POLE, at, label_of
+from planes.naming import POLE, at, label_of, plan_of
 from planes.scales import kind_of
 from planes.steps import Step
 from planes.wording import PlanesError
 
 GATE = 4.5  # σ of drafting and reading within which a mark is looked for
 NO_MARK, NO_END, NO_LINE = 9.0, 3.0, 5.0  # what a mark costs that is nowhere, where nothing ends, where no line leads
-SLIP, ANYWHERE = 5.0, 11.0  # what a mistake of the catalogue costs, and a mark anywhere
+WRONG, SLIP, ANYWHERE = 0.4, 2.0, 11.0  # how many drawings hold a mistake; the least one costs; and a mark anywhere
 VAGUE = 3.0  # what a place costs that is known to a millimetre
 DOUBTFUL = 3.0  # what a place costs whose line is better known to end elsewhere
-PER_MM = 0.5  # what a millimetre of unexplained ink costs
 COVERED = 0.75  # the share of a vector that must be drawn
 POLE_MM = 0.12  # σ of the place where a line from the pole begins, about the pole
 REACH_MM = 2.5  # of a true mark, when the pole is looked for
@@ -55,6 +58,7 @@ class Search:
     own: dict[str, Miss]
     true: Mapping[str, complex]
     vectors: list[tuple[str, str]]
+    ink: Ways
 
     def way(self, variant: Variant | None, fixed: tuple[str, Place] | None = None, cost: float = 0.0) -> Way | None:
         """The plan drawn so, snapped to the picture; ``fixed`` puts one mark where it cannot be expected."""
@@ -83,7 +87,7 @@ class Search:
             return None
         at_pole = [m for m, p in out.found.items() if p is self.pole and abs(self.true[m]) > 3]
         out.cost += NO_LINE * bool(at_pole)  # a mark that came to the pole left no trace of its own
-        out.cost += PER_MM * self._unexplained(out)
+        out.cost += self.ink.price(self.routes(out))
         return out
 
     def _nearest(
@@ -94,7 +98,7 @@ class Search:
         best: tuple[float, Place] | None = None
         starts = [places.get(n, self.pole.z) for n in _starts(step)]
         used = {id(p) for p in found.values()}
-        for place in [*self.seen.within(goal, 12.0), self.pole]:
+        for place in [*self.seen.within(goal, 12.0), self.pole, *self._closer(step.makes, goal, places)]:
             sigmas = sigmas_of(place.z - goal, miss, place.sigma)
             if sigmas > GATE:
                 continue
@@ -107,6 +111,14 @@ class Search:
             return None, NO_MARK
         return best[1], best[0]
 
+    def _closer(self, mark: str, goal: complex, places: Mapping[str, complex]) -> Iterator[Place]:
+        """Heads about a goal that the vectors to a mark may have."""
+        for start, end in self.vectors:
+            z = self.pole.z if start == POLE else places.get(at(plan_of(mark), start))
+            found = self.seen.closer(z, goal) if end == label_of(mark) and z is not None else None
+            if found:
+                yield found
+
     def _doubt(self, place: Place, goal: complex, used: Collection[int]) -> float:
         """What it costs to believe that a place is a mark's, however near it is."""
         if id(place) in used or place is self.pole:
@@ -114,11 +126,15 @@ class Search:
         price = VAGUE * place.sigma + (DOUBTFUL if place.doubtful else 0.0)
         return price + (0.0 if place.ended or place.tip else NO_END)
 
-    def _unexplained(self, way: Way) -> float:
-        """How many mm of ink no vector runs along."""
+    def routes(self, way: Way) -> list[tuple[complex, complex]]:
+        """The vectors of the plan, those whose ends were found."""
         ends = {POLE: self.pole.z, **{label_of(m): p.z for m, p in way.found.items()}}
-        routes = [(ends[a], ends[b]) for a, b in self.vectors if a in ends and b in ends and ends[a] != ends[b]]
-        return self.seen.left(routes, self.pole.z)
+        return [(ends[a], ends[b]) for a, b in self.vectors if a in ends and b in ends and ends[a] != ends[b]]
+
+    def explained(self, way: Way) -> float:
+        """The share of the ink that vectors run along."""
+        steps = reduce(or_, (self.ink.along(a, b)[0] for a, b in self.routes(way)), 0)
+        return 1 - self.ink.left(steps) / max(self.seen.ink_mm, 1.0)
 
     def free_marks(self, way: Way) -> Iterator[tuple[str, Place]]:
         """Marks that may be elsewhere, with places where lines end that the way does not use."""
@@ -131,6 +147,11 @@ class Search:
             for place in free:
                 if any(self.seen.ink.covered(z, place.z) > COVERED for z in (*starts, self.pole.z)):
                     yield mark, place
+
+
+def slip(count: int) -> float:
+    """What each of some mistakes of the catalogue costs: that it is just this one that was made."""
+    return max(math.log(max(count, 1) / WRONG), SLIP)
 
 
 def sigmas_of(off: complex, miss: Miss, sigma: float) -> float:
@@ -199,17 +220,17 @@ def search_of(bench: Bench, seen: Seen, pole: Place) -> Search:
     truth = run(bench.program, bench.given)
     true = {m: complex(truth[m]) for m in bench.marks}
     hand = Hand(bench.program, bench.given, bench.asked.skill, {m: Taken(z, 0.1) for m, z in true.items()})
-    return Search(bench, seen, pole, hand.misses(bench.marks), true, ends_of(bench))
+    return Search(bench, seen, pole, hand.misses(bench.marks), true, ends_of(bench), Ways(seen, pole.z))
 
 
 def best_way(search: Search) -> Way | None:
     """The way that explains the picture best."""
     bench = search.bench
     ways = [w for w in (search.way(None),) if w]
-    if not ways or len(ways[0].found) < len(bench.marks) or ways[0].cost > 2.0 + 0.8 * len(bench.marks):
-        free = Hand(bench.program, bench.given, bench.asked.skill, {})
-        variants: Iterable[Variant] = variants_of(bench, free, bench.said_mu)
-        ways += [w for w in (search.way(v, cost=SLIP) for v in variants) if w]
+    free = Hand(bench.program, bench.given, bench.asked.skill, {})
+    variants = list(variants_of(bench, free, bench.said_mu))
+    if not ways or len(ways[0].found) < len(bench.marks) or ways[0].cost > slip(len(variants)):
+        ways += [w for w in (search.way(v, cost=slip(len(variants))) for v in variants) if w]
         best = min(ways, key=lambda w: w.cost, default=None)
         if best and best.cost > ANYWHERE + 4.0 + len(bench.marks):
             ways += [w for w in (search.way(None, f, ANYWHERE) for f in search.free_marks(best)) if w]
@@ -227,4 +248,4 @@ def marks_on(bench: Bench, seen: Seen, near: complex) -> tuple[list[Spot], float
     left_out = way.variant.blames if way.variant and way.variant.mistake.endswith(LEFT_OUT) else None
     names = [label_of(m) for m in bench.marks if m in way.found and label_of(m) != left_out]
     spots += [Spot(n, way.found[at(plan, n)].z, way.found[at(plan, n)].sigma) for n in names]
-    return spots, 1 - search._unexplained(way) / max(seen.ink_mm, 1.0)
+    return spots, search.explained(way)

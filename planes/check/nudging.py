@@ -15,7 +15,7 @@ from planes.arithmetic import Many, Point, Real
 from planes.instruments import Hand
 from planes.steps import Step
 
-_COLUMNS = {"mark": 8, "value": 2}  # errors a step of the kind may make: marks, carried directions, readings
+_COLUMNS = {"mark": 8, "value": 2, "direction": 1}  # errors a step of the kind may make: marks, rays, readings
 
 
 @dataclass(frozen=True)

@@ -6,9 +6,10 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
+from planes.check.drawn_lines import lines_on
 from planes.check.ink import ink_of
 from planes.check.picture import Flat, cv
-from planes.check.places import Seen, seen
+from planes.check.places import Seen, places_of
 
 WIDEST_MM = 1.4  # of a stroke
 SHORTEST_MM = 1.5
@@ -38,11 +39,15 @@ def sheet_of(flat: Flat) -> Seen | None:
     if len(lines) > 4 * MOST:
         return None
     lines = joined(lines)
-    return None if len(lines) > MOST else seen(ink, [(x.a, x.b) for x in lines])
+    if len(lines) > MOST:
+        return None
+    rims = [(flat.mm(a.real, a.imag), flat.mm(b.real, b.imag)) for a, b in edges]
+    found = lines_on(ink, [(x.a, x.b) for x in lines], rims)
+    return Seen(ink, found, places_of(found))
 
 
 def _edges(ink: Any) -> list[tuple[complex, complex]]:
-    """Both edges of every stroke, in pixels, the ink on one and the same side of them."""
+    """Both edges of every stroke, in pixels, the ink to their right as one sees it."""
     found = cv().createLineSegmentDetector(2, scale=0.8).detect(ink)[0]
     if found is None:
         return []
@@ -69,7 +74,7 @@ def _centres(edges: list[tuple[complex, complex]], scale: float) -> list[tuple[P
         p, q = (a - a[i]) * u[i].conjugate(), (b - a[i]) * u[i].conjugate()
         apart = (p.imag + q.imag) / 2
         low, high = numpy.maximum(q.real, 0), numpy.minimum(p.real, length[i])
-        fits = (turn.real < -0.99) & (numpy.abs(apart) > 0.1 * scale) & (numpy.abs(apart) < WIDEST_MM * scale)
+        fits = (turn.real < -0.99) & (apart > 0.1 * scale) & (apart < WIDEST_MM * scale)
         fits &= (high - low) > 0.35 * numpy.minimum(length, length[i])
         for j in numpy.flatnonzero(fits):
             if length[j] > length[i] or (length[j] == length[i] and j <= i):

@@ -14,6 +14,7 @@ from planes.check.motion_seen import marks_on, pole_found, pole_on
 from planes.check.paper import Paper, Spot
 from planes.check.pencil_lines import sheet_of
 from planes.check.picture import Flat, by_points, cv, flatten, load
+from planes.check.scheme_seen import points_on
 from planes.drawing import run
 from planes.mark_names import Names
 from planes.naming import at, label_of
@@ -106,7 +107,8 @@ def looked(bench: Bench, flat: Flat, pole: complex | None) -> Look:
         return Look(flat, 0j, explained=0.0)
     if kind_of(bench.asked.plan) == "force":
         return Look(flat, near, *vectors_on(bench, seen, near))
-    spots, explained = marks_on(bench, seen, near)
+    find = points_on if kind_of(bench.asked.plan) == "position" else marks_on
+    spots, explained = find(bench, seen, near)
     return Look(flat, near, spots, False, explained)
 
 

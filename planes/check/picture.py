@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from planes.check.bend import Bend, add_paper, bend_of
+from planes.check.colours import in_one_shade, plainest
 from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, centres
 from planes.wording import PlanesError
 from planes.words import Phrase
@@ -14,6 +16,9 @@ from planes.words import Phrase
 PX_PER_MM = 8.0
 LARGEST_PX = 3200  # the longer side beyond which a picture is made smaller before it is looked at
 MOST_PIXELS = 120_000_000
+PAGE_DPI = 200
+SEE_THROUGH = (b"\x89PNG", b"RIFF")  # how files begin that may be transparent: PNG, WebP
+PNG_END = b"IEND"
 
 
 @dataclass
@@ -26,6 +31,7 @@ class Flat:
     by: str = "marks"  # what it was made flat by: "marks" of a blank, "points" named, the "frame"
     warp: Any = None
     notes: list[Phrase] = field(default_factory=list)
+    bend: Bend | None = None  # instead of ``warp``, where the picture's lens or paper bends it
 
     @property
     def size_mm(self) -> tuple[float, float]:
@@ -36,6 +42,9 @@ class Flat:
         """Where a pixel of the source (x right, y down) is on the sheet."""
         import numpy
 
+        if self.bend is not None:
+            z = complex(self.bend.flat(pixel))
+            return self.mm(z.real, z.imag)
         x, y, w = (self.warp @ numpy.array([pixel.real, pixel.imag, 1.0])).tolist()
         return self.mm(x / w, y / w)
 
@@ -59,36 +68,57 @@ def cv() -> Any:
 
 
 def load(path: str | Path) -> Any:
-    """A picture (or the first page of a PDF) in grey. :class:`PlanesError` where it is none."""
+    """A picture (or the first page of a PDF) in one shade. :class:`PlanesError` where it is none."""
     import numpy
 
-    cv2 = cv()
+    cv()  # or a sentence that it is missing
     try:
         data = Path(path).read_bytes()
     except OSError as error:
         raise PlanesError(Phrase("check_no_file", file=str(path), why=error.strerror or "")) from None
     if data[:5] == b"%PDF-":
         return _page(data, str(path))
-    try:
-        found = cv2.imdecode(numpy.frombuffer(data, numpy.uint8), cv2.IMREAD_GRAYSCALE) if data else None
-    except cv2.error:
-        found = None
+    found = _decoded(numpy.frombuffer(data, numpy.uint8)) if data else None
     if found is None or min(found.shape) < 40 or found.size > MOST_PIXELS:
         raise PlanesError(Phrase("check_picture", file=str(path)))
     return found
 
 
+def _decoded(data: Any) -> Any:
+    """The pixels in grey, on white paper where they are transparent; None where the file is no whole picture."""
+    import numpy
+
+    cv2, told = cv(), cv().utils.logging.getLogLevel()
+    cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
+    try:
+        if data[:4].tobytes() == SEE_THROUGH[0] and PNG_END not in data[-64:].tobytes():
+            return None  # it was cut short
+        whole = cv2.imdecode(data, cv2.IMREAD_UNCHANGED) if data[:4].tobytes() in SEE_THROUGH else None
+        if whole is None or whole.ndim < 3 or whole.shape[2] != 4:
+            return in_one_shade(cv2, data)
+        most = numpy.iinfo(whole.dtype).max
+        cover = whole[..., 3].astype(numpy.float32) / most
+        grey = cv2.cvtColor(whole[..., :3], cv2.COLOR_BGR2GRAY).astype(numpy.float32) * (255 / most)
+        return (255 - cover * (255 - grey)).round().astype(numpy.uint8)
+    except cv2.error:
+        return None
+    finally:
+        cv2.utils.logging.setLogLevel(told)
+
+
 def _page(data: bytes, file: str) -> Any:
-    """A page of a PDF at 200 pixels per inch, in grey."""
+    """A page of a PDF at 200 pixels per inch (fewer of a very large one), in one shade."""
     import numpy
     import pypdfium2
 
     try:
         document = pypdfium2.PdfDocument(data)
-        page = document[0].render(scale=200 / 72, grayscale=True).to_numpy()
+        w, h = document[0].get_size()
+        scale = min(PAGE_DPI / 72, (MOST_PIXELS / max(w * h, 1.0)) ** 0.5)
+        page = document[0].render(scale=scale).to_numpy()
     except pypdfium2.PdfiumError:
         raise PlanesError(Phrase("check_picture", file=file)) from None
-    return numpy.ascontiguousarray(page[..., 0] if page.ndim == 3 else page)
+    return plainest(cv(), numpy.ascontiguousarray(page[..., :3]))
 
 
 def dictionary() -> Any:
@@ -153,10 +183,32 @@ def flatten(grey: Any, size_mm: tuple[float, float] = SHEET_MM) -> Flat | None:
     warp, _ = cv2.findHomography(numpy.array(seen), numpy.array(true), cv2.RANSAC, 0.6 * PX_PER_MM)
     if warp is None:
         return None
+    bend = bend_of(small, warp, PX_PER_MM, size_mm)
+    if bend is not None:
+        unbent = _unbent(small, bend, seen, true, size_mm)
+        return Flat(unbent, PX_PER_MM, 0j, "marks", None, _few(marks), replace(bend, shrink=factor))
     width, height = (round(s * PX_PER_MM) for s in size_mm)
     flat = cv2.warpPerspective(small, warp, (width, height), flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
     whole = warp @ numpy.diag([factor, factor, 1.0])  # from the picture as it was
     return Flat(flat, PX_PER_MM, 0j, "marks", whole, _few(marks))
+
+
+def _unbent(grey: Any, bend: Bend, seen: list[Any], true: list[Any], size_mm: tuple[float, float]) -> Any:
+    """The flat picture of a bent one, by its corner marks as they would be seen without the lens's bend."""
+    import numpy
+
+    cv2 = cv()
+    straight = bend.straight(numpy.array(seen, float) @ numpy.array([1, 1j]))
+    bend.view, _ = cv2.findHomography(numpy.stack([straight.real, straight.imag], axis=1), numpy.array(true))
+    add_paper(bend, grey, PX_PER_MM, size_mm)
+    width, height = (round(s * PX_PER_MM) for s in size_mm)
+    cell = 16  # a map that is so smooth need not be told for every pixel
+    across, down = (numpy.arange(n // cell + 1) * cell + (cell - 1) / 2 for n in (width, height))
+    source = bend.source(across[None, :] + 1j * down[:, None])
+    size = len(across) * cell, len(down) * cell
+    maps = (cv2.resize(m.astype(numpy.float32), size, interpolation=cv2.INTER_LINEAR)[:height, :width]
+            for m in (source.real, source.imag))  # fmt: skip
+    return cv2.remap(grey, *maps, cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
 
 
 def _few(marks: Mapping[int, Any]) -> list[Phrase]:

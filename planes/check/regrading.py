@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from planes.check import Grading
-from planes.check.handwork import Variant
+from planes.check.handwork import Variant, by_protractor
 from planes.check.nudging import Skill
 from planes.cycle.symbols import Num, Vec, place_of
 from planes.cycle.tape import Tape
@@ -52,7 +52,7 @@ class _Desk:
         hand = grading.hand
         skill: Skill = hand.tool.skill
         errors = (skill.point_mm, math.radians(skill.ray_deg), skill.ruler_mm)
-        self.program, self.taken = hand.program, hand.taken
+        self.program, self.taken, self.given = hand.program, hand.taken, hand.given
         self.late = [m for m in grading.marks if m not in hand.taken]
         self.tape = Tape()
         self.tool = TracingHand(_Plain(), True, tape=self.tape, errors=errors)
@@ -100,6 +100,8 @@ class _Desk:
     def _draw(self, step: Step, things: Things) -> Any:
         """As the hand draws: a person's own segment is measured as it lies, only its sign is by the direction."""
         made = step.draw(things, self.tool)
+        if by_protractor(step, self.given):
+            return self.tool.ray(made)
         if not (isinstance(step, Measure) and step.along):
             return made
         own = self._is_read(step.start) & self._is_read(step.end)

@@ -6,21 +6,21 @@ import base64
 import math
 import shlex
 from collections.abc import Mapping
-from itertools import pairwise
 from typing import Any
 
 from planes.check import READABLE, Grading, empty, key_marks
-from planes.check.bench import Bench, variants_of
+from planes.check.bench import variants_of
 from planes.check.fiducials import SHEET_MM
 from planes.check.handwork import LEAST_MM, Variant
-from planes.check.judging import FALSE_ALARM, LEFT_OUT, MARGIN, OTHER_CAUSE, SLIP, UNDRAWN, WARN, breadth
+from planes.check.jointly import order_of_reckoning
+from planes.check.judging import FALSE_ALARM, LEFT_OUT, MARGIN, OTHER_CAUSE, SLIP, TOO_WELL, UNDRAWN, WARN, breadth
 from planes.check.nudging import HAND
 from planes.check.photograph import blank_pole
 from planes.check.polygons import sides_of
 from planes.check.regrading import SURELY_MM, exported, retrace
+from planes.check.shown import own_marks, own_order, shown_plans, vectors
 from planes.check.verdict import Outcome
 from planes.check.verdict_rows import mark_rows, result_rows
-from planes.drawing import run
 from planes.measuring import say_plan
 from planes.naming import POLE, label_of, plan_of
 from planes.scales import extent, kind_of
@@ -38,52 +38,22 @@ def title(found: Outcome, lang: Lang) -> str:
     return f"{plan[:1].upper()}{plan[1:]}: {scene.title.get(lang, '') or scene.file}"
 
 
-def vectors(bench: Bench) -> list[tuple[str, str]]:
-    """Vectors of the plan by the labels of their ends; of a scheme, its links."""
-    plan = bench.asked.plan
-    if kind_of(plan) == "force":
-        return [(s.start, s.end) for s in sides_of(bench.plans, plan)]
-    drawn = {POLE, *(label_of(m) for m in bench.marks)}
-    if plan == "position":
-        links = [[n for n in link.points if n in drawn] for link in bench.plans.mechanism.links.values()]
-        return [pair for names in links for pair in pairwise(names)]
-    found = dict.fromkeys((s.start, s.end) for s in bench.plans.segments if s.plan == plan and s.start != s.end)
-    return [pair for pair in found if set(pair) <= drawn]
-
-
-def own_marks(found: Outcome) -> dict[str, complex]:
-    """The person's own marks, mm from the pole."""
-    if found.grading is None:
-        return {}
-    plan = found.bench.asked.plan
-    return {label_of(m): t.place for m, t in found.grading.hand.taken.items() if plan_of(m) == plan}
-
-
-def true_marks(found: Outcome) -> dict[str, complex]:
-    """The right plan's marks at the drawing's scale, mm from the pole."""
-    bench = found.bench
-    truth = found.grading.truth if found.grading else run(bench.program, bench.given)
-    return {label_of(m): complex(truth[m]) for m in bench.marks}
-
-
-def leads(found: Outcome) -> list[tuple[complex, complex]]:
-    """From each mark that is off to where the construction from the person's own marks leads."""
-    if found.grading is None:
-        return []
-    misses, taken = found.grading.judgement.misses, found.grading.hand.taken
-    return [(taken[m].place, taken[m].place - miss.off) for m, miss in misses.items() if miss.sigmas > WARN]
-
-
 def mm(value: float | None) -> str:
     """Millimetres for a table."""
     return "—" if value is None else f"{value:.1f}"
 
 
 def rows_of(found: Outcome, lang: Lang) -> list[list[str]]:
-    """Rows of the step table: verdict, mark, off its own construction, tolerance, off the right plan, in words."""
+    """Rows of the step table: verdict, mark, off its own construction, tolerance, off the right plan, in words.
+
+    A right mark beside a wrong one does not follow from it: it is told by the right plan.
+    """
     rows = []
     for r in mark_rows(found):
-        sizes = r.get("own_deviation_mm", r["deviation_mm"]), r.get("own_tolerance_mm", r["tolerance_mm"])
+        free = r["deviation_mm"], r["tolerance_mm"]
+        sizes = r.get("own_deviation_mm", free[0]), r.get("own_tolerance_mm", free[1])
+        if r["verdict"] == "right" and None not in sizes and sizes[0] > sizes[1]:
+            sizes = free
         close = f" ({say('check_close', lang)})" if "warning" in r else ""
         words = say(f"verdict_{r['verdict']}", lang) + close
         rows.append([r["verdict"], r["mark"], *map(mm, (*sizes, r["deviation_mm"])), words])
@@ -113,13 +83,21 @@ def page_data(found: Outcome, lang: Lang) -> dict[str, Any]:
     marks, numbers = heads(lang)
     data: dict[str, Any] = {
         "verdict": found.verdict, "title": title(found, lang), "sentence": found.sentence.told(lang),
-        "notes": [n.told(lang) for n in found.notes], "head": marks, "rows": rows_of(found, lang),
-        "number_head": numbers, "numbers": numbers_of(found, lang), "command": command(found),
+        "notes": [n.told(lang) for n in found.notes], "head": marks,
+        "rows": [[*row[:2], *(_local(v, lang) for v in row[2:5]), *row[5:]] for row in rows_of(found, lang)],
+        "number_head": numbers,
+        "numbers": [[*row[:2], *(_local(v, lang) for v in row[2:4]), *row[4:]] for row in numbers_of(found, lang)],
+        "command": command(found),
     }  # fmt: skip
     grading = found.grading or (empty(found.bench) if found.paper.picture else None)
     if grading:
         data["page"] = _moved(found, grading, lang)
     return data
+
+
+def _local(number: str, lang: Lang) -> str:
+    """A number with the decimal sign of the language."""
+    return number.replace(".", ",") if lang == "ru" else number
 
 
 def command(found: Outcome) -> str:
@@ -152,7 +130,7 @@ def _moved(found: Outcome, grading: Grading, lang: Lang) -> dict[str, Any]:
         "vectors": vectors(bench), "truth": {POLE: [0.0, 0.0], **{n: _pair(z) for n, z in truth.items()}},
         "rows": [(s.name, s.start, s.end) for s in sides_of(bench.plans, plan)] if force
         else [(n, POLE, n) for n in truth],
-        "chained": force, "earlier": earlier,
+        "chained": force, "earlier": earlier, "order": [(s.name, s.start, s.end) for s in own_order(found)],
         "tape": exported(traced.tape, traced.sources),
         "variants": [_variant(v, under, lang) for v, under in zip(variants, traced.under, strict=True) if under],
         "rule": _rule(grading), "said": _said(found, lang), "otherwise": _otherwise(found, grading, lang),
@@ -188,8 +166,10 @@ def _rule(grading: Grading) -> dict[str, Any]:
     plan = plan_of(grading.marks[0])
     return {
         "false_alarm": FALSE_ALARM, "least": LEAST_MM, "slip": SLIP, "other": OTHER_CAUSE, "undrawn": UNDRAWN,
-        "left_out": LEFT_OUT, "margin": MARGIN, "warn": WARN, "broad": breadth(extent(grading.truth, plan)),
+        "left_out": LEFT_OUT, "margin": MARGIN, "too_well": TOO_WELL, "warn": WARN,
+        "broad": breadth(extent(grading.truth, plan)),
         "readable": READABLE, "key": [label_of(m) for m in key_marks(grading)], "absent": sorted(absent),
+        "order": [label_of(m) for m in order_of_reckoning(grading.hand.program.steps, grading.marks)],
     }  # fmt: skip
 
 
@@ -231,8 +211,9 @@ def _shown(found: Outcome, truth: Mapping[str, complex]) -> dict[str, Any]:
 
 def _about(found: Outcome, truth: Mapping[str, complex]) -> Pair:
     """A box about both plans: left, bottom, right, top."""
-    paper = found.paper
-    places = [0j, *truth.values(), *own_marks(found).values(), *(z for s in paper.strokes for z in s)]
+    shown = shown_plans(found)
+    vectors_shown = [*shown.own, *shown.true, *found.paper.strokes]
+    places = [0j, *truth.values(), *own_marks(found).values(), *(z for v in vectors_shown for z in v)]
     places = [z for z in places if math.isfinite(abs(z)) and abs(z) < 2000]
     xs, ys = [z.real for z in places], [z.imag for z in places]
     low, high = complex(min(xs), min(ys)), complex(max(xs), max(ys))

@@ -8,7 +8,7 @@ from typing import Any
 
 from planes.check.bench import Asked, Bench, known_plans, prepare
 from planes.check.polygons import sides_of
-from planes.check.report import vectors
+from planes.check.shown import vectors
 from planes.drawing import run
 from planes.measuring import say_plan
 from planes.naming import POLE, label_of

@@ -7,14 +7,13 @@ import json
 import os
 import re
 from pathlib import Path
-from typing import Any
 
 from planes.check.bench import Asked, prepare
 from planes.check.nudging import HAND, cad
 from planes.check.paper import Paper, read_table
-from planes.check.report import numbers_of
+from planes.check.report import heads, numbers_of, rows_of
 from planes.check.verdict import STATUS, Outcome, check
-from planes.check.verdict_rows import as_json, mark_rows
+from planes.check.verdict_rows import as_json
 from planes.cli.classes import check_class
 from planes.scales import kind_of
 from planes.scene import Scene
@@ -146,13 +145,9 @@ def place(text: str, option: str) -> tuple[str, complex]:
 def told(found: Outcome, lang: Lang) -> str:
     """The outcome for people: the sentence, then the tables."""
     lines = [found.sentence.told(lang)]
-    rows = [[r["mark"], _mm(r["deviation_mm"]), _mm(r["tolerance_mm"]), say(f"verdict_{r['verdict']}", lang)
-             + (" !" if "warning" in r else "")] for r in mark_rows(found)]  # fmt: skip
-    head = [say(k, lang) for k in ("check_mark", "check_deviation", "check_tolerance", "check_verdict")]
-    lines += table(say("check_marks", lang), head, rows)
-    numbers = [row for _, *row in numbers_of(found, lang)]
-    head = [say(k, lang) for k in ("check_result", "check_given", "check_true", "check_verdict")]
-    lines += table(say("check_numbers", lang), head, numbers)
+    marks, numbers = heads(lang)
+    lines += table(say("check_marks", lang), marks, [row for _, *row in rows_of(found, lang)])
+    lines += table(say("check_numbers", lang), numbers, [row for _, *row in numbers_of(found, lang)])
     return "\n".join(lines + [f"! {n.told(lang)}" for n in found.notes])
 
 
@@ -162,7 +157,3 @@ def write_blank(args: argparse.Namespace, scene: Scene, value: float | None) -> 
 
     write(Asked(scene, args.plan, value, _mu(args.mu, args.plan)), args.output, args.lang)
     return 0
-
-
-def _mm(value: Any) -> str:
-    return "—" if value is None else f"{value:.1f}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -12,7 +13,7 @@ from planes.check import report
 from planes.check.bench import Asked, prepare
 from planes.check.fiducials import SHEET_MM, SIDE_MM, cells, centres
 from planes.check.photograph import blank_pole
-from planes.check.polygons import sides_of
+from planes.check.shown import leads, shown_plans
 from planes.check.tracing_paper import tracing_data
 from planes.check.verdict import Outcome
 from planes.check.verdict_rows import as_json, mark_rows
@@ -24,11 +25,14 @@ from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
 from render import blank, check_page, check_sheet, class_page, pdf, png, svg, trace_page
 from render.names import Naming
+from render.numbers import decimal
+from render.photo import Photo
 
 TRACE_WORDS = (
     "open", "plan", "by", "layer_plan", "layer_names", "picture", "paper", "zoom", "pole", "turned", "scale", "hint",
     "check", "not_picture",
 )  # fmt: skip
+MOST_COMMON = 8  # mistakes of a class that are listed
 PAGE_WORDS = ("own", "next", "truth", "picture", "save", "reset", "moved", "steps", "numbers", "drag", "noscript")
 
 
@@ -49,14 +53,14 @@ def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Any], str]:
     return blank.compose(SHEET_MM, squares, blank_pole(bench), texts), title
 
 
-def _write(marks: list[Any], title: str, output: str, lang: Lang) -> None:
+def _write(marks: list[Any], title: str, output: str, lang: Lang, under: Photo | None = None) -> None:
     suffix = Path(output).suffix.lower()
     writers = {".svg": svg.write, ".pdf": pdf.write}
     try:
         if suffix in writers:
-            writers[suffix](marks, SHEET_MM, title, output, lang=lang)
+            writers[suffix](marks, SHEET_MM, title, output, lang=lang, under=under)
         elif suffix == ".png":
-            png.write(marks, SHEET_MM, title, output)
+            png.write(marks, SHEET_MM, title, output, under=under)
         else:
             raise PlanesError(Phrase("check_output", file=output))
     except OSError as error:
@@ -77,23 +81,9 @@ def write_report(found: Outcome, output: str, lang: Lang) -> None:
     elif suffix in (".html", ".htm"):
         words = {k: say(f"check_page_{k}", lang) for k in PAGE_WORDS}
         write_text(check_page.page(report.page_data(found, lang), words, lang), output)
-    elif suffix == ".png" and found.paper.picture and found.paper.box:
-        _write_over(found, output, lang)
     else:
-        _write(check_sheet.compose(SHEET_MM, _overlay(found, lang)), report.title(found, lang), output, lang)
-
-
-def _write_over(found: Outcome, output: str, lang: Lang) -> None:
-    """The sheet, and under it the picture with both plans upon it."""
-    overlay, title = _overlay(found, lang), report.title(found, lang)
-    left, low, right, top = found.paper.box or (0.0, 0.0, *SHEET_MM)
-    colours = check_sheet.over_picture(overlay, complex(left, low))
-    sheet = png.write(check_sheet.compose(SHEET_MM, overlay), SHEET_MM, title)
-    layers = {colour: png.write(marks, (right - left, top - low), title) for colour, marks in colours.items() if marks}
-    try:
-        Path(output).write_bytes(png.stacked(sheet, found.paper.picture, layers))
-    except OSError as error:
-        raise PlanesError(Phrase("check_no_file", file=output, why=error.strerror or "")) from None
+        marks, photo = check_sheet.compose(SHEET_MM, _overlay(found, lang))
+        _write(marks, report.title(found, lang), output, lang, photo)
 
 
 def write_class(group: Any, output: str, lang: Lang) -> None:
@@ -110,13 +100,23 @@ def write_class(group: Any, output: str, lang: Lang) -> None:
                 write_report(one.found, str(target / one.report), lang)
         output = str(target / "index.html")
     counts = Counter(one.verdict for one in group.all)
-    common = Counter(one.said(lang).partition(": ")[2] for one in group.all if one.found and one.found.mistake)
+    common: dict[str, list[tuple[str, str]]] = {}
+    for one in group.all:
+        if one.found and one.found.mistake:
+            common.setdefault(_unmarked(one, lang), []).append((Path(one.file).stem, quote(one.report)))
+    often = sorted(common.items(), key=lambda said: -len(said[1]))[:MOST_COMMON]
     told = [(say(f"verdict_{v}", lang), counts[v]) for v in ("right", "wrong", "unreadable")]
     head = [say(k, lang) for k in ("check_file", "check_verdict", "check_mark", "check_first")]
-    rows = [(one.verdict, quote(one.report), one.row(lang)) for one in group.all]
+    rows = [(one.verdict, quote(one.report), [*one.row(lang)[:-1], _unmarked(one, lang)]) for one in group.all]
     words = {"common": say("check_common", lang)}
     title = f"{say('check_class', lang)}: {group.title}"
-    write_text(class_page.page(title, told, common.most_common(5), head, rows, words, lang), output)
+    write_text(class_page.page(title, told, often, head, rows, words, lang), output)
+
+
+def _unmarked(one: Any, lang: Lang) -> str:
+    """What is said of a drawing without its mark, which has a column of its own."""
+    said: str = one.said(lang)
+    return said.removeprefix(f"{one.first}: ") if one.first else said
 
 
 def write_text(text: str, output: str) -> None:
@@ -129,30 +129,42 @@ def write_text(text: str, output: str) -> None:
 
 def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:
     """What a sheet shows: both plans, the table and the sentence."""
-    bench, naming = found.bench, _naming(found, lang)
-    kind, own = kind_of(bench.asked.plan), report.own_marks(found)
-    at_own, at_true = {POLE: 0j, **own}, {POLE: 0j, **report.true_marks(found)}
+    kind, naming = kind_of(found.bench.asked.plan), _naming(found, lang)
     verdicts = {r["mark"]: r["verdict"] for r in mark_rows(found)}
-    sides = sides_of(bench.plans, bench.asked.plan) if kind == "force" else []
 
     def name(label: str) -> str:
         return naming.vector(_upper(label)) if kind == "force" and label != POLE else naming.mark(label, kind)
 
-    head = [say(k, lang) for k in ("check_mark", "check_deviation", "check_tolerance", "check_verdict")]
     first, said = found.first_wrong or "", found.sentence.told(lang)
-    ends = [(a, b) for a, b in report.vectors(bench) if a in at_own and b in at_own]
+    told = name(first) if first in verdicts else naming.vector(first)
+    shown = shown_plans(found)
+    photo = Photo(found.paper.picture, found.paper.box) if found.paper.picture and found.paper.box else None
     return check_sheet.Overlay(
-        own=[(at_own[a], at_own[b]) for a, b in ends],
-        true=[(at_true[a], at_true[b]) for a, b in report.vectors(bench)],
-        next=report.leads(found),
-        marks={name(n): (z, verdicts.get(n, "right")) for n, z in own.items()},
-        along={name(s.name): (at_own[s.start], at_own[s.end]) for s in sides if s.start in at_own and s.end in at_own},
-        pole=name(POLE), title=report.title(found, lang), head=head,
-        sentence=said.replace(f"{first}:", f"{name(first)}:", 1) if first in at_own else said,
-        rows=[[name(label), off, limit, told] for _, label, off, limit, _, told in report.rows_of(found, lang)],
+        own=shown.own, true=shown.true if _stands(photo) else [], next=leads(found, shown.marks),
+        marks={name(n): (z, verdicts.get(n, "right")) for n, z in shown.marks.items()},
+        along={name(n): v for n, v in shown.along.items()},
+        pole=name(POLE), title=report.title(found, lang), tables=_tables(found, name, naming),
+        sentence=said.replace(f"{first}:", f"{told}:", 1) if first else said,
         legend=(say("check_page_own", lang), say("check_page_truth", lang), say("check_page_next", lang)),
         reduced=say("check_reduced", lang, n="{n}"), lines=kind == "position",
+        notes=[n.told(lang) for n in found.notes], photo=photo, lang=lang,
     )  # fmt: skip
+
+
+def _stands(photo: Photo | None) -> bool:
+    """Whether a plan can be laid on a picture: its pole must be known, or it stands at the very corner."""
+    return photo is None or (photo.box[0] < -1 and photo.box[1] < -1)
+
+
+def _tables(found: Outcome, name: Callable[[str], str], naming: Naming) -> list[check_sheet.Table]:
+    """The steps, and the results that were written down."""
+    lang = naming.lang
+    head = [say(k, lang) for k in ("check_mark", "check_deviation", "check_tolerance", "check_verdict")]
+    rows = [[name(label), decimal(off, lang), decimal(limit, lang), told]
+            for _, label, off, limit, _, told in report.rows_of(found, lang)]  # fmt: skip
+    numbers = [[naming.vector(n), decimal(given, lang), decimal(true, lang), told.partition(":")[0]]
+               for _, n, given, true, told in report.numbers_of(found, lang)]  # fmt: skip
+    return [(head, rows), (report.heads(lang)[1], numbers)]
 
 
 def _naming(found: Outcome, lang: Lang) -> Naming:

@@ -10,6 +10,21 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
     this.layers = { picture: true, own: true, next: true, truth: true };
   }
   at(name) { return this.data.marks[name] || null; }
+  laid(at) { // vectors with their names, and where the marks stand: a force polygon in the order its person laid it
+    const { order, rows, vectors, chained } = this.data, places = {};
+    if (!order.length) return { vectors: chained ? rows.map(([n, a, b]) => [at(a), at(b), n, b]) : vectors.map(([a, b]) => [at(a), at(b)]), at };
+    let z = [0, 0];
+    const out = [];
+    for (const [name, start, end] of order) {
+      const a = at(start), b = at(end);
+      if (!a || !b) continue;
+      const next = [z[0] + b[0] - a[0], z[1] + b[1] - a[1]];
+      out.push([z, next, name, end]);
+      places[end] ||= next;
+      z = next;
+    }
+    return { vectors: out, at: name => name !== "p" && places[name] || at(name) };
+  }
   draw(marks, found) {
     this.measure();
     this.data.marks = { p: [0, 0] };
@@ -17,26 +32,28 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
     this.start(this.data.box);
     const on = this.layers, ghost = {};
     if (on.picture) this.under();
-    if (on.truth) for (const [a, b] of this.data.vectors) this.vector(this.data.truth[a], this.data.truth[b], "truth");
+    const own = this.own = this.laid(n => this.at(n)), truth = this.laid(n => this.data.truth[n]);
+    if (on.truth) for (const [a, b] of truth.vectors) this.vector(a, b, "truth");
     for (const m of marks) {
-      const own = found.marks[m.name].own;
-      if (own && own.size > 0.5) ghost[m.name] = this.px([m.x - own.x, m.y - own.y]);
+      const { own, verdict } = found.marks[m.name];
+      if (!own || own.size <= 0.5 || (verdict === "right" && own.size > own.reach(found.limit))) continue;
+      const [x, y] = this.own.at(m.name);
+      ghost[m.name] = this.px([x - own.x, y - own.y]);
     }
-    if (on.next) for (const n in ghost) this.line(this.px(this.at(n)), ghost[n], "next", "", false);
+    if (on.next) for (const n in ghost) this.line(this.px(own.at(n)), ghost[n], "next", "", false);
     if (on.next) for (const n in ghost) svg("circle", { cx: ghost[n][0], cy: ghost[n][1], r: 4, class: "next" }, this.node);
-    if (on.own) for (const [a, b] of this.data.vectors) this.vector(this.at(a), this.at(b), "own");
+    if (on.own) for (const [a, b] of own.vectors) this.vector(a, b, "own");
     const named = this.data.chained && on.own ? this.forces() : new Set(), pole = this.px([0, 0]);
-    svg("circle", { cx: pole[0], cy: pole[1], r: 3.5, class: "pole" }, this.node);
-    this.beside(pole, ["p"], this.data.kind);
+    if (this.data.kind !== "position" || original.every(m => !m.read)) this.pole(pole); // else a scheme has none
     marks.forEach((m, k) => this.handle(m, found.marks[m.name], k, named.has(m.name)));
   }
   forces() { // the names of forces stand beside their vectors; of what ends where it begins, at the mark
     const named = new Set();
-    for (const [name, a, b] of this.data.rows) {
-      const p = this.at(a) && this.px(this.at(a)), q = this.at(b) && this.px(this.at(b));
+    for (const [a, b, name, end] of this.own.vectors) {
+      const p = a && this.px(a), q = b && this.px(b);
       if (!p || !q || Math.hypot(q[0] - p[0], q[1] - p[1]) < 12) continue;
       this.along(p, q, [name], this.data.kind);
-      named.add(b);
+      named.add(end);
     }
     return named;
   }
@@ -52,9 +69,16 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
     }
     for (const [a, b, c, d] of strokes) this.line(this.px([a, b]), this.px([c, d]), "stroke", "", false);
   }
+  pole(q) { // on a picture it is put right like any mark; what was laid in another order does not hang on it alone
+    const free = this.data.picture && !this.data.order.length;
+    const g = free ? svg("g", { class: "handle", tabindex: 0, role: "button", "data-mark": "p", "aria-label": "p" }, this.node) : this.node;
+    if (free) svg("circle", { cx: q[0], cy: q[1], r: 14, class: "grip" }, g);
+    svg("circle", { cx: q[0], cy: q[1], r: 3.5, class: "pole" }, g);
+    this.beside(q, ["p"], this.data.kind);
+  }
   parked(k) { return [this.w - 26, 30 + 34 * k]; } // marks nobody has read wait at the edge
   handle(m, found, k, named) {
-    const q = m.read ? this.px([m.x, m.y]) : this.parked(k);
+    const q = m.read ? this.px(this.own.at(m.name)) : this.parked(k);
     const g = svg("g", { class: `handle ${found.verdict}`, tabindex: 0, role: "button", "data-mark": m.name }, this.node);
     svg("circle", { cx: q[0], cy: q[1], r: 14, class: "grip" }, g);
     svg("circle", { cx: q[0], cy: q[1], r: 6, class: "dot" }, g);
@@ -68,7 +92,7 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
 
 const original = data.marks.map(m => ({ ...m }));
 const sheet = new Sheet($("sheet"), data), judge = new Judge(data);
-let marks = original.map(m => ({ ...m })), found = null, held = null, moved = false;
+let marks = original.map(m => ({ ...m })), found = null, held = null, moved = false, shifted = [0, 0];
 
 function draw() {
   const now = held; // drawing anew takes the focus away
@@ -77,18 +101,25 @@ function draw() {
   held = now;
   if (held) sheet.node.querySelector(`[data-mark="${CSS.escape(held)}"]`)?.focus({ preventScroll: true });
   if (!moved) return; // what was printed stands until something is moved
-  $("sentence").textContent = found.sentence;
+  say(found.sentence);
   document.body.className = found.verdict;
   $("moved").hidden = false;
   table();
 }
+function say(text) { // the mark it begins with is lettered as on the plan
+  const name = [...document.querySelectorAll("tr[data-mark]")].map(r => r.dataset.mark).find(n => text.startsWith(`${n}: `));
+  $("sentence").textContent = name ? text.slice(name.length) : text;
+  if (name) $("sentence").insertAdjacentHTML("afterbegin", html(name, data.kind));
+}
 function table() {
-  const mm = v => v === undefined || !Number.isFinite(v) ? "—" : v.toFixed(1);
+  const sign = document.documentElement.lang === "ru" ? "," : ".";
+  const mm = v => v === undefined || !Number.isFinite(v) ? "—" : v.toFixed(1).replace(".", sign);
   document.querySelectorAll("#marks tbody tr").forEach(row => {
     const one = found.marks[row.dataset.mark], [own, limit, off, word] = row.querySelectorAll("td");
     row.className = one.verdict;
-    own.textContent = mm(one.own?.size);
-    limit.textContent = mm(one.own?.reach(found.limit));
+    const miss = one.verdict === "right" && one.own?.size > one.own?.reach(found.limit) ? one.free : one.own; // see rows_of
+    own.textContent = mm(miss?.size);
+    limit.textContent = mm(miss?.reach(found.limit));
     off.textContent = mm(one.free?.size);
     word.textContent = data.words[one.verdict] + (one.close ? ` (${data.words.close})` : "");
   });
@@ -100,7 +131,33 @@ function move(name, x, y) {
   moved = true;
   draw();
 }
-function reset() { marks = original.map(m => ({ ...m })); moved = true; draw(); $("moved").hidden = true; }
+function origin(x, y) { // the pole is elsewhere on the picture: all that is seen there stays
+  for (const m of marks) if (m.read) { m.x -= x; m.y -= y; }
+  for (const box of [data.box, data.picture.box]) for (let k = 0; k < 4; k++) box[k] -= k % 2 ? y : x;
+  shifted = [shifted[0] + x, shifted[1] + y];
+  held = "p";
+  moved = true;
+  draw();
+}
+function drag(name, x, y) { // to where it is shown: of a polygon laid in another order only the two sides that meet there change
+  if (name === "p") return origin(x, y);
+  const k = data.order.findIndex(([, , end]) => end === name);
+  if (k < 0 || !marks.find(m => m.name === name).read) return move(name, x, y);
+  const [x0, y0] = sheet.own.at(name), next = data.order[k + 1];
+  const shift = (mark, sign) => { // with all that is reckoned from it
+    const after = new Set([mark]), placed = new Set(["p"]);
+    for (const [, a, b] of data.rows) if (!placed.has(b)) { placed.add(b); if (after.has(a)) after.add(b); }
+    for (const m of marks) if (m.read && after.has(m.name)) { m.x += sign * (x - x0); m.y += sign * (y - y0); }
+  };
+  shift(name, 1);
+  if (next && marks.some(m => m.name === next[2]) && data.order.findIndex(([, , end]) => end === next[2]) === k + 1) shift(next[2], -1);
+  const m = marks.find(m => m.name === name);
+  move(name, m.x, m.y);
+}
+function reset() {
+  if (shifted.some(Math.abs)) origin(-shifted[0], -shifted[1]);
+  marks = original.map(m => ({ ...m })); moved = true; draw(); $("moved").hidden = true;
+}
 function csv() { // the marks as the table the program reads; a row "p" is where the pen is lifted to
   const rows = ["mark,x_mm,y_mm,error_mm"], at = n => n === "p" ? { x: 0, y: 0, error: 0 } : marks.find(m => m.name === n);
   const row = (name, m) => rows.push(`${name},${m.x.toFixed(3)},${m.y.toFixed(3)},${m.error}`);
@@ -134,7 +191,7 @@ sheet.node.addEventListener("pointerdown", e => {
   e.preventDefault();
   e.target.closest("[data-mark]").focus({ preventScroll: true });
 });
-sheet.node.addEventListener("pointermove", e => { if (sheet.node.dragged) move(sheet.node.dragged, ...mm(e)); });
+sheet.node.addEventListener("pointermove", e => { if (sheet.node.dragged) drag(sheet.node.dragged, ...mm(e)); });
 for (const end of ["pointerup", "pointercancel"]) sheet.node.addEventListener(end, () => { sheet.node.dragged = null; });
 sheet.node.addEventListener("keydown", e => {
   const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key];
@@ -142,8 +199,8 @@ sheet.node.addEventListener("keydown", e => {
   if (!way || !name) return;
   e.preventDefault();
   const m = marks.find(m => m.name === name), k = e.shiftKey ? 5 : e.altKey ? 0.1 : 0.5;
-  const from = m.read ? [m.x, m.y] : sheet.mm(sheet.parked(marks.indexOf(m)));
-  move(name, from[0] + k * way[0], from[1] + k * way[1]);
+  const from = !m ? [0, 0] : m.read ? sheet.own.at(name) : sheet.mm(sheet.parked(marks.indexOf(m)));
+  drag(name, from[0] + k * way[0], from[1] + k * way[1]);
 });
 sheet.node.addEventListener("focusin", e => { held = e.target.closest("[data-mark]")?.dataset.mark || held; });
 sheet.node.addEventListener("focusout", () => { if (!sheet.node.dragged) held = null; });
@@ -152,5 +209,6 @@ $("save").onclick = save;
 $("reset").onclick = reset;
 addEventListener("resize", draw);
 addEventListener("beforeprint", draw);
+say($("sentence").textContent);
 document.querySelectorAll("tbody th").forEach(e => { e.innerHTML = html(e.textContent, data.kind); });
 draw();

@@ -9,11 +9,19 @@ class Judge {
     this.tape.run({ ...this.data.earlier, ...given });
     const read = marks.filter(m => m.read), out = { marks: {}, first: null, named: null };
     out.limit = Math.sqrt(-2 * Math.log(rule.false_alarm / Math.max(read.length, 4)));
-    const misses = new Map(read.map(m => [m.name, this.tape.miss(m.miss, rule.least)]));
+    const plain = new Map(read.map(m => [m.name, this.tape.miss(m.miss, rule.least)]));
+    const misses = givenBefore(plain, rule.order, out.limit, rule.least);
     const free = new Map(read.map(m => [m.name, new Miss(m.x - m.true[0], m.y - m.true[1], m.free[0], m.free[1], m.free[2])]));
     const fits = miss => miss.sigmas <= out.limit;
     let wrong = read.filter(m => !fits(misses.get(m.name))).map(m => m.name);
-    if (wrong.length) out.named = this.name(misses, wrong[0], out.limit);
+    const close = read.filter(m => misses.get(m.name).sigmas > rule.warn).map(m => m.name);
+    const ranked = close.length ? this.ranked(plain, misses, wrong.length ? wrong.slice(0, 1) : close, out.limit) : [];
+    const other = wrong.length ? Math.log(rule.other) + rule.broad - this.mixed(misses.get(wrong[0])) : rule.too_well;
+    if (ranked.length && ranked[0].score >= Math.max(0, other)) {
+      const [best, next] = ranked; // it beats "some other cause", or explains too well what is within limits
+      if (!wrong.length) wrong = read.filter(m => m.name === best.v.blames).map(m => m.name);
+      if (!next || best.score - next.score >= rule.margin) out.named = this.explained(best, out.limit);
+    }
     wrong = wrong.filter((n, k) => !k || !fits(free.get(n))); // off a wrong mark, but where it should be
     out.first = out.named ? out.named.blames : wrong.length ? wrong[0] : null;
     this.verdicts(out, marks, misses, free, wrong);
@@ -26,13 +34,14 @@ class Judge {
     const a = high + Math.log(likely), b = low + Math.log(1 - likely), top = Math.max(a, b);
     return top + Math.log(Math.exp(a - top) + Math.exp(b - top));
   }
-  name(misses, first, limit) { // the mistake that beats "some other cause" and the runner-up
+  ranked(plain, misses, suspects, limit) { // the mistakes that touch a suspected mark, the likeliest first
     const rule = this.rule, drawn = new Set([...misses.keys()].filter(n => !rule.absent.includes(n)));
     const groups = new Map();
     for (const v of this.data.variants) {
       const at = Object.entries(v.under).filter(([n]) => misses.has(n));
-      const under = new Map(at.map(([n, places]) => [n, this.tape.miss(places, rule.least)]));
-      if (!under.has(first) || !Number.isFinite(under.get(first).sigmas)) continue;
+      const touched = new Map(at.map(([n, places]) => [n, this.tape.miss(places, rule.least)]));
+      if (!suspects.some(n => touched.has(n) && Number.isFinite(touched.get(n).sigmas))) continue;
+      const under = givenBefore(new Map([...plain, ...touched]), rule.order, limit, rule.least);
       const left_out = rule.left_out.some(end => v.mistake.endsWith(end));
       const likely = drawn.has(v.blames) !== left_out ? 1 : rule.undrawn;
       let score = Math.log(v.weight * likely);
@@ -40,15 +49,13 @@ class Judge {
       const group = groups.get(v.mistake) || [];
       groups.set(v.mistake, [...group, { score, v, under }]);
     }
-    const ranked = [...groups.values()].map(group => {
+    return [...groups.values()].map(group => {
       const best = group.reduce((a, b) => b.score > a.score ? b : a);
       return { ...best, score: best.score + Math.log(group.reduce((s, one) => s + Math.exp(one.score - best.score), 0)) };
     }).sort((a, b) => b.score - a.score);
-    if (!ranked.length) return null;
-    const [best, next] = ranked, other = Math.log(rule.other) + rule.broad - this.mixed(misses.get(first));
-    if (best.score < Math.max(0, other) || (next && best.score - next.score < rule.margin)) return null;
-    const explained = [...best.under].filter(([, miss]) => miss.sigmas <= limit).map(([n]) => n);
-    return { ...best.v, explained };
+  }
+  explained(best, limit) { // the mistake with the marks it explains
+    return { ...best.v, explained: [...best.under].filter(([, miss]) => miss.sigmas <= limit).map(([n]) => n) };
   }
   verdicts(out, marks, misses, free, wrong) {
     const explained = out.named ? out.named.explained : [];

@@ -43,12 +43,28 @@ class Tape {
   miss([x, y], least) { // a vector with the covariance of its errors
     const ex = this.errors(x), ey = this.errors(y), floor = least * least;
     const sum = (a, b) => a.reduce((s, e, k) => s + e * b[k], 0);
-    return new Miss(this.values[x], this.values[y], sum(ex, ex) + floor, sum(ex, ey), sum(ey, ey) + floor);
+    return new Miss(this.values[x], this.values[y], sum(ex, ex) + floor, sum(ex, ey), sum(ey, ey) + floor, [ex, ey]);
   }
 }
 
+function givenBefore(misses, order, limit, least) { // every miss with those before it known; what is off tells nothing of others
+  const names = order.filter(n => misses.has(n)), off = names.flatMap(n => [misses.get(n).x, misses.get(n).y]);
+  const errors = names.flatMap(n => misses.get(n).errors), found = new Map();
+  const cov = errors.map((a, i) => errors.map((b, j) => a.reduce((s, e, k) => s + e * b[k], i === j ? least * least : 0)));
+  names.forEach((n, i) => {
+    const [x, y] = [2 * i, 2 * i + 1];
+    found.set(n, new Miss(off[x], off[y], cov[x][x], cov[x][y], cov[y][y], misses.get(n).errors));
+    if (!(found.get(n).sigmas <= limit)) return;
+    for (const k of [x, y]) {
+      const row = [...cov[k]], gain = row.map(c => c / row[k]), seen = off[k];
+      gain.forEach((g, j) => { off[j] -= g * seen; row.forEach((c, m) => { cov[j][m] -= g * c; }); });
+    }
+  });
+  return found;
+}
+
 class Miss { // by how much a mark is off, mm, and how surely
-  constructor(x, y, xx, xy, yy) { Object.assign(this, { x, y, xx, xy, yy }); }
+  constructor(x, y, xx, xy, yy, errors) { Object.assign(this, { x, y, xx, xy, yy, errors }); }
   get size() { return Math.hypot(this.x, this.y); }
   get sigmas() {
     const { x, y, xx, xy, yy } = this, squared = (yy * x * x - 2 * xy * x * y + xx * y * y) / (xx * yy - xy * xy);

@@ -1,0 +1,61 @@
+"""A picture in one shade: of paper with a coloured grid, the colour in which the grid is lightest."""
+
+from __future__ import annotations
+
+from typing import Any
+
+COLOURED = 14  # how much farther than usual two colours of a place are apart, on coloured paper
+COLOURED_SHARE = 0.03  # of all places
+FAINT, DARK = 0.08, 0.4  # how much darker than paper a grid is at least, and what is drawn
+LOOK_PX, PARTS = 1000, 8
+EVERYWHERE, SOMEWHERE = 0.8, 0.4  # shares of the parts of a picture in which a grid is, and in which a drawing may be
+
+
+def in_one_shade(cv2: Any, data: Any) -> Any:
+    """The picture encoded as ``data`` in grey, or in the colour that shows no grid; None where it is no picture."""
+    small = cv2.imdecode(data, cv2.IMREAD_REDUCED_COLOR_2)
+    if small is None or not _coloured(small):
+        return cv2.imdecode(data, cv2.IMREAD_GRAYSCALE)
+    return plainest(cv2, cv2.imdecode(data, cv2.IMREAD_COLOR))
+
+
+def _coloured(picture: Any) -> bool:
+    """Whether some of it differs in colour from most of it."""
+    import numpy
+
+    some = picture[:: max(1, picture.shape[0] // 400)].astype(numpy.int16)
+    apart = (some[..., 0] - some[..., 1], some[..., 2] - some[..., 1])
+    far = numpy.maximum(*(abs(d - numpy.median(d)) for d in apart))
+    return bool((far > COLOURED).mean() > COLOURED_SHARE)
+
+
+def plainest(cv2: Any, picture: Any) -> Any:
+    """Grey, or that of the three colours in which a grid that is everywhere fades most and nothing else does."""
+    grey = cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY)
+    inked = _ink(cv2, grey)
+    best, most = grey, 0.0
+    for one in cv2.split(picture):
+        ink = _ink(cv2, one)
+        faded = (inked > FAINT) & (ink < 0.5 * inked)
+        lost = _spread((inked > DARK) & (ink < DARK / 2))
+        if _spread(faded) > EVERYWHERE and not 0 < lost < SOMEWHERE and float((inked - ink)[faded].sum()) > most:
+            best, most = one, float((inked - ink)[faded].sum())
+    return best
+
+
+def _ink(cv2: Any, grey: Any) -> Any:
+    """How much darker than paper the middle of a picture is, its grain aside."""
+    import numpy
+
+    h, w = grey.shape
+    high, wide = min(h, LOOK_PX) // 2, min(w, LOOK_PX) // 2
+    part = grey[h // 2 - high : h // 2 + high, w // 2 - wide : w // 2 + wide]
+    light = cv2.GaussianBlur(cv2.dilate(part, numpy.ones((25, 25), numpy.uint8)), (0, 0), 12).astype(numpy.float32)
+    return 1 - cv2.GaussianBlur(part, (0, 0), 1.0) / numpy.maximum(light, 1)
+
+
+def _spread(places: Any) -> float:
+    """In which share of its parts a picture has such places, more than by chance."""
+    h, w = (n // PARTS for n in places.shape)
+    parts = places[: h * PARTS, : w * PARTS].reshape(PARTS, h, PARTS, w).mean(axis=(1, 3))
+    return float((parts > 0.003).mean())

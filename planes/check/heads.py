@@ -1,0 +1,128 @@
+"""Arrowheads along a pencil's line: where its ink widens suddenly to a side and then narrows evenly to the tip.
+
+A head stands out to both sides of a line by itself; of a line drawn upon another one side is enough. Beyond the tip
+the line may end or be another vector's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+from planes.check.ink import DARK, Ink
+from planes.check.line_fitting import Fitted
+
+STEP_MM, ASIDE_MM = 0.2, 0.1
+FAR_MM = 6.0  # past a line's ends a head is looked for
+BROAD_MM = 2.0
+SLIGHT_MM, JUMP_MM, JUMPS_MM = 0.1, 0.2, 0.35  # by how much a base is wider than its line, to a side: at the least, if
+# the other side does not show it, and to both sides together
+LENGTH_MM = (1.0, 6.0)  # of the narrowing that is seen
+SLOPE = (0.08, 0.5)  # tangents of a head's half angle
+ROUGH_MM = 0.06  # how far a head's side is from straight
+PENCIL_MM = 0.45  # the width of a pencil's line
+DOUBLE_MM, CROWDED_MM = 0.6, 0.36  # a line this wide is two; ink that reaches so far to a side is not one line's
+FAINT_MM = 0.08
+ASTRAY_MM = 0.6  # how far off its vector a head may be
+BOTH_MM = 0.8  # how far apart the tips found from both sides may be
+
+
+class Head(NamedTuple):
+    """A head: its tip along a line and off it (to the left), its way (+1: to the line's high end), how sudden it is."""
+
+    tip: float
+    sign: int
+    aside: float
+    jump: float
+
+
+def heads_of(ink: Ink, line: Fitted) -> list[Head]:
+    """Heads along a line, the most distinct first."""
+    import numpy
+
+    s = numpy.arange(line.low - FAR_MM, line.high + FAR_MM, STEP_MM)
+    t = numpy.arange(ASIDE_MM / 2, BROAD_MM, ASIDE_MM)
+    halves, found = {}, {}
+    for k in (1, -1):
+        dark = ink.at(line.at(s)[:, None] + k * 1j * line.direction(s)[:, None] * t[None, :])
+        own = numpy.cumprod(dark > 0.3, axis=1)
+        halves[k] = (dark * own).sum(axis=1) * ASIDE_MM
+        taken = (dark * (1 - own)).max(axis=1) > DARK  # another line beside
+        turned = (Head(-x.tip, -1, x.aside, x.jump) for x in _sides(-s[::-1], halves[k][::-1], taken[::-1]))
+        found[k] = [*_sides(s, halves[k], taken), *turned]
+    kept: list[Head] = []
+    for one in sorted(_whole(s, halves, found, line.width > DOUBLE_MM), key=lambda o: -o.jump):
+        inside = line.low - 1.5 < one.tip < line.high + 1.5
+        if inside and all(abs(one.tip - k.tip) > 1 or one.sign != k.sign for k in kept):
+            kept.append(one)
+    return kept
+
+
+def _whole(s: Any, halves: Mapping[int, Any], found: Mapping[int, list[Head]], double: bool) -> Iterator[Head]:
+    """Heads seen from both sides, and from one side where the other is another line's."""
+    import numpy
+
+    for one in found[1]:
+        for other in found[-1]:
+            if other.sign == one.sign and abs(other.tip - one.tip) < BOTH_MM and one.jump + other.jump > JUMPS_MM:
+                tip = (one.tip * one.jump + other.tip * other.jump) / (one.jump + other.jump)
+                yield Head(tip, one.sign, (one.aside - other.aside) / 2, one.jump + other.jump)
+    for k in (1, -1):
+        for one in found[k]:
+            beside = halves[-k][abs(s - one.tip + 2.0 * one.sign) < 1.5]
+            crowded = len(beside) > 0 and float(numpy.median(beside)) > CROWDED_MM
+            if one.jump > JUMP_MM and (double or crowded):
+                yield Head(one.tip, one.sign, k * max(one.aside, 0.0), one.jump)
+
+
+def head_at(ink: Ink, start: complex, end: complex, reach: float) -> complex | None:
+    """The tip of the head a vector from start has about its end: no farther than ``reach`` from it along the vector,
+    and not much beside."""
+    length = abs(end - start)
+    along, found = (end - start) / length, list[tuple[float, complex]]()
+    for beside in (0.0, 0.35, -0.35, 0.7, -0.7):
+        origin = start + 1j * along * beside
+        way = Fitted(origin, along, (0.0, 0.0, 0.0), max(length - reach, 0.0), length + reach, 0.1, PENCIL_MM)
+        for head in heads_of(ink, way):
+            if head.sign > 0 and abs(head.tip - length) < reach and abs(head.aside) < ASTRAY_MM:
+                tip = complex(way.at(head.tip) + 1j * along * head.aside)
+                found.append((abs(tip - end) - head.jump, tip))
+    return min(found, key=lambda f: f[0])[1] if found else None
+
+
+def _sides(s: Any, half: Any, taken: Any) -> list[Head]:
+    """Heads that point along the line, as one side of it shows them; ``half`` is how far its ink reaches there."""
+    import numpy
+
+    behind = numpy.convolve(half, numpy.full(4, 0.25))[: len(half)]  # of each place and the three before it
+    behind = numpy.concatenate([numpy.zeros(2), behind[:-2]])
+    found: list[Head] = []
+    for i in (numpy.flatnonzero(half[6:-6] - behind[6:-6] > SLIGHT_MM) + 6).tolist():
+        before = float(behind[i])
+        top = i + int(numpy.argmax(half[i : i + 3]))
+        jump = float(half[top]) - max(before, float(half[i - 2]))
+        sudden = jump >= SLIGHT_MM and half[top] >= half[top - 3 : top].max()
+        if not sudden or before < FAINT_MM or taken[i - 3 : top + 3].any():
+            continue
+        tip = _tip(s, half, top, before, jump)
+        if tip is not None and all(abs(tip - f.tip) > 0.6 for f in found):
+            found.append(Head(tip, 1, before - PENCIL_MM / 2, jump))
+    return found
+
+
+def _tip(s: Any, half: Any, top: int, before: float, jump: float) -> float | None:
+    """Where the side of a head with its base at a row meets the head's own line; None where it does not narrow so."""
+    import numpy
+
+    low, end = before + 0.25 * jump, top
+    while end + 1 < len(s) and low < half[end + 1] < half[end] + 0.02:
+        end += 1
+    rows = numpy.arange(top, end + 1)
+    if len(rows) < 4 or half[min(end + 1, len(s) - 1)] > low:
+        return None
+    slope, height = numpy.polyfit(s[rows], half[rows], 1)
+    rough = float(abs(half[rows] - slope * s[rows] - height).max())
+    if not SLOPE[0] < -slope < SLOPE[1] or rough > ROUGH_MM:
+        return None
+    tip = (max(before - PENCIL_MM / 2, 0.0) - float(height)) / float(slope)
+    return tip if LENGTH_MM[0] < tip - float(s[top]) < LENGTH_MM[1] else None
