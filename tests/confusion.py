@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 import statistics
 import sys
@@ -161,8 +162,9 @@ def alike(easel: Easel, mistake: Mistake) -> frozenset[tuple[str, str]]:
     return frozenset(found - {(mistake.name.partition(":")[0], mistake.where)})
 
 
-def size(easel: Easel, mistake: Mistake) -> float:
-    """By how many standard deviations of a shaky hand the mistake moves the mark it moves most."""
+@cache
+def size(easel: Easel, mistake: Mistake, reading: float = 0.0) -> float:
+    """By how many standard deviations of a shaky hand, and of reading both ends, a mistake moves what it moves most."""
     right, _ = easel.draw(None, Hand(NONE, random.Random(0)))
     try:
         wrong, _ = easel.draw(mistake, Hand(NONE, random.Random(0)))
@@ -174,7 +176,7 @@ def size(easel: Easel, mistake: Mistake) -> float:
     for name, z in right.items():
         if name in sigma:
             moved = abs(wrong.get(name, 0j if easel.plan.startswith("force") else z) - z)
-            found.append(moved / sigma[name])
+            found.append(moved / math.hypot(sigma[name], math.sqrt(2) * reading))
     return max(found)
 
 

@@ -15,18 +15,19 @@ from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field
-from functools import cache
 from pathlib import Path
 
 import confusion
 import line_drawings
 import photographs
-from confusion import Easel, alike, easels, motion, possible
-from drawings import NONE, Care, Hand, Mistake
+from confusion import Easel, easels, motion, possible, size
+from drawings import Care, Hand, Mistake
 from line_drawings import Stroke
+from same_ink import alike_on_paper, same_ink
 
 from planes.check.photograph import blank_pole, paper_of_picture
 from planes.check.verdict import Outcome, check
+from planes.naming import label_of
 
 ROOM = (38.0, 288.0, 10.0, 200.0)  # of a blank: left, right, lower, upper, mm
 KINDS: dict[str, Callable[[random.Random], photographs.Camera]] = {
@@ -34,6 +35,8 @@ KINDS: dict[str, Callable[[random.Random], photographs.Camera]] = {
     "phone": photographs.any_phone,
     "scan 200, plain": lambda rng: photographs.SCAN,
 }
+
+READING_MM = {"scan": 0.15, "phone": 0.3, "scan 200, plain": 0.15}  # σ asked for of a mark's reading
 
 
 @dataclass(frozen=True)
@@ -76,56 +79,7 @@ def picture(one: Drawn, pole: complex, camera: photographs.Camera, rng: random.R
     photographs.save(str(file), photographs.shot(page, camera, rng), camera)
 
 
-ALIKE_MM = 1.0  # ink that differs by less is the same to the eye
 LEAST_MM = 10.0  # nobody hands in a smaller drawing
-
-
-@cache
-def ink(easel: Easel, mistake: Mistake | None, order: tuple[str, ...] = ()) -> list[Stroke]:
-    """What an unerring hand leaves on paper; a force polygon's vectors in an order, where they are in it."""
-    found, _ = easel.draw(mistake, Hand(NONE, random.Random(0)))
-    if not easel.plan.startswith("force"):
-        return line_drawings.motion_strokes(motion(easel.sample), found, easel.plan == "acceleration")
-    strokes, z = [], 0j
-    for name in dict.fromkeys([*(n for n in order if n in found), *found]):
-        if abs(found[name]) > 0.3:
-            strokes.append((z, z + found[name]))
-        z += found[name]
-    return strokes
-
-
-def same_ink(easel: Easel, one: Mistake | None, two: Mistake | None, order: tuple[str, ...] = ()) -> bool:
-    """Whether two drawings differ in the letters beside them alone, which nobody reads on a picture."""
-    try:
-        strokes, lines = ink(easel, one, order), ink(easel, two, order)
-    except ZeroDivisionError:
-        return False
-    return all(_drawn_too(a, b) for a, b in ((strokes, lines), (lines, strokes)))
-
-
-def _drawn_too(strokes: list[Stroke], lines: list[Stroke]) -> bool:
-    """Whether all ink of the strokes, and every head, is ink of the lines too."""
-    for a, b in strokes:
-        alike_ways = (abs(b - d) < ALIKE_MM and ((b - a) / (d - c)).real > 0.95 * abs((b - a) / (d - c))
-                      for c, d in lines if abs(d - c) > photographs.HEADED_MM)  # fmt: skip
-        if abs(b - a) > photographs.HEADED_MM and not any(alike_ways):
-            return False
-    steps = [a + (b - a) * t / 20 for a, b in strokes for t in range(21)]
-    return all(any(_beside(z, *s) for s in lines) for z in steps)
-
-
-def _beside(z: complex, a: complex, b: complex) -> bool:
-    local = (z - a) * (b - a).conjugate() / abs(b - a)
-    return abs(local.imag) < ALIKE_MM and -ALIKE_MM < local.real < abs(b - a) + ALIKE_MM
-
-
-@cache
-def alike_on_paper(easel: Easel, mistake: Mistake, order: tuple[str, ...]) -> frozenset[tuple[str, str]]:
-    """Other mistakes that leave the same ink."""
-    _, made = easel.draw(None, Hand(NONE, random.Random(0)))
-    others = (Mistake(n, where, k) for n, where in dict.fromkeys(made) for k in (0, 1))
-    found = {(m.name.partition(":")[0], m.where) for m in others if same_ink(easel, mistake, m, order)}
-    return alike(easel, mistake) | frozenset(found - {(mistake.name.partition(":")[0], mistake.where)})
 
 
 def looked_at(easel: Easel, file: Path) -> tuple[Outcome, float]:
@@ -146,6 +100,8 @@ class Count:
     found: int = 0
     blamed: int = 0
     named: int = 0
+    innocent: int = 0  # marks of wrong drawings where no mistake was made
+    innocent_blamed: int = 0
     unreadable: Counter[str] = field(default_factory=Counter)  # of right and of wrong drawings
     errors: list[float] = field(default_factory=list)
     marks: int = 0
@@ -179,6 +135,10 @@ def told_of(easel: Easel, mistake: Mistake | None, one: Drawn, found: Outcome, s
         same = (found.mistake or "", blamed) in alike_on_paper(easel, mistake, tuple(one.marks))
         out.wrong, out.found = 1, found.verdict == "wrong"
         out.blamed, out.named = blamed == mistake.where or same, found.mistake == true or same
+        verdicts = found.grading.verdicts if found.grading and found.verdict == "wrong" else {}
+        where = blamed if same else mistake.where
+        others = [v for m, v in verdicts.items() if label_of(m) != where and v != "unread"]
+        out.innocent, out.innocent_blamed = len(others), others.count("wrong")
         good = bool(out.blamed and out.named)
     if not good:
         out.failures.append(f"{easel.sample} {easel.plan} {mistake and (mistake.name, mistake.where, mistake.variant)}"
@@ -206,10 +166,11 @@ def draw_all(each: int, chosen: Iterable[Easel], seed: int = 1) -> Iterator[tupl
     with tempfile.TemporaryDirectory() as folder:
         for easel in chosen:
             rng = random.Random(f"{seed} {easel.sample} {easel.plan}")
-            mistakes = possible(easel)
-            rng.shuffle(mistakes)
+            every = possible(easel)
+            rng.shuffle(every)
             for k in range(each * len(KINDS)):
                 kind = list(KINDS)[k % len(KINDS)]
+                mistakes = [m for m in every if size(easel, m, READING_MM[kind]) > 3]
                 for mistake in (None, mistakes[(k // len(KINDS) + 7 * k) % len(mistakes)]):
                     one = drawn(easel, mistake, rng)
                     if one is not None and (mistake is None or not same_ink(easel, None, mistake, tuple(one.marks))):
@@ -232,6 +193,7 @@ def told(count: Count) -> str:
         f"  mistakes found    {share(count.found, count.wrong)}; of the readable {share(count.found, read[1])}",
         f"  right step blamed {share(count.blamed, count.wrong)}; of the readable {share(count.blamed, read[1])}",
         f"  named             {share(count.named, count.wrong)}; of the readable {share(count.named, read[1])}",
+        f"  others not blamed {share(count.innocent - count.innocent_blamed, count.innocent)}",
         f"  unreadable        {share(sum(lost.values()), count.right + count.wrong)}",
         f"  marks read        {share(len(count.errors), count.marks)}, off by 50 %: "
         f"{errors[len(errors) // 2]:.2f} mm, 95 %: {errors[int(0.95 * (len(errors) - 1))]:.2f} mm",

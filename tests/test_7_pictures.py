@@ -312,3 +312,14 @@ def test_what_is_drawn_in_colour_does_not_fade() -> None:
         colour[:, x] = (240, 215, 200)
     cv2.line(colour, (300, 200), (900, 700), (200, 60, 30), 5, cv2.LINE_AA)
     assert np.array_equal(plainest(cv2, colour), cv2.cvtColor(colour, cv2.COLOR_BGR2GRAY))
+
+
+def test_a_small_corpus() -> None:
+    """Shares of right drawings accepted and of mistakes found, blamed and named; ``picture_corpus`` counts them all."""
+    whole = corpus.Count()
+    chosen = [e for e in confusion.easels() if e.sample in ("six-link", "kind-1-rrr", "bntu-3")]
+    for _, _, count in corpus.draw_all(1, chosen):
+        whole.add(count)
+    assert whole.right > 25 and whole.accepted >= 0.96 * whole.right, whole.failures
+    assert whole.wrong > 20 and whole.found >= 0.95 * whole.wrong and whole.named >= 0.9 * whole.wrong, whole.failures
+    assert whole.blamed >= 0.92 * whole.wrong and whole.innocent_blamed <= 0.02 * whole.innocent, whole.failures

@@ -32,8 +32,8 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "steps",
     "check.line_fitting check.nudging check.symbols_seen course.students crank_slider.reading_table cycle.tracing "
     "drafting drawing scene.links scene.motion scene.settings scene.vectors",
-    "check.handwork check.heads course.giving cycle.fused diagrams.graphical lesson.moments plans.assembly "
-    "plans.bodies scene",
+    "check.handwork check.heads check.left_over course.giving cycle.fused diagrams.graphical lesson.moments "
+    "plans.assembly plans.bodies scene",
     "check.arrow_tips check.jointly course.reading crank_slider.shape plans.positions vectors",
     "check.drawn_lines check.judging crank_slider.given plans.legs",
     "check.places crank_slider.reading_parts plans.kinematics",

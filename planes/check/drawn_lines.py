@@ -8,11 +8,10 @@ from typing import Any
 
 from planes.check.arrow_tips import find_heads
 from planes.check.ink import DARK, Ink
+from planes.check.left_over import left_over, stroke_of
 from planes.check.line_fitting import Fitted, fitted
-from planes.check.picture import cv
 
-RIM_MM = 0.35  # of an arrowhead beside its line
-LEAST_MM, SHORT_MM = 1.2, 7.0  # of strokes looked for in what is left of the ink
+SHORT_MM, LEFT_MM = 7.0, 12.0  # of strokes that do not tell how wide lines are; of those in what is left of the ink
 OWN = 0.22  # the share of a line that must be its own and not another's
 EDGE_MM = 5.0  # a shorter edge may be an arrowhead's
 OUTSIDE_MM = 0.08  # how far outside of a line's ink its edges are seen
@@ -36,7 +35,8 @@ def lines_on(ink: Ink, rough: Iterable[tuple[complex, complex]], edges: Sequence
         kept = own([*kept, *more], long)
         if more:
             kept = own(_apart(ink, kept), long)
-    short = [f for f in (fitted(ink, a, b) for a, b in _missed(ink, kept)) if f and f.length < SHORT_MM]
+    strokes = (stroke_of(part) for part in left_over(ink, kept))
+    short = [f for f in (fitted(ink, *ends) for ends in strokes if ends) if f and f.length < LEFT_MM]
     kept = own([*kept, *short], long)
     find_heads(ink, kept)
     return kept
@@ -117,26 +117,3 @@ def on(line: Fitted, z: complex, reach: float = 0.5, beyond: float = 0.5) -> boo
     """Whether a place is on a line."""
     s, off = line.local(z)
     return abs(off) < reach and line.low - beyond < s < line.high + beyond
-
-
-def _missed(ink: Ink, lines: Sequence[Fitted]) -> Iterator[tuple[complex, complex]]:
-    """Short strokes of ink that no line runs along, by their ends: a small vector between two large ones."""
-    import numpy
-
-    cv2, flat, mask = cv(), ink.flat, ink.mask
-    for line in lines:
-        s = numpy.linspace(line.low - 0.5, line.high + 0.5, 9)
-        path = numpy.array([flat.px(line.at(float(x))) for x in s]).round().astype(numpy.int32)
-        cv2.polylines(mask, [path], False, 0, max(1, round((line.width + 2 * RIM_MM) * flat.scale)))
-    _, labels, stats, _ = cv2.connectedComponentsWithStats(mask, connectivity=8)
-    for k, (x, y, w, h, area) in enumerate(stats.tolist()):
-        if k and LEAST_MM * flat.scale < max(w, h) < SHORT_MM * flat.scale and area > 0.2 * LEAST_MM * flat.scale**2:
-            down, across = numpy.nonzero(labels[y : y + h, x : x + w] == k)
-            z = (across + x) + 1j * (down + y)
-            middle = complex(z.mean())
-            z = z - middle
-            u = numpy.exp(0.5j * numpy.angle((z * z).sum()))
-            local = z * u.conjugate()
-            if local.imag.std() < 0.25 * flat.scale:
-                ends = [middle + u * t for t in (local.real.min(), local.real.max())]
-                yield flat.mm(ends[0].real, ends[0].imag), flat.mm(ends[1].real, ends[1].imag)

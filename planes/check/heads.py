@@ -23,7 +23,8 @@ ROUGH_MM = 0.06  # how far a head's side is from straight
 PENCIL_MM = 0.45  # the width of a pencil's line
 DOUBLE_MM, CROWDED_MM = 0.6, 0.36  # a line this wide is two; ink that reaches so far to a side is not one line's
 FAINT_MM = 0.08
-ASTRAY_MM = 0.6  # how far off its vector a head may be
+SHAFT_MM = (9.0, 4.5)  # how far before its end a vector is looked at for where it runs
+ASTRAY_MM, BESIDE_MM = 0.6, 0.8  # how far off its vector a head may be, and its vector's ink off where it should run
 BOTH_MM = 0.8  # how far apart the tips found from both sides may be
 
 
@@ -79,15 +80,31 @@ def head_at(ink: Ink, start: complex, end: complex, reach: float) -> complex | N
     """The tip of the head a vector from start has about its end: no farther than ``reach`` from it along the vector,
     and not much beside."""
     length = abs(end - start)
-    along, found = (end - start) / length, list[tuple[float, complex]]()
-    for beside in (0.0, 0.35, -0.35, 0.7, -0.7):
-        origin = start + 1j * along * beside
-        way = Fitted(origin, along, (0.0, 0.0, 0.0), max(length - reach, 0.0), length + reach, 0.1, PENCIL_MM)
-        for head in heads_of(ink, way):
-            if head.sign > 0 and abs(head.tip - length) < reach and abs(head.aside) < ASTRAY_MM:
-                tip = complex(way.at(head.tip) + 1j * along * head.aside)
-                found.append((abs(tip - end) - head.jump, tip))
-    return min(found, key=lambda f: f[0])[1] if found else None
+    along = (end - start) / length
+    far, near = max(length - SHAFT_MM[0], 0.3 * length), max(length - SHAFT_MM[1], 0.6 * length)
+    shaft = _shaft(ink, start + along * far, start + along * near)
+    if shaft is None:
+        return None
+    beside, width = shaft
+    origin, low = start + 1j * along * beside, max(length - reach, 0.0)
+    way = Fitted(origin, along, (0.0, 0.0, 0.0), low, length + reach, 0.1, width)
+    found = [complex(way.at(head.tip) + 1j * along * head.aside) for head in heads_of(ink, way)
+             if head.sign > 0 and abs(head.tip - length) < reach and abs(head.aside) < ASTRAY_MM]  # fmt: skip
+    return min(found, key=lambda z: abs(z - end), default=None)
+
+
+def _shaft(ink: Ink, a: complex, b: complex) -> tuple[float, float] | None:
+    """How far to the left of the way from a to b the ink nearest to it runs, and how wide it is."""
+    import numpy
+
+    t = numpy.arange(-1.2, 1.21, ASIDE_MM)
+    places = numpy.linspace(a, b, 15)[:, None] + 1j * (b - a) / abs(b - a) * t[None, :]
+    runs = numpy.split(numpy.arange(len(t)), numpy.flatnonzero(numpy.diff(ink.at(places).mean(axis=0) > 0.5)) + 1)
+    inked = [t[run] for run in runs if ink.at(places[:, run]).mean() > 0.5]
+    near = min(inked, key=lambda run: float(abs(run).min()), default=None)
+    if near is None or float(abs(near).min()) > BESIDE_MM:
+        return None
+    return float(near.mean()), len(near) * ASIDE_MM
 
 
 def _sides(s: Any, half: Any, taken: Any) -> list[Head]:

@@ -30,7 +30,7 @@ from planes.wording import PlanesError
 
 GATE = 4.5  # σ of drafting and reading within which a mark is looked for
 NO_MARK, NO_END, NO_LINE = 9.0, 3.0, 5.0  # what a mark costs that is nowhere, where nothing ends, where no line leads
-WRONG, SLIP, ANYWHERE = 0.4, 2.0, 11.0  # how many drawings hold a mistake; the least one costs; and a mark anywhere
+WRONG, SLIP, ANYWHERE = 0.5, 2.0, 11.0  # the odds of a mistake; the least one of the catalogue costs; a mark anywhere
 VAGUE = 3.0  # what a place costs that is known to a millimetre
 DOUBTFUL = 3.0  # what a place costs whose line is better known to end elsewhere
 COVERED = 0.75  # the share of a vector that must be drawn
@@ -46,6 +46,7 @@ class Way:
     cost: float
     found: dict[str, Place] = field(default_factory=dict)  # by mark
     variant: Variant | None = None
+    vanished: bool = False  # whether a mark that should be elsewhere came to the pole, where it leaves no trace
 
 
 @dataclass
@@ -64,7 +65,6 @@ class Search:
         """The plan drawn so, snapped to the picture; ``fixed`` puts one mark where it cannot be expected."""
         out = Way(cost, {}, variant)
         places: dict[str, complex] = {}
-
         lost: list[complex] = []
 
         def snap(step: Step, drawn: Any) -> Any:
@@ -81,12 +81,12 @@ class Search:
                 return drawn
             out.found[step.makes] = found
             places[step.makes] = found.z
+            out.vanished |= found is self.pole and abs(drawn) > EVEN_MM and abs(self.true[step.makes]) > 3
             return found.z - self.pole.z
 
         if redrawn(self.bench, variant, snap) is None:
             return None
-        at_pole = [m for m, p in out.found.items() if p is self.pole and abs(self.true[m]) > 3]
-        out.cost += NO_LINE * bool(at_pole)  # a mark that came to the pole left no trace of its own
+        out.cost += NO_LINE * out.vanished
         out.cost += self.ink.price(self.routes(out))
         return out
 

@@ -8,6 +8,7 @@ from typing import Any
 
 from planes.check.drawn_lines import lines_on
 from planes.check.ink import ink_of
+from planes.check.left_over import patches
 from planes.check.picture import Flat, cv
 from planes.check.places import Seen, places_of
 
@@ -43,7 +44,7 @@ def sheet_of(flat: Flat) -> Seen | None:
         return None
     rims = [(flat.mm(a.real, a.imag), flat.mm(b.real, b.imag)) for a, b in edges]
     found = lines_on(ink, [(x.a, x.b) for x in lines], rims)
-    return Seen(ink, found, places_of(found))
+    return Seen(ink, found, places_of(found), patches(ink, found))
 
 
 def _edges(ink: Any) -> list[tuple[complex, complex]]:

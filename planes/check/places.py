@@ -41,6 +41,7 @@ class Seen:
     ink: Ink
     lines: list[Fitted]
     places: list[Place] = field(default_factory=list)
+    patches: list[complex] = field(default_factory=list)  # places of ink that is on no line
     spots: Any = None  # the places as an array
     looked: dict[tuple[complex, complex], Place | None] = field(default_factory=dict)
 

@@ -169,7 +169,7 @@ def with_signs(seen: Seen) -> Seen:
         apart = min((abs(place.z - s.z) for s in found), default=SIGN_MM)
         place.doubtful = place.doubtful or apart < SIGN_MM
     places = [p for p in seen.places if all(abs(p.z - s.z) > 2 * SAME_MM for s in found)]
-    return Seen(seen.ink, seen.lines, [*found, *places])
+    return Seen(seen.ink, seen.lines, [*found, *places], seen.patches)
 
 
 def points_on(bench: Bench, seen: Seen, near: complex) -> tuple[list[Spot], float]:

@@ -17,7 +17,7 @@ from planes.check.places import HEADED_MM, Seen
 STEP_MM = 0.5
 ROUTE_MM = 0.9  # ink farther than this from a vector is not its own
 PER_MM = 0.5  # what a millimetre of ink costs that no vector runs along
-NO_HEAD, OTHER_HEAD = 2.5, 3.0  # what a longer vector costs that shows no head, and a head that is no vector's
+NO_HEAD, OTHER_HEAD = 2.9, 3.0  # what a longer vector costs that shows no head, and a head that is no vector's
 CROSS_MM = 3.0  # what is nearer to the pole is its printed cross
 TIP_NEAR_MM, TIP_STRAIGHT = 1.6, 0.94  # how far a head's tip may be from a vector's end; the cosine of its turn
 FEW = 0.3  # heads for a line, at the least, for a missing one to mean anything
@@ -37,7 +37,7 @@ class Ways:
     def __post_init__(self) -> None:
         import numpy
 
-        found: list[complex] = []
+        found = [z for z in self.seen.patches if abs(z - self.pole) >= CROSS_MM]
         for line in self.seen.lines:
             if max(abs(z - self.pole) for z in line.ends) >= CROSS_MM:
                 count = max(2, round(line.length / STEP_MM))
