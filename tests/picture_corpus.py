@@ -25,7 +25,7 @@ from drawings import Care, Hand, Mistake
 from line_drawings import Stroke
 from same_ink import alike_on_paper, same_ink
 
-from planes.check.photograph import blank_pole, paper_of_picture
+from planes.check.sight.photograph import blank_pole, paper_of_picture
 from planes.check.verdict import Outcome, check
 from planes.naming import label_of
 

@@ -19,7 +19,7 @@ import numpy as np  # noqa: E402
 import photographs  # noqa: E402
 import picture_corpus as corpus  # noqa: E402
 
-from planes.check.picture import MOST_PIXELS, load  # noqa: E402
+from planes.check.sight.picture import MOST_PIXELS, load  # noqa: E402
 
 SIX = str(confusion.SAMPLES / "six-link.yaml")
 

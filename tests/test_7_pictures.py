@@ -24,11 +24,11 @@ import picture_corpus as corpus  # noqa: E402
 from photographs import PHONE, SCAN, Camera  # noqa: E402
 
 from planes.check.bench import Asked  # noqa: E402
-from planes.check.colours import plainest  # noqa: E402
 from planes.check.fiducials import SHEET_MM  # noqa: E402
-from planes.check.frame import SIZES_MM, frame_corners, shape_of  # noqa: E402
-from planes.check.photograph import paper_of_picture  # noqa: E402
-from planes.check.picture import flatten  # noqa: E402
+from planes.check.sight.colours import plainest  # noqa: E402
+from planes.check.sight.frame import SIZES_MM, frame_corners, shape_of  # noqa: E402
+from planes.check.sight.photograph import paper_of_picture  # noqa: E402
+from planes.check.sight.picture import flatten  # noqa: E402
 from planes.check.verdict import Outcome, check  # noqa: E402
 from planes.check.verdict_rows import as_json  # noqa: E402
 

@@ -15,10 +15,10 @@ from planes.check.handwork import LEAST_MM, Variant
 from planes.check.jointly import order_of_reckoning
 from planes.check.judging import FALSE_ALARM, LEFT_OUT, MARGIN, OTHER_CAUSE, SLIP, TOO_WELL, UNDRAWN, WARN, breadth
 from planes.check.nudging import HAND
-from planes.check.photograph import blank_pole
 from planes.check.polygons import sides_of
 from planes.check.regrading import SURELY_MM, exported, retrace
 from planes.check.shown import own_marks, own_order, shown_plans, vectors
+from planes.check.sight.photograph import blank_pole
 from planes.check.verdict import Outcome
 from planes.check.verdict_rows import mark_rows, result_rows
 from planes.measuring import say_plan

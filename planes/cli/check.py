@@ -105,7 +105,7 @@ def read_paper(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
     if suffix in LINES:
         return _from_lines(file, asked, args)
     if suffix in PICTURES:
-        from planes.check.photograph import paper_of_picture
+        from planes.check.sight.photograph import paper_of_picture
 
         pole = place(args.pole, "--pole")[1] if args.pole else None
         return paper_of_picture(file, prepare(asked), pole, dict(place(m, "--mark") for m in args.mark),

@@ -12,8 +12,8 @@ from urllib.parse import quote
 from planes.check import report
 from planes.check.bench import Asked, prepare
 from planes.check.fiducials import SHEET_MM, SIDE_MM, cells, centres
-from planes.check.photograph import blank_pole
 from planes.check.shown import leads, shown_plans
+from planes.check.sight.photograph import blank_pole
 from planes.check.tracing_paper import tracing_data
 from planes.check.verdict import Outcome
 from planes.check.verdict_rows import as_json, mark_rows

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from planes.check.ink import DARK, Ink, evened
-from planes.check.picture import cv
+from planes.check.sight.ink import DARK, Ink, evened
+from planes.check.sight.picture import cv
 
 PX_PER_MM = 4.0
 RADII_MM = (0.8, 0.95, 1.1, 1.25, 1.4, 1.6, 1.8, 2.1, 2.4)  # of a hinge's circle

@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from planes.check.ink import DARK, Ink
-from planes.check.rows_across import CELL_MM, Rows, nearest
+from planes.check.sight.ink import DARK, Ink
+from planes.check.sight.rows_across import CELL_MM, Rows, nearest
 
 STEP_MM = 0.2
 DRIFT_MM = 0.1  # how far off a line the ink of its end may be

@@ -6,11 +6,11 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from planes.check.drawn_lines import lines_on
-from planes.check.ink import ink_of
-from planes.check.left_over import patches
-from planes.check.picture import Flat, cv
-from planes.check.places import Seen, places_of
+from planes.check.sight.drawn_lines import lines_on
+from planes.check.sight.ink import ink_of
+from planes.check.sight.left_over import patches
+from planes.check.sight.picture import Flat, cv
+from planes.check.sight.places import Seen, places_of
 
 WIDEST_MM = 1.4  # of a stroke
 SHORTEST_MM = 1.5

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from planes.check.heads import heads_of
-from planes.check.ink import DARK, LIGHT, Ink
-from planes.check.line_fitting import Fitted, Tip
+from planes.check.sight.heads import heads_of
+from planes.check.sight.ink import DARK, LIGHT, Ink
+from planes.check.sight.line_fitting import Fitted, Tip
 
 SAME_MM, USUAL_MM = 1.0, 3.0  # tips nearer than this are one; about how long a head is
 STEP_MM, CELL_MM = 0.2, 0.1  # along a line and across

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from planes.check.fiducials import SIDE_MM, centres
-from planes.check.picture import Flat, cv
+from planes.check.sight.picture import Flat, cv
 
 LETTER_MM = 7.5  # smaller separate marks of ink are letters
 DARK = 0.4  # of a pencil's darkness: less is paper, a grid's line, or a line rubbed out

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
-from planes.check.ink import DARK, Ink
-from planes.check.line_fitting import Fitted
+from planes.check.sight.ink import DARK, Ink
+from planes.check.sight.line_fitting import Fitted
 
 STEP_MM, ASIDE_MM = 0.2, 0.1
 FAR_MM = 6.0  # past a line's ends a head is looked for

@@ -9,8 +9,8 @@ from typing import Any
 
 from planes.check.bench import Bench, variants_of
 from planes.check.handwork import Hand, Miss, Variant
-from planes.check.motion_seen import redrawn, slip
 from planes.check.polygons import Side
+from planes.check.sight.motion_seen import redrawn, slip
 from planes.naming import POLE, at, label_of, plan_of
 from planes.steps import Cross, Step
 

@@ -14,7 +14,8 @@ from itertools import combinations
 
 from planes.check.bench import Bench, variants_of
 from planes.check.handwork import Hand, Taken
-from planes.check.motion_seen import (
+from planes.check.paper import Spot
+from planes.check.sight.motion_seen import (
     ANYWHERE,
     COVERED,
     GATE,
@@ -26,10 +27,9 @@ from planes.check.motion_seen import (
     sigmas_of,
     slip,
 )
-from planes.check.paper import Spot
-from planes.check.places import SAME_MM, Place, Seen
-from planes.check.symbols_seen import signs
-from planes.check.ways_of_ink import Ways
+from planes.check.sight.places import SAME_MM, Place, Seen
+from planes.check.sight.symbols_seen import signs
+from planes.check.sight.ways_of_ink import Ways
 from planes.drawing import run
 from planes.naming import POLE, at, label_of
 from planes.steps import Step

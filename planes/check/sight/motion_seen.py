@@ -19,8 +19,8 @@ from planes.check.bench import Bench, variants_of
 from planes.check.handwork import Hand, Miss, Taken, Variant
 from planes.check.judging import LEFT_OUT
 from planes.check.paper import Spot
-from planes.check.places import Normal, Place, Seen
-from planes.check.ways_of_ink import Ways
+from planes.check.sight.places import Normal, Place, Seen
+from planes.check.sight.ways_of_ink import Ways
 from planes.drawing import run
 from planes.instruments import Exact
 from planes.naming import POLE, at, label_of, plan_of

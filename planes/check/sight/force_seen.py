@@ -15,13 +15,13 @@ from dataclasses import dataclass, field
 from itertools import permutations
 
 from planes.check.bench import Bench
-from planes.check.force_ways import Guess, guesses, polygon_of, spread_of
 from planes.check.handwork import Miss
-from planes.check.motion_seen import ANYWHERE, COVERED, DOUBTFUL, GATE, NO_END, VAGUE, pole_on, sigmas_of
 from planes.check.paper import Spot
-from planes.check.places import Place, Seen
 from planes.check.polygons import loads_of, sides_of
-from planes.check.ways_of_ink import Ways
+from planes.check.sight.force_ways import Guess, guesses, polygon_of, spread_of
+from planes.check.sight.motion_seen import ANYWHERE, COVERED, DOUBTFUL, GATE, NO_END, VAGUE, pole_on, sigmas_of
+from planes.check.sight.places import Place, Seen
+from planes.check.sight.ways_of_ink import Ways
 from planes.naming import POLE
 
 NOTHING_MM = 0.3  # a vector shorter than this is not drawn

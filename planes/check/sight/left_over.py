@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from planes.check.ink import Ink
-from planes.check.line_fitting import Fitted
-from planes.check.picture import cv
+from planes.check.sight.ink import Ink
+from planes.check.sight.line_fitting import Fitted
+from planes.check.sight.picture import cv
 
 RIM_MM = 0.35  # of an arrowhead beside its line
 LEAST_MM, MOST_MM = 1.2, 12.0  # of what is left: less is nothing, more is letters that touch

@@ -6,10 +6,10 @@ import statistics
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
-from planes.check.arrow_tips import find_heads
-from planes.check.ink import DARK, Ink
-from planes.check.left_over import left_over, stroke_of
-from planes.check.line_fitting import Fitted, fitted
+from planes.check.sight.arrow_tips import find_heads
+from planes.check.sight.ink import DARK, Ink
+from planes.check.sight.left_over import left_over, stroke_of
+from planes.check.sight.line_fitting import Fitted, fitted
 
 SHORT_MM, LEFT_MM = 7.0, 12.0  # of strokes that do not tell how wide lines are; of those in what is left of the ink
 OWN = 0.22  # the share of a line that must be its own and not another's

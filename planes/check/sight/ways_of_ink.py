@@ -12,7 +12,7 @@ from functools import reduce
 from operator import or_
 from typing import Any
 
-from planes.check.places import HEADED_MM, Seen
+from planes.check.sight.places import HEADED_MM, Seen
 
 STEP_MM = 0.5
 ROUTE_MM = 0.9  # ink farther than this from a vector is not its own

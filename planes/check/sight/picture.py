@@ -7,9 +7,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from planes.check.bend import Bend, add_paper, bend_of
-from planes.check.colours import in_one_shade, plainest
 from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, centres
+from planes.check.sight.bend import Bend, add_paper, bend_of
+from planes.check.sight.colours import in_one_shade, plainest
 from planes.wording import PlanesError
 from planes.words import Phrase
 

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from planes.check.drawn_lines import on
-from planes.check.heads import head_at
-from planes.check.ink import Ink
-from planes.check.line_fitting import Fitted
+from planes.check.sight.drawn_lines import on
+from planes.check.sight.heads import head_at
+from planes.check.sight.ink import Ink
+from planes.check.sight.line_fitting import Fitted
 
 END_MM = 2.2  # a line that stops nearer than this to a crossing may end there
 CLEAR_MM, DIM_MM = 0.2, 1.2  # σ along a line of an end that stands free, of one within other ink

@@ -10,8 +10,8 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
-from planes.check.bend import LEFT_MM, OTHER_MM
-from planes.check.picture import LARGEST_PX, PX_PER_MM, Flat, cv
+from planes.check.sight.bend import LEFT_MM, OTHER_MM
+from planes.check.sight.picture import LARGEST_PX, PX_PER_MM, Flat, cv
 
 SIZES_MM = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}  # lying
 LEAST_SHARE = 0.2  # of the picture that a frame takes up
