@@ -36,6 +36,7 @@ class Look:
     whole: bool = False
     explained: float = -1.0
     hidden: tuple[str, ...] = ()  # vectors whose ends are not seen
+    bare: bool = False  # whether there are no lines at all
 
     def box(self, bench: Bench) -> tuple[float, float, float, float]:
         """Where the flat picture lies, mm from the pole: left, bottom, right, top."""
@@ -67,6 +68,8 @@ def paper_of_picture(
     paper.picture, paper.box = shown(best.flat), best.box(bench)
     if best.explained < 0:
         paper.notes.append(Phrase("check_crowd", count=f"> {2 * MOST_LINES}"))
+    elif best.bare:
+        paper.notes.append(Phrase("check_no_lines"))
     elif best.explained < EXPLAINED:
         paper.notes.append(Phrase("check_no_plan_seen", share=f"{100 * best.explained:.0f}"))
     else:
@@ -99,7 +102,7 @@ def looked(bench: Bench, flat: Flat, pole: complex | None) -> Look:
     if seen is None or len(seen.lines) > MOST_LINES:
         return Look(flat, 0j)
     if not seen.lines:
-        return Look(flat, 0j, explained=0.0)
+        return Look(flat, 0j, explained=0.0, bare=True)
     near = pole if pole is not None else blank_pole(bench) if flat.size_mm == SHEET_MM else None
     if near is None or (flat.by == "frame" and pole is None and not pole_on(seen, near).ended):
         near = pole_found(bench, seen)
