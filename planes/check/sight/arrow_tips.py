@@ -57,7 +57,7 @@ def _sights(ink: Ink, line: Fitted, lines: Sequence[Fitted]) -> Iterator[Sight]:
 
     s = numpy.arange(line.low - 8, line.high + 8, STEP_MM)
     t = numpy.arange(-1.5, 1.51, CELL_MM)
-    z = _on(line, s)[:, None] + 1j * line.along * t[None, :]
+    z = line.at(s)[:, None] + 1j * line.along * t[None, :]
     dark = ink.at(z)
     guesses = list(_rough(line, s, t, dark))
     for tip, sign, *_ in heads_of(ink, line):
@@ -72,12 +72,6 @@ def _sights(ink: Ink, line: Fitted, lines: Sequence[Fitted]) -> Iterator[Sight]:
         yield Sight(line, sign, x, y, dark[near], _known(z[near], lines), start, end if free else None)
 
 
-def _on(line: Fitted, s: Any) -> Any:
-    """Places on a line, an array of them."""
-    c0, c1, c2 = line.shape
-    return line.origin + line.along * (s + 1j * (c0 + c1 * s + c2 * s * s))
-
-
 def _known(z: Any, lines: Sequence[Fitted]) -> Any:
     """How dark the lines alone make places."""
     import numpy
@@ -86,8 +80,7 @@ def _known(z: Any, lines: Sequence[Fitted]) -> Any:
     for line in lines:
         p = (z - line.origin) * line.along.conjugate()
         s = numpy.clip(p.real, line.low, line.high)
-        c0, c1, c2 = line.shape
-        far = numpy.hypot(p.real - s, p.imag - c0 - c1 * s - c2 * s * s)
+        far = numpy.hypot(p.real - s, p.imag - line.bow(s))
         dark = numpy.maximum(dark, _shade(far - line.width / 2 - OUTSIDE_MM))
     return dark
 
@@ -192,10 +185,8 @@ class Sight:
     @property
     def tip(self) -> Tip:
         """Its tip."""
-        import numpy
-
         s = self.sign * float(self.p[0])
-        z = complex(_on(self.line, numpy.array([s]))[0]) + 1j * self.line.along * float(self.p[1])
+        z = complex(self.line.at(s)) + 1j * self.line.along * float(self.p[1])
         return Tip(s, self.sign, z, max(self.sigma, LEAST_MM))
 
 

@@ -82,8 +82,7 @@ def _met(line: Fitted, edges: Sequence[Edge], usual: float) -> tuple[Any, Any]:
     turn = (b - a) / numpy.abs(b - a) * line.along.conjugate()
     p, q = ((z - line.origin) * line.along.conjugate() for z in (a, b))
     s = numpy.clip((p + q).real / 2, line.low, line.high)
-    c0, c1, c2 = line.shape
-    off = ((p + q).imag / 2 - c0 - c1 * s - c2 * s * s) * numpy.sign(turn.real)
+    off = ((p + q).imag / 2 - line.bow(s)) * numpy.sign(turn.real)
     low, high = numpy.minimum(p.real, q.real), numpy.maximum(p.real, q.real)
     along = numpy.clip(numpy.minimum(high, line.high) - numpy.maximum(low, line.low), 0, None)
     half = (line.width if line.width < TWICE * usual else usual) / 2 + OUTSIDE_MM

@@ -4,7 +4,7 @@ Forces known beforehand may stand in any order; the closing reactions come after
 pole each vector that is left is tried: where it would lead there must be a place where something ends, and ink on the
 way there. Rightly drawn, with each mistake of the catalogue, or with one vector anywhere: what leaves the least ink
 unexplained tells the names. What is hidden (too small, or between two vectors of one direction) is put where it
-should be, with an error as large as itself.
+should be, with the error of drawing it.
 """
 
 from __future__ import annotations
@@ -208,7 +208,7 @@ def vectors_on(bench: Bench, seen: Seen, near: complex) -> tuple[list[Spot], boo
         return [], False, 0.0, ()
     if not _sure(best, plain, len(sides), polygon.pole.z):
         return [], False, 1.0, ()
-    explained = 1 - polygon.ink.left(best.steps) / max(seen.ink_mm, 1.0)
+    explained = polygon.ink.explained(best.steps)
     rows = [Spot(POLE, polygon.pole.z, polygon.pole.sigma)]
     rows += [Spot(n, z, sigma) for n, z, sigma in best.rows if not _left_out(n, best, right, polygon.pole.z)]
     return rows, explained > 0.9, explained, best.hidden

@@ -57,8 +57,12 @@ class Fitted:
 
     def at(self, s: Any) -> Any:
         """The place at s (a number or an array)."""
+        return self.origin + self.along * (s + 1j * self.bow(s))
+
+    def bow(self, s: Any) -> Any:
+        """How far to the left of its chord the line is at s (a number or an array)."""
         c0, c1, c2 = self.shape
-        return self.origin + self.along * (s + 1j * (c0 + c1 * s + c2 * s * s))
+        return c0 + c1 * s + c2 * s * s
 
     def direction(self, s: Any) -> Any:
         """The unit direction at s (a number or an array)."""
@@ -69,8 +73,8 @@ class Fitted:
         """How far along the line a place is, and how far to the left of it."""
         p = (z - self.origin) * self.along.conjugate()
         s = min(max(p.real, self.low - 3), self.high + 3)
-        c0, c1, c2 = self.shape
-        return p.real, p.imag - (c0 + c1 * s + c2 * s * s) - (c1 + 2 * c2 * s) * (p.real - s)
+        _, c1, c2 = self.shape
+        return p.real, p.imag - self.bow(s) - (c1 + 2 * c2 * s) * (p.real - s)
 
     @property
     def ends(self) -> tuple[complex, complex]:
@@ -120,8 +124,7 @@ def _others(z: Any, along: complex, beside: Sequence[Fitted]) -> Any:
         if abs(turn.imag) < ASKEW:
             p = (z - line.origin) * line.along.conjugate()
             s = numpy.clip(p.real, line.low, line.high)
-            c0, c1, c2 = line.shape
-            off = -(p.imag - c0 - c1 * s - c2 * s * s) / turn.real
+            off = -(p.imag - line.bow(s)) / turn.real
             found[k] = numpy.where(abs(p.real - s) < 0.5, off, numpy.nan)
     return found
 
@@ -152,8 +155,7 @@ def _extend(line: Fitted, s: Any, t: Any, dark: Any) -> None:
     """Move the ends to where the ink ends."""
     import numpy
 
-    c0, c1, c2 = line.shape
-    off = t[None, :] - (c0 + c1 * s + c2 * s * s)[:, None]
+    off = t[None, :] - line.bow(s)[:, None]
     core = (dark * (numpy.abs(off) < 0.21)).max(axis=1)
     flank = numpy.maximum(*((dark * (k * off > 0.55) * (k * off < 1.1)).max(axis=1) for k in (1, -1)))
     ends = []

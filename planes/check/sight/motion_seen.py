@@ -134,7 +134,7 @@ class Search:
     def explained(self, way: Way) -> float:
         """The share of the ink that vectors run along."""
         steps = reduce(or_, (self.ink.along(a, b)[0] for a, b in self.routes(way)), 0)
-        return 1 - self.ink.left(steps) / max(self.seen.ink_mm, 1.0)
+        return self.ink.explained(steps)
 
     def free_marks(self, way: Way) -> Iterator[tuple[str, Place]]:
         """Marks that may be elsewhere, with places where lines end that the way does not use."""

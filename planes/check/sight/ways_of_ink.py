@@ -89,6 +89,10 @@ class Ways:
         """How many mm of ink are not among the steps."""
         return STEP_MM * (len(self.steps) - steps.bit_count())
 
+    def explained(self, steps: int) -> float:
+        """The share of the lines' ink that the steps are."""
+        return 1 - self.left(steps) / max(self.seen.ink_mm, 1.0)
+
     def over(self, steps: int, heads: int) -> float:
         """What the ink and the heads cost that are not among these."""
         lost = len(self.tips) - heads.bit_count() if self.headed else 0
