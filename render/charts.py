@@ -10,6 +10,8 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, MultipleLocator
 
+from planes.words import Lang
+from render.numbers import decimal
 from render.report.strokes import Picture, StrokeRenderer
 
 MM = 72 / 25.4
@@ -51,7 +53,7 @@ class Axes:
 
 def chart(
     curves: Sequence[CurveLike], axes: Axes, notes: Sequence[tuple[float, float, str]] = (),
-    size_mm: tuple[float, float] = (165.0, 72.0), lang: str = "ru",
+    size_mm: tuple[float, float] = (165.0, 72.0), lang: Lang = "ru",
 ) -> Picture:  # fmt: skip
     """Draw a chart."""
     width, height = size_mm[0] * MM, size_mm[1] * MM
@@ -70,7 +72,7 @@ def chart(
     return renderer.picture
 
 
-def _frame(plot: Any, curves: Sequence[CurveLike], axes: Axes, lang: str) -> None:
+def _frame(plot: Any, curves: Sequence[CurveLike], axes: Axes, lang: Lang) -> None:
     plot.set_xlabel(axes.x)
     plot.set_ylabel(axes.y)
     plot.axhline(0.0, color="#000000", linewidth=0.6, zorder=1)
@@ -83,13 +85,8 @@ def _frame(plot: Any, curves: Sequence[CurveLike], axes: Axes, lang: str) -> Non
         plot.set_xlim(low, high)
     if axes.ticks:
         plot.xaxis.set_major_locator(MultipleLocator(axes.ticks))
-    told = FuncFormatter(lambda v, _: _number(v, lang))
+    told = FuncFormatter(lambda v, _: decimal(f"{v:.6g}", lang))
     plot.xaxis.set_major_formatter(told)
     plot.yaxis.set_major_formatter(told)
     if any(c.label for c in curves):
         plot.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=3.2)
-
-
-def _number(value: float, lang: str) -> str:
-    text = f"{value:.6g}".replace("-", "−")
-    return text.replace(".", ",") if lang == "ru" else text

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+from planes import words
 from planes.units import quantity
 from planes.words import Lang, say
 
 
 def decimal(text: str, lang: Lang) -> str:
     """A printed number with a true minus and the decimal sign of the language."""
-    text = text.replace("-", "−")
-    return text.replace(".", ",") if lang == "ru" else text
+    return words.decimal(text.replace("-", "−"), lang)
 
 
 def number(value: float | None, lang: Lang, digits: int = 4) -> str:

@@ -26,6 +26,7 @@ _COLUMNS = {
     "error_mm": ("error_mm", "±"),
 }
 _ROUNDED = math.sqrt(12)  # a number rounded to r is wrong by r/√12
+LARGEST_MM = 10_000.0  # no sheet is larger
 
 
 @dataclass(frozen=True)
@@ -112,12 +113,12 @@ def _add(paper: Paper, row: Mapping[str, Any], line: int) -> None:
         cells = [row.get("x_mm"), row.get("y_mm")]
         if None in cells:
             raise paper.refuse("check_row", line=line)
-        x, y = (_number(paper, c, line) for c in cells)
+        x, y = (_length(paper, c, line) for c in cells)
         said = row.get("error_mm") or None
-        error = abs(_number(paper, said, line)) if said is not None else max(_rounding(c) for c in cells)
+        error = abs(_length(paper, said, line)) if said is not None else max(_rounding(c) for c in cells)
         paper.spots.append(Spot(str(row["mark"]), complex(x, y), error))
     elif "segment" in row and row.get("mm") is not None:
-        paper.segments.append((str(row["segment"]), abs(_number(paper, row["mm"], line))))
+        paper.segments.append((str(row["segment"]), abs(_length(paper, row["mm"], line))))
     elif "result" in row and row.get("value") is not None:
         paper.results.append((str(row["result"]), _number(paper, row["value"], line), str(row.get("unit") or "")))
     else:
@@ -132,6 +133,14 @@ def _number(paper: Paper, cell: Any, line: int) -> float:
     if not math.isfinite(number):
         raise paper.refuse("check_not_number", line=line, text=f'"{str(cell)[:40]}"')
     return number
+
+
+def _length(paper: Paper, cell: Any, line: int) -> float:
+    """A length on a sheet, mm."""
+    found = _number(paper, cell, line)
+    if abs(found) > LARGEST_MM:
+        raise paper.refuse("check_no_place", line=line, text=str(cell)[:40])
+    return found
 
 
 def _rounding(cell: Any) -> float:

@@ -25,7 +25,7 @@ from planes.measuring import say_plan
 from planes.naming import POLE, label_of, plan_of
 from planes.scales import extent, kind_of
 from planes.units import mu_text
-from planes.words import Lang, Phrase, say
+from planes.words import Lang, Phrase, decimal, say
 
 Pair = list[float]
 MARGIN_MM = 12.0  # about a drawing on a page
@@ -84,20 +84,15 @@ def page_data(found: Outcome, lang: Lang) -> dict[str, Any]:
     data: dict[str, Any] = {
         "verdict": found.verdict, "title": title(found, lang), "sentence": found.sentence.told(lang),
         "notes": [n.told(lang) for n in found.notes], "head": marks,
-        "rows": [[*row[:2], *(_local(v, lang) for v in row[2:5]), *row[5:]] for row in rows_of(found, lang)],
+        "rows": [[*row[:2], *(decimal(v, lang) for v in row[2:5]), *row[5:]] for row in rows_of(found, lang)],
         "number_head": numbers,
-        "numbers": [[*row[:2], *(_local(v, lang) for v in row[2:4]), *row[4:]] for row in numbers_of(found, lang)],
+        "numbers": [[*row[:2], *(decimal(v, lang) for v in row[2:4]), *row[4:]] for row in numbers_of(found, lang)],
         "command": command(found),
     }  # fmt: skip
     grading = found.grading or (empty(found.bench) if found.paper.picture else None)
     if grading:
         data["page"] = _moved(found, grading, lang)
     return data
-
-
-def _local(number: str, lang: Lang) -> str:
-    """A number with the decimal sign of the language."""
-    return number.replace(".", ",") if lang == "ru" else number
 
 
 def command(found: Outcome) -> str:

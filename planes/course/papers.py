@@ -15,7 +15,7 @@ from planes.naming import POLE, label_of
 from planes.scene import Scene
 from planes.solving import Position, told
 from planes.tables import say_mu
-from planes.words import Lang, say
+from planes.words import Lang, decimal, say
 
 _ANGLES = {"alpha": "α", "beta": "β", "gamma": "γ"}
 NOISE_MM = 1e-6  # a segment shorter than this is nothing
@@ -93,7 +93,7 @@ def work(scene: Scene, drawn: Position, lang: Lang) -> Iterator[str]:
     """What is to be done, as far as the mechanism asks for it."""
     plans = {name.partition(":")[0] for name in drawn.plans.drawn} | {"structure"}
     m, drive = drawn.plans.mechanism, drawn.plans.mechanism.drive
-    value = told(drawn.value, drive.kind, lang).replace(".", "," if lang == "ru" else ".")
+    value = decimal(told(drawn.value, drive.kind, lang), lang)
     value = f"⟨{'phi' if drive.kind == 'phi' else 's'}_{drive.link}⟩ = {value}"
     loaded = bool(m.loads) or any(link.mass or link.inertia for link in m.links.values())
     for key in _WORK:
@@ -131,7 +131,7 @@ def segments(drawn: Position, name: str, plan: Mapping[str, Any], lang: Lang) ->
             rows.append((f"⟨{_vector(drawn, s)}⟩", f"⟨{s.start}⟩⟨{s.end}⟩", _mm(found["mm"], lang), value))
     size = unit({"velocity": "v", "acceleration": "a"}.get(name, "F"), lang)
     head = (say("key_vector", lang), say("segment", lang), say("mm", lang), size)
-    mu = say_mu(plan["mu"], lang).replace(".", "," if lang == "ru" else ".")
+    mu = decimal(say_mu(plan["mu"], lang), lang)
     return Table(f"{say_plan(name, lang)}, μ = {mu}", (head, *rows)) if rows else None
 
 
@@ -146,7 +146,7 @@ def _vector(drawn: Position, s: Segment) -> str:
 
 
 def _mm(size: float, lang: Lang) -> str:
-    return f"{size:.1f}".replace(".", "," if lang == "ru" else ".")
+    return decimal(f"{size:.1f}", lang)
 
 
 def worst_crossing(drawn: Position, lang: Lang) -> str:

@@ -10,7 +10,7 @@ from typing import Any
 from planes.scene import Scene
 from planes.solving import Position
 from planes.units import quantity
-from planes.words import Lang
+from planes.words import Lang, decimal
 
 Words = Mapping[str, tuple[str, str]]
 _PLACE = re.compile(r"(?<![_^])\{(\w+)\}")
@@ -151,8 +151,7 @@ class Writer:
     def number(self, value: float, digits: int = 4, near: float = 0.0) -> str:
         """A number as it stands in a text; rounding noise of numbers ``near`` that large is zero."""
         value = 0.0 if abs(value) < 1e-12 * near else value
-        text = quantity(float(value), digits=digits, true_minus=True)
-        return text.replace(".", ",") if self.lang == "ru" else text
+        return decimal(quantity(float(value), digits=digits, true_minus=True), self.lang)
 
     def tex(self, value: float, digits: int = 4, bracket: bool = False) -> str:
         """A number as it stands in a formula, in brackets if it is negative and ``bracket`` asks so."""

@@ -22,7 +22,7 @@ from planes.plans import Plans
 from planes.scales import kind_of
 from planes.steps.reckoning import Calculate
 from planes.units import mu_text
-from planes.words import Lang
+from planes.words import Lang, decimal
 from planes.words.lesson import tell, why
 
 LANGS: tuple[Lang, ...] = ("ru", "en")
@@ -214,8 +214,7 @@ def shown_mark(name: str) -> bool:
 
 def mu_said(mu: float, kind: str, lang: Lang) -> str:
     """A scale as the language writes it."""
-    text = mu_text(mu, kind, lang)
-    return text.replace(".", ",") if lang == "ru" else text
+    return decimal(mu_text(mu, kind, lang), lang)
 
 
 def needed(frames: list[Frame]) -> list[str]:

@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 from planes.steps.reckoning import Calculate, Product
 from planes.units import quantity
-from planes.words import Lang
+from planes.words import Lang, decimal
 from planes.words.lesson import tell
 
 SLOT = re.compile(r"⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧")
@@ -54,14 +54,12 @@ def sense(name: str) -> str:
 
 def number(size: float, lang: Lang, digits: int = 4) -> str:
     """A number as the language writes it."""
-    text = quantity(size + 0.0, digits=digits, true_minus=True)
-    return text.replace(".", ",") if lang == "ru" else text
+    return decimal(quantity(size + 0.0, digits=digits, true_minus=True), lang)
 
 
 def millimetres(size: float, lang: Lang) -> str:
     """A length on paper, to a tenth."""
-    text = f"{abs(size):.1f}".removesuffix(".0")
-    return text.replace(".", ",") if lang == "ru" else text
+    return decimal(f"{abs(size):.1f}".removesuffix(".0"), lang)
 
 
 def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:

@@ -13,6 +13,7 @@ from planes.naming import label_of, plan_of
 from planes.plans import Plans
 from planes.solving import failed
 from planes.wording import PlanFailure
+from planes.words import decimal
 from planes.words.lesson import tell
 
 
@@ -44,7 +45,7 @@ def _zone(plans: Plans, first: int, last: int, kind: str, table: Any) -> dict[st
     angle = math.degrees(math.asin(float(table[:, first : last + 1].min())))
     said = {
         lang: tell("zone_blunt", lang, mark=_mark(kind), plan=say_plan(plan_of(kind) or "position", lang),
-                   angle=f"{angle:.2g}".replace(".", "," if lang == "ru" else "."))
+                   angle=decimal(f"{angle:.2g}", lang))
         for lang in LANGS
     }  # fmt: skip
     return {"from": first, "to": last, "kind": "blunt", "said": said}

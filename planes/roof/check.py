@@ -46,9 +46,8 @@ def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Any], str]:
     """The marks of a sheet to draw a plan on, and its title; ``more`` lines stand beneath it."""
     bench = prepare(asked)
     title = asked.scene.title.get(lang, "") or asked.scene.file
-    mu = mu_text(bench.said_mu, kind_of(asked.plan), lang)
+    mu = decimal(mu_text(bench.said_mu, kind_of(asked.plan), lang), lang)
     squares = [(z, cells(k), SIDE_MM) for k, z in enumerate(centres(SHEET_MM))]
-    mu = mu.replace(".", ",") if lang == "ru" else mu
     texts = [f"{say_plan(asked.plan, lang)}, μ = {mu}", title, *more]
     return blank.compose(SHEET_MM, squares, blank_pole(bench), texts), title
 

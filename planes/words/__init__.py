@@ -179,6 +179,11 @@ class _Teller(Formatter):
         return format(value, format_spec or (".4g" if isinstance(value, float) else ""))
 
 
+def decimal(number: str, lang: Lang) -> str:
+    """A printed number with the decimal sign of the language."""
+    return number.replace(".", ",") if lang == "ru" else number
+
+
 def say(key: str, lang: Lang = "en", **numbers: object) -> str:
     """The sentence ``key`` in a language, with its names and numbers filled in."""
     return Phrase(key, **numbers).told(lang)

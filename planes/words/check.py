@@ -64,6 +64,10 @@ CHECK: dict[str, tuple[str, str]] = {
     "check_not_number": (
         "{file}:{line}: {text} — не число", "{file}:{line}: {text} is not a number",
     ),
+    "check_no_place": (
+        "{file}:{line}: {text} мм на листе не бывает; длины пишутся в мм",
+        "{file}:{line}: there is no {text} mm on a sheet; lengths are in mm",
+    ),
     "check_row": (
         "{file}:{line}: в строке не хватает столбцов", "{file}:{line}: the row has too few columns",
     ),

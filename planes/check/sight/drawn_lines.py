@@ -8,16 +8,17 @@ from typing import Any
 
 from planes.check.sight.arrow_tips import find_heads
 from planes.check.sight.ink import DARK, Ink
-from planes.check.sight.left_over import left_over, stroke_of
+from planes.check.sight.left_over import MOST_MM, left_over, stroke_of
 from planes.check.sight.line_fitting import Fitted, fitted
 
-SHORT_MM, LEFT_MM = 7.0, 12.0  # of strokes that do not tell how wide lines are; of those in what is left of the ink
+SHORT_MM = 7.0  # of strokes that do not tell how wide lines are
 OWN = 0.22  # the share of a line that must be its own and not another's
 EDGE_MM = 5.0  # a shorter edge may be an arrowhead's
 OUTSIDE_MM = 0.08  # how far outside of a line's ink its edges are seen
 AT_EDGE_MM = 0.15
 PENCIL_MM = 0.55  # the most that lines usually are wide
 TWICE = 1.5  # a line so much wider than usual may be two
+OVER_MM = 1.5  # how far a stroke may go on within another's ink
 BARE = 0.25  # how much a line counts whose edges are not seen
 
 Edge = tuple[complex, complex]  # the ink is to the right
@@ -36,10 +37,20 @@ def lines_on(ink: Ink, rough: Iterable[tuple[complex, complex]], edges: Sequence
         if more:
             kept = own(_apart(ink, kept), long)
     strokes = (stroke_of(part) for part in left_over(ink, kept))
-    short = [f for f in (fitted(ink, *ends) for ends in strokes if ends) if f and f.length < LEFT_MM]
+    short = [f for f in (_short(ink, *ends) for ends in strokes if ends) if f]
     kept = own([*kept, *short], long)
     find_heads(ink, kept)
     return kept
+
+
+def _short(ink: Ink, a: complex, b: complex) -> Fitted | None:
+    """The line of a stroke that is left over; of one that goes on within another's ink only what is its own."""
+    line = fitted(ink, a, b)
+    if line is not None and line.length >= MOST_MM:
+        low, high = max(line.low, -OVER_MM), min(line.high, abs(b - a) + OVER_MM)
+        line.clear = [line.clear[0] and low == line.low, line.clear[1] and high == line.high]
+        line.low, line.high = low, high
+    return line
 
 
 def _apart(ink: Ink, lines: Sequence[Fitted]) -> list[Fitted]:

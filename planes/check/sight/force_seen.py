@@ -19,8 +19,9 @@ from planes.check.handwork import Miss
 from planes.check.paper import Spot
 from planes.check.polygons import loads_of, sides_of
 from planes.check.sight.force_ways import Guess, guesses, polygon_of, spread_of
-from planes.check.sight.motion_seen import ANYWHERE, COVERED, DOUBTFUL, GATE, NO_END, VAGUE, pole_on, sigmas_of
 from planes.check.sight.places import Place, Seen
+from planes.check.sight.poles import pole_on
+from planes.check.sight.prices import ANYWHERE, COVERED, DOUBTFUL, GATE, NO_END, VAGUE, sigmas_of
 from planes.check.sight.ways_of_ink import Ways
 from planes.naming import POLE
 

@@ -10,7 +10,8 @@ from typing import Any
 from planes.check.bench import Bench, variants_of
 from planes.check.handwork import Hand, Miss, Variant
 from planes.check.polygons import Side
-from planes.check.sight.motion_seen import redrawn, slip
+from planes.check.sight.motion_seen import redrawn
+from planes.check.sight.prices import slip
 from planes.naming import POLE, at, label_of, plan_of
 from planes.steps import Cross, Step
 

@@ -43,23 +43,25 @@ def heads_of(ink: Ink, line: Fitted) -> list[Head]:
 
     s = numpy.arange(line.low - FAR_MM, line.high + FAR_MM, STEP_MM)
     t = numpy.arange(ASIDE_MM / 2, BROAD_MM, ASIDE_MM)
-    halves, found = {}, {}
+    halves, taken, found = {}, {}, {}
     for k in (1, -1):
         dark = ink.at(line.at(s)[:, None] + k * 1j * line.direction(s)[:, None] * t[None, :])
         own = numpy.cumprod(dark > 0.3, axis=1)
         halves[k] = (dark * own).sum(axis=1) * ASIDE_MM
-        taken = (dark * (1 - own)).max(axis=1) > DARK  # another line beside
-        turned = (Head(-x.tip, -1, x.aside, x.jump) for x in _sides(-s[::-1], halves[k][::-1], taken[::-1]))
-        found[k] = [*_sides(s, halves[k], taken), *turned]
+        taken[k] = (dark * (1 - own)).max(axis=1) > DARK  # another line beside
+        turned = (Head(-x.tip, -1, x.aside, x.jump) for x in _sides(-s[::-1], halves[k][::-1], taken[k][::-1]))
+        found[k] = [*_sides(s, halves[k], taken[k]), *turned]
     kept: list[Head] = []
-    for one in sorted(_whole(s, halves, found, line.width > DOUBLE_MM), key=lambda o: -o.jump):
+    for one in sorted(_whole(s, halves, taken, found, line.width > DOUBLE_MM), key=lambda o: -o.jump):
         inside = line.low - 1.5 < one.tip < line.high + 1.5
         if inside and all(abs(one.tip - k.tip) > 1 or one.sign != k.sign for k in kept):
             kept.append(one)
     return kept
 
 
-def _whole(s: Any, halves: Mapping[int, Any], found: Mapping[int, list[Head]], double: bool) -> Iterator[Head]:
+def _whole(
+    s: Any, halves: Mapping[int, Any], taken: Mapping[int, Any], found: Mapping[int, list[Head]], double: bool
+) -> Iterator[Head]:  # fmt: skip
     """Heads seen from both sides, and from one side where the other is another line's."""
     import numpy
 
@@ -70,7 +72,8 @@ def _whole(s: Any, halves: Mapping[int, Any], found: Mapping[int, list[Head]], d
                 yield Head(tip, one.sign, (one.aside - other.aside) / 2, one.jump + other.jump)
     for k in (1, -1):
         for one in found[k]:
-            beside = halves[-k][abs(s - one.tip + 2.0 * one.sign) < 1.5]
+            about = abs(s - one.tip + 2.0 * one.sign) < 1.5
+            beside = numpy.where(taken[-k][about], BROAD_MM, halves[-k][about])
             crowded = len(beside) > 0 and float(numpy.median(beside)) > CROWDED_MM
             if one.jump > JUMP_MM and (double or crowded):
                 yield Head(one.tip, one.sign, k * max(one.aside, 0.0), one.jump)

@@ -8,7 +8,6 @@ the drawing is right is judged afterwards, from the places.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import reduce
@@ -19,23 +18,27 @@ from planes.check.bench import Bench, variants_of
 from planes.check.handwork import Hand, Miss, Taken, Variant
 from planes.check.judging import LEFT_OUT
 from planes.check.paper import Spot
-from planes.check.sight.places import Normal, Place, Seen
+from planes.check.sight.places import Place, Seen
+from planes.check.sight.poles import pole_on
+from planes.check.sight.prices import (
+    ANYWHERE,
+    COVERED,
+    DOUBTFUL,
+    GATE,
+    NO_END,
+    NO_LINE,
+    NO_MARK,
+    VAGUE,
+    sigmas_of,
+    slip,
+)
 from planes.check.sight.ways_of_ink import Ways
 from planes.drawing import run
 from planes.instruments import Exact
 from planes.naming import POLE, at, label_of, plan_of
-from planes.scales import kind_of
 from planes.steps import Step
 from planes.wording import PlanesError
 
-GATE = 4.5  # σ of drafting and reading within which a mark is looked for
-NO_MARK, NO_END, NO_LINE = 9.0, 3.0, 5.0  # what a mark costs that is nowhere, where nothing ends, where no line leads
-WRONG, SLIP, ANYWHERE = 0.5, 2.0, 11.0  # the odds of a mistake; the least one of the catalogue costs; a mark anywhere
-VAGUE = 3.0  # what a place costs that is known to a millimetre
-DOUBTFUL = 3.0  # what a place costs whose line is better known to end elsewhere
-COVERED = 0.75  # the share of a vector that must be drawn
-POLE_MM = 0.12  # σ of the place where a line from the pole begins, about the pole
-REACH_MM = 2.5  # of a true mark, when the pole is looked for
 EVEN_MM = 0.9  # marks nearer than this may be one
 
 
@@ -94,22 +97,26 @@ class Search:
         self, step: Step, goal: complex, places: Mapping[str, complex], found: Mapping[str, Place]
     ) -> tuple[Place | None, float]:  # fmt: skip
         """The place most likely meant by a mark that should be at ``goal``, and what believing it costs."""
-        miss = self.own[step.makes]
         best: tuple[float, Place] | None = None
-        starts = [places.get(n, self.pole.z) for n in _starts(step)]
         used = {id(p) for p in found.values()}
         for place in [*self.seen.within(goal, 12.0), self.pole, *self._closer(step.makes, goal, places)]:
-            sigmas = sigmas_of(place.z - goal, miss, place.sigma)
+            sigmas = sigmas_of(place.z - goal, self.own[step.makes], place.sigma)
             if sigmas > GATE:
                 continue
             price = sigmas**2 / 2 + self._doubt(place, goal, used)
-            if all(self.seen.ink.covered(s, place.z) < COVERED for s in (*starts, self.pole.z)):
-                price += NO_LINE
+            price += 0.0 if self._led_to(step, place.z, places) else NO_LINE
             if best is None or price < best[0]:
                 best = price, place
-        if best is None or best[0] > NO_MARK:
-            return None, NO_MARK
-        return best[1], best[0]
+        return (None, self._missing(step.makes)) if best is None or best[0] > NO_MARK else (best[1], best[0])
+
+    def _led_to(self, step: Step, z: complex, places: Mapping[str, complex]) -> bool:
+        """Whether a line leads to a place from where its mark is found from, or from the pole."""
+        starts = [self.pole.z, *(places.get(n, self.pole.z) for n in _starts(step))]
+        return any(self.seen.ink.covered(s, z) >= COVERED for s in starts)
+
+    def _missing(self, mark: str) -> float:
+        """What it costs that a mark is nowhere."""
+        return NO_MARK
 
     def _closer(self, mark: str, goal: complex, places: Mapping[str, complex]) -> Iterator[Place]:
         """Heads about a goal that the vectors to a mark may have."""
@@ -149,17 +156,6 @@ class Search:
                     yield mark, place
 
 
-def slip(count: int) -> float:
-    """What each of some mistakes of the catalogue costs: that it is just this one that was made."""
-    return max(math.log(max(count, 1) / WRONG), SLIP)
-
-
-def sigmas_of(off: complex, miss: Miss, sigma: float) -> float:
-    """How far off a place is, in σ of drawing and of reading."""
-    xx, xy, yy = miss.cov
-    return Miss(off, (xx + sigma**2, xy, yy + sigma**2)).sigmas
-
-
 def _starts(step: Step) -> list[str]:
     return [getattr(step, k) for k in ("start", "other", "end") if isinstance(getattr(step, k, None), str)]
 
@@ -178,35 +174,6 @@ def redrawn(bench: Bench, variant: Variant | None, snap: Callable[[Step, Any], A
     except (PlanesError, ZeroDivisionError, OverflowError):
         return None
     return things
-
-
-def pole_on(seen: Seen, near: complex, reach: float = 2.0) -> Place:
-    """The pole: where it is printed (or was named), and where the lines drawn from it meet."""
-    eqs, ended = Normal(), set[tuple[int, int]]()
-    eqs.add(near, 1 + 0j, POLE_MM)
-    eqs.add(near, 1j, POLE_MM)
-    for k, line in enumerate(seen.lines):
-        s, off = line.local(near)
-        side = 0 if abs(s - line.low) < abs(s - line.high) else 1
-        if abs(off) < 0.8 and abs(line.ends[side] - near) < reach and line.length > 2 * reach:
-            eqs.add(line.at(s), 1j * line.direction(s), 2 * line.sigma)
-            ended.add((k, side))
-    z, sigma = eqs.solved()
-    return Place(z, sigma, frozenset(ended))
-
-
-def pole_found(bench: Bench, seen: Seen) -> complex | None:
-    """The place from which the true plan would meet the most places; None where hardly any would be met."""
-    truth = run(bench.program, bench.given)
-    ends = [complex(truth[m]) for m in bench.marks if abs(truth[m]) > 1]
-    if kind_of(bench.asked.plan) == "force":  # the order of the forces is free: the closing corner alone is sure
-        ends = [complex(truth[m]) for m in bench.marks if m.rpartition(":")[2][-1] != "t"]
-    best, place = 0.0, None
-    for p in (p for p in seen.places if p.ended):
-        hits = sum(any(q.ended for q in seen.within(p.z + e, REACH_MM)) for e in ends) + 0.01 * len(p.ended)
-        if hits > best:
-            best, place = hits, p.z
-    return place if best >= max(2, 0.4 * len(ends)) else None
 
 
 def ends_of(bench: Bench) -> list[tuple[str, str]]:

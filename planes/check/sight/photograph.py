@@ -11,9 +11,10 @@ from planes.check.fiducials import SHEET_MM, pole_place
 from planes.check.paper import Paper, Spot
 from planes.check.sight.force_seen import vectors_on
 from planes.check.sight.frame import by_frame
-from planes.check.sight.motion_seen import marks_on, pole_found, pole_on
+from planes.check.sight.motion_seen import marks_on
 from planes.check.sight.pencil_lines import sheet_of
 from planes.check.sight.picture import Flat, by_points, cv, flatten, load
+from planes.check.sight.poles import pole_found, pole_on
 from planes.check.sight.scheme_seen import points_on
 from planes.drawing import run
 from planes.mark_names import Names

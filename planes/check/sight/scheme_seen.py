@@ -15,19 +15,10 @@ from itertools import combinations
 from planes.check.bench import Bench, variants_of
 from planes.check.handwork import Hand, Taken
 from planes.check.paper import Spot
-from planes.check.sight.motion_seen import (
-    ANYWHERE,
-    COVERED,
-    GATE,
-    NO_LINE,
-    NO_MARK,
-    Search,
-    Way,
-    pole_on,
-    sigmas_of,
-    slip,
-)
+from planes.check.sight.motion_seen import Search, Way
 from planes.check.sight.places import SAME_MM, Place, Seen
+from planes.check.sight.poles import pole_on
+from planes.check.sight.prices import ANYWHERE, COVERED, NO_MARK, slip
 from planes.check.sight.symbols_seen import signs
 from planes.check.sight.ways_of_ink import Ways
 from planes.drawing import run
@@ -52,23 +43,18 @@ class Scheme(Search):
     supported: set[str] = field(default_factory=set)  # points at supports and in sliders
     centres: set[str] = field(default_factory=set)  # marks of mass centres, which need not be drawn
 
-    def _nearest(
-        self, step: Step, goal: complex, places: Mapping[str, complex], found: Mapping[str, Place]
-    ) -> tuple[Place | None, float]:  # fmt: skip
-        best: tuple[float, Place] | None = None
-        miss, used = self.own[step.makes], {id(p) for p in found.values()}
+    def _led_to(self, step: Step, z: complex, places: Mapping[str, complex]) -> bool:
+        """Whether a line leads to a place from a point of the same link."""
         near = [places[m] for m in self.mates.get(step.makes, ()) if m in places]
-        for place in [*self.seen.within(goal, 12.0), self.pole]:
-            sigmas = sigmas_of(place.z - goal, miss, place.sigma)
-            if sigmas > GATE:
-                continue
-            price = sigmas**2 / 2 + self._doubt(place, goal, used)
-            if near and all(self._covered(z, place.z) < COVERED for z in near):
-                price += NO_LINE
-            if best is None or price < best[0]:
-                best = price, place
-        missing = NO_MARK if step.makes in self.centres else NO_POINT
-        return (None, missing) if best is None or best[0] > NO_MARK else (best[1], best[0])
+        return not near or any(self._covered(mate, z) >= COVERED for mate in near)
+
+    def _missing(self, mark: str) -> float:
+        """What it costs that a point is nowhere."""
+        return NO_MARK if mark in self.centres else NO_POINT
+
+    def _closer(self, mark: str, goal: complex, places: Mapping[str, complex]) -> Iterator[Place]:
+        """No line of a scheme has a head."""
+        return iter(())
 
     def free_marks(self, way: Way) -> Iterator[tuple[str, Place]]:
         """Points that may be elsewhere: at places away from those used, led to from their mates; a centre, at a dot."""

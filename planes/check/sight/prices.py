@@ -1,0 +1,25 @@
+"""What it costs to believe that a place of a picture is a mark's: less is likelier, 1 is e times less likely."""
+
+from __future__ import annotations
+
+import math
+
+from planes.check.handwork import Miss
+
+GATE = 4.5  # σ of drafting and reading within which a mark is looked for
+NO_MARK, NO_END, NO_LINE = 9.0, 3.0, 5.0  # what a mark costs that is nowhere, where nothing ends, where no line leads
+WRONG, SLIP, ANYWHERE = 0.5, 2.0, 11.0  # the odds of a mistake; the least one of the catalogue costs; a mark anywhere
+VAGUE = 3.0  # what a place costs that is known to a millimetre
+DOUBTFUL = 3.0  # what a place costs whose line is better known to end elsewhere
+COVERED = 0.75  # the share of a vector that must be drawn
+
+
+def slip(count: int) -> float:
+    """What each of some mistakes of the catalogue costs: that it is just this one that was made."""
+    return max(math.log(max(count, 1) / WRONG), SLIP)
+
+
+def sigmas_of(off: complex, miss: Miss, sigma: float) -> float:
+    """How far off a place is, in σ of drawing and of reading."""
+    xx, xy, yy = miss.cov
+    return Miss(off, (xx + sigma**2, xy, yy + sigma**2)).sigmas
