@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from planes.check.sight.heads import heads_of
-from planes.check.sight.ink import DARK, LIGHT, Ink
+from planes.check.sight.ink import LIGHT, Ink
 from planes.check.sight.line_fitting import Fitted, Tip
 
-SAME_MM, USUAL_MM = 1.0, 3.0  # tips nearer than this are one; about how long a head is
+USUAL_MM = 3.0  # about how long a head is
 STEP_MM, CELL_MM = 0.2, 0.1  # along a line and across
 SOFT_MM = 0.18  # half of how far an edge is blurred
 OUTSIDE_MM = 0.08  # how far outside of a line's ink its edges are
@@ -59,17 +59,17 @@ def _sights(ink: Ink, line: Fitted, lines: Sequence[Fitted]) -> Iterator[Sight]:
     t = numpy.arange(-1.5, 1.51, CELL_MM)
     z = line.at(s)[:, None] + 1j * line.along * t[None, :]
     dark = ink.at(z)
-    guesses = list(_rough(line, s, t, dark))
-    for tip, sign, *_ in heads_of(ink, line):
-        if all(abs(tip - g[1]) > SAME_MM or sign != g[2] for g in guesses):
-            guesses.append((tip - sign * USUAL_MM, tip, sign))
-    for base, tip, sign in guesses:
+    others = [x for x in lines if x is not line]
+    for tip, sign, _, _, width in heads_of(ink, line):
+        thin = replace(line, width=min(line.width, width))
+        base = tip - sign * USUAL_MM
         near = (sign * (s - base) > -3.0) & (sign * (s - tip) < 2.5)
         x, y = numpy.broadcast_arrays(sign * s[near, None], t[None, :])
         end = sign * (line.high if sign > 0 else line.low)
         free = line.clear[(sign + 1) // 2] and abs(sign * tip - end) < AT_END_MM
         start = numpy.array([end if free else sign * tip, 0.0, 0.0, abs(tip - base), 0.7])
-        yield Sight(line, sign, x, y, dark[near], _known(z[near], lines), start, end if free else None)
+        known = _known(z[near], [thin, *others])
+        yield Sight(line, thin.width, sign, x, y, dark[near], known, start, end if free else None)
 
 
 def _known(z: Any, lines: Sequence[Fitted]) -> Any:
@@ -110,6 +110,7 @@ class Sight:
     """A piece of ink along a line that may be an arrowhead, x towards its tip; what the lines alone make of it."""
 
     line: Fitted
+    width: float  # of the line behind the head
     sign: int
     x: Any
     y: Any
@@ -125,7 +126,7 @@ class Sight:
         """What such a head is off the ink, and off what heads are like."""
         import numpy
 
-        model = numpy.maximum(_head(self.x, self.y, p, self.line.width), self.known)
+        model = numpy.maximum(_head(self.x, self.y, p, self.width), self.known)
         ties = [p[1] / TIE_MM, 2 * p[2] / ASKEW]
         if self.end is not None:
             ties.append((p[0] - self.end) / END_MM)
@@ -164,7 +165,7 @@ class Sight:
         p = self.p
         about = numpy.abs(self.x - p[0] + p[3] / 2) < p[3] / 2 + 0.5
         about &= numpy.abs(self.y - p[1]) < p[4] + 0.4
-        model = numpy.maximum(_head(self.x, self.y, p, self.line.width), self.known)
+        model = numpy.maximum(_head(self.x, self.y, p, self.width), self.known)
         left_over, without = (((_seen(m) - self.dark)[about] ** 2).mean() for m in (model, self.known))
         self.gain = 1 - float(left_over) / max(float(without), 1e-9)
         if not settled:
@@ -193,45 +194,3 @@ class Sight:
 def _seen(dark: Any) -> Any:
     """Darkness as :meth:`Ink.at` tells it, of which the lightest part is taken for paper."""
     return (dark - LIGHT).clip(0) / (1 - LIGHT)
-
-
-def _rough(line: Fitted, s: Any, t: Any, dark: Any) -> Iterator[tuple[float, float, int]]:
-    """Where ink widens to both sides for some millimetres: the base of a head, about its tip, and its sense."""
-    import numpy
-
-    found: list[tuple[float, float, float, int]] = []
-    for aside in numpy.arange(-0.45, 0.46, 0.15):  # the head may be of a line drawn a little beside
-        off = t[None, :] + 0 * s[:, None]
-        half = [(dark * (k * (off - aside) > 0) * (k * (off - aside) < 1.2)).sum(axis=1) * CELL_MM for k in (1, -1)]
-        outer = numpy.maximum(*((dark * (k * off > 1.2)).max(axis=1) for k in (1, -1)))
-        wide = 2 * numpy.minimum(*half) * (outer < DARK)  # another line's ink is wide on one side, or does not end
-        high = numpy.flatnonzero((wide > line.width + 0.3) & (s > line.low - 6) & (s < line.high + 6))
-        for i in high[(high > 6) & (high < len(s) - 7)]:
-            if wide[i] == wide[i - 4 : i + 5].max():
-                tips = ((_narrowing(s, wide, int(i), sign, line.width), sign) for sign in (1, -1))
-                found += [(-float(wide[i]), float(s[i]), tip, sign) for tip, sign in tips if tip is not None]
-    kept: list[tuple[float, int]] = []
-    for _, base, tip, sign in sorted(found):
-        if all(abs(tip - k) > 1 or sign != w for k, w in kept):
-            kept.append((tip, sign))
-            yield base, tip, sign
-
-
-def _narrowing(s: Any, wide: Any, base: int, sign: int, width: float) -> float | None:
-    """Where the sides of a head with its base at a row meet; None where they do not narrow as an arrowhead's do."""
-    import numpy
-
-    behind = wide[base - 6 : base] if sign > 0 else wide[base + 1 : base + 7]
-    if behind[0 if sign > 0 else -1] > width + 0.5 * (wide[base] - width):
-        return None
-    rows = [base]
-    while 0 < rows[-1] + sign < len(s) and width + 0.08 < wide[rows[-1] + sign] < wide[rows[-1]] + 0.05:
-        rows.append(rows[-1] + sign)
-    rows = [i for i in rows if wide[i] > 0.5 * wide[base]]  # nearer the tip the line itself is as wide
-    if len(rows) < 5:
-        return None
-    slope, height = numpy.polyfit(s[rows], wide[rows], 1)
-    if not 0.12 < -sign * slope < 1.5:
-        return None
-    tip = -float(height) / float(slope)
-    return tip if 2.0 < sign * (tip - float(s[base])) < 7.0 else None

@@ -29,12 +29,14 @@ BOTH_MM = 0.8  # how far apart the tips found from both sides may be
 
 
 class Head(NamedTuple):
-    """A head: its tip along a line and off it (to the left), its way (+1: to the line's high end), how sudden it is."""
+    """A head: its tip along a line and off it (to the left), its way (+1: to the line's high end), how sudden it is,
+    and how wide the line is behind it."""
 
     tip: float
     sign: int
     aside: float
     jump: float
+    width: float
 
 
 def heads_of(ink: Ink, line: Fitted) -> list[Head]:
@@ -49,7 +51,7 @@ def heads_of(ink: Ink, line: Fitted) -> list[Head]:
         own = numpy.cumprod(dark > 0.3, axis=1)
         halves[k] = (dark * own).sum(axis=1) * ASIDE_MM
         taken[k] = (dark * (1 - own)).max(axis=1) > DARK  # another line beside
-        turned = (Head(-x.tip, -1, x.aside, x.jump) for x in _sides(-s[::-1], halves[k][::-1], taken[k][::-1]))
+        turned = (x._replace(tip=-x.tip, sign=-1) for x in _sides(-s[::-1], halves[k][::-1], taken[k][::-1]))
         found[k] = [*_sides(s, halves[k], taken[k]), *turned]
     kept: list[Head] = []
     for one in sorted(_whole(s, halves, taken, found, line.width > DOUBLE_MM), key=lambda o: -o.jump):
@@ -68,15 +70,16 @@ def _whole(
     for one in found[1]:
         for other in found[-1]:
             if other.sign == one.sign and abs(other.tip - one.tip) < BOTH_MM and one.jump + other.jump > JUMPS_MM:
-                tip = (one.tip * one.jump + other.tip * other.jump) / (one.jump + other.jump)
-                yield Head(tip, one.sign, (one.aside - other.aside) / 2, one.jump + other.jump)
+                jump, width = one.jump + other.jump, (one.width + other.width) / 2
+                tip = (one.tip * one.jump + other.tip * other.jump) / jump
+                yield Head(tip, one.sign, (one.aside - other.aside) / 2, jump, width)
     for k in (1, -1):
         for one in found[k]:
             about = abs(s - one.tip + 2.0 * one.sign) < 1.5
             beside = numpy.where(taken[-k][about], BROAD_MM, halves[-k][about])
             crowded = len(beside) > 0 and float(numpy.median(beside)) > CROWDED_MM
             if one.jump > JUMP_MM and (double or crowded):
-                yield Head(one.tip, one.sign, k * max(one.aside, 0.0), one.jump)
+                yield Head(one.tip, one.sign, k * max(one.aside, 0.0), one.jump, one.width)
 
 
 def head_at(ink: Ink, start: complex, end: complex, reach: float) -> complex | None:
@@ -126,7 +129,7 @@ def _sides(s: Any, half: Any, taken: Any) -> list[Head]:
             continue
         tip = _tip(s, half, top, before, jump)
         if tip is not None and all(abs(tip - f.tip) > 0.6 for f in found):
-            found.append(Head(tip, 1, before - PENCIL_MM / 2, jump))
+            found.append(Head(tip, 1, before - PENCIL_MM / 2, jump, 2 * before))
     return found
 
 

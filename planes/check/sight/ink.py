@@ -5,12 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from planes.check.fiducials import SIDE_MM, centres
+from planes.check.fiducials import ARM_MM, SIDE_MM, centres
 from planes.check.sight.picture import Flat, cv
 
 LETTER_MM = 7.5  # smaller separate marks of ink are letters
+SPECK_MM, USUAL_MM, LIKE = 1.5, 3.5, 1.3  # smaller ones are none; their usual size; how much larger one may be
 DARK = 0.4  # of a pencil's darkness: less is paper, a grid's line, or a line rubbed out
 LIGHT = 0.3  # of a pencil's darkness: is paper
+HEART_MM, RIM_MM = 1.0, 0.35  # about a printed cross's middle, where lines are drawn from; about its arms
 FRAME_MM = (21.5, 8.5)  # how much of a sheet is its frame: at the left, and at the other edges
 
 
@@ -55,8 +57,8 @@ class Ink:
         return float(dark.mean())
 
 
-def ink_of(flat: Flat) -> Ink:
-    """The ink of a flat picture, without letters and printed marks."""
+def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
+    """The ink of a flat picture, without letters and printed marks; a cross may be printed at a place."""
     import numpy
 
     even = evened(flat)
@@ -66,7 +68,7 @@ def ink_of(flat: Flat) -> Ink:
         _whiten_frame(flat, even)
     paper, pencil = _levels(even)
     ink = Ink(flat, even, paper, pencil)
-    _drop_letters(ink)
+    _drop_letters(ink, cross)
     return Ink(flat, numpy.ascontiguousarray(ink.even), paper, pencil)
 
 
@@ -95,16 +97,48 @@ def _levels(even: Any) -> tuple[float, float]:
     return 255.0 - LIGHT * (255.0 - pencil), pencil
 
 
-def _drop_letters(ink: Ink) -> None:
-    """Paint over separate small marks of ink."""
+def _drop_letters(ink: Ink, cross: complex | None) -> None:
+    """Paint over separate small marks of ink, and such as but the arms of a printed cross join to lines."""
     import numpy
 
-    cv2 = cv()
-    _, labels, stats, _ = cv2.connectedComponentsWithStats(ink.mask, connectivity=8)
-    large = numpy.maximum(stats[:, 2], stats[:, 3]) >= LETTER_MM * ink.flat.scale
-    large[0] = False
-    keep = cv2.dilate(large[labels].astype(numpy.uint8), numpy.ones((9, 9), numpy.uint8))
-    ink.even[keep == 0] = 255
+    mask = ink.mask
+    labels, sizes = _pieces(ink, mask)
+    keep = _spread(sizes[labels] >= LETTER_MM)
+    if cross is not None:
+        arms = _arms(ink, cross)
+        letters = [mm for mm in sizes if SPECK_MM < mm < LETTER_MM]
+        parts, sizes = _pieces(ink, mask * (1 - arms))
+        small = (parts > 0) & (sizes[parts] < LIKE * numpy.median(letters or [USUAL_MM]))
+        keep &= ~(_spread(small) & ~_spread((parts > 0) & ~small) & ~(arms > 0))
+    ink.even[~keep] = 255
+
+
+def _pieces(ink: Ink, mask: Any) -> tuple[Any, Any]:
+    """Separate pieces of ink: the number of each pixel's, and how large each is, mm (0: no ink)."""
+    import numpy
+
+    _, labels, stats, _ = cv().connectedComponentsWithStats(mask, connectivity=8)
+    sizes = numpy.maximum(stats[:, 2], stats[:, 3]) / ink.flat.scale
+    sizes[0] = 0.0
+    return labels, sizes
+
+
+def _spread(where: Any) -> Any:
+    """The places, and those around them where ink fades."""
+    import numpy
+
+    return cv().dilate(where.astype(numpy.uint8), numpy.ones((9, 9), numpy.uint8)) > 0
+
+
+def _arms(ink: Ink, cross: complex) -> Any:
+    """Where the arms of a printed cross are, but for its middle, where lines are drawn from."""
+    import numpy
+
+    found = numpy.zeros_like(ink.mask)
+    for way in (1, -1, 1j, -1j):
+        arm = numpy.array([ink.flat.px(cross + way * mm) for mm in (HEART_MM, ARM_MM)]).round().astype(numpy.int32)
+        cv().polylines(found, [arm], False, 1, round(2 * RIM_MM * ink.flat.scale))
+    return found
 
 
 def _whiten_printed(flat: Flat, even: Any) -> None:

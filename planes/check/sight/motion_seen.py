@@ -8,10 +8,12 @@ the drawing is right is judged afterwards, from the places.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+import math
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import reduce
 from operator import or_
+from types import MappingProxyType
 from typing import Any
 
 from planes.check.bench import Bench, variants_of
@@ -39,6 +41,7 @@ from planes.naming import POLE, at, label_of, plan_of
 from planes.steps import Step
 from planes.wording import PlanesError
 
+NEARLY, CLOSE = 3.0, 12.0  # how much dearer a place may be, and a whole way, to be looked at again
 EVEN_MM = 0.9  # marks nearer than this may be one
 
 
@@ -50,6 +53,7 @@ class Way:
     found: dict[str, Place] = field(default_factory=dict)  # by mark
     variant: Variant | None = None
     vanished: bool = False  # whether a mark that should be elsewhere came to the pole, where it leaves no trace
+    others: list[tuple[str, Place]] = field(default_factory=list)  # nearly as likely places of marks
 
 
 @dataclass
@@ -64,7 +68,19 @@ class Search:
     vectors: list[tuple[str, str]]
     ink: Ways
 
-    def way(self, variant: Variant | None, fixed: tuple[str, Place] | None = None, cost: float = 0.0) -> Way | None:
+    def settled(self, variant: Variant | None, cost: float = 0.0, most: float = math.inf) -> Way | None:
+        """The plan drawn so, with marks put to their next likely places as long as that explains the picture better."""
+        best, chosen = self.way(variant, None, cost), dict[str, Place]()
+        for mark, place in best.others if best and best.cost < most + CLOSE else ():
+            trial = self.way(variant, None, cost, {**chosen, mark: place})
+            if best and trial and trial.cost < best.cost:
+                best, chosen[mark] = trial, place
+        return best
+
+    def way(
+        self, variant: Variant | None, fixed: tuple[str, Place] | None = None, cost: float = 0.0,
+        chosen: Mapping[str, Place] = MappingProxyType({}),
+    ) -> Way | None:  # fmt: skip
         """The plan drawn so, snapped to the picture; ``fixed`` puts one mark where it cannot be expected."""
         out = Way(cost, {}, variant)
         places: dict[str, complex] = {}
@@ -77,8 +93,10 @@ class Search:
             if fixed and step.makes == fixed[0]:
                 found: Place | None = fixed[1]
             else:
-                found, price = self._nearest(step, goal, places, out.found)
+                likely = self._likely(step, goal, places, out.found)
+                price, found = next((one for one in likely if one[1] is chosen.get(step.makes)), likely[0])
                 out.cost += price
+                out.others += [(step.makes, p) for dear, p in likely[1:] if p and dear < price + NEARLY]
             if found is None:
                 lost.append(complex(drawn))
                 return drawn
@@ -93,21 +111,21 @@ class Search:
         out.cost += self.ink.price(self.routes(out))
         return out
 
-    def _nearest(
+    def _likely(
         self, step: Step, goal: complex, places: Mapping[str, complex], found: Mapping[str, Place]
-    ) -> tuple[Place | None, float]:  # fmt: skip
-        """The place most likely meant by a mark that should be at ``goal``, and what believing it costs."""
-        best: tuple[float, Place] | None = None
+    ) -> list[tuple[float, Place | None]]:  # fmt: skip
+        """The places that a mark may mean that should be at ``goal``, or none, and what believing it costs."""
         used = {id(p) for p in found.values()}
+        likely: list[tuple[float, Place | None]] = []
         for place in [*self.seen.within(goal, 12.0), self.pole, *self._closer(step.makes, goal, places)]:
             sigmas = sigmas_of(place.z - goal, self.own[step.makes], place.sigma)
             if sigmas > GATE:
                 continue
             price = sigmas**2 / 2 + self._doubt(place, goal, used)
             price += 0.0 if self._led_to(step, place.z, places) else NO_LINE
-            if best is None or price < best[0]:
-                best = price, place
-        return (None, self._missing(step.makes)) if best is None or best[0] > NO_MARK else (best[1], best[0])
+            if price <= NO_MARK:
+                likely.append((price, place))
+        return sorted(likely, key=lambda one: one[0]) or [(self._missing(step.makes), None)]
 
     def _led_to(self, step: Step, z: complex, places: Mapping[str, complex]) -> bool:
         """Whether a line leads to a place from where its mark is found from, or from the pole."""
@@ -193,15 +211,24 @@ def search_of(bench: Bench, seen: Seen, pole: Place) -> Search:
 def best_way(search: Search) -> Way | None:
     """The way that explains the picture best."""
     bench = search.bench
-    ways = [w for w in (search.way(None),) if w]
+    ways = [w for w in (search.settled(None),) if w]
     free = Hand(bench.program, bench.given, bench.asked.skill, {})
     variants = list(variants_of(bench, free, bench.said_mu))
     if not ways or len(ways[0].found) < len(bench.marks) or ways[0].cost > slip(len(variants)):
-        ways += [w for w in (search.way(v, cost=slip(len(variants))) for v in variants) if w]
+        ways += _wrong_ways(search, variants, min((w.cost for w in ways), default=math.inf))
         best = min(ways, key=lambda w: w.cost, default=None)
         if best and best.cost > ANYWHERE + 4.0 + len(bench.marks):
             ways += [w for w in (search.way(None, f, ANYWHERE) for f in search.free_marks(best)) if w]
     return min(ways, key=lambda w: w.cost, default=None)
+
+
+def _wrong_ways(search: Search, variants: Sequence[Variant], most: float) -> Iterator[Way]:
+    """The plan drawn with every mistake."""
+    for variant in variants:
+        way = search.settled(variant, slip(len(variants)), most)
+        if way:
+            most = min(most, way.cost)
+            yield way
 
 
 def marks_on(bench: Bench, seen: Seen, near: complex) -> tuple[list[Spot], float]:

@@ -29,9 +29,9 @@ class Line:
         return (self.b - self.a) / abs(self.b - self.a)
 
 
-def sheet_of(flat: Flat) -> Seen | None:
-    """What is seen on a flat picture; None where there are more lines than a plan can have."""
-    ink = ink_of(flat)
+def sheet_of(flat: Flat, cross: complex | None = None) -> Seen | None:
+    """What is seen on a flat picture with a cross printed at a place; None if more lines than a plan can have."""
+    ink = ink_of(flat, cross)
     edges = _edges(ink.even)
     if len(edges) > 12 * MOST:
         return None

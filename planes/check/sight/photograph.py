@@ -99,12 +99,13 @@ def _flats(
 
 def looked(bench: Bench, flat: Flat, pole: complex | None) -> Look:
     """What a flat picture shows; the pole may be named, is printed on a blank, or must be found."""
-    seen = sheet_of(flat)
+    printed = blank_pole(bench) if flat.size_mm == SHEET_MM else None
+    seen = sheet_of(flat, printed)
     if seen is None or len(seen.lines) > MOST_LINES:
         return Look(flat, 0j)
     if not seen.lines:
         return Look(flat, 0j, explained=0.0, bare=True)
-    near = pole if pole is not None else blank_pole(bench) if flat.size_mm == SHEET_MM else None
+    near = pole if pole is not None else printed
     if near is None or (flat.by == "frame" and pole is None and not pole_on(seen, near).ended):
         near = pole_found(bench, seen)
     if near is None:

@@ -58,8 +58,17 @@ class Seen:
         key = complex(round(start.real, 1), round(start.imag, 1)), complex(round(end.real, 1), round(end.imag, 1))
         if key not in self.looked:
             found = head_at(self.ink, start, end, CLOSER_MM) if abs(end - start) > HEADED_MM else None
-            self.looked[key] = Place(found, TIP_MM, frozenset(), True) if found else None
+            self.looked[key] = Place(found, TIP_MM, frozenset(), True, self._short(start, found)) if found else None
         return self.looked[key]
+
+    def _short(self, start: complex, tip: complex) -> bool:
+        """Whether a line is better known to end but a little beyond the tip of a vector from start."""
+        way = (tip - start) / abs(tip - start)
+        for p in self.within(tip, TIP_REACH_MM):
+            beyond = (p.z - tip) * way.conjugate()
+            if p.ended and p.sigma < TIP_MM and beyond.real > HEAD_MM / 2 and abs(beyond.imag) < HEAD_MM / 2:
+                return True
+        return False
 
     @property
     def ink_mm(self) -> float:
