@@ -23,7 +23,7 @@ import photographs
 from confusion import Easel, easels, motion, possible, size
 from drawings import Care, Hand, Mistake
 from line_drawings import Stroke
-from same_ink import alike_on_paper, same_ink
+from same_ink import alike_on_paper, same_ink, size_on_paper
 
 from planes.check.sight.photograph import blank_pole, paper_of_picture
 from planes.check.verdict import Outcome, check
@@ -173,10 +173,18 @@ def draw_all(each: int, chosen: Iterable[Easel], seed: int = 1) -> Iterator[tupl
                 mistakes = [m for m in every if size(easel, m, READING_MM[kind]) > 3]
                 for mistake in (None, mistakes[(k // len(KINDS) + 7 * k) % len(mistakes)]):
                     one = drawn(easel, mistake, rng)
-                    if one is not None and (mistake is None or not same_ink(easel, None, mistake, tuple(one.marks))):
+                    if one is not None and (mistake is None or seen_on_paper(easel, mistake, one, READING_MM[kind])):
                         file = Path(folder) / "p.jpg"
                         picture(one, pole_of(easel), KINDS[kind](rng), rng, file)
                         yield kind, easel, told_of(easel, mistake, one, *looked_at(easel, file))
+
+
+def seen_on_paper(easel: Easel, mistake: Mistake, one: Drawn, reading: float) -> bool:
+    """Whether a mistake shows on paper: in another ink than a right drawing's, by more than 3σ of what is seen."""
+    order = tuple(one.marks)
+    if same_ink(easel, None, mistake, order):
+        return False
+    return not easel.plan.startswith("force") or size_on_paper(easel, mistake, order, reading) > 3
 
 
 def share(a: float, b: float) -> str:

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 import random
 from functools import cache
 
 import line_drawings
 import photographs
-from confusion import Easel, alike, motion
+from confusion import Easel, alike, motion, spread
 from drawings import NONE, Hand, Mistake
 from line_drawings import Stroke
 
+DRAWN_MM, STRAIGHT_DEG = 0.3, 15.0  # shorter vectors leave no ink; vectors that turn less are one line
 ALIKE_MM = 1.0  # ink that differs by less is the same to the eye
 
 
@@ -44,6 +47,34 @@ def orders(easel: Easel, mistake: Mistake | None, order: tuple[str, ...]) -> lis
         return [()]
     more = tuple(n for n in easel.draw(mistake, Hand(NONE, random.Random(0)))[0] if n not in order)
     return [(*order[:k], *more, *order[k:]) for k in range(len(order) + 1)] if more else [order]
+
+
+def size_on_paper(easel: Easel, mistake: Mistake, order: tuple[str, ...], reading: float) -> float:
+    """By how many σ of a shaky hand, and of reading both ends, a mistake moves what is seen of a force polygon.
+
+    Where vectors follow each other in one line and have no heads, nothing shows where one ends: they are seen as one.
+    """
+    wrong = easel.draw(mistake, Hand(NONE, random.Random(0)))[0]
+    right, sigma = easel.draw(None, Hand(NONE, random.Random(0)))[0], spread(easel)
+    both, sizes = ((wrong, right), (right, wrong)), []
+    for way in orders(easel, None, order):
+        most, run = 0.0, list[str]()
+        for k, name in enumerate(way):
+            run.append(name)
+            pair = way[k : k + 2]
+            if len(pair) < 2 or any(_joint_seen(*(d.get(n) or e.get(n, 0j) for n in pair)) for d, e in both):
+                moved = abs(sum(wrong.get(n, 0j) - right.get(n, 0j) for n in run))
+                most = max(most, moved / math.hypot(*(sigma.get(n, 0.1) for n in run), math.sqrt(2) * reading))
+                run = []
+        sizes.append(most)
+    return min(sizes)
+
+
+def _joint_seen(one: complex, two: complex) -> bool:
+    """Whether it shows where a vector ends and the next begins."""
+    if abs(one) > photographs.HEADED_MM:
+        return True
+    return min(abs(one), abs(two)) > DRAWN_MM and abs(cmath.phase(two / one)) > math.radians(STRAIGHT_DEG)
 
 
 def _same(easel: Easel, strokes: list[Stroke], lines: list[Stroke]) -> bool:

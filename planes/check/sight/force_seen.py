@@ -30,7 +30,6 @@ TINY_MM = 1.6  # a vector shorter than this may be hidden where two others meet
 MOST_HIDDEN = 3.5
 MOST_COST = 60.0  # of a chain that explains a picture at all
 POOR, POORLY = 8.0, 2.0  # a polygon that costs more than this, and this for each vector, is not surely one
-UNSURE = 0.5  # a mistake and none that cost so nearly the same cannot be told apart
 HIDDEN = 1.5  # what it costs to believe in an end that is not seen, for a vector of a millimetre
 NO_INK = 5.0  # what it costs if no ink is on its way
 OPEN = 6.0  # what a polygon costs that does not close
@@ -167,12 +166,13 @@ class Polygon:
             self._lay_closing(guess, order[1:], self._longer(chain, z, NOTHING, (name, z, NOTHING_MM)), z)
 
     def _goes_on(self, z: complex, chain: Laid) -> bool:
-        """Whether the line from z to the pole ends beyond it, where no vector begins."""
+        """Whether the line from z to the pole ends beyond it, where no other vector does."""
         way = self.pole.z - z
-        first = chain.rows[0][1] if chain.rows else z
         for p in self._ended():
             w = p.z - z
-            if abs(w) < abs(way) + 2.4 or abs(p.z - first) < GAP_MM or (w * way.conjugate()).real < 0:
+            if abs(w) < abs(way) + 2.4 or (w * way.conjugate()).real < 0:
+                continue
+            if any(abs(p.z - end) < GAP_MM for _, end, _ in chain.rows):
                 continue
             if abs((way * w.conjugate()).imag) < 1.2 * abs(w) and self.covered(z, p.z) > 0.9:
                 return True
@@ -207,7 +207,7 @@ def vectors_on(bench: Bench, seen: Seen, near: complex) -> tuple[list[Spot], boo
     best = _likelier(polygon, plain, right, wrong, len(sides))
     if best is None:
         return [], False, 0.0, ()
-    if not _sure(best, plain, len(sides), polygon.pole.z):
+    if best.cost > _most(best, plain, len(sides), polygon.pole.z):
         return [], False, 1.0, ()
     explained = polygon.ink.explained(best.steps)
     rows = [Spot(POLE, polygon.pole.z, polygon.pole.sigma)]
@@ -228,12 +228,9 @@ def _likelier(polygon: Polygon, plain: Laid | None, right: Guess, wrong: Sequenc
     return best
 
 
-def _sure(best: Laid, plain: Laid | None, count: int, pole: complex) -> bool:
-    """Whether the likeliest polygon fits well enough, and a wrong one better than the right one."""
-    most = POOR + POORLY * count
-    if best is plain:
-        return best.cost <= most + OPEN * _gapes(best, pole)
-    return best.cost <= most + ANYWHERE and (plain is None or plain.cost - best.cost >= UNSURE)
+def _most(best: Laid, plain: Laid | None, count: int, pole: complex) -> float:
+    """What the likeliest polygon may cost to be one at all."""
+    return POOR + POORLY * count + (OPEN * _gapes(best, pole) if best is plain else ANYWHERE)
 
 
 def _gapes(laid: Laid, pole: complex) -> bool:
