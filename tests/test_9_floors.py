@@ -34,7 +34,8 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "cycle.tracing drafting drawing scene.links scene.motion scene.settings scene.vectors",
     "check.handwork check.sight.heads check.sight.left_over course.giving cycle.fused diagrams.graphical "
     "lesson.moments plans.assembly plans.bodies scene",
-    "check.jointly check.sight.arrow_tips course.reading crank_slider.shape plans.positions vectors",
+    "check.jointly check.sight.arrow_tips check.sight.prices course.reading crank_slider.shape plans.positions "
+    "vectors",
     "check.judging check.sight.drawn_lines crank_slider.given plans.legs",
     "check.sight.places crank_slider.reading_parts plans.kinematics",
     "check.sight.pencil_lines check.sight.ways_of_ink crank_slider.reading plans.loads",
@@ -47,21 +48,21 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "alignment check.mistakes check.mistakes_force check.mistakes_position course.showing crank_slider.engine "
     "cycle.peers lesson.steps measuring nearest",
     "check.accounts check.bench crank_slider.kinematics cycle.columns lesson solving",
-    "check.chains check.scaling check.sight.motion_seen course.numbers crank_slider.forces crank_slider.pages "
-    "cycle cycle.explaining lesson.note lesson.practice lesson.zones remedies tables",
-    "check check.sight.force_ways check.sight.scheme_seen check.sizing course.papers course.settling "
-    "crank_slider.balance crank_slider.misprints cycle.bench cycle.claims cycle.spread cycle.streams "
-    "diagrams.graphical_text diagrams.turn lesson.data",
-    "check.matching check.regrading check.sight.force_seen check.verdict course.summary crank_slider.shaft "
-    "cycle.limits cycle.long_run cycle.methods diagrams.extremes erring roof.lesson",
-    "check.shown check.sight.photograph check.verdict_rows cli.solve crank_slider.fatigue cycle.stability "
+    "check.chains check.scaling check.sight.poles course.numbers crank_slider.forces crank_slider.pages cycle "
+    "cycle.explaining lesson.note lesson.practice lesson.zones remedies tables",
+    "check check.sight.motion_seen check.sizing course.papers course.settling crank_slider.balance "
+    "crank_slider.misprints cycle.bench cycle.claims cycle.spread cycle.streams diagrams.graphical_text "
+    "diagrams.turn lesson.data",
+    "check.matching check.regrading check.sight.force_ways check.sight.scheme_seen check.verdict course.summary "
+    "crank_slider.shaft cycle.limits cycle.long_run cycle.methods diagrams.extremes erring roof.lesson",
+    "check.shown check.sight.force_seen check.verdict_rows cli.solve crank_slider.fatigue cycle.stability "
     "diagrams.motion diagrams.summary",
-    "check.report check.tracing_paper crank_slider.rod diagrams.runs diagrams.text roof.charts survey",
-    "cli.survey crank_slider.calculation roof.check roof.cycle roof.graphs",
-    "cli.classes cli.cycle crank_slider.pages_balance crank_slider.pages_kinematics crank_slider.pages_rod "
-    "crank_slider.pages_shaft roof.turning",
-    "cli.check crank_slider.numbers crank_slider.pages_forces roof.sheets",
-    "crank_slider.report roof",
+    "check.sight.photograph check.tracing_paper crank_slider.rod diagrams.runs diagrams.text roof.charts survey",
+    "check.report cli.survey crank_slider.calculation roof.cycle roof.graphs",
+    "cli.cycle crank_slider.pages_balance crank_slider.pages_kinematics crank_slider.pages_rod "
+    "crank_slider.pages_shaft roof.check roof.turning",
+    "cli.classes crank_slider.numbers crank_slider.pages_forces roof.sheets",
+    "cli.check crank_slider.report roof",
     "roof.course roof.crank_slider roof.notebook",
     "roof.conducting",
     "cli.course",

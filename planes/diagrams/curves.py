@@ -16,6 +16,7 @@ import numpy as np
 
 from planes.mechanism import FRAME
 from planes.plans import Plans
+from planes.plans.driven import driven
 from planes.plans.loads import force_name
 
 Sample = Mapping[str, Any]
@@ -216,3 +217,18 @@ def _vector(name: str, unit: str, group: Group, base: str, slope: str = "", fact
         yield Curve(name, unit, group, (x, y), lambda s: np.hypot(s[x], s[y]))
     for axis in "xy":
         yield _scalar(f"{name}_{axis}", unit, group, f"{base}_{axis}", f"{slope}_{axis}" if slope else "", factor)
+
+
+def output_curves(plans: Plans) -> tuple[str, ...]:
+    """The curves of a mechanism's driven link that are drawn first: its place, velocity and acceleration."""
+    link, slides = driven(plans)
+    return (f"s_{link}", f"v_slide_{link}", f"a_slide_{link}") if slides else (
+        f"phi_{link}", f"omega_{link}", f"epsilon_{link}")  # fmt: skip
+
+
+def transfer_curves(plans: Plans) -> tuple[str, ...]:
+    """The analogues of the driven link: of velocity (or its ratio of speeds), and of acceleration."""
+    link, slides = driven(plans)
+    if link == FRAME:
+        return ()
+    return (f"vq_slide_{link}", f"aq_slide_{link}") if slides else (ratio_name(plans, link), f"epsilonq_{link}")

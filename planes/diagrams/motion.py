@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from planes.diagrams.curves import curves_of, ratio_name
+from planes.diagrams.curves import curves_of, output_curves, transfer_curves
 from planes.diagrams.extremes import extremes
 from planes.diagrams.graphical import Construction, differentiated, integrated
 from planes.diagrams.stages import Motion
@@ -34,7 +34,7 @@ def motion_of(plans: Plans, sections: int = 12, file: str = "") -> Motion:
     if not FEWEST <= sections <= MOST:
         raise PlanesError(Phrase("graphical_sections", count=sections, least=FEWEST, most=MOST))
     link, slides = driven(plans)
-    turn = Turn(plans, [curves_of(plans)[n] for n in _names(plans, link, slides)])
+    turn = Turn(plans, [curves_of(plans)[n] for n in (output_curves(plans)[0], *transfer_curves(plans))])
     low, high, closed = ends_of(plans)
     flips = () if slides else grid(turn, low, high).flips
     if flips:
@@ -48,13 +48,6 @@ def motion_of(plans: Plans, sections: int = 12, file: str = "") -> Motion:
         tuple(tuple(row[::2]) for row in half), tuple(tuple(row[1::2]) for row in half),
         _time(dense, drive.velocity), tuple(tuple(row) for row in fine),
     )  # fmt: skip
-
-
-def _names(plans: Plans, link: str, slides: bool) -> tuple[str, str, str]:
-    """The curves of the driven link: its place and both analogues."""
-    if slides:
-        return f"s_{link}", f"vq_slide_{link}", f"aq_slide_{link}"
-    return f"phi_{link}", ratio_name(plans, link), f"epsilonq_{link}"
 
 
 def _time(angles: Any, rate: float) -> tuple[float, ...]:
@@ -83,7 +76,7 @@ def ends_of(plans: Plans) -> tuple[float, float, bool]:
 
 def driven_grid(plans: Plans, start: float, end: float) -> Grid:
     """The driven link's place between two places of the driver."""
-    return grid(turn_of(plans, _names(plans, *driven(plans))[:1]), start, end)
+    return grid(turn_of(plans, output_curves(plans)[:1]), start, end)
 
 
 def dead_points(g: Grid) -> list[float]:

@@ -9,10 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from planes.diagrams.curves import Curve, ratio_name
+from planes.diagrams.curves import Curve
 from planes.diagrams.extremes import Extreme, extremes, varies
 from planes.diagrams.turn import Grid, grid, in_one_piece, turn_of
-from planes.mechanism import FRAME
 from planes.plans import Plans
 from planes.plans.driven import driven
 from planes.scene import Scene
@@ -206,18 +205,3 @@ def summary(
     told = () if names is None else tuple(c.name for c in turn_of(plans, names, file=scene.file).curves)
     turn, low, high = turn_of(plans), min(start, end), max(start, end)
     return Summary(scene, plans, in_one_piece(grid(turn, low, high, min(count, 20001))), told)
-
-
-def output_curves(plans: Plans) -> tuple[str, ...]:
-    """The curves of a mechanism's driven link that are drawn first: its place, velocity and acceleration."""
-    link, slides = driven(plans)
-    return (f"s_{link}", f"v_slide_{link}", f"a_slide_{link}") if slides else (
-        f"phi_{link}", f"omega_{link}", f"epsilon_{link}")  # fmt: skip
-
-
-def transfer_curves(plans: Plans) -> tuple[str, ...]:
-    """The analogues of the driven link: of velocity (or its ratio of speeds), and of acceleration."""
-    link, slides = driven(plans)
-    if link == FRAME:
-        return ()
-    return (f"vq_slide_{link}", f"aq_slide_{link}") if slides else (ratio_name(plans, link), f"epsilonq_{link}")

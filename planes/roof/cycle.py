@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 
 from planes.angles import Span
-from planes.diagrams.curves import Curve, curves_of
+from planes.diagrams.curves import Curve, curves_of, output_curves
 from planes.diagrams.extremes import Extreme, extremes
 from planes.diagrams.runs import Runs
-from planes.diagrams.summary import output_curves
 from planes.diagrams.turn import Grid, Turn, grid, turn_of
 from planes.plans import Plans, state
 from planes.scene import Scene
