@@ -35,6 +35,7 @@ class Camera:
     quality: int = 85
     corners: bool = True  # the blank's corner marks, or the frame alone
     turn_deg: float = 0.0  # how askew the sheet lies
+    curl_mm: float = 0.0  # how far the sheet's middle, which curls up, seems pushed towards its upper edge
     lens: float = 0.0  # how much farther out (in: negative) a picture's corners are seen than by a straight lens
 
 
@@ -156,6 +157,8 @@ def shot(page: Any, camera: Camera, rng: random.Random) -> Any:
     h, w = page.shape
     small = cv2.resize(page, (w // 2, h // 2), interpolation=cv2.INTER_AREA)
     h, w = small.shape
+    if camera.curl_mm:
+        small = curled(small, camera.curl_mm * camera.dpi / 25.4)
     p = camera.perspective
 
     def off() -> list[float]:
@@ -179,6 +182,16 @@ def shot(page: Any, camera: Camera, rng: random.Random) -> Any:
     small = cv2.GaussianBlur(small, (0, 0), camera.blur)
     small += np.random.default_rng(rng.randrange(10**6)).normal(0, camera.noise, small.shape)
     return np.clip(small, 0, 255).astype(np.uint8)
+
+
+def curled(picture: Any, rise: float) -> Any:
+    """The picture of a sheet that curls up between its left and right edges, seen from before it: pixels in its middle
+    seem ``rise`` higher, and those between its middle and its edges a little nearer to its middle."""
+    h, w = picture.shape
+    x, y = np.meshgrid(np.arange(w, dtype=float), np.arange(h, dtype=float))
+    arch, slope = np.sin(np.pi * x / w), np.pi / w * np.cos(np.pi * x / w)
+    maps = ((x + slope * rise**2 / 4).astype(np.float32), (y + rise * arch).astype(np.float32))
+    return cv2.remap(picture, *maps, cv2.INTER_CUBIC, borderValue=90)
 
 
 def bent(picture: Any, lens: float) -> Any:

@@ -182,7 +182,8 @@ def test_the_same_persons_velocities_count() -> None:
 
 
 @pytest.mark.parametrize("text", ["", "x", "a,b\n1,2\n", "mark,x_mm,y_mm\nb,one,2\n", "mark,x_mm,y_mm\np,nan,0\n",
-                                  "mark,x_mm,y_mm\np,0,1e308\n", "{", "[1]", '{"marks": 5}', "mark,x_mm,y_mm\np,1\n"])  # fmt: skip
+                                  "mark,x_mm,y_mm\np,0,1e308\n", "{", "[1]", '{"marks": 5}',
+                                  "mark,x_mm,y_mm\np,1\n"])  # fmt: skip
 def test_bad_tables_are_one_sentence(tmp_path: Path, text: str) -> None:
     file = tmp_path / "t.csv"
     file.write_text(text, encoding="utf-8")

@@ -178,7 +178,8 @@ def _line(rows: Any) -> tuple[Any, Any]:
 
 
 def _lens(bend: Bend, sides: list[Any]) -> tuple[float, float]:
-    """The lens that makes the frame's sides straight (Gauss and Newton's way)."""
+    """The lens that makes the frame's sides straight (Gauss and Newton's way), but for what bends opposite sides the
+    same way: that is the paper's."""
     import numpy
 
     def crooked(k: Any) -> Any:
@@ -188,8 +189,10 @@ def _lens(bend: Bend, sides: list[Any]) -> tuple[float, float]:
             z = bend.straight(side)
             z = z - z.mean()
             u = numpy.exp(0.5j * numpy.angle((z * z).sum()))
+            u = u if ((z[-1] - z[0]) * u.conjugate()).real > 0 else -u
             found.append((z * u.conjugate()).imag)
-        return numpy.concatenate([*found, 2.0 * k / MOST_BENT])
+        left, right, upper, lower = found
+        return numpy.concatenate([left - right, upper - lower, 2.0 * k / MOST_BENT])
 
     k = numpy.zeros(2)
     for _ in range(8):
