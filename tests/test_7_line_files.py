@@ -324,7 +324,7 @@ def test_wrong_plans_as_files(tmp_path: Path) -> None:
             told = out.mistake or "", out.first_wrong
             same = told == (mistake.name.partition(":")[0], mistake.where) or told in confusion.alike(easel, mistake)
             count += 1
-            found += out.verdict != "right"
+            found += out.verdict == "wrong"
             blamed += same or out.first_wrong == mistake.where
             named += same
     print("wrong plans as files", count, "found", found, "blamed", blamed, "named", named)

@@ -7,7 +7,7 @@ from planes.check.sight.places import Normal, Place, Seen
 from planes.drawing import run
 from planes.scales import kind_of
 
-POLE_MM = 0.12  # σ of the place where a line from the pole begins, about the pole
+POLE_MM = 0.06  # σ of the place where a line from the pole begins, about the pole
 REACH_MM = 2.5  # of a true mark, when the pole is looked for
 
 
