@@ -22,6 +22,7 @@ SLOPE = (0.08, 0.5)  # tangents of a head's half angle
 ROUGH_MM = 0.06  # how far a head's side is from straight
 PENCIL_MM = 0.45  # the width of a pencil's line
 DOUBLE_MM, CROWDED_MM = 0.6, 0.36  # a line this wide is two; ink that reaches so far to a side is not one line's
+WIDER_MM = 0.12  # by how much a line is wider where another is upon it
 FAINT_MM = 0.08
 SHAFT_MM = (9.0, 4.5)  # how far before its end a vector is looked at for where it runs
 ASTRAY_MM, BESIDE_MM = 0.6, 0.8  # how far off its vector a head may be, and its vector's ink off where it should run
@@ -54,7 +55,7 @@ def heads_of(ink: Ink, line: Fitted) -> list[Head]:
         turned = (x._replace(tip=-x.tip, sign=-1) for x in _sides(-s[::-1], halves[k][::-1], taken[k][::-1]))
         found[k] = [*_sides(s, halves[k], taken[k]), *turned]
     kept: list[Head] = []
-    for one in sorted(_whole(s, halves, taken, found, line.width > DOUBLE_MM), key=lambda o: -o.jump):
+    for one in sorted(_whole(s, halves, taken, found, line.width), key=lambda o: -o.jump):
         inside = line.low - 1.5 < one.tip < line.high + 1.5
         if inside and all(abs(one.tip - k.tip) > 1 or one.sign != k.sign for k in kept):
             kept.append(one)
@@ -62,7 +63,7 @@ def heads_of(ink: Ink, line: Fitted) -> list[Head]:
 
 
 def _whole(
-    s: Any, halves: Mapping[int, Any], taken: Mapping[int, Any], found: Mapping[int, list[Head]], double: bool
+    s: Any, halves: Mapping[int, Any], taken: Mapping[int, Any], found: Mapping[int, list[Head]], width: float
 ) -> Iterator[Head]:  # fmt: skip
     """Heads seen from both sides, and from one side where the other is another line's."""
     import numpy
@@ -77,8 +78,9 @@ def _whole(
         for one in found[k]:
             about = abs(s - one.tip + 2.0 * one.sign) < 1.5
             beside = numpy.where(taken[-k][about], BROAD_MM, halves[-k][about])
-            crowded = len(beside) > 0 and float(numpy.median(beside)) > CROWDED_MM
-            if one.jump > JUMP_MM and (double or crowded):
+            other = float(numpy.median(beside)) if len(beside) else 0.0
+            double = width > DOUBLE_MM or one.width / 2 + other > width + WIDER_MM
+            if one.jump > JUMP_MM and (double or other > CROWDED_MM):
                 yield Head(one.tip, one.sign, k * max(one.aside, 0.0), one.jump, one.width)
 
 
