@@ -53,7 +53,7 @@ class Ways:
     @property
     def headed(self) -> bool:
         """Whether the vectors of this drawing have heads at all."""
-        return self.arrows and len(self.tips) > FEW * len(self.seen.lines)
+        return self.arrows and len(self.tips) > FEW * sum(x.length > 2 * HEADED_MM for x in self.seen.lines)
 
     def along(self, a: complex, b: complex) -> tuple[int, int]:
         """The steps a way from a to b runs along, and the heads at its end, as bits."""
