@@ -172,7 +172,7 @@ class Polygon:
             w = p.z - z
             if abs(w) < abs(way) + 2.4 or (w * way.conjugate()).real < 0:
                 continue
-            if any(abs(p.z - end) < GAP_MM for _, end, _ in chain.rows):
+            if any(abs(p.z - end) < GAP_MM for _, end, _ in chain.rows) or self.seen.ink.lettered(p.z)[0]:
                 continue
             if abs((way * w.conjugate()).imag) < 1.2 * abs(w) and self.covered(z, p.z) > 0.9:
                 return True

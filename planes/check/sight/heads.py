@@ -71,16 +71,16 @@ def _whole(
     for one in found[1]:
         for other in found[-1]:
             if other.sign == one.sign and abs(other.tip - one.tip) < BOTH_MM and one.jump + other.jump > JUMPS_MM:
-                jump, width = one.jump + other.jump, (one.width + other.width) / 2
+                jump = one.jump + other.jump
                 tip = (one.tip * one.jump + other.tip * other.jump) / jump
-                yield Head(tip, one.sign, (one.aside - other.aside) / 2, jump, width)
+                yield Head(tip, one.sign, (one.aside - other.aside) / 2, jump, (one.width + other.width) / 2)
     for k in (1, -1):
         for one in found[k]:
             about = abs(s - one.tip + 2.0 * one.sign) < 1.5
             beside = numpy.where(taken[-k][about], BROAD_MM, halves[-k][about])
-            other = float(numpy.median(beside)) if len(beside) else 0.0
-            double = width > DOUBLE_MM or one.width / 2 + other > width + WIDER_MM
-            if one.jump > JUMP_MM and (double or other > CROWDED_MM):
+            far_side = float(numpy.median(beside)) if len(beside) else 0.0
+            double = width > DOUBLE_MM or one.width / 2 + far_side > width + WIDER_MM
+            if one.jump > JUMP_MM and (double or far_side > CROWDED_MM):
                 yield Head(one.tip, one.sign, k * max(one.aside, 0.0), one.jump, one.width)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import statistics
 from dataclasses import dataclass
 from typing import Any
 
@@ -24,6 +25,7 @@ class Ink:
     even: Any
     paper: float  # the grey at which paper (with a grid or what was rubbed out) ends
     pencil: float  # the grey of the darkest lines
+    letters: Any = None  # where there may be letters, or short vectors
 
     @property
     def mask(self) -> Any:
@@ -43,6 +45,15 @@ class Ink:
         grey = cv2.remap(self.even, across, down, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=255)
         dark = (self.paper - grey.astype(numpy.float32)) / (self.paper - self.pencil)
         return numpy.clip(dark, 0, 1).reshape(numpy.shape(z))
+
+    def lettered(self, z: Any) -> Any:
+        """Whether there may be letters at places in mm (an array of complex numbers)."""
+        import numpy
+
+        local = (numpy.atleast_1d(z) - self.flat.corner) * self.flat.scale
+        down = numpy.clip(self.even.shape[0] - local.imag, 0, self.even.shape[0] - 1).astype(int)
+        across = numpy.clip(local.real, 0, self.even.shape[1] - 1).astype(int)
+        return self.letters[down, across] if self.letters is not None else numpy.zeros(len(local), bool)
 
     def covered(self, a: complex, b: complex, reach: float = 0.45) -> float:
         """The share of the way from ``a`` to ``b`` along which there is ink, ``reach`` mm to either side."""
@@ -68,8 +79,11 @@ def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
         _whiten_frame(flat, even)
     paper, pencil = _levels(even)
     ink = Ink(flat, even, paper, pencil)
-    _drop_letters(ink, cross)
-    return Ink(flat, numpy.ascontiguousarray(ink.even), paper, pencil)
+    letter_mm = _letter_mm(ink)
+    _drop_letters(ink)
+    ink.even = numpy.ascontiguousarray(ink.even)
+    ink.letters = None if cross is None else _joined(ink, cross, letter_mm)
+    return ink
 
 
 def evened(flat: Flat) -> Any:
@@ -97,20 +111,22 @@ def _levels(even: Any) -> tuple[float, float]:
     return 255.0 - LIGHT * (255.0 - pencil), pencil
 
 
-def _drop_letters(ink: Ink, cross: complex | None) -> None:
-    """Paint over separate small marks of ink, and such as but the arms of a printed cross join to lines."""
-    import numpy
+def _drop_letters(ink: Ink) -> None:
+    """Paint over separate small marks of ink."""
+    labels, sizes = _pieces(ink, ink.mask)
+    ink.even[~_spread(sizes[labels] >= LETTER_MM)] = 255
 
-    mask = ink.mask
-    labels, sizes = _pieces(ink, mask)
-    keep = _spread(sizes[labels] >= LETTER_MM)
-    if cross is not None:
-        arms = _arms(ink, cross)
-        letters = [mm for mm in sizes if SPECK_MM < mm < LETTER_MM]
-        parts, sizes = _pieces(ink, mask * (1 - arms))
-        small = (parts > 0) & (sizes[parts] < LIKE * numpy.median(letters or [USUAL_MM]))
-        keep &= ~(_spread(small) & ~_spread((parts > 0) & ~small) & ~(arms > 0))
-    ink.even[~keep] = 255
+
+def _joined(ink: Ink, cross: complex, letter_mm: float) -> Any:
+    """Where there is ink no larger than letters that but the arms of a printed cross join to lines."""
+    parts, sizes = _pieces(ink, ink.mask * (1 - _arms(ink, cross)))
+    return (parts > 0) & (sizes[parts] < LIKE * letter_mm)
+
+
+def _letter_mm(ink: Ink) -> float:
+    """How large letters are on this sheet."""
+    found = [mm for mm in _pieces(ink, ink.mask)[1] if SPECK_MM < mm < LETTER_MM]
+    return float(statistics.median(found or [USUAL_MM]))
 
 
 def _pieces(ink: Ink, mask: Any) -> tuple[Any, Any]:

@@ -71,9 +71,14 @@ class Search:
     def settled(self, variant: Variant | None, cost: float = 0.0, most: float = math.inf) -> Way | None:
         """The plan drawn so, with marks put to their next likely places as long as that explains the picture better."""
         best, chosen = self.way(variant, None, cost), dict[str, Place]()
-        for mark, place in best.others if best and best.cost < most + CLOSE else ():
+        tried = set[tuple[str, int]]()
+        while best and best.cost < most + CLOSE:
+            mark, place = next((o for o in best.others if (o[0], id(o[1])) not in tried), ("", self.pole))
+            if not mark:
+                break
+            tried.add((mark, id(place)))
             trial = self.way(variant, None, cost, {**chosen, mark: place})
-            if best and trial and trial.cost < best.cost:
+            if trial and trial.cost < best.cost:
                 best, chosen[mark] = trial, place
         return best
 

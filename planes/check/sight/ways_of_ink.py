@@ -42,7 +42,8 @@ class Ways:
             if max(abs(z - self.pole) for z in line.ends) >= CROSS_MM:
                 count = max(2, round(line.length / STEP_MM))
                 found += [line.at(line.low + line.length * (k + 0.5) / count) for k in range(count)]
-        self.steps = numpy.array(found, complex)
+        steps = numpy.array(found, complex)
+        self.steps = steps[~self.seen.ink.lettered(steps)]
         for line in self.seen.lines:
             for head in line.heads:
                 tip, way = head.z, line.direction(head.s) * head.sign
