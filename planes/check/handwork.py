@@ -15,6 +15,7 @@ from planes.check.nudging import Columns, Nudged, Skill
 from planes.program import Program
 from planes.steps import Aim, Same, Step, Turn
 from planes.steps.reckoning import Measure
+from planes.words import Written
 
 LEAST_MM = 0.1  # no mark on paper is surer than this
 
@@ -73,7 +74,7 @@ class Variant:
     swaps: Mapping[str, tuple[Step, ...]] = field(default_factory=dict)
     givens: Mapping[str, Any] = field(default_factory=dict)
     weight: float = 1.0
-    about: Mapping[str, str] = field(default_factory=dict)  # names for the sentence
+    about: Mapping[str, str | Written] = field(default_factory=dict)  # names for the sentence
 
 
 def by_protractor(step: Step, given: Mapping[str, Any]) -> bool:

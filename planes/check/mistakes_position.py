@@ -10,6 +10,7 @@ from planes.check.handwork import Taken, Variant
 from planes.check.ways import Ways
 from planes.naming import label_of
 from planes.steps import CrossArc, CrossArcs, LayOff, Step
+from planes.words import Written
 
 LEAST_OFFSET = 1e-6  # relative: a guide nearer to the pivot passes through it
 LEAST_SCALE = 0.04  # a link drawn longer or shorter by less is a matter of care, not of scale
@@ -97,5 +98,5 @@ def _scales(w: Ways, step: Step, taken: Mapping[str, Taken], mu: float) -> Itera
         ratio = drawn / abs(float(value))
         if abs(ratio - 1) > LEAST_SCALE:
             label = label_of(step.makes)
-            about = {"mark": label, "value": length, "ratio": f"{ratio:.3g}"}
+            about: dict[str, str | Written] = {"mark": label, "value": length, "ratio": Written(f"{ratio:.3g}")}
             yield Variant("link_scale", label, {}, {length: float(value) * ratio}, 0.1, about)

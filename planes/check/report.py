@@ -25,7 +25,7 @@ from planes.measuring import say_plan
 from planes.naming import POLE, label_of, plan_of
 from planes.scales import extent, kind_of
 from planes.units import mu_text
-from planes.words import Lang, Phrase, decimal, say
+from planes.words import Lang, Phrase, Written, decimal, say
 
 Pair = list[float]
 MARGIN_MM = 12.0  # about a drawing on a page
@@ -38,9 +38,9 @@ def title(found: Outcome, lang: Lang) -> str:
     return f"{plan[:1].upper()}{plan[1:]}: {scene.title.get(lang, '') or scene.file}"
 
 
-def mm(value: float | None) -> str:
+def mm(value: float | None, lang: Lang) -> str:
     """Millimetres for a table."""
-    return "—" if value is None else f"{value:.1f}"
+    return "—" if value is None else decimal(f"{value:.1f}", lang)
 
 
 def rows_of(found: Outcome, lang: Lang) -> list[list[str]]:
@@ -56,7 +56,7 @@ def rows_of(found: Outcome, lang: Lang) -> list[list[str]]:
             sizes = free
         close = f" ({say('check_close', lang)})" if "warning" in r else ""
         words = say(f"verdict_{r['verdict']}", lang) + close
-        rows.append([r["verdict"], r["mark"], *map(mm, (*sizes, r["deviation_mm"])), words])
+        rows.append([r["verdict"], r["mark"], *(mm(v, lang) for v in (*sizes, r["deviation_mm"])), words])
     return rows
 
 
@@ -67,7 +67,7 @@ def numbers_of(found: Outcome, lang: Lang) -> list[list[str]]:
         told, slip = say(f"verdict_{r['verdict']}", lang), r.get("mistake")
         if slip:
             told += ": " + Phrase(f"mistake_{slip}", mark="").told(lang).removeprefix(": ")
-        rows.append([r["verdict"], r["name"], f"{r['given']:.4g}", f"{r['true']:.4g}", told])
+        rows.append([r["verdict"], r["name"], *(decimal(f"{r[k]:.4g}", lang) for k in ("given", "true")), told])
     return rows
 
 
@@ -84,9 +84,7 @@ def page_data(found: Outcome, lang: Lang) -> dict[str, Any]:
     data: dict[str, Any] = {
         "verdict": found.verdict, "title": title(found, lang), "sentence": found.sentence.told(lang),
         "notes": [n.told(lang) for n in found.notes], "head": marks,
-        "rows": [[*row[:2], *(decimal(v, lang) for v in row[2:5]), *row[5:]] for row in rows_of(found, lang)],
-        "number_head": numbers,
-        "numbers": [[*row[:2], *(decimal(v, lang) for v in row[2:4]), *row[4:]] for row in numbers_of(found, lang)],
+        "rows": rows_of(found, lang), "number_head": numbers, "numbers": numbers_of(found, lang),
         "command": command(found),
     }  # fmt: skip
     grading = found.grading or (empty(found.bench) if found.paper.picture else None)
@@ -187,7 +185,7 @@ def _otherwise(found: Outcome, grading: Grading, lang: Lang) -> dict[str, Any] |
         mistake = "weight_missing" if left.startswith("G_") else "force_missing"
         return {"first": left, "mark": left, "said": Phrase(f"mistake_{mistake}", mark=left).told(lang)}
     if grading.gap_wrong and grading.rebuilt:
-        said = Phrase("mistake_not_closed", gap=f"{grading.gap_wrong:.1f}", mark=grading.rebuilt.closing)
+        said = Phrase("mistake_not_closed", gap=Written(f"{grading.gap_wrong:.1f}"), mark=grading.rebuilt.closing)
         return {"first": grading.rebuilt.closing, "mark": None, "said": said.told(lang)}
     return None
 

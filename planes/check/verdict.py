@@ -16,7 +16,7 @@ from planes.naming import label_of, mu_of
 from planes.scales import kind_of
 from planes.units import mu_text
 from planes.wording import PlanesError
-from planes.words import Phrase
+from planes.words import Phrase, Written
 
 STATUS = {"right": 0, "wrong": 1, "unreadable": 2}
 
@@ -110,17 +110,17 @@ class Outcome:
             named = table.named
         about: dict[str, object] = {"mark": first, **(named.about if named else {})}
         if self.mistake == "not_closed" and g and g.gap_wrong:
-            about["gap"] = f"{g.gap_wrong:.1f}"
+            about["gap"] = Written(f"{g.gap_wrong:.1f}")
         return about
 
     def _unclear(self, first: str) -> Phrase:
         g, table = self.grading, self._table
         if g and g.judgement.wrong:
             off = abs(g.judgement.misses[g.judgement.wrong[0]].off)
-            return Phrase("check_unclear", mark=first, off=f"{off:.1f}")
+            return Phrase("check_unclear", mark=first, off=Written(f"{off:.1f}"))
         s = table.first_wrong if table else None
         given, true = (s.figure.given, s.true) if s else (0.0, 0.0)
-        return Phrase("check_number_unclear", mark=first, given=f"{given:.4g}", true=f"{true:.4g}")
+        return Phrase("check_number_unclear", mark=first, given=Written(f"{given:.4g}"), true=Written(f"{true:.4g}"))
 
 
 def _plan_words(plan: str) -> tuple[str, dict[str, object]]:
@@ -161,9 +161,12 @@ def _scale_notes(out: Outcome) -> list[Phrase]:
     if g is None or g.said_mu:
         return []
     kind = kind_of(bench.asked.plan)
-    text = mu_text(float(f"{g.mu:.3g}"), kind)
-    said = bench.asked.scene.mu.get(kind)
-    return [Phrase("check_mu", mu=text, said=mu_text(said, kind)) if said else Phrase("check_mu_found", mu=text)]
+    found, said = _mu(float(f"{g.mu:.3g}"), kind), bench.asked.scene.mu.get(kind)
+    return [Phrase("check_mu", mu=found, said=_mu(said, kind)) if said else Phrase("check_mu_found", mu=found)]
+
+
+def _mu(mu: float, kind: str) -> Written:
+    return Written(mu_text(mu, kind), mu_text(mu, kind, "ru"))
 
 
 def _free(bench: Bench, wanted: Iterable[str], mu: float, taken: dict[str, Taken]) -> Hand:

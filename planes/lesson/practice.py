@@ -101,7 +101,7 @@ class Practice:
         if not cmath.isfinite(place) or abs(place - self.drawing[mark]) < APART_MM:
             return None
         names = {"mark": variant.blames, "line": line_of(getattr(self.steps[mark], "along", "")), **variant.about}
-        shown = {**dict.fromkeys(PARTS, ""), **{k: f"⟨{v.lstrip('°')}⟩" if v else "" for k, v in names.items()}}
+        shown = {**dict.fromkeys(PARTS, ""), **{k: f"⟨{str(v).lstrip('°')}⟩" if v else "" for k, v in names.items()}}
         said = {lang: say(f"mistake_{variant.mistake}", lang, **shown) for lang in LANGS}
         swap = variant.swaps.get(mark)
         return Wrong(variant.mistake, complex(place), said, swap[-1] if swap else None)

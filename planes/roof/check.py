@@ -159,7 +159,7 @@ def _tables(found: Outcome, name: Callable[[str], str], naming: Naming) -> list[
     """The steps, and the results that were written down."""
     lang = naming.lang
     head = [say(k, lang) for k in ("check_mark", "check_deviation", "check_tolerance", "check_verdict")]
-    rows = [[name(label), decimal(off, lang), decimal(limit, lang), told]
+    rows = [[name(label), off, limit, told]
             for _, label, off, limit, _, told in report.rows_of(found, lang)]  # fmt: skip
     numbers = [[naming.vector(n), decimal(given, lang), decimal(true, lang), told.partition(":")[0]]
                for _, n, given, true, told in report.numbers_of(found, lang)]  # fmt: skip

@@ -159,6 +159,21 @@ class Phrase:
         return f"Phrase({self.key!r}, {self.parts!r})"
 
 
+class Written:
+    """A printed number, or a quantity with its unit in both languages, told with the decimal sign of the language."""
+
+    __slots__ = ("en", "ru")
+
+    def __init__(self, en: str, ru: str | None = None) -> None:
+        self.en, self.ru = en, decimal(en if ru is None else ru, "ru")
+
+    def told(self, lang: Lang = "en", form: str = "") -> str:
+        """The number in a language."""
+        return self.ru if lang == "ru" else self.en
+
+    __str__ = told
+
+
 Told = Phrase | str
 """A phrase, or words that are the same in both languages: a name, a number, a key of the file."""
 
@@ -170,7 +185,7 @@ class _Teller(Formatter):
         self.lang = lang
 
     def format_field(self, value: object, format_spec: str) -> str:
-        if isinstance(value, Phrase):
+        if isinstance(value, Phrase | Written):
             return value.told(self.lang, format_spec)
         if isinstance(value, tuple):
             return (format_spec or ", ").join(self.format_field(v, "") for v in value)
