@@ -60,8 +60,8 @@ def _sights(ink: Ink, line: Fitted, lines: Sequence[Fitted]) -> Iterator[Sight]:
     z = line.at(s)[:, None] + 1j * line.along * t[None, :]
     dark = ink.at(z)
     others = [x for x in lines if x is not line]
-    for tip, sign, _, _, width in heads_of(ink, line):
-        thin = replace(line, width=min(line.width, width))
+    for found in heads_of(ink, line):
+        tip, sign, thin = found.tip, found.sign, replace(line, width=min(line.width, found.width))
         base = tip - sign * USUAL_MM
         near = (sign * (s - base) > -3.0) & (sign * (s - tip) < 2.5)
         x, y = numpy.broadcast_arrays(sign * s[near, None], t[None, :])
@@ -188,7 +188,7 @@ class Sight:
         """Its tip."""
         s = self.sign * float(self.p[0])
         z = complex(self.line.at(s)) + 1j * self.line.along * float(self.p[1])
-        return Tip(s, self.sign, z, max(self.sigma, LEAST_MM))
+        return Tip(s, self.sign, z, max(self.sigma, LEAST_MM), float(self.p[3]))
 
 
 def _seen(dark: Any) -> Any:

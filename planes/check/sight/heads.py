@@ -13,6 +13,7 @@ from planes.check.sight.ink import DARK, Ink
 from planes.check.sight.line_fitting import Fitted
 
 STEP_MM, ASIDE_MM = 0.2, 0.1
+BASE_MM = 0.15  # how far before the first row that shows it whole a base is
 FAR_MM = 6.0  # past a line's ends a head is looked for
 BROAD_MM = 2.0
 SLIGHT_MM, JUMP_MM, JUMPS_MM = 0.1, 0.2, 0.35  # by how much a base is wider than its line, to a side: at the least, if
@@ -30,9 +31,10 @@ BOTH_MM = 0.8  # how far apart the tips found from both sides may be
 
 
 class Head(NamedTuple):
-    """A head: its tip along a line and off it (to the left), its way (+1: to the line's high end), how sudden it is,
-    and how wide the line is behind it."""
+    """A head: its base and its tip along a line, its way (+1: to the line's high end), how far its tip is off the line
+    (to the left), how sudden it is, and how wide the line is behind it."""
 
+    base: float
     tip: float
     sign: int
     aside: float
@@ -52,7 +54,8 @@ def heads_of(ink: Ink, line: Fitted) -> list[Head]:
         own = numpy.cumprod(dark > 0.3, axis=1)
         halves[k] = (dark * own).sum(axis=1) * ASIDE_MM
         taken[k] = (dark * (1 - own)).max(axis=1) > DARK  # another line beside
-        turned = (x._replace(tip=-x.tip, sign=-1) for x in _sides(-s[::-1], halves[k][::-1], taken[k][::-1]))
+        back = _sides(-s[::-1], halves[k][::-1], taken[k][::-1])
+        turned = (x._replace(base=-x.base, tip=-x.tip, sign=-1) for x in back)
         found[k] = [*_sides(s, halves[k], taken[k]), *turned]
     kept: list[Head] = []
     for one in sorted(_whole(s, halves, taken, found, line.width), key=lambda o: -o.jump):
@@ -73,7 +76,8 @@ def _whole(
             if other.sign == one.sign and abs(other.tip - one.tip) < BOTH_MM and one.jump + other.jump > JUMPS_MM:
                 jump = one.jump + other.jump
                 tip = (one.tip * one.jump + other.tip * other.jump) / jump
-                yield Head(tip, one.sign, (one.aside - other.aside) / 2, jump, (one.width + other.width) / 2)
+                base, width = (one.base + other.base) / 2, (one.width + other.width) / 2
+                yield Head(base, tip, one.sign, (one.aside - other.aside) / 2, jump, width)
     for k in (1, -1):
         for one in found[k]:
             about = abs(s - one.tip + 2.0 * one.sign) < 1.5
@@ -81,12 +85,12 @@ def _whole(
             far_side = float(numpy.median(beside)) if len(beside) else 0.0
             double = width > DOUBLE_MM or one.width / 2 + far_side > width + WIDER_MM
             if one.jump > JUMP_MM and (double or far_side > CROWDED_MM):
-                yield Head(one.tip, one.sign, k * max(one.aside, 0.0), one.jump, one.width)
+                yield one._replace(aside=k * max(one.aside, 0.0))
 
 
-def head_at(ink: Ink, start: complex, end: complex, reach: float) -> complex | None:
+def head_at(ink: Ink, start: complex, end: complex, reach: float, usual: float | None) -> complex | None:
     """The tip of the head a vector from start has about its end: no farther than ``reach`` from it along the vector,
-    and not much beside."""
+    and not much beside. It is told by the head's sides, or by its base if it is known how long heads usually are."""
     length = abs(end - start)
     along = (end - start) / length
     far, near = max(length - SHAFT_MM[0], 0.3 * length), max(length - SHAFT_MM[1], 0.6 * length)
@@ -96,7 +100,8 @@ def head_at(ink: Ink, start: complex, end: complex, reach: float) -> complex | N
     beside, width = shaft
     origin, low = start + 1j * along * beside, max(length - reach, 0.0)
     way = Fitted(origin, along, (0.0, 0.0, 0.0), low, length + reach, 0.1, width)
-    found = [complex(way.at(head.tip) + 1j * along * head.aside) for head in heads_of(ink, way)
+    found = [complex(way.at(head.base + usual if usual else head.tip) + 1j * along * head.aside)
+             for head in heads_of(ink, way)
              if head.sign > 0 and abs(head.tip - length) < reach and abs(head.aside) < ASTRAY_MM]  # fmt: skip
     return min(found, key=lambda z: abs(z - end), default=None)
 
@@ -131,7 +136,7 @@ def _sides(s: Any, half: Any, taken: Any) -> list[Head]:
             continue
         tip = _tip(s, half, top, before, jump)
         if tip is not None and all(abs(tip - f.tip) > 0.6 for f in found):
-            found.append(Head(tip, 1, before - PENCIL_MM / 2, jump, 2 * before))
+            found.append(Head(float(s[top]) - BASE_MM, tip, 1, before - PENCIL_MM / 2, jump, 2 * before))
     return found
 
 

@@ -29,12 +29,14 @@ UNSTEADY_MM = 0.05  # σ of what a hand does beside bending
 
 @dataclass(frozen=True)
 class Tip:
-    """An arrowhead's tip: how far along its line, +1 if it points to its high end, the place, and its σ along."""
+    """An arrowhead's tip: how far along its line, +1 if it points to its high end, the place, its σ along; and how
+    long the head is."""
 
     s: float
     sign: int
     z: complex
     sigma: float
+    length: float
 
 
 @dataclass

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+import statistics
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 from planes.check.sight.drawn_lines import on
@@ -20,6 +22,7 @@ PASSING_MM = 0.3  # σ of what was put on a line, off it
 TIP_MM = 0.3  # σ of a head's tip that was only looked for
 CLOSER_MM = 2.0  # how far from where a vector should end its head is looked for
 HEADED_MM = 4.5  # shorter vectors have no head, twice as long ones surely do
+HEADS = 3  # that tell how long all are
 SAME_MM = 0.4  # places nearer than this are one
 
 
@@ -57,9 +60,15 @@ class Seen:
         """The tip of the head a vector from start to end has about its end, looked for along it (remembered)."""
         key = complex(round(start.real, 1), round(start.imag, 1)), complex(round(end.real, 1), round(end.imag, 1))
         if key not in self.looked:
-            found = head_at(self.ink, start, end, CLOSER_MM) if abs(end - start) > HEADED_MM else None
+            found = head_at(self.ink, start, end, CLOSER_MM, self.head_mm) if abs(end - start) > HEADED_MM else None
             self.looked[key] = Place(found, TIP_MM, frozenset(), True, self._short(start, found)) if found else None
         return self.looked[key]
+
+    @cached_property
+    def head_mm(self) -> float | None:
+        """How long heads are; None where too few are seen."""
+        found = [head.length for line in self.lines for head in line.heads]
+        return statistics.median(found) if len(found) >= HEADS else None
 
     def _short(self, start: complex, tip: complex) -> bool:
         """Whether a line is better known to end but a little beyond the tip of a vector from start."""
