@@ -43,10 +43,9 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "plans.lever plans.primary",
     "plans.statics",
     "plans",
-    "check.polygons check.slips check.ways cycle.altering cycle.contrast diagrams.curves lesson.scheme "
-    "plans.driven scales",
+    "check.polygons check.slips check.ways cycle.altering cycle.contrast lesson.scheme plans.driven scales",
     "alignment check.mistakes check.mistakes_force check.mistakes_position course.showing crank_slider.engine "
-    "cycle.peers lesson.steps measuring nearest",
+    "cycle.peers diagrams.curves lesson.steps measuring nearest",
     "check.accounts check.bench crank_slider.kinematics cycle.columns lesson solving",
     "check.chains check.scaling check.sight.poles course.numbers crank_slider.forces crank_slider.pages cycle "
     "cycle.explaining lesson.note lesson.practice lesson.zones remedies tables",
