@@ -268,14 +268,12 @@ def coloured(easel_: Easel, camera: Camera, inks: tuple[float, float, float], fi
     return drawn
 
 
-@pytest.mark.parametrize(
-    ("lens", "curl_mm"), [(-0.08, 0), (-0.03, 0), (0.05, 0), (0.08, 0), (0, 2), (0, 4), (0.05, -3)]
-)
+@pytest.mark.parametrize(("lens", "curl_mm"), [(-0.08, 0), (-0.03, 0), (0.08, 0), (0, 4), (0.05, -3)])
 def test_a_lens_that_bends_and_paper_that_curls_are_told_by_the_frame(
     lens: float, curl_mm: float, tmp_path: Path
 ) -> None:  # fmt: skip
     errors, count = [], 0
-    for sample, plan in MOTION[:4]:
+    for sample, plan in MOTION[:3]:
         drawn, found = looked(easel(sample, plan), replace(PHONE, lens=lens, curl_mm=curl_mm), tmp_path)
         assert found.verdict == "right", (sample, plan, found.sentence.told("en"))
         errors += corpus.mark_errors(easel(sample, plan), drawn, found)

@@ -1,0 +1,16 @@
+"""How long it takes to find places for the labels of a crowded sheet."""
+
+from __future__ import annotations
+
+import pytest
+from test_8_labels import FIELD, scene
+
+from render.labels import place
+
+
+@pytest.mark.parametrize("count", [30, 100])
+def bench_labels(benchmark, count: int) -> None:
+    labels, marks = scene(count, 2 * count, 5)
+    benchmark.group, benchmark.extra_info["what"] = "labels of an A3 sheet", f"{count} labels"
+    benchmark.extra_info["positions"] = count
+    benchmark(place, labels, marks, FIELD)
