@@ -229,6 +229,4 @@ def output_curves(plans: Plans) -> tuple[str, ...]:
 def transfer_curves(plans: Plans) -> tuple[str, ...]:
     """The analogues of the driven link: of velocity (or its ratio of speeds), and of acceleration."""
     link, slides = driven(plans)
-    if link == FRAME:
-        return ()
     return (f"vq_slide_{link}", f"aq_slide_{link}") if slides else (ratio_name(plans, link), f"epsilonq_{link}")

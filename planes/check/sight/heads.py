@@ -71,13 +71,9 @@ def _whole(
     """Heads seen from both sides, and from one side where the other is another line's."""
     import numpy
 
-    for one in found[1]:
-        for other in found[-1]:
-            if other.sign == one.sign and abs(other.tip - one.tip) < BOTH_MM and one.jump + other.jump > JUMPS_MM:
-                jump = one.jump + other.jump
-                tip = (one.tip * one.jump + other.tip * other.jump) / jump
-                base, width = (one.base + other.base) / 2, (one.width + other.width) / 2
-                yield Head(base, tip, one.sign, (one.aside - other.aside) / 2, jump, width)
+    both = list(_from_both_sides(found))
+    yield from both
+    width = both[-1].width if both else width  # behind such a head the line is by itself
     for k in (1, -1):
         for one in found[k]:
             about = abs(s - one.tip + 2.0 * one.sign) < 1.5
@@ -86,6 +82,17 @@ def _whole(
             double = width > DOUBLE_MM or one.width / 2 + far_side > width + WIDER_MM
             if one.jump > JUMP_MM and (double or far_side > CROWDED_MM):
                 yield one._replace(aside=k * max(one.aside, 0.0))
+
+
+def _from_both_sides(found: Mapping[int, list[Head]]) -> Iterator[Head]:
+    """Heads that both sides of a line show."""
+    for one in found[1]:
+        for other in found[-1]:
+            if other.sign == one.sign and abs(other.tip - one.tip) < BOTH_MM and one.jump + other.jump > JUMPS_MM:
+                jump = one.jump + other.jump
+                tip = (one.tip * one.jump + other.tip * other.jump) / jump
+                base, width = (one.base + other.base) / 2, (one.width + other.width) / 2
+                yield Head(base, tip, one.sign, (one.aside - other.aside) / 2, jump, width)
 
 
 def head_at(ink: Ink, start: complex, end: complex, reach: float, usual: float | None) -> complex | None:

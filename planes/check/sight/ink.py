@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import statistics
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -51,9 +52,11 @@ class Ink:
         import numpy
 
         local = (numpy.atleast_1d(z) - self.flat.corner) * self.flat.scale
+        if self.letters is None:
+            return numpy.zeros(len(local), bool)
         down = numpy.clip(self.even.shape[0] - local.imag, 0, self.even.shape[0] - 1).astype(int)
         across = numpy.clip(local.real, 0, self.even.shape[1] - 1).astype(int)
-        return self.letters[down, across] if self.letters is not None else numpy.zeros(len(local), bool)
+        return self.letters[down, across]
 
     def covered(self, a: complex, b: complex, reach: float = 0.45) -> float:
         """The share of the way from ``a`` to ``b`` along which there is ink, ``reach`` mm to either side."""
@@ -79,10 +82,11 @@ def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
         _whiten_frame(flat, even)
     paper, pencil = _levels(even)
     ink = Ink(flat, even, paper, pencil)
-    letter_mm = _letter_mm(ink)
-    _drop_letters(ink)
+    labels, sizes = _pieces(ink, ink.mask)
+    ink.even[~_spread(sizes[labels] >= LETTER_MM)] = 255
     ink.even = numpy.ascontiguousarray(ink.even)
-    ink.letters = None if cross is None else _joined(ink, cross, letter_mm)
+    if cross is not None:
+        ink.letters = _joined(ink, cross, [mm for mm in sizes if SPECK_MM < mm < LETTER_MM])
     return ink
 
 
@@ -111,22 +115,16 @@ def _levels(even: Any) -> tuple[float, float]:
     return 255.0 - LIGHT * (255.0 - pencil), pencil
 
 
-def _drop_letters(ink: Ink) -> None:
-    """Paint over separate small marks of ink."""
-    labels, sizes = _pieces(ink, ink.mask)
-    ink.even[~_spread(sizes[labels] >= LETTER_MM)] = 255
+def _joined(ink: Ink, cross: complex, letters: Sequence[float]) -> Any:
+    """Where there is ink no larger than letters (so large are the others) that but a printed cross joins to lines."""
+    import numpy
 
-
-def _joined(ink: Ink, cross: complex, letter_mm: float) -> Any:
-    """Where there is ink no larger than letters that but the arms of a printed cross join to lines."""
-    parts, sizes = _pieces(ink, ink.mask * (1 - _arms(ink, cross)))
-    return (parts > 0) & (sizes[parts] < LIKE * letter_mm)
-
-
-def _letter_mm(ink: Ink) -> float:
-    """How large letters are on this sheet."""
-    found = [mm for mm in _pieces(ink, ink.mask)[1] if SPECK_MM < mm < LETTER_MM]
-    return float(statistics.median(found or [USUAL_MM]))
+    mask = ink.mask
+    for way in (1, -1, 1j, -1j):  # without the arms; lines are drawn from the cross's middle
+        arm = numpy.array([ink.flat.px(cross + way * mm) for mm in (HEART_MM, ARM_MM)]).round().astype(numpy.int32)
+        cv().polylines(mask, [arm], False, 0, round(2 * RIM_MM * ink.flat.scale))
+    parts, sizes = _pieces(ink, mask)
+    return (parts > 0) & (sizes[parts] < LIKE * statistics.median(letters or [USUAL_MM]))
 
 
 def _pieces(ink: Ink, mask: Any) -> tuple[Any, Any]:
@@ -144,17 +142,6 @@ def _spread(where: Any) -> Any:
     import numpy
 
     return cv().dilate(where.astype(numpy.uint8), numpy.ones((9, 9), numpy.uint8)) > 0
-
-
-def _arms(ink: Ink, cross: complex) -> Any:
-    """Where the arms of a printed cross are, but for its middle, where lines are drawn from."""
-    import numpy
-
-    found = numpy.zeros_like(ink.mask)
-    for way in (1, -1, 1j, -1j):
-        arm = numpy.array([ink.flat.px(cross + way * mm) for mm in (HEART_MM, ARM_MM)]).round().astype(numpy.int32)
-        cv().polylines(found, [arm], False, 1, round(2 * RIM_MM * ink.flat.scale))
-    return found
 
 
 def _whiten_printed(flat: Flat, even: Any) -> None:

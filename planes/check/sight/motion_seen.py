@@ -73,8 +73,8 @@ class Search:
         best, chosen = self.way(variant, None, cost), dict[str, Place]()
         tried = set[tuple[str, int]]()
         while best and best.cost < most + CLOSE:
-            mark, place = next((o for o in best.others if (o[0], id(o[1])) not in tried), ("", self.pole))
-            if not mark:
+            mark, place = next(((m, p) for m, p in best.others if (m, id(p)) not in tried), ("", None))
+            if place is None:
                 break
             tried.add((mark, id(place)))
             trial = self.way(variant, None, cost, {**chosen, mark: place})
