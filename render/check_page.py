@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import html
-import json
 from collections.abc import Mapping, Sequence
-from importlib.resources import files
 from typing import Any
+
+from render import web_page
 
 SCRIPTS = ("figure", "tape", "judge", "check")
 LAYERS = ("own", "next", "truth", "picture")
@@ -14,34 +14,18 @@ LAYERS = ("own", "next", "truth", "picture")
 
 def page(data: Mapping[str, Any], words: Mapping[str, str], lang: str) -> str:
     """The page of what :func:`planes.check.report.page_data` exports; ``words`` are its labels in the language."""
-    folder = files("render") / "page"
+    drawn, e = "page" in data, html.escape
     parts = {
-        "lang": lang, "title": html.escape(data["title"]), "verdict": data["verdict"],
-        "sentence": html.escape(data["sentence"]),
-        "css": (folder / "check.css").read_text("utf-8"),
+        "title": e(data["title"]), "sentence": e(data["sentence"]), "drawing": _drawing(data, words) if drawn else "",
         "tables": _table("marks", words["steps"], data["head"], data["rows"])
         + _table("numbers", words["numbers"], data["number_head"], data["numbers"]),
-        "notes": "".join(f"<p>{html.escape(n)}</p>" for n in data["notes"]),
-        "drawing": _drawing(data, words) if "page" in data else "",
+        "notes": "".join(f"<p>{e(n)}</p>" for n in data["notes"]),
+        "noscript": f"<noscript><p>{e(words['noscript'])}</p></noscript>" if drawn else "",
     }  # fmt: skip
-    text = (folder / "check.html").read_text("utf-8")
-    for key, value in parts.items():
-        text = text.replace("{" + key + "}", value)
-    return text if "page" not in data else text.replace("</body>", _scripts(data["page"], words) + "</body>")
-
-
-def _scripts(data: Mapping[str, Any], words: Mapping[str, str]) -> str:
-    folder = files("render") / "page"
-    code = "".join((folder / f"{name}.js").read_text("utf-8") for name in SCRIPTS)
-    return (
-        f"<noscript><p>{html.escape(words['noscript'])}</p></noscript>"
-        f'<script type="application/json" id="data">{embedded(data)}</script><script>{code}</script>\n'
-    )
-
-
-def embedded(thing: object) -> str:
-    """JSON that cannot end its script element."""
-    return json.dumps(thing, ensure_ascii=False, separators=(",", ":"), allow_nan=False).replace("</", "<\\/")
+    body, style = web_page.filled(web_page.part("check.html"), parts), web_page.part("check.css")
+    code = web_page.part(*(f"{name}.js" for name in SCRIPTS)) if drawn else ""
+    held = {"data": data["page"]} if drawn else None
+    return web_page.page(data["title"], lang, style, body, code=code, data=held, kind=data["verdict"])
 
 
 def _drawing(data: Mapping[str, Any], words: Mapping[str, str]) -> str:

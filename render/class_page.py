@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import html
 from collections.abc import Sequence
-from importlib.resources import files
+
+from render import web_page
 
 STYLE = """td, th, thead th { text-align: left; vertical-align: top; } td:last-child { max-width: 44rem; }
 tbody th { font: inherit; } tbody tr[class] td:last-child::before { content: none; }
@@ -36,29 +37,16 @@ def page(
 ) -> str:  # fmt: skip
     """The page. ``rows`` are verdict, link ("" for none) and the cells; ``common`` sentences with whose: name, link."""
     e = html.escape
-    css = (files("render") / "page" / "check.css").read_text("utf-8")
     cells = "".join(f'<th scope="col"><button type="button">{e(h)}</button></th>' for h in head)
     whose = (", ".join(_linked(e(name), link) for name, link in names) for _, names in common)
     often = "".join(f"<li>{e(said)} — <b>{len(names)}</b>: {told}</li>"
                     for (said, names), told in zip(common, whose, strict=True))  # fmt: skip
-    return f"""<!doctype html>
-<html lang="{lang}">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{e(title)}</title>
-<style>{css}{STYLE}</style>
-</head>
-<body>
-<h1>{e(title)}</h1>
+    body = f"""<h1>{e(title)}</h1>
 <p class="counts">{"".join(f"<span>{e(name)} <b>{count}</b></span>" for name, count in counts)}</p>
 {f"<h2>{e(words['common'])}</h2><ol>{often}</ol>" if often else ""}
 <table><thead><tr>{cells}</tr></thead><tbody>
-{"".join(_row(*row) for row in rows)}</tbody></table>
-<script>{SCRIPT}</script>
-</body>
-</html>
-"""
+{"".join(_row(*row) for row in rows)}</tbody></table>"""
+    return web_page.page(title, lang, web_page.part("check.css") + STYLE, body, code=SCRIPT)
 
 
 def _row(verdict: str, link: str, cells: Sequence[str]) -> str:

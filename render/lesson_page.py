@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import html
-import json
-from importlib.resources import files
 from typing import Any
+
+from render import web_page
 
 WORDS: dict[str, tuple[str, str]] = {
     "scheme": ("Схема механизма", "Scheme of the mechanism"),
@@ -62,26 +62,15 @@ NOSCRIPT = (
 def page(data: dict[str, Any], lang: str) -> str:
     """The whole page; ``data`` is what :func:`planes.lesson.data.lesson_data` exports."""
     words = {key: {"ru": ru, "en": en} for key, (ru, en) in WORDS.items()}
-    folder = files("render") / "page"
+    title = data["title"].get(lang, "")
     parts = {
-        "lang": lang,
-        "title": html.escape(data["title"].get(lang, "")),
+        "title": html.escape(title),
         "formula": html.escape(data["formula"]),
-        "css": (folder / "lesson.css").read_text("utf-8"),
-        "js": "".join((folder / f"{name}.js").read_text("utf-8") for name in SCRIPTS),
         "frames": str(len(data["frames"])),
         "last": str(len(data["drive"]["values"]) - 1),
         "at": str(data["drive"]["at"]),
         "noscript": NOSCRIPT,
-        "words": _embedded(words),
-        "data": _embedded(data),
     }
-    text = (folder / "lesson.html").read_text("utf-8")
-    for key, value in parts.items():
-        text = text.replace("{" + key + "}", value)
-    return text
-
-
-def _embedded(thing: object) -> str:
-    """JSON that cannot end its script element."""
-    return json.dumps(thing, ensure_ascii=False, separators=(",", ":"), allow_nan=False).replace("</", "<\\/")
+    body = web_page.filled(web_page.part("lesson.html"), parts)
+    code = web_page.part(*(f"{name}.js" for name in SCRIPTS))
+    return web_page.page(title, lang, web_page.part("lesson.css"), body, code=code, data={"words": words, "data": data})

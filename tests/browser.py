@@ -35,3 +35,12 @@ def chromium(profile: Path, **looks: Any) -> Iterator[Any]:
             yield context
         finally:
             context.close()
+
+
+def until(page: Any, condition: str) -> None:
+    """Wait for what an expression says; asked from outside, for a page evaluates no text within itself."""
+    for _ in range(2000):
+        if page.evaluate(condition):
+            return
+        page.wait_for_timeout(30)
+    pytest.fail(f"it has not come to {condition}")

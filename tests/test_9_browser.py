@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import chromium
+from browser import chromium, until
 
 from planes.drawing import run
 from planes.lesson import LANGS, Teller, value_of
@@ -68,7 +68,7 @@ def test_step_through_to_the_end(page: Any) -> None:
         said.add(page.inner_text("#sentence"))
         page.keyboard.press("ArrowRight")
     assert len(said) > 0.9 * count and page.is_disabled("#next")
-    page.wait_for_function(f"location.hash.startsWith('#step={count}&')")
+    until(page, f"location.hash.startsWith('#step={count}&')")
     page.click("#back")
     assert page.inner_text("#number") == f"{count - 1} / {count}"
     page.keyboard.press("Home")
@@ -84,7 +84,7 @@ def test_the_address_opens_a_frame(page: Any, lesson: str) -> None:
 
 def test_play_goes_on_by_itself(page: Any) -> None:
     page.click("#play")
-    page.wait_for_function("document.getElementById('number').textContent.startsWith('2 /')")
+    until(page, "document.getElementById('number').textContent.startsWith('2 /')")
     page.click("#play")
     assert page.inner_text("#play") == "▶▶"
 
@@ -141,18 +141,18 @@ def test_the_crank_turns_everything(page: Any) -> None:
     page.focus("#crank")
     for _ in range(10):
         page.keyboard.press("ArrowRight")
-    page.wait_for_function("document.getElementById('value').textContent === 'φ = 160°'")
+    until(page, "document.getElementById('value').textContent === 'φ = 160°'")
     assert all(a != b for a, b in zip(before, page.evaluate(shown), strict=True))
     page.click("#home")
-    page.wait_for_function("document.getElementById('value').textContent === 'φ = 150°'")
+    until(page, "document.getElementById('value').textContent === 'φ = 150°'")
 
 
 def test_where_the_method_fails_the_page_says_why(page: Any) -> None:
     assert page.locator("#zones i.bad").count() == 2 and page.locator("#zones i.blunt").count() >= 3
     page.evaluate("turn(250)")
-    page.wait_for_function("document.getElementById('zone').textContent.includes('сходятся под углом')")
+    until(page, "document.getElementById('zone').textContent.includes('сходятся под углом')")
     page.evaluate("turn(40)")
-    page.wait_for_function("document.getElementById('zone').className === 'bad'")
+    until(page, "document.getElementById('zone').className === 'bad'")
     assert "φ = 40°" in page.inner_text("#zone")
 
 

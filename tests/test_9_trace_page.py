@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import chromium
+from browser import chromium, until
 from test_9_browser import watched
 
 from planes.cli import main
@@ -67,7 +67,7 @@ def test_two_handles_lay_the_plan_over_a_picture(browser: Any, trace: Path, tmp_
     picture = tmp_path / "my plan.png"
     png(picture)
     page.set_input_files("#file", str(picture))
-    page.wait_for_function("state.size[0] === 1600 && !document.getElementById('image').hidden")
+    until(page, "state.size[0] === 1600 && !document.getElementById('image').hidden")
     page.select_option("#by", "b")
     drag(page, "p", POLE)
     drag(page, "b", on_picture(MARKS["b"]))
@@ -117,7 +117,7 @@ def test_a_file_that_is_no_picture_is_said(browser: Any, trace: Path, tmp_path: 
     file = tmp_path / "x.png"
     file.write_text(json.dumps([1]))
     page.set_input_files("#file", str(file))
-    page.wait_for_function("document.getElementById('said').textContent.includes('does not open')")
+    until(page, "document.getElementById('said').textContent.includes('does not open')")
     page.close()
 
 

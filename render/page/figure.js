@@ -28,7 +28,8 @@ function lettered(name, plan) { // "v_CB" -> [["v", ""], ["CB", "sub"]], "a_CB^t
   return out;
 }
 function html(name, plan) { // letters stand up, indices stay whole
-  return lettered(name, plan).map(([t, k]) => k ? `<${k}>${t}</${k}>` : t).join("");
+  const safe = t => t.replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`);
+  return lettered(name, plan).map(([t, k]) => k ? `<${k}>${safe(t)}</${k}>` : safe(t)).join("");
 }
 function svg(tag, attributes, parent) {
   const e = document.createElementNS(NS, tag);

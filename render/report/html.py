@@ -17,7 +17,7 @@ from planes.crank_slider.pages import (
     Sketch,
     TableBlock,
 )
-from render import svg
+from render import svg, web_page
 from render.report.figures import Figure, shown
 from render.report.mathematics import formula
 from render.report.strokes import Picture, escaped
@@ -46,13 +46,8 @@ def write(document: Document) -> bytes:
     made = _Page(document)
     body = "\n".join(made.block(b) for b in document.blocks)
     links = "".join(f'<li><a href="#c{n}">{text}</a></li>' for n, text in made.chapters)
-    return (
-        f'<!DOCTYPE html>\n<html lang="{document.lang}">\n<head>\n<meta charset="utf-8">\n'
-        f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f'<title>{escaped(document.title)}</title>\n'
-        f"<style>{CSS}</style>\n</head>\n<body>\n<h1>{escaped(document.title)}</h1>\n"
-        f"<nav><ul>{links}</ul></nav>\n<main>\n{body}\n</main>\n</body>\n</html>\n"
-    ).encode()
+    whole = f"<h1>{escaped(document.title)}</h1>\n<nav><ul>{links}</ul></nav>\n<main>\n{body}\n</main>"
+    return web_page.page(document.title, document.lang, CSS, whole).encode()
 
 
 def rich(text: str) -> str:

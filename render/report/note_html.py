@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping, Sequence
 
 from planes.lesson.note import Block, Figure, Heading, Prose, Table
-from render import svg
+from render import svg, web_page
 from render.letters import pieces
 from render.names import Naming
 from render.views import View
@@ -36,11 +36,7 @@ def write(blocks: Sequence[Block], figures: Mapping[str, View], naming: Naming) 
     """The whole page."""
     title = next((b.text for b in blocks if isinstance(b, Heading)), "")
     body = "\n".join(_block(b, figures, naming) for b in blocks)
-    return (
-        f'<!doctype html>\n<html lang="{naming.lang}"><head><meta charset="utf-8"><meta name="viewport" '
-        f'content="width=device-width, initial-scale=1"><title>{html.escape(title)}</title><style>{STYLE}</style>'
-        f"</head><body>\n{body}\n</body></html>\n"
-    ).encode()
+    return web_page.page(title, naming.lang, STYLE, body).encode()
 
 
 def _block(block: Block, figures: Mapping[str, View], naming: Naming) -> str:

@@ -1,0 +1,70 @@
+"""A page for a browser, of whatever kind: one shell, one way to fill a template, one way to bring data along.
+
+A page asks nothing of the network, and runs only the script that is written into it: the browser is told so by the
+hash of the script, and refuses any other, whatever stands in a title or in the name of a file.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import html
+import json
+import re
+from collections.abc import Mapping
+from importlib.resources import files
+
+SHELL = """<!doctype html>
+<html lang="{lang}">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="{policy}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{title}</title>
+<style>{style}</style>
+</head>
+<body{kind}>
+{body}
+{scripts}</body>
+</html>
+"""
+_PLACE = re.compile(r"\{(\w+)\}")
+_ACTIVE = re.compile("[<>&\u2028\u2029]")
+
+
+def page(
+    title: str, lang: str, style: str, body: str, *, code: str = "", data: Mapping[str, object] | None = None,
+    kind: str = "",
+) -> str:  # fmt: skip
+    """The whole page: ``title`` is plain text, ``body`` HTML; ``data`` by the ids under which ``code`` finds them."""
+    held = "".join(f'<script type="application/json" id="{key}">{embedded(one)}</script>\n'
+                   for key, one in (data or {}).items())  # fmt: skip
+    return filled(SHELL, {
+        "lang": lang, "policy": policy(code), "title": html.escape(title), "style": style, "body": body,
+        "kind": f' class="{html.escape(kind)}"' if kind else "",
+        "scripts": held + (f"<script>{code}</script>\n" if code else ""),
+    })  # fmt: skip
+
+
+def policy(code: str) -> str:
+    """What a browser may do with a page: styles and pictures that stand in it, a picture a person opens, its script."""
+    hashed = base64.b64encode(hashlib.sha256(code.encode()).digest()).decode()
+    script = f"script-src 'sha256-{hashed}'; " if code else ""
+    allowed = "default-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; "
+    return f"{allowed}{script}base-uri 'none'; form-action 'none'"
+
+
+def filled(template: str, parts: Mapping[str, str]) -> str:
+    """The template with its places filled in one pass: what was put in is never looked at again."""
+    return _PLACE.sub(lambda place: parts[place[1]], template)
+
+
+def embedded(thing: object) -> str:
+    """JSON with no letter in it that means something to HTML or ends a line of a script."""
+    text = json.dumps(thing, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    return _ACTIVE.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
+
+
+def part(*names: str) -> str:
+    """Files of the pages' own folder, one after another."""
+    return "".join((files("render") / "page" / name).read_text("utf-8") for name in names)
