@@ -51,6 +51,8 @@ def write(
         document.set_modelspace_vport(1.1 * size_mm[1], (size_mm[0] / 2, size_mm[1] / 2))
         document.ezdxf_metadata()["TITLE"] = title
         _fill(document, held, size_mm, lang, text == "strokes")
+        for kind in sorted(document.entitydb.dxf_types_in_use()):
+            document.classes.add_class(kind)  # left to itself the library takes them as they fall out of a set
         out = io.StringIO()
         document.write(out)
     finally:

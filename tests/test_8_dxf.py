@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import io
+import os
+import subprocess
+import sys
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
@@ -114,6 +117,18 @@ def test_the_same_bytes_twice_and_a_file_by_its_suffix(tmp_path):
     assert one == dxf.write(found.marks, found.size, found.title)
     draw_sheet(load(SAMPLES["kind-2-rrp"]), None, str(tmp_path / "a.dxf"))
     assert (tmp_path / "a.dxf").read_bytes() == one
+
+
+def test_the_same_bytes_whatever_python_makes_its_sets_of():
+    program = (
+        "import hashlib\nfrom planes.roof import sheet_of\nfrom planes.scene import load\nfrom render import dxf\n"
+        f"found = sheet_of(load({str(SAMPLES['kind-1-rrr'])!r}), None)\n"
+        "print(hashlib.sha256(dxf.write(found.marks, found.size, found.title)).hexdigest())\n"
+    )
+    run = [sys.executable, "-c", program]
+    seeds = ({**os.environ, "PYTHONHASHSEED": str(seed)} for seed in range(4))
+    told = {subprocess.run(run, env=e, capture_output=True, check=True).stdout for e in seeds}
+    assert len(told) == 1
 
 
 # blocks
