@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import csv
-import io
 import json
 import sys
 from collections.abc import Callable, Iterable
@@ -16,6 +14,7 @@ from planes.check.bench import Asked
 from planes.check.paper import Paper
 from planes.check.verdict import STATUS, Outcome, check
 from planes.check.verdict_rows import as_json
+from planes.spreadsheet import as_csv
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
 
@@ -81,10 +80,11 @@ def check_class(args: argparse.Namespace, asked: Asked, read: Reader) -> int:
         raise PlanesError(Phrase("check_empty_folder", file=args.drawing))
     group = Group(folder.name)
     for file in _shown(files):
+        name = file.name.encode("utf-8", "replace").decode()  # any bytes at all may be the name of a file
         try:
-            group.all.append(Checked(file.name, check(asked, read(str(file)))))
+            group.all.append(Checked(name, check(asked, read(str(file)))))
         except PlanesError as error:
-            group.all.append(Checked(file.name, refused=error))
+            group.all.append(Checked(name, refused=error))
     if args.output:
         _write(group, args.output, args.lang)
     print(_json(group, args.lang) if args.json else "\n".join(_table(group, args.lang)).lstrip())
@@ -108,9 +108,8 @@ def _json(group: Group, lang: Lang) -> str:
 
 
 def _csv(group: Group, lang: Lang) -> str:
-    out = io.StringIO()
-    csv.writer(out, lineterminator="\n").writerows([heads(lang), *(one.row(lang) for one in group.all)])
-    return "\ufeff" + out.getvalue()  # so that a spreadsheet knows the letters
+    table = as_csv([heads(lang), *(one.row(lang) for one in group.all)])
+    return f"\ufeff{table}"  # so that a spreadsheet knows the letters
 
 
 def _write(group: Group, output: str, lang: Lang) -> None:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -14,6 +12,7 @@ from planes.course.settling import Answer, main_answers
 from planes.lesson.formulas import number
 from planes.lesson.note import Block, Heading, Prose, Table
 from planes.scene import loads
+from planes.spreadsheet import as_csv as csv_of
 from planes.words import Lang, say
 
 NOISE = 1e-9
@@ -66,17 +65,15 @@ def as_csv(rows: Sequence[Row], lang: Lang) -> str:
     """A line for everybody, a column for every number and answer anybody has; numbers as programs write them."""
     numbers = list(dict.fromkeys(n for own in by_assignment(rows).values() for n in varied(own)))
     answers = asked(rows)
-    out = io.StringIO()
-    table = csv.writer(out, lineterminator="\n")
     heads = [say(k, lang) for k in ("sum_student", "sum_group", "sum_assignment", "sum_variant")]
     units = [f"{n} [{unit}]" if (unit := unit_of(n, lang)) else n for n in numbers]
-    table.writerow([*heads, *units, *(f"{n} [{say(u, lang)}]" for n, u in answers), say("sum_fault", lang)])
+    table = [[*heads, *units, *(f"{n} [{say(u, lang)}]" for n, u in answers), say("sum_fault", lang)]]
     for row in rows:
         who = [row.share.student.name, row.group, row.share.assignment.name, variant(row, lang)]
         said = (f"{row.numbers[n]:.10g}" if n in row.numbers else "" for n in numbers)
         found = (repr(row.found[key]) if key in row.found else "" for key in answers)
-        table.writerow([*who, *said, *found, row.fault])
-    return out.getvalue()
+        table.append([*who, *said, *found, row.fault])
+    return csv_of(table)
 
 
 def variant(row: Row, lang: Lang) -> str:
