@@ -9,7 +9,8 @@ from typing import Any
 from planes.wording import SceneError
 from planes.words import Phrase
 
-MOST = 10_000_000
+MOST = 10_000_000  # positions that may be held at once
+MOST_ROWS = 1_000_000_000  # of a table, which is written piece by piece
 
 
 @dataclass(frozen=True)
@@ -36,8 +37,7 @@ class Span:
 def read_range(text: str, option: str = "--phi") -> list[float]:
     """The values of "a", or of "a:b:step" with b included when it falls on it."""
     span = read_span(text, option)
-    if span.count > MOST:
-        raise SceneError(Phrase("range_long", option=option, text=repr(text), count=span.count, most=MOST))
+    _check_count(span.count, MOST, text, option)
     return [span.start + i * span.step for i in range(span.count)]
 
 
@@ -55,5 +55,12 @@ def read_span(text: str, option: str = "--phi") -> Span:
     start, end, step = numbers
     if step == 0 or (end - start) * step < 0:
         raise SceneError(Phrase("range_endless", option=option, text=repr(text), step=step, start=start, end=end))
-    count = math.floor((end - start) / step * (1 + 1e-12) + 1e-9) + 1
-    return Span(start, step, count)
+    steps = (end - start) / step * (1 + 1e-12) + 1e-9
+    _check_count(steps, MOST_ROWS, text, option)
+    return Span(start, step, math.floor(steps) + 1)
+
+
+def _check_count(count: float, most: int, text: str, option: str) -> None:
+    if count > most:
+        told = f"{min(count, 1e308):.9g}"
+        raise SceneError(Phrase("range_long", option=option, text=repr(text), count=told, most=most))

@@ -7,12 +7,10 @@ from __future__ import annotations
 
 import cmath
 import math
-import os
-import tempfile
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
-from pathlib import Path
 
+from planes.files import save as save
 from render.marks import Arc, Arrow, Hatch, Layer, Mark, Text
 from render.style import LAYERS, fitted, head_size, pen
 
@@ -116,19 +114,3 @@ def hatch_strokes(hatch: Hatch) -> tuple[tuple[complex, complex], ...]:
         if part.geom_type == "LineString"
     ]
     return tuple((a, b) for a, b in sorted(pieces, key=lambda ab: ((ab[0] * turn).imag, (ab[0] * turn).real)))
-
-
-def save(data: bytes, path: str | Path | None) -> bytes:
-    """The same bytes, written to the path if one is given: the whole file or nothing."""
-    if path is not None:
-        target = Path(path)
-        handle, draft = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
-        try:
-            with os.fdopen(handle, "wb") as file:
-                file.write(data)
-            os.chmod(draft, 0o644)
-            os.replace(draft, target)
-        except BaseException:
-            Path(draft).unlink(missing_ok=True)
-            raise
-    return data

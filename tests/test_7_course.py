@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 import math
+import platform
 import re
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy
 import pytest
 
-from planes.course import Choice, numbers
+from planes.course import Choice, fingerprint, numbers
 from planes.course.giving import shares
 from planes.course.ledger import Ledger, digest
 from planes.course.numbers import around, choices_of, dice, draw_numbers
@@ -133,6 +135,23 @@ def test_folders_never_fall_together(folder: Make) -> None:
     course = "course: 1\nstudents: [Ли А., 'Ли, А', {name: ли а, group: М-2}, '...', '../..', А/Б, " + "Я" * 90 + "]\n"
     places = [s.place for s in shares(read_course(folder(course)))]
     assert places == ["Ли-А", "Ли-А-2", "ли-а-М-2", "student-4", "student-5", "А-Б", "Я" * 40]
+
+
+def test_folders_have_no_names_of_devices(folder: Make) -> None:
+    course = "course: 1\nstudents: [CON, con, {name: nul, group: М-2}, LPT1, 'aux.', com¹, Conrad, COM10]\n"
+    places = [s.place for s in shares(read_course(folder(course)))]
+    assert places == ["CON-2", "con-3", "nul-М-2", "LPT1-2", "aux-2", "com¹-2", "Conrad", "COM10"]
+
+
+def test_what_files_are_made_by_tells_python_and_the_libraries(monkeypatch: pytest.MonkeyPatch) -> None:
+    made = fingerprint.made_with()
+    assert made["python"].split() == [platform.python_implementation(), platform.python_version()]
+    assert made["numpy"] == numpy.__version__ and "-" not in made.values()
+    whole = {fingerprint.fingerprint.__wrapped__()}
+    for name in ("python", "numpy"):
+        monkeypatch.setattr(fingerprint, "made_with", lambda other=name: made | {other: "0"})
+        whole.add(fingerprint.fingerprint.__wrapped__())
+    assert len(whole) == 3
 
 
 # numbers
@@ -279,7 +298,7 @@ def test_a_torn_journal_and_a_begun_file_do_no_harm(tmp_path: Path) -> None:
     cut.journal.close()
     lines = (tmp_path / ".journal").read_text("utf-8").splitlines()
     (tmp_path / ".journal").write_text("\n".join(lines)[:-9], "utf-8")
-    (tmp_path / ".z.txt.part").write_bytes(b"ha")
+    (tmp_path / ".journal.part").write_bytes(b"ha")
     after = Ledger(tmp_path)
     assert after.fresh("x.txt", "from") and not after.fresh("y.txt", "from")
     after.keep("y.txt", "from", b"whole too")
@@ -289,12 +308,54 @@ def test_a_torn_journal_and_a_begun_file_do_no_harm(tmp_path: Path) -> None:
     assert files["y.txt"] == {"from": "from", "sha256": digest(b"whole too")}
 
 
-@pytest.mark.parametrize("text", ["", "[]", '{"files": 3}', '{"files": {"x": 1}}', "{"])
+@pytest.mark.parametrize("text", ["", "[]", '{"files": 3}', '{"files": {"x": 1}}', "{", "[" * 100_000])
 def test_a_spoilt_manifest_is_no_manifest(tmp_path: Path, text: str) -> None:
     (tmp_path / "manifest.json").write_text(text, "utf-8")
     ledger = Ledger(tmp_path)
     assert not ledger.fresh("x", "")
     ledger.close()
+
+
+def test_a_manifest_that_names_files_elsewhere_harms_none(tmp_path: Path) -> None:
+    """Up, from the root, over a link of a folder: what lies outside is not ours, whoever wrote the manifest."""
+    out, other = tmp_path / "out", tmp_path / "other"
+    for folder in (out, other):
+        folder.mkdir()
+        (folder / "x.txt").write_bytes(b"mine")
+    (out / "linked").symlink_to(other, target_is_directory=True)
+    (out / "alone.txt").symlink_to(other / "x.txt")
+    ours = {"from": "f", "sha256": digest(b"mine")}
+    far = ["../other/x.txt", str(other / "x.txt"), "linked/x.txt", "linked/../x.txt", "", ".", "..", "a\0b"]
+    names = [*far, "alone.txt"]
+    (out / "manifest.json").write_text(json.dumps({"files": dict.fromkeys([*names, "x.txt"], ours)}), "utf-8")
+    (out / ".journal").write_text("".join(json.dumps({"name": n, **ours}) + "\n" for n in names), "utf-8")
+    ledger = Ledger(out)
+    assert ledger.entries.keys() == {"x.txt", "alone.txt"}
+    for name in ("../new.txt", str(other / "new.txt"), "linked/new.txt", "a\0b"):
+        with pytest.raises(PlanesError, match="leads out of the folder"):
+            ledger.keep(name, "from", b"new")
+    ledger.close([])
+    assert sorted(p.name for p in tmp_path.rglob("*")) == ["linked", "manifest.json", "other", "out", "x.txt"]
+    assert (other / "x.txt").read_bytes() == b"mine" and not (out / "x.txt").exists()
+
+
+def test_what_a_person_keeps_in_the_folder_stays(tmp_path: Path) -> None:
+    """Only our own draft is swept; a link of the journal's name is not written through."""
+    out, diary = tmp_path / "out", tmp_path / "diary"
+    (out / "deep").mkdir(parents=True)
+    for name in (".download.part", "deep/.x.txt.part", ".journal.part"):
+        (out / name).write_bytes(b"ha")
+    Ledger(out).close()
+    assert sorted(p.name for p in out.rglob("*")) == [".download.part", ".x.txt.part", "deep", "manifest.json"]
+    diary.write_bytes(b"mine")
+    (out / ".journal.part").symlink_to(diary)
+    ledger = Ledger(out)
+    ledger.keep("x.txt", "from", b"new")
+    ledger.close()
+    (out / ".journal").symlink_to(diary)
+    with pytest.raises(PlanesError, match="cannot be written"):
+        Ledger(out)
+    assert diary.read_bytes() == b"mine"
 
 
 def test_two_runs_do_not_write_into_one_folder(tmp_path: Path) -> None:

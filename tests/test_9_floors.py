@@ -20,16 +20,16 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "check.svg_shapes cli.options course.fingerprint crank_slider crank_slider.indicator crank_slider.materials "
     "crank_slider.sections crank_slider.words_balance crank_slider.words_forces crank_slider.words_report "
     "crank_slider.words_rod crank_slider.words_strength cycle.tape degrees diagrams diagrams.stages lossless "
-    "mechanism naming words.course words.crank_slider words.cycle words.diagrams words.links words.method "
+    "mechanism naming spreadsheet words.course words.crank_slider words.cycle words.diagrams words.links words.method "
     "words.mistakes words.note words.scene words.sheets words.text words.why working",
     "arithmetic check.arrowheads cycle.fused_functions cycle.reading cycle.slopes cycle.symbols mark_names "
     "words.check words.lesson",
     "cycle.fused_text cycle.twofold plane tools words",
     "cycle.rounding home scene.yaml_faults steps.base thing_names wording",
-    "angles check.paper check.read_dxf check.read_svg check.sight.picture course.crowd course.ledger equations "
-    "instruments scene.expressions scene.source statement steps.crossings steps.reckoning structure units",
-    "check.sight.frame check.sight.ink course course.scenes cycle.digits lesson.formulas program scene.reader "
-    "self_aligning steps",
+    "angles check.paper check.read_dxf check.read_svg check.sight.picture course.crowd equations "
+    "files instruments scene.expressions scene.source statement steps.crossings steps.reckoning structure units",
+    "check.sight.frame check.sight.ink course course.ledger course.scenes cycle.digits lesson.formulas program "
+    "scene.reader self_aligning steps",
     "check.nudging check.sight.line_fitting check.sight.symbols_seen course.students crank_slider.reading_table "
     "cycle.tracing drafting drawing scene.links scene.motion scene.settings scene.vectors",
     "check.handwork check.sight.heads check.sight.left_over course.giving cycle.fused diagrams.graphical "
@@ -66,6 +66,7 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "roof.conducting",
     "cli.course",
     "cli",
+    "__main__",
     "cli.__main__",
 )
 FLOORS = {f"planes.{name}": floor for floor, names in enumerate(STOREYS) for name in names.split()}
@@ -73,9 +74,10 @@ FLOORS = {f"planes.{name}": floor for floor, names in enumerate(STOREYS) for nam
 ROOFS = {"planes.cli", *(m for m in FLOORS if m.startswith("planes.roof"))}
 READ_BY_RENDER = {  # what drawings are made of, and words: nothing that states or solves mechanics
     f"planes.{name}" for name in (
-        "crank_slider.pages", "diagrams.graphical", "diagrams.stages", "drafting", "drawing", "equations", "lesson",
-        "lesson.note", "measuring", "mechanism", "naming", "plans", "plans.bodies", "plans.driven", "scales", "scene",
-        "self_aligning", "solving", "steps", "steps.reckoning", "structure", "units", "vectors", "wording", "words")
+        "crank_slider.pages", "diagrams.graphical", "diagrams.stages", "drafting", "drawing", "equations", "files",
+        "lesson", "lesson.note", "measuring", "mechanism", "naming", "plans", "plans.bodies", "plans.driven", "scales",
+        "scene", "self_aligning", "solving", "steps", "steps.reckoning", "structure", "units", "vectors", "wording",
+        "words")
 }  # fmt: skip
 
 

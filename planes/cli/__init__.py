@@ -8,6 +8,7 @@ import json
 import os
 import sys
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from typing import Any
 
 from planes.angles import read_range, read_span
@@ -25,20 +26,27 @@ def main(argv: Sequence[str] | None = None) -> int:
             stream.reconfigure(errors="replace")  # a terminal without Cyrillic still gets the numbers
     args = _parser().parse_args(argv)
     try:
-        return int(args.command(args))
+        status = int(args.command(args))
+        if sys.stdout:
+            sys.stdout.flush()
+        return status
     except PlanesError as error:
-        print(error.told(args.lang), file=sys.stderr)
-        return 2
+        refused: PlanesError = error
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
+    except OSError as error:
+        file = error.filename or Phrase("standard_output")
+        refused = PlanesError(Phrase("system_refuses", file=file, reason=error.strerror or str(error)))
     except KeyboardInterrupt:
         return 130
+    with suppress(OSError):
+        print(refused.told(args.lang), file=sys.stderr)
+    return 2
 
 
 def _json(thing: object) -> str:
     """JSON in the letters the output can hold."""
-    wide = (sys.stdout.encoding or "").lower().startswith("utf")
+    wide = (getattr(sys.stdout, "encoding", "") or "").lower().startswith("utf")
     return json.dumps(thing, ensure_ascii=not wide, allow_nan=False)
 
 

@@ -2,7 +2,7 @@
 
 import sys
 
-from planes.cli import main
+from planes.__main__ import run
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run())

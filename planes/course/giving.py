@@ -10,6 +10,9 @@ from dataclasses import dataclass
 from planes.course import Assignment, Course, Student
 from planes.course.students import wished
 
+DEVICES = ("con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in "0123456789¹²³"))
+"""What Windows takes for a device, whatever folder it is in."""
+
 
 @dataclass(frozen=True)
 class Share:
@@ -49,7 +52,7 @@ def _free(assignment: Assignment, students: list[Student]) -> Iterator[str]:
 
 def _places(students: tuple[Student, ...]) -> list[str]:
     """A folder for each student: the name in letters any disk holds; the second of one name gets a number."""
-    found: dict[str, str] = {}  # by what a disk that knows no capitals tells apart
+    found = dict.fromkeys(DEVICES, "")  # by what a disk that knows no capitals tells apart
     for number, s in enumerate(students, 1):
         base = place = _slug(s.name) or f"student-{number}"
         if s.group and place.casefold() in found:
@@ -58,7 +61,7 @@ def _places(students: tuple[Student, ...]) -> list[str]:
         while place.casefold() in found:
             place, count = f"{base}-{count}", count + 1
         found[place.casefold()] = place
-    return list(found.values())
+    return [place for place in found.values() if place]
 
 
 def _slug(name: str) -> str:

@@ -10,14 +10,16 @@ import hashlib
 import json
 import os
 from collections.abc import Iterable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from planes.files import PART, cannot_write, sayable, whole
 from planes.wording import PlanesError
 from planes.words import Phrase
 
 MANIFEST, JOURNAL = "manifest.json", ".journal"
-PART = ".part"  # ends the name of a file while it is being written
+DRAFT = f"{JOURNAL}{PART}"  # the one file that is being written
 
 
 def digest(data: bytes) -> str:
@@ -45,24 +47,37 @@ class Ledger:
         self.folder = folder
         try:
             folder.mkdir(parents=True, exist_ok=True)
-            self.journal = (folder / JOURNAL).open("a", encoding="utf-8")
+            self.journal = os.fdopen(_own(folder / JOURNAL), "a", encoding="utf-8")
             _lock(self.journal, folder)
-            for part in folder.rglob(f".*{PART}"):
-                part.unlink()
+            (folder / DRAFT).unlink(missing_ok=True)
             self.entries: dict[str, Entry] = dict(self._read())
             self.journal.write("\n")  # after a line that was cut short
         except OSError as error:
-            raise _refused(error, folder) from None
+            raise cannot_write(error, error.filename or folder) from None
+
+    def path(self, name: str) -> Path:
+        """The file of a name; one that leads out of the folder, by its dots or over a link, is none of ours."""
+        path, here = self.folder / name, os.path.realpath(self.folder)
+        plain = "\0" not in name and ".." not in Path(name).parts
+        if plain and Path(os.path.realpath(path.parent)).is_relative_to(here):
+            return path
+        raise PlanesError(Phrase("course_outside", file=name, folder=str(self.folder)))
+
+    def _ours(self, name: str) -> bool:
+        with suppress(PlanesError):
+            return bool(self.path(name))
+        return False
 
     def _read(self) -> Iterable[tuple[str, Entry]]:
         """What the manifest says, then the journal's whole lines."""
         manifest = self.folder / MANIFEST
         listed = _parsed(manifest.read_text("utf-8", "replace")).get("files") if manifest.is_file() else None
         for name, entry in listed.items() if isinstance(listed, dict) else ():
-            yield name, _entry(entry)
+            if self._ours(name):
+                yield name, _entry(entry)
         for line in (self.folder / JOURNAL).read_text("utf-8", "replace").splitlines():
-            if entry := _parsed(line):
-                yield str(entry.get("name")), _entry(entry)
+            if (entry := _parsed(line)) and self._ours(name := str(entry.get("name"))):
+                yield name, _entry(entry)
 
     def fresh(self, name: str, source: str) -> bool:
         """Whether the file is there as it was made, and was made from the same."""
@@ -76,30 +91,32 @@ class Ledger:
 
     def keep(self, name: str, source: str, data: bytes, said: tuple[str, ...] = ()) -> None:
         """Write a file whole, then its line."""
-        try:
-            put(self.folder / name, data)
+        path = self.path(name)
+        with sayable(path):
+            self._put(path, data)
             entry = self.entries[name] = Entry(source, digest(data), said)
             self.journal.write(json.dumps({"name": name, **entry.json()}, ensure_ascii=False) + "\n")
             self.journal.flush()
-        except OSError as error:
-            raise _refused(error, self.folder / name) from None
+
+    def _put(self, path: Path, data: bytes) -> None:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with whole(path, self.folder / DRAFT) as draft:
+            draft.write_bytes(data)
 
     def close(self, wanted: Iterable[str] | None = None) -> None:
         """Write the manifest in place of the journal; with ``wanted``, files made earlier that are not go away."""
-        try:
+        with sayable(self.folder / MANIFEST):
             for name in self.entries.keys() - set(wanted) if wanted is not None else ():
                 self.forget(name)
             files = {name: entry.json() for name, entry in sorted(self.entries.items())}
             text = json.dumps({"planes": 1, "files": files}, ensure_ascii=False, indent=1) + "\n"
-            put(self.folder / MANIFEST, text.encode())
+            self._put(self.folder / MANIFEST, text.encode())
             self.journal.close()
             (self.folder / JOURNAL).unlink()
-        except OSError as error:
-            raise _refused(error, self.folder / MANIFEST) from None
 
     def forget(self, name: str) -> None:
         """Take away a file made earlier, unless a person has changed it."""
-        path, was = self.folder / name, self.entries.pop(name, Entry()).sha256
+        path, was = self.path(name), self.entries.pop(name, Entry()).sha256
         if path.is_file() and digest(path.read_bytes()) == was:
             path.unlink()
             for folder in path.parents:
@@ -108,22 +125,16 @@ class Ledger:
                 folder.rmdir()
 
 
-def put(path: Path, data: bytes) -> None:
-    """The whole file, safe on the disk, or the one that was there before."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    part = path.with_name(f".{path.name}{PART}")
-    with part.open("wb") as file:
-        file.write(data)
-        file.flush()
-        os.fsync(file.fileno())
-    os.replace(part, path)
+def _own(path: Path) -> int:
+    """The file of this very name opened to be gone on with: not what a link leads to."""
+    return os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND | getattr(os, "O_NOFOLLOW", 0), 0o666)
 
 
 def _parsed(text: str) -> dict[str, Any]:
     """An object, or nothing if it was not written to its end."""
     try:
         found = json.loads(text)
-    except ValueError:
+    except (ValueError, RecursionError):
         return {}
     return found if isinstance(found, dict) else {}
 
@@ -149,6 +160,3 @@ def _lock(file: Any, folder: Path) -> None:
         file.close()
         raise PlanesError(Phrase("course_locked", folder=str(folder))) from None
 
-
-def _refused(error: OSError, path: Path) -> PlanesError:
-    return PlanesError(Phrase("cannot_write", file=error.filename or str(path), reason=error.strerror or str(error)))

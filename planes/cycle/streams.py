@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-import os
 import zipfile
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any, Protocol
+from tempfile import TemporaryFile
+from typing import IO, Any, Protocol
 
 import numpy as np
 
 from planes.cycle import Block, Reason
+from planes.files import sayable, whole
 from planes.wording import PlanesError
 from planes.words import Phrase
 
@@ -19,11 +20,13 @@ GROUP = 65_536  # rows of one group of Parquet
 
 
 class Writer(Protocol):
-    """Takes blocks one after another."""
+    """Takes blocks one after another; ``end`` when all are there, ``close`` whatever happens."""
 
     def write(self, block: Block) -> None: ...
 
-    def close(self, whole: bool = True) -> None: ...
+    def end(self) -> None: ...
+
+    def close(self) -> None: ...
 
 
 class Heading:
@@ -45,20 +48,14 @@ def opened(path: Path, heading: Heading, count: int) -> Iterator[Writer]:
     make = WRITERS.get(path.suffix.lower())
     if make is None:
         raise PlanesError(Phrase("cycle_suffix", file=str(path), suffixes=", ".join(WRITERS)))
-    part = path.with_name(f".{path.name}.part")
-    writer = None
-    try:
-        writer = make(part, heading, count)
-        yield writer
-        writer.close()
-        writer = None
-        os.replace(part, path)
-    except OSError as error:
-        raise PlanesError(Phrase("cannot_write", file=str(path), reason=error.strerror or str(error))) from None
-    finally:
-        if writer:
-            writer.close(whole=False)
-        part.unlink(missing_ok=True)
+    with sayable(path), whole(path) as draft:
+        writer = make(draft, heading, count)
+        try:
+            yield writer
+            writer.end()
+        finally:
+            with suppress(OSError):  # of a disk that is full: told already
+                writer.close()
 
 
 class Csv:
@@ -75,64 +72,79 @@ class Csv:
         text = (f"{line},{self.reasons[code]}\n" for line, code in zip(lines, block.codes.tolist(), strict=True))
         self.file.write("".join(text).replace("nan", ""))
 
-    def close(self, whole: bool = True) -> None:
-        """End the file."""
+    def end(self) -> None:
+        """Every line is written, or it is said now why not."""
+        self.file.flush()
+
+    def close(self) -> None:
+        """Let the file go."""
         self.file.close()
 
 
 class Npy:
-    """One NumPy array of records, made at its full length and filled."""
+    """One NumPy array of records, its full length told first."""
 
     def __init__(self, path: Path, heading: Heading, count: int) -> None:
-        kinds = [(name, "<f8") for name, _ in heading.columns] + [("failed", "<i2")]
-        self.array = np.lib.format.open_memmap(path, mode="w+", dtype=np.dtype(kinds), shape=(count,))
-        self.at = 0
+        self.kinds = np.dtype([(name, "<f8") for name, _ in heading.columns] + [("failed", "<i2")])
+        start = np.lib.format.open_memmap(path, mode="w+", dtype=self.kinds, shape=(count,)).offset
+        self.file = path.open("rb+")  # not through the map: a full disk would end the program without a word
+        self.file.seek(start)
 
     def write(self, block: Block) -> None:
-        """Fill the next records."""
-        part = self.array[self.at : self.at + len(block.values)]
-        for name, row in zip(self.array.dtype.names or (), [block.values, *block.table, block.codes], strict=True):
+        """The next records."""
+        part = np.empty(len(block.values), self.kinds)
+        for name, row in zip(self.kinds.names or (), [block.values, *block.table, block.codes], strict=True):
             part[name] = row
-        self.at += len(block.values)
+        self.file.write(part.tobytes())
 
-    def close(self, whole: bool = True) -> None:
-        """Everything is on the disk."""
-        self.array.flush()
+    def end(self) -> None:
+        """Every record is written."""
+        self.file.flush()
+
+    def close(self) -> None:
+        """Let the file go."""
+        self.file.close()
 
 
 class Npz:
     """A NumPy archive: an array for each column, their units, and the reasons the codes in "failed" stand for."""
 
     def __init__(self, path: Path, heading: Heading, count: int) -> None:
-        self.path, self.heading, self.raw = path, heading, path.with_suffix(".raw")
-        self.npy = Npy(self.raw, heading, count)
+        self.path, self.heading, self.count, self.at = path, heading, count, 0
+        self.raw = TemporaryFile(dir=path.parent)  # noqa: SIM115  # columns in turn; it has no name to be left
 
     def write(self, block: Block) -> None:
-        """Records first; columns when all are there."""
-        self.npy.write(block)
+        """The next piece of every column."""
+        for number, row in enumerate([block.values, *block.table, block.codes]):
+            self.raw.seek(8 * (number * self.count + self.at))
+            self.raw.write(np.asarray(row, self._kind(number)).tobytes())
+        self.at += len(block.values)
 
-    def close(self, whole: bool = True) -> None:
-        """Columns out of records, a piece at a time."""
-        try:
-            self.npy.close()
-            if not whole:
-                return
-            with zipfile.ZipFile(self.path, "w", zipfile.ZIP_STORED, allowZip64=True) as archive:
-                for name in self.npy.array.dtype.names or ():
-                    self._column(archive, name)
-                for name, words in (("units", [u for _, u in self.heading.columns]), ("reasons", self.heading.reasons)):
-                    with archive.open(f"{name}.npy", "w") as file:
-                        np.lib.format.write_array(file, np.array(words))
-        finally:
-            self.raw.unlink(missing_ok=True)
+    def _kind(self, number: int) -> str:
+        return "<f8" if number < len(self.heading.columns) else "<i2"
 
-    def _column(self, archive: zipfile.ZipFile, name: str, piece: int = 65536) -> None:
-        array = self.npy.array
-        header = {"descr": array.dtype[name].str, "fortran_order": False, "shape": array.shape}
-        with archive.open(f"{name}.npy", "w", force_zip64=True) as file:
-            np.lib.format.write_array_header_1_0(file, header)
-            for start in range(0, len(array), piece):
-                file.write(np.ascontiguousarray(array[name][start : start + piece]).tobytes())
+    def end(self) -> None:
+        """The archive of whole columns."""
+        with zipfile.ZipFile(self.path, "w", zipfile.ZIP_STORED, allowZip64=True) as archive:
+            for number, name in enumerate([*(n for n, _ in self.heading.columns), "failed"]):
+                with archive.open(f"{name}.npy", "w", force_zip64=True) as file:
+                    self._column(file, number)
+            for name, words in (("units", [u for _, u in self.heading.columns]), ("reasons", self.heading.reasons)):
+                with archive.open(f"{name}.npy", "w") as file:
+                    np.lib.format.write_array(file, np.array(words))
+
+    def _column(self, file: IO[bytes], number: int, piece: int = 1 << 20) -> None:
+        kind = self._kind(number)
+        header = {"descr": kind, "fortran_order": False, "shape": (self.count,)}
+        np.lib.format.write_array_header_1_0(file, header)
+        self.raw.seek(8 * number * self.count)
+        left = np.dtype(kind).itemsize * self.count
+        for start in range(0, left, piece):
+            file.write(self.raw.read(min(piece, left - start)))
+
+    def close(self) -> None:
+        """The columns are not needed any more."""
+        self.raw.close()
 
 
 class Parquet:
@@ -165,13 +177,15 @@ class Parquet:
         self.writer.write_table(self.arrow.table([self.arrow.array(c) for c in columns], schema=self.schema))
         self.waiting.clear()
 
-    def close(self, whole: bool = True) -> None:
+    def end(self) -> None:
         """The last group, and the footer."""
-        try:
-            if whole and self.waiting:
-                self._group()
-        finally:
-            self.writer.close()
+        if self.waiting:
+            self._group()
+        self.writer.close()
+
+    def close(self) -> None:
+        """Let the file go."""
+        self.writer.close()
 
 
 WRITERS: dict[str, Callable[[Path, Heading, int], Writer]] = {

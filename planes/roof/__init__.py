@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from planes.drawing import Drawing, painters
+from planes.files import keep
 from planes.roof import sheets
 from planes.roof.graphs import views_beside
 from planes.roof.sheets import Drawn
@@ -20,7 +21,6 @@ from planes.wording import PlanesError
 from planes.words import Lang, say
 from render.faces import lettered
 from render.fonts import face_of
-from render.ink import save
 from render.sheet import Sheet
 from render.sheet.composer import Composer
 from render.sheet.sizes import Sizes
@@ -101,10 +101,7 @@ def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", nu
 
 def write(sheet: Sheet | Page, path: Path, lang: Lang, text: str = "text") -> None:
     """The sheet as a file in the format of its suffix."""
-    try:
-        save(rendered(sheet, path.suffix.lower(), lang, text), path)
-    except OSError as error:
-        raise PlanesError(say("unwritable", lang, file=str(path), reason=error.strerror or str(error))) from None
+    keep(rendered(sheet, path.suffix.lower(), lang, text), path)
 
 
 def rendered(sheet: Sheet | Page, suffix: str, lang: Lang, text: str = "text") -> bytes:

@@ -12,6 +12,7 @@ from planes.crank_slider.numbers import as_json
 from planes.crank_slider.pages_forces import worked
 from planes.crank_slider.pages_kinematics import scene_at
 from planes.crank_slider.report import document, summary
+from planes.files import save, sayable
 from planes.scene import Scene
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase
@@ -49,12 +50,9 @@ def _sheet(found: Calculation, path: str, phi: float | None, lang: Lang) -> None
 
 def _write(found: Calculation, path: Path, lang: Lang) -> None:
     from render import report
-    from render.ink import save
 
-    try:
+    with sayable(path):
         if path.suffix.lower() == ".json":
             save((json.dumps(as_json(found), ensure_ascii=False, allow_nan=False) + "\n").encode(), path)
         else:
             report.write(document(found, lang), path)
-    except OSError as error:
-        raise PlanesError(Phrase("cs_unwritable", file=str(path), reason=error.strerror or str(error))) from None

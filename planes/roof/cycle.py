@@ -13,6 +13,7 @@ from planes.diagrams.curves import Curve, curves_of, output_curves
 from planes.diagrams.extremes import Extreme, extremes
 from planes.diagrams.runs import Runs
 from planes.diagrams.turn import Grid, Turn, grid, turn_of
+from planes.files import sayable
 from planes.plans import Plans, state
 from planes.scene import Scene
 from planes.wording import PlanesError
@@ -36,11 +37,9 @@ def draw_cycle(
     turned = Turned(scene, plans, span, [n for names in panels for n in names], loops)
     naming = Naming(lang, scene.frame_number, scene.sheet.get("reactions") == "from-on", plans.mechanism.drive.link)
     title = scene.title.get(lang, "")
-    try:
+    with sayable(output):
         draw(Path(output), title, [turned.panel(names) for names in panels], [turned.loop(n) for n in loops],
              turned.drawn(), naming)  # fmt: skip
-    except OSError as error:
-        raise PlanesError(Phrase("cannot_write", file=output, reason=error.strerror or str(error))) from None
 
 
 def default_curves(plans: Plans, hodographs: object = None, paths: object = None) -> tuple[str, ...]:

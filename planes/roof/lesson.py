@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+from planes.files import keep
 from planes.lesson.data import lesson_data
 from planes.lesson.note import Block, Figure, Note
 from planes.plans import state
@@ -17,7 +18,6 @@ from planes.solving import Position, failed, position
 from planes.wording import PlanesError, PlanFailure, SceneError
 from planes.words import Lang, Phrase
 from planes.words.note import note_said
-from render.ink import save
 from render.lesson_page import page
 from render.names import Naming
 from render.sheet.composer import Composer
@@ -115,14 +115,6 @@ def set_note(blocks: list[Block], views: dict[str, View], naming: Naming, suffix
                 return note_docx.write(blocks, views, naming)
             except ImportError:
                 raise PlanesError(note_said("no_docx", naming.lang)) from None
-
-
-def keep(data: bytes, path: Path) -> None:
-    """Write the file whole, or refuse in a sentence."""
-    try:
-        save(data, path)
-    except OSError as error:
-        raise PlanesError(Phrase("cannot_write", file=str(path), reason=error.strerror or str(error))) from None
 
 
 @contextmanager

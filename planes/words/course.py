@@ -108,6 +108,10 @@ COURSE: dict[str, tuple[str, str]] = {
         "в папку {folder} уже пишет другой запуск; дождитесь его или укажите -o",
         "another run is writing into the folder {folder}; wait for it or give -o",
     ),
+    "course_outside": (
+        "{file}: такое имя ведёт за пределы папки {folder}; уберите ссылки и .. на этом пути",
+        "{file}: the name leads out of the folder {folder}; remove links and .. on the way",
+    ),
     "course_worker_lost": (
         "один из процессов остановлен системой, возможно, не хватило памяти; запустите снова с меньшим --jobs, готовое "
         "сохранено",

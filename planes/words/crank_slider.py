@@ -164,7 +164,6 @@ CRANK_SLIDER: dict[str, tuple[str, str]] = {
         "--phi {value:g}: цикл идёт от {low:g}° до {high:g}°",
         "--phi {value:g}: the cycle goes from {low:g}° to {high:g}°",
     ),
-    "cs_unwritable": ("{file}: записать нельзя: {reason}", "{file}: cannot be written: {reason}"),
     "cs_suffix": (
         "{file}: отчёт пишется в .html, .pdf или .json",
         "{file}: the report is written as .html, .pdf or .json",

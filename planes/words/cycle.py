@@ -80,6 +80,8 @@ CYCLE: dict[str, tuple[str, str]] = {
         "для таблиц Parquet нужен pyarrow: pip install planes[parquet], или возьмите .npz либо .csv",
         "Parquet tables need pyarrow: pip install planes[parquet], or take .npz or .csv",
     ),
+    "system_refuses": ("{file}: система отказала: {reason}", "{file}: the system refuses: {reason}"),
+    "standard_output": ("вывод", "the output"),
     "cannot_write": ("{file}: записать не удалось: {reason}", "{file} cannot be written: {reason}"),
     "cycle_no_mechanism": (
         "{file}: сцена задаёт векторы без механизма, положений у неё нет",

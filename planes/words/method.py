@@ -137,8 +137,8 @@ METHOD: dict[str, tuple[str, str]] = {
         "{option} {text}: with a step of {step:g} the range never goes from {start:g} to {end:g}",
     ),
     "range_long": (
-        "{option} {text}: положений {count}, а сразу можно построить не больше {most}",
-        "{option} {text} is {count} positions; at most {most} can be drawn at once",
+        "{option} {text}: положений {count}, а за раз можно не больше {most}; увеличьте шаг",
+        "{option} {text} is {count} positions; {most} at most can be worked through; take a larger step",
     ),
     "no_quantity": ("find: нет величины {name}{valid}", "find: there is no quantity {name}{valid}"),
     # the command line

@@ -109,7 +109,6 @@ SHEETS: dict[str, tuple[str, str]] = {
         "{file}: файл листа должен оканчиваться на {known}",
         "{file}: the file of a sheet must end in {known}",
     ),
-    "unwritable": ("{file}: не записать: {reason}", "{file}: cannot be written: {reason}"),
     "needs_ezdxf": (
         "для файла .dxf нужна библиотека ezdxf: pip install ezdxf",
         "a .dxf file needs the library ezdxf: pip install ezdxf",

@@ -1,0 +1,50 @@
+"""Where the program begins and ends: ``planes``, ``python -m planes``. Whatever ends it, nothing half-written is left.
+
+A signal becomes an exit from wherever the program is, so that every draft goes away; the status is 128 and its number.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+from typing import NoReturn, TextIO
+
+ENDS = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
+
+
+def run() -> int:
+    """The command line from its first moment to its last; the exit status."""
+    for one in ENDS:
+        if signal.getsignal(one) is not signal.SIG_IGN:  # as under nohup
+            signal.signal(one, _ended)
+    try:
+        from planes.cli import main
+
+        return main()
+    except KeyboardInterrupt:
+        return 128 + signal.SIGINT
+    finally:
+        for stream in (sys.stdout, sys.stderr):
+            _emptied(stream)
+
+
+def _ended(number: int, _: object) -> NoReturn:
+    """Leave, and let nothing disturb the tidying up."""
+    for one in ENDS:
+        signal.signal(one, signal.SIG_IGN)
+    sys.exit(128 + number)
+
+
+def _emptied(stream: TextIO | None) -> None:
+    """What nobody takes any more is dropped without a word, instead of by the interpreter with one."""
+    if stream is None:
+        return
+    try:
+        stream.flush()
+    except OSError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+
+
+if __name__ == "__main__":
+    sys.exit(run())
