@@ -29,6 +29,7 @@ CLEAR_MM = 0.5  # least distance of a label from ink and from labels
 ROOM_MM = 1.3
 APART_MM = 4.0  # labels side by side read as one when they stand closer than this
 READ_AS_ONE = 3.0  # cost of it
+PATIENCE = 1000  # how often labels are asked to make room for others, on one board
 ENOUGH = 8  # crossings, or lines broken: more are hardly worse
 _SWEEPS = 8
 _GROWN = np.array([-1, -1, 1, 1]) * 0.3  # mm a leader keeps away from letters
@@ -82,6 +83,15 @@ def place(
     return board.placed()
 
 
+class _Met:
+    """Which labels the candidates of one clash with, or stand close to; ``seen``: as of which of their moves."""
+
+    def __init__(self, option: Candidates, count: int) -> None:
+        self.clashes = np.zeros((len(option.wish), count), np.int8)
+        self.close = np.zeros((len(option.wish), count), bool)
+        self.seen = np.zeros(count, int)
+
+
 class _Board:
     """The candidates of all labels, the one each has chosen, and what the choices cost."""
 
@@ -94,6 +104,9 @@ class _Board:
         self.leaders = np.full((len(labels), 2), np.nan, dtype=complex)
         self.chosen = [0] * len(labels)
         self.wide: set[int] = set()
+        self.moves = 0
+        self.taken = np.zeros(len(labels), int)  # how often each label has moved
+        self.met = [_Met(option, len(labels)) for option in self.options]
 
     def _judged(self, options: Sequence[Candidates], leaders: bool = False) -> list[Any]:
         """What every candidate costs before the other labels are looked at."""
@@ -152,26 +165,38 @@ class _Board:
 
     def costs(self, k: int, rows: slice = slice(None)) -> Any:
         """What the candidates of label k (or those ``rows``) cost among the present places of the others."""
-        option = self.options[k].some(rows)
-        blocked = self._clashes(k, option).sum(axis=1)
-        close = _overlaps(option.boxes, np.delete(self.boxes, k, axis=0), APART_MM).sum(axis=1)
-        return self.static[k][rows] + HARD * blocked + READ_AS_ONE * (close > 0)
+        clashes, close = self._meets(k)
+        blocked, near = clashes[rows].sum(axis=1), close[rows].any(axis=1)
+        return self.static[k][rows] + HARD * blocked + READ_AS_ONE * near
 
-    def _clashes(self, k: int, option: Candidates) -> Any:
-        """How often each candidate of label k (rows) clashes with each other label (columns): letters and leaders."""
-        found = _overlaps(option.boxes, self.boxes).astype(int)
-        others = np.flatnonzero(~np.isnan(self.leaders[:, 0]))
-        leaders = self.leaders[others][None, :, :]
+    def _meets(self, k: int) -> tuple[Any, Any]:
+        """How often each candidate of label k (rows) clashes with each other label (columns), and where it stands close
+        to it: looked at anew for the labels that have moved."""
+        met, option = self.met[k], self.options[k]
+        moved = np.flatnonzero(met.seen != self.taken)
+        moved = moved[moved != k]
+        if len(moved):
+            met.clashes[:, moved] = self._clashes(option, moved)
+            met.close[:, moved] = _overlaps(option.boxes, self.boxes[moved], APART_MM)
+            met.seen[moved] = self.taken[moved]
+        return met.clashes, met.close
+
+    def _clashes(self, option: Candidates, moved: Any) -> Any:
+        """How often each candidate (rows) clashes with each of the labels ``moved`` (columns): letters and leaders."""
+        boxes = self.boxes[moved]
+        found = _overlaps(option.boxes, boxes).astype(np.int8)
+        others = np.flatnonzero(~np.isnan(self.leaders[moved, 0]))
+        leaders = self.leaders[moved[others]][None, :, :]
         found[:, others] += crossed(option.boxes[:, None, :] + _GROWN, leaders)
         led = np.flatnonzero(~np.isnan(option.leaders[:, 0]))
         if len(led):
             own = option.leaders[led][:, None, :]
-            found[led] += crossed(self.boxes[None, :, :] + _GROWN, own)
+            found[led] += crossed(boxes[None, :, :] + _GROWN, own)
             found[np.ix_(led, others)] += meeting(own, leaders)
-        found[:, k] = 0
         return found
 
     def _take(self, k: int, option: int) -> None:
+        self.taken[k] += 1
         self.chosen[k] = option
         self.boxes[k] = self.options[k].boxes[option]
         self.leaders[k] = self.options[k].leaders[option]
@@ -195,16 +220,21 @@ class _Board:
 
     def _push(self, k: int) -> None:
         """Give label k a place held by others, if every one of them finds another."""
-        kept, boxes, leaders = list(self.chosen), self.boxes.copy(), self.leaders.copy()
+        kept = list(self.chosen)
         free = [int(c) for c in np.argsort(self.static[k], kind="stable") if self.static[k][c] < HARD]
         for option in free:
+            if self.moves > PATIENCE:
+                return
             self._take(k, option)
-            held = np.flatnonzero(self._clashes(k, self.options[k].some(slice(option, option + 1)))[0])
+            held = np.flatnonzero(self._meets(k)[0][option])
             if all(self._moves(int(j)) for j in held) and self.costs(k)[option] < HARD:
                 return
-            self.chosen, self.boxes[:], self.leaders[:] = list(kept), boxes, leaders
+            for j, place in enumerate(kept):
+                if self.chosen[j] != place:
+                    self._take(j, place)
 
     def _moves(self, k: int) -> bool:
+        self.moves += 1
         costs = self.costs(k)
         self._take(k, int(np.argmin(costs)))
         return bool(costs.min() < HARD)
@@ -219,6 +249,7 @@ class _Board:
         for k, option, cost in zip(late, far, self._judged(far, leaders=True), strict=True):
             self.options[k] = union(self.options[k], option)
             self.static[k] = np.concatenate([self.static[k], cost])
+            self.met[k] = _Met(self.options[k], len(self.labels))
         return True
 
     def placed(self) -> Placed:
