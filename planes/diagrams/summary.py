@@ -45,7 +45,7 @@ class Stroke:
 
     ``swing`` is in metres or degrees. ``forth`` and ``back`` are the parts of the driver's turn (degrees) in which it
     goes from the first extreme position to the second, and returns; their ratio, the larger over the smaller, is ``K``.
-    A link that turns all the way round has no extreme positions; nor has one that goes off without bound (``swing`` inf).
+    A link that turns all the way round has no extreme positions, nor one that goes off without bound (``swing`` inf).
     """
 
     link: str
@@ -166,7 +166,8 @@ class Summary:
             z = self.grid.sample[f"r_{p}_x"] + 1j * self.grid.sample[f"r_{p}_y"]
             length = sum(_length(run) for run in np.split(z, np.flatnonzero(~self.grid.works)))
             if length:
-                length = np.inf if any(np.isinf(e.value) for axis in "xy" for e in self.extremes[f"r_{p}_{axis}"]) else length
+                both = (*self.extremes[f"r_{p}_x"], *self.extremes[f"r_{p}_y"])
+                length = np.inf if any(np.isinf(e.value) for e in both) else length
                 x, y = ((self._most(f"r_{p}_{axis}", -1), self._most(f"r_{p}_{axis}", 1)) for axis in "xy")
                 found.append(Path(p, length, x, y, self.grid.closed))
         return tuple(found)
