@@ -13,6 +13,8 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property
 from itertools import product
 from typing import Any
 
@@ -69,7 +71,20 @@ def _variants(group: Group) -> Iterator[tuple[Sign, ...]]:
 Line = tuple[complex, complex]  # a point of it, and its direction
 
 
-def _places(plans: Plans, file: str) -> list[dict[Pair, Line]]:
+@dataclass(frozen=True)
+class Places:
+    """Where every pair is in one position of the mechanism."""
+
+    lines: Mapping[Pair, Line]
+
+    @cached_property
+    def size(self) -> float:
+        """The distance of the two pairs farthest apart."""
+        points = [point for point, _ in self.lines.values()]
+        return max(abs(a - b) for a in points for b in points) or 1.0
+
+
+def _places(plans: Plans, file: str) -> list[Places]:
     """Where every pair is (for a hinge the direction means nothing), through the cycle: in the drive's own position
     first, where that assembles."""
     wanted = [v.angle for v in plans.links.values() if v.angle] + [m.position for m in plans.points.values()]
@@ -81,7 +96,7 @@ def _places(plans: Plans, file: str) -> list[dict[Pair, Line]]:
     for value in (drive.position, *turn):
         with suppress(PlanFailure):
             things = run(program, {**given, plans.drive_given: value}).things
-            found.append({p: _line(plans, p, things) for p in plans.structure.pairs})
+            found.append(Places({p: _line(plans, p, things) for p in plans.structure.pairs}))
     if not found:
         raise StructureError(Phrase("no_working"), file)
     return found
@@ -102,19 +117,18 @@ def _line(plans: Plans, pair: Pair, things: Mapping[str, Any]) -> Line:
     return through + along * ((slider - through) * along.conjugate()).real, along
 
 
-def steadily(plans: Plans, group: Group, signs: tuple[Sign, ...], cycle: list[dict[Pair, Line]]) -> bool:
+def steadily(plans: Plans, group: Group, signs: tuple[Sign, ...], cycle: list[Places]) -> bool:
     """Whether the pairs hold the group's links out of the plane exactly, neither loosely nor twice over, everywhere."""
     firmness = [firm(group, signs, places) for places in cycle]
     return all(f > FIRM for f in firmness) or all(f < -FIRM for f in firmness)
 
 
-def firm(group: Group, signs: tuple[Sign, ...], places: Mapping[Pair, Line]) -> float:
+def firm(group: Group, signs: tuple[Sign, ...], places: Places) -> float:
     """The determinant of what the pairs hold out of the plane, rows and lengths of the size of one: 0 holds loosely."""
-    size = max(abs(a - b) for a, _ in places.values() for b, _ in places.values()) or 1.0
     column = {link: 3 * k for k, link in enumerate(group.links)}
     rows: list[list[float]] = []
     for pair, sign in zip(pairs_of(group), signs, strict=True):
-        for held in holds(sign, pair.kind, *places[pair], size):
+        for held in holds(sign, pair.kind, *places.lines[pair], places.size):
             row = [0.0] * (3 * len(group.links))
             for link, side in ((pair.link, 1.0), (pair.other, -1.0)):
                 if link in column:

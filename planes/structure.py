@@ -6,7 +6,7 @@ class II in the five kinds of Artobolevsky.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Literal
@@ -107,7 +107,7 @@ class _Finder:
     def __init__(self, mechanism: Mechanism, file: str) -> None:
         self.mechanism, self.file = mechanism, file
         self.links = list(mechanism.links)
-        self.order = [FRAME, mechanism.drive.link]  # links in the order they are solved
+        self.order = {FRAME: 0, mechanism.drive.link: 1}  # links in the order they are solved
         self.holders: dict[str, list[str]] = {}
         for link in (mechanism.frame, *mechanism.links.values()):
             for point in link.points:
@@ -117,6 +117,10 @@ class _Finder:
             for link in mechanism.links.values()
             if link.slides
         ]
+        self.slid: dict[str, list[Pair]] = {}
+        for slide in self.slides:
+            for name in dict.fromkeys((slide.link, slide.other)):
+                self.slid.setdefault(name, []).append(slide)
 
     def error(self, phrase: Phrase, *path: str) -> StructureError:
         """A refusal that points at the line of what it speaks of."""
@@ -144,7 +148,7 @@ class _Finder:
     def drive_pair(self) -> Pair:
         """The pair of the driver with the frame that the drive's motion is given in."""
         drive = self.mechanism.drive
-        found = self.between(drive.link, [FRAME])
+        found = self.between(drive.link, {FRAME: 0})
         wanted: Literal["R", "P"] = "R" if drive.kind == "phi" else "P"
         fitting = [p for p in found if p.kind == wanted]
         if len(found) != 1 or not fitting:
@@ -153,35 +157,40 @@ class _Finder:
             raise self.error(Phrase("driver_pair", link=drive.link, kind=drive.kind, need=need, have=have), "drive")
         return fitting[0]
 
-    def between(self, link: str, known: Iterable[str]) -> list[Pair]:
+    def between(self, link: str, known: Mapping[str, int]) -> list[Pair]:
         """Pairs of ``link`` with the known links, each hinge paired with the one solved first."""
-        known = list(known)
         pairs = []
         for point in self.mechanism.link(link).points:
-            mates = [k for k in known if k in self.holders[point]]
+            mates = [k for k in self.holders[point] if k in known]
             if mates:
-                pairs.append(Pair("R", link, mates[0], point=point))
-        for slide in self.slides:
-            if slide.joins(link) and slide.mate(link) in known:
-                pairs.append(slide)
-        return pairs
+                pairs.append(Pair("R", link, min(mates, key=known.__getitem__), point=point))
+        return pairs + [slide for slide in self.slid.get(link, ()) if slide.mate(link) in known]
 
     def groups(self) -> tuple[Group, ...]:
         """Dyads in the order they attach; refuses what is left when none attaches."""
         found = []
         while left := [x for x in self.links if x not in self.order]:
-            group = next((g for g in map(self.dyad, combinations(left, 2)) if g), None)
+            group = next((g for g in map(self.dyad, self.meeting(left)) if g), None)
             if group is None:
                 raise self.higher_class(left)
             found.append(group)
-            self.order += group.links
+            self.order |= {link: len(self.order) + k for k, link in enumerate(group.links)}
         return tuple(found)
+
+    def meeting(self, left: list[str]) -> Iterator[tuple[str, str]]:
+        """The pairs of those links that have a hinge or a guide in common, in the order of the file."""
+        place = {link: k for k, link in enumerate(left)}
+        for one in left:
+            hinged = {h for point in self.mechanism.link(one).points for h in self.holders[point]}
+            mates = hinged | {slide.mate(one) for slide in self.slid.get(one, ())}
+            later = sorted(place[m] for m in mates if place.get(m, -1) > place[one])
+            yield from ((one, left[k]) for k in later)
 
     def dyad(self, links: tuple[str, str]) -> Group | None:
         """The two links as a dyad on what is solved, or None."""
         one, two = links
         outer_one, outer_two = self.between(one, self.order), self.between(two, self.order)
-        inner = [p for p in self.between(two, [one]) if p.kind == "P" or not self.solved_hinge(p.point)]
+        inner = [p for p in self.between(two, {one: 0}) if p.kind == "P" or not self.solved_hinge(p.point)]
         if len(outer_one) != 1 or len(outer_two) != 1 or len(inner) != 1:
             return None
         return self.classified(links, outer_one[0], inner[0], outer_two[0])

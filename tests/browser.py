@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from counting import PATIENCE_MS
 
 FLAGS = [
     "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
@@ -29,8 +30,9 @@ def chromium(profile: Path, **looks: Any) -> Iterator[Any]:
         if not found:
             pytest.skip("no Chromium here: apt-get install chromium, or playwright install --with-deps chromium")
         context = tools.chromium.launch_persistent_context(
-            str(profile), executable_path=found, headless=True, args=FLAGS, **looks
+            str(profile), executable_path=found, headless=True, args=FLAGS, timeout=PATIENCE_MS, **looks
         )
+        context.set_default_timeout(PATIENCE_MS)
         try:
             yield context
         finally:

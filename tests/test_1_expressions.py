@@ -1,9 +1,9 @@
 """Floor 1: expressions and parameters made of one another."""
 
 import math
-import time
 
 import pytest
+from counting import at_most
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -86,11 +86,9 @@ def test_parameters_refused(texts, piece, parameter):
 
 def test_long_chains_and_circles_take_no_time():
     chain = {f"a{i}": f"a{i + 1}" for i in range(20_000)} | {"a20000": "1"}
-    start = time.perf_counter()
-    assert resolve(chain)["a0"] == 1.0
-    with pytest.raises(ExpressionError, match=r"circle: a0 -> a1 .* … -> a0"):
+    with at_most(10_000_000), pytest.raises(ExpressionError, match=r"circle: a0 -> a1 .* … -> a0"):
+        assert resolve(chain)["a0"] == 1.0
         resolve(chain | {"a20000": "a0"})
-    assert time.perf_counter() - start < 3.0
 
 
 @settings(max_examples=400, derandomize=True, deadline=None, database=None)

@@ -1,10 +1,10 @@
 """Floor 1: the text of a file as a tree with lines, and every way it is refused."""
 
 import os
-import time
 
 import pytest
 import yaml
+from counting import at_most
 
 from planes.scene import source
 from planes.scene.source import Items, Table, Text, lines, parse, read
@@ -109,12 +109,11 @@ HOSTILE += [
 
 @pytest.mark.parametrize("number", range(len(HOSTILE)))
 def test_hostile_files_take_a_bounded_time(number):
-    start = time.perf_counter()
-    try:
-        assert isinstance(parse(HOSTILE[number], "s"), Table)
-    except SceneError as error:
-        assert str(error)
-    assert time.perf_counter() - start < 5.0
+    with at_most(20_000_000):
+        try:
+            assert isinstance(parse(HOSTILE[number], "s"), Table)
+        except SceneError as error:
+            assert str(error)
 
 
 def test_the_time_limit_is_a_refusal(monkeypatch):

@@ -1,9 +1,9 @@
 """Floor 2: every bad scene gets one sentence with its line, and any text is answered in time."""
 
 import random
-import time
 
 import pytest
+from counting import at_most
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scene_texts import SIX_LINK, VECTORS, changed
@@ -215,6 +215,5 @@ HOSTILE = {
 
 @pytest.mark.parametrize("name", HOSTILE)
 def test_large_scenes_take_a_bounded_time(name):
-    start = time.perf_counter()
-    check_any(HOSTILE[name])
-    assert time.perf_counter() - start < 5.0
+    with at_most(20_000_000):
+        check_any(HOSTILE[name])

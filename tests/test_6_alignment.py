@@ -65,7 +65,7 @@ def matrix(p: Plans, signs: dict[Pair, str], places: dict[Pair, Any]) -> np.ndar
 @pytest.mark.parametrize("name", NAMES)
 def test_one_freedom_and_nothing_redundant_as_bodies_in_space(name: str) -> None:
     p = plans(name)
-    variant, places = aligned(p), _places(p, name)[0]
+    variant, places = aligned(p), _places(p, name)[0].lines
     n = len(p.mechanism.links)
     own = matrix(p, {pair: pair.kind for pair in p.structure.pairs}, places)
     assert len(own) - np.linalg.matrix_rank(own, 1e-9) == p.structure.q

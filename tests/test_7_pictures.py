@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import random
-import time
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -13,6 +12,7 @@ from typing import Any
 import confusion
 import pytest
 from confusion import SAMPLES, Easel, easels
+from counting import at_most
 from drawings import Mistake
 
 from planes.cli import main
@@ -132,14 +132,6 @@ def test_a_mistake_of_no_catalogue_is_found_where_it_is(tmp_path: Path) -> None:
     assert abs(place - corpus.pole_of(one) - elsewhere) < 0.3
 
 
-def test_a_page_is_graded_quickly(tmp_path: Path) -> None:
-    """By the processor's clock: three seconds are promised."""
-    for sample, plan in (MOTION[1], FORCES[0]):
-        start = time.process_time()
-        looked(easel(sample, plan), replace(PHONE, dpi=270), tmp_path)
-        assert time.process_time() - start < 6  # with the drawing and photographing of it
-
-
 def test_the_frame_tells_the_format() -> None:
     for name, (w, h) in list(SIZES_MM.items())[:3]:
         for size in ((w, h), (h, w)):
@@ -199,9 +191,8 @@ def test_what_is_no_plan_is_said_to_be_none(
 ) -> None:
     file = tmp_path / "x.png"
     cv2.imwrite(str(file), photo_of(what))
-    start = time.process_time()
-    status = main(["check", SIX, str(file), "--plan", plan, "--json", "--lang", "en"])
-    assert time.process_time() - start < 10
+    with at_most(30_000_000):
+        status = main(["check", SIX, str(file), "--plan", plan, "--json", "--lang", "en"])
     told = capsys.readouterr()
     assert status == 2
     if told.out:

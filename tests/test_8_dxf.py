@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from counting import at_most
 from PIL import Image
 
 from planes.cli import main
@@ -262,26 +263,14 @@ def test_the_drawing_looks_as_the_sheet(name, settings):
         assert apart_mm.max() < 2.0
 
 
-# time
+# cost
 
 
 @pytest.mark.parametrize("suffix", ["svg", "dxf"])
-def test_a_full_a1_sheet_takes_less_than_two_seconds(suffix, tmp_path):
-    """Of the whole process, on a processor it has for itself."""
-    import resource
-    import subprocess
-    import sys
-
+def test_a_full_a1_sheet_is_drawn_within_so_many_calls(suffix, tmp_path):
     text = SAMPLES["six-link"].read_text(encoding="utf-8")
     (tmp_path / "a1.yaml").write_text(text + "\nsheet: {format: A1, positions: 12, designation: ТММ.01}\n", "utf-8")
-
-    def used():
-        spent = resource.getrusage(resource.RUSAGE_CHILDREN)
-        return spent.ru_utime + spent.ru_stime
-
-    before = used()
-    command = [sys.executable, "-m", "planes.cli", "sheet", "a1.yaml", "--sheet", "1", "-o", f"a1.{suffix}"]
-    root = Path(__file__).parent.parent
-    subprocess.run(command, cwd=tmp_path, check=True, timeout=60, env={"PYTHONPATH": str(root), "PATH": ""})
-    assert used() - before < 2.0
-    assert (tmp_path / f"a1.{suffix}").stat().st_size > 100_000
+    drawn = tmp_path / f"a1.{suffix}"
+    with at_most(8_000_000):
+        assert main(["sheet", str(tmp_path / "a1.yaml"), "--sheet", "1", "-o", str(drawn)]) == 0
+    assert drawn.stat().st_size > 100_000

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from counting import PATIENCE_S
 
 from planes.cli import main
 from planes.course import crowd, numbers
@@ -48,7 +49,7 @@ def files(out: Path) -> dict[str, str]:
 def run(at: Path, out: Path, *more: str) -> subprocess.CompletedProcess[str]:
     """The command, its warnings errors."""
     every = [COMMAND[0], "-W", "error", *COMMAND[1:], str(at), "-o", str(out), "--lang", "ru", *more]
-    return subprocess.run(every, capture_output=True, text=True, timeout=300, check=False)
+    return subprocess.run(every, capture_output=True, text=True, timeout=PATIENCE_S, check=False)
 
 
 @pytest.fixture(scope="module")
@@ -291,7 +292,7 @@ def test_the_table_of_a_folder(
     assert "--phi does not fit the folder" in capsys.readouterr().err
 
 
-def wait(true: Callable[[], bool], seconds: float = 120.0) -> None:
+def wait(true: Callable[[], bool], seconds: float = PATIENCE_S) -> None:
     """Until something is so."""
     end = time.monotonic() + seconds
     while not true():

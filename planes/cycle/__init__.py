@@ -24,6 +24,7 @@ from planes.program import Program
 from planes.scales import unit_scales
 
 CHUNK = 4096
+HELD = 2**22  # numbers a block of arrays may hold, all steps of its program together
 PAYS = 200_000
 """From how many positions on a compiled loop is worth compiling."""
 
@@ -99,7 +100,7 @@ class Cycle:
         by_hand = instrument is not None and not isinstance(instrument, Exact)
         if fast is None:
             fast = not by_hand and fused.available() and ("compiled" in self.__dict__ or len(values) >= PAYS)
-        size = min(chunk, self.compiled.fused.row) if fast else chunk
+        size = min(chunk, self.compiled.fused.row if fast else max(1, HELD // (len(self.program.steps) + 1)))
         for start in range(0, len(values), size):
             part = np.asarray(values[start : start + size], float)
             found = self._run(part, start) if fast else self._drawn(self.moving(part, start), len(part), instrument)

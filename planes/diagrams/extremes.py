@@ -12,12 +12,13 @@ from typing import Any
 
 import numpy as np
 
-from planes.diagrams.curves import Curve
+from planes.diagrams.curves import Curve, Sample
 from planes.diagrams.turn import Grid, Turn
 from planes.working import FULL
 
 CELLS = 8  # parts a bracket is cut into, each round
 ROUNDS = 14
+BATCH = 128  # brackets closed in on together: what bounds the memory
 STILL = 1e-11  # a curve that varies less than this, beside its size, is constant
 GROWS = 3.0  # how many times larger ten thousand times nearer to a limit: without bound
 
@@ -39,7 +40,8 @@ class _Bracket:
     sense: int
     low: float
     high: float
-    near: float  # the grid's own value, for angles to be told near it
+    near: float  # the grid's own value
+    angular: bool  # to be told near it
 
 
 def extremes(g: Grid) -> list[list[Extreme]]:
@@ -48,19 +50,19 @@ def extremes(g: Grid) -> list[list[Extreme]]:
     brackets: list[_Bracket] = []
     for k, curve in enumerate(g.turn.curves):
         y = g.values(curve)
-        if varies(y):
+        if varies(y, g.noise(curve)):
             brackets += _brackets(g, k, y)
             found[k] += _edges(g, curve, y)
-    for bracket, place, value in _joined(g, brackets, *_refined(g.turn, brackets)):
-        found[bracket.curve].append(Extreme(_wrapped(g, place), value, bracket.sense))
+    for start in range(0, len(brackets), BATCH):
+        batch = brackets[start : start + BATCH]
+        for bracket, place, value in _joined(g, batch, *_refined(g.turn, batch)):
+            found[bracket.curve].append(Extreme(_wrapped(g, place), value, bracket.sense))
     return [sorted(some, key=lambda e: e.place) for some in found]
 
 
 def _joined(g: Grid, brackets: list[_Bracket], places: Any, values: Any) -> list[tuple[_Bracket, float, float]]:
     """The extremes a curve comes up to: at a dead point where a load turns about, not the single value it has there but
-    that of the nearer side, if the curve comes up to it."""
-    if not brackets:
-        return []
+    that of the nearer side, if the curve comes up to it; where it grows without bound, infinity."""
     beside = 1e-8 * (g.places[-1] - g.places[0])
     near, far = (np.array([_values(g.turn, brackets, places + k * d) for d in (-beside, beside)]) for k in (1, 1000))
     size = {k: np.nanmax(np.abs(g.values(g.turn.curves[k]))) for k in {b.curve for b in brackets}}
@@ -68,17 +70,28 @@ def _joined(g: Grid, brackets: list[_Bracket], places: Any, values: Any) -> list
     found = []
     for i, b in enumerate(brackets):
         value = float(values[i])
+        if _grows(b, value, near[:, i], far[:, i]):
+            found.append((b, float(places[i]), b.sense * np.inf))
+            continue
         if alone[i]:
             value = float(b.sense * (b.sense * near[:, i]).max())
-        if not alone[i] or b.sense * value >= (b.sense * far[:, i]).max():
+        if np.isfinite(value) and (not alone[i] or b.sense * value >= (b.sense * far[:, i]).max()):
             found.append((b, float(places[i]), value))
     return found
 
 
-def varies(y: Any) -> bool:
-    """Whether a curve is more than a constant."""
+def _grows(b: _Bracket, value: float, near: Any, far: Any) -> bool:
+    """Whether a curve grows towards a place from a thousand times farther, and goes on growing."""
+    if b.angular:
+        return False
+    away, close = (np.nanmax(b.sense * z, initial=0.0) for z in (far, near))
+    return bool(close > GROWS * away > 0 and not b.sense * value <= GROWS * close)
+
+
+def varies(y: Any, noise: float) -> bool:
+    """Whether a curve is more than a constant, and than the rounding of larger numbers."""
     good = y[np.isfinite(y)]
-    return bool(len(good) > 2 and np.ptp(good) > STILL * (np.abs(good).max() + 1e-300))
+    return bool(len(good) > 2 and np.ptp(good) > STILL * (np.abs(good).max() + 1e-300) + noise)
 
 
 def _wrapped(g: Grid, place: float) -> float:
@@ -97,7 +110,7 @@ def _brackets(g: Grid, k: int, y: Any) -> list[_Bracket]:
     for sense in (1, -1):
         up, down = sense * (here - before) > noise, sense * (here - after) >= -noise
         tops = np.flatnonzero(up & down & (np.abs(here - before) + np.abs(here - after) > 2 * noise))
-        found += [_Bracket(k, sense, x[i], x[i + 2], float(y[i + 1])) for i in tops]
+        found += [_Bracket(k, sense, x[i], x[i + 2], float(y[i + 1]), g.turn.curves[k].angular) for i in tops]
     return found
 
 
@@ -131,25 +144,24 @@ def _limit(g: Grid, curve: Curve, y: float, place: float, limit: float) -> list[
 
 
 def _refined(turn: Turn, brackets: list[_Bracket]) -> tuple[Any, Any]:
-    """Places and values of the bracketed extremes, all closed in on together."""
-    if not brackets:
-        return np.empty(0), np.empty(0)
+    """Places and values of the bracketed extremes, all closed in on together: on where the slope is positive no more,
+    or, if it is not known or has one sign throughout (a value passes through infinity), on the value itself."""
     low, high = np.array([b.low for b in brackets]), np.array([b.high for b in brackets])
     owner = np.array([b.curve for b in brackets])
     sense = np.array([b.sense for b in brackets])
     parts = np.linspace(0.0, 1.0, CELLS + 1)
-    sloped = [turn.curves[k].slope is not None for k in owner]
     for _ in range(ROUNDS):
         x = low[:, None] + (high - low)[:, None] * parts
         sample = turn.sample(x.ravel())
         first, last = np.zeros(len(x), int), np.full(len(x), CELLS)
         for k in np.unique(owner):
             mine, curve = owner == k, turn.curves[k]
-            y = ((curve.slope or curve.read)(sample) + np.zeros(x.size)).reshape(x.shape)[mine]
-            if sloped[int(np.flatnonzero(mine)[0])]:
-                first[mine], last[mine] = _crossing(y * sense[mine][:, None])
-            else:
-                first[mine], last[mine] = _top(y * sense[mine][:, None])
+            y, slope = (
+                (read(sample) + np.zeros(x.size)).reshape(x.shape)[mine] * sense[mine][:, None]
+                for read in (curve.read, curve.slope or _unknown)
+            )
+            by_value = (slope > 0).all(axis=1) | ~(slope > 0).any(axis=1)
+            first[mine], last[mine] = np.where(by_value, _top(y), _crossing(slope))
         rows = np.arange(len(x))
         low, high = x[rows, first], x[rows, last]
     place = (low + high) / 2
@@ -158,11 +170,17 @@ def _refined(turn: Turn, brackets: list[_Bracket]) -> tuple[Any, Any]:
 
 def _values(turn: Turn, brackets: list[_Bracket], place: Any) -> Any:
     sample, found = turn.sample(place), np.empty(len(place))
-    for i, b in enumerate(brackets):
-        curve = turn.curves[b.curve]
-        value = (curve.read(sample) + np.zeros(len(place)))[i]
-        found[i] = value + FULL * round((b.near - value) / FULL) if curve.angular else value
+    owner, near = np.array([b.curve for b in brackets]), np.array([b.near for b in brackets])
+    for k in np.unique(owner):
+        mine, curve = owner == k, turn.curves[k]
+        value = (curve.read(sample) + np.zeros(len(place)))[mine]
+        found[mine] = value + FULL * np.round((near[mine] - value) / FULL) if curve.angular else value
     return found
+
+
+def _unknown(sample: Sample) -> Any:
+    """The slope of a curve whose slope is in no column."""
+    return np.nan
 
 
 def _crossing(slope: Any) -> tuple[Any, Any]:

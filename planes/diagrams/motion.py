@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -82,7 +83,8 @@ def driven_grid(plans: Plans, start: float, end: float) -> Grid:
 def dead_points(g: Grid) -> list[float]:
     """Where the driven link turns back, in order: not where it turns over, nor at ends of the range and of assembly."""
     cell = 1.01 * (g.places[-1] - g.places[0]) / max(1, len(g.places) - 1)
-    return [e.place for e in extremes(g)[0] if not e.at and all(_apart(e.place, z, g) > cell for _, z in g.flips)]
+    turned = (e.place for e in extremes(g)[0] if not e.at and isfinite(e.value))
+    return [place for place in turned if all(_apart(place, z, g) > cell for _, z in g.flips)]
 
 
 def _apart(one: float, two: float, g: Grid) -> float:

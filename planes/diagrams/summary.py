@@ -31,11 +31,12 @@ class Row:
     greatest: Extreme
     all: tuple[Extreme, ...]
     size: float  # the largest finite size at the places of the grid: what is nothing beside it is zero
+    rounds: bool = False  # an angle of a link that turns all the way round
 
     @property
     def constant(self) -> bool:
         """Whether the curve never changes."""
-        return not self.all
+        return not self.all and not self.rounds
 
 
 @dataclass(frozen=True)
@@ -44,7 +45,7 @@ class Stroke:
 
     ``swing`` is in metres or degrees. ``forth`` and ``back`` are the parts of the driver's turn (degrees) in which it
     goes from the first extreme position to the second, and returns; their ratio, the larger over the smaller, is ``K``.
-    A link that turns all the way round has no extreme positions.
+    A link that turns all the way round has no extreme positions, nor one that goes off without bound (``swing`` inf).
     """
 
     link: str
@@ -103,13 +104,14 @@ class Summary:
         curve = next((c for c in self.grid.turn.curves if c.name == name), None)
         if curve is None or link == self.plans.mechanism.drive.link or name in dict(self.grid.flips):
             return None
-        y = self.grid.values(curve)
-        if self.grid.closed and curve.angular and abs(y[-1] - y[0]) > FULL - 1.0:
+        if self.grid.rounds(curve):
             return Stroke(link, slides, name, (), FULL, True)
         some = self.extremes[name]
         if not some:
             return None
         low, high = min(some, key=lambda e: e.value), max(some, key=lambda e: e.value)
+        if np.isinf(high.value - low.value):
+            return Stroke(link, slides, name, tuple(e for e in some if np.isinf(e.value)), np.inf)
         dead = tuple(sorted((low, high), key=lambda e: e.place))
         others = sum(e.at == "" for e in some if e not in dead)
         forth = back = None
@@ -126,7 +128,7 @@ class Summary:
             if not self._shown(curve):
                 continue
             y = self.grid.values(curve)
-            if not np.isfinite(y).any() or not np.nanmax(np.abs(y)):
+            if not np.isfinite(y).any() or np.nanmax(np.abs(y)) <= self.grid.noise(curve):
                 continue
             twin = next((k for k, (other, row) in enumerate(found) if _same(y, other, curve, row)), None)
             if twin is None:
@@ -137,13 +139,13 @@ class Summary:
         return tuple(row for _, row in found)
 
     def _row(self, curve: Curve, y: Any) -> Row:
-        some, size = self.extremes[curve.name], float(np.nanmax(np.abs(y)))
+        some, size, rounds = self.extremes[curve.name], float(np.nanmax(np.abs(y))), self.grid.rounds(curve)
         if not some:
             k = int(np.flatnonzero(np.isfinite(y))[0])
             one = Extreme(float(self.grid.places[k]), float(y[k]), 1)
-            return Row((curve.name,), curve.unit, curve.group, one, one, (), size)
+            return Row((curve.name,), curve.unit, curve.group, one, one, (), size, rounds)
         low, high = min(some, key=lambda e: e.value), max(some, key=lambda e: e.value)
-        return Row((curve.name,), curve.unit, curve.group, low, high, tuple(some), size)
+        return Row((curve.name,), curve.unit, curve.group, low, high, tuple(some), size, rounds)
 
     def _shown(self, curve: Curve) -> bool:
         if self.names:
@@ -152,8 +154,8 @@ class Summary:
             return False
         link = curve.name.removeprefix("phi_")
         if curve.name.startswith("phi_"):
-            y = self.grid.values(curve)
-            return link != self.plans.mechanism.drive.link and varies(y)
+            moves = varies(self.grid.values(curve), self.grid.noise(curve))
+            return link != self.plans.mechanism.drive.link and moves
         return curve.name != f"s_{self.plans.mechanism.drive.link}"
 
     @cached_property
@@ -164,6 +166,8 @@ class Summary:
             z = self.grid.sample[f"r_{p}_x"] + 1j * self.grid.sample[f"r_{p}_y"]
             length = sum(_length(run) for run in np.split(z, np.flatnonzero(~self.grid.works)))
             if length:
+                both = (*self.extremes[f"r_{p}_x"], *self.extremes[f"r_{p}_y"])
+                length = np.inf if any(np.isinf(e.value) for e in both) else length
                 x, y = ((self._most(f"r_{p}_{axis}", -1), self._most(f"r_{p}_{axis}", 1)) for axis in "xy")
                 found.append(Path(p, length, x, y, self.grid.closed))
         return tuple(found)

@@ -85,6 +85,8 @@ def _stroke(s: Summary, lang: Lang) -> list[str]:
     if stroke.rounds:
         return [say("stroke_rounds", lang, link=stroke.link)]
     dead = "; ".join(_dead(s, stroke, e, lang) for e in stroke.dead)
+    if math.isinf(stroke.swing):
+        return [say("stroke_unbounded", lang, link=stroke.link, dead=dead)]
     key = "stroke_slides" if stroke.slides else "stroke_turns"
     lines = [say(key, lang, link=stroke.link, swing=quantity(stroke.swing, "", 5), dead=dead)]
     if stroke.others:
@@ -104,6 +106,8 @@ def _dead(s: Summary, stroke: Stroke, e: Extreme, lang: Lang) -> str:
 
 def _cells(s: Summary, row: Row, lang: Lang) -> list[str]:
     cells = [", ".join(row.names), say(row.unit, lang)]
+    if row.rounds:
+        return [*cells, say("all_round", lang), "—", "—", "—"]
     if row.constant:
         return [*cells, quantity(row.least.value), "—", quantity(row.least.value), "—"]
     for e in (row.least, row.greatest):
@@ -115,7 +119,7 @@ def _cells(s: Summary, row: Row, lang: Lang) -> list[str]:
 def _paths(s: Summary, lang: Lang) -> list[str]:
     rows = []
     for p in s.paths:
-        size = max(map(abs, (*p.x, *p.y)))
+        size = max((abs(c) for c in (*p.x, *p.y) if math.isfinite(c)), default=0.0)
         box = ("…".join(quantity(0.0 if abs(c) < 1e-9 * size else c) for c in pair) for pair in (p.x, p.y))
         rows.append([p.point, quantity(p.length), *box])
     m = say("m", lang)
@@ -132,20 +136,31 @@ def as_json(s: Summary) -> dict[str, Any]:
     }  # fmt: skip
     if stroke:
         found["driven"] = {
-            "link": stroke.link, "curve": stroke.curve, "rotates": stroke.rounds, "stroke": stroke.swing,
+            "link": stroke.link, "curve": stroke.curve, "rotates": stroke.rounds, "stroke": _or_none(stroke.swing),
             "extreme_positions": [_extreme(e) for e in stroke.dead], "forth_deg": stroke.forth,
             "back_deg": stroke.back, "time_ratio": stroke.K,
         }  # fmt: skip
-    found["curves"] = {c.name: {"unit": c.unit, "group": c.group, "extremes": [_extreme(e) for e in s.extremes[c.name]]}
-                       for c in s.grid.turn.curves}  # fmt: skip
-    found["paths"] = {p.point: {"length": p.length, "x": list(p.x), "y": list(p.y)} for p in s.paths}
+    found["curves"] = {c.name: _curve(s, c) for c in s.grid.turn.curves}
+    found["paths"] = {p.point: {"length": _or_none(p.length), "x": [*map(_or_none, p.x)], "y": [*map(_or_none, p.y)]}
+                      for p in s.paths}  # fmt: skip
     return found
+
+
+def _or_none(value: float) -> float | None:
+    """A number for a program: none where it grows without bound."""
+    return value if math.isfinite(value) else None
+
+
+def _curve(s: Summary, c: Curve) -> dict[str, Any]:
+    """A curve's extremes; of a link that turns all the way round, that it does."""
+    shown = {"unit": c.unit, "group": c.group, "extremes": [_extreme(e) for e in s.extremes[c.name]]}
+    return shown | ({"rotates": True} if s.grid.rounds(c) else {})
 
 
 def _extreme(e: Extreme) -> dict[str, Any]:
     unbounded = math.isinf(e.value)
     kind = "greatest" if e.sense > 0 else "least"
-    shown: dict[str, Any] = {"at": e.place, "value": None if unbounded else e.value, "kind": kind}
+    shown: dict[str, Any] = {"at": e.place, "value": _or_none(e.value), "kind": kind}
     return shown | ({"where": e.at} if e.at else {}) | ({"unbounded": True} if unbounded else {})
 
 
@@ -161,7 +176,7 @@ def listed(turn: Turn, values: Any) -> dict[str, list[float]]:
 def listed_json(turn: Turn, values: Any) -> dict[str, Any]:
     """The listing for a program: None where a curve has no value."""
     rows, key = listed(turn, values), key_of(turn.plans)
-    positions = [{key: float(v), "values": {n: row[k] if math.isfinite(row[k]) else None for n, row in rows.items()}}
+    positions = [{key: float(v), "values": {n: _or_none(row[k]) for n, row in rows.items()}}
                  for k, v in enumerate(values)]  # fmt: skip
     return {"planes": 1, "units": {c.name: c.unit for c in turn.curves}, "positions": positions}
 

@@ -21,6 +21,7 @@ from planes.words import Phrase
 from planes.working import FULL, Span
 
 FLIP = 90.0  # degrees a link cannot turn by from one place to the next
+ROUNDING = 1e-13  # what is left of numbers that cancel, beside them
 
 
 class Turn:
@@ -132,6 +133,30 @@ class Grid:
         """A curve over the grid, NaN where the mechanism does not assemble; angles unwound."""
         found = np.where(self.works, curve.read(self.sample), np.nan)
         return unwound(found) if curve.angular else found
+
+    def rounds(self, curve: Curve) -> bool:
+        """Whether a link goes round with the driver: its angle has no least value, nor a greatest."""
+        y = self.values(curve)
+        return bool(self.closed and curve.angular and abs(y[-1] - y[0]) > FULL / 2)
+
+    def noise(self, curve: Curve) -> float:
+        """What a curve may vary by rounding alone, where larger numbers of its unit cancel."""
+        return ROUNDING * self._sizes.get(curve.unit, 0.0)
+
+    @cached_property
+    def _sizes(self) -> dict[str, float]:
+        """How large the numbers of each unit commonly are; those of the driver's own motion count too."""
+        drive, found = self.turn.plans.mechanism.drive, {"°": FULL}
+        if drive.kind == "phi":
+            found |= {"1": 1.0, "rad/s": abs(drive.velocity), "rad/s²": abs(drive.acceleration)}
+        for curve in (c for c in self.turn.curves if not c.angular):
+            y = np.abs(self.values(curve))
+            if np.isfinite(y).any():
+                found[curve.unit] = max(found.get(curve.unit, 0.0), float(np.nanmedian(y)))
+        if drive.kind == "phi":
+            for unit, rate in (("rad/s", "rad/s²"), ("m/s", "m/s²")):
+                found[rate] = max(found.get(rate, 0.0), found.get(unit, 0.0) * abs(drive.velocity))
+        return found
 
     @cached_property
     def limits(self) -> tuple[tuple[int, float], ...]:

@@ -11,6 +11,8 @@ from planes.naming import POLE, at, label_of
 from planes.plans.bodies import SCHEME, Bodies, Body, Spot, difference
 from planes.steps import Touch
 from planes.structure import Group, Pair
+from planes.wording import SceneError
+from planes.words import Phrase
 
 
 def place_all(b: Bodies) -> None:
@@ -91,6 +93,9 @@ def _rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
     """A link known by two of its points; its x axis is drawn from them."""
     link = b.mechanism.link(name)
     way = link.points[two] - link.points[one]
+    if not way:
+        line = b.mechanism.where.get(("links", name), b.mechanism.where.get(("links",)))
+        raise SceneError(Phrase("hinges_coincide", link=name, one=one, two=two), b.file, line)
     axis = b.draft.turn(f"x_{name}", b.draft.ray(SCHEME, one, two), -math.degrees(cmath.phase(way)))
     spots = Spot(one, one), Spot(two, two)
     return Body(link, spots[0], axis, name, spots, rigid=True)

@@ -93,7 +93,7 @@ def figures(blocks: list[Block], composer: Composer, drawn: Position) -> dict[st
         elif key == "scheme":
             found[key] = view("scheme", "", Scheme(drawn, composer.naming).drawn())
         elif not plotted.still(key):
-            found[key] = view(key, "", Polygon(plotted, key, composer.naming).drawn())
+            found[key] = view(key, "", Polygon(plotted, key, composer.naming, counted=composer.details).drawn())
     return {key: one for key, one in found.items() if one}
 
 

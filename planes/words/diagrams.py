@@ -66,6 +66,11 @@ DIAGRAMS: dict[str, tuple[str, str]] = {
         "Ведомое звено {link} делает полный оборот: крайних положений у него нет",
         "Driven link {link} turns all the way round: it has no extreme positions",
     ),
+    "stroke_unbounded": (
+        "Ведомое звено {link} уходит в бесконечность: {dead}; хода у него нет",
+        "Driven link {link} goes off without bound: {dead}; it has no stroke",
+    ),
+    "all_round": ("полный оборот", "all the way round"),
     "stroke_place": ("{name} = {place} ({curve} = {value})", "{name} = {place} ({curve} = {value})"),
     "stroke_limit": (
         "{name} = {place} ({curve} = {value}, предел сборки)",

@@ -29,6 +29,12 @@ METHOD: dict[str, tuple[str, str]] = {
         "links {one} and {two} meet each other and the rest in three sliding pairs: they cannot turn, so W is wrong "
         "there; make one of the pairs a hinge",
     ),
+    "hinges_coincide": (
+        "шарниры {one} и {two} звена {link} совпадают: длина {one}{two} равна нулю, и направление звена не определено; "
+        "задайте её",
+        "hinges {one} and {two} of link {link} coincide: the length {one}{two} is zero, and the link has no direction; "
+        "give it a length",
+    ),
     "locked_slides": (
         "звенья {one} и {two} скользят по направляющим одного и того же звена {owner}, поэтому относительно него "
         "неподвижны; проверьте их slides",

@@ -55,7 +55,7 @@ def drawn(block: Drawn, lang: Lang) -> tuple[list[Figure], str]:
             marks = Scheme(block.position, composer.naming).drawn()
             names.append(composer.mu(plotted, "position"))
         else:
-            marks = Polygon(plotted, name, composer.naming).drawn()
+            marks = Polygon(plotted, name, composer.naming, counted=composer.details).drawn()
             names.append(f"{composer.plan_name(name).lower()}, {composer.mu(plotted, name)}")
         said = composer.formulas(plotted, (name,), 2.5, "") if block.equations and name != "scheme" else None
         views.append(stacked(name, [v for v in (view(name, "", marks), said) if v]))

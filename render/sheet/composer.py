@@ -34,6 +34,7 @@ class Composer:
     scene: Scene
     lang: Lang
     made: dict[tuple[object, ...], View | None] = field(default_factory=dict)
+    details: dict[tuple[str, float], int] = field(default_factory=dict)  # how many a plan has at its μ
 
     @property
     def naming(self) -> Naming:
@@ -100,7 +101,7 @@ class Composer:
     def plan(self, plotted: Plotted, plan: str) -> View:
         """A plan of rates or forces."""
         title = f"{self.plan_name(plan)}, {self.mu(plotted, plan)}"
-        polygon = Polygon(plotted, plan, self.naming)
+        polygon = Polygon(plotted, plan, self.naming, counted=self.details)
         key = ("plan", plan, plotted.mu(plan), *polygon.letters()[:1])  # letters of details follow those of other plans
         made = self.once(key, lambda: view(plan, title, polygon.drawn(), figure=True))
         assert made

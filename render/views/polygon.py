@@ -38,6 +38,7 @@ class Polygon:
     marks: list[Mark] = field(default_factory=list)
     places: dict[tuple[str, str], Ends] = field(default_factory=dict)
     shifted: bool = False
+    counted: dict[tuple[str, float], int] = field(default_factory=dict)  # details of plans at their μ
 
     @property
     def of_rates(self) -> bool:
@@ -64,14 +65,19 @@ class Polygon:
 
     def letters(self) -> list[str]:
         """Letters for the details of this plan, after those of the plans before it."""
-        used = 0
-        plans = dict.fromkeys(s.plan for s in self.plotted.segments if s.plan not in ("lever", "motion"))
-        for plan in list(plans)[: list(plans).index(self.plan)] if self.plan in plans else ():
+        plans = list(dict.fromkeys(s.plan for s in self.plotted.segments if s.plan not in ("lever", "motion")))
+        used = sum(map(self.details_of, plans[: plans.index(self.plan)] if self.plan in plans else ()))
+        return detail.letters(map(label_of, self.plotted.drawing.things), self.naming.lang == "ru")[used:]
+
+    def details_of(self, plan: str) -> int:
+        """How many details another plan of this drawing has."""
+        key = plan, self.plotted.mu(plan)
+        if key not in self.counted:
             other = Polygon(self.plotted, plan, self.naming)
             other.collect()
             other.vectors()
-            used += detail.count(other.places.values())
-        return detail.letters(map(label_of, self.plotted.drawing.things), self.naming.lang == "ru")[used:]
+            self.counted[key] = detail.count(other.places.values())
+        return self.counted[key]
 
     def collect(self) -> None:
         """Every measured segment by its ends."""
