@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from planes.drawing import Drawing, run
-from planes.instruments import Instrument, Pencil
+from planes.instruments import PENCILS, Instrument, Pencil
 from planes.measuring import Quantity, Reader, asked
 from planes.nearest import nearest
 from planes.plans import Plans, sliced, state
@@ -19,7 +19,6 @@ from planes.wording import PlanFailure, SceneError
 from planes.words import Lang, Phrase, say
 
 TOLD = 20  # for how many failed positions the nearest working one is looked for
-PENCILS = 200  # how many draughtsmen draw a plan to see how far apart they end
 
 
 @dataclass(frozen=True)

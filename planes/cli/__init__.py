@@ -131,18 +131,7 @@ def _solve(args: argparse.Namespace) -> int:
         return survey(args, _json)
     scene = load(args.scene, args.variant)
     values = _values(args, scene)
-    if scene.mechanism is None:
-        return _solve_vectors(args, scene)
     return run(args, scene, values, _json)
-
-
-def _solve_vectors(args: argparse.Namespace, scene: Scene) -> int:
-    from planes.tables import vector_report
-    from planes.vectors import solve_vectors
-
-    results = solve_vectors(scene)
-    print(_json(results.json()) if args.json else vector_report(results, args.lang))
-    return 0
 
 
 def _structure(args: argparse.Namespace) -> int:

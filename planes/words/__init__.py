@@ -129,6 +129,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "rad/s²": ("рад/с²", "rad/s²"),
     "N": ("Н", "N"),
     "N·m": ("Н·м", "N·m"),
+    "units": ("ед.", "units"),
     "in_m": ("{value} м", "{value} m"),
     "nearest": ("; ближайшее рабочее положение: {name} = {value}", "; the nearest that works: {name} = {value}"),
     "at": ("при {name} = {value}: ", "at {name} = {value}: "),

@@ -187,5 +187,23 @@ LINKS: dict[str, tuple[str, str]] = {
         "вектор {name} может быть направлен двояко; добавьте {offers: или }",
         "vector {name} can point in two directions; add {offers: or }",
     ),
+    "vector_idle": (
+        "вектора {name} нет ни в одном уравнении; добавьте его в уравнение или уберите",
+        "vector {name} stands in no equation; write it into one or remove it",
+    ),
+    "near_idle": (
+        "near вектора {name} ничего не решает: его направление однозначно; уберите near",
+        "near of vector {name} decides nothing, as its direction is certain; remove near",
+    ),
+    "vectors_mixed": (
+        "{name} строят на {one:of}, а {other_name} на {other:of}: у плана один масштаб μ; запишите их в отдельные "
+        "сцены или переименуйте",
+        "{name} belongs on the {one} and {other_name} on the {other}, but one plan has one μ; write them into scenes "
+        "of their own, or rename them",
+    ),
+    "vectors_mu": (
+        "mu не подходит вектору {name}: на {plan:of} масштаб задают в {units}",
+        "mu does not fit {name}: a {plan} has its scale in {units}",
+    ),
     "near_angle": ("near: {angle:.4g}", "near: {angle:.4g}"),
 }
