@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from planes.angles import read_range, read_span
+from planes.cli.idle import check_needs, check_options
 from planes.cli.options import add_blank_options, add_check_options, add_course_options, add_cycle_options
 from planes.home import Parser, help_of, home_lang
 from planes.scene import Scene, load
@@ -49,7 +50,7 @@ def _parser() -> argparse.ArgumentParser:
     _positions(solve)
     solve.add_argument("--json", action="store_true", help=help_of("help_json"))
     solve.add_argument("--pencil", action="store_true", help=help_of("help_pencil"))
-    solve.add_argument("--seed", type=int, default=1, help=help_of("help_seed"))
+    solve.add_argument("--seed", type=int,  help=help_of("help_seed"))
     solve.add_argument("--explain", action="store_true", help=help_of("help_explain"))
     solve.add_argument("--errors", action="store_true", help=help_of("help_errors"))
     solve.add_argument("--remedy", action="store_true", help=help_of("help_remedy"))
@@ -59,7 +60,7 @@ def _parser() -> argparse.ArgumentParser:
     _positions(sheet)
     sheet.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_output"))
     sheet.add_argument("--remedy", action="store_true", help=help_of("help_remedy"))
-    sheet.add_argument("--text", choices=("text", "strokes"), default="text", help=help_of("help_dxf_text"))
+    sheet.add_argument("--text", choices=("text", "strokes"), help=help_of("help_dxf_text"))
     part = sheet.add_mutually_exclusive_group()
     part.add_argument("--sheet", type=int, choices=(1, 2), help=help_of("help_sheet_number"))
     part.add_argument("--view", metavar="NAME", help=help_of("help_view"))
@@ -128,9 +129,12 @@ def _solve(args: argparse.Namespace) -> int:
     if os.path.isdir(args.scene):
         from planes.cli.survey import run as survey
 
+        check_options(args, "solve", "folder")
         return survey(args, _json)
     scene = load(args.scene, args.variant)
     values = _values(args, scene)
+    check_options(args, "solve", "steps" if args.explain else "positions" if scene.mechanism else "vectors")
+    check_needs(args, ["seed"])
     return run(args, scene, values, _json)
 
 
@@ -158,20 +162,26 @@ def _structure(args: argparse.Namespace) -> int:
     return 0
 
 
+def _value(args: argparse.Namespace, scene: Scene) -> float | None:
+    """The one value of the drive asked for."""
+    values = _values(args, scene) or [None]
+    if len(values) > 1:
+        raise PlanesError(Phrase("one_value", count=len(values)))
+    return values[0]
+
+
 def _check(args: argparse.Namespace) -> int:
     from planes.cli.check import run
 
     scene = load(args.scene, args.variant)
-    values = _values(args, scene)
-    return run(args, scene, values[0] if values else None)
+    return run(args, scene, _value(args, scene))
 
 
 def _blank(args: argparse.Namespace) -> int:
     from planes.cli.check import write_blank
 
     scene = load(args.scene, args.variant)
-    values = _values(args, scene)
-    return write_blank(args, scene, values[0] if values else None)
+    return write_blank(args, scene, _value(args, scene))
 
 
 def _sheet(args: argparse.Namespace) -> int:
@@ -179,12 +189,15 @@ def _sheet(args: argparse.Namespace) -> int:
 
     scene = load(args.scene, args.variant)
     values = _values(args, scene)
-    if args.remedy and scene.mechanism:
+    check_options(args, "sheet", "positions" if scene.mechanism else "vectors")
+    if args.text and not args.output.lower().endswith(".dxf"):
+        raise PlanesError(Phrase("text_dxf"))
+    if args.remedy:
         from planes.remedies import for_sheet
 
         scene, values, said = for_sheet(scene, values, args.lang)
         print(*said, sep="\n", end="\n" if said else "", file=sys.stderr)
-    for sentence in draw_sheet(scene, values, args.output, args.lang, args.sheet, args.view, args.text):
+    for sentence in draw_sheet(scene, values, args.output, args.lang, args.sheet, args.view, args.text or "text"):
         print(sentence, file=sys.stderr)
     return 0
 
@@ -228,4 +241,5 @@ def _chart(args: argparse.Namespace) -> int:
 def _crank_slider(args: argparse.Namespace) -> int:
     from planes.roof.crank_slider import run
 
+    check_needs(args, ["phi"])
     return run(load(args.scene, args.variant), args, args.lang)

@@ -10,7 +10,7 @@ from typing import Any
 
 from planes.drawing import Drawing, painters
 from planes.roof import sheets
-from planes.roof.graphs import views_beside
+from planes.roof.graphs import constructions, views_beside
 from planes.roof.sheets import Drawn
 from planes.roof.turning import turned_once
 from planes.scene import Scene
@@ -24,6 +24,7 @@ from render.ink import save
 from render.sheet import Sheet
 from render.sheet.composer import Composer
 from render.sheet.sizes import Sizes
+from render.views import stacked
 from render.views.single import Makers, Page, of_mechanism, of_scene_of_vectors, page
 from render.views.traces import traced
 
@@ -56,6 +57,14 @@ def draw_sheet(
     drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
     write(drawn, path, lang, text)
     return drawn.warnings if isinstance(drawn, Sheet) else ()
+
+
+def draw_constructions(scene: Scene, sections: int, pole_mm: float | None, output: str, lang: Lang) -> None:
+    """Draw both graphical constructions of a scene, one beneath the other, into a file."""
+    composer = Composer(scene, lang)
+    with lettered(face_of(scene)):
+        both = stacked("graphical", constructions(scene, composer, sections, pole_mm), 20.0)
+        write(page({both.key: lambda: both}, both.key, composer), Path(output), lang)
 
 
 def picture(drawn: Scene | Position, view: str | None = None, lang: Lang = "ru") -> Page:

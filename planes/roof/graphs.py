@@ -74,16 +74,26 @@ def asked(sheet: Mapping[str, object], key: str) -> list[str]:
     return [str(n).strip() for n in names if str(n).strip()]
 
 
+def constructions(
+    scene: Scene, composer: Composer, sections: int = STATIONS, pole_mm: float | None = None
+) -> list[View]:
+    """Both graphical constructions of the driven link's motion."""
+    from planes.diagrams.motion import constructed
+    from render.views.graphical import Graphical
+
+    found = []
+    for one in constructed(scene, sections, pole_mm):
+        title = say(one.kind, composer.lang, link=composer.naming.link(one.motion.link))
+        marks = Graphical(one, one.drawn(), composer.naming).drawn()
+        found.append(view(one.kind, title, marks, figure=True))
+    return found
+
+
 def views_beside(scene: Scene, drawn: Position, composer: Composer) -> Makers:
     """Views of the mechanism that belong to no one position, by their names."""
 
     def graphical(kind: str) -> View:
-        from planes.diagrams.motion import constructed
-        from render.views.graphical import Graphical
-
-        found = next(c for c in constructed(scene, STATIONS) if c.kind == kind)
-        title = say(kind, composer.lang, link=composer.naming.link(found.motion.link))
-        return view(kind, title, Graphical(found, found.drawn(), composer.naming).drawn(), figure=True)
+        return next(v for v in constructions(scene, composer) if v.key == kind)
 
     def alignment() -> View:
         from planes.alignment import aligned

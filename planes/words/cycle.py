@@ -64,10 +64,6 @@ CYCLE: dict[str, tuple[str, str]] = {
         "± в таблице рядом с результатами: граница погрешности каждого",
         "beside the results of a table their ±: a bound of the error of each",
     ),
-    "cycle_errors_table": (
-        "± пишутся в таблицу всех результатов: нужны -o с .csv, .npy, .npz или .parquet и никакого --show",
-        "± are written into a table of all results: give -o with .csv, .npy, .npz or .parquet, and no --show",
-    ),
     "cycle_suffix": (
         "{file}: такую таблицу записать нельзя; подходят {suffixes}",
         "{file}: no table can be written with this suffix; valid: {suffixes}",
