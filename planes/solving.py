@@ -109,7 +109,7 @@ def position(
     fit_mm: Mapping[str, float] = FIT_MM,
 ) -> Position:  # fmt: skip
     """One position drawn at its scales (an open μ: the largest with which the plan fits ``fit_mm``) and measured."""
-    moved = {plans.drive_given: value}
+    moved = plans.at(value)
     mus = scales(plans, scene.mu, moved, fit_mm)
     given = {**plans.given, **mus, **moved}
     drawing = run(plans.program, given, instrument)

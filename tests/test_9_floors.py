@@ -26,12 +26,12 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "words.check words.lesson",
     "cycle.fused_text cycle.twofold plane tools words",
     "cycle.rounding home scene.yaml_faults steps.base thing_names wording",
-    "angles check.paper check.read_dxf check.read_svg check.sight.picture course.crowd course.ledger equations "
+    "angles check.paper cli.idle check.read_dxf check.read_svg check.sight.picture course.crowd course.ledger equations "
     "instruments scene.expressions scene.source statement steps.crossings steps.reckoning structure units",
     "check.sight.frame check.sight.ink course course.scenes cycle.digits lesson.formulas program scene.reader "
     "self_aligning steps",
     "check.nudging check.sight.line_fitting check.sight.symbols_seen course.students crank_slider.reading_table "
-    "cycle.tracing drafting drawing scene.links scene.motion scene.settings scene.vectors",
+    "cycle.tracing drafting drawing scene.laws scene.links scene.motion scene.settings scene.vectors",
     "check.handwork check.sight.heads check.sight.left_over course.giving cycle.fused diagrams.graphical "
     "lesson.moments plans.assembly plans.bodies scene",
     "check.jointly check.sight.arrow_tips check.sight.prices course.reading crank_slider.shape plans.positions "
@@ -58,11 +58,11 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "diagrams.motion diagrams.summary",
     "check.sight.photograph check.tracing_paper crank_slider.rod diagrams.runs diagrams.text roof.charts survey",
     "check.report cli.survey crank_slider.calculation roof.cycle roof.graphs",
-    "cli.cycle crank_slider.pages_balance crank_slider.pages_kinematics crank_slider.pages_rod "
+    "crank_slider.pages_balance crank_slider.pages_kinematics crank_slider.pages_rod "
     "crank_slider.pages_shaft roof.check roof.turning",
     "cli.classes crank_slider.numbers crank_slider.pages_forces roof.sheets",
     "cli.check crank_slider.report roof",
-    "roof.course roof.crank_slider roof.notebook",
+    "cli.cycle roof.course roof.crank_slider roof.notebook",
     "roof.conducting",
     "cli.course",
     "cli",

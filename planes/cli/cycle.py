@@ -60,7 +60,11 @@ def driven_otherwise(scene: Scene, velocity: float | None, acceleration: float |
     drive = mechanism.drive
     v = drive.velocity if velocity is None else velocity
     a = drive.acceleration if acceleration is None else acceleration
-    return replace(scene, mechanism=replace(mechanism, drive=replace(drive, velocity=v, acceleration=a)))
+    given = {key for key, rate in (("omega", velocity), ("velocity", velocity), ("epsilon", acceleration),
+                                   ("acceleration", acceleration)) if rate is not None}  # fmt: skip
+    laws = {path: law for path, law in mechanism.laws.items() if path[0] != "drive" or path[1] not in given}
+    moved = replace(mechanism, drive=replace(drive, velocity=v, acceleration=a), laws=laws)
+    return replace(scene, mechanism=moved)
 
 
 def asked(text: str | None, option: str) -> list[str] | None:

@@ -13,7 +13,7 @@ from planes.roof import sheets
 from planes.roof.graphs import constructions, views_beside
 from planes.roof.sheets import Drawn
 from planes.roof.turning import turned_once
-from planes.scene import Scene
+from planes.scene import Reading, Scene
 from planes.solving import Position
 from planes.vectors import solve_vectors
 from planes.wording import PlanesError
@@ -75,7 +75,7 @@ def picture(drawn: Scene | Position, view: str | None = None, lang: Lang = "ru")
     if isinstance(drawn, Scene):
         return view_of(drawn, view, None, lang)
     mechanism = drawn.plans.mechanism
-    scene = Scene("", {}, {}, None, (), {}, mechanism, {}, (), (), drawn.scales, None, None, {})
+    scene = Scene("", {}, {}, Reading(), mechanism, {}, (), (), drawn.scales, None, None, {})
     return _page(_mechanism_views(scene, drawn, Composer(scene, lang)), view, Composer(scene, lang))
 
 

@@ -64,6 +64,10 @@ CYCLE: dict[str, tuple[str, str]] = {
         "± в таблице рядом с результатами: граница погрешности каждого",
         "beside the results of a table their ±: a bound of the error of each",
     ),
+    "no_given": (
+        "известных заранее величин {name} у этой программы нет{valid}",
+        "nothing called {name} is given to this program{valid}",
+    ),
     "cycle_suffix": (
         "{file}: такую таблицу записать нельзя; подходят {suffixes}",
         "{file}: no table can be written with this suffix; valid: {suffixes}",

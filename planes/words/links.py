@@ -79,6 +79,12 @@ LINKS: dict[str, tuple[str, str]] = {
         'friction: no link slides on guide "{name}"{valid}',
     ),
     "friction_no_guide": ('friction: нет направляющей "{name}"{valid}', 'friction: there is no guide "{name}"{valid}'),
+    "law_frozen": (
+        "{what}: число зависит от {parameter}, от которого взято и {kind} ведущего звена, и верно только при "
+        "{kind} = {value}; для других положений задайте его числом или своим параметром",
+        "{what} depends on {parameter}, from which {kind} of the drive is taken, so it holds at {kind} = {value} "
+        "alone; for other positions give it as a number or by a parameter of its own",
+    ),
     # vectors and equations
     "vectors_parallel": (
         "{text}: векторы {along} и {across} параллельны, и многоугольник не замкнуть; измените направление одного из "
