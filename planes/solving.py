@@ -41,15 +41,17 @@ class Solved:
     values: list[float] = field(default_factory=list)
     positions: list[Position] = field(default_factory=list)
     failed: list[dict[str, Any]] = field(default_factory=list)
+    lang: Lang = "en"
 
     def json(self) -> dict[str, Any]:
         """The object ``planes solve --json`` prints."""
+        doubts = [doubt.told(self.lang) for doubt in self.scene.doubts]
         return {
             "planes": 1,
             "scene": Path(self.scene.file).name,
             "variant": self.scene.variant,
             "structure": structure_json(self.plans.structure),
-            "positions": [p.results for p in self.positions],
+            "positions": [{**p.results, "warnings": doubts + p.results["warnings"]} for p in self.positions],
             "failed": self.failed,
         }
 
@@ -77,7 +79,7 @@ def solve(
     """Draw and measure every asked position. :class:`SceneError` where the scene itself cannot be meant."""
     plans, wanted = plans_of(scene)
     drive = plans.mechanism.drive
-    solved = Solved(scene, plans, [drive.position] if values is None else list(values))
+    solved = Solved(scene, plans, [drive.position] if values is None else list(values), lang=lang)
     for value in solved.values:
         try:
             solved.positions.append(position(scene, plans, wanted, value, instrument, lang))

@@ -74,7 +74,7 @@ class VectorResults:
                 "sharpness": sharpness}  # fmt: skip
         errors = {} if self.errors is None else {"errors": self.errors}
         return {"planes": 1, "scene": self.scene.file, "vectors": found, "plans": {PLAN: plan}, **errors,
-                "warnings": self.warnings(lang)}  # fmt: skip
+                "warnings": [*(d.told(lang) for d in self.scene.doubts), *self.warnings(lang)]}  # fmt: skip
 
 
 def stated(scene: Scene) -> tuple[VectorPlan, dict[str, tuple[str, str]]]:

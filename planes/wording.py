@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from difflib import get_close_matches
 from itertools import islice
 
@@ -39,6 +40,19 @@ class SceneError(PlanesError, ValueError):
     def sentence(self) -> str:
         """The English sentence without the place."""
         return str(self.phrase)
+
+
+@dataclass(frozen=True)
+class Doubt:
+    """Something a scene says that can be meant, but hardly is: a warning with its place."""
+
+    phrase: Phrase
+    file: str
+    line: int
+
+    def told(self, lang: Lang = "en") -> str:
+        """The place and the sentence in a language."""
+        return f"{self.file}:{self.line}: {self.phrase.told(lang)}"
 
 
 class StructureError(SceneError):

@@ -26,12 +26,12 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "words.check words.lesson",
     "cycle.fused_text cycle.twofold plane tools words",
     "cycle.rounding home scene.yaml_faults steps.base thing_names wording",
-    "angles check.paper cli.idle check.read_dxf check.read_svg check.sight.picture course.crowd course.ledger equations "
-    "instruments scene.expressions scene.source statement steps.crossings steps.reckoning structure units",
+    "angles check.paper check.read_dxf check.read_svg check.sight.picture cli.idle course.crowd course.ledger "
+    "equations instruments scene.expressions scene.source statement steps.crossings steps.reckoning structure units",
     "check.sight.frame check.sight.ink course course.scenes cycle.digits lesson.formulas program scene.reader "
     "self_aligning steps",
     "check.nudging check.sight.line_fitting check.sight.symbols_seen course.students crank_slider.reading_table "
-    "cycle.tracing drafting drawing scene.laws scene.links scene.motion scene.settings scene.vectors",
+    "cycle.tracing drafting drawing scene.doubts scene.laws scene.links scene.motion scene.settings scene.vectors",
     "check.handwork check.sight.heads check.sight.left_over course.giving cycle.fused diagrams.graphical "
     "lesson.moments plans.assembly plans.bodies scene",
     "check.jointly check.sight.arrow_tips check.sight.prices course.reading crank_slider.shape plans.positions "

@@ -101,6 +101,14 @@ def _command(commands: Any, name: str, run: Callable[[argparse.Namespace], int],
     return parser
 
 
+def _scene(args: argparse.Namespace) -> Scene:
+    """The scene asked for; what is doubtful in it goes to stderr."""
+    scene = load(args.scene, args.variant)
+    for doubt in scene.doubts:
+        print(doubt.told(args.lang), file=sys.stderr)
+    return scene
+
+
 def _positions(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--phi", metavar="A[:B:STEP]", help=help_of("help_phi"))
     parser.add_argument("--s", metavar="A[:B:STEP]", help=help_of("help_s"))
@@ -131,7 +139,7 @@ def _solve(args: argparse.Namespace) -> int:
 
         check_options(args, "solve", "folder")
         return survey(args, _json)
-    scene = load(args.scene, args.variant)
+    scene = _scene(args)
     values = _values(args, scene)
     check_options(args, "solve", "steps" if args.explain else "positions" if scene.mechanism else "vectors")
     check_needs(args, ["seed"])
@@ -145,7 +153,7 @@ def _structure(args: argparse.Namespace) -> int:
     from planes.structure import analyse
     from planes.tables import alignment_report, structure_report
 
-    scene = load(args.scene, args.variant)
+    scene = _scene(args)
     if scene.mechanism is None:
         raise PlanesError(Phrase("no_structure", file=args.scene))
     found = analyse(scene.mechanism, scene.file)
@@ -173,21 +181,21 @@ def _value(args: argparse.Namespace, scene: Scene) -> float | None:
 def _check(args: argparse.Namespace) -> int:
     from planes.cli.check import run
 
-    scene = load(args.scene, args.variant)
+    scene = _scene(args)
     return run(args, scene, _value(args, scene))
 
 
 def _blank(args: argparse.Namespace) -> int:
     from planes.cli.check import write_blank
 
-    scene = load(args.scene, args.variant)
+    scene = _scene(args)
     return write_blank(args, scene, _value(args, scene))
 
 
 def _sheet(args: argparse.Namespace) -> int:
     from planes.roof import draw_sheet
 
-    scene = load(args.scene, args.variant)
+    scene = _scene(args)
     values = _values(args, scene)
     check_options(args, "sheet", "positions" if scene.mechanism else "vectors")
     if args.text and not args.output.lower().endswith(".dxf"):
@@ -205,14 +213,14 @@ def _sheet(args: argparse.Namespace) -> int:
 def _lesson(args: argparse.Namespace) -> int:
     from planes.roof.lesson import write_lesson
 
-    write_lesson(load(args.scene, args.variant), args.output, args.lang)
+    write_lesson(_scene(args), args.output, args.lang)
     return 0
 
 
 def _note(args: argparse.Namespace) -> int:
     from planes.roof.lesson import write_note
 
-    scene = load(args.scene, args.variant)
+    scene = _scene(args)
     write_note(scene, _values(args, scene), args.output, args.lang)
     return 0
 
@@ -220,7 +228,7 @@ def _note(args: argparse.Namespace) -> int:
 def _cycle(args: argparse.Namespace) -> int:
     from planes.cli.cycle import run
 
-    scene = load(args.scene, args.variant)
+    scene = _scene(args)
     kind, text = _range(args, scene)
     return run(args, scene, None if text is None else read_span(text, f"--{kind}"), _json)
 
@@ -234,7 +242,7 @@ def _course(args: argparse.Namespace) -> int:
 def _chart(args: argparse.Namespace) -> int:
     from planes.roof.charts import draw_chart
 
-    draw_chart(load(args.scene, args.variant), args.output, args.table, args.lang)
+    draw_chart(_scene(args), args.output, args.table, args.lang)
     return 0
 
 
@@ -242,4 +250,4 @@ def _crank_slider(args: argparse.Namespace) -> int:
     from planes.roof.crank_slider import run
 
     check_needs(args, ["phi"])
-    return run(load(args.scene, args.variant), args, args.lang)
+    return run(_scene(args), args, args.lang)

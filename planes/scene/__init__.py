@@ -10,6 +10,7 @@ from types import MappingProxyType
 
 from planes.mechanism import Mechanism, Where
 from planes.scene import source
+from planes.scene.doubts import read_doubts
 from planes.scene.laws import read_laws
 from planes.scene.links import read_frame, read_links
 from planes.scene.motion import read_assembly, read_drive, read_friction, read_gravity, read_loads
@@ -27,7 +28,7 @@ from planes.scene.settings import (
 )
 from planes.scene.source import Node, Table
 from planes.scene.vectors import VectorGiven, read_equations, read_vectors
-from planes.wording import SceneError, shown
+from planes.wording import Doubt, SceneError, shown
 from planes.words import Phrase
 
 __all__ = ["Reading", "Scene", "VectorGiven", "load", "loads"]
@@ -74,6 +75,7 @@ class Scene:
     where: Where = field(default_factory=lambda: MappingProxyType({}), compare=False, repr=False)
     crank_slider: Node | None = field(default=None, compare=False, repr=False)
     missing: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
+    doubts: tuple[Doubt, ...] = ()
 
     @property
     def variant(self) -> str | None:
@@ -131,7 +133,8 @@ def _scene(reader: Reader, table: Table, reading: Reading, stated: Mapping[str, 
         read_find(reader, reader.optional(table, "find")),
         MappingProxyType(dict(read_sheet(reader, reader.optional(table, "sheet")))),
         read_number_of_frame(reader, table.entries.get("frame")), where, reader.optional(table, "crank_slider"),
-        _frozen(read_words(reader, reader.optional(table, "missing"), "missing")))
+        _frozen(read_words(reader, reader.optional(table, "missing"), "missing")),
+        tuple(read_doubts(reader.file, table, stated, mechanism)))
 
 
 def _frozen(words: dict[str, str]) -> Mapping[str, str]:

@@ -9,23 +9,23 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from planes.mechanism import Law
 from planes.scene.expressions import names_in
+from planes.scene.reader import Keys, texts
 from planes.scene.source import Items, Node, Table, Text
 from planes.wording import ExpressionError
 
 _GIVEN = ("force", "moment", "direction", "angle")  # numbers of a load
 _RATES = ("omega", "epsilon", "velocity", "acceleration")
-Path = tuple[str, ...]
 Uses = Mapping[str, list[str]]
 
 
-def read_laws(table: Table, parameters: Mapping[str, Node]) -> dict[Path, Law]:
+def read_laws(table: Table, parameters: Mapping[str, Node]) -> dict[Keys, Law]:
     """The places of loads, rates and friction whose numbers change with the drive, with the parameter they share."""
     drive = table.entries["drive"]
     assert isinstance(drive, Table)
     place = next(drive.entries[key] for key in ("phi", "s") if key in drive.entries)
     uses = {name: _names(node) for name, node in parameters.items()} if _names(place) else {}
     moving = _leaves(_names(place), uses)
-    shape = (node for key in ("frame", "links") for _, node in _texts(table.entries[key]))
+    shape = (node for key in ("frame", "links") for _, node in texts(table.entries[key]))
     fixed = _leaves((name for node in shape for name in _names(node)), uses) if moving else set()
     with_drive = _users(moving - fixed or moving, uses)
     found = {}
@@ -35,20 +35,10 @@ def read_laws(table: Table, parameters: Mapping[str, Node]) -> dict[Path, Law]:
     return found
 
 
-def _numbers(table: Table) -> Iterator[tuple[Path, Text]]:
-    for path, node in _texts(Table({k: v for k, v in table.entries.items() if k in ("loads", "drive", "friction")}, 0)):
+def _numbers(table: Table) -> Iterator[tuple[Keys, Text]]:
+    for path, node in texts(Table({k: v for k, v in table.entries.items() if k in ("loads", "drive", "friction")}, 0)):
         if path[0] == "friction" or path[-1] in (_GIVEN if path[0] == "loads" else _RATES):
             yield path, node
-
-
-def _texts(node: Node, path: Path = ()) -> Iterator[tuple[Path, Text]]:
-    """Every text beneath a node with its path."""
-    if isinstance(node, Text):
-        yield path, node
-        return
-    entries = node.entries.items() if isinstance(node, Table) else ((str(k), one) for k, one in enumerate(node.items))
-    for key, one in entries:
-        yield from _texts(one, (*path, key))
 
 
 def _names(node: Node) -> list[str]:
