@@ -21,7 +21,7 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "crank_slider.sections crank_slider.words_balance crank_slider.words_forces crank_slider.words_report "
     "crank_slider.words_rod crank_slider.words_strength cycle.tape degrees diagrams diagrams.stages lossless "
     "mechanism naming words.course words.crank_slider words.cycle words.diagrams words.links words.method "
-    "words.mistakes words.note words.scene words.sheets words.text words.why working",
+    "words.mistakes words.note words.scene words.sheets words.system words.text words.why working",
     "arithmetic check.arrowheads cycle.fused_functions cycle.reading cycle.slopes cycle.symbols mark_names "
     "words.check words.lesson",
     "cycle.fused_text cycle.twofold plane tools words",

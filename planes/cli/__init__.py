@@ -143,6 +143,8 @@ def _solve(args: argparse.Namespace) -> int:
     values = _values(args, scene)
     check_options(args, "solve", "steps" if args.explain else "positions" if scene.mechanism else "vectors")
     check_needs(args, ["seed"])
+    if (args.seed or 0) < 0:
+        raise PlanesError(Phrase("seed_negative", seed=args.seed))
     return run(args, scene, values, _json)
 
 

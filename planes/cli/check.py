@@ -27,7 +27,7 @@ LINES = (".svg", ".dxf")
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
 TABLES = (".csv", ".json", ".txt", ".tsv")
 MOST_SHOWN = 2000  # lines of a drawing shown in its report
-_PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?[\d.]+)\s*[,;]\s*([-+]?[\d.]+)\s*")
+_PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?{0})\s*[,;]\s*([-+]?{0})\s*".format(r"(?:\d+\.?\d*|\.\d+)"))
 
 
 def run(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
@@ -82,7 +82,7 @@ def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:
     for pair in args.others:
         name, _, file = pair.partition("=")
         if not file:
-            raise PlanesError(Phrase("check_option", option="--with", text=pair, form="velocity=FILE"))
+            raise PlanesError(Phrase("check_option", option="--with", text=pair, form="velocity=FILE", hint=""))
         others[name] = read_paper(file, asked, args)
     skill = HAND
     if args.work == "cad":
@@ -151,7 +151,8 @@ def place(text: str, option: str) -> tuple[str, complex]:
     """NAME=X,Y or X,Y of the command line."""
     match = _PLACE.fullmatch(text)
     if not match:
-        raise PlanesError(Phrase("check_option", option=option, text=text, form="X,Y"))
+        hint = Phrase("decimal_no_comma") if text.count(",") > 1 else ""
+        raise PlanesError(Phrase("check_option", option=option, text=text, form="X,Y", hint=hint))
     return (match[1] or "").strip(), complex(float(match[2]), float(match[3]))
 
 

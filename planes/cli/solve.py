@@ -14,7 +14,7 @@ from planes.tables import report, vector_report
 
 def run(args: argparse.Namespace, scene: Scene, values: list[float] | None, as_json: Callable[[object], str]) -> int:
     """Solve and print; the exit status."""
-    instrument = Pencil(seed=args.seed or 1) if args.pencil else Exact()
+    instrument = Pencil(seed=1 if args.seed is None else args.seed) if args.pencil else Exact()
     if args.explain:
         from planes.cycle.explaining import explain
 

@@ -38,6 +38,11 @@ _COMMON = ("planes", "title", "note", "text", "missing", "parameters", "variants
 _MECHANISM = ("frame", "links", "assembly", "drive", "loads", "gravity", "friction", "plans",
               "crank_slider")
 _VECTORS = ("vectors", "equations", "mu")
+_EXAMPLES = {
+    "frame": "frame: {points: {O: [0, 0]}}", "links": "links: {1: {points: {O: 0, A: 0.1}}}",
+    "drive": "drive: {link: 1, phi: 30, omega: 10}", "equations": 'equations: ["v_C = v_B + v_CB"]',
+    "vectors": "vectors: {v_B: {value: 2, direction: 120}, v_C: {direction: 80}}",
+}
 
 
 @dataclass(frozen=True)
@@ -168,7 +173,7 @@ def _check_outline(reader: Reader, table: Table) -> None:
 def _check_required(reader: Reader, table: Table, of_vectors: bool) -> None:
     for key in ("vectors", "equations") if of_vectors else ("frame", "links", "drive"):
         if key not in table.entries:
-            raise SceneError(Phrase("part_missing", key=key), reader.file, 1)
+            raise SceneError(Phrase("part_missing", key=key, example=_EXAMPLES[key]), reader.file, 1)
         if reader.optional(table, key) is None:
             raise reader.error(Phrase("part_empty", what=key), table.lines[key])
 

@@ -125,8 +125,8 @@ METHOD: dict[str, tuple[str, str]] = {
     ),
     # what is asked
     "range_not_number": (
-        "{option} {text}: это не число и не начало:конец:шаг, например 0:360:30",
-        "{option} {text} is not a number or start:end:step, for example 0:360:30",
+        "{option} {text}: это не число и не начало:конец:шаг, например 0:360:30{hint}",
+        "{option} {text} is not a number or start:end:step, for example 0:360:30{hint}",
     ),
     "range_parts": (
         "{option} {text}: нужно одно число или начало:конец:шаг, например 0:360:30",
@@ -155,6 +155,7 @@ METHOD: dict[str, tuple[str, str]] = {
         "{option}: не названо ни одной величины; имена пишут через запятую: {option} v_C,phi_3",
         "{option}: nothing is named; write names with commas between them: {option} v_C,phi_3",
     ),
+    "seed_negative": ("--seed {seed}: нужно целое число, не меньше 0", "--seed {seed}: give a whole number, 0 or more"),
     "text_dxf": (
         "--text меняет только надписи DXF; назовите файл .dxf или уберите --text",
         "--text changes the letters of a DXF alone; name a .dxf file or leave --text out",

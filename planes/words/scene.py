@@ -119,7 +119,7 @@ SCENE: dict[str, tuple[str, str]] = {
         "сцена задаёт либо механизм ({mechanism}), либо только {vectors}, но не то и другое",
         "a scene states either a mechanism ({mechanism}) or {vectors} alone, not both",
     ),
-    "part_missing": ("нет ключа {key}", "the key {key} is missing"),
+    "part_missing": ("нет ключа {key}; например: {example}", "the key {key} is missing; for example: {example}"),
     "part_empty": ("{what}: здесь пусто", "{what} is empty"),
     "no_variant": ("нет варианта {name}{valid}", "there is no variant {name}{valid}"),
     "no_variants": ("; вариантов в сцене нет", "; the scene has no variants"),
