@@ -225,7 +225,7 @@ def alignment_report(found: Aligned, lang: Lang = "en") -> str:
 
 def vector_report(results: VectorResults, lang: Lang = "en") -> str:
     """The vectors of a scene without a mechanism."""
-    e, found = results.errors and dict(results.errors), results.vectors()
+    e, found = results.errors, results.vectors()
     most = max(map(abs, found.values()))
     rows = []
     for n, v in found.items():

@@ -36,7 +36,7 @@ class VectorResults:
     quantity: str
     spans: Mapping[str, tuple[str, str]]
     scatter_mm: Mapping[str, float] = field(default_factory=dict)
-    errors: Mapping[str, Any] | None = None
+    errors: dict[str, Any] | None = None
 
     @property
     def given(self) -> dict[str, Any]:

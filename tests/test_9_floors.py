@@ -34,8 +34,8 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "cycle.tracing drafting drawing scene.doubts scene.laws scene.links scene.motion scene.settings scene.vectors",
     "check.handwork check.sight.heads check.sight.left_over course.giving cycle.fused diagrams.graphical "
     "lesson.moments plans.assembly plans.bodies scene",
-    "check.jointly check.sight.arrow_tips check.sight.prices course.reading crank_slider.shape plans.positions "
-    "vector_plan",
+    "check.jointly cli.positions check.sight.arrow_tips check.sight.prices course.reading crank_slider.shape "
+    "plans.positions vector_plan",
     "check.judging check.sight.drawn_lines crank_slider.given plans.legs vectors",
     "check.sight.places crank_slider.reading_parts plans.kinematics",
     "check.sight.pencil_lines check.sight.ways_of_ink crank_slider.reading plans.loads",

@@ -10,9 +10,10 @@ import sys
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from planes.angles import read_range, read_span
+from planes.angles import read_span
 from planes.cli.idle import check_needs, check_options
 from planes.cli.options import add_blank_options, add_check_options, add_course_options, add_cycle_options
+from planes.cli.positions import add_positions, range_of, value_of, values_of
 from planes.home import Parser, help_of, home_lang
 from planes.scene import Scene, load
 from planes.wording import PlanesError
@@ -47,7 +48,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = Parser(prog="planes", description=help_of("help_planes"))
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     solve = _command(commands, "solve", _solve, help_of("help_solve"))
-    _positions(solve)
+    add_positions(solve)
     solve.add_argument("--json", action="store_true", help=help_of("help_json"))
     solve.add_argument("--pencil", action="store_true", help=help_of("help_pencil"))
     solve.add_argument("--seed", type=int,  help=help_of("help_seed"))
@@ -57,7 +58,7 @@ def _parser() -> argparse.ArgumentParser:
     structure = _command(commands, "structure", _structure, help_of("help_structure"))
     structure.add_argument("--json", action="store_true", help=help_of("help_object"))
     sheet = _command(commands, "sheet", _sheet, help_of("help_sheet"))
-    _positions(sheet)
+    add_positions(sheet)
     sheet.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_output"))
     sheet.add_argument("--remedy", action="store_true", help=help_of("help_remedy"))
     sheet.add_argument("--text", choices=("text", "strokes"), help=help_of("help_dxf_text"))
@@ -67,10 +68,10 @@ def _parser() -> argparse.ArgumentParser:
     lesson = _command(commands, "lesson", _lesson, help_of("help_lesson"))
     lesson.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_lesson_output"))
     note = _command(commands, "note", _note, help_of("help_note"))
-    _positions(note)
+    add_positions(note)
     note.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_note_output"))
     cycle = _command(commands, "cycle", _cycle, help_of("help_cycle"))
-    _positions(cycle)
+    add_positions(cycle)
     add_cycle_options(cycle, help_of)
     chart = _command(commands, "chart", _chart, help_of("help_chart"))
     chart.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_chart_output"))
@@ -81,10 +82,10 @@ def _parser() -> argparse.ArgumentParser:
     crank.add_argument("--sheet", metavar="FILE", help=help_of("help_force_sheet"))
     crank.add_argument("--phi", type=float, metavar="A", help=help_of("help_sheet_phi"))
     check = _command(commands, "check", _check, help_of("help_check"))
-    _positions(check)
+    add_positions(check)
     add_check_options(check, help_of)
     blank = _command(commands, "blank", _blank, help_of("help_blank"))
-    _positions(blank)
+    add_positions(blank)
     add_blank_options(blank, help_of)
     course = commands.add_parser("course", help=help_of("help_course"), description=help_of("help_course"))
     add_course_options(course, help_of)
@@ -109,28 +110,6 @@ def _scene(args: argparse.Namespace) -> Scene:
     return scene
 
 
-def _positions(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--phi", metavar="A[:B:STEP]", help=help_of("help_phi"))
-    parser.add_argument("--s", metavar="A[:B:STEP]", help=help_of("help_s"))
-
-
-def _values(args: argparse.Namespace, scene: Scene) -> list[float] | None:
-    """The values of the drive asked for on the command line."""
-    kind, text = _range(args, scene)
-    return None if text is None else read_range(text, f"--{kind}")
-
-
-def _range(args: argparse.Namespace, scene: Scene) -> tuple[str, str | None]:
-    """The kind of the drive, and its values as they were written."""
-    kind = scene.mechanism.drive.kind if scene.mechanism else None
-    asked = {"phi": args.phi, "s": args.s}
-    for option, text in asked.items():
-        if text is not None and option != kind:
-            why = Phrase("driver_by", kind=kind) if kind else Phrase("no_driver")
-            raise PlanesError(Phrase("option_misfit", option=option, file=scene.file, why=why))
-    return kind or "", asked.get(kind or "")
-
-
 def _solve(args: argparse.Namespace) -> int:
     from planes.cli.solve import run
 
@@ -140,7 +119,7 @@ def _solve(args: argparse.Namespace) -> int:
         check_options(args, "solve", "folder")
         return survey(args, _json)
     scene = _scene(args)
-    values = _values(args, scene)
+    values = values_of(args, scene)
     check_options(args, "solve", "steps" if args.explain else "positions" if scene.mechanism else "vectors")
     check_needs(args, ["seed"])
     if (args.seed or 0) < 0:
@@ -172,33 +151,25 @@ def _structure(args: argparse.Namespace) -> int:
     return 0
 
 
-def _value(args: argparse.Namespace, scene: Scene) -> float | None:
-    """The one value of the drive asked for."""
-    values = _values(args, scene) or [None]
-    if len(values) > 1:
-        raise PlanesError(Phrase("one_value", count=len(values)))
-    return values[0]
-
-
 def _check(args: argparse.Namespace) -> int:
     from planes.cli.check import run
 
     scene = _scene(args)
-    return run(args, scene, _value(args, scene))
+    return run(args, scene, value_of(args, scene))
 
 
 def _blank(args: argparse.Namespace) -> int:
     from planes.cli.check import write_blank
 
     scene = _scene(args)
-    return write_blank(args, scene, _value(args, scene))
+    return write_blank(args, scene, value_of(args, scene))
 
 
 def _sheet(args: argparse.Namespace) -> int:
     from planes.roof import draw_sheet
 
     scene = _scene(args)
-    values = _values(args, scene)
+    values = values_of(args, scene)
     check_options(args, "sheet", "positions" if scene.mechanism else "vectors")
     if args.text and not args.output.lower().endswith(".dxf"):
         raise PlanesError(Phrase("text_dxf"))
@@ -223,7 +194,7 @@ def _note(args: argparse.Namespace) -> int:
     from planes.roof.lesson import write_note
 
     scene = _scene(args)
-    write_note(scene, _values(args, scene), args.output, args.lang)
+    write_note(scene, values_of(args, scene), args.output, args.lang)
     return 0
 
 
@@ -231,7 +202,7 @@ def _cycle(args: argparse.Namespace) -> int:
     from planes.cli.cycle import run
 
     scene = _scene(args)
-    kind, text = _range(args, scene)
+    kind, text = range_of(args, scene)
     return run(args, scene, None if text is None else read_span(text, f"--{kind}"), _json)
 
 

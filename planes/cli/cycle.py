@@ -84,8 +84,8 @@ def _names(args: argparse.Namespace) -> list[str] | None:
 def _picture(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
     from planes.roof.cycle import draw_cycle
 
-    names = (asked(getattr(args, option), f"--{option}") for option in ("show", "hodograph", "path"))
-    draw_cycle(scene, span, args.output, *names, args.lang)
+    show, loops, paths = (asked(getattr(args, option), f"--{option}") for option in ("show", "hodograph", "path"))
+    draw_cycle(scene, span, args.output, show, loops, paths, args.lang)
     return 0
 
 

@@ -44,7 +44,7 @@ def _letters(given: object, lang: Lang) -> dict[str, str]:
 
 def _revisions(given: object, lang: Lang) -> dict[str, str]:
     """Graphs 14–18, from the lowest row up."""
-    found = {}
+    found: dict[str, str] = {}
     for k, row in enumerate(given if isinstance(given, list) else ()):
         found |= {f"revision_{k + 1}_{column}": _text(text, lang) for column, text in row.items()}
     return found
