@@ -47,7 +47,8 @@ def read_span(text: str, option: str = "--phi") -> Span:
     try:
         numbers = [float(p.replace("−", "-")) for p in parts]
     except ValueError:
-        raise SceneError(Phrase("range_not_number", option=option, text=repr(text))) from None
+        hint = Phrase("decimal_no_comma") if "," in text else ""
+        raise SceneError(Phrase("range_not_number", option=option, text=repr(text), hint=hint)) from None
     if len(numbers) not in (1, 3) or not all(math.isfinite(n) for n in numbers):
         raise SceneError(Phrase("range_parts", option=option, text=repr(text)))
     if len(numbers) == 1:

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from planes.equations import Equation, Term
+from planes.mechanism import Law
 from planes.naming import POLE, at, mu_of, plan_of
 from planes.steps import Aim, Cross, CrossArc, CrossArcs, LayOff, Put, Similar, Step, Through, Turn
 from planes.steps.reckoning import Calculate, Drop, Measure, Product
@@ -61,6 +62,7 @@ class Draft:
         self.equations: list[Equation] = []
         self.moments: list[Moments] = []
         self.segments: list[Segment] = []
+        self.laws: dict[str, Law] = {}  # givens that hold where the drive stands in the file alone
         self.rays: dict[tuple[str, str, str], str] = {}  # (plan, label, label) -> direction
 
     def give(self, name: str, value: Any) -> str:
@@ -68,6 +70,11 @@ class Draft:
         while name in self.steps or self.given.setdefault(name, value) != value:
             name += "′"
         return name
+
+    def law(self, name: str, law: Law | None) -> None:
+        """Note that a given, or a direction, holds where the drive stands in the file alone."""
+        if law:
+            self.laws[name] = law
 
     def step(self, step: Step) -> str:
         """Add a step, unless it is there already; a direction or value named as another one is primed."""

@@ -4,20 +4,24 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 from planes.cycle import Cycle
 from planes.cycle.claims import Claims
-from planes.cycle.columns import Column, columns_of
+from planes.cycle.columns import Column, Ready, columns_of
 from planes.cycle.spread import Spread
 from planes.drafting import Segment
 from planes.instruments import Instrument, Pencil
 from planes.measuring import Quantity, Reader, catalogue
 from planes.naming import at, mu_of
 from planes.plans import Plans
+from planes.program import Program
 from planes.solving import Position, Solved, plans_of
+from planes.vectors import PLAN, VectorResults
 
 Bounds = Mapping[str, float]
+_PARTS = ("x", "y", "size")
 
 
 class Errors:
@@ -32,8 +36,7 @@ class Errors:
         columns = {c.name: c for found in self.quantities.values() for c in found}
         columns |= {name: _length(name, s) for name, s in self.segments.items()}
         self.cycle = Cycle(plans, known=position.scales, columns=columns.values())
-        self.ruler_mm = by.ruler_mm / math.sqrt(12.0) if isinstance(by, Pencil) else 0.0
-        self.claims: Any = Spread(self.cycle, by, {}) if isinstance(by, Pencil) else Claims(self.cycle)
+        self.ruler_mm, self.claims = _ruler_mm(by), _claims(self.cycle, by)
 
     def of(self, position: Position) -> dict[str, Any]:
         """The ± of a position's results, in the same nested shape (None: nothing can be claimed)."""
@@ -55,8 +58,7 @@ class Errors:
         """± of segments, in mm and in SI; what is read with a ruler is off by its rounding too."""
         mu, found = position.scales[mu_of(plan)], {}
         for key in drawn["segments"]:
-            mm = math.hypot(bounds[f"{plan}:{key}"] * mu, self.ruler_mm)
-            found[key] = {"mm": _finite(mm), "value": _finite(mm / mu)}
+            found[key] = _measured(bounds[f"{plan}:{key}"], mu, self.ruler_mm)
         return found
 
 
@@ -73,6 +75,47 @@ def add_errors(solved: Solved, instrument: Instrument | None = None) -> None:
             for key, error in segments["segments"].items():
                 if error["mm"] is not None:
                     position.results["plans"][plan]["segments"][key]["error_mm"] = error["mm"]
+
+
+@dataclass
+class Still:
+    """A program that is drawn as it stands: nothing of it moves."""
+
+    program: Program
+    given: dict[str, Any]
+    columns: list[Column]
+    folded: dict[str, float]
+
+    def moving(self, values: Any, start: int = 0) -> dict[str, Any]:
+        """Nothing."""
+        return {}
+
+
+def vector_errors(results: VectorResults, instrument: Instrument | None = None) -> VectorResults:
+    """A drawn scene of vectors with its ± beside: of the ends of vectors, and of their segments."""
+    columns = [Column(f"{n}_{part}", "", "", *span, part) for n, span in results.spans.items() for part in _PARTS]
+    claims = _claims(Still(results.drawing.program, results.given, columns, {}), instrument)
+    bounds = dict(zip((c.name for c in columns), map(float, claims.bounds([0.0])[:, 0]), strict=True))
+    ruler = _ruler_mm(instrument)
+    vectors = {n: [_finite(bounds[f"{n}_{part}"]) for part in "xy"] for n in results.spans}
+    segments = {n: _measured(bounds[f"{n}_size"], results.mu, ruler) for n in results.spans}
+    return replace(results, errors={"vectors": vectors, "plans": {PLAN: {"segments": segments}}})
+
+
+def _claims(ready: Ready, by: Instrument | None) -> Any:
+    """What tells the ± of the columns drawn by this instrument."""
+    return Spread(ready, by, {}) if isinstance(by, Pencil) else Claims(ready)
+
+
+def _ruler_mm(by: Instrument | None) -> float:
+    """What reading a ruler adds."""
+    return by.ruler_mm / math.sqrt(12.0) if isinstance(by, Pencil) else 0.0
+
+
+def _measured(bound: float, mu: float, ruler_mm: float) -> dict[str, float | None]:
+    """± of a segment, in mm and in its unit."""
+    mm = math.hypot(bound * mu, ruler_mm)
+    return {"mm": _finite(mm), "value": _finite(mm / mu)}
 
 
 def _length(name: str, s: Segment) -> Column:

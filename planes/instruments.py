@@ -16,6 +16,8 @@ from planes.tools import Tool
 from planes.wording import PlanFailure
 from planes.words import Told
 
+PENCILS = 200  # how many draughtsmen draw a plan to see how far apart they end
+
 
 class Instrument(Protocol):
     """What draws: makes a fresh tool for one drawing, or for arrays of ``many``."""

@@ -101,6 +101,15 @@ class Assembly:
 
 
 @dataclass(frozen=True)
+class Law:
+    """A number of the file, by its path, that shares ``parameter`` with the drive's place and so holds there alone."""
+
+    path: tuple[str, ...]
+    parameter: str
+    line: int
+
+
+@dataclass(frozen=True)
 class Mechanism:
     """A planar lever mechanism of one drive. ``links`` holds the moving links in the order of the file."""
 
@@ -112,6 +121,7 @@ class Mechanism:
     friction: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
     assembly: Mapping[str, Assembly] = field(default_factory=lambda: MappingProxyType({}))
     where: Where = field(default_factory=lambda: MappingProxyType({}), compare=False)
+    laws: Mapping[tuple[str, ...], Law] = field(default_factory=lambda: MappingProxyType({}))
 
     def link(self, name: str) -> Link:
         """The link of that name, the frame included."""

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from planes.drawing import Drawing, run
-from planes.instruments import Instrument, Pencil
+from planes.instruments import PENCILS, Instrument, Pencil
 from planes.measuring import Quantity, Reader, asked
 from planes.nearest import nearest
 from planes.plans import Plans, sliced, state
@@ -19,7 +19,6 @@ from planes.wording import PlanFailure, SceneError
 from planes.words import Lang, Phrase, say
 
 TOLD = 20  # for how many failed positions the nearest working one is looked for
-PENCILS = 200  # how many draughtsmen draw a plan to see how far apart they end
 
 
 @dataclass(frozen=True)
@@ -42,15 +41,17 @@ class Solved:
     values: list[float] = field(default_factory=list)
     positions: list[Position] = field(default_factory=list)
     failed: list[dict[str, Any]] = field(default_factory=list)
+    lang: Lang = "en"
 
     def json(self) -> dict[str, Any]:
         """The object ``planes solve --json`` prints."""
+        doubts = [doubt.told(self.lang) for doubt in self.scene.doubts]
         return {
             "planes": 1,
             "scene": Path(self.scene.file).name,
             "variant": self.scene.variant,
             "structure": structure_json(self.plans.structure),
-            "positions": [p.results for p in self.positions],
+            "positions": [{**p.results, "warnings": doubts + p.results["warnings"]} for p in self.positions],
             "failed": self.failed,
         }
 
@@ -78,7 +79,7 @@ def solve(
     """Draw and measure every asked position. :class:`SceneError` where the scene itself cannot be meant."""
     plans, wanted = plans_of(scene)
     drive = plans.mechanism.drive
-    solved = Solved(scene, plans, [drive.position] if values is None else list(values))
+    solved = Solved(scene, plans, [drive.position] if values is None else list(values), lang=lang)
     for value in solved.values:
         try:
             solved.positions.append(position(scene, plans, wanted, value, instrument, lang))
@@ -110,7 +111,7 @@ def position(
     fit_mm: Mapping[str, float] = FIT_MM,
 ) -> Position:  # fmt: skip
     """One position drawn at its scales (an open μ: the largest with which the plan fits ``fit_mm``) and measured."""
-    moved = {plans.drive_given: value}
+    moved = plans.at(value)
     mus = scales(plans, scene.mu, moved, fit_mm)
     given = {**plans.given, **mus, **moved}
     drawing = run(plans.program, given, instrument)

@@ -76,7 +76,7 @@ def lines_of(task: tuple[str, Lang, str | None]) -> tuple[Line, ...]:
 
 def _line(scene: Scene, name: str, variant: str, lang: Lang) -> Line:
     """One variant solved."""
-    missing = tuple(text for text in (scene.missing.get(lang, ""),) if text)
+    missing = tuple(text for text in (scene.missing.get(lang, ""), *(d.told(lang) for d in scene.doubts)) if text)
     if scene.mechanism is None:
         solve_vectors(scene)
         return Line(name, variant, "", True, remarks=missing)

@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterable
 from typing import Any
 
+from planes.drawing import Drawing
 from planes.measuring import say_plan
 from planes.self_aligning import Aligned
 from planes.solving import Solved, key_of
@@ -33,9 +34,8 @@ def report(solved: Solved, lang: Lang = "en") -> str:
     lines = [solved.scene.title.get(lang, ""), f"W = {s.W}, q = {s.q}, {s.formula}"]
     for p in solved.positions:
         lines += _position(p.results, key_of(solved.plans), lang)
-    if any("errors" in p.results for p in solved.positions):
-        pencil = solved.positions[0].drawing.hand.doubt_mm > 0
-        lines += ["", say("errors_pencil" if pencil else "errors_bound", lang)]
+    if some := next((p for p in solved.positions if "errors" in p.results), None):
+        lines += errors_told(True, some.drawing, lang)
     return "\n".join(line for i, line in enumerate(lines) if line or i) + "\n"
 
 
@@ -225,8 +225,19 @@ def alignment_report(found: Aligned, lang: Lang = "en") -> str:
 
 def vector_report(results: VectorResults, lang: Lang = "en") -> str:
     """The vectors of a scene without a mechanism."""
-    unit = UNIT[results.scene.quantity or "velocity"]
-    rows = [[n, *_vector([v.real, v.imag]), f"{abs(v) * results.mu:.2f}"] for n, v in results.vectors().items()]
-    mu = say_mu(mu_text(results.mu, results.scene.quantity or "velocity"), lang)
-    lines = table(f"μ = {mu}", ["", say(unit, lang), "∠°", say("mm", lang)], rows)
+    e, found = results.errors, results.vectors()
+    most = max(map(abs, found.values()))
+    rows = []
+    for n, v in found.items():
+        read, angle = results.segment(n), _vector([v.real, v.imag], most)[1]
+        mm = [f"{read['mm']:.2f}", *error_of(e, "plans", "vectors", "segments", n, "mm")]
+        rows.append([n, _number(read["value"], most), angle, *error_of(e, "vectors", n), *mm])
+    head = ["", say(UNIT[results.quantity], lang), "∠°", *pm(e), say("mm", lang), *pm(e)]
+    lines = table(f"μ = {mu_text(results.mu, results.quantity, lang)}", head, rows)
+    lines += [f"! {warning}" for warning in results.warnings(lang)] + errors_told(e, results.drawing, lang)
     return "\n".join([results.scene.title.get(lang, ""), *lines[1:]]).lstrip("\n")
+
+
+def errors_told(errors: object, drawing: Drawing, lang: Lang) -> list[str]:
+    """What the ± are, where there are any."""
+    return ["", say("errors_pencil" if drawing.hand.doubt_mm > 0 else "errors_bound", lang)] if errors else []

@@ -22,12 +22,12 @@ PLANS = ("position", "velocity", "acceleration", "force")
 
 SERIES = (1.0, 2.0, 2.5, 4.0, 5.0)
 
-UNIT = {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "force": "N"}
+UNIT = {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "force": "N", "vectors": "units"}
 _SIZES = {"m": 1.0, "mm": 0.001, "cm": 0.01, "km": 1000.0, "N": 1.0, "kN": 1000.0, "MN": 1e6}
 _LENGTHS = ("m", "mm", "cm", "km")
 _PER_MM = {
-    "en": {"position": "m", "velocity": "(m/s)", "acceleration": "(m/s²)", "force": "N"},
-    "ru": {"position": "м", "velocity": "(м·с⁻¹)", "acceleration": "(м·с⁻²)", "force": "Н"},
+    "en": {"position": "m", "velocity": "(m/s)", "acceleration": "(m/s²)", "force": "N", "vectors": "unit"},
+    "ru": {"position": "м", "velocity": "(м·с⁻¹)", "acceleration": "(м·с⁻²)", "force": "Н", "vectors": "ед."},
 }
 _MM = {"en": "mm", "ru": "мм"}
 _REDUCED = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0, 15.0, 20.0, 25.0, 40.0, 50.0, 75.0, 100.0, 200.0, 400.0, 500.0,

@@ -3,11 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from difflib import get_close_matches
 from itertools import islice
 
 from planes.mark_names import latin
 from planes.words import Lang, Phrase, Told
+
+_GREEK = {"α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "epsilon", "θ": "theta", "λ": "lambda",
+          "μ": "mu", "ρ": "rho", "τ": "tau", "φ": "phi", "ψ": "psi", "ω": "omega"}
+_MEANT = {"название": "title", "заголовок": "title", "примечание": "note", "параметры": "parameters",
+          "варианты": "variants", "стойка": "frame", "звенья": "links", "звено": "link", "сборка": "assembly",
+          "привод": "drive", "ведущее": "drive", "нагрузки": "loads", "нагрузка": "loads", "силы": "loads",
+          "сила": "force", "момент": "moment", "трение": "friction", "планы": "plans", "масштаб": "mu",
+          "найти": "find", "лист": "sheet", "векторы": "vectors", "уравнения": "equations", "точки": "points",
+          "точка": "point", "направляющие": "guides", "скользит": "slides", "масса": "mass", "инерция": "inertia",
+          "центр": "centre", "угол": "angle", "направление": "direction", "гравитация": "gravity"}
+"""Keys of a scene by the Russian words for them."""
 
 
 class PlanesError(Exception):
@@ -39,6 +51,19 @@ class SceneError(PlanesError, ValueError):
     def sentence(self) -> str:
         """The English sentence without the place."""
         return str(self.phrase)
+
+
+@dataclass(frozen=True)
+class Doubt:
+    """Something a scene says that can be meant, but hardly is: a warning with its place."""
+
+    phrase: Phrase
+    file: str
+    line: int
+
+    def told(self, lang: Lang = "en") -> str:
+        """The place and the sentence in a language."""
+        return f"{self.file}:{self.line}: {self.phrase.told(lang)}"
 
 
 class StructureError(SceneError):
@@ -81,10 +106,18 @@ def valid_names(given: str, names: list[str] | tuple[str, ...], what: str = "val
 def _near(given: str, names: Iterable[str], cutoff: float) -> Told:
     """Words with the name that is meant, if one is near, or looks the same in other letters."""
     known = list(names)
+    meant = _MEANT.get(given.casefold(), _spelled(given))
+    if same := next((name for name in known if _spelled(name) == meant), None):
+        return Phrase("near_name", name=same)
     if alike := next((name for name in known if latin(name) == latin(given)), None):
         return Phrase("near_alike", name=alike)
     found = get_close_matches(given, known, n=1, cutoff=cutoff)
     return Phrase("near_name", name=found[0]) if found else ""
+
+
+def _spelled(name: str) -> str:
+    """The name with Greek letters spelled: phi_1 for φ_1."""
+    return "".join(_GREEK.get(letter, letter) for letter in name)
 
 
 def shown(text: str, limit: int = 60) -> str:

@@ -103,11 +103,12 @@ def test_what_may_be_left_out():
 
 def test_words_and_sheet():
     scene = loads(changed("frame:\n", "frame:\n  number: 6\n", SIX_LINK) + "note: {en: Hello}\n"
-                  "sheet: {group: 01-21, number: 007, font: ISOCPEUR, positions: [0, 30], "
-                  "reactions: from-on, views: {plan: 1e1}}\n")
+                  "sheet: {group: 01-21, number: 007, font: ISOCPEUR, positions: 12, mass: 1e1, format: а3, "
+                  "reactions: from-on, letter: [У, 2], revisions: [{sign: Я}, [1, 2]]}\n")
     assert scene.frame_number == "6" and scene.note == {"ru": "Hello", "en": "Hello"}
-    assert scene.sheet == {"group": "01-21", "number": "007", "font": "ISOCPEUR", "positions": [0.0, 30.0],
-                           "reactions": "from-on", "views": {"plan": 10.0}}
+    assert scene.sheet == {"group": "01-21", "number": "007", "font": "ISOCPEUR", "positions": True,
+                           "mass": 10.0, "format": "A3", "reactions": "from-on", "letter": ["У", "2"],
+                           "revisions": [{"sign": "Я"}, {"change": "1", "sheet": "2"}]}
     titled = changed("title: Шестизвенный рычажный механизм", "title: {ru: а, en: b}")
     assert loads(titled).title == {"ru": "а", "en": "b"}
 

@@ -108,7 +108,7 @@ BAD = [
     ("  3: {points", "\t3: {points", "tab", 13), ("find: [v_C", "vectors: [v_C", "not both", 28),
     ("find: [v_C, a_H, omega_2, F_21, M_1]", "mu: 2 mm/m", "under plans", 28),
     ("find: [v_C, a_H, omega_2, F_21, M_1]", "sheet: {studnet: I}", "did you mean student?", 28),
-    ("find: [v_C, a_H, omega_2, F_21, M_1]", "sheet: {lang: de}", "valid: ru, en", 28),
+    ("find: [v_C, a_H, omega_2, F_21, M_1]", "sheet: {lang: de}", "sheet has no key \"lang\"", 28),
     ("{A: 0, B", "{" + "A" * 41 + ": 0, B", "longer than 40", 10),
     ("C: l_BC", "C: hypot(l_BC, 1)", "needs quotes", 11),
     ("find: [v_C, a_H, omega_2, F_21, M_1]", "note: a\ntext: b", "both note", 29),

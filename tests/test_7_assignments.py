@@ -32,7 +32,8 @@ CLOSE = 1e-9
 
 # What the command ``planes solve samples/assignments --lang en`` lists, in all six variants; the rest is in full.
 NO_TURN = "the driver 1 makes no full turn: the mechanism does not assemble from 224.4° to 315.6°"
-EXCEPTIONS = {28: "links 4 and 5: the table gives them neither lengths nor coordinates", 66: NO_TURN, 68: NO_TURN}
+EXCEPTIONS = {28: "links 4 and 5: the table gives them neither lengths nor coordinates",
+              29: "the table gives no mass m_4", 66: NO_TURN, 68: NO_TURN}
 
 # Kinds of the groups of links 2, 3 and 4, 5: 1 RRR, 2 RRP, 3 RPR, 4 PRP, 5 RPP.
 GROUPS = {

@@ -58,7 +58,7 @@ def prepare(asked: Asked) -> Bench:
     known = known_plans(plans)
     if asked.plan not in known:
         raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=valid_names(asked.plan, known)))
-    moved = {} if asked.value is None else {plans.drive_given: asked.value}
+    moved = {} if asked.value is None else plans.at(asked.value)
     given = {**plans.given, **scales(plans, asked.scene.mu, moved), **moved}
     if asked.mu:
         given[mu_of(asked.plan)] = asked.mu

@@ -11,8 +11,10 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import Any
 
-from planes.angles import read_range, read_span
+from planes.angles import read_span
+from planes.cli.idle import check_needs, check_options
 from planes.cli.options import add_blank_options, add_check_options, add_course_options, add_cycle_options
+from planes.cli.positions import add_positions, range_of, value_of, values_of
 from planes.home import Parser, help_of, home_lang
 from planes.scene import Scene, load
 from planes.wording import PlanesError
@@ -54,30 +56,30 @@ def _parser() -> argparse.ArgumentParser:
     parser = Parser(prog="planes", description=help_of("help_planes"))
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     solve = _command(commands, "solve", _solve, help_of("help_solve"))
-    _positions(solve)
+    add_positions(solve)
     solve.add_argument("--json", action="store_true", help=help_of("help_json"))
     solve.add_argument("--pencil", action="store_true", help=help_of("help_pencil"))
-    solve.add_argument("--seed", type=int, default=1, help=help_of("help_seed"))
+    solve.add_argument("--seed", type=int,  help=help_of("help_seed"))
     solve.add_argument("--explain", action="store_true", help=help_of("help_explain"))
     solve.add_argument("--errors", action="store_true", help=help_of("help_errors"))
     solve.add_argument("--remedy", action="store_true", help=help_of("help_remedy"))
     structure = _command(commands, "structure", _structure, help_of("help_structure"))
     structure.add_argument("--json", action="store_true", help=help_of("help_object"))
     sheet = _command(commands, "sheet", _sheet, help_of("help_sheet"))
-    _positions(sheet)
+    add_positions(sheet)
     sheet.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_output"))
     sheet.add_argument("--remedy", action="store_true", help=help_of("help_remedy"))
-    sheet.add_argument("--text", choices=("text", "strokes"), default="text", help=help_of("help_dxf_text"))
+    sheet.add_argument("--text", choices=("text", "strokes"), help=help_of("help_dxf_text"))
     part = sheet.add_mutually_exclusive_group()
     part.add_argument("--sheet", type=int, choices=(1, 2), help=help_of("help_sheet_number"))
     part.add_argument("--view", metavar="NAME", help=help_of("help_view"))
     lesson = _command(commands, "lesson", _lesson, help_of("help_lesson"))
     lesson.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_lesson_output"))
     note = _command(commands, "note", _note, help_of("help_note"))
-    _positions(note)
+    add_positions(note)
     note.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_note_output"))
     cycle = _command(commands, "cycle", _cycle, help_of("help_cycle"))
-    _positions(cycle)
+    add_positions(cycle)
     add_cycle_options(cycle, help_of)
     chart = _command(commands, "chart", _chart, help_of("help_chart"))
     chart.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_chart_output"))
@@ -88,10 +90,10 @@ def _parser() -> argparse.ArgumentParser:
     crank.add_argument("--sheet", metavar="FILE", help=help_of("help_force_sheet"))
     crank.add_argument("--phi", type=float, metavar="A", help=help_of("help_sheet_phi"))
     check = _command(commands, "check", _check, help_of("help_check"))
-    _positions(check)
+    add_positions(check)
     add_check_options(check, help_of)
     blank = _command(commands, "blank", _blank, help_of("help_blank"))
-    _positions(blank)
+    add_positions(blank)
     add_blank_options(blank, help_of)
     course = commands.add_parser("course", help=help_of("help_course"), description=help_of("help_course"))
     add_course_options(course, help_of)
@@ -108,26 +110,12 @@ def _command(commands: Any, name: str, run: Callable[[argparse.Namespace], int],
     return parser
 
 
-def _positions(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--phi", metavar="A[:B:STEP]", help=help_of("help_phi"))
-    parser.add_argument("--s", metavar="A[:B:STEP]", help=help_of("help_s"))
-
-
-def _values(args: argparse.Namespace, scene: Scene) -> list[float] | None:
-    """The values of the drive asked for on the command line."""
-    kind, text = _range(args, scene)
-    return None if text is None else read_range(text, f"--{kind}")
-
-
-def _range(args: argparse.Namespace, scene: Scene) -> tuple[str, str | None]:
-    """The kind of the drive, and its values as they were written."""
-    kind = scene.mechanism.drive.kind if scene.mechanism else None
-    asked = {"phi": args.phi, "s": args.s}
-    for option, text in asked.items():
-        if text is not None and option != kind:
-            why = Phrase("driver_by", kind=kind) if kind else Phrase("no_driver")
-            raise PlanesError(Phrase("option_misfit", option=option, file=scene.file, why=why))
-    return kind or "", asked.get(kind or "")
+def _scene(args: argparse.Namespace) -> Scene:
+    """The scene asked for; what is doubtful in it goes to stderr."""
+    scene = load(args.scene, args.variant)
+    for doubt in scene.doubts:
+        print(doubt.told(args.lang), file=sys.stderr)
+    return scene
 
 
 def _solve(args: argparse.Namespace) -> int:
@@ -136,21 +124,15 @@ def _solve(args: argparse.Namespace) -> int:
     if os.path.isdir(args.scene):
         from planes.cli.survey import run as survey
 
+        check_options(args, "solve", "folder")
         return survey(args, _json)
-    scene = load(args.scene, args.variant)
-    values = _values(args, scene)
-    if scene.mechanism is None:
-        return _solve_vectors(args, scene)
+    scene = _scene(args)
+    values = values_of(args, scene)
+    check_options(args, "solve", "steps" if args.explain else "positions" if scene.mechanism else "vectors")
+    check_needs(args, ["seed"])
+    if (args.seed or 0) < 0:
+        raise PlanesError(Phrase("seed_negative", seed=args.seed))
     return run(args, scene, values, _json)
-
-
-def _solve_vectors(args: argparse.Namespace, scene: Scene) -> int:
-    from planes.tables import vector_report
-    from planes.vectors import solve_vectors
-
-    results = solve_vectors(scene)
-    print(_json(results.json()) if args.json else vector_report(results, args.lang))
-    return 0
 
 
 def _structure(args: argparse.Namespace) -> int:
@@ -160,7 +142,7 @@ def _structure(args: argparse.Namespace) -> int:
     from planes.structure import analyse
     from planes.tables import alignment_report, structure_report
 
-    scene = load(args.scene, args.variant)
+    scene = _scene(args)
     if scene.mechanism is None:
         raise PlanesError(Phrase("no_structure", file=args.scene))
     found = analyse(scene.mechanism, scene.file)
@@ -180,30 +162,31 @@ def _structure(args: argparse.Namespace) -> int:
 def _check(args: argparse.Namespace) -> int:
     from planes.cli.check import run
 
-    scene = load(args.scene, args.variant)
-    values = _values(args, scene)
-    return run(args, scene, values[0] if values else None)
+    scene = _scene(args)
+    return run(args, scene, value_of(args, scene))
 
 
 def _blank(args: argparse.Namespace) -> int:
     from planes.cli.check import write_blank
 
-    scene = load(args.scene, args.variant)
-    values = _values(args, scene)
-    return write_blank(args, scene, values[0] if values else None)
+    scene = _scene(args)
+    return write_blank(args, scene, value_of(args, scene))
 
 
 def _sheet(args: argparse.Namespace) -> int:
     from planes.roof import draw_sheet
 
-    scene = load(args.scene, args.variant)
-    values = _values(args, scene)
-    if args.remedy and scene.mechanism:
+    scene = _scene(args)
+    values = values_of(args, scene)
+    check_options(args, "sheet", "positions" if scene.mechanism else "vectors")
+    if args.text and not args.output.lower().endswith(".dxf"):
+        raise PlanesError(Phrase("text_dxf"))
+    if args.remedy:
         from planes.remedies import for_sheet
 
         scene, values, said = for_sheet(scene, values, args.lang)
         print(*said, sep="\n", end="\n" if said else "", file=sys.stderr)
-    for sentence in draw_sheet(scene, values, args.output, args.lang, args.sheet, args.view, args.text):
+    for sentence in draw_sheet(scene, values, args.output, args.lang, args.sheet, args.view, args.text or "text"):
         print(sentence, file=sys.stderr)
     return 0
 
@@ -211,23 +194,23 @@ def _sheet(args: argparse.Namespace) -> int:
 def _lesson(args: argparse.Namespace) -> int:
     from planes.roof.lesson import write_lesson
 
-    write_lesson(load(args.scene, args.variant), args.output, args.lang)
+    write_lesson(_scene(args), args.output, args.lang)
     return 0
 
 
 def _note(args: argparse.Namespace) -> int:
     from planes.roof.lesson import write_note
 
-    scene = load(args.scene, args.variant)
-    write_note(scene, _values(args, scene), args.output, args.lang)
+    scene = _scene(args)
+    write_note(scene, values_of(args, scene), args.output, args.lang)
     return 0
 
 
 def _cycle(args: argparse.Namespace) -> int:
     from planes.cli.cycle import run
 
-    scene = load(args.scene, args.variant)
-    kind, text = _range(args, scene)
+    scene = _scene(args)
+    kind, text = range_of(args, scene)
     return run(args, scene, None if text is None else read_span(text, f"--{kind}"), _json)
 
 
@@ -240,11 +223,12 @@ def _course(args: argparse.Namespace) -> int:
 def _chart(args: argparse.Namespace) -> int:
     from planes.roof.charts import draw_chart
 
-    draw_chart(load(args.scene, args.variant), args.output, args.table, args.lang)
+    draw_chart(_scene(args), args.output, args.table, args.lang)
     return 0
 
 
 def _crank_slider(args: argparse.Namespace) -> int:
     from planes.roof.crank_slider import run
 
-    return run(load(args.scene, args.variant), args, args.lang)
+    check_needs(args, ["phi"])
+    return run(_scene(args), args, args.lang)

@@ -15,6 +15,7 @@ from planes.check.report import heads, numbers_of, rows_of
 from planes.check.verdict import STATUS, Outcome, check
 from planes.check.verdict_rows import as_json
 from planes.cli.classes import check_class
+from planes.cli.idle import check_options
 from planes.scales import kind_of
 from planes.scene import Scene
 from planes.tables import table
@@ -26,11 +27,12 @@ LINES = (".svg", ".dxf")
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
 TABLES = (".csv", ".json", ".txt", ".tsv")
 MOST_SHOWN = 2000  # lines of a drawing shown in its report
-_PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?[\d.]+)\s*[,;]\s*([-+]?[\d.]+)\s*")
+_PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?{0})\s*[,;]\s*([-+]?{0})\s*".format(r"(?:\d+\.?\d*|\.\d+)"))
 
 
 def run(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
     """Check, print, and give the exit status: 0 right, 1 wrong, 2 unreadable."""
+    check_options(args, "check", _answer(args))
     asked = ask(args, scene, value)
     if args.trace:
         return _trace(args, asked)
@@ -48,6 +50,17 @@ def run(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
     else:
         print(told(found, args.lang))
     return STATUS[found.verdict]
+
+
+def _answer(args: argparse.Namespace) -> str:
+    """Which of the answers is asked for, by what has to be read."""
+    files = [Path(args.drawing or ""), *(Path(pair.partition("=")[2]) for pair in args.others)]
+    suffixes = {file.suffix.lower() for file in files}
+    if args.trace:
+        return "trace"
+    if (args.drawing and files[0].is_dir()) or suffixes & {*PICTURES}:
+        return "photograph"
+    return "lines" if suffixes & {*LINES} else "numbers"
 
 
 def _trace(args: argparse.Namespace, asked: Asked) -> int:
@@ -69,7 +82,7 @@ def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:
     for pair in args.others:
         name, _, file = pair.partition("=")
         if not file:
-            raise PlanesError(Phrase("check_option", option="--with", text=pair, form="velocity=FILE"))
+            raise PlanesError(Phrase("check_option", option="--with", text=pair, form="velocity=FILE", hint=""))
         others[name] = read_paper(file, asked, args)
     skill = HAND
     if args.work == "cad":
@@ -138,7 +151,8 @@ def place(text: str, option: str) -> tuple[str, complex]:
     """NAME=X,Y or X,Y of the command line."""
     match = _PLACE.fullmatch(text)
     if not match:
-        raise PlanesError(Phrase("check_option", option=option, text=text, form="X,Y"))
+        hint = Phrase("decimal_no_comma") if text.count(",") > 1 else ""
+        raise PlanesError(Phrase("check_option", option=option, text=text, form="X,Y", hint=hint))
     return (match[1] or "").strip(), complex(float(match[2]), float(match[3]))
 
 

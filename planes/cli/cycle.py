@@ -10,6 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from planes.angles import Span
+from planes.cli.idle import check_needs, check_options
 from planes.scene import Scene
 from planes.wording import PlanesError
 from planes.words import Phrase
@@ -23,20 +24,30 @@ def run(args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Call
     if scene.mechanism is None:
         raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
     scene = driven_otherwise(scene, args.omega, args.epsilon)
-    if args.errors and (args.show or not args.output or Path(args.output).suffix.lower() in PICTURES):
-        raise PlanesError(Phrase("cycle_errors_table"))
-    if args.output and Path(args.output).suffix.lower() not in PICTURES:
-        return _table(args, scene, span)
-    if args.output:
-        from planes.roof.cycle import draw_cycle
-
-        draw_cycle(scene, span, args.output, asked(args.show), asked(args.hodograph), asked(args.path), args.lang)
-        return 0
-    if args.graphical is not None:
-        return _graphical(args, scene, as_json)
-    if args.listing or (span is not None and span.count == 1):
-        return _listing(args, scene, span, as_json)
+    answer = _answer(args, span)
+    check_options(args, "cycle", answer)
+    check_needs(args, ["pole"])
+    match answer:
+        case "table" | "curves":
+            return _table(args, scene, span)
+        case "picture":
+            return _picture(args, scene, span)
+        case "graphical" | "graphical_picture":
+            return _graphical(args, scene, as_json)
+        case "listing":
+            return _listing(args, scene, span, as_json)
     return _summary(args, scene, span, as_json)
+
+
+def _answer(args: argparse.Namespace, span: Span | None) -> str:
+    """Which of the answers is asked for."""
+    if args.output and Path(args.output).suffix.lower() not in PICTURES:
+        return "curves" if args.show is not None else "table"
+    if args.graphical is not None:
+        return "graphical_picture" if args.output else "graphical"
+    if args.output:
+        return "picture"
+    return "listing" if args.listing or (span is not None and span.count == 1) else "summary"
 
 
 def driven_otherwise(scene: Scene, velocity: float | None, acceleration: float | None) -> Scene:
@@ -49,18 +60,33 @@ def driven_otherwise(scene: Scene, velocity: float | None, acceleration: float |
     drive = mechanism.drive
     v = drive.velocity if velocity is None else velocity
     a = drive.acceleration if acceleration is None else acceleration
-    return replace(scene, mechanism=replace(mechanism, drive=replace(drive, velocity=v, acceleration=a)))
+    given = {key for key, rate in (("omega", velocity), ("velocity", velocity), ("epsilon", acceleration),
+                                   ("acceleration", acceleration)) if rate is not None}  # fmt: skip
+    laws = {path: law for path, law in mechanism.laws.items() if path[0] != "drive" or path[1] not in given}
+    moved = replace(mechanism, drive=replace(drive, velocity=v, acceleration=a), laws=laws)
+    return replace(scene, mechanism=moved)
 
 
-def asked(text: str | None) -> list[str] | None:
+def asked(text: str | None, option: str) -> list[str] | None:
     """Names with commas between them."""
-    return None if text is None else [name.strip() for name in text.split(",") if name.strip()]
+    names = None if text is None else [name.strip() for name in text.split(",") if name.strip()]
+    if names == []:
+        raise PlanesError(Phrase("option_names", option=option))
+    return names
 
 
 def _names(args: argparse.Namespace) -> list[str] | None:
     """The curves asked for one by one; None: all."""
-    names = asked(args.show)
+    names = asked(args.show, "--show")
     return None if names is None or names == ["all"] else [n for name in names for n in name.split("+")]
+
+
+def _picture(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
+    from planes.roof.cycle import draw_cycle
+
+    show, loops, paths = (asked(getattr(args, option), f"--{option}") for option in ("show", "hodograph", "path"))
+    draw_cycle(scene, span, args.output, show, loops, paths, args.lang)
+    return 0
 
 
 def _table(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
@@ -126,6 +152,11 @@ def _graphical(args: argparse.Namespace, scene: Scene, as_json: Callable[[object
     from planes.diagrams.graphical_text import report
     from planes.diagrams.motion import constructed
 
+    if args.output:
+        from planes.roof import draw_constructions
+
+        draw_constructions(scene, args.graphical, args.pole, args.output, args.lang)
+        return 0
     found = constructed(scene, args.graphical, args.pole)
     print(as_json(plain(found)) if args.json else report(found, args.lang).rstrip())
     return 0

@@ -16,7 +16,7 @@ def add_check_options(parser: argparse.ArgumentParser, told: Callable[[str], str
     parser.add_argument("--pole", metavar="X,Y", help=told("help_pole"))
     parser.add_argument("--mark", action="append", default=[], metavar="NAME=X,Y", help=told("help_mark"))
     parser.add_argument("--format", choices=("A4", "A3", "A2", "A1"), help=told("help_picture_format"))
-    parser.add_argument("--work", choices=("hand", "cad"), default="hand", help=told("help_work"))
+    parser.add_argument("--work", choices=("hand", "cad"), help=told("help_work"))
     parser.add_argument("--trace", action="store_true", help=told("help_trace"))
     parser.add_argument("-o", "--output", metavar="FILE", help=told("help_check_output"))
     parser.add_argument("--json", action="store_true", help=told("help_json"))
@@ -49,6 +49,7 @@ def add_course_options(parser: argparse.ArgumentParser, told: Callable[[str], st
     """What ``planes course`` takes."""
     parser.add_argument("folder", metavar="DIR", help=told("help_course_folder"))
     parser.add_argument("-o", "--output", metavar="FOLDER", help=told("help_course_output"))
-    parser.add_argument("--jobs", type=int, metavar="N", help=told("help_jobs"))
-    parser.add_argument("--scheduler", metavar="ADDRESS", help=told("help_scheduler"))
+    workers = parser.add_mutually_exclusive_group()
+    workers.add_argument("--jobs", type=int, metavar="N", help=told("help_jobs"))
+    workers.add_argument("--scheduler", metavar="ADDRESS", help=told("help_scheduler"))
     parser.add_argument("--lang", choices=("ru", "en"), help=told("help_lang"))

@@ -8,16 +8,10 @@ from collections.abc import Callable
 from planes.course.crowd import crowd
 from planes.roof.lesson import bar
 from planes.survey import lines_of, report, scenes_of
-from planes.wording import PlanesError
-from planes.words import Phrase
-
-_SINGLE = ("phi", "s", "pencil", "explain", "errors", "remedy")  # options of one scene
 
 
 def run(args: argparse.Namespace, as_json: Callable[[object], str]) -> int:
     """Solve, print; exit status 0 if everything is solved and its balancing loads agree, else 1."""
-    if wrong := next((o for o in _SINGLE if getattr(args, o) not in (None, False)), None):
-        raise PlanesError(Phrase("survey_option", option=wrong, folder=args.scene))
     tasks = [(str(path), args.lang, args.variant) for path in scenes_of(args.scene)]
     found = {}
     with crowd(ready=("planes.survey",)) as each, bar() as step:

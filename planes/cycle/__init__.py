@@ -22,6 +22,8 @@ from planes.measuring import asked
 from planes.plans import Plans
 from planes.program import Program
 from planes.scales import unit_scales
+from planes.wording import ProgramError, choices
+from planes.words import Phrase
 
 CHUNK = 4096
 HELD = 2**22  # numbers a block of arrays may hold, all steps of its program together
@@ -64,8 +66,11 @@ class Cycle:
         quantities = None if names is None else asked(plans, names)
         self.plans, self.columns = plans, columns_of(plans, quantities) if columns is None else list(columns)
         self.program: Program = plans.program.sliced([n for c in self.columns for n in c.needs])
-        self.mus = unit_scales(plans)
-        self.given = {**plans.given, **self.mus, **(known or {})}
+        self.mus, self.known = unit_scales(plans), frozenset(known or ())
+        self.given = {**plans.given, **self.mus}
+        for name in self.known - {*self.given}:
+            raise ProgramError(Phrase("no_given", name=name, valid=choices(name, self.given)))
+        self.given |= known or {}
         self.moved = {name: np.asarray(v, float) for name, v in (known or {}).items() if np.ndim(v)}
         self.folded = {mu: 1.0 for mu in self.mus if mu not in (known or {})}
 
@@ -89,7 +94,7 @@ class Cycle:
     def moving(self, values: Any, start: int = 0) -> dict[str, Any]:
         """What moves, at the positions from ``start`` on: the drive with ``values``, and its companions."""
         beside = {name: v[start : start + len(values)] for name, v in self.moved.items()}
-        return {self.plans.drive_given: values, **beside}
+        return {**self.plans.at(values, self.program, self.known), **beside}
 
     def blocks(
         self, values: Any, chunk: int = CHUNK, fast: bool | None = None, instrument: Instrument | None = None

@@ -14,7 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from planes.cycle import Block, Cycle
+from planes.cycle import Block
+from planes.cycle.columns import Ready
 from planes.cycle.reading import read
 from planes.cycle.rounding import BLIND, LARGEST, USUAL, bent, rounding, unit_parts, whole_numbers
 from planes.cycle.slopes import STIFF, Carrying, Values, times
@@ -148,7 +149,7 @@ class Kept:
 class Claims:
     """What a cycle of exact drawings claims of itself: ± of every column, for any values of the drive."""
 
-    def __init__(self, cycle: Cycle) -> None:
+    def __init__(self, cycle: Ready) -> None:
         self.cycle, self.count = cycle, len(cycle.columns)
         drawn = trace(cycle.program, cycle.given, [c.take for c in cycle.columns], cycle.folded)
         self.tape, self.outputs = drawn.tape, drawn.outputs

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 from planes.measuring import Quantity, catalogue
 from planes.naming import POLE, at, mu_of, plan_of
 from planes.plans import Plans
+from planes.program import Program
 
 UNITS = {
     "r": "m", "v": "m/s", "a": "m/s²", "angle_deg": "°", "omega": "rad/s", "epsilon": "rad/s²", "coriolis": "m/s²",
@@ -54,6 +55,19 @@ class Column:
             largest = ar.maximum(largest, abs(things[mark]))
         nothing = abs(things[normal]) <= 1e-12 * largest / things[mu_of(plan_of(marks[0]))]
         return ar.where(nothing, float("nan"), things[self.value])
+
+
+class Ready(Protocol):
+    """A program ready to be drawn any number of times, and the columns read off each drawing."""
+
+    program: Program
+    given: dict[str, Any]
+    columns: list[Column]
+    folded: dict[str, float]
+
+    def moving(self, values: Any, start: int = 0) -> dict[str, Any]:
+        """The givens that are other in each drawing."""
+        ...
 
 
 def columns_of(plans: Plans, quantities: Iterable[Quantity] | None = None) -> list[Column]:

@@ -3,24 +3,30 @@
 from __future__ import annotations
 
 from planes.plans import state
+from planes.program import Program
 from planes.scene import Scene
 from planes.solving import plans_of
 from planes.steps.base import Step
-from planes.wording import PlanesError
-from planes.words import Lang, Phrase, say
+from planes.vectors import program_of, stated
+from planes.words import Lang, say
 
 
 def explain(scene: Scene, lang: Lang = "en") -> str:
     """The kept and the dropped steps of a scene, one on a line, in the order they would be drawn."""
-    if scene.mechanism is None:
-        raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
-    whole = state(scene.mechanism, scene.file).program
-    kept = plans_of(scene)[0].program
+    whole, kept = _programs(scene)
     dropped = [s for s in whole.steps if s.makes not in kept.made]
     lines = [say("explain_kept", lang, kept=len(kept.steps), all=len(whole.steps)), *_listed(kept.steps, lang)]
     if dropped:
         lines += ["", say("explain_dropped", lang, dropped=len(dropped)), *_listed(tuple(dropped), lang)]
     return "\n".join(lines) + "\n"
+
+
+def _programs(scene: Scene) -> tuple[Program, Program]:
+    """All that a scene states, and what of it is drawn."""
+    if scene.mechanism is None:
+        plan, spans = stated(scene)
+        return program_of(plan, plan.spans), program_of(plan, spans)
+    return state(scene.mechanism, scene.file).program, plans_of(scene)[0].program
 
 
 def _listed(steps: tuple[Step, ...], lang: Lang) -> list[str]:

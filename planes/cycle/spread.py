@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from planes.cycle import Cycle
+from planes.cycle.columns import Ready
 from planes.cycle.reading import read
 from planes.cycle.slopes import SLOPES, STIFF, Carrying
 from planes.cycle.tracing import Trace, given_values, trace
@@ -20,7 +20,7 @@ PIECE = 64  # positions carried at once
 class Spread:
     """Standard deviations over draughtsmen with the same pencil, carried to every column by first-order slopes."""
 
-    def __init__(self, cycle: Cycle, pencil: Pencil, mus: Mapping[str, float]) -> None:
+    def __init__(self, cycle: Ready, pencil: Pencil, mus: Mapping[str, float]) -> None:
         errors = pencil.point_mm, math.radians(pencil.ray_deg), pencil.ruler_mm / math.sqrt(12.0)
         self.cycle, given = cycle, {**cycle.given, **mus}
         self.drawn = trace(cycle.program, given, [c.take for c in cycle.columns], mus, errors)
@@ -30,12 +30,12 @@ class Spread:
         pieces = []
         for start in range(0, len(values), PIECE):
             part = np.asarray(values[start : start + PIECE], float)
-            given = {**given_values(self.cycle.given), self.cycle.plans.drive_given: part}
+            given = {**given_values(self.cycle.given), **self.cycle.moving(part, start)}
             pieces.append(_spread(self.drawn, given, len(part)))
         return np.hstack(pieces) if pieces else np.empty((len(self.cycle.columns), 0))
 
 
-def pencil_spread(cycle: Cycle, pencil: Pencil, mus: Mapping[str, float], values: Any) -> Any:
+def pencil_spread(cycle: Ready, pencil: Pencil, mus: Mapping[str, float], values: Any) -> Any:
     """Standard deviations of every column at these scales."""
     return Spread(cycle, pencil, mus).bounds(values)
 

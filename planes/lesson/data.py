@@ -85,7 +85,7 @@ def _values(plans: Plans) -> tuple[list[float], int]:
 def _cycle(plans: Plans, given: Mapping[str, Any], values: list[float]) -> Drawing:
     import numpy
 
-    return run(plans.program, {**given, plans.drive_given: numpy.array(values)})
+    return run(plans.program, {**given, **plans.at(numpy.array(values))})
 
 
 def _plan(plan: str, mus: Mapping[str, float]) -> dict[str, Any]:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
 from planes.drafting import Draft, Moments, Segment
 from planes.equations import Equation
-from planes.mechanism import FRAME, Mechanism
+from planes.mechanism import FRAME, Law, Mechanism
 from planes.naming import at, plan_of
 from planes.plans.assembly import Choice, resolve
 from planes.plans.bodies import SCHEME, Bodies, Body
@@ -22,6 +22,7 @@ from planes.program import Program
 from planes.steps.reckoning import Protractor
 from planes.structure import Structure, analyse
 from planes.wording import ProgramError, SceneError
+from planes.words import Phrase
 
 
 @dataclass(frozen=True)
@@ -62,12 +63,27 @@ class Plans:
     zhukovsky: str
     acting: Acting
     at_rest: bool
+    laws: Mapping[str, SceneError]
 
     @property
     def drive_given(self) -> str:
         """Name of the given that moves the driver: its angle in degrees, or s in m."""
         drive = self.mechanism.drive
         return f"angle_x_{drive.link}" if drive.kind == "phi" else "s"
+
+    def at(self, value: Any, program: Program | None = None, known: Container[str] = ()) -> dict[str, Any]:
+        """The given of the drive at one value or many, for a program that overrides the ``known`` givens.
+
+        :class:`SceneError` where the program reads a number that would have to change with the drive, and cannot.
+        """
+        moved = value != self.mechanism.drive.position
+        if self.laws and (moved.any() if hasattr(moved, "any") else moved):
+            cut = program or self.program
+            reads = {*cut.givens, *cut.made}
+            for name, error in self.laws.items():
+                if name in reads and name not in known:
+                    raise error
+        return {self.drive_given: value}
 
     @property
     def drawn(self) -> tuple[str, ...]:
@@ -108,7 +124,18 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
         mechanism, structure, Program(tuple(draft.steps.values())), draft.given, tuple(draft.equations),
         tuple(draft.moments), tuple(dict.fromkeys(draft.segments)), points, links, velocity.slides,
         acceleration.slides, statics.reactions, statics.balancing, zhukovsky, acting, at_rest,
+        {name: _frozen(mechanism, law, file) for name, law in draft.laws.items()},
     )  # fmt: skip
+
+
+def _frozen(mechanism: Mechanism, law: Law, file: str) -> SceneError:
+    """What is said of a number that holds where the drive stands in the file alone."""
+    drive, key = mechanism.drive, law.path[-1]
+    what = Phrase("part", key=key, what=Phrase("section", name=law.path[0]))
+    if law.path[0] == "loads":
+        what = Phrase("part", key=key, what=Phrase("load", number=int(law.path[1]) + 1))
+    why = Phrase("law_frozen", what=what, parameter=law.parameter, kind=drive.kind, value=f"{drive.position:.10g}")
+    return SceneError(why, file, law.line)
 
 
 def _points(mechanism: Mechanism) -> dict[str, None]:

@@ -58,6 +58,7 @@ def _on_slider(pair: Pair) -> str:
 def _lean(acting: Acting, pair: Pair, sign: int) -> str:
     d, guide = acting.b.draft, f"∥{pair.guide}"
     coefficient = d.give(f"f_{pair.guide}", acting.b.mechanism.friction[pair.guide])
+    d.law(coefficient, acting.b.mechanism.laws.get(("friction", pair.guide)))
     normal = d.square(f"⊥{guide}", guide)
     tag = "+" if sign > 0 else "-"
     return d.step(Lean(f"lean_{pair.link}{tag}", normal, guide, coefficient, sliding_sense(acting, pair), sign))

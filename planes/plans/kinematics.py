@@ -174,9 +174,12 @@ def _drive(r: Rates) -> None:
     d, drive = r.b.draft, r.b.mechanism.drive
     body = r.b.known[drive.link]
     rate = {"velocity": drive.velocity, "motion": 1.0, "acceleration": drive.acceleration}[r.plan]
+    keys = ("omega", "epsilon") if drive.kind == "phi" else ("velocity", "acceleration")
+    law = None if r.plan == "motion" else r.b.mechanism.laws.get(("drive", keys[r.plan == "acceleration"]))
     if drive.kind == "s":
         first = body.base.name
         value = d.give({"velocity": "v_drive", "motion": "vq_drive", "acceleration": "a_drive"}[r.plan], rate)
+        d.law(value, law)
         d.lay_off(r.plan, r.label(first), at(r.plan, POLE), f"∥{r.b.structure.drive_pair.guide}", value)
         d.show(r.plan, POLE, r.label(first), r.letter + first)
         r.driven.append(r.mark(first))
@@ -185,7 +188,7 @@ def _drive(r: Rates) -> None:
         rate_name = d.measure(f"{r.letter}slide_{drive.link}", *ends, f"∥{guide}")
         r.slides[drive.link] = SlideReading(guide, rate_name, ends, f"∥{guide}")
         return
-    d.give(r.spin(drive.link), rate)
+    d.law(d.give(r.spin(drive.link), rate), law)
     if body.ref:
         swing(r, body, body.ref[1])
         d.show(r.plan, POLE, r.label(body.ref[1].name), r.letter + body.ref[1].name)

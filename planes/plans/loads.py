@@ -55,11 +55,14 @@ class Acting:
             self._weight(link)
             self._inertia(link)
         counts: dict[tuple[str, str], int] = {}
-        for load in self.b.mechanism.loads:
+        for number, load in enumerate(self.b.mechanism.loads):
             key = (load.link, load.kind)
             counts[key] = counts.get(key, 0) + 1
             suffix = f"_{counts[key]}" if counts[key] > 1 else ""
-            self._force(load, suffix) if load.kind == "force" else self._couple(load, suffix)
+            name = self._force(load, suffix) if load.kind == "force" else self._couple(load, suffix)
+            for path, law in self.b.mechanism.laws.items():
+                if path[:2] == ("loads", str(number)):
+                    self.b.draft.law(name, law)
 
     def _weight(self, link: Link) -> None:
         if link.mass is None or self.b.mechanism.gravity is None:
@@ -89,7 +92,7 @@ class Acting:
         back = d.through(f"-a_{link.mass_centre}", mark, pole)
         self._add(Force(f"I_{link.name}", link.name, size, back, *self._centre(link)))
 
-    def _force(self, load: Load, suffix: str) -> None:
+    def _force(self, load: Load, suffix: str) -> str:
         d, point = self.b.draft, load.point or ""
         name = f"P_{load.link}{suffix}"
         size = d.give(f"{name}_given", load.value)
@@ -106,24 +109,26 @@ class Acting:
             along = d.aim(f"∠{name}", load.direction_deg or 0.0)
             size = d.product(name, **{size: 1})
         self._add(Force(name, load.link, size, along, at(SCHEME, point), Spot(point, point)))
+        return size
 
     def _axis(self, link: str) -> str:
         return self.b.known[link].axis
 
-    def _couple(self, load: Load, suffix: str) -> None:
+    def _couple(self, load: Load, suffix: str) -> str:
         d, link = self.b.draft, load.link
         letter = "MP" if link == self.b.mechanism.drive.link else "M"
         name = f"{letter}_{link}{suffix}"
         value = d.give(f"{name}_given", load.value)
         if not load.sense:
             self.couples[link].append(Couple(name, link, d.product(name, **{value: 1})))
-            return
+            return name
         root = self.b.known[link].root
         if root == FRAME:
-            return  # a link that never turns has no motion for a couple to go along with or against
+            return name  # a link that never turns has no motion for a couple to go along with or against
         sense = self._turning(root)
         sign = 1.0 if load.sense == "along" else -1.0
         self.couples[link].append(Couple(name, link, d.product(name, sign, **{value: 1, sense: 1})))
+        return name
 
     def _turning(self, root: str) -> str:
         if root in self.motion.turning:

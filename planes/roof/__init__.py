@@ -11,10 +11,10 @@ from typing import Any
 from planes.drawing import Drawing, painters
 from planes.files import keep
 from planes.roof import sheets
-from planes.roof.graphs import views_beside
+from planes.roof.graphs import constructions, views_beside
 from planes.roof.sheets import Drawn
 from planes.roof.turning import turned_once
-from planes.scene import Scene
+from planes.scene import Reading, Scene
 from planes.solving import Position
 from planes.vectors import solve_vectors
 from planes.wording import PlanesError
@@ -24,6 +24,7 @@ from render.fonts import face_of
 from render.sheet import Sheet
 from render.sheet.composer import Composer
 from render.sheet.sizes import Sizes
+from render.views import stacked
 from render.views.single import Makers, Page, of_mechanism, of_scene_of_vectors, page
 from render.views.traces import traced
 
@@ -58,6 +59,14 @@ def draw_sheet(
     return drawn.warnings if isinstance(drawn, Sheet) else ()
 
 
+def draw_constructions(scene: Scene, sections: int, pole_mm: float | None, output: str, lang: Lang) -> None:
+    """Draw both graphical constructions of a scene, one beneath the other, into a file."""
+    composer = Composer(scene, lang)
+    with lettered(face_of(scene)):
+        both = stacked("graphical", constructions(scene, composer, sections, pole_mm), 20.0)
+        write(page({both.key: lambda: both}, both.key, composer), Path(output), lang)
+
+
 def picture(drawn: Scene | Position, view: str | None = None, lang: Lang = "ru") -> Page:
     """One view (the scheme, unless another is named) of a scene, or of a position solved before, for a notebook.
 
@@ -66,7 +75,7 @@ def picture(drawn: Scene | Position, view: str | None = None, lang: Lang = "ru")
     if isinstance(drawn, Scene):
         return view_of(drawn, view, None, lang)
     mechanism = drawn.plans.mechanism
-    scene = Scene("", {}, {}, None, (), {}, mechanism, {}, (), (), drawn.scales, None, None, {})
+    scene = Scene("", {}, {}, Reading(), mechanism, {}, (), (), drawn.scales, None, None, {})
     return _page(_mechanism_views(scene, drawn, Composer(scene, lang)), view, Composer(scene, lang))
 
 

@@ -9,7 +9,8 @@ from typing import Any
 from planes.plans import Plans
 from planes.scene import Scene
 from planes.solving import Position
-from planes.words import say
+from planes.wording import SceneError, choices
+from planes.words import Phrase, say
 from render.curve_names import lettered_curve
 from render.names import Naming
 from render.sheet.composer import Composer
@@ -19,13 +20,14 @@ from render.views.hodograph import Hodograph
 from render.views.single import LETTER_MM, Makers
 
 STATIONS = 12
+SHOWN = ("diagrams", "hodographs")
 
 
 def over_cycle(
     scene: Scene, plans: Plans, angles: Sequence[float], naming: Naming
 ) -> tuple[tuple[Curve, ...], tuple[Hodograph, ...]]:
     """The diagrams and hodographs that ``sheet:`` of a scene asks for, over the angles of a turn."""
-    names, loops = (asked(scene.sheet, key) for key in ("diagrams", "hodographs"))
+    names, loops = (asked(scene.sheet, key) for key in SHOWN)
     if not names and not loops:
         return (), ()
     from planes.diagrams.runs import Runs
@@ -40,6 +42,24 @@ def over_cycle(
         for a in turn.arrows
     )
     return curves, found
+
+
+def check_names(scene: Scene, plans: Plans | None) -> None:
+    """Whether there is every diagram and hodograph that ``sheet:`` names, on whichever sheet they are drawn."""
+    for key in SHOWN:
+        names = asked(scene.sheet, key)
+        if names and plans is None:
+            why = Phrase("cycle_no_mechanism", file=f"sheet.{key}")
+            raise SceneError(why, scene.file, scene.where.get(("sheet", key)))
+        if names and plans:
+            from planes.diagrams.curves import arrows_of, curves_of
+
+            known: Mapping[str, object] = curves_of(plans) if key == "diagrams" else arrows_of(plans)
+            for n, name in enumerate(names):
+                if name not in known:
+                    line = scene.where.get(("sheet", key, str(n)), scene.where.get(("sheet", key)))
+                    why = Phrase("no_curve", name=name, file=f"sheet.{key}", valid=choices(name, known))
+                    raise SceneError(why, scene.file, line)
 
 
 def joined(pieces: Sequence[tuple[Any, Any]], curve: Any) -> tuple[Any, Any]:
@@ -74,16 +94,26 @@ def asked(sheet: Mapping[str, object], key: str) -> list[str]:
     return [str(n).strip() for n in names if str(n).strip()]
 
 
+def constructions(
+    scene: Scene, composer: Composer, sections: int = STATIONS, pole_mm: float | None = None
+) -> list[View]:
+    """Both graphical constructions of the driven link's motion."""
+    from planes.diagrams.motion import constructed
+    from render.views.graphical import Graphical
+
+    found = []
+    for one in constructed(scene, sections, pole_mm):
+        title = say(one.kind, composer.lang, link=composer.naming.link(one.motion.link))
+        marks = Graphical(one, one.drawn(), composer.naming).drawn()
+        found.append(view(one.kind, title, marks, figure=True))
+    return found
+
+
 def views_beside(scene: Scene, drawn: Position, composer: Composer) -> Makers:
     """Views of the mechanism that belong to no one position, by their names."""
 
     def graphical(kind: str) -> View:
-        from planes.diagrams.motion import constructed
-        from render.views.graphical import Graphical
-
-        found = next(c for c in constructed(scene, STATIONS) if c.kind == kind)
-        title = say(kind, composer.lang, link=composer.naming.link(found.motion.link))
-        return view(kind, title, Graphical(found, found.drawn(), composer.naming).drawn(), figure=True)
+        return next(v for v in constructions(scene, composer) if v.key == kind)
 
     def alignment() -> View:
         from planes.alignment import aligned

@@ -9,6 +9,7 @@ from typing import Any
 
 from planes.nearest import nearest
 from planes.plans import Plans
+from planes.roof.graphs import check_names
 from planes.roof.turning import turned_once
 from planes.scales import FIT_MM, extent, kind_of
 from planes.scene import Scene
@@ -27,9 +28,11 @@ def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", nu
     """The composed sheet of one position, or of vectors alone; ``number`` is that of a sheet of a project."""
     composer = Composer(scene, lang)
     if scene.mechanism is None:
+        check_names(scene, None)
         found = solve_vectors(scene)
         return compose(scene, Contents(lambda _, *how: (composer.vector_views(found, *how), [])), lang)
     drawn = Drawn(replace(scene, find=None) if number else scene, values, lang)
+    check_names(scene, drawn.stated[0])
     if number:
         return _numbered(drawn, composer, number)
 

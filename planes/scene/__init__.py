@@ -10,6 +10,8 @@ from types import MappingProxyType
 
 from planes.mechanism import Mechanism, Where
 from planes.scene import source
+from planes.scene.doubts import read_doubts
+from planes.scene.laws import read_laws
 from planes.scene.links import read_frame, read_links
 from planes.scene.motion import read_assembly, read_drive, read_friction, read_gravity, read_loads
 from planes.scene.reader import Reader
@@ -26,16 +28,30 @@ from planes.scene.settings import (
 )
 from planes.scene.source import Node, Table
 from planes.scene.vectors import VectorGiven, read_equations, read_vectors
-from planes.wording import SceneError, shown
+from planes.wording import Doubt, SceneError, shown
 from planes.words import Phrase
 
-__all__ = ["Scene", "VectorGiven", "load", "loads"]
+__all__ = ["Reading", "Scene", "VectorGiven", "load", "loads"]
 
 FORMAT = "1"
 _COMMON = ("planes", "title", "note", "text", "missing", "parameters", "variants", "find", "sheet")
 _MECHANISM = ("frame", "links", "assembly", "drive", "loads", "gravity", "friction", "plans",
               "crank_slider")
 _VECTORS = ("vectors", "equations", "mu")
+_EXAMPLES = {
+    "frame": "frame: {points: {O: [0, 0]}}", "links": "links: {1: {points: {O: 0, A: 0.1}}}",
+    "drive": "drive: {link: 1, phi: 30, omega: 10}", "equations": 'equations: ["v_C = v_B + v_CB"]',
+    "vectors": "vectors: {v_B: {value: 2, direction: 120}, v_C: {direction: 80}}",
+}
+
+
+@dataclass(frozen=True)
+class Reading:
+    """What a scene was read with: for other parameters, or another variant, its file is read anew."""
+
+    variant: str | None = None
+    variants: tuple[str, ...] = ()
+    parameters: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
 
 
 @dataclass(frozen=True)
@@ -51,9 +67,7 @@ class Scene:
     file: str
     title: Mapping[str, str]
     note: Mapping[str, str]
-    variant: str | None
-    variants: tuple[str, ...]
-    parameters: Mapping[str, float]
+    reading: Reading
     mechanism: Mechanism | None
     vectors: Mapping[str, VectorGiven]
     equations: tuple[str, ...]
@@ -66,6 +80,22 @@ class Scene:
     where: Where = field(default_factory=lambda: MappingProxyType({}), compare=False, repr=False)
     crank_slider: Node | None = field(default=None, compare=False, repr=False)
     missing: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
+    doubts: tuple[Doubt, ...] = ()
+
+    @property
+    def variant(self) -> str | None:
+        """The variant it was read for."""
+        return self.reading.variant
+
+    @property
+    def variants(self) -> tuple[str, ...]:
+        """The variants the file has."""
+        return self.reading.variants
+
+    @property
+    def parameters(self) -> Mapping[str, float]:
+        """The parameters it was read with."""
+        return self.reading.parameters
 
 
 def load(path: str | Path, variant: str | None = None) -> Scene:
@@ -84,26 +114,32 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None) -> Sc
     tables = read_variants(reader, variants, parameters)
     chosen = choose(reader, tables, variant, table.lines.get("variants", 1))
     reader.parameters = MappingProxyType(read_parameters(reader, parameters, chosen))
-    return _scene(reader, table, variant, tuple(tables))
+    stated = {**_entries(parameters), **_entries(chosen)}
+    return _scene(reader, table, Reading(variant, tuple(tables), reader.parameters), stated)
 
 
-def _scene(reader: Reader, table: Table, variant: str | None, variants: tuple[str, ...]) -> Scene:
+def _entries(node: Node | None) -> Mapping[str, Node]:
+    return node.entries if isinstance(node, Table) else {}
+
+
+def _scene(reader: Reader, table: Table, reading: Reading, stated: Mapping[str, Node]) -> Scene:
     where: Where = MappingProxyType(dict(source.lines(table)))
     of_vectors = "vectors" in table.entries
-    mechanism = None if of_vectors else _mechanism(reader, table, where)
+    mechanism = None if of_vectors else _mechanism(reader, table, where, stated)
     vectors = read_vectors(reader, table.entries["vectors"]) if of_vectors else {}
     equations, equation_lines = read_equations(reader, table.entries["equations"]) if of_vectors else ((), ())
     mu, (generic, quantity) = (read_plans(reader, reader.optional(table, "plans")),
                                read_vector_mu(reader, reader.optional(table, "mu")))
     return Scene(
         reader.file, _frozen(read_words(reader, reader.optional(table, "title"), "title")),
-        _frozen(read_words(reader, _note(reader, table), "note")), variant, variants, reader.parameters,
+        _frozen(read_words(reader, _note(reader, table), "note")), reading,
         mechanism, MappingProxyType(vectors), equations, equation_lines,
         MappingProxyType({**mu, "vectors": generic} if of_vectors else mu), quantity,
         read_find(reader, reader.optional(table, "find")),
         MappingProxyType(dict(read_sheet(reader, reader.optional(table, "sheet")))),
         read_number_of_frame(reader, table.entries.get("frame")), where, reader.optional(table, "crank_slider"),
-        _frozen(read_words(reader, reader.optional(table, "missing"), "missing")))
+        _frozen(read_words(reader, reader.optional(table, "missing"), "missing")),
+        tuple(read_doubts(reader.file, table, stated, mechanism)))
 
 
 def _frozen(words: dict[str, str]) -> Mapping[str, str]:
@@ -137,12 +173,12 @@ def _check_outline(reader: Reader, table: Table) -> None:
 def _check_required(reader: Reader, table: Table, of_vectors: bool) -> None:
     for key in ("vectors", "equations") if of_vectors else ("frame", "links", "drive"):
         if key not in table.entries:
-            raise SceneError(Phrase("part_missing", key=key), reader.file, 1)
+            raise SceneError(Phrase("part_missing", key=key, example=_EXAMPLES[key]), reader.file, 1)
         if reader.optional(table, key) is None:
             raise reader.error(Phrase("part_empty", what=key), table.lines[key])
 
 
-def _mechanism(reader: Reader, table: Table, where: Where) -> Mechanism:
+def _mechanism(reader: Reader, table: Table, where: Where, stated: Mapping[str, Node]) -> Mechanism:
     frame = read_frame(reader, table.entries["frame"])
     links = read_links(reader, table.entries["links"], frame)
     given = {key: reader.optional(table, key) for key in _MECHANISM}
@@ -154,4 +190,4 @@ def _mechanism(reader: Reader, table: Table, where: Where) -> Mechanism:
         None if (gravity := given["gravity"]) is None else read_gravity(reader, gravity),
         MappingProxyType({} if friction is None else read_friction(reader, friction, frame, links)),
         MappingProxyType({} if assembly is None else read_assembly(reader, assembly, frame, links)),
-        where)
+        where, MappingProxyType(read_laws(table, stated)))

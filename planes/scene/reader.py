@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from planes.degrees import cos_deg, sin_deg
 from planes.scene.expressions import evaluate
@@ -11,6 +11,7 @@ from planes.scene.source import Items, Node, Table, Text
 from planes.wording import ExpressionError, SceneError, choices, shown
 from planes.words import Phrase, Told
 
+Keys = tuple[str, ...]
 MOST = 1e50  # the largest number of a scene: products of several stay far from overflow
 MAX_NAME = 40
 _NAME = re.compile(r"[\w'′″-]*\w[\w'′″-]*")
@@ -185,3 +186,13 @@ def kind(node: Node) -> Told:
     if isinstance(node, Table):
         return Phrase("a_table")
     return Phrase("a_list") if isinstance(node, Items) else (Phrase("empty") if node.absent else shown(node.text))
+
+
+def texts(node: Node, path: Keys = ()) -> Iterator[tuple[Keys, Text]]:
+    """Every text beneath a node with its path."""
+    if isinstance(node, Text):
+        yield path, node
+        return
+    entries = node.entries.items() if isinstance(node, Table) else ((str(k), one) for k, one in enumerate(node.items))
+    for key, one in entries:
+        yield from texts(one, (*path, key))

@@ -16,14 +16,19 @@ Words = dict[str, str]
 
 SHEET_KEYS = ("title", "number", "designation", "group", "student", "teacher", "checked", "approved", "department",
               "university", "company", "material", "letter", "scale_note", "mass", "reactions", "mu_convention",
-              "font", "lettering", "format", "language", "lang", "positions", "views", "layout", "date", "sheet",
+              "font", "lettering", "format", "positions", "date", "sheet",
               "sheets", "tech", "role", "person", "teacher_date", "tech_date", "person_date", "checked_date",
               "approved_date", "revisions", "inventory", "inventory_accepted", "replaces", "duplicate",
               "duplicate_accepted", "reference", "first_use", "copied", "diagrams", "hodographs")
 MOST_MU = 1e20  # mm per SI unit
-_NUMERIC = ("mass", "positions", "views", "layout", "sheet", "sheets")
+_NUMERIC = ("mass", "sheet", "sheets")
+_LISTS = ("letter", "revisions", "diagrams", "hodographs")
 _WORDS = {"reactions": ("on-from", "from-on"), "mu_convention": ("mm_per_unit", "unit_per_mm"),
-          "language": ("ru", "en"), "lang": ("ru", "en"), "lettering": ("upright", "slanted")}
+          "lettering": ("upright", "slanted"), "positions": ("true", "false", "12"),
+          "format": ("auto", "A4", "A3", "A2", "A1")}
+_REVISIONS = ("change", "sheet", "document", "sign", "date")  # columns of graphs 14–18
+MOST_REVISIONS = 4
+MOST_LETTERS = 3  # of graph 4
 _NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
 _FIND = re.compile(r"[\w'′″^]*\w[\w'′″^]*")
 
@@ -138,24 +143,51 @@ def read_find(reader: Reader, node: Node | None) -> tuple[str, ...] | None:
 
 
 def read_sheet(reader: Reader, node: Node | None) -> Mapping[str, object]:
-    """Free settings of the sheet as texts; numbers only under the keys that are numbers."""
+    """Settings of the sheet as texts; numbers, words and lists only under the keys that have them."""
     if node is None:
         return {}
     table = reader.table(node, "sheet", SHEET_KEYS)
-    for key, words in _WORDS.items():
-        if (entry := reader.optional(table, key)) is not None:
-            reader.word(entry, part(key, section("sheet")), words)
-    return {key: _free(entry, key in _NUMERIC) for key, entry in table.entries.items()
+    if all(reader.optional(table, key) for key in ("number", "designation")):
+        reader.one_of(table, ("number", "designation"), section("sheet"))
+    return {key: _setting(reader, key, entry) for key, entry in table.entries.items()
             if reader.optional(table, key) is not None}
 
 
-def _free(node: Node, numeric: bool) -> object:
-    if isinstance(node, Items):
-        return [_free(entry, numeric) for entry in node.items]
-    if isinstance(node, Table):
-        return {key: _free(entry, numeric) for key, entry in node.entries.items()}
-    plain_number = numeric and node.plain and len(node.text) <= 20 and _NUMBER.fullmatch(node.text)
-    return float(node.text) if plain_number else node.text
+def _setting(reader: Reader, key: str, node: Node) -> object:
+    what = part(key, section("sheet"))
+    if key in _LISTS and isinstance(node, Items):
+        return _listed(reader, key, node)
+    text = reader.text(node, what)
+    if key == "revisions":
+        reader.items(node, what)
+    if key == "letter":
+        return _listed(reader, key, Items([Text(word, node.line) for word in text.split()], node.line))
+    if key == "format":  # in Latin or Russian letters
+        node = Text(text if text == "auto" else text.strip().upper().replace("А", "A"), node.line)
+    if key in _WORDS:
+        word = reader.word(node, what, _WORDS[key])
+        return word != "false" if key == "positions" else word
+    plain_number = isinstance(node, Text) and node.plain and len(text) <= 20 and _NUMBER.fullmatch(text)
+    return float(text) if key in _NUMERIC and plain_number else text
+
+
+def _listed(reader: Reader, key: str, node: Items) -> object:
+    """Names, letters, or rows of the table of revisions, no more than there is room for."""
+    what = part(key, section("sheet"))
+    most = {"revisions": MOST_REVISIONS, "letter": MOST_LETTERS}.get(key, len(node.items))
+    if len(node.items) > most:
+        raise reader.error(Phrase("list_long", what=what, count=len(node.items), most=most), node.items[most])
+    entries = ((Phrase("entry", number=n, what=what), entry) for n, entry in enumerate(node.items, 1))
+    return [_revision(reader, entry, one) if key == "revisions" else reader.text(entry, one) for one, entry in entries]
+
+
+def _revision(reader: Reader, node: Node, what: Phrase) -> dict[str, str]:
+    """A row of the table of revisions: a table, or a list in the order of the columns."""
+    if isinstance(node, Items) and len(node.items) <= len(_REVISIONS):
+        node = Table(dict(zip(_REVISIONS, node.items, strict=False)), node.line, dict.fromkeys(_REVISIONS, node.line))
+    table = reader.table(node, what, _REVISIONS)
+    return {key: reader.text(entry, part(key, what)) for key, entry in table.entries.items()
+            if reader.optional(table, key) is not None}
 
 
 def read_number_of_frame(reader: Reader, node: Node | None) -> str:

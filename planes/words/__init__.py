@@ -17,6 +17,7 @@ from planes.words.links import LINKS
 from planes.words.method import METHOD
 from planes.words.scene import SCENE
 from planes.words.sheets import SHEETS
+from planes.words.system import in_russian
 from planes.words.text import TEXT
 
 Lang = Literal["ru", "en"]
@@ -129,6 +130,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "rad/s²": ("рад/с²", "rad/s²"),
     "N": ("Н", "N"),
     "N·m": ("Н·м", "N·m"),
+    "units": ("ед.", "units"),
     "in_m": ("{value} м", "{value} m"),
     "nearest": ("; ближайшее рабочее положение: {name} = {value}", "; the nearest that works: {name} = {value}"),
     "at": ("при {name} = {value}: ", "at {name} = {value}: "),
@@ -179,7 +181,6 @@ Told = Phrase | str
 
 TABLE = {**WORDS, **TEXT, **SCENE, **LINKS, **METHOD, **CRANK_SLIDER, **CHECK, **CYCLE, **DIAGRAMS, **COURSE, **SHEETS}
 
-
 class _Teller(Formatter):
     def __init__(self, lang: Lang) -> None:
         self.lang = lang
@@ -190,7 +191,7 @@ class _Teller(Formatter):
         if isinstance(value, tuple):
             return (format_spec or ", ").join(self.format_field(v, "") for v in value)
         if isinstance(value, str):
-            return value
+            return in_russian(value) if self.lang == "ru" else value
         return format(value, format_spec or (".4g" if isinstance(value, float) else ""))
 
 

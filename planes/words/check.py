@@ -74,7 +74,7 @@ CHECK: dict[str, tuple[str, str]] = {
     "check_json": ("{file}: это не JSON: {why}", "{file}: this is not JSON: {why}"),
     "check_text": ("{file}: файл не читается как текст UTF-8", "{file}: the file cannot be read as UTF-8 text"),
     "check_no_file": ("{file}: файл не открывается: {why}", "{file}: the file cannot be opened: {why}"),
-    "check_option": ("{option} {text}: ожидается {form}", "{option} {text}: expected {form}"),
+    "check_option": ("{option} {text}: ожидается {form}{hint}", "{option} {text}: expected {form}{hint}"),
     "check_suffix": (
         "{file}: по расширению {suffix} не понять, что это; читаются .csv, .json, .svg, .dxf, .png, .jpg, .pdf",
         "{file}: the suffix {suffix} says nothing; .csv, .json, .svg, .dxf, .png, .jpg and .pdf are read",

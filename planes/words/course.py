@@ -138,10 +138,6 @@ COURSE: dict[str, tuple[str, str]] = {
     ),
     # all scenes of a folder
     "survey_empty": ("в папке {folder} нет ни одной сцены (.yaml)", "the folder {folder} has no scene (.yaml)"),
-    "survey_option": (
-        "--{option} не подходит к папке {folder}; укажите одну сцену",
-        "--{option} does not fit the folder {folder}; give one scene",
-    ),
     "survey_title": ("Все сцены и варианты", "All scenes and variants"),
     "survey_scene": ("сцена", "scene"),
     "survey_variant": ("вариант", "variant"),

@@ -64,9 +64,9 @@ CYCLE: dict[str, tuple[str, str]] = {
         "± в таблице рядом с результатами: граница погрешности каждого",
         "beside the results of a table their ±: a bound of the error of each",
     ),
-    "cycle_errors_table": (
-        "± пишутся в таблицу всех результатов: нужны -o с .csv, .npy, .npz или .parquet и никакого --show",
-        "± are written into a table of all results: give -o with .csv, .npy, .npz or .parquet, and no --show",
+    "no_given": (
+        "известных заранее величин {name} у этой программы нет{valid}",
+        "nothing called {name} is given to this program{valid}",
     ),
     "cycle_suffix": (
         "{file}: такую таблицу записать нельзя; подходят {suffixes}",

@@ -79,6 +79,12 @@ LINKS: dict[str, tuple[str, str]] = {
         'friction: no link slides on guide "{name}"{valid}',
     ),
     "friction_no_guide": ('friction: нет направляющей "{name}"{valid}', 'friction: there is no guide "{name}"{valid}'),
+    "law_frozen": (
+        "{what}: число зависит от {parameter}, от которого взято и {kind} ведущего звена, и верно только при "
+        "{kind} = {value}; для других положений задайте его числом или своим параметром",
+        "{what} depends on {parameter}, from which {kind} of the drive is taken, so it holds at {kind} = {value} "
+        "alone; for other positions give it as a number or by a parameter of its own",
+    ),
     # vectors and equations
     "vectors_parallel": (
         "{text}: векторы {along} и {across} параллельны, и многоугольник не замкнуть; измените направление одного из "
@@ -186,6 +192,24 @@ LINKS: dict[str, tuple[str, str]] = {
     "two_directions": (
         "вектор {name} может быть направлен двояко; добавьте {offers: или }",
         "vector {name} can point in two directions; add {offers: or }",
+    ),
+    "vector_idle": (
+        "вектора {name} нет ни в одном уравнении; добавьте его в уравнение или уберите",
+        "vector {name} stands in no equation; write it into one or remove it",
+    ),
+    "near_idle": (
+        "near вектора {name} ничего не решает: его направление однозначно; уберите near",
+        "near of vector {name} decides nothing, as its direction is certain; remove near",
+    ),
+    "vectors_mixed": (
+        "{name} строят на {one:of}, а {other_name} на {other:of}: у плана один масштаб μ; запишите их в отдельные "
+        "сцены или переименуйте",
+        "{name} belongs on the {one} and {other_name} on the {other}, but one plan has one μ; write them into scenes "
+        "of their own, or rename them",
+    ),
+    "vectors_mu": (
+        "mu не подходит вектору {name}: на {plan:of} масштаб задают в {units}",
+        "mu does not fit {name}: a {plan} has its scale in {units}",
     ),
     "near_angle": ("near: {angle:.4g}", "near: {angle:.4g}"),
 }

@@ -131,8 +131,8 @@ METHOD: dict[str, tuple[str, str]] = {
     ),
     # what is asked
     "range_not_number": (
-        "{option} {text}: это не число и не начало:конец:шаг, например 0:360:30",
-        "{option} {text} is not a number or start:end:step, for example 0:360:30",
+        "{option} {text}: это не число и не начало:конец:шаг, например 0:360:30{hint}",
+        "{option} {text} is not a number or start:end:step, for example 0:360:30{hint}",
     ),
     "range_parts": (
         "{option} {text}: нужно одно число или начало:конец:шаг, например 0:360:30",
@@ -149,6 +149,47 @@ METHOD: dict[str, tuple[str, str]] = {
     "no_quantity": ("find: нет величины {name}{valid}", "find: there is no quantity {name}{valid}"),
     # the command line
     "option_misfit": ("--{option} не подходит к {file}: {why}", "--{option} does not fit {file}: {why}"),
+    "option_idle": (
+        "--{option} ничего не меняет {where:of}; этот ключ для другого: {places:; }",
+        "--{option} changes nothing in {where}; it is for {places: or }",
+    ),
+    "option_needs": (
+        "--{option} ничего не меняет без --{other}; добавьте --{other} или уберите --{option}",
+        "--{option} changes nothing without --{other}; add --{other} or leave --{option} out",
+    ),
+    "option_names": (
+        "{option}: не названо ни одной величины; имена пишут через запятую: {option} v_C,phi_3",
+        "{option}: nothing is named; write names with commas between them: {option} v_C,phi_3",
+    ),
+    "seed_negative": ("--seed {seed}: нужно целое число, не меньше 0", "--seed {seed}: give a whole number, 0 or more"),
+    "text_dxf": (
+        "--text меняет только надписи DXF; назовите файл .dxf или уберите --text",
+        "--text changes the letters of a DXF alone; name a .dxf file or leave --text out",
+    ),
+    "one_value": (
+        "нужно одно положение, а задано {count}; укажите одно значение",
+        "one position is needed, but {count} were asked for; give one value",
+    ),
+    "answer_positions": ("положения механизма|в положениях механизма", "positions of a mechanism"),
+    "answer_vectors": ("сцена одних векторов|в сцене одних векторов", "a scene of vectors alone"),
+    "answer_steps": ("список шагов (--explain)|в списке шагов (--explain)", "the list of steps (--explain)"),
+    "answer_folder": ("обзор папки|в обзоре папки", "the survey of a folder"),
+    "answer_summary": ("сводка|в сводке", "a summary"),
+    "answer_listing": ("перечень положений (--listing)|в перечне положений", "a listing (--listing)"),
+    "answer_table": ("таблица всех величин (-o ФАЙЛ.csv без --show)|в таблице всех величин",
+                     "a table of all results (-o FILE.csv without --show)"),
+    "answer_curves": ("таблица кривых (--show с -o ФАЙЛ.csv)|в таблице кривых (--show)",
+                      "a table of curves (--show with -o FILE.csv)"),
+    "answer_picture": ("рисунок (-o ФАЙЛ.png, .svg или .pdf)|на рисунке", "a picture (-o FILE.png, .svg or .pdf)"),
+    "answer_graphical": ("графическое построение (--graphical)|в графическом построении (--graphical)",
+                         "a graphical construction (--graphical)"),
+    "answer_graphical_picture": (
+        "рисунок графического построения (--graphical -o ФАЙЛ.png)|на рисунке графического построения",
+        "the picture of a graphical construction (--graphical -o FILE.png)"),
+    "answer_trace": ("калька (--trace)|в кальке (--trace)", "the tracing paper (--trace)"),
+    "answer_numbers": ("таблица чисел (.csv, .json)|в таблице чисел", "a table of numbers (.csv, .json)"),
+    "answer_lines": ("чертёж .svg или .dxf|в чертеже .svg или .dxf", "a drawing .svg or .dxf"),
+    "answer_photograph": ("снимок или скан (.png, .jpg, .pdf)|в снимке", "a picture (.png, .jpg, .pdf)"),
     "driver_by": ("ведущее звено там задано через --{kind}", "its driver is given by --{kind}"),
     "no_driver": ("ведущего звена там нет", "it has no driver"),
     "no_structure": (

@@ -58,6 +58,8 @@ SCENE: dict[str, tuple[str, str]] = {
         "{what} must be a table of 'key: value', not {kind}",
     ),
     "list_needed": ("{what}: нужен список, а не {kind}", "{what} must be a list, not {kind}"),
+    "list_long": ("{what}: {count} — больше, чем есть места; не больше {most}",
+                  "{what} has {count} entries, more than there is room for; at most {most}"),
     "word_needed": ("{what}: нужно слово, а не {kind}", "{what} must be a word, not {kind}"),
     "number_needed": ("{what}: нужно число, а не {kind}{hint}", "{what} must be a number, not {kind}{hint}"),
     "only_number": ("{what}: нужно число", "{what} must be a number"),
@@ -117,10 +119,48 @@ SCENE: dict[str, tuple[str, str]] = {
         "сцена задаёт либо механизм ({mechanism}), либо только {vectors}, но не то и другое",
         "a scene states either a mechanism ({mechanism}) or {vectors} alone, not both",
     ),
-    "part_missing": ("нет ключа {key}", "the key {key} is missing"),
+    "part_missing": ("нет ключа {key}; например: {example}", "the key {key} is missing; for example: {example}"),
     "part_empty": ("{what}: здесь пусто", "{what} is empty"),
     "no_variant": ("нет варианта {name}{valid}", "there is no variant {name}{valid}"),
     "no_variants": ("; вариантов в сцене нет", "; the scene has no variants"),
+    # what can be meant, but hardly is
+    "doubt_empty": (
+        "{key}: значения нет, и ключ не действует; впишите значение или уберите ключ",
+        "{key} has no value and so no effect; write one or remove the key",
+    ),
+    "doubt_radians": (
+        "{key} = {text}: углы задают в градусах, а это похоже на радианы; в градусах пишут, например, 60",
+        "{key} = {text}: angles are in degrees, and this looks like radians; in degrees write 60, for instance",
+    ),
+    "doubt_ratio": (
+        "{key} = {text}: здесь нужен угол в градусах, а это отношение сторон; угол даёт, например, asin",
+        "{key} = {text}: this should be an angle in degrees but is a ratio of sides; asin gives an angle",
+    ),
+    "doubt_friction": (
+        "friction направляющей {guide} равен {value:g}; коэффициент трения обычно меньше 1",
+        "friction of {guide} is {value:g}; a coefficient of friction is usually less than 1",
+    ),
+    "doubt_point": (
+        "{key} звена {link} стоит в points и считается точкой; если это свойство звена, вынесите {key} из points",
+        "{key} of link {link} stands under points and is taken for a point; if a property of the link is meant, move "
+        "{key} out of points",
+    ),
+    "doubt_massless": (
+        "у звена {link} задан inertia, но нет mass: сила инерции и вес приняты равными нулю",
+        "link {link} has inertia but no mass, so its force of inertia and its weight are taken as zero",
+    ),
+    "doubt_long": (
+        "звено {link} длиной {size} м: длины задают в метрах; если это миллиметры, пишите {less}",
+        "link {link} is {size} m long: lengths are in metres; if millimetres are meant, write {less}",
+    ),
+    "doubt_at_rest": (
+        "в drive нет {key}: ведущее звено стоит, и все скорости равны нулю",
+        "drive has no {key}: the driver stands still, and all velocities are zero",
+    ),
+    "doubt_no_crank": (
+        "ведущее звено {link} длиной 0: его точки совпадают и неподвижны",
+        "the driver {link} has length 0: its points coincide and do not move",
+    ),
     # parameters, variants, results
     "reserved_parameter": (
         "параметр нельзя назвать {name}: в выражениях это имя уже занято",

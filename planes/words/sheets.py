@@ -113,10 +113,6 @@ SHEETS: dict[str, tuple[str, str]] = {
         "для файла .dxf нужна библиотека ezdxf: pip install ezdxf",
         "a .dxf file needs the library ezdxf: pip install ezdxf",
     ),
-    "bad_format": (
-        "sheet: формат {format} неизвестен; допустимы {known}",
-        "sheet: there is no format {format}; valid: {known}",
-    ),
     "bad_view": ("вида {view} у этой сцены нет; есть {known}", "this scene has no view {view}; it has {known}"),
     "empty_view": ("в виде {view} этой сцены нечего чертить", "the view {view} of this scene has nothing to draw"),
     "one_position": (

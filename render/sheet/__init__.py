@@ -65,7 +65,7 @@ def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = N
     Only where no format holds all of them are those left out that may be; the sheet then says so.
     """
     chosen = scene.sheet.get("format")
-    formats = [wanted_format(str(chosen), scene, lang)] if chosen and chosen != "auto" else list(FORMATS)
+    formats = [str(chosen)] if chosen and chosen != "auto" else list(FORMATS)
     tried: list[View] = []
     for whole in (True, False):
         for name in formats:
@@ -138,15 +138,6 @@ def finished(
     marks = [m for v, left, top in places for m in v.placed(left, top)]
     title = scene.title.get(lang, "")
     return Sheet(paper, (*paper.marks(cells(scene, lang, number), lang), *marks), tuple(places), title, warnings)
-
-
-def wanted_format(name: str, scene: Scene, lang: Lang) -> str:
-    """The format a scene names: A4 … A1, in Latin or Russian letters."""
-    known = name.strip().upper().replace("А", "A")
-    if known not in FORMATS:
-        line = scene.where.get(("sheet", "format"))
-        raise SceneError(say("bad_format", lang, format=name, known=", ".join(FORMATS)), scene.file, line)
-    return known
 
 
 def no_room(views: Sequence[View], paper: Paper, lang: Lang) -> SceneError:

@@ -86,10 +86,10 @@ class Composer:
     def mu(self, plotted: Plotted, plan: str) -> str:
         """μ of a plan as it is written in titles: "μ_{v} = 30 мм/(м·с⁻¹)"."""
         kind = plotted.kind(plan)
-        letter = {"position": "l", "velocity": "v", "acceleration": "a", "force": "F"}[kind]
+        letter = {"position": "l", "velocity": "v", "acceleration": "a", "force": "F", "vectors": ""}[kind]
         convention: Any = self.scene.sheet.get("mu_convention", "mm_per_unit")
         text = mu_text(plotted.scales[mu_of(plan)], kind, self.lang, convention)
-        return f"μ_{{{letter}}} = {decimal(text, self.lang)}"
+        return f"μ{letter and f'_{{{letter}}}'} = {decimal(text, self.lang)}"
 
     def scheme(self, position: Position) -> View | None:
         """The scheme in the calculated position."""

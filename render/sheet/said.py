@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from planes.scene import Scene
 from planes.words import Lang, say
-from render.form1 import LOWER, REVISIONS, UPPER
+from render.form1 import LOWER, UPPER
 from render.numbers import decimal
 
-_COLUMNS = ("change", "sheet", "document", "sign", "date")
 _SAME = (
     "student", "teacher", "tech", "role", "person", "checked", "approved", "teacher_date", "tech_date", "person_date",
     "checked_date", "approved_date", "material", "mass", "copied", *(key for key, _, _ in (*LOWER, *UPPER)),
@@ -42,16 +39,12 @@ def _text(value: object, lang: Lang) -> str:
 def _letters(given: object, lang: Lang) -> dict[str, str]:
     """Graph 4, filled from its left cell on."""
     letters = given if isinstance(given, list) else str(given or "").split()
-    return {f"letter_{k + 1}": _text(letter, lang) for k, letter in enumerate(letters[:3])}
+    return {f"letter_{k + 1}": _text(letter, lang) for k, letter in enumerate(letters)}
 
 
 def _revisions(given: object, lang: Lang) -> dict[str, str]:
-    """Graphs 14–18, from the lowest row up: a list of rows, each a list in the order of the columns or a table."""
-    found = {}
-    for k, row in enumerate(given[:REVISIONS] if isinstance(given, list) else ()):
-        listed = zip(_COLUMNS, row, strict=False) if isinstance(row, list) else ()
-        filled = row if isinstance(row, Mapping) else dict(listed)
-        for column in _COLUMNS:
-            if column in filled:
-                found[f"revision_{k + 1}_{column}"] = _text(filled[column], lang)
+    """Graphs 14–18, from the lowest row up."""
+    found: dict[str, str] = {}
+    for k, row in enumerate(given if isinstance(given, list) else ()):
+        found |= {f"revision_{k + 1}_{column}": _text(text, lang) for column, text in row.items()}
     return found

@@ -8,6 +8,7 @@ import re
 from dataclasses import dataclass, field
 
 from planes.equations import Equation, Term
+from planes.units import UNIT
 from planes.words import say
 from render.marks import Line, Mark, Text
 from render.names import Naming
@@ -15,7 +16,6 @@ from render.numbers import number
 from render.typeset import extent, over
 from render.views.plotted import Plotted
 
-UNITS = {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "force": "N"}
 NOISE_MM = 1e-7  # a shorter vector is rounding noise
 GAP = 0.55  # between words of an equation, over the letter height
 WIDEST = 40.0  # of a row, over the letter height: a longer equation goes on in the next one
@@ -141,7 +141,7 @@ class Formulas:
     def words(self, equation: Equation) -> list[Word]:
         """v_C = v_B + v_CB; what a point does against the frame is its own vector, with its line of action."""
         total = equation.total or ""
-        unit = say(UNITS[self.plotted.kind(equation.plan)], self.naming.lang)
+        unit = say(UNIT[self.plotted.kind(equation.plan)], self.naming.lang)
         first, sides = Word(self.naming.vector(total), value=unit), []
         for chain in equation.chains:
             terms = [t for t in chain if t.action != "=0"]
@@ -157,7 +157,7 @@ class Formulas:
 
     def closed_words(self, equation: Equation) -> list[Word]:
         """Both sides as they are stated, or all vectors of a closed polygon added up to nothing."""
-        unit = say(UNITS[self.plotted.kind(equation.plan)], self.naming.lang)
+        unit = say(UNIT[self.plotted.kind(equation.plan)], self.naming.lang)
         one, two = ([self.word(t, equation.plan) for t in chain] for chain in equation.chains)
         if two and all(term.sign > 0 for term in equation.chains[1]):
             return [*_sum(one), Word("=", vector=False), *_sum(two), Word("", vector=False, value=unit)]

@@ -61,7 +61,7 @@ def of_position(p: Position) -> Plotted:
 
 def of_vectors(found: VectorResults) -> Plotted:
     """The plan of a scene that states vectors alone."""
-    draft, quantity = found.plan.draft, found.scene.quantity or "velocity"
-    spans = {name: (label_of(s), label_of(e)) for name, (s, e) in found.plan.spans.items()}
+    draft = found.plan.draft
+    spans = {name: (label_of(s), label_of(e)) for name, (s, e) in found.spans.items()}
     segments = tuple(Segment(PLAN, start, end, name) for name, (start, end) in spans.items())
-    return Plotted(found.drawing, segments, tuple(draft.equations), {mu_of(PLAN): found.mu}, (), quantity)
+    return Plotted(found.drawing, segments, tuple(draft.equations), {mu_of(PLAN): found.mu}, (), found.quantity)

@@ -11,6 +11,7 @@ from planes.drafting import Segment
 from planes.naming import POLE, label_of
 from planes.scales import kind_of
 from planes.solving import Position
+from planes.units import UNIT
 from planes.vectors import VectorResults
 from planes.words import say
 from render import symbols
@@ -20,7 +21,7 @@ from render.names import Naming
 from render.numbers import number
 from render.typeset import extent
 from render.views import View, remark, view
-from render.views.formulas import NOISE_MM, UNITS
+from render.views.formulas import NOISE_MM
 from render.views.given import Given
 
 Row = Sequence[str]
@@ -107,7 +108,7 @@ class Tables:
     @classmethod
     def of_vectors(cls, results: VectorResults, naming: Naming, letter: float) -> View | None:
         """Magnitude and direction of every vector of a scene of vectors."""
-        unit = say(UNITS[results.scene.quantity or "velocity"], naming.lang)
+        unit = say(UNIT[results.quantity], naming.lang)
         rows = []
         for name, v in results.vectors().items():
             angle = number(math.degrees(cmath.phase(v)), naming.lang) if abs(v) * results.mu > NOISE_MM else "—"
@@ -149,7 +150,7 @@ class Tables:
         measured = self.position.results.get("plans", {}).get(plan)
         if not measured:
             return None
-        unit = self.say(UNITS[kind_of(plan)])
+        unit = self.say(UNIT[kind_of(plan)])
         rows = []
         if max((s["mm"] for s in measured["segments"].values()), default=0.0) <= NOISE_MM:
             return None

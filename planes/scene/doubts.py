@@ -1,0 +1,125 @@
+"""What a scene says that can be meant, but hardly is: told as warnings, each with its line. Nothing is refused here."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import fields
+from itertools import combinations
+
+from planes.mechanism import Link, Mechanism
+from planes.scene.reader import Keys, texts
+from planes.scene.source import Items, Node, Table, Text
+from planes.wording import Doubt
+from planes.words import Phrase
+
+LONG_M = 10.0  # a link this long is more likely given in millimetres
+MOST_HOPS = 20  # from parameter to parameter
+STEEP = 1.0  # a coefficient of friction this large is more likely a misprint
+RADIANS = 5e-4  # how near a number is to a multiple of π/12 when it is one, as people write it
+STEP = math.pi / 12
+LARGEST = 6.29  # radians of a turn
+_OF_LINK = {f.name for f in fields(Link)} - {"name"}
+_ANGLES = ("phi", "angle", "direction", "perpendicular_to", "near")
+_RATIO = re.compile(r"\s*-?\s*(sin|cos|tan)\s*\(")
+_WHOLE = re.compile(r"-?\d+(\.0*)?")
+_NAMED_FREELY = ("parameters", "variants", "vectors")  # where an empty value means what it should
+
+
+def read_doubts(file: str, table: Table, parameters: Mapping[str, Node], mechanism: Mechanism | None) -> list[Doubt]:
+    """Every doubt of a scene in the order of the file."""
+    found = [*_empty(table), *_angles(table, parameters)]
+    if mechanism:
+        found += [*_links(mechanism, "missing" in table.entries), *_drive(mechanism)]
+        found += [(Phrase("doubt_friction", guide=guide, value=value), ("friction", guide))
+                  for guide, value in mechanism.friction.items() if value >= STEEP]
+    said = [Doubt(phrase, file, _line(table, path)) for phrase, path in found]
+    return sorted(said, key=lambda doubt: doubt.line)
+
+
+def _line(table: Table, path: Keys) -> int:
+    """The line of the deepest key of a path that is there."""
+    line = table.line
+    node: Node = table
+    for key in path:
+        if isinstance(node, Table) and key in node.entries:
+            line, node = node.lines[key], node.entries[key]
+        elif isinstance(node, Items):
+            node = node.items[int(key)]
+            line = node.line
+    return line
+
+
+def _empty(table: Table) -> Iterator[tuple[Phrase, Keys]]:
+    for path, node in texts(table):
+        if node.plain and not node.text and path[0] not in _NAMED_FREELY:
+            yield Phrase("doubt_empty", key=".".join(path)), path
+
+
+def _angles(table: Table, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:
+    """Angles that look like radians: by π in them, or by their number; or like the ratio of a triangle's sides."""
+    for path, node in texts(table):
+        if path[-1] in _ANGLES and path[0] not in ("parameters", "variants") and not _place(path):
+            text = _written(node.text, parameters)
+            if (re.search(r"\bpi\b", text) and "180" not in text) or _radians(text):
+                yield Phrase("doubt_radians", key=path[-1], text=text[:60]), path
+            elif _RATIO.match(text):
+                yield Phrase("doubt_ratio", key=path[-1], text=text[:60]), path
+
+
+def _place(path: Keys) -> bool:
+    """Whether a path names a point or a parameter that happens to be called as an angle is."""
+    return len(path) > 1 and path[-2] in ("points", "parameters")
+
+
+def _written(text: str, parameters: Mapping[str, Node]) -> str:
+    """The expression, or that of the parameter it consists of."""
+    for _ in range(MOST_HOPS):
+        node = parameters.get(text.strip())
+        if not isinstance(node, Text):
+            break
+        text = node.text
+    return text
+
+
+def _radians(text: str) -> bool:
+    try:
+        value = abs(float(text))
+    except ValueError:
+        return False
+    twelfths = value / STEP
+    near = abs(twelfths - round(twelfths)) * STEP < RADIANS
+    return not _WHOLE.fullmatch(text.strip()) and 0.2 < value < LARGEST and near
+
+
+def _links(mechanism: Mechanism, incomplete: bool) -> Iterator[tuple[Phrase, Keys]]:
+    for link in mechanism.links.values():
+        path = ("links", link.name)
+        for point in link.points:
+            if point in _OF_LINK:
+                yield Phrase("doubt_point", key=point, link=link.name), (*path, "points", point)
+        weighed = bool(mechanism.gravity or link.centre) and not incomplete
+        if weighed and link.inertia is not None and link.mass is None:
+            yield Phrase("doubt_massless", link=link.name), (*path, "inertia")
+        if (size := _size(link)) >= LONG_M:
+            yield Phrase("doubt_long", link=link.name, size=f"{size:g}", less=f"{size / 1000:g}"), (*path, "points")
+
+
+def _size(link: Link) -> float:
+    """The longest distance between points of a link; of very many only from the first."""
+    places = list(link.points.values())
+    pairs = combinations(places, 2) if len(places) < 50 else ((places[0], z) for z in places)
+    return max((abs(a - b) for a, b in pairs), default=0.0)
+
+
+def _drive(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
+    drive = mechanism.drive
+    rate = "omega" if drive.kind == "phi" else "velocity"
+    statics = mechanism.loads or mechanism.gravity
+    if ("drive", rate) not in mechanism.where and not statics:
+        yield Phrase("doubt_at_rest", key=rate), ("drive",)
+    link = mechanism.links[drive.link]
+    if drive.kind == "phi" and len(link.points) > 1 and not _size(link):
+        yield Phrase("doubt_no_crank", link=link.name), ("links", link.name, "points")
+
