@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from planes.check.bench import Bench, marks_of, variants_of
+from planes.check.evidence import SURE, by_chance, nothing_drawn, size_of
 from planes.check.handwork import Hand, Miss, Taken
 from planes.check.judging import WARN, Judgement, judge, verdicts
 from planes.check.paper import Paper, Spot
@@ -19,7 +20,7 @@ from planes.plans import Plans
 from planes.scales import extent, kind_of
 from planes.steps import Cross, CrossArc, CrossArcs, LayOff, Same, Step
 from planes.wording import PlanesError
-from planes.words import Phrase
+from planes.words import Phrase, Written
 
 OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
 LONG_MM = 3.0  # a shorter vector shows no scale
@@ -56,10 +57,7 @@ class Grading:
         """A known force that is not in the polygon and that nothing read was drawn from."""
         if self.rebuilt is None or self.judgement.wrong:
             return None
-        used = set(self.judgement.misses)
-        for step in reversed(self.hand.program.steps):
-            if step.makes in used:
-                used.update(n for n, kind in step.reads() if kind == "mark" and n not in self.judgement.misses)
+        used = self._used()
         for mark in self.marks:
             step = next(s for s in self.hand.program.steps if s.makes == mark)
             if isinstance(step, LayOff) and mark not in used:
@@ -67,6 +65,33 @@ class Grading:
                 if miss.sigmas > self.judgement.limit:
                     return label_of(mark)
         return None
+
+    @property
+    def unseen(self) -> list[str]:
+        """Marks that were not read and that nothing read was drawn from: wherever they are, nobody has looked."""
+        used, steps = self._used(), {s.makes: s for s in self.hand.program.steps}
+        absent = self.rebuilt.absent if self.rebuilt else ()
+        return [label_of(m) for m in self.marks
+                if m not in used and not isinstance(steps[m], Same) and label_of(m) not in absent]  # fmt: skip
+
+    def _used(self) -> set[str]:
+        """Marks that were read, and those they were drawn from."""
+        used = set(self.judgement.misses)
+        for step in reversed(self.hand.program.steps):
+            if step.makes in used:
+                used.update(n for n, kind in step.reads() if kind == "mark" and n not in self.judgement.misses)
+        return used
+
+    @property
+    def strays(self) -> str | None:
+        """The mark where it goes wrong: drawn wrongly, left out, or where a polygon should close."""
+        gap = self.rebuilt.closing if self.gap_wrong and self.rebuilt else None
+        return self.judgement.first_wrong or self.left_out or gap
+
+    @property
+    def chance(self) -> float:
+        """How likely marks put anywhere on the drawing would be as right."""
+        return by_chance(self.hand, self.judgement.misses, self.judgement.limit, not self.said_mu)
 
     @property
     def verdicts(self) -> dict[str, str]:
@@ -212,6 +237,11 @@ def readable(grading: Grading) -> Phrase | None:
     if len(found) < READABLE * len(key):
         missing = ", ".join(label_of(m) for m in key if m not in found)
         return Phrase("check_too_little", found=len(found), count=len(key), names=missing)
+    size = Written(f"{size_of(grading.hand, grading.marks):.1f}")
+    if nothing_drawn(grading.hand, grading.marks):
+        return Phrase("check_nothing_drawn", size=size)
+    if not grading.strays and grading.chance > SURE:
+        return Phrase("check_by_chance", size=size, count=len(grading.judgement.misses))
     count = len(grading.judgement.misses)
     wrong = [m for m, v in grading.verdicts.items() if v == "wrong"]
     if grading.judgement.named is None and count >= 3 and len(wrong) > 0.7 * count:

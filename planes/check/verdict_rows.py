@@ -63,6 +63,7 @@ def as_json(out: Outcome, lang: Lang = "en") -> dict[str, Any]:
     asked, plans = out.bench.asked, out.bench.plans
     value = float(out.bench.given[plans.drive_given])
     unreadable = out.verdict == "unreadable"
+    unseen = [Phrase("check_unseen", names=", ".join(out.unseen))] if out.unseen and out.verdict == "right" else []
     return {
         "planes": 1, "scene": asked.scene.file, "variant": asked.scene.variant,
         "phi_deg" if plans.mechanism.drive.kind == "phi" else "s": value,
@@ -70,6 +71,6 @@ def as_json(out: Outcome, lang: Lang = "en") -> dict[str, Any]:
         "first_wrong": None if unreadable else out.first_wrong,
         "mistake": out.mistake, "runner_up": None if unreadable else out.runner_up,
         "sentence": {one: out.sentence.told(one) for one in ("ru", "en")},
-        "results": result_rows(out), "warnings": [n.told(lang) for n in out.notes],
+        "results": result_rows(out), "warnings": [n.told(lang) for n in (*out.notes, *unseen)],
     }  # fmt: skip
 

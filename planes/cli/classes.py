@@ -43,10 +43,11 @@ class Checked:
         return (self.found.first_wrong or "") if self.found and self.verdict == "wrong" else ""
 
     def said(self, lang: Lang) -> str:
-        """Which mistake it is, or why it cannot be read; nothing of a right one."""
+        """Which mistake it is, why it cannot be read, or what was not seen of it; nothing of a right one."""
         if self.found is None:
             return self.refused.told(lang) if self.refused else ""
-        return "" if self.verdict == "right" else self.found.sentence.told(lang)
+        whole = self.verdict == "right" and not self.found.unseen
+        return "" if whole else self.found.sentence.told(lang)
 
     def row(self, lang: Lang) -> list[str]:
         """File, verdict, mark, sentence."""

@@ -8,6 +8,10 @@ CHECK: dict[str, tuple[str, str]] = {
     **MISTAKES,
     # the whole
     "check_right": ("Чертёж верен: {plan}.", "The drawing is right: {plan}."),
+    "check_right_as_seen": (
+        "Прочитанное верно: {plan}; не увидено: {names}, проверьте их глазами.",
+        "What was read is right: {plan}; not seen: {names}, look at them yourself.",
+    ),
     "check_unclear": (
         "{mark} на {off} мм не там, куда ведёт построение из ваших же точек; причина не ясна",
         "{mark} is {off} mm from where the construction from your own marks leads; the cause is unclear",
@@ -28,6 +32,16 @@ CHECK: dict[str, tuple[str, str]] = {
         "Это похоже на другой чертёж: из {count} прочитанных отметок не на месте {wrong}.",
         "This looks like another drawing: of {count} marks read {wrong} are out of place.",
     ),
+    "check_nothing_drawn": (
+        "Чертежа плана не видно: всё прочитанное лежит не дальше {size} мм от полюса.",
+        "No drawing of the plan is seen: all that was read lies within {size} mm of the pole.",
+    ),
+    "check_by_chance": (
+        "Судить не по чему: прочитано {count}, до дальней отметки (или в длиннейшем отрезке) {size} мм; в пределах ошибки карандаша так лягут и "
+        "случайные точки. Начертите крупнее, покажите больше отметок или назовите масштаб (--mu).",
+        "There is too little to judge by: {count} read, the farthest or longest {size} mm; within a pencil's error any "
+        "points would do as well. Draw larger, show more marks, or tell the scale (--mu).",
+    ),
     "check_no_pole": (
         "В таблице нет полюса p; добавьте его строку.",
         "The table has no pole p; add its row.",
@@ -46,6 +60,7 @@ CHECK: dict[str, tuple[str, str]] = {
         "Нет таких отметок в плане: {names}; они пропущены.",
         "The plan has no such marks: {names}; they are left out.",
     ),
+    "check_unseen": ("Не увидены и не проверены: {names}.", "Not seen and not judged: {names}."),
     "check_close": ("между 2σ и 3σ", "between 2σ and 3σ"),
     "check_scale_vector": (
         "Масштаб взят по вектору {mark}, поэтому его длина не проверялась.",
