@@ -94,8 +94,33 @@ CHECK: dict[str, tuple[str, str]] = {
         "{file}: по расширению {suffix} не понять, что это; читаются .csv, .json, .svg, .dxf, .png, .jpg, .pdf",
         "{file}: the suffix {suffix} says nothing; .csv, .json, .svg, .dxf, .png, .jpg and .pdf are read",
     ),
-    "check_svg": ("{file}: это не SVG: {why}", "{file}: this is not an SVG: {why}"),
-    "check_dxf": ("{file}: это не DXF: {why}", "{file}: this is not a DXF: {why}"),
+    "check_no_plain_file": (
+        "{file}: это не обычный файл; назовите файл чертежа", "{file}: this is no plain file; name a file of a drawing"
+    ),
+    "check_large_file": (
+        "{file}: файл больше {most} МБ; сохраните в нём один план без всего лишнего",
+        "{file}: the file is larger than {most} MB; save one plan in it, without anything else",
+    ),
+    "check_too_many": (
+        "{file}: в файле больше {most} {what}; оставьте в нём один план",
+        "{file}: the file holds more than {most} {what}; leave one plan in it",
+    ),
+    "count_elements": ("элементов", "elements"),
+    "count_levels": ("вложений", "levels of nesting"),
+    "count_rows": ("строк", "rows"),
+    "count_strokes": ("отрезков", "strokes"),
+    "check_svg_entities": (
+        "{file}: в SVG объявлены сущности (<!ENTITY>), они не читаются; сохраните чертёж как простой SVG",
+        "{file}: the SVG declares entities (<!ENTITY>), which are not read; save the drawing as plain SVG",
+    ),
+    "check_svg": (
+        "{file}: это не SVG или файл испорчен ({why}); сохраните чертёж заново",
+        "{file}: this is not an SVG, or is damaged ({why}); save the drawing anew",
+    ),
+    "check_dxf": (
+        "{file}: это не DXF или файл испорчен ({why}); сохраните чертёж заново",
+        "{file}: this is not a DXF, or is damaged ({why}); save the drawing anew",
+    ),
     "check_needs": (
         "для этого нужен пакет {what}: pip install planes[check]",
         "this needs the package {what}: pip install planes[check]",
