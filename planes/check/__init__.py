@@ -47,10 +47,16 @@ class Grading:
     def gap_wrong(self) -> float | None:
         """By how many mm a force polygon fails to close, where that is more than a hand's error."""
         gap = self.rebuilt.gap if self.rebuilt else None
+        reach = self.gap_reach
+        return abs(gap.place) if gap and reach is not None and abs(gap.place) > reach else None
+
+    @property
+    def gap_reach(self) -> float | None:
+        """How far from closed a hand may leave a polygon, mm; None where nothing is there to close it."""
+        gap = self.rebuilt.gap if self.rebuilt else None
         if gap is None:
             return None
-        sigma = math.sqrt(2 * self.hand.tool.skill.point_mm ** 2 + 2 * gap.error_mm ** 2)
-        return abs(gap.place) if abs(gap.place) > self.judgement.limit * sigma else None
+        return self.judgement.limit * math.sqrt(2 * self.hand.tool.skill.point_mm ** 2 + 2 * gap.error_mm ** 2)
 
     @property
     def left_out(self) -> str | None:
@@ -91,7 +97,8 @@ class Grading:
     @property
     def chance(self) -> float:
         """How likely marks put anywhere on the drawing would be as right."""
-        return by_chance(self.hand, self.judgement.misses, self.judgement.limit, not self.said_mu)
+        found = self.judgement
+        return by_chance(self.hand, found.misses, found.limit, not self.said_mu, self.gap_reach)
 
     @property
     def verdicts(self) -> dict[str, str]:

@@ -16,7 +16,7 @@ from planes.wording import PlanesError
 from planes.words import Phrase
 
 LARGEST = 12 * MB
-LETTERS = 100  # of a shape's own description that take as long to read as one element
+LETTERS = 50  # of a shape's own description that take as long to read as one element
 _MM = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72, "pc": 25.4 / 6, "px": 25.4 / 96, "": 25.4 / 96}
 DEEPEST = 60  # groups within groups
 NO_HEADS = ("dot", "circle", "square", "stop", "tick", "distance", "diamond")  # markers that are no arrowheads

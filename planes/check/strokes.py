@@ -15,7 +15,7 @@ Head = tuple[complex, complex]  # the tip of an arrowhead, and the unit way it p
 SHORT_MM = 0.8  # shorter strokes are ticks, dots and pieces of letters
 SNAPPED_MM, LOOSE_MM, FARTHEST_MM = 0.1, 0.6, 2.0  # ends no farther apart are one: joined by a program, by eye, badly
 CROSSINGS = 400  # of more strokes than this crossings are not looked for
-MOST = 20_000  # strokes of a drawing: a plan has a few dozen, a sheet full of letters some thousands
+MOST, MOST_SHORT = 12_000, 120_000  # strokes of a drawing, and pieces of letters: a plan has a few dozen strokes
 CROWD = 0.03  # nodes per mm² beyond which any place would do for a mark
 
 
@@ -55,8 +55,9 @@ class Sketch:
         for a, b in pairwise(line):
             if all(map(_finite, (a, b))) and abs(b - a) > 0.02:
                 (self.strokes if abs(b - a) >= SHORT_MM else self.short).append((a, b))
-        if len(self.strokes) + len(self.short) > MOST:
-            raise too_many(self.file, "strokes", MOST)
+        for held, most in ((self.strokes, MOST), (self.short, MOST_SHORT)):
+            if len(held) > most:
+                raise too_many(self.file, "strokes", most)
 
 
 def _finite(z: complex) -> bool:
