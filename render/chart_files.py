@@ -9,6 +9,8 @@ from typing import Any
 
 from matplotlib.figure import Figure
 
+from render import ink
+
 METADATA: dict[str, dict[str, Any]] = {
     ".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None},
 }  # fmt: skip
@@ -23,4 +25,4 @@ def save(figure: Figure, path: Path) -> None:
     data, names = out.getvalue(), dict[bytes, bytes]()
     if kind == ".svg":
         data = NAME.sub(lambda m: names.setdefault(m[0], b"n%d" % (len(names) + 1)), data)
-    path.write_bytes(data)
+    ink.save(data, path)

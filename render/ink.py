@@ -122,6 +122,9 @@ def save(data: bytes, path: str | Path | None) -> bytes:
     """The same bytes, written to the path if one is given: the whole file or nothing."""
     if path is not None:
         target = Path(path)
+        if target.exists() and not target.is_file():  # a terminal or a pipe is written to, never replaced
+            target.write_bytes(data)
+            return data
         handle, draft = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
         try:
             with os.fdopen(handle, "wb") as file:

@@ -16,26 +16,25 @@ LONGEST_FILE = 260
 LONGEST_BODY = 25  # lines, of nine functions in ten
 
 STOREYS = (  # a module imports only from the storeys above its own in this list
-    "check.fiducials check.sight check.sight.bend check.sight.colours check.sight.rows_across check.strokes "
-    "check.svg_shapes cli.options course.fingerprint crank_slider crank_slider.indicator crank_slider.materials "
-    "crank_slider.sections crank_slider.words_balance crank_slider.words_forces crank_slider.words_report "
-    "crank_slider.words_rod crank_slider.words_strength cycle.tape degrees diagrams diagrams.stages lossless "
-    "mechanism naming words.course words.crank_slider words.cycle words.diagrams words.links words.method "
-    "words.mistakes words.note words.scene words.sheets words.text words.why working",
-    "arithmetic check.arrowheads cycle.fused_functions cycle.reading cycle.slopes cycle.symbols mark_names "
-    "words.check words.lesson",
+    "check.fiducials check.sight check.sight.bend check.sight.colours check.sight.rows_across check.svg_shapes "
+    "cli.options course.fingerprint crank_slider crank_slider.indicator crank_slider.materials crank_slider.sections "
+    "crank_slider.words_balance crank_slider.words_forces crank_slider.words_report crank_slider.words_rod "
+    "crank_slider.words_strength cycle.tape degrees diagrams diagrams.stages lossless mechanism naming words.course "
+    "words.crank_slider words.cycle words.diagrams words.files words.links words.method words.mistakes words.note "
+    "words.scene words.sheets words.text words.why working",
+    "arithmetic cycle.fused_functions cycle.reading cycle.slopes cycle.symbols mark_names words.check words.lesson",
     "cycle.fused_text cycle.twofold plane tools words",
     "cycle.rounding home scene.yaml_faults steps.base thing_names wording",
-    "angles check.paper check.read_dxf check.read_svg check.sight.picture course.crowd course.ledger equations "
-    "instruments scene.expressions scene.source statement steps.crossings steps.reckoning structure units",
-    "check.sight.frame check.sight.ink course course.scenes cycle.digits lesson.formulas program scene.reader "
-    "self_aligning steps",
-    "check.nudging check.sight.line_fitting check.sight.symbols_seen course.students crank_slider.reading_table "
-    "cycle.tracing drafting drawing scene.links scene.motion scene.settings scene.vectors",
-    "check.handwork check.sight.heads check.sight.left_over course.giving cycle.fused diagrams.graphical "
-    "lesson.moments plans.assembly plans.bodies scene",
-    "check.jointly check.sight.arrow_tips check.sight.prices course.reading crank_slider.shape plans.positions "
-    "vectors",
+    "angles check.opened check.sight.picture course.crowd course.ledger equations instruments scene.expressions "
+    "scene.source statement steps.crossings steps.reckoning structure units",
+    "check.paper check.sight.decoding check.sight.frame check.sight.ink check.strokes check.svg_tree course "
+    "course.scenes cycle.digits lesson.formulas program scene.reader self_aligning steps",
+    "check.arrowheads check.nudging check.sight.line_fitting check.sight.symbols_seen course.students "
+    "crank_slider.reading_table cycle.tracing drafting drawing scene.links scene.motion scene.settings scene.vectors",
+    "check.handwork check.read_dxf check.read_svg check.sight.heads check.sight.left_over course.giving cycle.fused "
+    "diagrams.graphical lesson.moments plans.assembly plans.bodies scene",
+    "check.evidence check.jointly check.sight.arrow_tips check.sight.prices course.reading crank_slider.shape "
+    "plans.positions vectors",
     "check.judging check.sight.drawn_lines crank_slider.given plans.legs",
     "check.sight.places crank_slider.reading_parts plans.kinematics",
     "check.sight.pencil_lines check.sight.ways_of_ink crank_slider.reading plans.loads",
@@ -47,11 +46,11 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "alignment check.mistakes check.mistakes_force check.mistakes_position course.showing crank_slider.engine "
     "cycle.peers diagrams.curves lesson.steps measuring nearest",
     "check.accounts check.bench crank_slider.kinematics cycle.columns lesson solving",
-    "check.chains check.scaling check.sight.poles course.numbers crank_slider.forces crank_slider.pages cycle "
-    "cycle.explaining lesson.note lesson.practice lesson.zones remedies tables",
+    "check.aligning check.chains check.scaling check.sight.poles course.numbers crank_slider.forces "
+    "crank_slider.pages cycle cycle.explaining lesson.note lesson.practice lesson.zones remedies tables",
     "check check.sight.motion_seen check.sizing course.papers course.settling crank_slider.balance "
-    "crank_slider.misprints cycle.bench cycle.claims cycle.spread cycle.streams diagrams.graphical_text "
-    "diagrams.turn lesson.data",
+    "crank_slider.misprints cycle.bench cycle.claims cycle.spread cycle.streams diagrams.graphical_text diagrams.turn "
+    "lesson.data",
     "check.matching check.regrading check.sight.force_ways check.sight.scheme_seen check.verdict course.summary "
     "crank_slider.shaft cycle.limits cycle.long_run cycle.methods diagrams.extremes erring roof.lesson",
     "check.shown check.sight.force_seen check.verdict_rows cli.solve crank_slider.fatigue cycle.stability "

@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Any
 
 from planes.check.arrowheads import head_of, settle, tapered
-from planes.check.opened import MB, contents, guarded, too_many
+from planes.check.opened import MB, contents, too_many
 from planes.check.strokes import Sketch, Words
-from planes.wording import PlanesError
+from planes.wording import PlanesError, guarded
 from planes.words import Phrase
 
 _MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 8: 25.4e-6, 13: 1e-3, 14: 100.0}

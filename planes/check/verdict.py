@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
@@ -126,6 +127,8 @@ class Outcome:
         g, table = self.grading, self._table
         if g and g.judgement.wrong:
             off = abs(g.judgement.misses[g.judgement.wrong[0]].off)
+            if not math.isfinite(off):
+                return Phrase("check_undrawable", mark=first)
             return Phrase("check_unclear", mark=first, off=Written(f"{off:.1f}"))
         s = table.first_wrong if table else None
         given, true = (s.figure.given, s.true) if s else (0.0, 0.0)

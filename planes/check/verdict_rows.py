@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from planes.check import close_call
@@ -23,14 +24,13 @@ def mark_rows(out: Outcome) -> list[dict[str, Any]]:
         absent = g.rebuilt is not None and label_of(mark) in g.rebuilt.absent
         if own and miss and not (absent and verdict == "right"):
             free = g.free[mark]
-            row |= {
-                "read_mm": [round(own.place.real, 3), round(own.place.imag, 3)],
-                "read_error_mm": round(own.error_mm, 3),
-                "deviation_mm": round(abs(free.off), 3),
-                "tolerance_mm": round(free.reach(g.judgement.limit), 3),
-                "own_deviation_mm": round(abs(miss.off), 3),
-                "own_tolerance_mm": round(miss.reach(g.judgement.limit), 3),
-            }
+            sizes = {
+                "read_error_mm": own.error_mm, "deviation_mm": abs(free.off),
+                "tolerance_mm": free.reach(g.judgement.limit), "own_deviation_mm": abs(miss.off),
+                "own_tolerance_mm": miss.reach(g.judgement.limit),
+            }  # fmt: skip
+            row["read_mm"] = [round(own.place.real, 3), round(own.place.imag, 3)]
+            row |= {key: round(mm, 3) if math.isfinite(mm) else None for key, mm in sizes.items()}
             if verdict == "right" and close_call(miss, g.judgement.limit):
                 row["warning"] = Phrase("check_close").told("en")
         elif absent:

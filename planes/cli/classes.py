@@ -16,11 +16,11 @@ from planes.check.bench import Asked
 from planes.check.paper import Paper
 from planes.check.verdict import STATUS, Outcome, check
 from planes.check.verdict_rows import as_json
-from planes.wording import PlanesError
+from planes.wording import PlanesError, guarded
 from planes.words import Lang, Phrase, say
 
 Reader = Callable[[str], Paper]
-NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py")  # reports and scenes that lie beside the drawings
+NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp")  # lie beside the drawings
 
 
 @dataclass
@@ -76,14 +76,15 @@ class Group:
 def check_class(args: argparse.Namespace, asked: Asked, read: Reader) -> int:
     """Every drawing of a folder: a row for each, on the terminal and in the file of ``-o``."""
     folder = Path(args.drawing)
-    files = [f for f in sorted(folder.iterdir()) if f.is_file() and not f.name.startswith(".")]
+    files = [f for f in sorted(folder.iterdir()) if f.is_file() and not f.name.startswith((".", "~$"))]
     files = [f for f in files if f.suffix.lower() not in NO_DRAWINGS]
     if not files:
         raise PlanesError(Phrase("check_empty_folder", file=args.drawing))
     group = Group(folder.name)
     for file in _shown(files):
         try:
-            group.all.append(Checked(file.name, check(asked, read(str(file)))))
+            with guarded("check_broken", file.name):  # one file never stops the others
+                group.all.append(Checked(file.name, check(asked, read(str(file)))))
         except PlanesError as error:
             group.all.append(Checked(file.name, refused=error))
     if args.output:

@@ -17,6 +17,7 @@ from planes.solving import told
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
 from render.chart_files import METADATA
+from render.ink import save
 from render.method_charts import Spot, Ways, draw
 
 
@@ -30,12 +31,14 @@ def draw_chart(scene: Scene, output: str, table: str | None, lang: Lang) -> None
     plans = state(moving(scene.mechanism), scene.file)
     methods, way = measure(plans), approach(plans)
     ways = None if way is None else _ways(way, lang)
+    target = output
     try:
         draw(path, scene.title.get(lang, ""), _spots(methods), _spots(front(methods)), ways, _seconds(lang), lang)
         if table:
-            Path(table).write_text(text(methods, way, lang), encoding="utf-8")
+            target = table
+            save(text(methods, way, lang).encode(), table)
     except OSError as error:
-        raise PlanesError(Phrase("cannot_write", file=error.filename or output, reason=error.strerror or "")) from None
+        raise PlanesError(Phrase("cannot_write", file=target, reason=error.strerror or "")) from None
 
 
 def moving(mechanism: Mechanism) -> Mechanism:

@@ -24,6 +24,7 @@ from planes.units import mu_text
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
 from render import blank, check_page, check_sheet, class_page, pdf, png, svg, trace_page
+from render.ink import save
 from render.names import Naming
 from render.numbers import decimal
 from render.photo import Photo
@@ -63,7 +64,7 @@ def _write(marks: list[Any], title: str, output: str, lang: Lang, under: Photo |
         else:
             raise PlanesError(Phrase("check_output", file=output))
     except OSError as error:
-        raise PlanesError(Phrase("check_no_file", file=output, why=error.strerror or str(error))) from None
+        raise PlanesError(Phrase("cannot_write", file=output, reason=error.strerror or str(error))) from None
 
 
 def write_trace(asked: Asked, output: str, lang: Lang) -> None:
@@ -92,7 +93,7 @@ def write_class(group: Any, output: str, lang: Lang) -> None:
         try:
             target.mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            raise PlanesError(Phrase("check_no_file", file=output, why=error.strerror or "")) from None
+            raise PlanesError(Phrase("cannot_write", file=output, reason=error.strerror or str(error))) from None
         for one in group.all:
             if one.found:
                 one.report = f"{one.file}.html"
@@ -119,11 +120,11 @@ def _unmarked(one: Any, lang: Lang) -> str:
 
 
 def write_text(text: str, output: str) -> None:
-    """A file of text, or a sentence why not."""
+    """A file of text, whole or not at all, or a sentence why not."""
     try:
-        Path(output).write_text(text, encoding="utf-8")
+        save(text.encode(), output)
     except OSError as error:
-        raise PlanesError(Phrase("check_no_file", file=output, why=error.strerror or "")) from None
+        raise PlanesError(Phrase("cannot_write", file=output, reason=error.strerror or str(error))) from None
 
 
 def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:

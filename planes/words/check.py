@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from planes.words.files import FILES
 from planes.words.mistakes import MISTAKES
 
 CHECK: dict[str, tuple[str, str]] = {
     **MISTAKES,
+    **FILES,
     # the whole
     "check_right": ("Чертёж верен: {plan}.", "The drawing is right: {plan}."),
     "check_right_as_seen": (
@@ -15,6 +17,11 @@ CHECK: dict[str, tuple[str, str]] = {
     "check_unclear": (
         "{mark} на {off} мм не там, куда ведёт построение из ваших же точек; причина не ясна",
         "{mark} is {off} mm from where the construction from your own marks leads; the cause is unclear",
+    ),
+    "check_undrawable": (
+        "{mark}: по вашим же точкам построение не провести: линии не пересекаются; проверьте точки и длины до неё",
+        "{mark}: the construction cannot be drawn from your own marks, its lines do not meet; check the marks and "
+        "lengths before it",
     ),
     "check_number_unclear": (
         "{mark} = {given}, а верно {true}; причина не ясна",
@@ -37,8 +44,9 @@ CHECK: dict[str, tuple[str, str]] = {
         "No drawing of the plan is seen: all that was read lies within {size} mm of the pole.",
     ),
     "check_by_chance": (
-        "Судить не по чему: прочитано {count}, до дальней отметки (или в длиннейшем отрезке) {size} мм; в пределах ошибки карандаша так лягут и "
-        "случайные точки. Начертите крупнее, покажите больше отметок или назовите масштаб (--mu).",
+        "Судить не по чему: прочитано {count}, до дальней отметки (или в длиннейшем отрезке) {size} мм; "
+        "в пределах ошибки карандаша так лягут и случайные точки. "
+        "Начертите крупнее, покажите больше отметок или назовите масштаб (--mu).",
         "There is too little to judge by: {count} read, the farthest or longest {size} mm; within a pencil's error any "
         "points would do as well. Draw larger, show more marks, or tell the scale (--mu).",
     ),
@@ -72,64 +80,11 @@ CHECK: dict[str, tuple[str, str]] = {
         "{file}: в этой сцене нет механизма, проверять можно только планы механизмов",
         "{file}: this scene has no mechanism; only plans of a mechanism can be checked",
     ),
-    "check_columns": (
-        "{file}: первая строка таблицы должна называть столбцы: mark,x_mm,y_mm или segment,mm или result,value,unit",
-        "{file}: the first row must name the columns: mark,x_mm,y_mm or segment,mm or result,value,unit",
-    ),
-    "check_not_number": (
-        "{file}:{line}: {text} — не число", "{file}:{line}: {text} is not a number",
-    ),
-    "check_no_place": (
-        "{file}:{line}: {text} мм на листе не бывает; длины пишутся в мм",
-        "{file}:{line}: there is no {text} mm on a sheet; lengths are in mm",
-    ),
-    "check_row": (
-        "{file}:{line}: в строке не хватает столбцов", "{file}:{line}: the row has too few columns",
-    ),
-    "check_json": ("{file}: это не JSON: {why}", "{file}: this is not JSON: {why}"),
-    "check_text": ("{file}: файл не читается как текст UTF-8", "{file}: the file cannot be read as UTF-8 text"),
-    "check_no_file": ("{file}: файл не открывается: {why}", "{file}: the file cannot be opened: {why}"),
     "check_option": ("{option} {text}: ожидается {form}", "{option} {text}: expected {form}"),
-    "check_suffix": (
-        "{file}: по расширению {suffix} не понять, что это; читаются .csv, .json, .svg, .dxf, .png, .jpg, .pdf",
-        "{file}: the suffix {suffix} says nothing; .csv, .json, .svg, .dxf, .png, .jpg and .pdf are read",
-    ),
-    "check_no_plain_file": (
-        "{file}: это не обычный файл; назовите файл чертежа", "{file}: this is no plain file; name a file of a drawing"
-    ),
-    "check_large_file": (
-        "{file}: файл больше {most} МБ; сохраните в нём один план без всего лишнего",
-        "{file}: the file is larger than {most} MB; save one plan in it, without anything else",
-    ),
-    "check_too_many": (
-        "{file}: в файле больше {most} {what}; оставьте в нём один план",
-        "{file}: the file holds more than {most} {what}; leave one plan in it",
-    ),
-    "count_elements": ("элементов", "elements"),
-    "count_levels": ("вложений", "levels of nesting"),
-    "count_rows": ("строк", "rows"),
-    "count_strokes": ("отрезков", "strokes"),
-    "check_svg_entities": (
-        "{file}: в SVG объявлены сущности (<!ENTITY>), они не читаются; сохраните чертёж как простой SVG",
-        "{file}: the SVG declares entities (<!ENTITY>), which are not read; save the drawing as plain SVG",
-    ),
-    "check_svg": (
-        "{file}: это не SVG или файл испорчен ({why}); сохраните чертёж заново",
-        "{file}: this is not an SVG, or is damaged ({why}); save the drawing anew",
-    ),
-    "check_dxf": (
-        "{file}: это не DXF или файл испорчен ({why}); сохраните чертёж заново",
-        "{file}: this is not a DXF, or is damaged ({why}); save the drawing anew",
-    ),
-    "check_needs": (
-        "для этого нужен пакет {what}: pip install planes[check]",
-        "this needs the package {what}: pip install planes[check]",
-    ),
     "check_crowd": (
         "На чертеже слишком много линий ({count} концов), чтобы узнать в них план.",
         "The drawing has too many lines ({count} ends) to tell the plan among them.",
     ),
-    "check_picture": ("{file}: картинка не читается", "{file}: the picture cannot be read"),
     "check_three_marks": (
         "Видны только три угловые метки бланка из четырёх.", "Only three of the blank's four corner marks are seen."
     ),
