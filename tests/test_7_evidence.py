@@ -1,4 +1,4 @@
-"""What is not seen is not right: empty blanks, marks put anywhere and scribbles of every size are never judged right."""
+"""What is not seen is not right: empty blanks, marks put anywhere, scribbles of every size are never judged right."""
 
 from __future__ import annotations
 
@@ -94,7 +94,8 @@ def test_marks_read_badly_show_nothing() -> None:
 @pytest.mark.parametrize(("lengths", "mu", "verdict"), [
     ({"pb": 60.0}, None, "right"), ({"pb": 45.0}, None, "unreadable"),
     ({"pb": 0.5, "bc": 0.4, "pc": 0.7}, None, "unreadable"),
-    ({"pb": 60.0, "bc": 73.1, "pc": 72.1}, 30.0, "right"), ({"pb": 36.0, "bc": 43.9, "pc": 43.3, "ps2": 35.4}, None, "right"),
+    ({"pb": 60.0, "bc": 73.1, "pc": 72.1}, 30.0, "right"),
+    ({"pb": 36.0, "bc": 43.9, "pc": 43.3, "ps2": 35.4}, None, "right"),
 ])  # fmt: skip
 def test_lengths_at_a_scale_of_their_own(lengths: dict[str, float], mu: float | None, verdict: str) -> None:
     asked = Asked(load(SAMPLES / "six-link.yaml"), "velocity", mu=mu)

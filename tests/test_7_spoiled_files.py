@@ -1,4 +1,4 @@
-"""Files spoiled in every way and files without measure: one sentence with the file's name, bounded work, no traceback."""
+"""Files spoiled in every way and files without measure: one sentence, bounded work, no traceback."""
 
 from __future__ import annotations
 

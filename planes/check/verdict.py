@@ -205,7 +205,7 @@ def _segments(out: Outcome) -> None:
             best = wrong, k > 0, found
     out.segments = best[2] if best else None
     if best and best[2].first_wrong is None and not out.grading:
-        out.unreadable = _shown_by(best[2], best[1])
+        out.unreadable = _shown_by(best[2], bool(best[1]))
 
 
 def _shown_by(lengths: Account, free: bool) -> Phrase | None:
