@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from planes.check.handwork import Hand, Miss
 from planes.steps import Same
 
-SURE = 0.01  # how likely marks put anywhere on the drawing may be to pass
+SURE = 0.02  # how likely marks put anywhere on the drawing may be to pass: one vector of 50 mm at a scale of its own
 SURE_LENGTHS = 0.05  # the same of lengths, each of which shows half of what a mark does
 SMALLEST = 10.0  # a drawing this many times the error of a mark shows nothing
 
