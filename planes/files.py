@@ -53,9 +53,21 @@ def _mode(target: Path) -> int | None:
 def save(data: bytes, path: str | Path | None) -> bytes:
     """The same bytes, written to the path if one is given: the whole file or nothing."""
     if path is not None:
+        if _flows(Path(path)):
+            Path(path).write_bytes(data)
+            return data
         with whole(path) as draft:
             draft.write_bytes(data)
     return data
+
+
+def _flows(target: Path) -> bool:
+    """Whether it is a terminal or a pipe, which is written to and never replaced."""
+    try:
+        found = target.stat().st_mode
+    except OSError:
+        return False
+    return stat.S_ISCHR(found) or stat.S_ISFIFO(found)
 
 
 @contextmanager

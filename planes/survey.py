@@ -13,7 +13,7 @@ from planes.scene import Scene, load
 from planes.solving import Position, solve, told
 from planes.tables import table
 from planes.vectors import solve_vectors
-from planes.wording import PlanesError
+from planes.wording import PlanesError, guarded
 from planes.words import Lang, Phrase, say
 from planes.working import FULL
 
@@ -66,10 +66,11 @@ def lines_of(task: tuple[str, Lang, str | None]) -> tuple[Line, ...]:
     path, lang, only = task
     name = Path(path).stem
     try:
-        variants = load(path).variants
-        if only and only not in variants:
-            return ()
-        return tuple(_line(load(path, v), name, v or "", lang) for v in ([only] if only else variants or (None,)))
+        with guarded("check_broken", path):  # one scene never stops the others
+            variants = load(path).variants
+            if only and only not in variants:
+                return ()
+            return tuple(_line(load(path, v), name, v or "", lang) for v in ([only] if only else variants or (None,)))
     except PlanesError as error:
         return (Line(name, "", "", False, remarks=(error.told(lang),)),)
 

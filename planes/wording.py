@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from difflib import get_close_matches
 from itertools import islice
+from pathlib import Path
 
 from planes.mark_names import latin
 from planes.words import Lang, Phrase, Told
@@ -137,3 +139,15 @@ def choices(given: str, names: Iterable[str], limit: int = 40) -> Told:
     meant = [str(near.parts["name"])] if isinstance(near, Phrase) else []
     some = (*meant, *(name for name in known[:12] if name not in meant))
     return Phrase("valid_some", names=some, near=near)
+
+
+@contextmanager
+def guarded(key: str, file: str | Path) -> Iterator[None]:
+    """Whatever a library breaks on while a file is read or worked on, as the sentence ``key`` about the file."""
+    try:
+        yield
+    except PlanesError:
+        raise
+    except Exception as error:  # on broken files libraries break in every way there is
+        why = str(error).partition("\n")[0][:80] or type(error).__name__
+        raise PlanesError(Phrase(key, file=str(file), why=why)) from None

@@ -10,7 +10,6 @@ import math
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
-from planes.files import save as save
 from render.marks import Arc, Arrow, Hatch, Layer, Mark, Text
 from render.style import LAYERS, fitted, head_size, pen
 

@@ -6,8 +6,8 @@ import io
 from collections.abc import Iterable
 from pathlib import Path
 
+from planes.files import save
 from render import pdf
-from render.ink import save
 from render.marks import Mark
 from render.photo import Photo
 

@@ -6,20 +6,20 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from planes.check.bench import Bench, marks_of, variants_of
+from planes.check.aligning import align
+from planes.check.bench import Bench, variants_of
+from planes.check.evidence import SURE, by_chance, nothing_drawn, size_of
 from planes.check.handwork import Hand, Miss, Taken
 from planes.check.judging import WARN, Judgement, judge, verdicts
-from planes.check.paper import Paper, Spot
-from planes.check.polygons import Rebuilt, rebuild
+from planes.check.paper import Paper
+from planes.check.polygons import Rebuilt
 from planes.check.scaling import own_scales
 from planes.drawing import Drawing, run
-from planes.mark_names import Names
-from planes.naming import POLE, at, label_of, mu_of, plan_of
+from planes.naming import at, label_of, mu_of, plan_of
 from planes.plans import Plans
 from planes.scales import extent, kind_of
 from planes.steps import Cross, CrossArc, CrossArcs, LayOff, Same, Step
-from planes.wording import PlanesError
-from planes.words import Phrase
+from planes.words import Phrase, Written
 
 OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
 LONG_MM = 3.0  # a shorter vector shows no scale
@@ -46,20 +46,23 @@ class Grading:
     def gap_wrong(self) -> float | None:
         """By how many mm a force polygon fails to close, where that is more than a hand's error."""
         gap = self.rebuilt.gap if self.rebuilt else None
+        reach = self.gap_reach
+        return abs(gap.place) if gap and reach is not None and abs(gap.place) > reach else None
+
+    @property
+    def gap_reach(self) -> float | None:
+        """How far from closed a hand may leave a polygon, mm; None where nothing is there to close it."""
+        gap = self.rebuilt.gap if self.rebuilt else None
         if gap is None:
             return None
-        sigma = math.sqrt(2 * self.hand.tool.skill.point_mm ** 2 + 2 * gap.error_mm ** 2)
-        return abs(gap.place) if abs(gap.place) > self.judgement.limit * sigma else None
+        return self.judgement.limit * math.sqrt(2 * self.hand.tool.skill.point_mm ** 2 + 2 * gap.error_mm ** 2)
 
     @property
     def left_out(self) -> str | None:
         """A known force that is not in the polygon and that nothing read was drawn from."""
         if self.rebuilt is None or self.judgement.wrong:
             return None
-        used = set(self.judgement.misses)
-        for step in reversed(self.hand.program.steps):
-            if step.makes in used:
-                used.update(n for n, kind in step.reads() if kind == "mark" and n not in self.judgement.misses)
+        used = self._used()
         for mark in self.marks:
             step = next(s for s in self.hand.program.steps if s.makes == mark)
             if isinstance(step, LayOff) and mark not in used:
@@ -69,47 +72,38 @@ class Grading:
         return None
 
     @property
+    def unseen(self) -> list[str]:
+        """Marks that were not read and that nothing read was drawn from: wherever they are, nobody has looked."""
+        used, steps = self._used(), {s.makes: s for s in self.hand.program.steps}
+        absent = self.rebuilt.absent if self.rebuilt else ()
+        return [label_of(m) for m in self.marks
+                if m not in used and not isinstance(steps[m], Same) and label_of(m) not in absent]  # fmt: skip
+
+    def _used(self) -> set[str]:
+        """Marks that were read, and those they were drawn from."""
+        used = set(self.judgement.misses)
+        for step in reversed(self.hand.program.steps):
+            if step.makes in used:
+                used.update(n for n, kind in step.reads() if kind == "mark" and n not in self.judgement.misses)
+        return used
+
+    @property
+    def strays(self) -> str | None:
+        """The mark where it goes wrong: drawn wrongly, left out, or where a polygon should close."""
+        gap = self.rebuilt.closing if self.gap_wrong and self.rebuilt else None
+        return self.judgement.first_wrong or self.left_out or gap
+
+    @property
+    def chance(self) -> float:
+        """How likely marks put anywhere on the drawing would be as right."""
+        found = self.judgement
+        return by_chance(self.hand, found.misses, found.limit, not self.said_mu, self.gap_reach)
+
+    @property
     def verdicts(self) -> dict[str, str]:
         """right, wrong, follows or unread for every mark of the plan."""
         strayed = {m: miss.sigmas > self.judgement.limit for m, miss in self.free.items()}
         return verdicts(self.judgement, self.marks, strayed)
-
-
-def align(bench: Bench, plan: str, paper: Paper) -> tuple[dict[str, Spot], Rebuilt | None, list[str]]:
-    """The paper's marks by label, from the pole; the rebuilt polygon of a force plan; names that are no marks."""
-    names = Names(label_of(m) for m in marks_of(bench.plans, plan))
-    pole = next((s for s in paper.spots if names.find(s.name) == POLE), None)
-    if kind_of(plan) == "force":
-        if pole is None:
-            raise PlanesError(Phrase("check_no_pole"))
-        rebuilt = rebuild(bench.plans, plan, paper.spots, paper.whole)
-        return rebuilt.spots, rebuilt, rebuilt.unknown
-    found: dict[str, Spot] = {}
-    unknown = []
-    for spot in paper.spots:
-        name = names.find(spot.name)
-        if name is None and not _fixed(bench, spot.name):
-            unknown.append(spot.name)
-        elif name and name != POLE:
-            found.setdefault(name, spot)
-    origin = pole.place if pole else _origin(bench, plan, found)
-    moved = {n: Spot(n, s.place - origin, s.error_mm) for n, s in found.items()}
-    return moved, None, unknown
-
-
-def _fixed(bench: Bench, name: str) -> bool:
-    """Whether a name is that of a fixed point, which stands at the pole of a motion plan."""
-    return Names(bench.plans.mechanism.frame.points).find(name) is not None
-
-
-def _origin(bench: Bench, plan: str, found: Mapping[str, Spot]) -> complex:
-    """Where the pole is when it was not read: from a fixed point of the scheme."""
-    if plan != "position":
-        raise PlanesError(Phrase("check_no_pole"))
-    for name, place in bench.plans.mechanism.frame.points.items():
-        if name in found:
-            return complex(found[name].place - place * bench.given[mu_of(plan)])
-    raise PlanesError(Phrase("check_no_fixed", names=", ".join(bench.plans.mechanism.frame.points)))
 
 
 def grade(bench: Bench, paper: Paper) -> Grading | None:
@@ -212,6 +206,11 @@ def readable(grading: Grading) -> Phrase | None:
     if len(found) < READABLE * len(key):
         missing = ", ".join(label_of(m) for m in key if m not in found)
         return Phrase("check_too_little", found=len(found), count=len(key), names=missing)
+    size = Written(f"{size_of(grading.hand, grading.marks):.1f}")
+    if nothing_drawn(grading.hand, grading.marks):
+        return Phrase("check_nothing_drawn", size=size)
+    if not grading.strays and grading.chance > SURE:
+        return Phrase("check_by_chance", size=size, count=len(grading.judgement.misses))
     count = len(grading.judgement.misses)
     wrong = [m for m, v in grading.verdicts.items() if v == "wrong"]
     if grading.judgement.named is None and count >= 3 and len(wrong) > 0.7 * count:

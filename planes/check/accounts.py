@@ -72,12 +72,14 @@ def segment_figures(plans: Plans, plan: str, labels: Sequence[str], written: Ite
 ]:  # fmt: skip
     """Figures of a table of segments ("pb", "bc"; of a force plan also "G_2"), and the names that mean nothing."""
     pairs: dict[str, tuple[str, str]] = {}
+    made = {s.makes for s in plans.program.sliced([at(plan, n) for n in labels]).steps}
+    ends = [n for n in (POLE, *labels) if at(plan, n) in made]  # a scheme has no pole
     for s in plans.segments:
-        if s.plan == plan and s.start != s.end:
+        if s.plan == plan and s.start != s.end and {s.start, s.end} <= set(ends):
             pairs.setdefault(s.start + s.end, (s.start, s.end))
             pairs.setdefault(s.name.replace("^", ""), (s.start, s.end))
-    for one in ("p", *labels):
-        for two in ("p", *labels):
+    for one in ends:
+        for two in ends:
             if one != two:
                 pairs.setdefault(one + two, (one, two))
     names, found, unknown = Names(pairs, poles=False), [], []

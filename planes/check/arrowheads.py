@@ -7,7 +7,7 @@ told from a tick, and is itself no part of the plan.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from planes.check.strokes import Head, Sketch, Stroke
@@ -81,20 +81,25 @@ def _open(strokes: Sequence[Stroke]) -> list[tuple[complex, complex, tuple[Strok
     found = []
     if len(short) > 400:
         return []
-    for i, one in enumerate(short):
-        for two in short[:i]:
-            tip, ends = _corner(one, two)
-            if tip is None or abs(abs(ends[0] - tip) - abs(ends[1] - tip)) > 0.15 * abs(ends[0] - tip):
-                continue
-            middle = tip - (ends[0] + ends[1]) / 2
-            spread = abs(ends[0] - ends[1]) / max(abs(ends[0] - tip), 1e-9)
-            if not 0.12 < spread < 1.3:
-                continue
-            u = middle / abs(middle)
-            longer = (s for s in strokes if s not in (one, two) and abs(s[1] - s[0]) > 1.3 * abs(ends[0] - tip))
-            if _candidates(list(longer), (tip, u)):
-                found.append((tip, u, (one, two)))
+    spread = [(head, wings, far) for i, one in enumerate(short) for wings in ((one, two) for two in short[:i])
+              for head, far in _spread(*wings)]  # fmt: skip
+    if len(strokes) * len(spread) > MOST_PAIRS:
+        return []
+    for (tip, u), wings, far in spread:
+        longer = [s for s in strokes if s not in wings and abs(s[1] - s[0]) > 1.3 * far]
+        if _candidates(longer, (tip, u)):
+            found.append((tip, u, wings))
     return found
+
+
+def _spread(one: Stroke, two: Stroke) -> Iterator[tuple[Head, float]]:
+    """The open head two strokes make, and how long it is, if they spread alike from where they meet."""
+    tip, ends = _corner(one, two)
+    if tip is None or abs(abs(ends[0] - tip) - abs(ends[1] - tip)) > 0.15 * abs(ends[0] - tip):
+        return
+    middle = tip - (ends[0] + ends[1]) / 2
+    if 0.12 < abs(ends[0] - ends[1]) / max(abs(ends[0] - tip), 1e-9) < 1.3:
+        yield (tip, middle / abs(middle)), abs(ends[0] - tip)
 
 
 def _corner(one: Stroke, two: Stroke) -> tuple[complex | None, tuple[complex, complex]]:

@@ -58,6 +58,12 @@ class Miss:
         return math.sqrt((xx + yy) / 2 + math.hypot((xx - yy) / 2, xy))
 
     @property
+    def mean(self) -> float:
+        """The standard deviation of a round error of the same area, mm."""
+        xx, xy, yy = self.cov
+        return math.sqrt(math.sqrt(max(xx * yy - xy * xy, 0.0)))
+
+    @property
     def log_density(self) -> float:
         """Logarithm of the normal density per mm²."""
         xx, xy, yy = self.cov

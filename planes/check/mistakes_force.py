@@ -80,8 +80,8 @@ def _mass(w: Ways, step: LayOff) -> Iterator[Variant]:
         if mass:
             alone = w.variant("mass_for_weight", step, replace(step, length=mass), weight=0.5)
             yield alone
-            gravity = 1.0 / float(w.plans.given["g"])
-            yield replace(alone, swaps={**alone.swaps, **_in_moments(w, step, gravity)})
+            if gravity := float(w.plans.given["g"]):
+                yield replace(alone, swaps={**alone.swaps, **_in_moments(w, step, 1.0 / gravity)})
 
 
 def _moments(w: Ways, step: LayOff) -> Iterator[Variant]:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from planes.check.opened import MB, contents, too_many
 from planes.wording import PlanesError
 from planes.words import Phrase
 
@@ -26,6 +27,8 @@ _COLUMNS = {
     "error_mm": ("error_mm", "±"),
 }
 _ROUNDED = math.sqrt(12)  # a number rounded to r is wrong by r/√12
+LARGEST = 2 * MB
+MOST = 2000  # rows
 LARGEST_MM = 10_000.0  # no sheet is larger
 
 
@@ -62,9 +65,7 @@ def read_table(path: str | Path) -> Paper:
     """A CSV or JSON file as a paper; :class:`PlanesError` where it cannot be read."""
     paper = Paper(str(path))
     try:
-        text = Path(path).read_bytes().decode("utf-8-sig")
-    except OSError as error:
-        raise paper.refuse("check_no_file", why=error.strerror or str(error)) from None
+        text = contents(path, LARGEST).decode("utf-8-sig")
     except UnicodeDecodeError:
         raise paper.refuse("check_text") from None
     if text.lstrip()[:1] in ("{", "["):
@@ -109,6 +110,8 @@ def _header(row: Sequence[str]) -> list[str] | None:
 
 def _add(paper: Paper, row: Mapping[str, Any], line: int) -> None:
     """One row of whichever table."""
+    if len(paper.spots) + len(paper.segments) + len(paper.results) >= MOST:
+        raise too_many(paper.file, "rows", MOST)
     if "mark" in row:
         cells = [row.get("x_mm"), row.get("y_mm")]
         if None in cells:

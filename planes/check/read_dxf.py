@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import cmath
+import io
 import math
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
 from planes.check.arrowheads import head_of, settle, tapered
+from planes.check.opened import MB, contents, too_many
 from planes.check.strokes import Sketch, Words
-from planes.wording import PlanesError
+from planes.wording import PlanesError, guarded
 from planes.words import Phrase
 
 _MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 8: 25.4e-6, 13: 1e-3, 14: 100.0}
-MOST = 60_000
+LARGEST = 12 * MB
+MOST = 60_000  # entities, blocks among them
 DEEPEST = 30  # blocks within blocks
 MEASURES = ("DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION", "TOLERANCE", "VIEWPORT")  # no vectors
 
@@ -26,27 +29,23 @@ def read_dxf(path: str | Path) -> Sketch:
     """
     try:
         from ezdxf import recover
-        from ezdxf.lldxf.const import DXFError
     except ImportError:
         raise PlanesError(Phrase("check_needs", what="ezdxf")) from None
-    try:
-        document, _ = recover.readfile(str(path))
-    except (OSError, DXFError, ValueError, UnicodeError) as error:
-        raise PlanesError(Phrase("check_dxf", file=str(path), why=str(error)[:80])) from None
-    scale = _MM.get(int(document.header.get("$INSUNITS", 0)), 1.0)
-    for space in (document.modelspace(), *(s for s in document.layouts if s.name != "Model")):
-        found = _sketch(document, space, scale, str(path))
-        if found.strokes:
-            break
+    data = contents(path, LARGEST)
+    with guarded("check_dxf", path):
+        document, _ = recover.read(io.BytesIO(data))
+        scale = _MM.get(int(document.header.get("$INSUNITS", 0)), 1.0)
+        for space in (document.modelspace(), *(s for s in document.layouts if s.name != "Model")):
+            found = _sketch(document, space, scale, str(path))
+            if found.strokes:
+                break
     return found
 
 
 def _sketch(document: Any, space: Any, scale: float, file: str) -> Sketch:
     found = Sketch(file)
     unseen = {layer.dxf.name.casefold() for layer in document.layers if layer.is_off() or layer.is_frozen()}
-    for count, entity in enumerate(_taken_apart(space, unseen, 0)):
-        if count > MOST:
-            break
+    for entity in _taken_apart(space, unseen, 0, _Counted(file)):
         try:
             _entity(found, entity, scale)
         except (ValueError, AttributeError, TypeError, IndexError, ZeroDivisionError):
@@ -55,9 +54,24 @@ def _sketch(document: Any, space: Any, scale: float, file: str) -> Sketch:
     return found
 
 
-def _taken_apart(entities: Iterable[Any], unseen: set[str], depth: int) -> Iterator[Any]:
+class _Counted:
+    """Counts entities as they pass, whether or not anything is to be seen of them."""
+
+    def __init__(self, file: str) -> None:
+        self.file, self.count = file, 0
+
+    def each(self, entities: Iterable[Any]) -> Iterator[Any]:
+        """The same entities, refused in words once there are too many."""
+        for entity in entities:
+            self.count += 1
+            if self.count > MOST:
+                raise too_many(self.file, "elements", MOST)
+            yield entity
+
+
+def _taken_apart(entities: Iterable[Any], unseen: set[str], depth: int, counted: _Counted) -> Iterator[Any]:
     """Entities that can be seen, blocks as what they hold."""
-    for entity in entities:
+    for entity in counted.each(entities):
         kind = entity.dxftype()
         hidden = entity.dxf.get("layer", "0").casefold() in unseen or entity.dxf.get("invisible", 0)
         if kind in MEASURES or hidden:
@@ -66,8 +80,8 @@ def _taken_apart(entities: Iterable[Any], unseen: set[str], depth: int) -> Itera
             yield entity
         elif depth < DEEPEST:
             copies = entity.multi_insert() if entity.mcount > 1 else (entity,)
-            for one in copies:
-                yield from _taken_apart(one.virtual_entities(), unseen, depth + 1)
+            for one in counted.each(copies):
+                yield from _taken_apart(one.virtual_entities(), unseen, depth + 1, counted)
                 yield from one.attribs
 
 

@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from xml.etree import ElementTree
 
 from planes.check.arrowheads import head_of, settle
+from planes.check.opened import MB, contents, too_many
 from planes.check.strokes import Sketch, Words
-from planes.check.svg_shapes import Looks, looks_of, outline, rings, style_rules
+from planes.check.svg_shapes import NUMBER, Looks, looks_of, number, outline, rings, style_rules
+from planes.check.svg_tree import MOST, tree
 from planes.wording import PlanesError
 from planes.words import Phrase
 
-LARGEST = 30_000_000  # bytes
-MOST = 60_000  # elements
-_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+LARGEST = 12 * MB
+LETTERS = 50  # of a shape's own description that take as long to read as one element
 _MM = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72, "pc": 25.4 / 6, "px": 25.4 / 96, "": 25.4 / 96}
+DEEPEST = 60  # groups within groups
 NO_HEADS = ("dot", "circle", "square", "stop", "tick", "distance", "diamond")  # markers that are no arrowheads
 Affine = tuple[complex, complex, complex]  # z -> o + Re(z)·a + Im(z)·b
 SAME: Affine = (0j, 1 + 0j, 1j)
@@ -25,26 +27,15 @@ _HREF = "{http://www.w3.org/1999/xlink}href"
 
 def read_svg(path: str | Path) -> Sketch:
     """The strokes of a file in mm, y up. :class:`PlanesError` where it is not an SVG."""
-    data = Path(path).read_bytes()
-    try:
-        if len(data) > LARGEST or b"<!ENTITY" in data[:4000]:
-            raise ElementTree.ParseError("too large")
-        root = ElementTree.fromstring(data)
-    except ElementTree.ParseError as error:
-        raise PlanesError(Phrase("check_svg", file=str(path), why=str(error)[:80])) from None
+    root = tree(contents(path, LARGEST), str(path))
     if _tag(root) != "svg":
         raise PlanesError(Phrase("check_svg", file=str(path), why=f"<{_tag(root)}>"))
     named = {e.get("id", ""): e for e in root.iter() if e.get("id")}
-    reader = _Reader(Sketch(str(path)), named, style_rules(root))
-    reader.walk(root, _page(root), 0, {})
-    settle(reader.sketch)
-    return reader.sketch
-
-
-def units(path: str | Path) -> Callable[[complex], complex]:
-    """From the file's own units, y down, to mm, y up."""
-    page = _page(ElementTree.fromstring(Path(path).read_bytes()))
-    return lambda z: _at(page, z)
+    page = _page(root)
+    sketch = Sketch(str(path), mm=lambda z: _at(page, z))
+    _Reader(sketch, named, style_rules(root)).walk(root, page, 0, {})
+    settle(sketch)
+    return sketch
 
 
 def _tag(e: ElementTree.Element) -> str:
@@ -52,14 +43,14 @@ def _tag(e: ElementTree.Element) -> str:
 
 
 def _length(text: str | None) -> float | None:
-    match = re.fullmatch(rf"\s*({_NUMBER})\s*(mm|cm|in|pt|pc|px|)\s*", text or "")
+    match = re.fullmatch(rf"\s*({NUMBER})\s*(mm|cm|in|pt|pc|px|)\s*", text or "")
     return float(match[1]) * _MM[match[2]] if match else None
 
 
 def _page(root: ElementTree.Element) -> Affine:
     """User units to mm of paper, y turned up."""
     width, height = _length(root.get("width")), _length(root.get("height"))
-    box = [float(n) for n in re.findall(_NUMBER, root.get("viewBox") or "")]
+    box = [float(n) for n in re.findall(NUMBER, root.get("viewBox") or "")]
     if len(box) == 4 and box[2] > 0 and box[3] > 0:
         sides = [a / b for a, b in ((width, box[2]), (height, box[3])) if a]
         scale = min(sides) if sides else 1.0
@@ -84,8 +75,10 @@ def _transform(text: str | None) -> Affine:
     import math
 
     found = SAME
-    for name, inside in re.findall(r"(\w+)\s*\(([^)]*)\)", text or ""):
-        v = [float(n) for n in re.findall(_NUMBER, inside)]
+    for part in (text or "").split(")"):
+        name, _, inside = part.strip(" \t\r\n,").partition("(")
+        v = [float(n) for n in re.findall(NUMBER, inside)]
+        name = name.strip()
         if name == "matrix" and len(v) == 6:
             one: Affine = (complex(v[4], v[5]), complex(v[0], v[1]), complex(v[2], v[3]))
         elif name == "translate" and v:
@@ -111,9 +104,11 @@ class _Reader:
         self.sketch, self.named, self.rules, self.count = sketch, named, rules, 0
 
     def walk(self, e: ElementTree.Element, m: Affine, depth: int, looks: Looks, used: bool = False) -> None:
-        self.count += 1
         tag = _tag(e)
-        if self.count > MOST or depth > 60:
+        self.count += 1 + sum(len(e.get(k, "")) for k in ("d", "points", "transform", "style")) // LETTERS
+        if self.count > MOST:
+            raise too_many(self.sketch.file, "elements", MOST)
+        if depth > DEEPEST:
             return
         looks = {**looks, **looks_of(e, self.rules)}
         if looks.get("display") == "none" or looks.get("visibility") in ("hidden", "collapse"):
@@ -134,7 +129,7 @@ class _Reader:
     def _use(self, e: ElementTree.Element, m: Affine, depth: int, looks: Looks) -> None:
         target = self.named.get((e.get("href") or e.get(_HREF) or "").removeprefix("#"))
         if target is not None and depth < 20:
-            shift = complex(_mm_free(e.get("x")), _mm_free(e.get("y")))
+            shift = complex(number(e.get("x")), number(e.get("y")))
             self.walk(target, _then(m, (shift, 1 + 0j, 1j)), depth + 1, looks, True)
 
     def _shape(self, e: ElementTree.Element, tag: str, m: Affine, looks: Looks) -> None:
@@ -165,12 +160,11 @@ class _Reader:
         if not text or len(text) > 40:
             return
         first = next((c for c in e.iter() if c.get("x")), e)
-        z = complex(float(re.findall(_NUMBER, first.get("x") or "0")[0]),
-                    float(re.findall(_NUMBER, first.get("y") or "0")[0]))  # fmt: skip
+        z = complex(number(first.get("x")), number(first.get("y")))
         m = _then(m, _transform(first.get("transform"))) if first is not e else m
         sizes = [c.get("font-size") or (re.search(r"font-size:([^;]+)", c.get("style") or "") or ["", ""])[1]
                  for c in (first, e)]  # fmt: skip
-        size = next((float(n[0]) for s in sizes if (n := re.findall(_NUMBER, s))), 12.0)
+        size = next((float(n[0]) for s in sizes if (n := re.findall(NUMBER, s))), 12.0)
         height, along = 0.73 * size * abs(m[2]), m[1] / abs(m[1]) if abs(m[1]) else 1 + 0j
         anchor = e.get("text-anchor") or ("middle" if "text-anchor:middle" in (e.get("style") or "") else "start")
         width = 0.7 * height * len(text)
@@ -178,18 +172,12 @@ class _Reader:
         self.sketch.words.append(Words(text, _at(m, z) - along * back, height, width, along))
 
 
-def _mm_free(text: str | None) -> float:
-    """A coordinate, whatever unit it names; none is zero."""
-    found = re.findall(_NUMBER, text or "")
-    return float(found[0]) if found else 0.0
-
-
 def _inner(e: ElementTree.Element) -> Affine:
     """A picture within the picture: its place and its own units."""
-    shift = complex(_mm_free(e.get("x")), _mm_free(e.get("y")))
-    box = [float(n) for n in re.findall(_NUMBER, e.get("viewBox") or "")]
+    shift = complex(number(e.get("x")), number(e.get("y")))
+    box = [float(n) for n in re.findall(NUMBER, e.get("viewBox") or "")]
     if len(box) != 4 or not (box[2] > 0 and box[3] > 0):
         return shift, 1 + 0j, 1j
-    sides = [_mm_free(e.get(k)) / b for k, b in (("width", box[2]), ("height", box[3])) if e.get(k)]
+    sides = [number(e.get(k)) / b for k, b in (("width", box[2]), ("height", box[3])) if e.get(k)]
     scale = min(sides) if sides else 1.0
     return shift - scale * complex(box[0], box[1]), scale + 0j, 1j * scale

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
+
+from planes.check.opened import too_many
 
 Stroke = tuple[complex, complex]
 Head = tuple[complex, complex]  # the tip of an arrowhead, and the unit way it points
 SHORT_MM = 0.8  # shorter strokes are ticks, dots and pieces of letters
 SNAPPED_MM, LOOSE_MM, FARTHEST_MM = 0.1, 0.6, 2.0  # ends no farther apart are one: joined by a program, by eye, badly
 CROSSINGS = 400  # of more strokes than this crossings are not looked for
+MOST, MOST_SHORT = 12_000, 120_000  # strokes of a drawing, and pieces of letters: a plan has a few dozen strokes
 CROWD = 0.03  # nodes per mm² beyond which any place would do for a mark
 
 
@@ -44,6 +47,7 @@ class Sketch:
     ways: list[int] = field(default_factory=list)  # which end of each stroke has a head: +1, -1, 0 unknown; or none
     heads: list[Head] = field(default_factory=list)
     short: list[Stroke] = field(default_factory=list)  # vectors if they have heads, else ticks and pieces of letters
+    mm: Callable[[complex], complex] = lambda z: z  # from the file's own units to mm, y up
 
     def add(self, points: Sequence[complex], closed: bool = False) -> None:
         """A polyline's strokes."""
@@ -51,6 +55,9 @@ class Sketch:
         for a, b in pairwise(line):
             if all(map(_finite, (a, b))) and abs(b - a) > 0.02:
                 (self.strokes if abs(b - a) >= SHORT_MM else self.short).append((a, b))
+        for held, most in ((self.strokes, MOST), (self.short, MOST_SHORT)):
+            if len(held) > most:
+                raise too_many(self.file, "strokes", most)
 
 
 def _finite(z: complex) -> bool:

@@ -19,7 +19,8 @@ def style_rules(root: ElementTree.Element) -> dict[str, Looks]:
     for e in root.iter():
         if isinstance(e.tag, str) and e.tag.rpartition("}")[2] == "style":
             text = re.sub(r"/\*.*?\*/", "", "".join(e.itertext())[:200_000], flags=re.DOTALL)
-            for selectors, body in re.findall(r"([^{}]+)\{([^{}]*)\}", text):
+            for rule in text.split("}"):
+                selectors, _, body = rule.rpartition("{")
                 for selector in selectors.split(","):
                     found.setdefault(selector.strip(), {}).update(_declared(body))
     return found
@@ -39,10 +40,16 @@ def looks_of(e: ElementTree.Element, rules: Mapping[str, Looks]) -> Looks:
     return found | _declared(e.get("style") or "")
 
 
+def number(text: str | None) -> float:
+    """A coordinate, whatever unit it names; none is zero."""
+    found = re.search(NUMBER, text or "")
+    return float(found[0]) if found else 0.0
+
+
 def outline(e: ElementTree.Element, tag: str) -> Iterator[tuple[list[complex], bool]]:
     """The straight polylines of a shape."""
     if tag == "line":
-        x1, y1, x2, y2 = (float((re.findall(NUMBER, e.get(k) or "0") or ["0"])[0]) for k in ("x1", "y1", "x2", "y2"))
+        x1, y1, x2, y2 = (number(e.get(k)) for k in ("x1", "y1", "x2", "y2"))
         yield [complex(x1, y1), complex(x2, y2)], False
     elif tag in ("polyline", "polygon"):
         v = [float(n) for n in re.findall(NUMBER, e.get("points") or "")]
@@ -94,7 +101,9 @@ def rings(d: str) -> Iterator[list[complex]]:
     for letter, at, _ in _pieces(d):
         if letter == "Z" and len(ring) > 2:
             yield ring
-        ring = [at] if letter in "MZ" else [*ring, at]
+        ring = [at] if letter in "MZ" else ring
+        if letter not in "MZ":
+            ring.append(at)
 
 
 def _end(base: str, v: list[float], at: complex, relative: bool) -> complex:

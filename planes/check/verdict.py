@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 from planes.check import Grading, grade, readable
 from planes.check.accounts import Account, account, result_figures, segment_figures
 from planes.check.bench import Asked, Bench, prepare, variants_of
+from planes.check.evidence import SURE_LENGTHS, lengths_by_chance
 from planes.check.handwork import Hand, Taken, Variant
 from planes.check.paper import Paper
 from planes.check.slips import Figure
@@ -43,11 +45,8 @@ class Outcome:
     @property
     def first_wrong(self) -> str | None:
         """The mark (or segment, or result) where the work goes wrong."""
-        g = self.grading
-        if g:
-            gap = g.rebuilt.closing if g.gap_wrong and g.rebuilt else None
-            if found := g.judgement.first_wrong or g.left_out or gap:
-                return found
+        if self.grading and (found := self.grading.strays):
+            return found
         for table in (self.segments, self.results):
             if table and table.first_wrong:
                 return table.named.blames if table.named and table is self.segments else table.first_wrong.figure.name
@@ -91,7 +90,7 @@ class Outcome:
             return self.unreadable
         first = self.first_wrong
         if first is None:
-            return self.when_right
+            return self.when_right if not self.unseen else self.when_right_as_seen
         if self.mistake:
             return Phrase(f"mistake_{self.mistake}", **self._about(first))
         return self._unclear(first)
@@ -101,6 +100,17 @@ class Outcome:
         """What is said of a right drawing of the plan."""
         key, parts = _plan_words(self.bench.asked.plan)
         return Phrase("check_right", plan=Phrase(key, **parts))
+
+    @property
+    def unseen(self) -> list[str]:
+        """Marks of the plan that nobody has looked at."""
+        return self.grading.unseen if self.grading and not self.unreadable else []
+
+    @property
+    def when_right_as_seen(self) -> Phrase:
+        """What is said of a drawing that is right where it was seen."""
+        key, parts = _plan_words(self.bench.asked.plan)
+        return Phrase("check_right_as_seen", plan=Phrase(key, **parts), names=", ".join(self.unseen))
 
     def _about(self, first: str) -> dict[str, object]:
         """Names for the sentence of the mistake."""
@@ -117,6 +127,8 @@ class Outcome:
         g, table = self.grading, self._table
         if g and g.judgement.wrong:
             off = abs(g.judgement.misses[g.judgement.wrong[0]].off)
+            if not math.isfinite(off):
+                return Phrase("check_undrawable", mark=first)
             return Phrase("check_unclear", mark=first, off=Written(f"{off:.1f}"))
         s = table.first_wrong if table else None
         given, true = (s.figure.given, s.true) if s else (0.0, 0.0)
@@ -192,6 +204,17 @@ def _segments(out: Outcome) -> None:
         if best is None or (wrong, k > 0) < best[:2]:
             best = wrong, k > 0, found
     out.segments = best[2] if best else None
+    if best and best[2].first_wrong is None and not out.grading:
+        out.unreadable = _shown_by(best[2], bool(best[1]))
+
+
+def _shown_by(lengths: Account, free: bool) -> Phrase | None:
+    """None when right lengths show that the plan is right, else a sentence that says they are too few or too short."""
+    longest = max(s.figure.given for s in lengths.scored)
+    shares = (6 * s.sigma / longest if longest else 1.0 for s in lengths.scored)
+    if lengths_by_chance(shares, free) <= SURE_LENGTHS:
+        return None
+    return Phrase("check_by_chance", count=len(lengths.scored), size=Written(f"{longest:.1f}"))
 
 
 def _segment_scales(bench: Bench, figures: list[Figure]) -> list[float]:

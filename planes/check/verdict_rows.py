@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from planes.check import close_call
@@ -23,14 +24,13 @@ def mark_rows(out: Outcome) -> list[dict[str, Any]]:
         absent = g.rebuilt is not None and label_of(mark) in g.rebuilt.absent
         if own and miss and not (absent and verdict == "right"):
             free = g.free[mark]
-            row |= {
-                "read_mm": [round(own.place.real, 3), round(own.place.imag, 3)],
-                "read_error_mm": round(own.error_mm, 3),
-                "deviation_mm": round(abs(free.off), 3),
-                "tolerance_mm": round(free.reach(g.judgement.limit), 3),
-                "own_deviation_mm": round(abs(miss.off), 3),
-                "own_tolerance_mm": round(miss.reach(g.judgement.limit), 3),
-            }
+            sizes = {
+                "read_error_mm": own.error_mm, "deviation_mm": abs(free.off),
+                "tolerance_mm": free.reach(g.judgement.limit), "own_deviation_mm": abs(miss.off),
+                "own_tolerance_mm": miss.reach(g.judgement.limit),
+            }  # fmt: skip
+            row["read_mm"] = [round(own.place.real, 3), round(own.place.imag, 3)]
+            row |= {key: round(mm, 3) if math.isfinite(mm) else None for key, mm in sizes.items()}
             if verdict == "right" and close_call(miss, g.judgement.limit):
                 row["warning"] = Phrase("check_close").told("en")
         elif absent:
@@ -63,6 +63,7 @@ def as_json(out: Outcome, lang: Lang = "en") -> dict[str, Any]:
     asked, plans = out.bench.asked, out.bench.plans
     value = float(out.bench.given[plans.drive_given])
     unreadable = out.verdict == "unreadable"
+    unseen = [Phrase("check_unseen", names=", ".join(out.unseen))] if out.unseen and out.verdict == "right" else []
     return {
         "planes": 1, "scene": asked.scene.file, "variant": asked.scene.variant,
         "phi_deg" if plans.mechanism.drive.kind == "phi" else "s": value,
@@ -70,6 +71,6 @@ def as_json(out: Outcome, lang: Lang = "en") -> dict[str, Any]:
         "first_wrong": None if unreadable else out.first_wrong,
         "mistake": out.mistake, "runner_up": None if unreadable else out.runner_up,
         "sentence": {one: out.sentence.told(one) for one in ("ru", "en")},
-        "results": result_rows(out), "warnings": [n.told(lang) for n in out.notes],
+        "results": result_rows(out), "warnings": [n.told(lang) for n in (*out.notes, *unseen)],
     }  # fmt: skip
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import re
 from pathlib import Path
 
@@ -113,8 +112,6 @@ def read_paper(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
     suffix = Path(file).suffix.lower()
     if suffix in TABLES:
         return read_table(file)
-    if not Path(file).is_file():
-        raise PlanesError(Phrase("check_no_file", file=file, why=os.strerror(2)))
     if suffix in LINES:
         return _from_lines(file, asked, args)
     if suffix in PICTURES:
@@ -130,14 +127,13 @@ def _from_lines(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
     """The marks of a drawing of lines; --pole and --mark are in its own units, y down."""
     from planes.check.matching import paper_of, scaled
     from planes.check.read_dxf import read_dxf
-    from planes.check.read_svg import read_svg, units
+    from planes.check.read_svg import read_svg
 
     bench = prepare(asked)
     sketch = read_svg(file) if file.lower().endswith(".svg") else read_dxf(file)
-    turn = units(file) if file.lower().endswith(".svg") else (lambda z: z)
-    pole = turn(place(args.pole, "--pole")[1]) if args.pole else None
+    pole = sketch.mm(place(args.pole, "--pole")[1]) if args.pole else None
     marks = dict(place(m, "--mark") for m in args.mark)
-    sketch, by = scaled(sketch, bench, pole, {n: turn(z) for n, z in marks.items()})
+    sketch, by = scaled(sketch, bench, pole, {n: sketch.mm(z) for n, z in marks.items()})
     paper = paper_of(sketch, bench)
     paper.scale_mark = by
     origin = paper.spots[0].place if paper.spots else 0j  # the pole is read first

@@ -15,11 +15,11 @@ from planes.check.paper import Paper
 from planes.check.verdict import STATUS, Outcome, check
 from planes.check.verdict_rows import as_json
 from planes.spreadsheet import as_csv
-from planes.wording import PlanesError
+from planes.wording import PlanesError, guarded
 from planes.words import Lang, Phrase, say
 
 Reader = Callable[[str], Paper]
-NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py")  # reports and scenes that lie beside the drawings
+NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp")  # lie beside the drawings
 
 
 @dataclass
@@ -42,10 +42,11 @@ class Checked:
         return (self.found.first_wrong or "") if self.found and self.verdict == "wrong" else ""
 
     def said(self, lang: Lang) -> str:
-        """Which mistake it is, or why it cannot be read; nothing of a right one."""
+        """Which mistake it is, why it cannot be read, or what was not seen of it; nothing of a right one."""
         if self.found is None:
             return self.refused.told(lang) if self.refused else ""
-        return "" if self.verdict == "right" else self.found.sentence.told(lang)
+        whole = self.verdict == "right" and not self.found.unseen
+        return "" if whole else self.found.sentence.told(lang)
 
     def row(self, lang: Lang) -> list[str]:
         """File, verdict, mark, sentence."""
@@ -74,7 +75,7 @@ class Group:
 def check_class(args: argparse.Namespace, asked: Asked, read: Reader) -> int:
     """Every drawing of a folder: a row for each, on the terminal and in the file of ``-o``."""
     folder = Path(args.drawing)
-    files = [f for f in sorted(folder.iterdir()) if f.is_file() and not f.name.startswith(".")]
+    files = [f for f in sorted(folder.iterdir()) if f.is_file() and not f.name.startswith((".", "~$"))]
     files = [f for f in files if f.suffix.lower() not in NO_DRAWINGS]
     if not files:
         raise PlanesError(Phrase("check_empty_folder", file=args.drawing))
@@ -82,7 +83,8 @@ def check_class(args: argparse.Namespace, asked: Asked, read: Reader) -> int:
     for file in _shown(files):
         name = file.name.encode("utf-8", "replace").decode()  # any bytes at all may be the name of a file
         try:
-            group.all.append(Checked(name, check(asked, read(str(file)))))
+            with guarded("check_broken", name):  # one file never stops the others
+                group.all.append(Checked(name, check(asked, read(str(file)))))
         except PlanesError as error:
             group.all.append(Checked(name, refused=error))
     if args.output:

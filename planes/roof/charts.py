@@ -10,6 +10,7 @@ from planes.cycle.limits import Limit
 from planes.cycle.methods import Method, front, machine, measure
 from planes.cycle.peers import installed, version
 from planes.cycle.stability import Approach, approach
+from planes.files import save
 from planes.mechanism import Mechanism
 from planes.plans import state
 from planes.scene import Scene
@@ -30,12 +31,14 @@ def draw_chart(scene: Scene, output: str, table: str | None, lang: Lang) -> None
     plans = state(moving(scene.mechanism), scene.file)
     methods, way = measure(plans), approach(plans)
     ways = None if way is None else _ways(way, lang)
+    target = output
     try:
         draw(path, scene.title.get(lang, ""), _spots(methods), _spots(front(methods)), ways, _seconds(lang), lang)
         if table:
-            Path(table).write_text(text(methods, way, lang), encoding="utf-8")
+            target = table
+            save(text(methods, way, lang).encode(), table)
     except OSError as error:
-        raise PlanesError(Phrase("cannot_write", file=error.filename or output, reason=error.strerror or "")) from None
+        raise PlanesError(Phrase("cannot_write", file=target, reason=error.strerror or "")) from None
 
 
 def moving(mechanism: Mechanism) -> Mechanism:

@@ -17,6 +17,7 @@ from planes.check.sight.photograph import blank_pole
 from planes.check.tracing_paper import tracing_data
 from planes.check.verdict import Outcome
 from planes.check.verdict_rows import as_json, mark_rows
+from planes.files import save
 from planes.measuring import say_plan
 from planes.naming import POLE
 from planes.scales import kind_of
@@ -63,7 +64,7 @@ def _write(marks: list[Any], title: str, output: str, lang: Lang, under: Photo |
         else:
             raise PlanesError(Phrase("check_output", file=output))
     except OSError as error:
-        raise PlanesError(Phrase("check_no_file", file=output, why=error.strerror or str(error))) from None
+        raise PlanesError(Phrase("cannot_write", file=output, reason=error.strerror or str(error))) from None
 
 
 def write_trace(asked: Asked, output: str, lang: Lang) -> None:
@@ -92,7 +93,7 @@ def write_class(group: Any, output: str, lang: Lang) -> None:
         try:
             target.mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            raise PlanesError(Phrase("check_no_file", file=output, why=error.strerror or "")) from None
+            raise PlanesError(Phrase("cannot_write", file=output, reason=error.strerror or str(error))) from None
         for one in group.all:
             if one.found:
                 one.report = f"{one.file}.html"
@@ -119,11 +120,11 @@ def _unmarked(one: Any, lang: Lang) -> str:
 
 
 def write_text(text: str, output: str) -> None:
-    """A file of text, or a sentence why not."""
+    """A file of text, whole or not at all, or a sentence why not."""
     try:
-        Path(output).write_text(text, encoding="utf-8")
+        save(text.encode(), output)
     except OSError as error:
-        raise PlanesError(Phrase("check_no_file", file=output, why=error.strerror or "")) from None
+        raise PlanesError(Phrase("cannot_write", file=output, reason=error.strerror or str(error))) from None
 
 
 def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:

@@ -2,15 +2,26 @@
 
 from __future__ import annotations
 
+from planes.words.files import FILES
 from planes.words.mistakes import MISTAKES
 
 CHECK: dict[str, tuple[str, str]] = {
     **MISTAKES,
+    **FILES,
     # the whole
     "check_right": ("Чертёж верен: {plan}.", "The drawing is right: {plan}."),
+    "check_right_as_seen": (
+        "Прочитанное верно: {plan}; не увидено: {names}, проверьте их глазами.",
+        "What was read is right: {plan}; not seen: {names}, look at them yourself.",
+    ),
     "check_unclear": (
         "{mark} на {off} мм не там, куда ведёт построение из ваших же точек; причина не ясна",
         "{mark} is {off} mm from where the construction from your own marks leads; the cause is unclear",
+    ),
+    "check_undrawable": (
+        "{mark}: по вашим же точкам построение не провести: линии не пересекаются; проверьте точки и длины до неё",
+        "{mark}: the construction cannot be drawn from your own marks, its lines do not meet; check the marks and "
+        "lengths before it",
     ),
     "check_number_unclear": (
         "{mark} = {given}, а верно {true}; причина не ясна",
@@ -27,6 +38,17 @@ CHECK: dict[str, tuple[str, str]] = {
     "check_other_drawing": (
         "Это похоже на другой чертёж: из {count} прочитанных отметок не на месте {wrong}.",
         "This looks like another drawing: of {count} marks read {wrong} are out of place.",
+    ),
+    "check_nothing_drawn": (
+        "Чертежа плана не видно: всё прочитанное лежит не дальше {size} мм от полюса.",
+        "No drawing of the plan is seen: all that was read lies within {size} mm of the pole.",
+    ),
+    "check_by_chance": (
+        "Судить не по чему: прочитано {count}, до дальней отметки (или в длиннейшем отрезке) {size} мм; "
+        "в пределах ошибки карандаша так лягут и случайные точки. "
+        "Начертите крупнее, покажите больше отметок или назовите масштаб (--mu).",
+        "There is too little to judge by: {count} read, the farthest or longest {size} mm; within a pencil's error any "
+        "points would do as well. Draw larger, show more marks, or tell the scale (--mu).",
     ),
     "check_no_pole": (
         "В таблице нет полюса p; добавьте его строку.",
@@ -46,6 +68,7 @@ CHECK: dict[str, tuple[str, str]] = {
         "Нет таких отметок в плане: {names}; они пропущены.",
         "The plan has no such marks: {names}; they are left out.",
     ),
+    "check_unseen": ("Не увидены и не проверены: {names}.", "Not seen and not judged: {names}."),
     "check_close": ("между 2σ и 3σ", "between 2σ and 3σ"),
     "check_scale_vector": (
         "Масштаб взят по вектору {mark}, поэтому его длина не проверялась.",
@@ -57,39 +80,11 @@ CHECK: dict[str, tuple[str, str]] = {
         "{file}: в этой сцене нет механизма, проверять можно только планы механизмов",
         "{file}: this scene has no mechanism; only plans of a mechanism can be checked",
     ),
-    "check_columns": (
-        "{file}: первая строка таблицы должна называть столбцы: mark,x_mm,y_mm или segment,mm или result,value,unit",
-        "{file}: the first row must name the columns: mark,x_mm,y_mm or segment,mm or result,value,unit",
-    ),
-    "check_not_number": (
-        "{file}:{line}: {text} — не число", "{file}:{line}: {text} is not a number",
-    ),
-    "check_no_place": (
-        "{file}:{line}: {text} мм на листе не бывает; длины пишутся в мм",
-        "{file}:{line}: there is no {text} mm on a sheet; lengths are in mm",
-    ),
-    "check_row": (
-        "{file}:{line}: в строке не хватает столбцов", "{file}:{line}: the row has too few columns",
-    ),
-    "check_json": ("{file}: это не JSON: {why}", "{file}: this is not JSON: {why}"),
-    "check_text": ("{file}: файл не читается как текст UTF-8", "{file}: the file cannot be read as UTF-8 text"),
-    "check_no_file": ("{file}: файл не открывается: {why}", "{file}: the file cannot be opened: {why}"),
     "check_option": ("{option} {text}: ожидается {form}{hint}", "{option} {text}: expected {form}{hint}"),
-    "check_suffix": (
-        "{file}: по расширению {suffix} не понять, что это; читаются .csv, .json, .svg, .dxf, .png, .jpg, .pdf",
-        "{file}: the suffix {suffix} says nothing; .csv, .json, .svg, .dxf, .png, .jpg and .pdf are read",
-    ),
-    "check_svg": ("{file}: это не SVG: {why}", "{file}: this is not an SVG: {why}"),
-    "check_dxf": ("{file}: это не DXF: {why}", "{file}: this is not a DXF: {why}"),
-    "check_needs": (
-        "для этого нужен пакет {what}: pip install planes[check]",
-        "this needs the package {what}: pip install planes[check]",
-    ),
     "check_crowd": (
         "На чертеже слишком много линий ({count} концов), чтобы узнать в них план.",
         "The drawing has too many lines ({count} ends) to tell the plan among them.",
     ),
-    "check_picture": ("{file}: картинка не читается", "{file}: the picture cannot be read"),
     "check_three_marks": (
         "Видны только три угловые метки бланка из четырёх.", "Only three of the blank's four corner marks are seen."
     ),

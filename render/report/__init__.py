@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from planes.crank_slider.pages import Document
-from render.ink import save
+from planes.files import save
 
 
 def write(document: Document, path: str | Path) -> None:

@@ -31,25 +31,29 @@ def _coloured(picture: Any) -> bool:
 
 def plainest(cv2: Any, picture: Any) -> Any:
     """Grey, or that of the three colours in which a grid that is everywhere fades most and nothing else does."""
-    grey = cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY)
-    inked = _ink(cv2, grey)
-    best, most = grey, 0.0
-    for one in cv2.split(picture):
-        ink = _ink(cv2, one)
+    middle = _middle(picture)
+    inked = _ink(cv2, cv2.cvtColor(middle, cv2.COLOR_BGR2GRAY))
+    best, most = None, 0.0
+    for k in range(3):
+        ink = _ink(cv2, cv2.extractChannel(middle, k))
         faded = (inked > FAINT) & (ink < 0.5 * inked)
         lost = _spread((inked > DARK) & (ink < DARK / 2))
         if _spread(faded) > EVERYWHERE and not 0 < lost < SOMEWHERE and float((inked - ink)[faded].sum()) > most:
-            best, most = one, float((inked - ink)[faded].sum())
-    return best
+            best, most = k, float((inked - ink)[faded].sum())
+    return cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY) if best is None else cv2.extractChannel(picture, best)
 
 
-def _ink(cv2: Any, grey: Any) -> Any:
-    """How much darker than paper the middle of a picture is, its grain aside."""
+def _middle(picture: Any) -> Any:
+    """The middle of a picture."""
+    h, w = picture.shape[:2]
+    high, wide = min(h, LOOK_PX) // 2, min(w, LOOK_PX) // 2
+    return picture[h // 2 - high : h // 2 + high, w // 2 - wide : w // 2 + wide]
+
+
+def _ink(cv2: Any, part: Any) -> Any:
+    """How much darker than paper a picture is, its grain aside."""
     import numpy
 
-    h, w = grey.shape
-    high, wide = min(h, LOOK_PX) // 2, min(w, LOOK_PX) // 2
-    part = grey[h // 2 - high : h // 2 + high, w // 2 - wide : w // 2 + wide]
     light = cv2.GaussianBlur(cv2.dilate(part, numpy.ones((25, 25), numpy.uint8)), (0, 0), 12).astype(numpy.float32)
     return 1 - cv2.GaussianBlur(part, (0, 0), 1.0) / numpy.maximum(light, 1)
 

@@ -9,11 +9,12 @@ from typing import Any
 from planes.check.bench import Bench
 from planes.check.fiducials import SHEET_MM, pole_place
 from planes.check.paper import Paper, Spot
+from planes.check.sight.decoding import load
 from planes.check.sight.force_seen import vectors_on
 from planes.check.sight.frame import by_frame
 from planes.check.sight.motion_seen import marks_on
 from planes.check.sight.pencil_lines import sheet_of
-from planes.check.sight.picture import Flat, by_points, cv, flatten, load
+from planes.check.sight.picture import Flat, by_points, cv, flatten
 from planes.check.sight.poles import pole_found, pole_on
 from planes.check.sight.scheme_seen import points_on
 from planes.drawing import run
@@ -38,6 +39,7 @@ class Look:
     explained: float = -1.0
     hidden: tuple[str, ...] = ()  # vectors whose ends are not seen
     bare: bool = False  # whether there are no lines at all
+    crowd: bool = False  # whether there are too many to look at
 
     def box(self, bench: Bench) -> tuple[float, float, float, float]:
         """Where the flat picture lies, mm from the pole: left, bottom, right, top."""
@@ -67,12 +69,12 @@ def paper_of_picture(
         raise PlanesError(Phrase("check_no_marks"))
     paper.notes = list(best.flat.notes)
     paper.picture, paper.box = shown(best.flat), best.box(bench)
-    if best.explained < 0:
+    if best.crowd:
         paper.notes.append(Phrase("check_crowd", count=f"> {2 * MOST_LINES}"))
     elif best.bare:
         paper.notes.append(Phrase("check_no_lines"))
     elif best.explained < EXPLAINED:
-        paper.notes.append(Phrase("check_no_plan_seen", share=f"{100 * best.explained:.0f}"))
+        paper.notes.append(Phrase("check_no_plan_seen", share=f"{100 * max(best.explained, 0.0):.0f}"))
     else:
         paper.spots, paper.whole = best.spots, best.whole
         if not best.spots:
@@ -102,7 +104,7 @@ def looked(bench: Bench, flat: Flat, pole: complex | None) -> Look:
     printed = blank_pole(bench) if flat.size_mm == SHEET_MM else None
     seen = sheet_of(flat, printed)
     if seen is None or len(seen.lines) > MOST_LINES:
-        return Look(flat, 0j)
+        return Look(flat, 0j, crowd=True)
     if not seen.lines:
         return Look(flat, 0j, explained=0.0, bare=True)
     near = pole if pole is not None else printed

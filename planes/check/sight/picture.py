@@ -4,21 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import Any
 
 from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, centres
 from planes.check.sight.bend import Bend, add_paper, bend_of
-from planes.check.sight.colours import in_one_shade, plainest
 from planes.wording import PlanesError
 from planes.words import Phrase
 
 PX_PER_MM = 8.0
 LARGEST_PX = 3200  # the longer side beyond which a picture is made smaller before it is looked at
-MOST_PIXELS = 120_000_000
-PAGE_DPI = 200
-SEE_THROUGH = (b"\x89PNG", b"RIFF")  # how files begin that may be transparent: PNG, WebP
-PNG_END = b"IEND"
+MOST_FLAT = 34_000_000  # pixels of the largest sheet, A1
 
 
 @dataclass
@@ -65,60 +60,6 @@ def cv() -> Any:
     except ImportError:
         raise PlanesError(Phrase("check_needs", what="opencv-python-headless")) from None
     return cv2
-
-
-def load(path: str | Path) -> Any:
-    """A picture (or the first page of a PDF) in one shade. :class:`PlanesError` where it is none."""
-    import numpy
-
-    cv()  # or a sentence that it is missing
-    try:
-        data = Path(path).read_bytes()
-    except OSError as error:
-        raise PlanesError(Phrase("check_no_file", file=str(path), why=error.strerror or "")) from None
-    if data[:5] == b"%PDF-":
-        return _page(data, str(path))
-    found = _decoded(numpy.frombuffer(data, numpy.uint8)) if data else None
-    if found is None or min(found.shape) < 40 or found.size > MOST_PIXELS:
-        raise PlanesError(Phrase("check_picture", file=str(path)))
-    return found
-
-
-def _decoded(data: Any) -> Any:
-    """The pixels in grey, on white paper where they are transparent; None where the file is no whole picture."""
-    import numpy
-
-    cv2, told = cv(), cv().utils.logging.getLogLevel()
-    cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
-    try:
-        if data[:4].tobytes() == SEE_THROUGH[0] and PNG_END not in data[-64:].tobytes():
-            return None  # it was cut short
-        whole = cv2.imdecode(data, cv2.IMREAD_UNCHANGED) if data[:4].tobytes() in SEE_THROUGH else None
-        if whole is None or whole.ndim < 3 or whole.shape[2] != 4:
-            return in_one_shade(cv2, data)
-        most = numpy.iinfo(whole.dtype).max
-        cover = whole[..., 3].astype(numpy.float32) / most
-        grey = cv2.cvtColor(whole[..., :3], cv2.COLOR_BGR2GRAY).astype(numpy.float32) * (255 / most)
-        return (255 - cover * (255 - grey)).round().astype(numpy.uint8)
-    except cv2.error:
-        return None
-    finally:
-        cv2.utils.logging.setLogLevel(told)
-
-
-def _page(data: bytes, file: str) -> Any:
-    """A page of a PDF at 200 pixels per inch (fewer of a very large one), in one shade."""
-    import numpy
-    import pypdfium2
-
-    try:
-        document = pypdfium2.PdfDocument(data)
-        w, h = document[0].get_size()
-        scale = min(PAGE_DPI / 72, (MOST_PIXELS / max(w * h, 1.0)) ** 0.5)
-        page = document[0].render(scale=scale).to_numpy()
-    except pypdfium2.PdfiumError:
-        raise PlanesError(Phrase("check_picture", file=file)) from None
-    return plainest(cv(), numpy.ascontiguousarray(page[..., :3]))
 
 
 def dictionary() -> Any:
@@ -222,7 +163,7 @@ def by_points(grey: Any, pole: complex, mark: complex, length_mm: float) -> Flat
     if apart < 10 or length_mm <= 0:
         raise PlanesError(Phrase("check_points"))
     factor = PX_PER_MM * length_mm / apart
-    if not 0.05 < factor < 8 or grey.size * factor * factor > MOST_PIXELS:
+    if not 0.05 < factor < 8 or grey.size * factor * factor > MOST_FLAT:
         raise PlanesError(Phrase("check_points"))
     how = cv2.INTER_AREA if factor < 1 else cv2.INTER_CUBIC
     flat = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=how)
