@@ -14,12 +14,13 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, Literal
 
+from planes.files import save
 from planes.words import say
 from render.cutting import uncovered
 from render.dxf_blocks import insert_form, insert_signs
 from render.dxf_entities import GREY, OBLIQUE_DEG, Entities, style_name
 from render.faces import Face
-from render.ink import checked, save
+from render.ink import checked
 from render.marks import Mark, Text
 from render.style import LAYERS, PENS, pen, weight
 

@@ -12,7 +12,8 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from render.ink import arc_dashes, arrow_parts, by_layer, checked, hatch_strokes, is_circle, length_mm, save
+from planes.files import save
+from render.ink import arc_dashes, arrow_parts, by_layer, checked, hatch_strokes, is_circle, length_mm
 from render.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
 from render.outlines import dejavu
 from render.photo import Photo
