@@ -106,6 +106,9 @@ class Polygon:
             if plan_of(step.makes) != self.plan or not isinstance(step, (Similar, Image)):
                 continue
             base = (step.start, step.end) if isinstance(step, Similar) else step.image
+            if step.start not in base:  # laid off from a mark of its own: there is no triangle on the base
+                self.trace(self.mark(label_of(step.start)), self.mark(label_of(step.makes)))
+                continue
             corners = [label_of(base[0]), label_of(step.makes), label_of(base[1])]
             a, x, b = map(self.mark, corners)
             flat = abs(b - a) < ZERO_MM or abs(((x - a) / (b - a)).imag) * abs(b - a) < ZERO_MM
