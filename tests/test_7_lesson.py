@@ -203,11 +203,31 @@ def test_wrong_answers_of_the_practice_are_wrong_and_have_names(path: Path) -> N
             assert [bool(o.get("right")) for o in line["options"]].count(True) == 1 and len(line["options"]) > 1
         if task["kind"] == "lay_off":
             assert "0" not in task["turned"]
+            assert all(task["turned"].values())
+
+
+RATIOS = {"force_doubled": 2, "coriolis_half": 0.5, "mass_for_weight": 1 / 9.81} | dict.fromkeys(
+    ("force_missing", "weight_missing", "normal_missing", "coriolis_missing", "reaction_along_loaded_link"), 0
+)
+
+
+@pytest.mark.parametrize("path", SAMPLES, ids=NAMES)
+def test_a_wrong_length_is_what_its_explanation_says(path: Path) -> None:
+    exported = data(path)
+    for task in (t for t in exported["practice"] if t["kind"] == "lay_off"):
+        mu = exported["mus"][f"mu_{task['mark'].rpartition(':')[0]}"]
+        ratios = RATIOS | {"value_for_mm": 1 / mu, "value_over_mu": 1 / mu**2}
+        for wrong in task["lengths"]:
+            assert abs(wrong["mm"] / task["mm"] - 1) > 0.04
+            if wrong["mistake"] in ratios:
+                assert wrong["mm"] == pytest.approx(task["mm"] * ratios[wrong["mistake"]], rel=0.002, abs=0.06)
+            else:
+                assert wrong["mistake"] in ("normal_wrong_velocity", "coriolis_wrong_omega")
 
 
 def test_the_practice_names_the_mistakes_of_the_method() -> None:
     mistakes = {w["mistake"] for t in data(SIX)["practice"] for w in t["places"]}
-    mistakes |= {w["mistake"] for t in data(SIX)["practice"] for w in t.get("turned", {}).values()}
+    mistakes |= {w["mistake"] for t in data(SIX)["practice"] for q in t.get("turned", {}).values() for w in q}
     assert {"normal_outward", "relative_reversed", "coriolis_reversed", "coriolis_half", "omega1_reversed",
             "similarity_mirrored", "along_link", "epsilon1_ignored", "other_assembly"} <= mistakes  # fmt: skip
 

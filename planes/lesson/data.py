@@ -12,7 +12,7 @@ from planes.drawing import Drawing, run
 from planes.equations import Equation, Term
 from planes.lesson import LANGS, Teller, mu_said, needed, value_of
 from planes.lesson.formulas import slots, unit
-from planes.lesson.practice import Practice
+from planes.lesson.practice import Practice, told_values
 from planes.lesson.scheme import arms, feet, related, scheme
 from planes.lesson.steps import action, whole
 from planes.lesson.zones import reasons, zones
@@ -162,7 +162,7 @@ def _frame(frame: Any) -> dict[str, Any]:
     return {
         "key": frame.key, "plan": frame.plan, "makes": frame.makes, "uses": frame.uses, "equation": frame.equation,
         "terms": frame.terms, "said": dict(frame.said), "why": dict(frame.why), "moments": frame.moments,
-        "values": sorted(slots(frame.said["en"])),
+        "values": told_values(frame),
     }  # fmt: skip
 
 

@@ -126,11 +126,14 @@ LESSON: dict[str, tuple[str, str]] = {
         "over the sine of it, at a dead point without limit.",
     ),
     # practice
-    "other_direction": (
-        "Направление не то: {reason}", "That is not the direction: {reason}",
+    "value_for_mm": (
+        "{mark}: отложена сама величина; миллиметры — это величина, умноженная на масштаб",
+        "{mark}: this is the quantity itself; its millimetres are the quantity times the scale",
     ),
-    "other_length": ("Длина не та: {reason}", "That is not the length: {reason}"),
-    "other_place": ("Не здесь: {reason}", "Not there: {reason}"),
+    "value_over_mu": (
+        "{mark}: величина разделена на масштаб; миллиметры — это величина, умноженная на него",
+        "{mark}: the quantity was divided by the scale; its millimetres are the quantity times it",
+    ),
     # ways a length is laid off
     "way_across": ("перпендикулярно {line}", "perpendicular to {line}"),
     "way_along": ("вдоль {line}", "along {line}"),
