@@ -11,7 +11,7 @@ from typing import Any
 from planes.drawing import Drawing, run
 from planes.equations import Equation, Term
 from planes.lesson import LANGS, Teller, mu_said, needed, value_of
-from planes.lesson.formulas import slots, unit
+from planes.lesson.formulas import unit
 from planes.lesson.practice import Practice, told_values
 from planes.lesson.scheme import arms, feet, related, scheme
 from planes.lesson.steps import action, whole
