@@ -153,6 +153,8 @@ def _term(plan: str, t: Term) -> dict[str, Any]:
 def _acted(t: Term) -> str:
     """The line of action beneath a term."""
     text = t.action
+    if text.startswith("∠⊥"):
+        return f"∠ρ {action(text[1:])}"
     if text in ("", "=0") or text.startswith(("→", "∠", "l_")) or "→" in text:
         return "" if text.startswith(("→", "∠")) else text
     return text if text.startswith(("-", "+", "↓")) else action(text)

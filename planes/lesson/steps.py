@@ -11,7 +11,7 @@ from planes import steps as s
 from planes.drawing import Drawing
 from planes.equations import Equation, Term
 from planes.lesson.formulas import formula, number, paper, sense, unit, value
-from planes.naming import label_of, plan_of
+from planes.naming import label_of, plan_of, written
 from planes.plans import Plans
 from planes.scales import kind_of
 from planes.steps.reckoning import Calculate, Choose, Measure
@@ -30,11 +30,12 @@ def lettered(name: str) -> str:
 
 def line_of(direction: str) -> str:
     """The line a direction is parallel or perpendicular to: "BC" of ⊥BC, "y-y" of ⊥∥y-y."""
-    return direction.lstrip("⊥∥")
+    return written(direction).lstrip("⊥∥")
 
 
 def way(direction: str, lang: Lang) -> str:
     """How a vector is laid off, in words."""
+    direction = written(direction)
     if m := _TOWARDS.match(direction):
         return tell("way_towards", lang, one=m[1], other=m[2])
     if m := _MOVING.match(direction):
@@ -53,7 +54,7 @@ def way(direction: str, lang: Lang) -> str:
 
 def action(direction: str) -> str:
     """A line of action as it is written: ⊥BC, ∥y-y; a bare name of two points is along them."""
-    plain = direction.replace("⊥∥", "⊥")
+    plain = written(direction)
     return plain if plain.startswith(("⊥", "∥")) else f"∥{plain}"
 
 

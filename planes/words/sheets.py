@@ -69,6 +69,7 @@ SHEETS: dict[str, tuple[str, str]] = {
     "kg": ("кг", "kg"),
     "kgm2": ("кг·м²", "kg·m²"),
     "W": ("Вт", "W"),
+    "leans": ("∠{angle}° к {line}", "∠{angle}° to {line}"),
     "line_axis": ("штрихпунктирная тонкая ГОСТ 2.303", "thin chain line, GOST 2.303"),
     "line_phantom": ("штрихпунктирная с двумя точками ГОСТ 2.303", "chain line with two dots, GOST 2.303"),
     "line_dash": ("штриховая ГОСТ 2.303", "dashed line, GOST 2.303"),

@@ -75,8 +75,7 @@ class Lever:
             foot = point + ((0j - point) * along.conjugate()).real * along
             if abs(foot) > 2:
                 marks += [Line((point, foot), "construction", "construction"), Line((0j, foot), "thin", "dimension")]
-                text = f"H_{{{''.join(c for c in self.naming.vector(name) if c not in '_^{}')}}}"
-                named.append(labels.Label(text, (0j, foot), 3.5, name=f"arm {name}"))
+                named.append(labels.Label(self.naming.arm(name, arm), (0j, foot), 3.5, name=f"arm {name}"))
         return marks, named
 
     @property

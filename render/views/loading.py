@@ -189,8 +189,7 @@ class Loading:
                     continue
                 self.marks.append(Line((point, foot), "construction", "construction"))
                 self.marks.append(Line((about, foot), "thin", "dimension"))
-                text = f"h_{{{''.join(c for c in self.naming.vector(name) if c not in '_^{}')}}}"
-                self.named.append(labels.Label(text, (about, foot), NAME_MM, name=f"arm {name}"))
+                self.named.append(labels.Label(self.naming.arm(name, arm), (about, foot), NAME_MM, name=f"arm {name}"))
 
 
 def _sign(value: object) -> float:

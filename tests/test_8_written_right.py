@@ -1,0 +1,106 @@
+"""What the sheets write beneath and beside their figures is what is drawn: directions, units, one symbol a quantity."""
+
+from __future__ import annotations
+
+import cmath
+import math
+import re
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from planes.lesson.data import lesson_data
+from planes.roof import view_of
+from planes.scene import Scene, load, loads
+from planes.solving import Position, solve
+from planes.steps.reckoning import Drop
+from render.letters import pieces
+from render.marks import Text
+from render.names import Naming
+from render.typeset import plain
+
+SAMPLES = {path.stem: path for path in sorted((Path(__file__).parent.parent / "samples").glob("*.yaml"))}
+SAMPLES.pop("vectors")
+TWICE = """\
+planes: 1
+frame: {points: {O: [0, 0]}, guides: {y-y: {x: 0.3}}}
+links:
+  1: {points: {O: 0}, guides: {r: {through: O, angle: 0}}}
+  2: {points: {B: 0}, slides: r, mass: 2}
+  3: {points: {B: 0}, slides: y-y, mass: 1}
+drive: {link: 1, phi: 30, omega: 10}
+"""
+
+
+@cache
+def scene_of(name: str) -> Scene:
+    return replace(load(SAMPLES[name]), find=None)
+
+
+@cache
+def drawn(name: str) -> Position:
+    return solve(scene_of(name)).positions[0]
+
+
+def said(scene: Scene, view: str, lang: str = "en") -> set[str]:
+    """The texts of one view, as they are read."""
+    return {plain(m.text) for m in view_of(scene, view, None, lang).marks if isinstance(m, Text)}
+
+
+@pytest.mark.parametrize("name", ["bntu-2", "crank-slider", "kind-2-rrp"])
+def test_a_reaction_with_friction_is_written_as_it_leans(name: str) -> None:
+    position = drawn(name)
+    leaning = [t for e in position.plans.equations for t in e.terms if (t.direction or "").startswith("∡")]
+    assert leaning
+    for term in leaning:
+        guide = term.action.partition("∥")[2]
+        rho = math.degrees(math.atan(position.plans.mechanism.friction[guide]))
+        way, along = complex(position.drawing[term.direction]), complex(position.drawing[f"∥{guide}"])
+        assert abs(math.degrees(cmath.phase(way / along)) % 180 - 90) == pytest.approx(rho)
+        assert f"∠{rho:.4g}° to ⊥{guide.replace('-', '–')}" in said(scene_of(name), "force-equations")
+    terms = [t for e in lesson_data(scene_of(name))["equations"] for side in e["sides"] for t in side]
+    assert any(t["action"].startswith("∠ρ ⊥") for t in terms)
+
+
+@pytest.mark.parametrize(("name", "unit"), [("bntu-1", "N·m"), ("bntu-3", "N·m"), ("six-link", "W")])
+def test_the_equation_of_the_lever_is_in_the_unit_of_its_numbers(name: str, unit: str) -> None:
+    assert said(scene_of(name), "lever") & {"W", "N·m", "N"} == {unit}
+
+
+def test_the_lever_of_a_sliding_driver_at_rest_is_in_newtons() -> None:
+    scene = scene_of("sliding-driver")
+    assert scene.mechanism
+    resting = replace(scene.mechanism.drive, velocity=0.0, acceleration=0.0)
+    still = replace(scene, mechanism=replace(scene.mechanism, drive=resting))
+    assert "N" in said(still, "lever") and not said(still, "lever") & {"W", "N·m"}
+
+
+@pytest.mark.parametrize("name", list(SAMPLES))
+def test_an_arm_has_one_symbol_and_a_symbol_one_arm(name: str) -> None:
+    position, naming = drawn(name), Naming("en")
+    found: dict[str, set[str]] = {}
+    steps = {s.makes: s for s in position.plans.program.steps if isinstance(s, Drop)}
+    for equation in position.plans.moments:
+        for force, arm in equation.terms:
+            if arm in steps:
+                symbol = naming.arm(force, arm)
+                assert "".join(p.text for p in pieces(f"⟨{arm}⟩", naming)) == plain(symbol)
+                found.setdefault(symbol, set()).add(arm)
+    assert all(len(arms) == 1 for arms in found.values())
+
+
+def test_two_arms_of_one_force_are_told_apart_in_figure_and_equation() -> None:
+    figure, equations = (said(scene_of("kind-3-rpr"), view) for view in ("group-2-3", "moments"))
+    assert {"hΦ2", "hΦ2B"} <= figure
+    assert {"G2hG2", "G2hG2B", "Φ2hΦ2", "Φ2hΦ2B"} <= equations
+
+
+def test_a_line_drawn_twice_is_written_as_the_line_it_is() -> None:
+    scene = loads(TWICE)
+    texts = said(scene, "equations")
+    assert "⊥OB" in texts and not any(re.search("[′~]", t) for t in texts)
+    exported = lesson_data(scene)
+    assert not any("~" in text for frame in exported["frames"] for text in frame["said"].values())
+    assert not any("~" in t["action"] for e in exported["equations"] for side in e["sides"] for t in side)
