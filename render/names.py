@@ -49,8 +49,8 @@ class Naming:
             index = self.reaction(index)
         elif letter == "I":
             letter = "Φ"
-        elif letter == "MI":
-            letter, index = "M", "Φ" + index
+        elif letter in ("MI", "MP"):
+            letter, index = "M", ("Φ" if letter == "MI" else "P") + index
         elif letter == "T" and index.startswith("F_"):
             index = self.reaction(index[2:])
         elif letter in ("v", "a"):
