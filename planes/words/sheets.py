@@ -106,6 +106,25 @@ SHEETS: dict[str, tuple[str, str]] = {
         "лист {format}: не поместились и опущены {views}; поместятся при меньшем μ",
         "sheet {format}: {views} found no room and were left out; a smaller μ would make room",
     ),
+    "too_short": (
+        "вид «{view}»: векторы {names} короче {least} мм и не начерчены; их покажет большее μ этого вида",
+        "the view “{view}”: the vectors {names} are shorter than {least} mm and not drawn; a larger μ of this view "
+        "would show them",
+    ),
+    "positions_failed": (
+        "вид «{view}»: положения {numbers} не начерчены: механизм в них не собирается",
+        "the view “{view}”: positions {numbers} are not drawn: the mechanism cannot be assembled there",
+    ),
+    "positions_far": (
+        "вид «{view}»: положения {numbers} не начерчены: у особого положения точки уходят слишком далеко",
+        "the view “{view}”: positions {numbers} are not drawn: near a dead point the points go too far off",
+    ),
+    "overprinted": (
+        "вид «{view}»: подписи {names} не нашли свободного места и лежат на другом; больше места даст большее μ этого "
+        "вида",
+        "the view “{view}”: the labels {names} found no free place and lie on something; a larger μ of this view gives "
+        "more room",
+    ),
     "bad_suffix": (
         "{file}: файл листа должен оканчиваться на {known}",
         "{file}: the file of a sheet must end in {known}",

@@ -10,6 +10,7 @@ from planes.scene import Scene
 from planes.wording import SceneError
 from planes.words import Lang, say
 from render import svg
+from render.labels.footprints import overprinted
 from render.marks import Mark
 from render.sheet.frame import FORMATS, Paper
 from render.sheet.layout import FULL, GAP_MM, QUICK, USUAL, Effort, Field, Packed, pack, spread
@@ -137,7 +138,15 @@ def finished(
     """The views in their places within frame and title block."""
     marks = [m for v, left, top in places for m in v.placed(left, top)]
     title = scene.title.get(lang, "")
-    return Sheet(paper, (*paper.marks(cells(scene, lang, number), lang), *marks), tuple(places), title, warnings)
+    said = (*warnings, *(sentence for v, _, _ in places for sentence in unseen(v, lang)))
+    return Sheet(paper, (*paper.marks(cells(scene, lang, number), lang), *marks), tuple(places), title, said)
+
+
+def unseen(one: View, lang: Lang) -> list[str]:
+    """Sentences about what cannot be seen or read in a view."""
+    names = ", ".join(dict.fromkeys(map(plain, overprinted(one.marks))))
+    crowded = [say("overprinted", lang, view=plain(one.title or one.key), names=names)] if names else []
+    return [*one.unseen, *crowded]
 
 
 def wanted_format(name: str, scene: Scene, lang: Lang) -> str:

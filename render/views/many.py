@@ -12,8 +12,10 @@ from typing import Any
 
 from planes.mechanism import FRAME, Link
 from planes.plans import Plans
+from planes.words import Lang, say
 from render import labels
 from render.marks import Line, Mark
+from render.typeset import plain
 from render.views.places import NEAR_MM, outline_of
 
 MOST = 3.5  # times its usual size a scheme may have in the course of a turn
@@ -133,6 +135,13 @@ class Many:
                     found.append(Line(tuple(run), "dash", "construction"))
                 run = []
         return found
+
+    def unseen(self, title: str, lang: Lang) -> list[str]:
+        """Sentences about the numbered positions that are not drawn."""
+        failed = [x.number for x in self.numbered if not x.result]
+        far = [x.number for x in self.numbered if x.result and not self.near(x.result)]
+        told = (("positions_failed", failed), ("positions_far", far))
+        return [say(key, lang, view=plain(title), numbers=", ".join(numbers)) for key, numbers in told if numbers]
 
     def labels(self) -> list[labels.Label]:
         """Numbers of the positions at the end of the crank, or beneath a sliding driver."""

@@ -12,8 +12,11 @@ from planes.words import say
 from render import detail, labels
 from render.marks import Arrow, Layer, Line, Mark
 from render.names import Naming
+from render.numbers import number
 from render.symbols import dot
+from render.typeset import plain
 from render.views import remark
+from render.views.formulas import NOISE_MM
 from render.views.plotted import Plotted
 
 ZERO_MM = 0.05  # a vector shorter than this is nothing on paper
@@ -80,6 +83,16 @@ class Polygon:
             if there and abs(self.mark(s.end) - self.mark(s.start)) > ZERO_MM:
                 names = self.arrows.setdefault((s.start, s.end), [])
                 names += [s.name] * (s.name not in names)
+
+    def unseen(self, title: str) -> list[str]:
+        """A sentence about the vectors that are too short to be drawn, if there are any."""
+        sizes = {
+            s.name: abs(self.mark(s.end) - self.mark(s.start)) for s in self.plotted.segments
+            if s.plan == self.plan and self.plotted.has(s.plan, s.start, s.end)
+        }  # fmt: skip
+        names = [plain(self.naming.vector(n)) for n, size in sizes.items() if NOISE_MM < size <= ZERO_MM]
+        told = {"view": plain(title), "names": ", ".join(names), "least": number(ZERO_MM, self.naming.lang)}
+        return [say("too_short", self.naming.lang, **told)] if names else []
 
     def terms(self) -> Iterable[Term]:
         """The terms of this plan's equations whose ends are drawn."""
