@@ -8,16 +8,20 @@ import re
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from planes.cli import main
 from planes.lesson.data import lesson_data
-from planes.roof import view_of
+from planes.roof import sheet_of, view_of
 from planes.scene import Scene, load, loads
 from planes.solving import Position, solve
 from planes.steps.reckoning import Drop
+from planes.wording import PlanesError
+from render.labels.footprints import overprinted
 from render.letters import pieces
-from render.marks import Text
+from render.marks import Line, Text
 from render.names import Naming
 from render.typeset import plain
 
@@ -104,3 +108,47 @@ def test_a_line_drawn_twice_is_written_as_the_line_it_is() -> None:
     exported = lesson_data(scene)
     assert not any("~" in text for frame in exported["frames"] for text in frame["said"].values())
     assert not any("~" in t["action"] for e in exported["equations"] for side in e["sides"] for t in side)
+
+
+@pytest.mark.parametrize(("paper", "number"), [("A4", 1), ("A4", 2), ("A3", 1)])
+def test_the_format_a_refusal_advises_does_hold_the_sheet(paper: str, number: int) -> None:
+    scene = replace(scene_of("six-link"), sheet={"format": paper})
+    with pytest.raises(PlanesError) as refused:
+        sheet_of(scene, None, "en", number)
+    advised = re.search(r"; (A\d) holds all of it$", refused.value.told("en"))
+    assert advised
+    assert sheet_of(replace(scene, sheet={"format": advised[1]}), None, "en", number).paper.name == advised[1]
+
+
+def test_a_refusal_blames_one_view_only_where_it_does_not_fit_alone() -> None:
+    scene = replace(scene_of("kind-1-rrr"), sheet={"format": "A4"})
+    with pytest.raises(PlanesError, match=r"the \d+ views do not fit together"):
+        sheet_of(scene, None, "en", 2)
+
+
+@pytest.mark.parametrize(("view", "numbers"), [("positions", "9, 10, 11, 9′"), ("velocity-plan", "")])
+def test_positions_that_are_left_out_are_told(view: str, numbers: str, tmp_path: Path, capsys: Any) -> None:
+    arguments = ["--view", view, "--lang", "en", "-o", str(tmp_path / "x.svg")]
+    assert main(["sheet", str(SAMPLES["six-link"]), *arguments]) == 0
+    error = capsys.readouterr().err
+    assert f"positions {numbers} are not drawn" in error if numbers else error == ""
+
+
+def test_vectors_too_short_to_draw_are_told() -> None:
+    scene = scene_of("kind-1-rrr")
+    assert scene.mechanism
+    loads_ = tuple(replace(x, value=x.value * (1e8 if x.kind == "force" else 1)) for x in scene.mechanism.loads)
+    heavy = replace(scene, mechanism=replace(scene.mechanism, loads=loads_), mu={})
+    (said_,) = view_of(heavy, "force-2-3", None, "en").warnings
+    assert "G2" in said_
+    assert "shorter than 0.05 mm and not drawn" in said_
+    assert view_of(scene, "force-2-3", None, "en").warnings == ()
+
+
+def test_labels_on_labels_and_strokes_are_told_by_their_letters() -> None:
+    bar = Line((0j, 20 + 0j), "thin", "construction")
+    clear, over, struck = Text("AB", 0 + 2j), Text("AB", 1 + 2j), Text("CD", 30 - 2j)
+    assert overprinted([bar, clear]) == []
+    assert overprinted([bar, clear, over]) == ["AB", "AB"]
+    assert overprinted([replace(bar, points=(25 + 0j, 45 + 0j)), clear, struck]) == ["CD"]
+    assert overprinted([Line((0j, 20 + 0j), "thin", "text"), Text("AB", 0 - 2j)]) == []  # its own bar

@@ -85,14 +85,17 @@ SHEETS: dict[str, tuple[str, str]] = {
     "layer_result": ("Планы: результаты", "Plans: results"),
     "layer_text": ("Надписи", "Lettering"),
     "no_room": (
-        "лист {format}: вид «{view}» ({width} × {height} мм) не помещается; поместится на формате {larger} или при "
-        "меньшем масштабе",
-        "sheet {format}: the view “{view}” ({width} × {height} mm) does not fit; it would on {larger} or at a smaller "
-        "scale",
+        "лист {format}: вид «{view}» ({width} × {height} мм) не помещается; ",
+        "sheet {format}: the view “{view}” ({width} × {height} mm) does not fit; ",
     ),
-    "no_room_at_all": (
-        "лист: вид «{view}» ({width} × {height} мм) не помещается даже на А1; уменьшите μ этого вида",
-        "sheet: the view “{view}” ({width} × {height} mm) does not fit even on A1; lower the μ of this view",
+    "no_room_together": (
+        "лист {format}: виды ({count}) вместе не помещаются, наибольший — «{view}» ({width} × {height} мм); ",
+        "sheet {format}: the {count} views do not fit together, the largest is “{view}” ({width} × {height} mm); ",
+    ),
+    "room_on": ("всё поместится на формате {larger}", "{larger} holds all of it"),
+    "no_room_larger": (
+        "не хватит и A1; уменьшите μ в разделе plans",
+        "not even A1 holds it; lower the μ under plans",
     ),
     "left_out_larger": (
         "лист {format}: не поместились и опущены {views}; поместятся на формате {larger}",

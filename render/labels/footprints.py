@@ -140,7 +140,7 @@ def overprinted(marks: Sequence[Mark]) -> list[str]:
     """Labels whose letters, not their boxes alone, lie on another label or on any stroke but their own bars."""
     held = [m for m in marks if not (isinstance(m, Line) and m.layer == "text" and m.name != "leader")]
     texts = [m for m in held if isinstance(m, Text) and layout(m).strokes]
-    crowded = {c.first for c in conflicts((), held)} | {c.second for c in conflicts((), held) if c.kind == "label"}
+    crowded = {name for c in conflicts((), held) for name in (c.first, c.second)}
     inked = {k: letters(t) for k, t in enumerate(texts) if t.text in crowded}
     rest = ink([m for m in held if not isinstance(m, Text)])
     found = []
@@ -156,8 +156,8 @@ def letters(text: Text) -> Any:
     """The ink of a text's own letters."""
     laid = layout(text)
     return shapely.union_all([
-        shapely.buffer(shapely.LineString([(z.real, z.imag) for z in line]), half / 2 or _TOUCH_MM)
-        for half, line in zip(laid.pens, laid.strokes, strict=True) if len(line) > 1
+        shapely.buffer(shapely.LineString([(z.real, z.imag) for z in line]), pen_mm / 2 or _TOUCH_MM)
+        for pen_mm, line in zip(laid.pens, laid.strokes, strict=True) if len(line) > 1
     ])  # fmt: skip
 
 

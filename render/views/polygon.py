@@ -16,10 +16,10 @@ from render.numbers import number
 from render.symbols import dot
 from render.typeset import plain
 from render.views import remark
-from render.views.formulas import NOISE_MM
 from render.views.plotted import Plotted
 
 ZERO_MM = 0.05  # a vector shorter than this is nothing on paper
+NOTHING_MM = 1e-10  # and one shorter than this is none
 SAME_MM = 0.35  # marks closer than this share one label
 BEYOND_MM = 7.0  # how far a line of action runs past the crossing
 ALONE_MM = 12.0  # half of a line of action on which the vector vanished
@@ -62,7 +62,8 @@ class Polygon:
         details = detail.details(self.places.values(), self.letters())
         circled = (*ground, *(d.circle() for d in details))
         marks = (*circled, *labels.place([*named, *(d.named() for d in details)], circled).marks)
-        marks = detail.beside(marks, [d.drawn(ground, named) for d in details])
+        apart = {d: self.mark_labels(SAME_MM / d.times) if self.of_rates else named for d in details}
+        marks = detail.beside(marks, [d.drawn(ground, apart[d]) for d in details])
         return (*marks, remark(f"({say('shifted', self.naming.lang)})", marks)) if self.shifted else marks
 
     def letters(self) -> list[str]:
@@ -90,7 +91,7 @@ class Polygon:
             s.name: abs(self.mark(s.end) - self.mark(s.start)) for s in self.plotted.segments
             if s.plan == self.plan and self.plotted.has(s.plan, s.start, s.end)
         }  # fmt: skip
-        names = [plain(self.naming.vector(n)) for n, size in sizes.items() if NOISE_MM < size <= ZERO_MM]
+        names = [plain(self.naming.vector(n)) for n, size in sizes.items() if NOTHING_MM < size <= ZERO_MM]
         told = {"view": plain(title), "names": ", ".join(names), "least": number(ZERO_MM, self.naming.lang)}
         return [say("too_short", self.naming.lang, **told)] if names else []
 
@@ -175,12 +176,12 @@ class Polygon:
             found.append(labels.Label(text, (a, b), FORCE_MM, name=names[0]))
         return found
 
-    def mark_labels(self) -> list[labels.Label]:
+    def mark_labels(self, same: float = SAME_MM) -> list[labels.Label]:
         """Letters of the marks; those that coincide share one label."""
         clusters: list[tuple[complex, list[str]]] = []
         for label in self.plotted.labels(self.plan):
             z = self.mark(label)
-            near = next((c for c in clusters if abs(c[0] - z) <= SAME_MM), None)
+            near = next((c for c in clusters if abs(c[0] - z) <= same), None)
             if near:
                 near[1].append(label)
             else:
