@@ -10,6 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from planes.cli import main
@@ -19,11 +20,13 @@ from planes.scene import Scene, load, loads
 from planes.solving import Position, solve
 from planes.steps.reckoning import Drop
 from planes.wording import PlanesError
-from render.labels.footprints import overprinted
+from render.labels.footprints import ink, letters, overprinted
 from render.letters import pieces
 from render.marks import Line, Text
 from render.names import Naming
 from render.typeset import plain
+from render.views.loading import Arms
+from render.views.tables import Grid
 
 SAMPLES = {path.stem: path for path in sorted((Path(__file__).parent.parent / "samples").glob("*.yaml"))}
 SAMPLES.pop("vectors")
@@ -152,3 +155,21 @@ def test_labels_on_labels_and_strokes_are_told_by_their_letters() -> None:
     assert overprinted([bar, clear, over]) == ["AB", "AB"]
     assert overprinted([replace(bar, points=(25 + 0j, 45 + 0j)), clear, struck]) == ["CD"]
     assert overprinted([Line((0j, 20 + 0j), "thin", "text"), Text("AB", 0 - 2j)]) == []  # its own bar
+
+
+@pytest.mark.parametrize("letter", [2.5, 3.5, 5.0])
+@pytest.mark.parametrize("cell", ["a_{E5E}^{k}", "F_{21}^{t}", "12,5", "S_{2}"])
+def test_cells_keep_clear_of_the_rules(letter: float, cell: str) -> None:
+    marks = Grid(letter).drawn(["", "a"], [[cell, "1"], ["G_{2}", cell]])
+    rules = ink([m for m in marks if isinstance(m, Line)])
+    for text in (m for m in marks if isinstance(m, Text)):
+        assert len(rules.within(np.array([letters(text)]), 0.3)[0]) == 0
+
+
+def test_an_arm_of_two_forces_is_drawn_once() -> None:
+    arms = Arms()
+    arms.add(5 + 5j, (0j, 5 + 0j), "h_{G2}", "G_2")
+    arms.add(5 + 9j, (0j, 5 + 0j), "h_{G3}", "G_3")
+    arms.add(5 + 9j, (0j, 0 + 9j), "h_{P3}", "P_3")
+    assert [x.text for x in arms.named] == ["h_{G2} = h_{G3}", "h_{P3}"]
+    assert [m.layer for m in arms.marks if isinstance(m, Line)].count("dimension") == 2
