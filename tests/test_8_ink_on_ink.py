@@ -108,7 +108,7 @@ def test_no_ink_on_ink_unsaid_on_random_mechanisms(seed: int) -> None:
         try:
             page = view_of(random_scene(seed), view, None, "ru")
         except PlanesError as error:
-            assert "нечего чертить" in str(error) or "φ = " in str(error) or "s = " in str(error)  # noqa: PT017
+            assert "нечего чертить" in str(error) or "φ = " in str(error) or "s = " in str(error)
             continue
         drawn += 1
         assert unsaid(page) == [], view
