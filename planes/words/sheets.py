@@ -85,12 +85,12 @@ SHEETS: dict[str, tuple[str, str]] = {
     "layer_result": ("Планы: результаты", "Plans: results"),
     "layer_text": ("Надписи", "Lettering"),
     "no_room": (
-        "лист {format}: вид «{view}» ({width} × {height} мм) не помещается; ",
-        "sheet {format}: the view “{view}” ({width} × {height} mm) does not fit; ",
+        "лист {format}: вид «{view}» ({width} × {height} мм) не помещается; {advice}",
+        "sheet {format}: the view “{view}” ({width} × {height} mm) does not fit; {advice}",
     ),
     "no_room_together": (
-        "лист {format}: виды ({count}) вместе не помещаются, наибольший — «{view}» ({width} × {height} мм); ",
-        "sheet {format}: the {count} views do not fit together, the largest is “{view}” ({width} × {height} mm); ",
+        "лист {format}: виды ({count}) вместе не помещаются, наибольший — «{view}» ({width} × {height} мм); {advice}",
+        "sheet {format}: the {count} views do not fit together, the largest is “{view}” ({width} × {height} mm); {advice}",
     ),
     "room_on": ("всё поместится на формате {larger}", "{larger} holds all of it"),
     "no_room_larger": (

@@ -178,8 +178,8 @@ def no_room(contents: Contents, paper: Paper, lang: Lang) -> SceneError:
     larger = names[names.index(paper.name) + 1 :]
     fitting = next((n for n in larger if any(fitted(contents, n, True, whole) for whole in (True, False))), "")
     words = {
-        "format": paper.name, "view": plain(largest.title or largest.key), "count": len(views), "larger": fitting,
+        "format": paper.name, "view": plain(largest.title or largest.key), "count": len(views),
         "width": round(largest.width), "height": round(largest.height),
     }  # fmt: skip
-    told = say("no_room" if alone else "no_room_together", lang, **words)
-    return SceneError(told + say("room_on" if fitting else "no_room_larger", lang, **words))
+    words["advice"] = say("room_on", lang, larger=fitting) if fitting else say("no_room_larger", lang)
+    return SceneError(say("no_room" if alone else "no_room_together", lang, **words))
