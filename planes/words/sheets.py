@@ -90,7 +90,7 @@ SHEETS: dict[str, tuple[str, str]] = {
     ),
     "no_room_together": (
         "лист {format}: виды ({count}) вместе не помещаются, наибольший — «{view}» ({width} × {height} мм); {advice}",
-        "sheet {format}: the {count} views do not fit together, the largest is “{view}” ({width} × {height} mm); {advice}",
+        "sheet {format}: the {count} views do not fit together, largest is “{view}” ({width} × {height} mm); {advice}",
     ),
     "room_on": ("всё поместится на формате {larger}", "{larger} holds all of it"),
     "no_room_larger": (
