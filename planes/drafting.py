@@ -11,7 +11,7 @@ from typing import Any
 
 from planes.equations import Equation, Term
 from planes.mechanism import Law
-from planes.naming import POLE, at, mu_of, plan_of
+from planes.naming import AGAIN, POLE, at, mu_of, plan_of
 from planes.steps import Aim, Cross, CrossArc, CrossArcs, LayOff, Put, Similar, Step, Through, Turn
 from planes.steps.reckoning import Calculate, Drop, Measure, Product
 from planes.thing_names import called
@@ -77,11 +77,11 @@ class Draft:
             self.laws[name] = law
 
     def step(self, step: Step) -> str:
-        """Add a step, unless it is there already; a direction or value named as another one is primed."""
+        """Add a step, unless it is there already; a direction or value named as another one is marked so."""
         while step.makes in self.given or self.steps.setdefault(step.makes, step) != step:
             if step.kind == "mark" or step.makes.startswith(_READ_BY_NAME):
                 raise ProgramError(Phrase("named_twice", name=_told(step.makes)))
-            step = replace(step, makes=step.makes + "′")
+            step = replace(step, makes=step.makes + (AGAIN if step.kind == "direction" else "′"))
         return step.makes
 
     def ray(self, plan: str, one: str, two: str) -> str:

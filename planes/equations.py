@@ -21,7 +21,8 @@ class Term:
     """One vector of an equation, from mark ``start`` to mark ``end`` of its plan.
 
     ``length`` and ``direction`` name a value and a direction of the program, or are None where unknown. ``action``
-    is the line of action as written beneath: "⊥BC", "∥y-y", "C→B", "=0". ``drawn`` terms are on the plan already.
+    is the line of action as written beneath: "⊥BC", "∥y-y", "C→B", "=0", "∠⊥y-y" at an angle to that (friction).
+    ``drawn`` terms are on the plan already.
     """
 
     name: str

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 POLE = "p"
+AGAIN = "~"
+"""Ends the name of a direction that is drawn a second time, from other marks: to people it is the same line."""
 
 
 def at(plan: str, label: str) -> str:
@@ -18,6 +20,11 @@ def label_of(mark: str) -> str:
 def plan_of(mark: str) -> str:
     """The plan a mark is on; "" for a value, which is on none."""
     return mark.rpartition(":")[0]
+
+
+def written(direction: str) -> str:
+    """A direction as people write it."""
+    return direction.rstrip(AGAIN).replace("⊥∥", "⊥")
 
 
 def mu_of(plan: str) -> str:

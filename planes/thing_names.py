@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 
-from planes.naming import label_of
+from planes.naming import label_of, written
 from planes.words import Phrase, Told
 
 _HELPER = re.compile(r"(?P<point>[^°⊥∥]*)(?P<sign>[°⊥∥])(?P<guide>[^°⊥∥]+)")
@@ -16,7 +16,7 @@ _HELPER = re.compile(r"(?P<point>[^°⊥∥]*)(?P<sign>[°⊥∥])(?P<guide>[^°
 
 def called(name: str) -> Told:
     """A mark, direction or value as a sentence names it; ``name`` may carry its plan."""
-    label = label_of(name).rstrip("′").replace("⊥∥", "⊥")
+    label = written(label_of(name).rstrip("′"))
     found = _HELPER.fullmatch(label)
     if found is None:
         return label.strip("|‖∠→") or label
@@ -30,10 +30,10 @@ def called(name: str) -> Told:
 
 def called_line(along: str, start: str) -> Phrase:
     """A line through a mark: the guide itself where it is one."""
-    mark, (_, parallel, guide) = label_of(start), along.rstrip("′").partition("∥")
+    mark, (_, parallel, guide) = label_of(start), written(along).partition("∥")
     point, sign, other = next((mark.partition(s) for s in "°⊥" if s in mark), ("", "", ""))
-    if parallel and sign and other.rstrip("′") == guide:
+    if parallel and sign and written(other) == guide:
         if sign == "°" and point:
             return Phrase("line_beside", point=point, name=guide)
         return Phrase("line_guide", name=guide)
-    return Phrase("line_through", along=along.replace("⊥∥", "⊥"), start=called(start))
+    return Phrase("line_through", along=written(along), start=called(start))

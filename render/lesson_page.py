@@ -27,6 +27,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "again": ("Сначала", "Again"),
     "right": ("Верно.", "Right."),
     "shown": ("Верный ответ построен, идём дальше.", "The right answer is drawn; on we go."),
+    "or_else": ("или", "or"),
     "check": ("Проверить", "Check"),
     "list": ("Выбрать из отмеченных мест", "Choose among marked places"),
     "millimetres": ("мм", "mm"),

@@ -39,8 +39,7 @@ def _named(name: str, naming: Naming, plan: str) -> str:
     plain = name.strip("|‖°").removesuffix("_given")
     letter, _, index = plain.partition("_")
     if letter in ("h", "H") and index:
-        force = index.rpartition("_")[0] if letter == "h" else index
-        return f"{letter}_{{{_flat(naming.vector(force))}}}"
+        return naming.arm(index.partition("^")[0].rpartition("_")[0] if letter == "h" else index, plain)
     if letter in ("MZ", "FZ"):
         return f"{letter[0]}_{{{index}}}^{{{'Ж' if naming.lang == 'ru' else 'Z'}}}"
     if letter == "MR":
@@ -50,10 +49,6 @@ def _named(name: str, naming: Naming, plan: str) -> str:
     if not index:
         return lettered(plain)
     return naming.vector(_PARTS.sub(r"\1^\2", plain))
-
-
-def _flat(text: str) -> str:
-    return re.sub(r"[_^{}]", "", text)
 
 
 def _split(text: str) -> Iterator[Piece]:

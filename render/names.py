@@ -49,8 +49,8 @@ class Naming:
             index = self.reaction(index)
         elif letter == "I":
             letter = "Φ"
-        elif letter == "MI":
-            letter, index = "M", "Φ" + index
+        elif letter in ("MI", "MP"):
+            letter, index = "M", ("Φ" if letter == "MI" else "P") + index
         elif letter == "T" and index.startswith("F_"):
             index = self.reaction(index[2:])
         elif letter in ("v", "a"):
@@ -61,6 +61,11 @@ class Naming:
         elif letter == "Fb":
             return self.balancing(False)
         return letter + (f"_{{{index.replace('_', ',')}}}" if index else "") + (f"^{{{part}}}" if part else "")
+
+    def arm(self, force: str, arm: str) -> str:
+        """An arm of a force by its name in the program: h_G_2_C -> h_{G2}, h_G_2_B^B -> h_{G2}^{B}, H_G_2 -> H_{G2}."""
+        about = arm.partition("^")[2]
+        return f"{arm[0]}_{{{flat(self.vector(force))}}}" + (f"^{{{flat(self.point(about))}}}" if about else "")
 
     def reaction(self, index: str) -> str:
         """The two links of a reaction in the order of this sheet."""
@@ -77,6 +82,11 @@ class Naming:
     def balancing(self, turning: bool) -> str:
         """The balancing moment or force."""
         return f"{'M' if turning else 'F'}_{{{say('balance', self.lang)}}}"
+
+
+def flat(text: str) -> str:
+    """A name without the markup of its indices, to stand in an index itself."""
+    return "".join(c for c in text if c not in "_^{}")
 
 
 def rate_of(letter: str) -> tuple[str, str]:

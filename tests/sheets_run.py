@@ -27,7 +27,7 @@ from planes.roof import sheet_of, write
 from planes.scene import Scene, load
 from planes.solving import Position, solve
 from planes.wording import PlanesError
-from planes.words import Lang
+from planes.words import Lang, say
 from render.labels.footprints import conflicts, described
 from render.marks import Arrow, Line, Mark, Text
 from render.names import Naming
@@ -194,7 +194,7 @@ def omissions(scene: Scene, values: list[float] | None, sheet: Sheet, job: Job) 
     begun = {key for _, key in named if key.startswith("…") and any(t.startswith(key[1:]) for t in there)}
     missing = [(what, key) for what, key in named if key not in there and key not in begun
                and (job.number or not what.endswith(" lever"))]  # fmt: skip
-    silent = not sheet.warnings
+    silent = not any(say("moments", job.lang) in sentence for sentence in sheet.warnings)
     return [f"{what} is nowhere" for what, _ in missing if silent or not what.startswith("moments")]
 
 

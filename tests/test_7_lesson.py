@@ -25,10 +25,13 @@ from planes.scene import load
 from planes.solving import solve
 from planes.wording import PlanesError, SceneError
 from render.lesson_page import page
+from render.marks import Line
 from render.sheet.composer import Composer
+from render.views.plotted import of_position
 
 ROOT = Path(__file__).parent.parent / "samples"
 SAMPLES = [p for p in sorted(ROOT.glob("*.yaml")) if p.stem != "vectors"]
+DRAWN = SAMPLES + sorted((ROOT / "assignments").glob("*.yaml"))
 NAMES = [p.stem for p in SAMPLES]
 SIX = ROOT / "six-link.yaml"
 LARGEST = 3_000_000  # bytes of a page
@@ -149,6 +152,35 @@ def test_all_360_positions_are_within_a_tenth_of_a_millimetre_of_what_is_solved(
     assert worst < 0.008  # marks are kept to a hundredth
 
 
+def built(names: list[str], plan: str, drawing) -> complex:
+    """The place of a mark drawn by nothing but the names its sentence tells, in their order."""
+    mark = {n: drawing[at(plan, n)] for n in names if not n[0].isupper()}
+    spot = {n: drawing[at("position", n)] for n in names if n[0].isupper()}
+    if len(names) == 7:  # first, second; one, two, own; own, end
+        first, second, one, two, own = names[:5]
+        return mark[first] + (mark[second] - mark[first]) * (spot[own] - spot[one]) / (spot[two] - spot[one])
+    start, _, _, first, second, from_, own, one, two = names  # start, start, end; first, second; from, own; one, two
+    return mark[start] + (mark[second] - mark[first]) * (spot[own] - spot[from_]) / (spot[two] - spot[one])
+
+
+@pytest.mark.parametrize("path", DRAWN, ids=[p.stem for p in DRAWN])
+def test_similarity_is_told_as_it_is_drawn(path: Path) -> None:
+    _, frames, drawing = told(path)
+    for frame in (f for f in frames if f.key in ("image", "carried_image")):
+        for lang in LANGS:
+            names = re.findall("⟨([^⟩]*)⟩", frame.said[lang])
+            assert built(names, frame.plan, drawing) == pytest.approx(drawing[frame.makes[0]], abs=1e-6)
+            assert set(frame.uses) <= {at(frame.plan if not n[0].isupper() else "position", n) for n in names}
+
+
+def test_the_sheet_draws_no_triangle_where_similarity_is_carried() -> None:
+    scene = load(str(ROOT / "kind-3-rpr.yaml"))
+    drawn = placed(scene, None, "en")
+    marks = Composer(scene, "en").plan(of_position(drawn), "velocity").marks
+    sides = [m.points for m in marks if isinstance(m, Line) and (m.style, m.layer) == ("thin", "construction")]
+    assert sides == [tuple(drawn.drawing[f"velocity:{k}"] for k in ends) for ends in (("b", "s2"), ("b", "e"))]
+
+
 @pytest.mark.parametrize("path", SAMPLES, ids=NAMES)
 def test_a_page_is_whole_small_and_loads_nothing(path: Path) -> None:
     for lang in LANGS:
@@ -171,11 +203,31 @@ def test_wrong_answers_of_the_practice_are_wrong_and_have_names(path: Path) -> N
             assert [bool(o.get("right")) for o in line["options"]].count(True) == 1 and len(line["options"]) > 1
         if task["kind"] == "lay_off":
             assert "0" not in task["turned"]
+            assert all(task["turned"].values())
+
+
+RATIOS = {"force_doubled": 2, "coriolis_half": 0.5, "mass_for_weight": 1 / 9.81} | dict.fromkeys(
+    ("force_missing", "weight_missing", "normal_missing", "coriolis_missing", "reaction_along_loaded_link"), 0
+)
+
+
+@pytest.mark.parametrize("path", SAMPLES, ids=NAMES)
+def test_a_wrong_length_is_what_its_explanation_says(path: Path) -> None:
+    exported = data(path)
+    for task in (t for t in exported["practice"] if t["kind"] == "lay_off"):
+        mu = exported["mus"][f"mu_{task['mark'].rpartition(':')[0]}"]
+        ratios = RATIOS | {"value_for_mm": 1 / mu, "value_over_mu": 1 / mu**2}
+        for wrong in task["lengths"]:
+            assert abs(wrong["mm"] / task["mm"] - 1) > 0.04
+            if wrong["mistake"] in ratios:
+                assert wrong["mm"] == pytest.approx(task["mm"] * ratios[wrong["mistake"]], rel=0.002, abs=0.06)
+            else:
+                assert wrong["mistake"] in ("normal_wrong_velocity", "coriolis_wrong_omega")
 
 
 def test_the_practice_names_the_mistakes_of_the_method() -> None:
     mistakes = {w["mistake"] for t in data(SIX)["practice"] for w in t["places"]}
-    mistakes |= {w["mistake"] for t in data(SIX)["practice"] for w in t.get("turned", {}).values()}
+    mistakes |= {w["mistake"] for t in data(SIX)["practice"] for q in t.get("turned", {}).values() for w in q}
     assert {"normal_outward", "relative_reversed", "coriolis_reversed", "coriolis_half", "omega1_reversed",
             "similarity_mirrored", "along_link", "epsilon1_ignored", "other_assembly"} <= mistakes  # fmt: skip
 
@@ -244,6 +296,17 @@ def test_the_command_writes_a_note(tmp_path: Path, suffix: str) -> None:
     if suffix != ".docx":
         cli.main(["note", str(SIX), "-o", str(target), "--lang", "ru"])
         assert target.read_bytes() == found
+
+
+def test_a_word_note_lowers_and_raises_its_indices(tmp_path: Path) -> None:
+    docx = pytest.importorskip("docx", reason="python-docx is not installed")
+    target = tmp_path / "note.docx"
+    assert cli.main(["note", str(SIX), "-o", str(target), "--lang", "en"]) == 0
+    paper = docx.Document(str(target))
+    cells = [c for t in paper.tables for row in t.rows for c in row.cells]
+    runs = [r for p in [*paper.paragraphs, *(p for c in cells for p in c.paragraphs)] for r in p.runs]
+    lowered, raised = ({r.text for r in runs if getattr(r.font, key)} for key in ("subscript", "superscript"))
+    assert {"CB", "AB", "21"} <= lowered and {"t", "n"} <= raised
 
 
 def test_a_note_is_refused_in_a_sentence(tmp_path: Path, capsys) -> None:

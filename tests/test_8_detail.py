@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from planes.roof import sheet_of
 from planes.scene import load
+from planes.solving import solve
 from render.detail import ENLARGED, SHORT_MM, details, letters
 from render.marks import Arc, Arrow, Text
+from render.names import Naming
+from render.views.plotted import of_position
+from render.views.polygon import SAME_MM, Polygon
 
 SAMPLES = {path.stem: path for path in sorted((Path(__file__).parent.parent / "samples").glob("*.yaml"))}
 
@@ -33,6 +38,25 @@ def test_every_short_vector_is_drawn_again_larger(name, number):
         span = one.end - one.start
         times = [(a.end - a.start) / span for a in arrows if not a.name]
         assert any(abs(t - k) < 1e-6 * k for t in times for k in ENLARGED), one.name
+
+
+@pytest.mark.parametrize("number", ["07", "25", "44"])
+def test_marks_that_a_detail_draws_apart_are_named_apart(number):
+    scene = replace(load(SAMPLES["six-link"].parent / "assignments" / f"{number}.yaml"), find=None)
+    position, naming = solve(scene).positions[0], Naming("ru")
+    for plan in ("velocity", "acceleration"):
+        polygon = Polygon(of_position(position), plan, naming)
+        polygon.drawn()
+        for one in details(polygon.places.values(), "ABCDEFG"):
+            named = [x for x in polygon.mark_labels(SAME_MM / one.times) if one.shows(x)]
+            for label in polygon.plotted.labels(plan):
+                z = polygon.mark(label)
+                held = [x for x in named if naming.mark(label, plan) in x.text.split(", ")]
+                if held:
+                    assert one.times * abs(held[0].at - z) <= SAME_MM
+        texts = {m.text for m in Polygon(of_position(position), plan, naming).drawn() if isinstance(m, Text)}
+        if (number, plan) == ("44", "acceleration"):
+            assert "n_{EK}" in texts
 
 
 def test_neighbours_share_a_detail():

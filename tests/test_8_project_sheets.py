@@ -7,18 +7,25 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+import shapely
 from test_8_sheet import clashes
 
 from planes.roof import draw_sheet, sheet_of
 from planes.scene import load
+from planes.solving import solve
 from planes.wording import PlanesError
 from render import lettering
 from render.marks import Arrow, Line, Text
+from render.names import Naming
 from render.typeset import plain
 from render.views.diagrams import pieces, unwound
+from render.views.many import Many, Numbered
+from render.views.scheme import Scheme
 
 SAMPLES = sorted((Path(__file__).parent.parent / "samples").glob("*.yaml"))
 SCENES = {path.stem: scene for path in SAMPLES if (scene := load(path)).mechanism}
+ALL = {path.stem: path for path in [*SAMPLES, *(SAMPLES[0].parent / "assignments").glob("*.yaml")]}
+ALL.pop("vectors")
 NUMBERED = [(name, number) for name in SCENES for number in (1, 2)]
 
 
@@ -95,3 +102,19 @@ def test_a_sheet_of_a_project_is_written_by_its_number(tmp_path):
 def test_angles_are_unwound_and_gaps_split_a_curve():
     assert unwound([170.0, -170.0, None, -150.0]) == (0.0, 20.0, None, 40.0)
     assert pieces([0, 1, 2, 3, 4], [1.0, 2.0, None, 3.0, 4.0]) == [[(0, 1.0), (1, 2.0)], [(3, 3.0), (4, 4.0)]]
+
+
+@pytest.mark.parametrize("name", sorted(ALL))
+def test_a_link_in_a_thin_position_has_the_shape_of_the_scheme(name):
+    drawn = solve(replace(load(ALL[name]), find=None)).positions[0]
+    scheme = Scheme(drawn, Naming("en"))
+    for link in scheme.links:
+        scheme.link(link)
+    thick = [m for m in (*scheme.bars, *scheme.guides) if isinstance(m, Line)]
+    lines = [[*m.points, *m.points[: m.closed]] for m in thick]
+    inked = shapely.union_all([shapely.LineString([(z.real, z.imag) for z in line]) for line in lines]).buffer(0.05)
+    many = Many(drawn.plans, [Numbered("1", drawn.results)], [drawn.results], drawn.scales["mu_position"])
+    for one in many.marks():
+        if one.style == "construction":
+            line = [(z.real, z.imag) for z in (*one.points, *one.points[: one.closed])]
+            assert inked.covers(shapely.LineString(line)), line

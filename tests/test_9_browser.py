@@ -204,18 +204,59 @@ def test_practice_answered_wrongly_and_rightly(page: Any) -> None:
     page.click(f"#task [data-do=ray{page.evaluate(ray.format(0))}]")
     page.fill("#length", "40")
     page.click("#task [data-do=length]")
-    assert "масштаб" in page.inner_text("#task .said")
+    assert "сама величина" in page.inner_text("#task .said")
     page.fill("#length", "80,2")
     page.keyboard.press("Enter")
     assert "✓" in page.inner_text("#task .said") and page.evaluate("practice.task.mark") == "acceleration:b'"
     assert page.inner_text("#task .score").endswith("0 / 3")
 
 
+def test_a_length_has_every_mistake_it_may_come_from_named(page: Any) -> None:
+    page.click("#practise")
+    ask = """([mark, length]) => {
+        practice.index = data.practice.findIndex(t => t.mark === mark); practice.open();
+        practice.stage = practice.order.indexOf("length"); practice.measure(String(length));
+        return document.querySelector("#task .said").innerText;
+    }"""
+    said = page.evaluate(ask, ["acceleration:k_HL", 39.08])  # at μ = 2 the half of it is the quantity too
+    assert "вдвое меньше" in said and "; или " in said and "сама величина" in said
+    assert "вдвое" not in page.evaluate(ask, ["force:2-3:G_2", 7])  # of 3.92 mm
+    assert "дважды" in page.evaluate(ask, ["force:2-3:G_2", 7.9])
+    assert "масса" in page.evaluate(ask, ["force:2-3:G_2", 0.4])
+    assert "нет силы" not in page.evaluate(ask, ["force:2-3:G_2", 1.1])
+    assert "нет силы" in page.evaluate(ask, ["force:2-3:G_2", 0])
+
+
+def test_practice_stays_with_its_drawing(page: Any, lesson: str) -> None:
+    page.click("#spin")
+    page.click("#play")
+    page.click("#practise")
+    assert page.evaluate("[state.spin, state.timer, state.index === data.drive.at]") == [0, 0, True]
+    for control in ("spin", "play", "progress", "crank", "home"):
+        assert page.is_disabled(f"#{control}"), control
+    asked = page.inner_text("#task h2")
+    assert page.get_attribute("#plan", "aria-label") == page.get_attribute("#scheme", "aria-label")
+    assert page.get_attribute("#plan", "aria-label").startswith(asked[:12])
+    page.evaluate("practice.over = true; draw()")
+    page.click("#practise")
+    assert page.is_enabled("#spin") and page.is_enabled("#crank")
+    page.click("#practise")
+    assert page.inner_text("#number").startswith("1 /") and page.locator("#task .answers").count() == 1
+    assert "закончено" not in page.inner_text("#task")
+    page.evaluate("practice.over = true; draw()")
+    page.click("#next")
+    assert "закончено" not in page.inner_text("#task")
+    page.evaluate("location.hash = '#step=3&at=170'")
+    page.wait_for_function("!practice.on")
+    assert page.inner_text("#number").startswith("3 /") and page.is_visible("#told") and page.is_enabled("#crank")
+
+
 def test_practice_by_clicking_the_crossing(page: Any) -> None:
     page.click("#practise")
     page.evaluate("practice.index = data.practice.findIndex(t => t.mark === 'velocity:c'); practice.open()")
     page.evaluate("practice.stage = 1; draw()")
-    wrong = page.evaluate("practice.task.lines[0].options.findIndex(o => o.mistake === 'along_link')")
+    wrong = page.evaluate("practice.task.lines[0].options.findIndex(o => "
+                          "o.slips.some(s => s.mistake === 'along_link'))")
     page.click(f"#task [data-do=line{wrong}]")
     assert "вдоль звена" in page.inner_text("#task .said")
     for k in (0, 1):

@@ -11,8 +11,8 @@ from typing import Any
 from planes.drawing import Drawing, run
 from planes.equations import Equation, Term
 from planes.lesson import LANGS, Teller, mu_said, needed, value_of
-from planes.lesson.formulas import slots, unit
-from planes.lesson.practice import Practice
+from planes.lesson.formulas import unit
+from planes.lesson.practice import Practice, told_values
 from planes.lesson.scheme import arms, feet, related, scheme
 from planes.lesson.steps import action, whole
 from planes.lesson.zones import reasons, zones
@@ -153,6 +153,8 @@ def _term(plan: str, t: Term) -> dict[str, Any]:
 def _acted(t: Term) -> str:
     """The line of action beneath a term."""
     text = t.action
+    if text.startswith("∠⊥"):
+        return f"∠ρ {action(text[1:])}"
     if text in ("", "=0") or text.startswith(("→", "∠", "l_")) or "→" in text:
         return "" if text.startswith(("→", "∠")) else text
     return text if text.startswith(("-", "+", "↓")) else action(text)
@@ -162,7 +164,7 @@ def _frame(frame: Any) -> dict[str, Any]:
     return {
         "key": frame.key, "plan": frame.plan, "makes": frame.makes, "uses": frame.uses, "equation": frame.equation,
         "terms": frame.terms, "said": dict(frame.said), "why": dict(frame.why), "moments": frame.moments,
-        "values": sorted(slots(frame.said["en"])),
+        "values": told_values(frame),
     }  # fmt: skip
 
 

@@ -20,6 +20,7 @@ from planes.check.mistakes_position import position_variants
 from planes.check.ways import Ways
 from planes.drawing import Drawing, run
 from planes.lesson import LANGS, Frame
+from planes.lesson.formulas import slots
 from planes.lesson.steps import action, lettered, line_of
 from planes.naming import mu_of, plan_of
 from planes.plans import Plans
@@ -29,22 +30,33 @@ from planes.steps import Cross, CrossArc, CrossArcs, Image, LayOff, Similar, Ste
 from planes.steps.reckoning import Choose
 from planes.wording import PlanesError
 from planes.words import Lang, say
+from planes.words.lesson import tell
 
 Said = dict[Lang, str]
 APART_MM = 2.5  # a wrong place nearer than this to the right one cannot be told from it
 SHORT_MM = 2.0  # a vector too short to be asked for
 TURN_DEG = 12.0
+LEAST_MM = 0.01  # a length that is written down as nothing
+SAME_LENGTH = 0.05  # lengths that differ by less of themselves are one answer
 PARTS = ("mark", "line", "other", "value", "ratio", "start", "end", "guide", "normal", "force", "gap")
 
 
 @dataclass(frozen=True)
 class Wrong:
-    """Where a mistake puts a mark, with its name and sentence."""
+    """Where a mistake puts a mark, with its name and sentence; ``vector`` is what it lays off to there, ``untold``
+    whether it spoils a number that the question itself tells."""
 
     mistake: str
     place: complex
     said: Said
     step: Step | None
+    vector: complex
+    untold: bool
+
+    @property
+    def slip(self) -> dict[str, Any]:
+        """The mistake as it is exported."""
+        return {"mistake": self.mistake, "said": self.said}
 
 
 class Practice:
@@ -53,6 +65,7 @@ class Practice:
     def __init__(self, plans: Plans, given: Mapping[str, Any], drawing: Drawing, frames: Sequence[Frame]) -> None:
         self.plans, self.given, self.drawing, self.frames = plans, given, drawing, frames
         self.steps: dict[str, Step] = {s.makes: s for s in plans.program.steps}
+        self.told = {f.makes[0]: told_values(f) for f in frames if f.makes}
 
     def tasks(self, progress: Callable[[int, int], None] | None = None) -> list[dict[str, Any]]:
         """One task for every frame that draws a mark a reader can draw."""
@@ -90,21 +103,26 @@ class Practice:
     def drawn(self, ways: Ways, variant: Variant) -> Wrong | None:
         """Where the mark a mistake is blamed at would be; None if nothing can be told apart there."""
         mark = f"{ways.plan}:{variant.blames}"
+        swap = variant.swaps.get(mark, (self.steps[mark],))
+        start = next((s.start for s in (swap[-1], self.steps[mark]) if isinstance(s, LayOff)), mark)
+        told = [n for n in self.told.get(mark, ()) if n in self.drawing]
         steps: list[Step] = []
         for step in ways.program.steps:
             steps += variant.swaps.get(step.makes, (step,))
         try:
-            program = Program(tuple(steps)).sliced([mark])
-            place = run(program, {**self.given, **variant.givens})[mark]
+            program = Program(tuple(steps)).sliced([mark, start, *(n for n in told if n in self.steps)])
+            there = run(program, {**self.given, **variant.givens})
         except (PlanesError, ZeroDivisionError, OverflowError):
             return None
+        place = complex(there[mark])
         if not cmath.isfinite(place) or abs(place - self.drawing[mark]) < APART_MM:
             return None
+        untold = any(abs(abs(there[n]) - abs(self.drawing[n])) > 1e-6 * abs(self.drawing[n]) for n in told)
         names = {"mark": variant.blames, "line": line_of(getattr(self.steps[mark], "along", "")), **variant.about}
         shown = {**dict.fromkeys(PARTS, ""), **{k: f"⟨{str(v).lstrip('°')}⟩" if v else "" for k, v in names.items()}}
         said = {lang: say(f"mistake_{variant.mistake}", lang, **shown) for lang in LANGS}
-        swap = variant.swaps.get(mark)
-        return Wrong(variant.mistake, complex(place), said, swap[-1] if swap else None)
+        own = swap[-1] if mark in variant.swaps else None
+        return Wrong(variant.mistake, place, said, own, place - complex(there[start]), untold)
 
     def task(self, mark: str, wrongs: list[Wrong]) -> dict[str, Any] | None:
         """What is asked for one mark."""
@@ -121,20 +139,19 @@ class Practice:
 
     def lay_off(self, step: LayOff, wrongs: list[Wrong]) -> dict[str, Any] | None:
         """A known vector: which way, and how long."""
-        start = complex(self.drawing[step.start])
-        way = complex(self.drawing[step.makes]) - start
+        way = complex(self.drawing[step.makes]) - complex(self.drawing[step.start])
         if abs(way) < SHORT_MM:
             return None
-        turned: dict[str, Any] = {}
+        turned: dict[str, list[dict[str, Any]]] = {}
         lengths = []
-        for w in wrongs:
-            off = (w.place - start) / way
-            angle = math.degrees(cmath.phase(off)) if abs(w.place - start) > SHORT_MM else 0.0
+        for w in sorted(wrongs, key=lambda w: w.untold):
+            angle = math.degrees(cmath.phase(w.vector / way)) if abs(w.vector) > SHORT_MM else 0.0
             quarter = round(angle / 90.0) % 4
             if abs(angle - 90 * round(angle / 90)) < TURN_DEG and quarter:
-                turned.setdefault(str(quarter), {"mistake": w.mistake, "said": w.said})
-            elif abs(angle) < TURN_DEG:
-                lengths.append({"mm": round(abs(w.place - start), 1), "mistake": w.mistake, "said": w.said})
+                slips = turned.setdefault(str(quarter), [])
+                slips += [w.slip] * (not slips or not w.untold)
+            elif abs(angle) < TURN_DEG and not w.untold and abs(abs(w.vector / way) - 1) > SAME_LENGTH:
+                lengths.append({"mm": round(abs(w.vector), 1), **w.slip})
         return {
             "kind": "lay_off", "start": step.start, "angle": round(math.degrees(cmath.phase(way)), 2),
             "mm": round(abs(way), 2), "turned": turned, "lengths": lengths + self.scale_slips(step, abs(way)),
@@ -144,9 +161,9 @@ class Practice:
     def scale_slips(self, step: LayOff, length: float) -> list[dict[str, Any]]:
         """Lengths of who forgets the scale, or turns it over."""
         mu, found = float(self.given[step.mu]), []
-        for mistake, slip in (("mm_for_value", length / mu), ("mu_inverted", length / mu / mu)):
-            if abs(slip / length - 1) > 0.05:
-                said = {lang: say(f"mistake_{mistake}", lang, mark=f"⟨{lettered(step.makes)}⟩") for lang in LANGS}
+        for mistake, slip in (("value_for_mm", length / mu), ("value_over_mu", length / mu / mu)):
+            if abs(slip / length - 1) > SAME_LENGTH and slip > LEAST_MM:
+                said = {lang: tell(mistake, lang, mark=f"⟨{lettered(step.makes)}⟩") for lang in LANGS}
                 found.append({"mm": slip, "mistake": mistake, "said": said})
         return found
 
@@ -159,24 +176,30 @@ class Practice:
 
     def options(self, step: Cross, direction: str, side: str, wrongs: list[Wrong]) -> list[dict[str, Any]]:
         """The right direction among wrong ones, in an order that gives nothing away."""
-        found: dict[str, dict[str, Any]] = {action(direction): {"right": True}}
+        found: dict[str, dict[str, Any]] = {action(direction): {"right": True, "slips": []}}
         for w in wrongs:
             other = getattr(w.step, side, direction) if isinstance(w.step, Cross) else direction
             text = action(other.partition("~")[0])
-            if other != direction and len(found) < 4:
-                found.setdefault(text, {"mistake": w.mistake, "said": w.said})
+            if other != direction and (len(found) < 4 or text in found):
+                found.setdefault(text, {"slips": []})["slips"].append(w.slip)
         right = action(direction)
         flipped = ("∥" if right.startswith("⊥") else "⊥") + right.lstrip("⊥∥")
-        found.setdefault(flipped, {})
+        found.setdefault(flipped, {"slips": []})
         return [{"text": text, **more} for text, more in sorted(found.items())]
 
 
 def _places(wrongs: list[Wrong]) -> list[dict[str, Any]]:
-    """Wrong places, each once."""
-    found: dict[tuple[float, float], dict[str, Any]] = {}
+    """Wrong places, each once for a mistake."""
+    found: dict[tuple[float, float, str], dict[str, Any]] = {}
     for w in wrongs:
-        key = round(w.place.real, 1), round(w.place.imag, 1)
-        found.setdefault(key, {"at": list(key), "mistake": w.mistake, "said": w.said})
+        at = round(w.place.real, 1), round(w.place.imag, 1)
+        found.setdefault((*at, w.mistake), {"at": list(at), **w.slip})
     return list(found.values())
+
+
+def told_values(frame: Frame) -> list[str]:
+    """The values a question about a vector's length tells: those of its sentence but its own, unless that is all."""
+    values = sorted(slots(frame.said["en"]))
+    return values if len(values) == 1 else [n for n in values if n not in frame.terms[:1]]
 
 

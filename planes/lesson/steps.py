@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,7 +11,7 @@ from planes import steps as s
 from planes.drawing import Drawing
 from planes.equations import Equation, Term
 from planes.lesson.formulas import formula, number, paper, sense, unit, value
-from planes.naming import label_of, plan_of
+from planes.naming import label_of, plan_of, written
 from planes.plans import Plans
 from planes.scales import kind_of
 from planes.steps.reckoning import Calculate, Choose, Measure
@@ -30,11 +30,12 @@ def lettered(name: str) -> str:
 
 def line_of(direction: str) -> str:
     """The line a direction is parallel or perpendicular to: "BC" of ⊥BC, "y-y" of ⊥∥y-y."""
-    return direction.lstrip("⊥∥")
+    return written(direction).lstrip("⊥∥")
 
 
 def way(direction: str, lang: Lang) -> str:
     """How a vector is laid off, in words."""
+    direction = written(direction)
     if m := _TOWARDS.match(direction):
         return tell("way_towards", lang, one=m[1], other=m[2])
     if m := _MOVING.match(direction):
@@ -53,7 +54,7 @@ def way(direction: str, lang: Lang) -> str:
 
 def action(direction: str) -> str:
     """A line of action as it is written: ⊥BC, ∥y-y; a bare name of two points is along them."""
-    plain = direction.replace("⊥∥", "⊥")
+    plain = written(direction)
     return plain if plain.startswith(("⊥", "∥")) else f"∥{plain}"
 
 
@@ -86,8 +87,7 @@ class StepWords:
             case s.Similar():
                 return self.similar(step)
             case s.Image():
-                ends = {"first": lettered(step.image[0]), "second": lettered(step.image[1])}
-                return "image", "similar", ends
+                return self.image(step)
             case s.Same():
                 return "same", "same", {"start": lettered(step.of)}
             case s.Carry():
@@ -103,8 +103,29 @@ class StepWords:
         if kind_of(step.makes) == "position":
             return "point", "along", names
         if abs(ratio.imag) > 1e-9 * abs(ratio):
-            return "image", "similar", names
+            corners = dict(zip(("one", "two", "own"), self.corners(step), strict=True))
+            return "image", "similar", {**names, **corners}
         return "similar", "similar", {**names, "ratio": lambda lang: number(ratio.real, lang)}
+
+    def image(self, step: s.Image) -> Words:
+        """A figure on the segment of two points; or, from a mark that is neither, a vector that is to the segment as
+        on the scheme."""
+        key = "image" if step.start == step.image[0] else "carried_image"
+        marks = {
+            "start": step.start, "first": step.image[0], "second": step.image[1],
+            "one": step.like[0], "two": step.like[1], "from": step.of[0], "own": step.of[1],
+        }  # fmt: skip
+        names = {k: lettered(m) for k, m in marks.items()}
+        reason = "similar" if key == "image" else lambda lang: why(key, lang, **names)
+        return key, reason, names
+
+    def corners(self, step: s.Similar) -> Iterator[str]:
+        """The points of the link on the scheme whose vectors end at the marks of a similar figure."""
+        links = self.plans.mechanism.links.values()
+        own = next(x.points for x in links for p in x.points if step.ratio == f"ratio_{p}_{x.name}")
+        for mark in (step.start, step.end, step.makes):
+            named = self.plans.points
+            yield next(p for p in own if mark in (named[p].velocity, named[p].acceleration))
 
     def crossing(self, mark: str) -> str | Callable[[Lang], str]:
         """Why the lines that cross at a mark have their directions."""

@@ -48,7 +48,7 @@ def meet_with_friction(acting: Acting, plan: str, lines: list[Term], x: str, pai
 def _leant(acting: Acting, plan: str, term: Term, x: str) -> Term:
     ends = at(plan, term.start), at(plan, x)
     along = acting.b.draft.through(f"∡{term.name}", *(ends if term.sign > 0 else reversed(ends)))
-    return replace(term, direction=along)
+    return replace(term, direction=along, action=f"∠{term.action}")
 
 
 def _on_slider(pair: Pair) -> str:

@@ -34,6 +34,7 @@ class Statics:
     acting: Acting
     reactions: dict[str, Reaction] = field(default_factory=dict)
     balancing: str = ""
+    centres: dict[str, str] = field(default_factory=dict)  # about which point each force's arm was taken first
 
     def moment_terms(
         self, about: str, forces: list[Force], couples: list[Couple], sign: float, over: str | None = None
@@ -44,13 +45,18 @@ class Statics:
         for f in forces:
             if f.point == about:
                 continue
-            arm = d.arm(f"h_{f.name}_{label_of(about)}", f.point, f.along, about)
+            arm = d.arm(self.arm_name(f.name, label_of(about)), f.point, f.along, about)
             products.append(Product(sign, ((f.size, 1), (arm, 1), *tail)))
             shown.append((f.name, arm))
         for c in couples:
             products.append(Product(sign * c.sign, ((c.value, 1), *tail)))
             shown.append((c.name, ""))
         return products, tuple(shown)
+
+    def arm_name(self, force: str, about: str) -> str:
+        """The name of a force's arm; about another point than the first it is marked with that point."""
+        own = f"h_{force}_{about}"
+        return own if self.centres.setdefault(force, about) == about else f"{own}^{about.lstrip('°')}"
 
     def react(self, pair: Pair, plan: str, start: str, end: str) -> Reaction:
         """Note the reaction on ``pair.link``; both links feel it from now on. Slider's couple comes later."""

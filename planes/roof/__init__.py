@@ -46,7 +46,7 @@ def draw_sheet(
 ) -> tuple[str, ...]:  # fmt: skip
     """Draw the sheet of a scene into a file; :class:`PlanesError` in one sentence, and no file, if it cannot be.
 
-    Returns a sentence for each thing that must be said of the sheet: what found no room on it.
+    Returns a sentence for each thing that must be said of it: what found no room, or cannot be seen or read.
 
     ``number`` 1 or 2 is that sheet of a course project; without it everything stands on one page. ``view`` is one
     view alone, without a frame. ``text`` "strokes" letters a DXF in strokes instead of texts.
@@ -56,7 +56,7 @@ def draw_sheet(
         raise PlanesError(say("bad_suffix", lang, file=output, known=", ".join(SUFFIXES)))
     drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
     write(drawn, path, lang, text)
-    return drawn.warnings if isinstance(drawn, Sheet) else ()
+    return drawn.warnings
 
 
 def draw_constructions(scene: Scene, sections: int, pole_mm: float | None, output: str, lang: Lang) -> None:

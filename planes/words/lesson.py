@@ -70,9 +70,16 @@ LESSON: dict[str, tuple[str, str]] = {
         "By similarity: ⟨{first}⟩⟨{end}⟩ = {ratio} · ⟨{first}⟩⟨{second}⟩, as on the link itself.",
     ),
     "image": (
-        "По подобию со схемой: на ⟨{first}⟩⟨{second}⟩ строим фигуру, подобную звену; её вершина — ⟨{end}⟩.",
-        "By similarity with the scheme: the figure on ⟨{first}⟩⟨{second}⟩ is similar to the link; its vertex is "
-        "⟨{end}⟩.",
+        "По подобию: на ⟨{first}⟩⟨{second}⟩ строим фигуру, подобную ⟨{one}⟩⟨{two}⟩⟨{own}⟩ на схеме; её вершина, "
+        "отвечающая ⟨{own}⟩, — ⟨{end}⟩.",
+        "By similarity: the figure on ⟨{first}⟩⟨{second}⟩ is similar to ⟨{one}⟩⟨{two}⟩⟨{own}⟩ of the scheme; its "
+        "vertex for ⟨{own}⟩ is ⟨{end}⟩.",
+    ),
+    "carried_image": (
+        "По подобию: от ⟨{start}⟩ откладываем ⟨{start}⟩⟨{end}⟩; он относится к ⟨{first}⟩⟨{second}⟩ и повёрнут от него, "
+        "как на схеме ⟨{from}⟩⟨{own}⟩ от ⟨{one}⟩⟨{two}⟩.",
+        "By similarity: from ⟨{start}⟩ lay off ⟨{start}⟩⟨{end}⟩, which is to ⟨{first}⟩⟨{second}⟩ in length and in turn "
+        "as ⟨{from}⟩⟨{own}⟩ is to ⟨{one}⟩⟨{two}⟩ on the scheme.",
     ),
     "same": (
         "Звено не поворачивается относительно стойки: ⟨{end}⟩ совпадает с ⟨{start}⟩.",
@@ -119,11 +126,14 @@ LESSON: dict[str, tuple[str, str]] = {
         "over the sine of it, at a dead point without limit.",
     ),
     # practice
-    "other_direction": (
-        "Направление не то: {reason}", "That is not the direction: {reason}",
+    "value_for_mm": (
+        "{mark}: отложена сама величина; миллиметры — это величина, умноженная на масштаб",
+        "{mark}: this is the quantity itself; its millimetres are the quantity times the scale",
     ),
-    "other_length": ("Длина не та: {reason}", "That is not the length: {reason}"),
-    "other_place": ("Не здесь: {reason}", "Not there: {reason}"),
+    "value_over_mu": (
+        "{mark}: величина разделена на масштаб; миллиметры — это величина, умноженная на него",
+        "{mark}: the quantity was divided by the scale; its millimetres are the quantity times it",
+    ),
     # ways a length is laid off
     "way_across": ("перпендикулярно {line}", "perpendicular to {line}"),
     "way_along": ("вдоль {line}", "along {line}"),

@@ -69,6 +69,7 @@ SHEETS: dict[str, tuple[str, str]] = {
     "kg": ("кг", "kg"),
     "kgm2": ("кг·м²", "kg·m²"),
     "W": ("Вт", "W"),
+    "leans": ("∠{angle}° к {line}", "∠{angle}° to {line}"),
     "line_axis": ("штрихпунктирная тонкая ГОСТ 2.303", "thin chain line, GOST 2.303"),
     "line_phantom": ("штрихпунктирная с двумя точками ГОСТ 2.303", "chain line with two dots, GOST 2.303"),
     "line_dash": ("штриховая ГОСТ 2.303", "dashed line, GOST 2.303"),
@@ -84,14 +85,17 @@ SHEETS: dict[str, tuple[str, str]] = {
     "layer_result": ("Планы: результаты", "Plans: results"),
     "layer_text": ("Надписи", "Lettering"),
     "no_room": (
-        "лист {format}: вид «{view}» ({width} × {height} мм) не помещается; поместится на формате {larger} или при "
-        "меньшем масштабе",
-        "sheet {format}: the view “{view}” ({width} × {height} mm) does not fit; it would on {larger} or at a smaller "
-        "scale",
+        "лист {format}: вид «{view}» ({width} × {height} мм) не помещается; {advice}",
+        "sheet {format}: the view “{view}” ({width} × {height} mm) does not fit; {advice}",
     ),
-    "no_room_at_all": (
-        "лист: вид «{view}» ({width} × {height} мм) не помещается даже на А1; уменьшите μ этого вида",
-        "sheet: the view “{view}” ({width} × {height} mm) does not fit even on A1; lower the μ of this view",
+    "no_room_together": (
+        "лист {format}: виды ({count}) вместе не помещаются, наибольший — «{view}» ({width} × {height} мм); {advice}",
+        "sheet {format}: the {count} views do not fit together, largest is “{view}” ({width} × {height} mm); {advice}",
+    ),
+    "room_on": ("всё поместится на формате {larger}", "{larger} holds all of it"),
+    "no_room_larger": (
+        "не хватит и A1; уменьшите μ в разделе plans",
+        "not even A1 holds it; lower the μ under plans",
     ),
     "left_out_larger": (
         "лист {format}: не поместились и опущены {views}; поместятся на формате {larger}",
@@ -104,6 +108,25 @@ SHEETS: dict[str, tuple[str, str]] = {
     "left_out": (
         "лист {format}: не поместились и опущены {views}; поместятся при меньшем μ",
         "sheet {format}: {views} found no room and were left out; a smaller μ would make room",
+    ),
+    "too_short": (
+        "вид «{view}»: векторы {names} короче {least} мм и не начерчены; их покажет большее μ этого вида",
+        "the view “{view}”: the vectors {names} are shorter than {least} mm and not drawn; a larger μ of this view "
+        "would show them",
+    ),
+    "positions_failed": (
+        "вид «{view}»: положения {numbers} не начерчены: механизм в них не собирается",
+        "the view “{view}”: positions {numbers} are not drawn: the mechanism cannot be assembled there",
+    ),
+    "positions_far": (
+        "вид «{view}»: положения {numbers} не начерчены: у особого положения точки уходят слишком далеко",
+        "the view “{view}”: positions {numbers} are not drawn: near a dead point the points go too far off",
+    ),
+    "overprinted": (
+        "вид «{view}»: подписи {names} не нашли свободного места и лежат на другом; больше места даст большее μ этого "
+        "вида",
+        "the view “{view}”: the labels {names} found no free place and lie on something; a larger μ of this view gives "
+        "more room",
     ),
     "bad_suffix": (
         "{file}: файл листа должен оканчиваться на {known}",

@@ -99,6 +99,12 @@ WHY: dict[str, tuple[str, str]] = {
         "The theorem of similarity: the ends of the vectors form a figure similar to the link, read the same way "
         "round.",
     ),
+    "carried_image": (
+        "Звено поворачивается вместе со звеном, на котором ⟨{one}⟩⟨{two}⟩; разность векторов двух его точек "
+        "относится к их отрезку одинаково.",
+        "The link turns with the link of ⟨{one}⟩⟨{two}⟩: the difference of the vectors of two of its points stands to "
+        "their segment alike.",
+    ),
     "same": (
         "При поступательном движении у всех точек один вектор.",
         "In translation all points share one vector.",

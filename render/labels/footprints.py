@@ -136,6 +136,31 @@ def _struck(labels: Sequence[Text], boxes: Any, others: Sequence[Mark]) -> list[
     return [Conflict("stroke", labels[i].text, described(others[k]), labels[i].place) for i, k in pairs]
 
 
+def overprinted(marks: Sequence[Mark]) -> list[str]:
+    """Labels whose letters, not their boxes alone, lie on another label or on any stroke but their own bars."""
+    held = [m for m in marks if not (isinstance(m, Line) and m.layer == "text" and m.name != "leader")]
+    texts = [m for m in held if isinstance(m, Text) and layout(m).strokes]
+    crowded = {name for c in conflicts((), held) for name in (c.first, c.second)}
+    inked = {k: letters(t) for k, t in enumerate(texts) if t.text in crowded}
+    rest = ink([m for m in held if not isinstance(m, Text)])
+    found = []
+    for k, own in inked.items():
+        others = [shape for j, shape in inked.items() if j != k]
+        struck = len(rest.shapes) and len(rest.within(np.array([own]), 0.0)[0])
+        if struck or any(own.intersects(other) for other in others):
+            found.append(texts[k].text)
+    return found
+
+
+def letters(text: Text) -> Any:
+    """The ink of a text's own letters."""
+    laid = layout(text)
+    return shapely.union_all([
+        shapely.buffer(shapely.LineString([(z.real, z.imag) for z in line]), pen_mm / 2 or _TOUCH_MM)
+        for pen_mm, line in zip(laid.pens, laid.strokes, strict=True) if len(line) > 1
+    ])  # fmt: skip
+
+
 def _outside(labels: Sequence[Text], others: Sequence[Mark], field: Bounds | None) -> list[Conflict]:
     if field is None:
         return []

@@ -18,7 +18,7 @@ function lettered(name, plan) { // "v_CB" -> [["v", ""], ["CB", "sub"]], "a_CB^t
   if (letter === "F") index = index.replace(/^0,|,0$/, z => z.replace("0", frameNumber));
   if (letter === "I" && index) letter = "Φ";
   if (letter === "Fb") [letter, index] = ["F", document.documentElement.lang === "ru" ? "ур" : "b"];
-  if (letter === "MI") [letter, index] = ["M", "Φ" + index];
+  if (letter === "MI" || letter === "MP") [letter, index] = ["M", (letter === "MI" ? "Φ" : "P") + index];
   if (letter === "MZ" || letter === "FZ") return [[letter[0], ""], [index, "sub"], [document.documentElement.lang === "ru" ? "Ж" : "Z", "sup"]];
   if (letter === "MR") return [["M(", ""], ...lettered(rest.join("_")), [")", ""]];
   const out = [[GREEK[letter] || letter, ""]];

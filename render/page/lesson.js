@@ -218,8 +218,8 @@ $("back").onclick = () => practice.on || go(state.frame - 1);
 $("next").onclick = () => practice.on || go(state.frame + 1);
 $("play").onclick = play;
 $("spin").onclick = spin;
-$("progress").oninput = e => practice.on || go(+e.target.value - 1);
-$("crank").oninput = e => practice.on ? draw() : turn(+e.target.value);
+$("progress").oninput = e => go(+e.target.value - 1);
+$("crank").oninput = e => turn(+e.target.value);
 $("home").onclick = () => turn(data.drive.at);
 $("lang").onclick = () => { state.lang = state.lang === "ru" ? "en" : "ru"; language(); writeAddress(); draw(); };
 addEventListener("keydown", e => {
@@ -234,6 +234,6 @@ addEventListener("keydown", e => {
 });
 addEventListener("mouseover", e => { const t = e.target.closest("[data-name]"); if (t) light(t.dataset.name.split(" "), true); });
 addEventListener("mouseout", e => { const t = e.target.closest("[data-name]"); if (t) light(t.dataset.name.split(" "), false); });
-addEventListener("hashchange", () => { readAddress(); language(); draw(); });
+addEventListener("hashchange", () => { if (practice.on) practice.toggle(); readAddress(); language(); draw(); });
 addEventListener("resize", () => { draw.resized = true; later(); });
 addEventListener("beforeprint", handout);

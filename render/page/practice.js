@@ -10,9 +10,13 @@ const practice = {
     document.body.classList.toggle("practising", this.on);
     $("told").hidden = this.on;
     $("task").hidden = !this.on;
+    if (state.timer) play();
+    if (state.spin) spin();
+    for (const id of ["play", "spin", "progress", "crank"]) $(id).disabled = this.on;
     if (this.on) {
-      Object.assign(this, { stage: 0, tries: 0, good: 0, asked: 0, said: null, done: [] });
-      this.index = Math.max(0, data.practice.findIndex(t => t.frame >= state.frame));
+      const from = this.over ? 0 : state.frame; // a practice that is done begins anew
+      Object.assign(this, { stage: 0, tries: 0, good: 0, asked: 0, said: null, done: [], over: false });
+      this.index = Math.max(0, data.practice.findIndex(t => t.frame >= from));
       this.open();
     } else draw();
   },
@@ -55,7 +59,7 @@ const practice = {
       return;
     }
     this.tries += 1;
-    const reason = said || this.frame.why[state.lang];
+    const reason = (said || this.frame.why[state.lang]).replace(/\.?$/, ".");
     this.said = ["no", reason];
     if (this.tries >= TRIES) { this.said = ["no", `${reason} ${say("shown")}`]; this.move(); return; }
     draw();
@@ -69,14 +73,17 @@ const practice = {
     this.over = true;
     draw();
   },
-  named(list, near) { // the mistake whose answer is the nearest to this one
-    const [best] = list.map(w => [near(w), w]).sort((a, b) => a[0] - b[0]);
-    return best && best[0] <= 1 ? best[1].said[state.lang] : "";
+  named(slips, near = () => 0) { // every mistake that leads to this answer, the nearest first
+    const fit = slips.filter(w => near(w) <= 1).sort((a, b) => near(a) - near(b));
+    return [...new Set(fit.map(w => w.said[state.lang]))].join(`; ${say("or_else")} `);
   },
   mark(label) { const full = label.slice(label.lastIndexOf(":") + 1); return `⟨${full.replace("°", "")}⟩`; },
   paint() { // the question, and what may be clicked
     const box = $("task"), f = this.frame, text = t => sentence(t, state.index, f.plan);
-    for (const id of ["scheme", "plan"]) $(id).classList.remove("place");
+    for (const id of ["scheme", "plan"]) {
+      $(id).classList.remove("place");
+      $(id).setAttribute("aria-label", filled(this.question(), state.index).replace(/[⟨⟩]/g, "")); // and not the answer
+    }
     $("back").disabled = this.index === 0; $("next").disabled = this.index + 1 >= data.practice.length;
     $("number").textContent = `${this.index + 1} / ${data.practice.length}`;
     const said = this.said ? `<p class="said ${this.said[0]}">${this.said[0] === "yes" ? "✓" : "✗"} ${text(this.said[1])}</p>` : "";
@@ -98,8 +105,7 @@ const practice = {
       body = Object.keys(this.goal()).map(n => `<button type="button" class="term known${this.given(n)}" data-do="known" data-term="${n}" aria-label="${n}: ${this.given(n)}"><b>${html(n)}</b></button>`).join("") + button("check", say("check"));
     } else if (this.now === "direction") body = this.rays().map((_, k) => button("ray" + k, k + 1)).join("");
     else if (this.now === "length") {
-      const own = this.frame.terms[0], needs = this.frame.values.filter(n => this.frame.values.length === 1 || n !== own);
-      const given = needs.map(n => `⟨${n}⟩ = ⟦v¦${n}⟧ ${(data.units[n] || {})[state.lang] || ""}`.trim()).join("; "), mu = data.plans.find(p => p.key === this.frame.plan).mu[state.lang];
+      const given = this.frame.values.map(n => `⟨${n}⟩ = ⟦v¦${n}⟧ ${(data.units[n] || {})[state.lang] || ""}`.trim()).join("; "), mu = data.plans.find(p => p.key === this.frame.plan).mu[state.lang];
       body = `<span>${sentence(given, state.index, this.frame.plan)}; μ = ${mu}</span><input id="length" type="text" inputmode="decimal" aria-label="${say("millimetres")}"> ${say("millimetres")} ${button("length", say("check"))}`;
     } else if (this.now.startsWith("line")) {
       body = t.lines[+this.now.slice(4)].options.map((o, k) => button("line" + k, o.text)).join("");
@@ -110,9 +116,9 @@ const practice = {
     const a = this.task.angle;
     return [0, 1, 2, 3].map(k => ({ quarter: k, angle: (((a + 90 * k) % 360) + 360) % 360 })).sort((x, y) => x.angle - y.angle);
   },
-  spots() { // the right place among those of the mistakes, from left to right
-    const at = plan.at(this.task.mark, state.index);
-    const near = this.task.places.filter(w => this.inside(w.at)).slice(0, 5);
+  spots() { // the right place among those of the mistakes, each once, from left to right
+    const at = plan.at(this.task.mark, state.index), same = (v, w) => v.at[0] === w.at[0] && v.at[1] === w.at[1];
+    const near = this.task.places.filter((w, k, all) => this.inside(w.at) && all.findIndex(v => same(v, w)) === k).slice(0, 5);
     return [{ at, right: true }, ...near].sort((a, b) => a.at[0] - b.at[0]);
   },
   inside(p) { const [x, y] = this.panel().px(p); return x > 5 && y > 5 && x < this.panel().w - 5 && y < this.panel().h - 5; },
@@ -146,27 +152,27 @@ const practice = {
   },
   pick(what, e) { // an answer by a button, or by what stands for it on the plan
     const t = this.task, k = +what.replace(/\D/g, "");
-    if (what === "again") { this.over = false; this.on = false; state.frame = 0; this.toggle(); }
+    if (what === "again") { this.on = false; this.toggle(); }
     else if (what === "known") { const n = e.dataset.term; this.marks[n] = (this.given(n) + 1) % 3; draw(); const again = [...document.querySelectorAll("[data-term]")].find(b => b.dataset.term === n); if (again) again.focus(); }
     else if (what === "check") this.answer(Object.entries(this.goal()).every(([n, v]) => this.given(n) === v), say("why_known"));
     else if (what.startsWith("ray")) {
-      const q = this.rays()[k].quarter, w = t.turned[q];
-      this.answer(q === 0, w && w.said[state.lang]);
+      const q = this.rays()[k].quarter;
+      this.answer(q === 0, this.named(t.turned[q] || []));
     } else if (what === "length") this.measure($("length").value);
     else if (what.startsWith("line")) {
       const o = t.lines[+this.now.slice(4)].options[k];
-      this.answer(!!o.right, o.said && o.said[state.lang]);
+      this.answer(!!o.right, this.named(o.slips));
     } else if (what === "list") { this.list = true; draw(); }
     else if (what.startsWith("spot")) {
       const s = this.spots()[k];
-      this.answer(!!s.right, s.said && s.said[state.lang]);
+      this.answer(!!s.right, this.named(t.places.filter(w => w.at[0] === s.at[0] && w.at[1] === s.at[1])));
     }
   },
   measure(text) {
     const given = parseFloat(text.replace(",", ".")), t = this.task;
     if (!Number.isFinite(given)) return;
-    const fits = mm => Math.abs(given - mm) / Math.max(1, 0.03 * mm);
-    this.answer(fits(t.mm) <= 1, this.named(t.lengths, w => Math.abs(given - w.mm) / Math.max(0.4, 0.03 * w.mm)));
+    const off = (mm, least) => Math.abs(given - mm) / Math.max(least, 0.03 * mm);
+    this.answer(off(t.mm, 1) <= 1, this.named(t.lengths, w => off(w.mm, Math.max(0.005, Math.min(0.4, 0.2 * w.mm)))));
   },
   click(event) {
     if (!this.on || this.over || this.now !== "place" || this.list) return;
@@ -188,6 +194,7 @@ for (const [id, by] of [["back", -1], ["next", 1]]) $(id).addEventListener("clic
   if (!practice.on) return;
   e.stopImmediatePropagation();
   practice.index = clamp(practice.index + by, 0, data.practice.length - 1);
-  practice.said = null; practice.open();
+  Object.assign(practice, { said: null, over: false });
+  practice.open();
 }, true);
 readAddress(); language(); draw();

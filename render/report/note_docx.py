@@ -54,7 +54,8 @@ def _runs(paragraph: Any, text: str, naming: Naming, plan: str, italic: bool = F
     for piece in pieces(text, naming, plan):
         run = paragraph.add_run(piece.text)
         run.italic = piece.name != italic
-        run.font.subscript, run.font.superscript = piece.shift == "sub" or None, piece.shift == "sup" or None
+        if piece.shift:  # the two share one property: setting either to None clears the other
+            setattr(run.font, {"sub": "subscript", "sup": "superscript"}[piece.shift], True)
 
 
 def _table(paper: Any, block: Table, naming: Naming) -> None:

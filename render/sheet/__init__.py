@@ -10,9 +10,10 @@ from planes.scene import Scene
 from planes.wording import SceneError
 from planes.words import Lang, say
 from render import svg
+from render.labels.footprints import overprinted
 from render.marks import Mark
 from render.sheet.frame import FORMATS, Paper
-from render.sheet.layout import FULL, GAP_MM, QUICK, USUAL, Effort, Field, Packed, pack, spread
+from render.sheet.layout import FULL, QUICK, USUAL, Effort, Field, Packed, pack, spread
 from render.sheet.said import cells
 from render.sheet.sizes import LARGEST, Extents, Sizes, grown
 from render.typeset import plain
@@ -66,21 +67,32 @@ def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = N
     """
     chosen = scene.sheet.get("format")
     formats = [str(chosen)] if chosen and chosen != "auto" else list(FORMATS)
-    tried: list[View] = []
     for whole in (True, False):
         for name in formats:
-            for sizes, letter, together in _tries(name, bool(contents.extents(Sizes())), name == formats[-1]):
-                tried, spare = contents.views(sizes, letter, together)
-                wanted = [*tried, *spare] if whole else tried
-                if (whole or spare) and packed(wanted, Paper(name)):
-                    places = enlarged(contents, sizes, letter, together, whole, Paper(name))
-                    left_out = () if whole else (without(spare, wanted, Paper(name), number, lang),)
-                    return finished(scene, Paper(name), places, lang, number, left_out)
-    raise no_room(tried, Paper(formats[-1]), lang)
+            how = fitted(contents, name, name == formats[-1], whole)
+            if how:
+                wanted, spare = contents.views(*how)
+                places = enlarged(contents, *how, whole, Paper(name))
+                left_out = () if whole else (without(spare, wanted, Paper(name), number, lang),)
+                return finished(scene, Paper(name), places, lang, number, left_out)
+    raise no_room(contents, Paper(formats[-1]), lang)
 
 
-def _tries(name: str, free: bool, last: bool) -> list[tuple[Sizes, float, bool]]:
-    """Sizes of plans, letter heights and whether equations stand under their plans, the best looking first."""
+Way = tuple[Sizes, float, bool]
+"""Sizes of plans, a letter height, and whether equations stand under their plans."""
+
+
+def fitted(contents: Contents, name: str, last: bool, whole: bool) -> Way | None:
+    """The best looking way in which all views (but, unless ``whole``, those that may be left out) fit on a format."""
+    for how in _tries(name, bool(contents.extents(Sizes())), last):
+        wanted, spare = contents.views(*how)
+        if (whole or spare) and packed([*wanted, *spare] if whole else wanted, Paper(name)):
+            return how
+    return None
+
+
+def _tries(name: str, free: bool, last: bool) -> list[Way]:
+    """Ways to fill a format, the best looking first."""
     small = (SMALLER if last else SMALLER[:1]) if free else ()
     first = [*product([Sizes()], LETTERS[name], (True,)), *product([Sizes()], LETTERS[name], (False,))]
     return [*first, *product(map(Sizes, small), LETTERS[name], (True, False))]
@@ -137,19 +149,28 @@ def finished(
     """The views in their places within frame and title block."""
     marks = [m for v, left, top in places for m in v.placed(left, top)]
     title = scene.title.get(lang, "")
-    return Sheet(paper, (*paper.marks(cells(scene, lang, number), lang), *marks), tuple(places), title, warnings)
+    said = (*warnings, *(sentence for v, _, _ in places for sentence in unseen(v, lang)))
+    return Sheet(paper, (*paper.marks(cells(scene, lang, number), lang), *marks), tuple(places), title, said)
 
 
-def no_room(views: Sequence[View], paper: Paper, lang: Lang) -> SceneError:
-    """Which view is too large, and what would hold it."""
+def unseen(one: View, lang: Lang) -> list[str]:
+    """Sentences about what cannot be seen or read in a view."""
+    names = ", ".join(dict.fromkeys(map(plain, overprinted(one.marks))))
+    crowded = [say("overprinted", lang, view=plain(one.title or one.key), names=names)] if names else []
+    return [*one.unseen, *crowded]
+
+
+def no_room(contents: Contents, paper: Paper, lang: Lang) -> SceneError:
+    """Which view is too large, or that all of them together are; and which format holds them, if one was found to."""
+    views = contents.views(*_tries(paper.name, bool(contents.extents(Sizes())), True)[-1])[0]
     largest = max(views, key=lambda v: v.width * v.height)
-    width, height = round(largest.width), round(largest.height)
+    alone = packed([largest], paper) is None
     names = list(FORMATS)
     larger = names[names.index(paper.name) + 1 :]
-    title = plain(largest.title or largest.key)
-    if not larger:
-        return SceneError(say("no_room_at_all", lang, view=title, width=width, height=height))
-    need = sum((v.width + GAP_MM) * (v.height + GAP_MM) for v in views) * 1.1
-    fitting = next((n for n in larger if FORMATS[n][0] * FORMATS[n][1] > need), larger[-1])
-    words = {"format": paper.name, "view": title, "width": width, "height": height, "larger": fitting}
-    return SceneError(say("no_room", lang, **words))
+    fitting = next((n for n in larger if any(fitted(contents, n, True, whole) for whole in (True, False))), "")
+    words = {
+        "format": paper.name, "view": plain(largest.title or largest.key), "count": len(views),
+        "width": round(largest.width), "height": round(largest.height),
+    }  # fmt: skip
+    words["advice"] = say("room_on", lang, larger=fitting) if fitting else say("no_room_larger", lang)
+    return SceneError(say("no_room" if alone else "no_room_together", lang, **words))

@@ -103,7 +103,7 @@ class Composer:
         title = f"{self.plan_name(plan)}, {self.mu(plotted, plan)}"
         polygon = Polygon(plotted, plan, self.naming, counted=self.details)
         key = ("plan", plan, plotted.mu(plan), *polygon.letters()[:1])  # letters of details follow those of other plans
-        made = self.once(key, lambda: view(plan, title, polygon.drawn(), figure=True))
+        made = self.once(key, lambda: view(plan, title, polygon.drawn(), figure=True, unseen=polygon.unseen(title)))
         assert made
         return made
 

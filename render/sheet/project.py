@@ -78,7 +78,7 @@ class Project:
         def make() -> View:
             many = Many(position.plans, self.numbered, self.turn, mu)
             drawn = Scheme(position, c.naming).drawn(True, many.marks(), many.labels())
-            return view("scheme", title, drawn, figure=True)
+            return view("scheme", title, drawn, figure=True, unseen=many.unseen(title, c.lang))
 
         return c.once(("many", mu), make)
 

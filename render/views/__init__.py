@@ -19,13 +19,15 @@ TITLE_GAP = 4.0  # from a title to its view
 
 @dataclass(frozen=True)
 class View:
-    """``key`` names the view for settings ("velocity"), ``title`` is lettered above it ("" for none)."""
+    """``key`` names the view for settings ("velocity"), ``title`` is lettered above it ("" for none); ``unseen`` are
+    sentences about what should be in it and is not."""
 
     key: str
     title: str
     marks: tuple[Mark, ...]
     box: Bounds
     figure: bool = False  # a scheme or a plan: they are read one after the other
+    unseen: tuple[str, ...] = ()
 
     @property
     def width(self) -> float:
@@ -53,7 +55,10 @@ def bounds(marks: Sequence[Mark]) -> Bounds:
     return float(low[0]), float(low[1]), float(high[0]), float(high[1])
 
 
-def view(key: str, title: str, marks: Iterable[Mark], height: float = TITLE_MM, figure: bool = False) -> View:
+def view(
+    key: str, title: str, marks: Iterable[Mark], height: float = TITLE_MM, figure: bool = False,
+    unseen: Iterable[str] = (),
+) -> View:  # fmt: skip
     """A view with its title centred above it."""
     held = tuple(marks)
     box = bounds(held)
@@ -63,7 +68,7 @@ def view(key: str, title: str, marks: Iterable[Mark], height: float = TITLE_MM, 
         held = (*held, Text(title, place, height, "middle", name=f"title {key}"))
         half = (x1 - x0) / 2
         box = (min(box[0], place.real - half), box[1], max(box[2], place.real + half), place.imag + y1)
-    return View(key, title, held, box, figure)
+    return View(key, title, held, box, figure, tuple(unseen))
 
 
 def remark(text: str, marks: Iterable[Mark]) -> Text:
@@ -90,7 +95,8 @@ def stacked(key: str, views: Sequence[View], gap: float = 6.0) -> View:
         boxes.append(moved_view.box)
         y = moved_view.box[1] - gap
     box = (min(b[0] for b in boxes), min(b[1] for b in boxes), max(b[2] for b in boxes), max(b[3] for b in boxes))
-    return View(key, views[0].title, tuple(marks), box, views[0].figure)
+    return View(key, views[0].title, tuple(marks), box, views[0].figure, tuple(s for v in views for s in v.unseen))
+
 
 def beside(views: Sequence[View], gap: float = 8.0) -> View:
     """Views one beside the other, their lower edges in one line, as one view."""

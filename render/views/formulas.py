@@ -8,6 +8,7 @@ import re
 from dataclasses import dataclass, field
 
 from planes.equations import Equation, Term
+from planes.naming import written
 from planes.units import UNIT
 from planes.words import say
 from render.marks import Line, Mark, Text
@@ -174,10 +175,14 @@ class Formulas:
 
     def action(self, term: Term) -> str:
         """The line of action as it is written beneath: ⊥BC, ∥y–y, C→B."""
-        text = term.action.replace("⊥∥", "⊥").replace("-", "–")
+        text = written(term.action).replace("-", "–")
         if text[:1] == "∠" and term.direction:
-            angle = math.degrees(cmath.phase(complex(self.plotted.drawing[term.direction])))
-            return f"∠{number(angle, self.naming.lang)}°"
+            way = complex(self.plotted.drawing[term.direction])
+            if text[1:2] != "⊥":
+                return f"∠{number(math.degrees(cmath.phase(way)), self.naming.lang)}°"
+            normal = complex(self.plotted.drawing[term.action[1:]])
+            leaning = math.degrees(math.asin(min(1.0, abs((way * normal.conjugate()).imag))))
+            return say("leans", self.naming.lang, angle=number(leaning, self.naming.lang), line=text[1:])
         if text.startswith(("↓", "⊥", "∥")):
             return text
         if re.fullmatch(r"[A-Z]\w*→[A-Z]\w*", text):

@@ -11,6 +11,7 @@ from render import labels
 from render.marks import Arrow, Line, Mark
 from render.names import Naming
 from render.symbols import dot
+from render.views.loading import Arms
 from render.views.plotted import of_position
 from render.views.polygon import SAME_MM, ZERO_MM
 from render.views.senses import parted, yielding
@@ -60,6 +61,7 @@ class Lever:
         drawing, marks, named = self.position.drawing, list[Mark](), list[labels.Label]()
         drops = {s.makes: s for s in drawing.program.steps if isinstance(s, Drop)}
         taken: list[tuple[complex, complex]] = []
+        arms = Arms()
         lever = next((m for m in self.position.plans.moments if m.links == ("lever",)), None)
         for name, arm in lever.terms if lever else ():
             step = drops.get(arm)
@@ -74,10 +76,8 @@ class Lever:
             named.append(labels.Label(self.naming.vector(name), ((point + end) / 2, end), 3.5, name=name))
             foot = point + ((0j - point) * along.conjugate()).real * along
             if abs(foot) > 2:
-                marks += [Line((point, foot), "construction", "construction"), Line((0j, foot), "thin", "dimension")]
-                text = f"H_{{{''.join(c for c in self.naming.vector(name) if c not in '_^{}')}}}"
-                named.append(labels.Label(text, (0j, foot), 3.5, name=f"arm {name}"))
-        return marks, named
+                arms.add(point, (0j, foot), self.naming.arm(name, arm), name)
+        return [*marks, *arms.marks], [*named, *arms.named]
 
     @property
     def there(self) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from planes.drafting import Moments
 from planes.naming import at
@@ -22,6 +22,7 @@ STEP_MM = 6.0  # by which the next one of the same point and direction is longer
 COUPLE_MM = 6.5  # radius of a couple's curved arrow
 NAME_MM = 3.5
 NOTHING = 1e-9  # of the largest force: none
+SAME_MM = 0.1  # arms that differ by less are one
 FAR_M = 10.0  # an arm longer than this is that of a couple
 
 
@@ -177,6 +178,7 @@ class Loading:
     def arms(self, equations: list[Moments]) -> None:
         """Thin perpendiculars from the centre of moments to the lines of action, which are drawn out to meet them."""
         drops = {s.makes: s for s in self.drawing.program.steps if isinstance(s, Drop)}
+        drawn = Arms()
         for equation in equations:
             for name, arm in equation.terms:
                 step = drops.get(arm)
@@ -187,10 +189,27 @@ class Loading:
                 foot = point + ((about - point) * along.conjugate()).real * along
                 if abs(foot - about) < 2:
                     continue
-                self.marks.append(Line((point, foot), "construction", "construction"))
-                self.marks.append(Line((about, foot), "thin", "dimension"))
-                text = f"h_{{{''.join(c for c in self.naming.vector(name) if c not in '_^{}')}}}"
-                self.named.append(labels.Label(text, (about, foot), NAME_MM, name=f"arm {name}"))
+                drawn.add(point, (about, foot), self.naming.arm(name, arm), name)
+        self.marks += drawn.marks
+        self.named += drawn.named
+
+
+@dataclass
+class Arms:
+    """Arms with the lines of action they are dropped on; one that two forces share is drawn once, with both names."""
+
+    marks: list[Mark] = field(default_factory=list)
+    named: list[labels.Label] = field(default_factory=list)
+
+    def add(self, point: complex, ends: tuple[complex, complex], text: str, force: str) -> None:
+        """The arm between ``ends`` of the force at ``point``."""
+        self.marks.append(Line((point, ends[1]), "construction", "construction"))
+        for k, other in enumerate(self.named):
+            if isinstance(other.at, tuple) and all(abs(a - b) < SAME_MM for a, b in zip(other.at, ends, strict=True)):
+                self.named[k] = replace(other, text=f"{other.text} = {text}")
+                return
+        self.marks.append(Line(ends, "thin", "dimension"))
+        self.named.append(labels.Label(text, ends, NAME_MM, name=f"arm {force}"))
 
 
 def _sign(value: object) -> float:

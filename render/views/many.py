@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -10,9 +12,11 @@ from typing import Any
 
 from planes.mechanism import FRAME, Link
 from planes.plans import Plans
+from planes.words import Lang, say
 from render import labels
 from render.marks import Line, Mark
-from render.views.places import outline_of
+from render.typeset import plain
+from render.views.places import NEAR_MM, outline_of
 
 MOST = 3.5  # times its usual size a scheme may have in the course of a turn
 NEAR = 1.8  # and so many times where it grows beyond that: the positions farther off are not drawn
@@ -73,16 +77,47 @@ class Many:
             if one.result and self.near(one.result):
                 style = "thin" if one.extreme else "construction"
                 for link in self.plans.mechanism.links.values():
-                    outline = outline_of([self.place(one.result, p) for p in self.outlined(link)])
-                    if len(outline) > 1:
+                    for outline in self.outlines(link, one.result):
                         found.append(Line(tuple(outline), style, "construction", len(outline) > 2))
         return found + self.paths()
 
-    def outlined(self, link: Link) -> list[str]:
-        """The points a link is drawn through: its own, and those of sliders on the line of its guides."""
-        sliders = [x for x in self.plans.mechanism.links.values() if x.slides and x.slides.guide in link.guides]
-        on_line = [x.first_point for x in sliders if x.slides and not x.slides.offset]
-        return [*(p for p in link.points if p != link.centre), *on_line]
+    def outlines(self, link: Link, result: dict[str, Any]) -> list[list[complex]]:
+        """The bar or plate of a link, as the scheme shows it, and the rods of its guides as far as their sliders."""
+        hinged = {p for x in self.links if x is not link for p in x.points}
+        joints = [self.place(result, p) for p in link.points if p in hinged or p != link.centre]
+        if link.slides:
+            joints.append(self.foot(link, link.slides.guide, result))
+        rods = []
+        for guide in link.guides:
+            feet = [self.foot(x, guide, result) for x in self.links if x.slides and x.slides.guide == guide]
+            through, along = self.line(guide, result)
+            ways = [(z - through) * along.conjugate() for z in joints]
+            on = [w.real for w in ways if abs(w.imag) < NEAR_MM] or [w.real for w in ways[:1]]
+            ends = [*on, *(((z - through) * along.conjugate()).real for z in feet)]
+            joints += [through + on[0] * along]
+            rods.append(outline_of([through + min(ends) * along, through + max(ends) * along] if feet else []))
+        return [shape for shape in (outline_of(joints), *rods) if len(shape) > 1]
+
+    @property
+    def links(self) -> list[Link]:
+        """All links, the frame too."""
+        return [self.plans.mechanism.frame, *self.plans.mechanism.links.values()]
+
+    def line(self, guide: str, result: dict[str, Any]) -> tuple[complex, complex]:
+        """A point of a guide's line and its direction."""
+        mechanism = self.plans.mechanism
+        owner, given = mechanism.link(mechanism.owner(guide)), mechanism.guide(guide)
+        along = cmath.exp(1j * math.radians(given.angle_deg))
+        if owner is mechanism.frame:
+            return given.through * self.mu, along
+        turn = cmath.exp(1j * math.radians(result["links"][owner.name]["angle_deg"]))
+        first = owner.first_point
+        return self.place(result, first) + (given.through - owner.points[first]) * turn * self.mu, along * turn
+
+    def foot(self, slider: Link, guide: str, result: dict[str, Any]) -> complex:
+        """Where a slider's first point is dropped on its guide."""
+        through, along = self.line(guide, result)
+        return through + ((self.place(result, slider.first_point) - through) * along.conjugate()).real * along
 
     def paths(self) -> list[Mark]:
         """Paths of the moving points, in dashes; a point on a frame's guide has none of interest."""
@@ -100,6 +135,13 @@ class Many:
                     found.append(Line(tuple(run), "dash", "construction"))
                 run = []
         return found
+
+    def unseen(self, title: str, lang: Lang) -> list[str]:
+        """Sentences about the numbered positions that are not drawn."""
+        failed = [x.number for x in self.numbered if not x.result]
+        far = [x.number for x in self.numbered if x.result and not self.near(x.result)]
+        told = (("positions_failed", failed), ("positions_far", far))
+        return [say(key, lang, view=plain(title), numbers=", ".join(numbers)) for key, numbers in told if numbers]
 
     def labels(self) -> list[labels.Label]:
         """Numbers of the positions at the end of the crank, or beneath a sliding driver."""

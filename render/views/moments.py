@@ -9,7 +9,7 @@ from planes.solving import Position
 from planes.steps.reckoning import Calculate
 from planes.words import say
 from render.marks import Mark
-from render.names import Naming
+from render.names import Naming, flat
 from render.numbers import number
 from render.views.formulas import Setter, Word
 
@@ -45,13 +45,13 @@ class MomentLines:
         shown = [(n, a, v) for (n, a), v in zip(equation.terms, values, strict=False) if abs(v) > NOISE * biggest]
         if not shown:
             return []
-        about = _flat(self.naming.point(equation.about))
+        about = flat(self.naming.point(equation.about))
         links = ",".join(self.naming.link(x) for x in equation.links if x != "lever")
         factor = self.common(equation, made)
         by = float(self.position.drawing[factor]) if factor else 1.0
         found = float(self.position.drawing[equation.unknown])
         head = self.unknown(equation) + (self.naming.vector(factor) if factor else "")
-        unit = say("W" if factor != equation.arm else "N·m", self.naming.lang)
+        unit = say(self.unit(factor != equation.arm), self.naming.lang)
         words = [Word(f"ΣM_{{{about}}}" + (f"^{{({links})}}:" if links else ":"), vector=False, value=unit)]
         words.append(Word(head, vector=False, value=self.number(found * by)))
         for k, (name, lever, value) in enumerate(shown):
@@ -62,6 +62,14 @@ class MomentLines:
             return words
         result = f";  {self.unknown(equation)} = {self.number(found)} {say('N', self.naming.lang)}"
         return [*words, Word(result, vector=False)]
+
+    def unit(self, of_power: bool) -> str:
+        """The unit of every product: of the lever's that of power, or what is left of it where the rates are of a
+        unit drive."""
+        plans = self.position.plans
+        if not of_power or (plans.at_rest and plans.mechanism.drive.kind == "phi"):
+            return "N·m"
+        return "N" if plans.at_rest else "W"
 
     def common(self, equation: Moments, made: Calculate) -> str:
         """What every product is divided by: the unknown's arm, or on the lever the driver's rate; "" for nothing."""
@@ -83,7 +91,7 @@ class MomentLines:
         text = self.naming.vector(name)
         if lever.startswith(("omega", "v_")):
             return text + self.naming.vector(lever)
-        return text + (f"{'H' if lever.startswith('H_') else 'h'}_{{{_flat(text)}}}" if lever else "")
+        return text + (self.naming.arm(name, lever) if lever else "")
 
     def value(self, term: object) -> float:
         """One product of the sum."""
@@ -95,8 +103,3 @@ class MomentLines:
     def number(self, value: float) -> str:
         """A number of the sheet."""
         return number(value, self.naming.lang)
-
-
-def _flat(text: str) -> str:
-    """A name without the markup of its indices, to stand in an index itself."""
-    return "".join(c for c in text if c not in "_^{}")

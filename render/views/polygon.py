@@ -12,11 +12,14 @@ from planes.words import say
 from render import detail, labels
 from render.marks import Arrow, Layer, Line, Mark
 from render.names import Naming
+from render.numbers import number
 from render.symbols import dot
+from render.typeset import plain
 from render.views import remark
 from render.views.plotted import Plotted
 
 ZERO_MM = 0.05  # a vector shorter than this is nothing on paper
+NOTHING_MM = 1e-10  # and one shorter than this is none
 SAME_MM = 0.35  # marks closer than this share one label
 BEYOND_MM = 7.0  # how far a line of action runs past the crossing
 ALONE_MM = 12.0  # half of a line of action on which the vector vanished
@@ -60,7 +63,8 @@ class Polygon:
         details = detail.details(self.places.values(), self.letters())
         circled = (*ground, *(d.circle() for d in details))
         marks = (*circled, *labels.place([*named, *(d.named() for d in details)], circled).marks)
-        marks = detail.beside(marks, [d.drawn(ground, named) for d in details])
+        apart = {d: self.mark_labels(SAME_MM / d.times) if self.of_rates else named for d in details}
+        marks = detail.beside(marks, [d.drawn(ground, apart[d]) for d in details])
         return (*marks, remark(f"({say('shifted', self.naming.lang)})", marks)) if self.shifted else marks
 
     def letters(self) -> list[str]:
@@ -87,6 +91,16 @@ class Polygon:
                 names = self.arrows.setdefault((s.start, s.end), [])
                 names += [s.name] * (s.name not in names)
 
+    def unseen(self, title: str) -> list[str]:
+        """A sentence about the vectors that are too short to be drawn, if there are any."""
+        sizes = {
+            s.name: abs(self.mark(s.end) - self.mark(s.start)) for s in self.plotted.segments
+            if s.plan == self.plan and self.plotted.has(s.plan, s.start, s.end)
+        }  # fmt: skip
+        names = [plain(self.naming.vector(n)) for n, size in sizes.items() if NOTHING_MM < size <= ZERO_MM]
+        told = {"view": plain(title), "names": ", ".join(names), "least": number(ZERO_MM, self.naming.lang)}
+        return [say("too_short", self.naming.lang, **told)] if names else []
+
     def terms(self) -> Iterable[Term]:
         """The terms of this plan's equations whose ends are drawn."""
         for equation in self.plotted.equations:
@@ -112,6 +126,9 @@ class Polygon:
             if plan_of(step.makes) != self.plan or not isinstance(step, (Similar, Image)):
                 continue
             base = (step.start, step.end) if isinstance(step, Similar) else step.image
+            if step.start not in base:  # laid off from a mark of its own: there is no triangle on the base
+                self.trace(self.mark(label_of(step.start)), self.mark(label_of(step.makes)))
+                continue
             corners = [label_of(base[0]), label_of(step.makes), label_of(base[1])]
             a, x, b = map(self.mark, corners)
             flat = abs(b - a) < ZERO_MM or abs(((x - a) / (b - a)).imag) * abs(b - a) < ZERO_MM
@@ -165,12 +182,12 @@ class Polygon:
             found.append(labels.Label(text, (a, b), FORCE_MM, name=names[0]))
         return found
 
-    def mark_labels(self) -> list[labels.Label]:
+    def mark_labels(self, same: float = SAME_MM) -> list[labels.Label]:
         """Letters of the marks; those that coincide share one label."""
         clusters: list[tuple[complex, list[str]]] = []
         for label in self.plotted.labels(self.plan):
             z = self.mark(label)
-            near = next((c for c in clusters if abs(c[0] - z) <= SAME_MM), None)
+            near = next((c for c in clusters if abs(c[0] - z) <= same), None)
             if near:
                 near[1].append(label)
             else:

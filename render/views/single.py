@@ -12,6 +12,7 @@ from planes.wording import PlanesError
 from planes.words import say
 from render import svg
 from render.marks import Mark
+from render.sheet import unseen
 from render.sheet.composer import Composer
 from render.sheet.forces import Forces
 from render.sheet.project import Project
@@ -34,6 +35,7 @@ class Page:
     size: tuple[float, float]
     title: str
     lang: str = "ru"
+    warnings: tuple[str, ...] = ()
 
     def _repr_svg_(self) -> str:
         """The picture a notebook shows."""
@@ -50,7 +52,7 @@ def page(makers: Makers, name: str, composer: Composer) -> Page:
     marks = one.placed(MARGIN_MM, MARGIN_MM + one.height)
     title = composer.scene.title.get(composer.lang, "")
     size = (one.width + 2 * MARGIN_MM, one.height + 2 * MARGIN_MM)
-    return Page(marks, size, ": ".join(t for t in (title, name) if t), composer.lang)
+    return Page(marks, size, ": ".join(t for t in (title, name) if t), composer.lang, tuple(unseen(one, composer.lang)))
 
 
 def of_mechanism(

@@ -25,7 +25,7 @@ from render.views.formulas import NOISE_MM
 from render.views.given import Given
 
 Row = Sequence[str]
-CLEAR_MM = 0.25  # least distance of a text from the lines above and beneath it
+CLEAR_MM = 0.65  # least distance of a text from the middle of the lines above and beneath it
 MOST_ROWS = 18  # of a table in one column
 _SENSES = {"↺": 1.0, "↻": -1.0}
 
@@ -39,7 +39,7 @@ class Grid:
     def drawn(self, head: Row, rows: Sequence[Row]) -> tuple[Mark, ...]:
         """The marks of a table whose upper left corner is the origin."""
         lines = [head, *rows] if any(head) else list(rows)
-        high, pad = self.high(lines), 0.5 * self.letter
+        (high, drop), pad = self.rows(lines), 0.5 * self.letter
         widths = [max(self.wide(row[k]) for row in lines) + 2 * pad for k in range(len(lines[0]))]
         edges = [sum(widths[:k]) for k in range(len(widths) + 1)]
         marks: list[Mark] = []
@@ -49,16 +49,18 @@ class Grid:
         for k, edge in enumerate(edges):
             marks.append(_rule(complex(edge, 0), complex(edge, -len(lines) * high), k in (0, len(widths))))
         for level, row in enumerate(lines):
-            base = -(level + 0.5) * high - 0.35 * self.letter
+            base = -(level + 0.5) * high - drop
             for k, cell in enumerate(row):
                 marks += self.cell(cell, complex((edges[k] + edges[k + 1]) / 2, base))
         return tuple(marks)
 
-    def high(self, lines: Sequence[Row]) -> float:
-        """Height of the rows: two letters, more where indices would come near a line."""
+    def rows(self, lines: Sequence[Row]) -> tuple[float, float]:
+        """Height of the rows: two letters, more where indices would come near a line; the base line beneath their
+        middle."""
         boxes = [extent(cell.rstrip("↺↻"), self.letter) for row in lines for cell in row]
-        reach = max(max(y1 - 0.35 * self.letter, 0.35 * self.letter - y0) for _, y0, _, y1 in boxes)
-        return max(2.0 * self.letter, 2 * (reach + CLEAR_MM))
+        low, top = min(b[1] for b in boxes), max(b[3] for b in boxes)
+        high = max(2.0 * self.letter, top - low + 2 * CLEAR_MM)
+        return high, min(max(0.35 * self.letter, top + CLEAR_MM - high / 2), high / 2 - CLEAR_MM + low)
 
     def wide(self, cell: str) -> float:
         """Width of a cell's ink."""
