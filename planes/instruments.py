@@ -16,6 +16,8 @@ from planes.tools import Tool
 from planes.wording import PlanFailure
 from planes.words import Told
 
+ROUNDINGS = 1000 * 2.0**-52
+
 
 class Instrument(Protocol):
     """What draws: makes a fresh tool for one drawing, or for arrays of ``many``."""
@@ -99,6 +101,17 @@ class Pencil:
         return _PencilHand(Many() if many else One(), many, doubt_mm=6 * self.point_mm, pencil=self, errors=errors)
 
 
+@dataclass(frozen=True)
+class Shaken:
+    """A draughtsman whose every mark, direction and reading is off by a thousand roundings: what he cannot tell apart,
+    doubles cannot be asked to."""
+
+    seed: int = 1
+
+    def tool(self, many: bool) -> Hand:
+        return _ShakenHand(Many() if many else One(), many, errors=_Errors(self.seed, many))
+
+
 class _Errors:
     """Normal errors: one, or an array of one for each drawing made at once."""
 
@@ -133,6 +146,20 @@ class _PencilHand(Hand):
 
             return numpy.round(length_mm / ruler) * ruler
         return round(length_mm / ruler) * ruler
+
+
+@dataclass
+class _ShakenHand(Hand):
+    errors: _Errors = field(default_factory=lambda: _Errors(1, False))
+
+    def mark(self, place: Point) -> Point:
+        return place * (1 + ROUNDINGS * (self.errors.normal(self.shape) + 1j * self.errors.normal(self.shape)))
+
+    def ray(self, direction: Point) -> Point:
+        return direction * (1 + 1j * ROUNDINGS * self.errors.normal(self.shape))
+
+    def read(self, length_mm: Real) -> Real:
+        return length_mm * (1 + ROUNDINGS * self.errors.normal(self.shape))
 
 
 _: type[Tool] = Hand
