@@ -11,7 +11,7 @@ from planes.instruments import Exact, Hand, Instrument, Shaken
 from planes.program import Program
 from planes.proofs import TOLD_APART, Proof, Twofold
 from planes.thing_names import called, plan_phrase
-from planes.wording import PlanFailure, ProgramError, valid_names
+from planes.wording import Contradiction, PlanFailure, ProgramError, valid_names
 from planes.words import Phrase
 
 NOWHERE = complex("nan+nanj")  # the mark of a drawing of many that could not be drawn
@@ -60,7 +60,8 @@ class Drawing:
 def run(program: Program, given: Mapping[str, Any], instrument: Instrument | None = None) -> Drawing:
     """Draw every step. With an array among the givens many drawings are made at once.
 
-    Raises :class:`ProgramError` when something is not given, :class:`PlanFailure` when a single drawing cannot go on;
+    Raises :class:`ProgramError` when something is not given, :class:`PlanFailure` when a single drawing cannot go on,
+    :class:`Contradiction` where its two balancing loads differ;
     of many, those that cannot are NaN and named by :meth:`Drawing.failed`.
     """
     missing = [n for n in program.givens if n not in given]
@@ -88,10 +89,10 @@ def run(program: Program, given: Mapping[str, Any], instrument: Instrument | Non
 def proved(program: Program, given: Mapping[str, Any]) -> None:
     """Refuse a single position whose exact drawing fails any proof; one that cannot be drawn proves nothing."""
     try:
-        _prove(run(program, given), given, program.proofs)
-    except PlanFailure as failure:
-        if failure.reason in {p.reason for p in program.proofs}:
-            raise
+        drawing = run(program, given)
+    except PlanFailure:
+        return
+    _prove(drawing, given, program.proofs)
 
 
 def _prove(drawing: Drawing, given: Mapping[str, Any], proofs: Sequence[Proof]) -> None:
@@ -107,7 +108,7 @@ def _prove(drawing: Drawing, given: Mapping[str, Any], proofs: Sequence[Proof]) 
             _mask(drawing, proof, ~wrong)
         elif wrong:
             numbers = proof.numbers(drawing.things, (gap, size))
-            raise PlanFailure(proof.reason, plan=plan_phrase(proof.plan), **numbers)
+            raise Contradiction(proof.reason, plan=plan_phrase(proof.plan), **numbers)
 
 
 def _doubt(program: Program, given: Mapping[str, Any], proof: Proof, gap: Any) -> Any:

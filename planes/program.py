@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from planes.proofs import Proof, Twofold
@@ -18,7 +18,8 @@ class Program:
     """A straight line of steps. What no step makes must be given (a value or a place) when it is run."""
 
     steps: tuple[Step, ...]
-    proofs: tuple[Proof, ...] = ()  # what must hold of what they draw
+    # what must hold of what they draw, said by the scene's own numbers: no part of what a program depends on
+    proofs: tuple[Proof, ...] = field(default=(), compare=False)
 
     def __post_init__(self) -> None:
         made: dict[str, Kind] = {}

@@ -8,16 +8,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Protocol
 
 from planes import plane
 from planes.arithmetic import Arithmetic, Real
 from planes.naming import mu_of, plan_of
-from planes.steps.reckoning import Product
 
 TOLD_APART = 1e-9  # relative: nearer than this, two ways to a number agree
 Things = Mapping[str, Any]
 Gap = tuple[Real, Real]  # how far apart the two sides are, and how large what they are made of is
+
+
+class Product(Protocol):
+    """A product of named values, each to a power."""
+
+    @property
+    def factors(self) -> tuple[tuple[str, int], ...]: ...
+
+    def value(self, env: Things, ar: Arithmetic) -> Any: ...
 
 
 @dataclass(frozen=True)

@@ -23,13 +23,12 @@ from planes.instruments import Pencil
 from planes.plans import lever, state
 from planes.plans.kinematics import Rates
 from planes.plans.reactions import Statics
-from planes.program import Program
 from planes.proofs import Twofold
 from planes.scene import loads
 from planes.solving import solve
 from planes.steps import Similar
 from planes.steps.reckoning import Drop
-from planes.wording import PlanFailure, PlanesError
+from planes.wording import Contradiction, PlanFailure
 
 SAMPLES = Path(__file__).parents[1] / "samples"
 Spoil = Callable[[pytest.MonkeyPatch], None]
@@ -87,10 +86,10 @@ def test_a_wrong_formula_is_refused_by_the_plans_themselves(
     assert found
     state(found)
     spoil(monkeypatch)
-    with pytest.raises(PlanFailure) as caught:
+    with pytest.raises(Contradiction) as caught:
         state(found)
-    assert caught.value.reason == reason and f"{plan} " in caught.value.sentence("en")
-    assert "ошибка программы" in caught.value.sentence("ru")
+    assert caught.value.reason == reason and f"{plan} " in caught.value.told("en")
+    assert "ошибка программы" in caught.value.told("ru")
 
 
 COMMANDS = {
@@ -103,7 +102,8 @@ COMMANDS = {
     "a table of one velocity": ["cycle", "{slice}", "--show", "v_C", "-o", "{out}/a.csv"],
     "blank": ["blank", "{scene}", "--plan", "velocity", "-o", "{out}/a.svg"],
     "check": ["check", "{scene}", "{table}", "--plan", "velocity"],
-    "chart": ["chart", "{scene}", "-o", "{out}/a.svg"], "course": ["course", "{course}", "-o", "{out}/class", "--jobs", "1"],
+    "chart": ["chart", "{scene}", "-o", "{out}/a.svg"],
+    "course": ["course", "{course}", "-o", "{out}/class", "--jobs", "1"],
     "crank-slider": ["crank-slider", "{engine}", "-o", "{out}/a.pdf"],
 }  # fmt: skip
 
@@ -131,9 +131,13 @@ def test_every_command_refuses(
     except SystemExit as stop:
         status = int(stop.code or 0)
     said = capsys.readouterr()
-    assert status == 2 and "Traceback" not in said.err, said
-    assert "by Zhukovsky's lever" in said.err or "Жуковского" in said.err, said
-    assert not said.out and not [f for f in places["out"].rglob("*") if f.is_file()], said
+    whole_class = argv[0] == "course"  # its fault is told of the student; the class goes on
+    told = said.out + said.err if whole_class else said.err
+    assert status == (1 if whole_class else 2) and "Traceback" not in told, said
+    assert "by Zhukovsky's lever" in told, said
+    made = [f.name for f in places["out"].rglob("*") if f.is_file() and f.suffix in (".svg", ".pdf", ".html", ".csv")]
+    made = [name for name in made if not name.startswith("summary.")]  # of a class: who has a fault
+    assert not made and (whole_class or not said.out), (said, made)
 
 
 def cycle_of(text: str, names: list[str] | None = None) -> Cycle:
@@ -184,18 +188,17 @@ def test_every_proof_holds_to_rounding_and_shared_scenes_have_them_all() -> None
 
 
 def test_rounding_is_never_refused_on_the_way_to_a_dead_point() -> None:
-    """Refused is what cannot be drawn; what is drawn is never said to contradict itself."""
     drawn = 0
     for seed in range(40):
         rng = random.Random(seed)
-        case = make(rng, [KINDS[seed % 5], rng.choice(KINDS)], ill=1e-14, limit=1e300, friction=seed % 3 == 0)
+        case = make(rng, [KINDS[seed % 5], rng.choice(KINDS)], ill=1e-14, limit=1e300, friction=seed % 3 == 0,
+                    assembly="side")
         try:
             d = draw(case.scene)
             proved(d.plans.program, {**d.plans.given, **d.mu})
             drawn += 1
-        except PlanesError as error:
-            assert getattr(error, "reason", "") not in {p.reason for p in Program(()).proofs}, error
-            assert "fault of the program" not in str(error), (seed, error)
+        except PlanFailure:
+            continue
     assert drawn > 20
 
 

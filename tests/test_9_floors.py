@@ -25,7 +25,7 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "arithmetic check.arrowheads cycle.fused_functions cycle.reading cycle.slopes cycle.symbols mark_names "
     "words.check words.lesson",
     "cycle.fused_text cycle.twofold plane tools words",
-    "cycle.rounding home scene.yaml_faults steps.base thing_names wording",
+    "cycle.rounding home proofs scene.yaml_faults steps.base thing_names wording",
     "angles check.paper check.read_dxf check.read_svg check.sight.picture course.crowd course.ledger equations "
     "instruments scene.expressions scene.source statement steps.crossings steps.reckoning structure units",
     "check.sight.frame check.sight.ink course course.scenes cycle.digits lesson.formulas program scene.reader "
@@ -40,7 +40,7 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "check.sight.places crank_slider.reading_parts plans.kinematics",
     "check.sight.pencil_lines check.sight.ways_of_ink crank_slider.reading plans.loads",
     "plans.friction plans.reactions",
-    "plans.lever plans.primary",
+    "plans.lever plans.primary plans.proving",
     "plans.statics",
     "plans",
     "check.polygons check.slips check.ways cycle.altering cycle.contrast lesson.scheme plans.driven scales",

@@ -81,7 +81,7 @@ def state(mechanism: Mechanism, file: str = "") -> Plans:
     """State every plan of a mechanism. :class:`StructureError` or :class:`SceneError` where it cannot be done.
 
     Whatever is read of the plans, and however little: a proof of theirs that fails in the scene's own position is a
-    :class:`PlanFailure` here.
+    :class:`Contradiction` here.
     """
     structure = analyse(mechanism, file)
     try:

@@ -12,6 +12,8 @@ from planes.plans.bodies import SCHEME, Bodies, Body, Spot, difference
 from planes.steps import Touch
 from planes.structure import Group, Pair
 
+APART = 1e-9  # relative: two points of a link nearer than this are at one place, and say nothing of its turning
+
 
 def place_all(b: Bodies) -> None:
     """Draw the scheme: the frame, the driver in its position, the groups in the order they attach."""
@@ -47,7 +49,8 @@ def _place_driver(b: Bodies) -> None:
 def _second_point(b: Bodies, pivot: str) -> str | None:
     """The driver's point the plans begin with: one it shares with another link, else any away from the pivot."""
     link = b.mechanism.links[b.mechanism.drive.link]
-    away = [p for p, z in link.points.items() if z != link.points[pivot]]
+    centre = link.points[pivot]
+    away = [p for p, z in link.points.items() if abs(z - centre) > APART * (abs(z) + abs(centre))]
     shared = [p for p in away if any(p in x.points for x in b.mechanism.links.values() if x is not link)]
     return next(iter(shared + away), None)
 
