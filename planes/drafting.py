@@ -14,7 +14,7 @@ from planes.mechanism import Law
 from planes.naming import AGAIN, POLE, at, mu_of, plan_of
 from planes.steps import Aim, Cross, CrossArc, CrossArcs, LayOff, Put, Similar, Step, Through, Turn
 from planes.steps.reckoning import Calculate, Drop, Measure, Product
-from planes.thing_names import called
+from planes.thing_names import called, plan_phrase
 from planes.wording import ProgramError
 from planes.words import Phrase, Told
 
@@ -23,9 +23,7 @@ _READ_BY_NAME = ("v_", "vq_", "omega", "epsilon")  # values other modules find b
 
 def _told(name: str) -> Told:
     """A mark with the plan it is on, or a value, as a sentence names it."""
-    kind = name.partition(":")[0]
-    plan = Phrase("plan_force", links=name.split(":")[1]) if kind == "force" else Phrase(f"plan_{kind}")
-    return Phrase("mark_of_plan", mark=called(name), plan=plan) if ":" in name else called(name)
+    return Phrase("mark_of_plan", mark=called(name), plan=plan_phrase(plan_of(name))) if ":" in name else called(name)
 
 
 @dataclass(frozen=True)

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from planes.instruments import Exact, Hand, Instrument
+from planes.instruments import Exact, Hand, Instrument, Shaken
 from planes.program import Program
-from planes.thing_names import called
-from planes.wording import PlanFailure, ProgramError, valid_names
+from planes.proofs import TOLD_APART, Proof, Twofold
+from planes.thing_names import called, plan_phrase
+from planes.wording import Contradiction, PlanFailure, ProgramError, valid_names
 from planes.words import Phrase
 
 NOWHERE = complex("nan+nanj")  # the mark of a drawing of many that could not be drawn
+SHAKEN = range(4)  # seeds of the blunter drawings
 
 
 painters: list[Callable[[Drawing], str | None]] = []
@@ -57,7 +60,8 @@ class Drawing:
 def run(program: Program, given: Mapping[str, Any], instrument: Instrument | None = None) -> Drawing:
     """Draw every step. With an array among the givens many drawings are made at once.
 
-    Raises :class:`ProgramError` when something is not given, :class:`PlanFailure` when a single drawing cannot go on;
+    Raises :class:`ProgramError` when something is not given, :class:`PlanFailure` when a single drawing cannot go on,
+    :class:`Contradiction` where its two balancing loads differ;
     of many, those that cannot are NaN and named by :meth:`Drawing.failed`.
     """
     missing = [n for n in program.givens if n not in given]
@@ -76,7 +80,58 @@ def run(program: Program, given: Mapping[str, Any], instrument: Instrument | Non
         _run_many(program, things, hand)
     else:
         _run_one(program, things, hand)
-    return Drawing(program, things, hand)
+    drawing = Drawing(program, things, hand)
+    if isinstance(instrument or Exact(), Exact):
+        _prove(drawing, given, [p for p in program.proofs if isinstance(p, Twofold)])
+    return drawing
+
+
+def proved(program: Program, given: Mapping[str, Any]) -> None:
+    """Refuse a single position whose exact drawing fails any proof; one that cannot be drawn proves nothing."""
+    try:
+        drawing = run(program, given)
+    except PlanFailure:
+        return
+    _prove(drawing, given, program.proofs)
+
+
+def _prove(drawing: Drawing, given: Mapping[str, Any], proofs: Sequence[Proof]) -> None:
+    """Refuse, or mask, what is apart by more than a drawing a thousand times blunter can tell."""
+    hand = drawing.hand
+    for proof in proofs:
+        gap, size = proof.gap(drawing.things, hand.ar)
+        wrong = gap > TOLD_APART * size
+        if not (wrong.any() if hand.many else wrong):
+            continue
+        wrong = wrong & (gap > _doubt(drawing.program, given, proof, gap))
+        if hand.many:
+            _mask(drawing, proof, ~wrong)
+        elif wrong:
+            numbers = proof.numbers(drawing.things, (gap, size))
+            raise Contradiction(proof.reason, plan=plan_phrase(proof.plan), **numbers)
+
+
+def _doubt(program: Program, given: Mapping[str, Any], proof: Proof, gap: Any) -> Any:
+    """How much a drawing a thousand times blunter than doubles moves a gap; without end where it cannot be drawn."""
+    most: Any = 0.0
+    for seed in SHAKEN:
+        try:
+            drawing = run(program, given, Shaken(seed))
+        except PlanFailure:
+            return math.inf
+        most = drawing.hand.ar.maximum(most, abs(proof.gap(drawing.things, drawing.hand.ar)[0] - gap))
+    return most
+
+
+def _mask(drawing: Drawing, proof: Proof, ok: Any) -> None:
+    """Of many drawings, nothing is left of those a proof refuses."""
+    import numpy
+
+    if not ok.all():
+        drawing.hand.require(ok, proof, proof.reason)
+        for name in drawing.program.made:
+            thing = drawing.things[name]
+            drawing.things[name] = numpy.where(ok, thing, NOWHERE if numpy.iscomplexobj(thing) else numpy.nan)
 
 
 def _run_one(program: Program, things: dict[str, Any], hand: Hand) -> None:

@@ -17,6 +17,7 @@ from planes.wording import PlanFailure
 from planes.words import Told
 
 PENCILS = 200  # how many draughtsmen draw a plan to see how far apart they end
+ROUNDINGS = 1000 * 2.0**-52
 
 
 class Instrument(Protocol):
@@ -101,6 +102,17 @@ class Pencil:
         return _PencilHand(Many() if many else One(), many, doubt_mm=6 * self.point_mm, pencil=self, errors=errors)
 
 
+@dataclass(frozen=True)
+class Shaken:
+    """A draughtsman whose every mark, direction and reading is off by a thousand roundings: what he cannot tell apart,
+    doubles cannot be asked to."""
+
+    seed: int = 1
+
+    def tool(self, many: bool) -> Hand:
+        return _ShakenHand(Many() if many else One(), many, errors=_Errors(self.seed, many))
+
+
 class _Errors:
     """Normal errors: one, or an array of one for each drawing made at once."""
 
@@ -135,6 +147,20 @@ class _PencilHand(Hand):
 
             return numpy.round(length_mm / ruler) * ruler
         return round(length_mm / ruler) * ruler
+
+
+@dataclass
+class _ShakenHand(Hand):
+    errors: _Errors = field(default_factory=lambda: _Errors(1, False))
+
+    def mark(self, place: Point) -> Point:
+        return place * (1 + ROUNDINGS * (self.errors.normal(self.shape) + 1j * self.errors.normal(self.shape)))
+
+    def ray(self, direction: Point) -> Point:
+        return direction * (1 + 1j * ROUNDINGS * self.errors.normal(self.shape))
+
+    def read(self, length_mm: Real) -> Real:
+        return length_mm * (1 + ROUNDINGS * self.errors.normal(self.shape))
 
 
 _: type[Tool] = Hand

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
+from planes.proofs import Proof, Twofold
 from planes.steps.base import Kind, Step
 from planes.steps.crossings import Cross
 from planes.wording import ProgramError, valid_names
@@ -17,6 +18,8 @@ class Program:
     """A straight line of steps. What no step makes must be given (a value or a place) when it is run."""
 
     steps: tuple[Step, ...]
+    # what must hold of what they draw, said by the scene's own numbers: no part of what a program depends on
+    proofs: tuple[Proof, ...] = field(default=(), compare=False)
 
     def __post_init__(self) -> None:
         made: dict[str, Kind] = {}
@@ -55,11 +58,15 @@ class Program:
         return frozenset(s.makes for s in self.steps if isinstance(s, Cross) and s.supposed)
 
     def sliced(self, wanted: Iterable[str]) -> Program:
-        """The program without the steps that lead to none of the wanted names."""
+        """The program without the steps that lead to none of the wanted names; it proves what it still draws."""
         needed = set(wanted)
+        for proof in self.proofs:  # a balancing load is never drawn without the other to check it
+            if isinstance(proof, Twofold) and needed & {proof.one, proof.two}:
+                needed |= {proof.one, proof.two}
         kept: list[Step] = []
         for step in reversed(self.steps):
             if step.makes in needed:
                 kept.append(step)
                 needed.update(name for name, _ in step.reads())
-        return Program(tuple(reversed(kept)))
+        made = {s.makes for s in kept} | set(self.givens)
+        return Program(tuple(reversed(kept)), tuple(p for p in self.proofs if made.issuperset(p.reads())))

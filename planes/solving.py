@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from planes.drawing import Drawing, run
+from planes.drawing import Drawing, proved, run
 from planes.instruments import PENCILS, Instrument, Pencil
 from planes.measuring import Quantity, Reader, asked
 from planes.nearest import nearest
@@ -115,6 +115,7 @@ def position(
     mus = scales(plans, scene.mu, moved, fit_mm)
     given = {**plans.given, **mus, **moved}
     drawing = run(plans.program, given, instrument)
+    proved(plans.program, given)  # a pencil's errors prove nothing: what he was to draw must hold
     reader = Reader(plans, drawing, mus)
     results: dict[str, Any] = {key_of(plans): value, **reader.results(wanted)}
     names = None if wanted is None else {n for q in wanted for n in (q.name, q.path[-1])}

@@ -37,3 +37,10 @@ def called_line(along: str, start: str) -> Phrase:
             return Phrase("line_beside", point=point, name=guide)
         return Phrase("line_guide", name=guide)
     return Phrase("line_through", along=written(along), start=called(start))
+
+
+
+def plan_phrase(plan: str) -> Phrase:
+    """The name of a plan in words."""
+    kind, _, links = plan.partition(":")
+    return Phrase(f"plan_{kind}", links=links.replace("-", ", "))

@@ -92,6 +92,15 @@ class PlanFailure(PlanesError, ArithmeticError):
         return self.told(lang)
 
 
+class Contradiction(PlanesError, ArithmeticError):
+    """A drawing that contradicts itself: the fault is the program's, so nothing of it is given; ``reason`` is a key of
+    the table of words."""
+
+    def __init__(self, reason: str, **numbers: object) -> None:
+        self.reason = reason
+        super().__init__(Phrase(reason, **numbers))
+
+
 class ExpressionError(PlanesError, ValueError):
     """An expression that has no value; ``parameter`` names the parameter it belongs to, if it is one."""
 

@@ -123,8 +123,12 @@ def sizes(found: Mapping[str, Number]) -> dict[str, float]:
         for sort in ("r", "v", "a", "omega", "epsilon", "force", "moment")
     }
     places = [n.value for n in found.values() if n.sort == "r"]
-    span = max(abs(p - q) for p in places for q in places) or most["r"] or 1.0
-    scale = {"r": max(most["r"], span), "v": most["v"], "a": most["a"], "angle": 180.0}
+    span = max(abs(p - q) for p in places for q in places)
+    span = span if span > 1e-12 * most["r"] else most["r"] or 1.0  # all points at one place are as far off as they lie
+    scale = {"r": max(most["r"], span), "angle": 180.0}
+    turning, quick = most["omega"] * span, max(most["epsilon"], most["omega"] ** 2) * span
+    scale["v"] = turning if most["v"] < 1e-12 * turning else most["v"]  # every point stands on the pivot
+    scale["a"] = quick if most["a"] < 1e-12 * quick else most["a"]
     scale["omega"] = max(most["omega"], most["v"] / scale["r"])
     scale["epsilon"] = max(most["epsilon"], most["a"] / scale["r"])
     scale["force"], scale["arm"] = most["force"], scale["r"]
@@ -152,10 +156,10 @@ def differences(d: Drawn, truth: Mapping[str, Number]) -> dict[str, float]:
     return out
 
 
-def against(case: Case) -> tuple[Drawn, dict[str, float]]:
-    """A random mechanism drawn, and its differences from the independent solution."""
+def against(case: Case, text: str | None = None) -> tuple[Drawn, dict[str, float]]:
+    """A random mechanism drawn (from a text of its file), and its differences from the independent solution."""
     drive = case.scene["drive"]
-    d = draw(case.scene)
+    d = draw(text or case.scene)
     truth = {n.name: n for n in expected(case.solution, "phi" in drive)}
     return d, differences(d, truth)
 

@@ -34,6 +34,7 @@ class Body:
     guides: dict[str, dict[str, Any]] = field(default_factory=dict)
     slides: str | dict[str, Any] | None = None
     name: str = "0"
+    bare: bool = False  # it has the points it needs and no more
 
     def local(self, z: complex) -> complex:
         """A place in the link's own axes."""
@@ -72,8 +73,11 @@ def wrapped(angle: float) -> float:
 class Builder:
     """Bodies added one group after another; `size` is the half width of the field in metres."""
 
-    def __init__(self, rng: random.Random, size: float, ill: float, swapped: bool) -> None:
-        self.rng, self.size, self.ill, self.swapped = rng, size, ill, swapped
+    def __init__(self, rng: random.Random, size: float, ill: float, swapped: bool, every: bool = False) -> None:
+        self.rng, self.size, self.ill, self.swapped, self.every = rng, size, ill, swapped, every
+        self.bare = 0.6 if every else 0.0  # how many bodies have the points they need and no more
+        self.lines: dict[str, tuple[Body, complex, float]] = {}  # guide -> its link, a place on it, its direction
+        self.twins: set[str] = set()
         self.frame = Body(0j, 0.0)
         self.bodies = [self.frame]
         self.dyads: list[Dyad] = []
@@ -91,12 +95,12 @@ class Builder:
 
     def link(self, points: Sequence[tuple[str, complex]], along: float | None = None) -> Body:
         """A new body with these points and perhaps others; its x axis along a guide, two points, or any."""
-        items, rng = list(points), self.rng
+        items, rng, bare = list(points), self.rng, bool(points) and self.spare()
         rng.shuffle(items)
-        for _ in range(0 if items and rng.random() < 0.6 else 1):
+        for _ in range(0 if bare else 0 if items and rng.random() < 0.6 else 1):
             items.insert(rng.randint(0, len(items)), (next(self.names), self.spot()))
         first, style = items[0][1], rng.random()
-        body = Body(first, rng.uniform(-math.pi, math.pi))
+        body = Body(first, rng.uniform(-math.pi, math.pi), bare=bare)
         if style < 0.4 and along is not None:
             body.turn = along + rng.choice((0.0, 0.0, math.pi / 2, -math.pi / 2))
         elif style < 0.7 and len(items) > 1:
@@ -107,13 +111,24 @@ class Builder:
         self.bodies.append(body)
         return body
 
+    def spare(self) -> bool:
+        """Whether to leave out what could be left out."""
+        return self.bare > 0 and self.rng.random() < self.bare
+
     def direction(self, owner: Body) -> float:
-        """The direction of a guide: along an axis of its owner, or any."""
+        """The direction of a guide: along an axis of its owner, or any; of `every`, also that of a guide it has."""
+        drawn = [u for body, _, u in self.lines.values() if body is owner]
+        if self.every and drawn and self.rng.random() < 0.4:
+            return self.rng.choice(drawn)
         return self.rng.choice((owner.turn, owner.turn + math.pi / 2, self.rng.uniform(-math.pi, math.pi)))
 
     def slide(self, slider: Body, owner: Body, u: float) -> str:
         """Write a guide of direction `u` on `owner` and let `slider` slide on it; the guide's name."""
         rng, along, first = self.rng, cmath.rect(1.0, u), next(iter(slider.points.values()))
+        for name, (body, place, way) in self.lines.items() if self.every else ():
+            if body is owner and way == u:  # another slider on a guide that is there
+                self.write_slide(slider, name, u, ((first - place) * along.conjugate()).imag)
+                return name
         angle = wrapped(u - owner.turn)
         offset = rng.choice((0.0, self.size * rng.uniform(-0.3, 0.3)))
         ways = ["place", "new"] + ["point"] * bool(owner.points)
@@ -135,12 +150,28 @@ class Builder:
         elif way == "y":
             spec = {"y": owner.local(foot).imag}
         name = f"g{sum(len(b.guides) for b in self.bodies) + 1}"
+        if self.every and rng.random() < 0.2:
+            spec["mark"] = next(self.names)
         owner.guides[name] = spec
-        turn = wrapped(slider.turn - u)
+        self.lines[name] = (owner, foot, u)
+        self.write_slide(slider, name, u, offset)
+        return name
+
+    def write_slide(self, slider: Body, name: str, u: float, offset: float) -> None:
+        """Say what a body slides on."""
+        rng, turn = self.rng, wrapped(slider.turn - u)
         extra = {"angle": math.degrees(turn), "offset": offset}
         used = {k: v for k, v in extra.items() if v or rng.random() < 0.1}
         slider.slides = {"guide": name, **used} if used else name
-        return name
+
+    def twin(self, body: Body) -> None:
+        """A second point where the body, or another one, has a point; anywhere in the order but first of a slider."""
+        rng = self.rng
+        others = [z for b in (body, *self.bodies) for z in b.points.values()]
+        items, name = list(body.points.items()), next(self.names)
+        items.insert(rng.randint(body.slides is not None, len(items)), (name, rng.choice(others)))
+        body.points = dict(items)
+        self.twins.add(name)
 
     def outer_slide(self, new: Body, base: Body, u: float) -> str:
         """An outer sliding pair, now and then with the guide on the new link and the earlier one sliding."""
@@ -159,7 +190,8 @@ class Builder:
         at = self.spot()
         if not sliding:
             name = self.add(self.frame, at)
-            driver = self.link([(name, at), (next(self.names), self.spot())])
+            second = [] if self.every and self.rng.random() < 0.8 else [(next(self.names), self.spot())]
+            driver = self.link([(name, at), *second])
             return {"phi": math.degrees(wrapped(driver.turn))}
         u = self.direction(self.frame)
         driver = self.link([(next(self.names), at)], u)
@@ -238,7 +270,7 @@ class Builder:
             assert d.key is not None
             mine = {**d.i.points, **d.j.points}
             others = {k for b in self.bodies if b not in (d.i, d.j) for k in b.points}
-            marks = [k for k in mine if k not in d.outer and (k == d.inner or k not in others)]
+            marks = [k for k in mine if k not in d.outer and k not in self.twins and (k == d.inner or k not in others)]
             if (way or self.rng.choice(("near", "side"))) == "near" and marks:
                 mark = self.rng.choice([*marks, d.inner or marks[0]])
                 out[mark] = {"near": [mine[mark].real, mine[mark].imag]}
@@ -286,18 +318,20 @@ def loads_for(rng: random.Random, scene: Mapping[str, Any], sol: Solution,
 
 def make(rng: random.Random, kinds: Sequence[str] = ("RRR",), *, sliding: bool | None = None,
          size: float = 1.0, ill: float = 1.0, swapped: bool = True, friction: bool = False,
-         loads: bool = True, assembly: str | None = None, rest: bool = False, limit: float = 1e9) -> Case:
+         loads: bool = True, assembly: str | None = None, rest: bool = False, limit: float = 1e9,
+         every: bool = False) -> Case:
     """A random mechanism of these groups in this order.
 
     `sliding`: the driver slides (None: one in four); `size`: half width of the field, m; `ill` < 1: one
     group of the chain has a sharpness between that and 0.1; `swapped`: an earlier link may slide on a later
     link's guide; `assembly`: "near", "side" or None for either; `rest`: the driver at rest, `epsilon`
-    alone; `limit`: the largest condition number kept.
+    alone; `limit`: the largest condition number kept; `every`: whatever the format allows, links and drivers of one
+    point, several sliders on one guide, coincident points, letters of guides.
     """
     for _ in range(200):
         try:
             slid = rng.random() < 0.25 if sliding is None else sliding
-            case = attempt(rng, kinds, slid, size, ill, swapped, friction, loads, assembly, rest)
+            case = attempt(rng, kinds, slid, size, ill, swapped, friction, loads, assembly, rest, every)
         except (NoSolution, np.linalg.LinAlgError):
             continue
         if case.solution.condition < limit:
@@ -306,16 +340,18 @@ def make(rng: random.Random, kinds: Sequence[str] = ("RRR",), *, sliding: bool |
 
 
 def attempt(rng: random.Random, kinds: Sequence[str], sliding: bool, size: float, ill: float, swapped: bool,
-            friction: bool, loads: bool, assembly: str | None, rest: bool) -> Case:
+            friction: bool, loads: bool, assembly: str | None, rest: bool, every: bool = False) -> Case:
     """One try of `make`; raises NoSolution where the draw is of no use."""
-    build = Builder(rng, size, ill, swapped)
+    build = Builder(rng, size, ill, swapped, every)
     drive = build.drive(sliding)
     blunt = rng.randrange(len(kinds)) if ill < 1 else -1
     for k, kind in enumerate(kinds):
         build.group(kind, k == blunt)
     for body in build.bodies[1:]:
-        for _ in range(rng.randint(0, 2)):
+        for _ in range(0 if body.bare else rng.randint(0, 2)):
             build.add(body, build.spot())
+        if every and rng.random() < 0.25:
+            build.twin(body)
     driver, moving = build.bodies[1], build.bodies[1:]
     for body, number in zip(moving, rng.sample(range(1, 3 * len(moving)), len(moving)), strict=True):
         body.name = str(number)
@@ -362,6 +398,65 @@ def mechanisms(draw: st.DrawFn, /, most: int = 3, kinds: Sequence[str] = KINDS, 
     """Hypothesis: a mechanism of one to `most` groups; `options` as for `make`."""
     chain = draw(st.lists(st.sampled_from(list(kinds)), min_size=1, max_size=most))
     return make(random.Random(draw(st.integers(0, 2**32 - 1))), chain, **options)
+
+
+def expressed(rng: random.Random, scene: Mapping[str, Any]) -> str:
+    """A scene file's text in which every number is an expression, many of parameters."""
+    parameters: dict[str, float] = {}
+
+    def written(node: Any, key: str = "") -> Any:
+        if isinstance(node, Mapping):
+            return {k: written(v, str(k)) for k, v in node.items()}
+        if isinstance(node, (list, tuple)):
+            return [written(v) for v in node]
+        if isinstance(node, str):
+            return node
+        name = f"k{len(parameters)}"
+        parameters[name] = float(node)
+        ways = [name, f"({name} + {name}) / 2", f"-(-{name})", f"{node / 4!r} * 2^2", f"min({name}, {name} + 1)"]
+        return rng.choice(ways)
+
+    body = {k: v if k in ("planes", "loads") else written(v, k) for k, v in scene.items()}
+    if "loads" in scene:
+        body["loads"] = [{k: v if k == "link" else written(v) for k, v in load.items()} for load in scene["loads"]]
+    return to_yaml({"planes": 1, "parameters": parameters, **{k: v for k, v in body.items() if k != "planes"}})
+
+
+def any_scene(seed: int) -> tuple[Case, str]:
+    """A scene of any shape, and the text of its file, every other time with an expression for every number.
+
+    It makes whatever the format allows but: scenes that are refused (a class higher than II, W other than 1), stated
+    vectors, variants (other numbers of the same scene), and positions nearer to a dead point than 1e-3 of sharpness.
+    """
+    rng = random.Random(f"any {seed}")
+    kinds = rng.choices(KINDS, (1, 2, 1, 2, 2), k=rng.choice((0, 1, 1, 2, 2, 2, 3, 3, 4)))
+    rubs = rng.random() < 0.3  # only what is loaded can rub
+    how = {"friction": rubs, "rest": rng.random() < 0.1, "loads": rubs or rng.random() < 0.9}
+    ill = 1e-3 if kinds and rng.random() < 0.15 else 1.0
+    case = make(rng, kinds, every=True, ill=ill, size=10.0 ** rng.choice((-3, 0, 0, 0, 2)), **how)
+    return case, expressed(rng, case.scene) if rng.random() < 0.5 else to_yaml(case.scene)
+
+
+def shape_of(scene: Mapping[str, Any]) -> list[str]:
+    """What is uncommon in a scene, in words."""
+    links, drive = scene["links"], scene["drive"]
+    driver, slid = links[drive["link"]], [v["slides"] for v in links.values() if "slides" in v]
+    guides = [s if isinstance(s, str) else s["guide"] for s in slid]
+    places = [[str(z) for z in v["points"].values()] for v in links.values()]
+    found = {
+        "a driver of one point": len(driver["points"]) == 1 and "phi" in drive,
+        "a guide on the driver": "guides" in driver,
+        "a driver of one point with a guide": len(driver["points"]) == 1 and "guides" in driver and "phi" in drive,
+        "a sliding driver": "s" in drive,
+        "a link of one point": any(len(v["points"]) == 1 for v in links.values()),
+        "two sliders on one guide": len(guides) > len(set(guides)),
+        "a guide on a slider": any("slides" in v and "guides" in v for v in links.values()),
+        "coincident points": any(len(p) > len(set(p)) for p in places),
+        "an offset": any(not isinstance(s, str) and s.get("offset") for s in slid),
+        "no offset": any(isinstance(s, str) or not s.get("offset") for s in slid),
+        "friction": bool(scene.get("friction")), "no group": len(links) == 1, "at rest": drive.get("omega") == 0,
+    }  # fmt: skip
+    return [name for name, true in found.items() if true]
 
 
 def flow(value: Any) -> str:

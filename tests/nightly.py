@@ -1,9 +1,13 @@
-"""The long checks, run by hand: claims over a million random positions, masks over ten million.
+"""The long checks, run by hand: claims over a million random positions, masks over ten million, scenes of any shape.
 
     python tests/nightly.py claims --positions 1000000 --minutes 60
     python tests/nightly.py masks --positions 10000000 --minutes 60
+    python tests/nightly.py scenes --positions 2000
 
 Each prints what it counted when it is done or its minutes are over, and ends with 1 where anything was wrong.
+
+``scenes`` draws scenes of any shape and compares every number with the independent solver (at most 1e-9 of the largest
+of its kind, times the least sharpness).
 
 The truth of ``claims`` is the same tape read in numbers of 106 bits; at a few positions of every mechanism it is
 compared with 50 digits (it must not stray by a hundredth of the claim), and the drawing of one position with the claim
@@ -23,7 +27,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from mechanisms import KINDS, make, to_yaml
+from comparing import against, standing
+from mechanisms import KINDS, any_scene, make, shape_of, to_yaml
 from oracle import NoSolution
 
 from planes.cycle import Cycle, fused
@@ -38,6 +43,7 @@ from planes.wording import PlanesError
 
 EACH, CLOSE, FEW, SEEN = 1000, 1e-6, 2, 200
 COMPILED = 25  # of so many mechanisms one is drawn by the compiled loop too
+NEAR = 1e-9  # of the largest number of its kind, times the sharpness: as far as a scene's number may be off
 FINE = 1e-28  # what two floats tell apart
 TURN = np.arange(0.0, 360.0, 0.5)
 
@@ -239,15 +245,50 @@ def masks(positions: int, end: float, seed: int) -> bool:
     return not bare
 
 
+def scenes(count: int, end: float, seed: int) -> bool:
+    """Whether every number of so many scenes is that of the independent solver."""
+    shapes: Counter[str] = Counter()
+    worst: dict[str, tuple[float, int]] = {}
+    done = wrong = 0
+    for k in range(seed + 1000, seed + 1000 + count):  # the suite has those below
+        if time.monotonic() > end:
+            break
+        try:
+            case, text = any_scene(k)
+        except NoSolution:
+            shapes["not drawn"] += 1
+            continue
+        if standing(case):
+            shapes["standing still"] += 1
+            continue
+        done += 1
+        shapes.update(shape_of(case.scene))
+        try:
+            drawn, errors_ = against(case, text)
+        except (PlanesError, ArithmeticError) as error:
+            wrong += 1
+            print(f"scene {k}: {error}")
+            continue
+        for name, error in errors_.items():
+            sort = quantity(name)
+            worst[sort] = max(worst.get(sort, (0.0, 0)), (error * drawn.sharpest, k))
+            if error * drawn.sharpest > NEAR:
+                wrong += 1
+                print(f"scene {k}: {name} is {error:.2g} off at sharpness {drawn.sharpest:.2g}")
+    largest = ", ".join(f"{sort} {error:.1e} (scene {k})" for sort, (error, k) in sorted(worst.items()))
+    print(f"scenes: {done} compared, {wrong} faults; {dict(shapes)}; worst: {largest}")
+    return not wrong
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("what", choices=("claims", "masks"))
+    parser.add_argument("what", choices=("claims", "masks", "scenes"))
     parser.add_argument("--positions", type=int, default=1000)
     parser.add_argument("--minutes", type=float, default=60.0)
     parser.add_argument("--seed", type=int, default=0)
     asked = parser.parse_args()
     end = time.monotonic() + 60 * asked.minutes
-    work = claims if asked.what == "claims" else masks
+    work = {"claims": claims, "masks": masks, "scenes": scenes}[asked.what]
     return 0 if work(asked.positions, end, asked.seed) else 1
 
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import random
+from collections import Counter
 from typing import Any
 
 import pytest
 from comparing import against, closing_mm, measured_closing_mm, power, standing
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
-from mechanisms import KINDS, Case, make, mechanisms
+from mechanisms import KINDS, Case, any_scene, make, mechanisms, shape_of
 
 OPTIONS: dict[str, dict[str, Any]] = {
     "default": {},
@@ -32,9 +33,9 @@ FEW = settings(
 )
 
 
-def examine(case: Case) -> None:
+def examine(case: Case, text: str | None = None) -> None:
     """All numbers, the lever, the power and the closing of the polygons of one mechanism."""
-    drawn, wrong = against(case)
+    drawn, wrong = against(case, text)
     for name, error in wrong.items():
         assert error * drawn.sharpest <= 1e-9, (name, error, drawn.sharpest)
     total, largest = power(drawn)
@@ -53,6 +54,21 @@ def test_chains_of_up_to_three_groups(options: dict[str, Any]) -> None:
         examine(case)
 
     check()
+
+
+@pytest.mark.parametrize("tenth", range(10))
+def test_scenes_of_any_shape(tenth: int) -> None:
+    """Two hundred scenes of fixed seeds; ``tests/nightly.py scenes`` goes through two thousand others."""
+    for seed in range(20 * tenth, 20 * tenth + 20):
+        case, text = any_scene(seed)
+        if not standing(case):
+            examine(case, text)
+
+
+def test_the_shapes_that_are_drawn_hold_all_there_is() -> None:
+    seen = Counter(shape for seed in range(200) for shape in shape_of(any_scene(seed)[0].scene))
+    assert len(seen) == 13 and min(seen.values()) >= 5, seen
+    assert seen["a driver of one point with a guide"] >= 15, seen
 
 
 @pytest.mark.parametrize("kind", KINDS)

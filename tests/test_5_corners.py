@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import cmath
 import json
+import math
 import random
 from typing import Any
 
 import pytest
-from comparing import checked
+from comparing import checked, draw
 from mechanisms import KINDS, make, to_yaml
 from test_5_failures import FOUR_BAR, ROCKER, SLIDER
 
@@ -54,7 +56,48 @@ gravity: 9.81
 friction: {x: 0.2}
 loads: [{link: 1, moment: 4}, {link: 1, point: B, force: 70, direction: 20}]
 """
+TANGENT = """\
+planes: 1
+frame: {points: {O: [0, 0]}, guides: {y-y: {x: 0.3}}}
+links:
+  1: {points: {O: 0}, guides: {r: {through: O, angle: 0}}}
+  2: {points: {B: 0, S2: 0.1}, slides: r, centre: S2, mass: 2}
+  3: {points: {B: 0}, slides: y-y, mass: 1}
+drive: {link: 1, phi: 30, omega: 10}
+"""
+OLDHAM = """\
+planes: 1
+frame: {points: {O: [0, 0], C: [0.05, 0]}}
+links:
+  1: {points: {O: 0}, guides: {a: {through: O, angle: 0}}}
+  2: {points: {M: 0}, slides: a, guides: {b: {through: M, angle: 90}}, mass: 1}
+  3: {points: {C: 0}, slides: b}
+drive: {link: 1, phi: 40, omega: 10}
+"""
 SCENES: dict[str, str] = {
+    "a driver of one point": TANGENT,
+    "a driver of one point with a couple along its motion": TANGENT.replace("phi: 30, omega: 10", "phi: 0, epsilon: 3")
+    + "loads: [{link: 1, moment: 4, against: motion}, {link: 2, moment: 3, along: motion}]\n",
+    "a driver whose second point is its pivot but for rounding": TANGENT.replace(
+        "1: {points: {O: 0}", "1: {points: {O: {r: 0.1, angle: 40}, X: [0.07660444431189781, 0.0642787609686539]}"),
+    "a coupling of two sliders": OLDHAM,
+    "a slider of a slider of a driver of one point": """\
+planes: 1
+frame: {points: {O: [0.1, 0], W: [0.6, 0.3]}, guides: {y: {y: 0.4}}}
+links:
+  2: {points: {Q: 0.1, T: [0, 0.2]}, slides: {guide: r, angle: 30, offset: 0.05}, mass: 2, inertia: 1, centre: T,
+      guides: {s: {through: [0.3, 0.1], angle: 70}}}
+  3: {points: {H: 0, E: [0.1, 0.1]}, slides: y, mass: 1, centre: E}
+  4: {points: {H: 0, P: 0.07}, slides: r, mass: 1, inertia: 2, centre: P}
+  1: {points: {O: [0.02, 0.03]}, guides: {r: {through: [0.1, 0.1], angle: 20}}}
+  6: {points: {K: 0, Z: [0.05, 0]}, slides: s, mass: 3, centre: Z}
+  5: {points: {H: 0, K: 0.9}, mass: 1}
+  7: {points: {Q: 0, W: 0.7}, mass: 1, centre: Q}
+drive: {link: 1, phi: 65, omega: -4, epsilon: 7}
+assembly: {K: ahead, Q: ahead}
+gravity: 9.81
+loads: [{link: 6, point: Z, force: 100, against: motion}, {link: 4, moment: 5, along: motion}]
+""",
     "a crank alone": """\
 planes: 1
 frame: {points: {A: [0, 0]}}
@@ -180,6 +223,26 @@ def test_a_corner_of_the_method(scene: str) -> None:
     drawn, wrong = checked(scene)
     for name, error in wrong.items():
         assert error * drawn.sharpest <= 1e-12, (name, error)
+
+
+def test_sliders_on_a_driver_of_one_point_in_closed_form() -> None:
+    d = draw(TANGENT)
+    phi, w, x = math.radians(30), 10.0, 0.3
+    u, r = cmath.rect(1.0, phi), x / math.cos(phi)
+    dr, ddr = w * r * math.tan(phi), w**2 * r * (1 / math.cos(phi) ** 2 + math.tan(phi) ** 2)
+    v, a = (dr + 1j * w * (r + 0.1)) * u, (ddr - w**2 * (r + 0.1) + 2j * w * dr) * u
+    assert abs(d.place("velocity:s2") - v) < 1e-13 and abs(d.place("acceleration:s2'") - a) < 1e-12
+    v3, a3 = ((dr + 1j * w * r) * u).imag, ((ddr - w**2 * r + 2j * w * dr) * u).imag
+    push = (2 * a.imag + a3) / math.cos(phi)
+    reaction = d.plans.reactions["F_21"]
+    assert abs(d.vector(reaction.start, reaction.end) - 1j * push * u) < 1e-11
+    power = 2 * (v.conjugate() * a).real + v3 * a3
+    assert d.number(d.plans.balancing) == pytest.approx(power / w, rel=1e-13)
+    assert d.number(d.plans.zhukovsky) == pytest.approx(power / w, rel=1e-13)
+    d = draw(OLDHAM)  # the middle link's point runs round the circle on the two shafts, twice as fast
+    m = d.place("position:M")
+    assert abs(d.place("velocity:m") - 20j * (m - 0.025)) < 1e-14
+    assert abs(d.place("acceleration:m'") + 400 * (m - 0.025)) < 1e-13
 
 
 @pytest.mark.parametrize("angle, turned", [(180, 180), (-180, 180), (540, -180), (90, -270), (0, 360)])

@@ -176,6 +176,36 @@ def test_slider_crank_in_closed_form() -> None:
     assert abs(power_balance(sol)[0]) < 1e-9
 
 
+def test_sliders_on_a_driver_of_one_point_in_closed_form() -> None:
+    phi, w, x = math.radians(30), 10.0, 0.3
+    scene: dict[str, Any] = {
+        "frame": {"points": {"O": 0}, "guides": {"y": {"x": x}}},
+        "links": {"1": {"points": {"O": 0}, "guides": {"r": {"through": "O", "angle": 0}}},
+                  "2": {"points": {"B": 0, "S": 0.1}, "slides": "r", "centre": "S", "mass": 2},
+                  "3": {"points": {"B": 0}, "slides": "y", "mass": 1}},
+        "drive": {"link": "1", "phi": 30, "omega": w}}
+    r, tan = x / math.cos(phi), math.tan(phi)
+    b = complex(x, x * tan)
+    sol = solve(scene, {"1": (0, 0, phi), "2": (b.real, b.imag, phi), "3": (b.real, b.imag, math.pi / 2)})
+    u, dr, ddr = cmath.rect(1.0, phi), w * r * tan, w * w * r * (1 / math.cos(phi) ** 2 + tan**2)
+    v, a = (dr + 1j * w * (r + 0.1)) * u, (ddr - w**2 * (r + 0.1) + 2j * w * dr) * u
+    assert near(sol.points["S"][1], v) and near(sol.points["S"][2], a, 100)
+    v3, a3 = w * x / math.cos(phi) ** 2, 2 * w * w * x * tan / math.cos(phi) ** 2
+    assert near(sol.points["B"][1], 1j * v3) and near(sol.points["B"][2], 1j * a3, 100)
+    moment = (2 * (v.conjugate() * a).real + v3 * a3) / w
+    assert near(sol.balancing, moment, 100) and round(moment, 2) == 59.43
+    push = sol.reactions["2", "1"]
+    assert isinstance(push, tuple) and near(push[0], 1j * u * (2 * a.imag + a3) / math.cos(phi), 100)
+    frame = {"points": {"O": 0, "C": 0.05}}
+    links = {"1": {"points": {"O": 0}, "guides": {"a": {"through": "O", "angle": 0}}},
+             "2": {"points": {"M": 0}, "slides": "a", "guides": {"b": {"through": "M", "angle": 90}}},
+             "3": {"points": {"C": 0}, "slides": "b"}}
+    phi, m = math.radians(40), 0.05 * math.cos(math.radians(40)) * cmath.rect(1.0, math.radians(40))
+    pose = {"1": (0, 0, phi), "2": (m.real, m.imag, phi), "3": (0.05, 0, phi + math.pi / 2)}
+    sol = solve({"frame": frame, "links": links, "drive": {"link": "1", "phi": 40, "omega": w}}, pose)
+    assert near(sol.points["M"][1], 2j * w * (m - 0.025)) and near(sol.points["M"][2], -4 * w * w * (m - 0.025), 10)
+
+
 def test_six_link_worked_example() -> None:
     sol = solve(SIX_LINK, SIX_GUESS)
     assert sol.groups == [("2", "3"), ("4", "5")] and sol.residual < 1e-14

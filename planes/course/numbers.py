@@ -21,7 +21,7 @@ from planes.scene import Scene
 from planes.scene.source import Table, Text
 from planes.scene.source import parse as parse_text
 from planes.solving import solve
-from planes.wording import PlanesError, SceneError
+from planes.wording import Contradiction, PlanesError, SceneError
 from planes.words import Phrase
 
 TRIES = 1000  # sets of numbers, before it is said that there are none
@@ -124,6 +124,8 @@ def draw_numbers(
         try:
             scene = make(numbers)
             fault = _fault(scene, least_deg)
+        except Contradiction:  # no fault of the numbers
+            raise
         except PlanesError:
             fault = "apart"
         if fault is None:

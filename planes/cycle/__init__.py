@@ -21,6 +21,7 @@ from planes.instruments import Exact, Instrument
 from planes.measuring import asked
 from planes.plans import Plans
 from planes.program import Program
+from planes.proofs import Twofold
 from planes.scales import unit_scales
 from planes.wording import ProgramError, choices
 from planes.words import Phrase
@@ -112,11 +113,20 @@ class Cycle:
             yield self._whole(part, *found)
 
     def _run(self, part: Any, start: int) -> tuple[Any, Any]:
-        """The table by the compiled loop, and the codes (None: nothing failed)."""
-        if not self.moved:
-            return self.compiled(part[None])
+        """The table by the compiled loop, and the codes (None: nothing failed); what it suspects is drawn by arrays."""
         moving = self.moving(part, start)
-        return self.compiled(np.array([moving[name] for name in self.compiled.fused.inputs]))
+        table, codes = self.compiled(np.array([moving[name] for name in self.compiled.fused.inputs]))
+        if codes is None or not (suspect := np.isin(codes, self._suspected)).any():
+            return table, codes
+        some = {name: np.asarray(v)[suspect] for name, v in moving.items()}
+        table[:, suspect], found = self._drawn(some, int(suspect.sum()), None)
+        codes[suspect] = 0 if found is None else found
+        return table, codes if codes.any() else None
+
+    @cached_property
+    def _suspected(self) -> list[int]:
+        """The codes of what the compiled loop cannot decide: two balancing loads that may be but rounded."""
+        return [k for k, r in enumerate(self.reasons, 1) if r.key == Twofold.reason]
 
     def _drawn(self, moving: dict[str, Any], count: int, instrument: Instrument | None) -> tuple[Any, Any]:
         """The same by arrays."""

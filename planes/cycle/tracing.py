@@ -12,6 +12,7 @@ from planes.cycle.symbols import Num, Test, Vec, number, place_of
 from planes.cycle.tape import Tape
 from planes.instruments import Hand
 from planes.program import Program
+from planes.proofs import TOLD_APART, Twofold
 
 
 class Recording:
@@ -165,6 +166,10 @@ def trace(
     taken = [take(things, hand.ar) for take in takes]
     outputs = tuple(place_of(tape, x) for x in taken)
     if must:
+        for proof in program.proofs:
+            if isinstance(proof, Twofold):  # a loop only suspects: arrays find out
+                gap, size = proof.gap(things, hand.ar)
+                hand.require(gap <= TOLD_APART * size, proof, proof.reason)
         hand.require(_finite(tape, [x for x, m in zip(taken, must, strict=True) if m]), None, "no_digits")
     requires = tuple((r, str(getattr(s, "makes", "")), place_of(tape, ok)) for r, s, ok, _ in hand.failures)
     return Trace(tape, outputs, requires, tuple(hand.sources), tuple(ar.turns))

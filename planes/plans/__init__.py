@@ -7,15 +7,17 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from planes.drafting import Draft, Moments, Segment
+from planes.drawing import proved
 from planes.equations import Equation
 from planes.mechanism import FRAME, Law, Mechanism
-from planes.naming import at, plan_of
+from planes.naming import at, mu_of, plan_of
 from planes.plans.assembly import Choice, resolve
 from planes.plans.bodies import SCHEME, Bodies, Body
 from planes.plans.kinematics import Rates, SlideReading
 from planes.plans.lever import draw_lever
 from planes.plans.loads import Acting
 from planes.plans.positions import place_all
+from planes.plans.proving import proofs_of
 from planes.plans.reactions import Reaction, Statics
 from planes.plans.statics import draw_forces
 from planes.program import Program
@@ -92,12 +94,18 @@ class Plans:
 
 
 def state(mechanism: Mechanism, file: str = "") -> Plans:
-    """State every plan of a mechanism. :class:`StructureError` or :class:`SceneError` where it cannot be done."""
+    """State every plan of a mechanism. :class:`StructureError` or :class:`SceneError` where it cannot be done.
+
+    Whatever is read of the plans, and however little: a proof of theirs that fails in the scene's own position is a
+    :class:`Contradiction` here.
+    """
     structure = analyse(mechanism, file)
     try:
-        return _state(mechanism, structure, file)
+        plans = _state(mechanism, structure, file)
     except ProgramError as error:
         raise SceneError(error.phrase, file, mechanism.where.get(("links",))) from None
+    proved(plans.program, {**plans.given, **{mu_of(plan): 1.0 for plan in plans.drawn}})
+    return plans
 
 
 def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
@@ -119,9 +127,10 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
     draw_forces(statics)
     zhukovsky = draw_lever(statics)
     links = {name: _link_values(draft, body, velocity, acceleration) for name, body in bodies.known.items()}
+    proofs = proofs_of(statics, velocity, acceleration, zhukovsky)
     points = {p: _point_marks(p, velocity, acceleration) for p in _points(mechanism)}
     return Plans(
-        mechanism, structure, Program(tuple(draft.steps.values())), draft.given, tuple(draft.equations),
+        mechanism, structure, Program(tuple(draft.steps.values()), proofs), draft.given, tuple(draft.equations),
         tuple(draft.moments), tuple(dict.fromkeys(draft.segments)), points, links, velocity.slides,
         acceleration.slides, statics.reactions, statics.balancing, zhukovsky, acting, at_rest,
         {name: _frozen(mechanism, law, file) for name, law in draft.laws.items()},

@@ -157,7 +157,7 @@ class Rates:
             ends = self.mark(like[0].name), self.mark(like[1].name)
             self.b.draft.step(Image(mark, carrier, (scheme[0], scheme[1]), (scheme[2], scheme[3]), ends))
         else:
-            swing(self, root, spot)
+            swing(self, body, spot)
         self.b.draft.show(self.plan, POLE, self.label(spot.name), self.letter + spot.name)
 
     def _similar(self, body: Body, spot: Spot) -> None:
@@ -196,29 +196,42 @@ def _drive(r: Rates) -> None:
 
 
 def swing(r: Rates, body: Body, spot: Spot) -> None:
-    """The end of the vector of a spot of the driver, which turns about its pivot on the frame."""
-    d, pivot, link = r.b.draft, body.base.place, body.link
-    ray = d.ray(SCHEME, pivot, spot.place)
+    """The end of the vector of a spot of a link that turns with the driver, by rotation about the link's carrier: the
+    driver's own pivot on the frame, or the point that a link sliding on the driver is reached by."""
+    d, centre = r.b.draft, body.carrier
+    ray = d.ray(SCHEME, centre.place, spot.place)
     across = d.square(f"⊥{ray}", ray)
-    if spot.name in link.points:
-        length = d.give(f"l_{pivot}{spot.place}", abs(link.points[spot.name] - link.points[pivot]))
-    else:
-        length = d.measure(f"l_{pivot}{spot.place}", at(SCHEME, pivot), at(SCHEME, spot.place))
-    pole, end, name = at(r.plan, POLE), r.label(spot.name), r.letter + spot.name
+    length = _distance(r.b, body, spot)
+    start, end, total = r.label(centre.name), r.label(spot.name), r.letter + spot.name
+    own = start == POLE
+    name = total if own else total + centre.name
+    base = () if own else (Term(r.letter + centre.name, POLE, start, drawn=True),)
     if not r.quick:
-        r.turning.setdefault(link.name, (pole, at(r.plan, end), across))
-        value = d.product(name, **{r.spin(link.name): 1, length: 1})
-        d.lay_off(r.plan, end, pole, across, value)
+        value = d.product(name, **{r.spin(body.root): 1, length: 1})
+        if own:
+            d.lay_off(r.plan, end, at(r.plan, POLE), across, value)
+        else:
+            d.draw(Equation(r.plan, ((*base, Term(name, start, end, value, across, across)), ()), total))
         return
-    normal = d.product(f"{name}^n", **{f"omega_{link.name}": 2, length: 1})
-    tangential = d.product(f"{name}^t", **{f"epsilon_{link.name}": 1, length: 1})
-    inwards = d.square(f"{spot.place}→{pivot}", ray, 2)
-    middle = f"n_{spot.name}"
+    normal = d.product(f"{name}^n", **{f"omega_{body.root}": 2, length: 1})
+    tangential = d.product(f"{name}^t", **{f"epsilon_{body.root}": 1, length: 1})
+    inwards = d.square(f"{spot.place}→{centre.place}", ray, 2)
+    middle = "n_" + name.removeprefix(r.letter)
     chain = (
-        Term(f"{name}^n", POLE, middle, length=normal, direction=inwards, action=inwards),
+        *base,
+        Term(f"{name}^n", start, middle, length=normal, direction=inwards, action=inwards),
         Term(f"{name}^t", middle, end, length=tangential, direction=across, action=across),
     )
-    d.draw(Equation(r.plan, (chain, ()), name))
+    d.draw(Equation(r.plan, (chain, ()), total))
+
+
+def _distance(b: Bodies, body: Body, spot: Spot) -> str:
+    """The distance of a spot of a link from its carrier: given if both are its points, else taken off the scheme."""
+    points, (one, two) = body.link.points, (body.carrier, spot)
+    name = f"l_{one.place}{two.place}"
+    if one.name in points and two.name in points:
+        return b.draft.give(name, abs(points[two.name] - points[one.name]))
+    return b.draft.measure(name, at(SCHEME, one.place), at(SCHEME, two.place))
 
 
 def turned_copy(b: Bodies, plan: str, of: str, mark: str) -> str:

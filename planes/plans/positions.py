@@ -14,6 +14,8 @@ from planes.structure import Group, Pair
 from planes.wording import SceneError
 from planes.words import Phrase
 
+APART = 1e-9  # relative: two points of a link nearer than this are at one place, and say nothing of its turning
+
 
 def place_all(b: Bodies) -> None:
     """Draw the scheme: the frame, the driver in its position, the groups in the order they attach."""
@@ -49,7 +51,8 @@ def _place_driver(b: Bodies) -> None:
 def _second_point(b: Bodies, pivot: str) -> str | None:
     """The driver's point the plans begin with: one it shares with another link, else any away from the pivot."""
     link = b.mechanism.links[b.mechanism.drive.link]
-    away = [p for p, z in link.points.items() if z != link.points[pivot]]
+    centre = link.points[pivot]
+    away = [p for p, z in link.points.items() if abs(z - centre) > APART * (abs(z) + abs(centre))]
     shared = [p for p in away if any(p in x.points for x in b.mechanism.links.values() if x is not link)]
     return next(iter(shared + away), None)
 

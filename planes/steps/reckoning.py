@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from planes import plane
+from planes.arithmetic import Arithmetic
 from planes.steps.base import Kind, Read, Step, directions, marks, values
 from planes.tools import Env, Tool
 
@@ -69,6 +71,13 @@ class Product:
     coefficient: float
     factors: tuple[tuple[str, int], ...]
 
+    def value(self, env: Mapping[str, Any], ar: Arithmetic) -> Any:
+        """The product itself."""
+        product: Any = self.coefficient
+        for name, power in self.factors:
+            product = product * ar.power(env[name], power)
+        return product
+
 
 @dataclass(frozen=True)
 class Calculate(Step):
@@ -83,10 +92,7 @@ class Calculate(Step):
     def draw(self, env: Env, tool: Tool) -> Any:
         total: Any = 0.0
         for term in self.terms:
-            product: Any = term.coefficient
-            for name, power in term.factors:
-                product = product * tool.ar.power(env[name], power)
-            total = total + product
+            total = total + term.value(env, tool.ar)
         return total
 
 

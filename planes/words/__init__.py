@@ -84,6 +84,36 @@ WORDS: dict[str, tuple[str, str]] = {
         "the forces at {makes} cannot balance with friction ({solutions} solutions instead of one): self-locking; "
         "lower the coefficient of friction or take another position",
     ),
+    "balance_apart": (
+        "{about} по плану сил ({plan}) равно {found}, а по рычагу Жуковского {check}: расчёт себе противоречит, "
+        "результаты не выданы; это ошибка программы, сообщите о ней вместе с файлом схемы",
+        "{about} is {found} by the plans of forces ({plan}) and {check} by Zhukovsky's lever: the calculation "
+        "contradicts itself and gives no result; this is a fault of the program, report it with the scene file",
+    ),
+    "polygon_open": (
+        "{plan}: многоугольник {about} не замыкается на {gap} при векторах до {size} (СИ); это ошибка программы, "
+        "результаты не выданы: сообщите о ней вместе с файлом схемы",
+        "{plan}: the polygon {about} is open by {gap} with vectors of {size} (SI); this is a fault of the program, "
+        "which gives no result: report it with the scene file",
+    ),
+    "link_bent": (
+        "{plan}: точки звена {about} не движутся как одно тело, расхождение {gap} при величинах до {size} (СИ); это "
+        "ошибка программы, результаты не выданы: сообщите о ней вместе с файлом схемы",
+        "{plan}: the points of link {about} do not move as one body, by {gap} beside {size} (SI); this is a fault of "
+        "the program, which gives no result: report it with the scene file",
+    ),
+    "slider_off": (
+        "{plan}: ползун {about} сходит с направляющей, расхождение {gap} при величинах до {size} (СИ); это ошибка "
+        "программы, результаты не выданы: сообщите о ней вместе с файлом схемы",
+        "{plan}: slider {about} leaves its guide, by {gap} beside {size} (SI); this is a fault of the program, which "
+        "gives no result: report it with the scene file",
+    ),
+    "link_unbalanced": (
+        "{plan}: силы на звене {about} не уравновешены, остаток {gap} при силах до {size} (СИ); это ошибка программы, "
+        "результаты не выданы: сообщите о ней вместе с файлом схемы",
+        "{plan}: the forces on link {about} leave {gap} unbalanced beside {size} (SI); this is a fault of the program, "
+        "which gives no result: report it with the scene file",
+    ),
     "no_digits": (
         "в {makes} не осталось верных цифр",
         "no correct digit is left in {makes}",

@@ -1,0 +1,105 @@
+"""The proofs of a mechanism's plans: its links rigid, its sliders on their guides, every link in equilibrium, every
+polygon closed, and both balancing loads equal."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+
+from planes.drafting import Draft
+from planes.equations import Equation
+from planes.mechanism import FRAME
+from planes.naming import POLE, at
+from planes.plans.bodies import SCHEME
+from planes.plans.kinematics import Rates
+from planes.plans.reactions import Statics
+from planes.proofs import Balanced, Frame, Point, Polygon, Proof, Rigid, Slid, Twofold
+from planes.steps.reckoning import Calculate
+
+RATES = ("velocity", "acceleration")
+
+
+def proofs_of(s: Statics, velocity: Rates, acceleration: Rates, lever: str) -> tuple[Proof, ...]:
+    """Everything that must hold, the cheapest to understand first."""
+    motion = _Motion(s, velocity, acceleration)
+    return (*closed(s.b.draft), *motion.rigid(), *motion.slid(), *_balanced(s), _twofold(s, lever))
+
+
+class _Motion:
+    """The links as they lie and turn."""
+
+    def __init__(self, s: Statics, velocity: Rates, acceleration: Rates) -> None:
+        self.b, self.rates = s.b, (velocity, acceleration)
+
+    def point(self, link: str, name: str) -> Point:
+        marks = tuple(r.mark(name) for r in self.rates)
+        return Point(self.b.mechanism.link(link).points[name], at(SCHEME, name), (marks[0], marks[1]))
+
+    def frame(self, link: str) -> Frame:
+        if link == FRAME:
+            return Frame(Point(0j, at(SCHEME, POLE), (at(RATES[0], POLE), at(RATES[1], POLE))))
+        body = self.b.known[link]
+        origin = self.point(link, body.link.first_point)
+        omega, epsilon = ("" if body.root == FRAME else r.spin(body.root) for r in self.rates)
+        return Frame(origin, body.axis, omega, epsilon)
+
+    def beside(self, plan: str) -> tuple[str, ...]:
+        return tuple(mark for r in self.rates if r.plan == plan for mark in r.driven)
+
+    def rigid(self) -> Iterator[Proof]:
+        for name, link in self.b.mechanism.links.items():
+            points = tuple(self.point(name, p) for p in link.points if p != link.first_point)
+            for plan in (SCHEME, *RATES) if points else ():
+                yield Rigid(plan, name, self.frame(name), points, self.beside(plan))
+
+    def slid(self) -> Iterator[Proof]:
+        for name, link in self.b.mechanism.links.items():
+            if link.slides:
+                guide, owner = link.slides.guide, self.b.mechanism.owner(link.slides.guide)
+                line = self.b.mechanism.guide(guide)
+                turn = cmath.rect(1.0, math.radians(line.angle_deg))
+                slider = self.point(name, link.first_point)
+                for plan in (SCHEME, *RATES):
+                    offset = link.slides.offset or 0.0
+                    yield Slid(plan, name, slider, self.frame(owner), line.through, turn, offset, self.beside(plan))
+
+
+def closed(draft: Draft) -> Iterator[Proof]:
+    """Every equation drawn, its vectors as stated."""
+    for e in draft.equations:
+        rows = tuple(_rows(e))
+        if rows:
+            yield Polygon(e.plan, e.text, rows)
+
+
+def _rows(e: Equation) -> Iterator[tuple[str, str, str, int, str]]:
+    for t in e.terms:
+        if not t.drawn and (t.length or t.direction):
+            yield at(e.plan, t.start), at(e.plan, t.end), t.direction or "", t.sign, t.length or ""
+
+
+def _balanced(s: Statics) -> Iterator[Proof]:
+    drive = s.b.mechanism.drive
+    for link in s.b.mechanism.links:
+        forces = [(f.size, f.along, f.point) for f in s.acting.forces[link] if f.spot]
+        couples = [(c.value, c.sign) for c in s.acting.couples[link] if not c.name.startswith("MR_")]
+        sides = []
+        for r in s.reactions.values():
+            if r.pair.joins(link):
+                where = at(SCHEME, r.pair.point) if r.pair.kind == "R" else s.b.foot(r.pair)
+                sides.append((r.start, r.end, 1 if link == r.pair.link else -1, where, r.moment))
+        if link == drive.link and drive.kind == "phi":
+            couples.append((s.balancing, 1))
+        elif link == drive.link:
+            pair = s.b.structure.drive_pair
+            forces.append((s.balancing, f"∥{pair.guide}", s.b.foot(pair)))
+        groups = [g.links for g in s.b.structure.groups if link in g.links]
+        plan = f"force:{'-'.join(groups[0]) if groups else link}"
+        yield Balanced(plan, link, tuple(forces), tuple(sides), tuple(couples))
+
+
+def _twofold(s: Statics, lever: str) -> Proof:
+    made = (s.b.draft.steps[name] for name in (s.balancing, lever))
+    terms = tuple(t for step in made if isinstance(step, Calculate) for t in step.terms)
+    return Twofold(f"force:{s.b.mechanism.drive.link}", s.balancing, s.balancing, lever, terms)
