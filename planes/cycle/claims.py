@@ -9,23 +9,26 @@ error the loss has no end, and nothing is claimed. ``tests/nightly.py`` measures
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, Protocol
 
 import numpy as np
 
-from planes.cycle import Block, Cycle
+from planes.cycle.columns import Column
 from planes.cycle.reading import read
 from planes.cycle.rounding import BLIND, LARGEST, USUAL, bent, rounding, unit_parts, whole_numbers
 from planes.cycle.slopes import STIFF, Carrying, Values, times
 from planes.cycle.tape import Tape
 from planes.cycle.tracing import given_values, trace
+from planes.program import Program
 
 SIGMAS = 6.0  # roundings add up as chances do: further off than this is one sum in five hundred million
 SMALL = 0.01  # a loss this small beside the rounding is not worth a better bound
 NOTHING = 1e-9  # and one this small not worth counting
 ROUNDED = 1 + 1e-6  # for what is not counted; and the bound is reckoned in floats too
 PIECE = 128  # positions worked at once
+DOUBT = 1e-3  # of the largest number of its kind: a number that may be further off is no result
+TURN = 60.0  # degrees: a radian, near enough
 
 
 class _Running:
@@ -145,37 +148,55 @@ class Kept:
         self.most = sum(tape.ops[p][0] not in STIFF or tape.ops[p][0] == "const" for p in order)
 
 
+class Reckoned(Protocol):
+    """What is reckoned for many positions: a program and its givens, of which some move, and the columns asked for."""
+
+    program: Program
+    given: dict[str, Any]
+    folded: dict[str, float]
+
+    @property
+    def columns(self) -> Sequence[Column]: ...
+
+    def moving(self, values: Any, at: Any) -> Mapping[str, Any]: ...
+
+
 class Claims:
     """What a cycle of exact drawings claims of itself: ± of every column, for any values of the drive."""
 
-    def __init__(self, cycle: Cycle) -> None:
+    def __init__(self, cycle: Reckoned) -> None:
         self.cycle, self.count = cycle, len(cycle.columns)
         drawn = trace(cycle.program, cycle.given, [c.take for c in cycle.columns], cycle.folded)
         self.tape, self.outputs = drawn.tape, drawn.outputs
         self.order = self.tape.needed(list(drawn.outputs))
         self.kept = Kept(self.tape, self.order, drawn.turns)
 
-    def bounds(self, values: Any, start: int = 0) -> Any:
+    def bounds(self, values: Any, at: Any = None) -> Any:
         """A row for each column: no result is further from the truth; infinite where nothing can be claimed.
 
-        The ``values`` of the drive are those of the positions from ``start`` on.
+        The ``values`` of the drive are those of the positions numbered ``at`` (of the first ones, when nothing is said).
         """
+        values = np.asarray(values, float)
+        at = np.arange(len(values)) if at is None else at
         steps = range(0, len(values), PIECE)
-        pieces = [self._piece(np.asarray(values[i : i + PIECE], float), start + i) for i in steps]
+        pieces = [self._piece(values[i : i + PIECE], at[i : i + PIECE]) for i in steps]
         return np.hstack(pieces) if pieces else np.empty((self.count, 0))
 
-    def _piece(self, values: Any, start: int) -> Any:
-        given = {**given_values(self.cycle.given), **self.cycle.moving(values, start)}
+    def _piece(self, values: Any, at: Any) -> Any:
+        given = {**given_values(self.cycle.given), **self.cycle.moving(values, at)}
         found = read(self.tape, self.order, given)
         with np.errstate(all="ignore"):
             bounds = _Running(self.tape, self.order, found, len(values), self.kept)(frozenset(self.outputs))
             bound = np.array([bounds[p] for p in self.outputs]).reshape(self.count, len(values)) * ROUNDED
             return np.where(bound < BLIND * 1e-50, bound, np.inf)
 
-    def beside(self, blocks: Iterator[Block]) -> Iterator[Block]:
-        """The blocks with a row of ± after the rows of results."""
-        start = 0
-        for block in blocks:
-            claimed = np.where(np.isnan(block.table), np.nan, self.bounds(block.values, start))
-            start += len(block.values)
-            yield Block(block.values, np.vstack([block.table, claimed]), block.codes)
+    def doubtful(self, table: Any, bounds: Any) -> Any:
+        """Of which numbers rounding leaves less than three digits, seen against the largest of their kind."""
+        kinds = np.array([c.kind for c in self.cycle.columns])
+        sizes = np.abs(table)
+        doubtful = np.zeros(table.shape, bool)
+        for kind in set(kinds.tolist()):
+            rows = kinds == kind
+            largest = np.fmax.reduce(sizes[rows], axis=0, initial=TURN if kind == "°" else 0.0)
+            doubtful[rows] = ~(bounds[rows] <= DOUBT * np.fmax(largest, sizes[rows])) & np.isfinite(table[rows])
+        return doubtful

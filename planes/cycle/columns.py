@@ -32,6 +32,11 @@ class Column:
     beside: tuple[str, ...] = ()
 
     @property
+    def kind(self) -> str:
+        """What it is weighed against: numbers of its unit; an arm, by itself and those like it."""
+        return "arm" if self.beside else self.unit
+
+    @property
     def needs(self) -> tuple[str, ...]:
         """The names of the program the column is taken from."""
         return tuple(n for n in (self.value, self.start, self.end, *self.beside) if n)

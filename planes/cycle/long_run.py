@@ -12,7 +12,6 @@ import numpy as np
 
 from planes.angles import Span
 from planes.cycle import Block, Cycle, Reason
-from planes.cycle.claims import Claims
 from planes.cycle.streams import Heading, opened
 from planes.diagrams.turn import Turn
 from planes.drawing import run
@@ -57,7 +56,7 @@ def write_cycle(
     span = values or whole(plans)
     blocks, columns = table.blocks(span, fast=fast), table.columns
     if errors:
-        blocks = Claims(table).beside(blocks)
+        blocks = table.beside(blocks)
         columns = [*columns, *(replace(c, name=f"± {c.name}") for c in columns)]
     return _written(table, columns, table.reasons, blocks, len(span), output, lang)
 
