@@ -19,6 +19,7 @@ from planes.wording import PlanFailure, SceneError, choices
 from planes.words import Lang, Phrase, say
 
 BLUNT = math.sin(math.radians(15))
+NOTHING = 4e-15  # beside the largest of a plan
 
 
 @dataclass(frozen=True)
@@ -231,6 +232,16 @@ class Reader:
         faint = self.faint()
         return said + ([say("faint", lang, makes=", ".join(faint))] if faint else [])
 
+    def small(self) -> list[str]:
+        """Reactions that are nothing beside the largest force of their plan."""
+        largest = {plan: 0.0 for plan in self.st.drawn}
+        for step in self.drawing.program.steps:
+            if (plan := plan_of(step.makes)).startswith("force:"):
+                largest[plan] = max(largest[plan], abs(self.number(step.makes)))
+        drawn = {k: r for k, r in self.st.reactions.items() if r.start in self.drawing and r.end in self.drawing}
+        size = {k: abs(self.number(r.end) - self.number(r.start)) for k, r in drawn.items()}
+        return [k for k, r in drawn.items() if size[k] <= NOTHING * largest[r.plan] > 0]
+
     def faint(self) -> list[str]:
         """Rates of points of which rounding leaves no digit: not zero, yet nothing beside the largest of their plan."""
         found = []
@@ -240,7 +251,7 @@ class Reader:
                 mark = marks.velocity if letter == "v" else marks.acceleration
                 if mark in self.drawing:
                     sizes[point] = abs(self.number(mark))
-            limit = 4e-15 * max(sizes.values(), default=0.0) / min([1.0, *self.sharpness(plan).values()])
+            limit = NOTHING * max(sizes.values(), default=0.0) / min([1.0, *self.sharpness(plan).values()])
             found += [f"{letter}_{point}" for point, size in sizes.items() if 0 < size <= limit]
         return found
 
