@@ -19,7 +19,6 @@ from planes.wording import PlanFailure, SceneError, choices
 from planes.words import Lang, Phrase, say
 
 BLUNT = math.sin(math.radians(15))
-NOTHING = 4e-15  # beside the largest of a plan
 
 
 @dataclass(frozen=True)
@@ -215,44 +214,6 @@ class Reader:
             if plan_of(name) == plan and name not in self.drawing.program.trials:
                 one = sharpness[self.pick] if _many(sharpness) and self.pick is not None else sharpness
                 found[label_of(name)] = float(one)
-        return found
-
-    def warnings(self, lang: Lang = "en") -> list[str]:
-        """What a reader must know: blunt crossings, each angle once, and loads that stand still."""
-        blunt: dict[str, list[str]] = {}
-        for plan in self.st.drawn:
-            for label, sharpness in self.sharpness(plan).items():
-                if sharpness < BLUNT:
-                    angle = f"{math.degrees(math.asin(min(1.0, sharpness))):.2g}"
-                    blunt.setdefault(angle, []).append(f"{label} ({say_plan(plan, lang)})")
-        said = [say("blunt", lang, makes=", ".join(marks), angle_deg=angle) for angle, marks in blunt.items()]
-        for reason, step, ok in self.drawing.hand.notes:
-            if self.pick is None or not (ok[self.pick] if _many(ok) else ok):
-                said.append(say(reason, lang, makes=str(getattr(step, "makes", "")).partition("_")[2]))
-        faint = self.faint()
-        return said + ([say("faint", lang, makes=", ".join(faint))] if faint else [])
-
-    def small(self) -> list[str]:
-        """Reactions that are nothing beside the largest force of their plan."""
-        largest = {plan: 0.0 for plan in self.st.drawn}
-        for step in self.drawing.program.steps:
-            if (plan := plan_of(step.makes)).startswith("force:"):
-                largest[plan] = max(largest[plan], abs(self.number(step.makes)))
-        drawn = {k: r for k, r in self.st.reactions.items() if r.start in self.drawing and r.end in self.drawing}
-        size = {k: abs(self.number(r.end) - self.number(r.start)) for k, r in drawn.items()}
-        return [k for k, r in drawn.items() if size[k] <= NOTHING * largest[r.plan] > 0]
-
-    def faint(self) -> list[str]:
-        """Rates of points of which rounding leaves no digit: not zero, yet nothing beside the largest of their plan."""
-        found = []
-        for letter, plan in (("v", "velocity"), ("a", "acceleration")):
-            sizes = {}
-            for point, marks in self.st.points.items():
-                mark = marks.velocity if letter == "v" else marks.acceleration
-                if mark in self.drawing:
-                    sizes[point] = abs(self.number(mark))
-            limit = NOTHING * max(sizes.values(), default=0.0) / min([1.0, *self.sharpness(plan).values()])
-            found += [f"{letter}_{point}" for point, size in sizes.items() if 0 < size <= limit]
         return found
 
 

@@ -7,15 +7,15 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from planes.clearness import clear, far_apart
 from planes.drawing import Drawing, run
-from planes.instruments import Exact, Instrument, Pencil
+from planes.instruments import Instrument, Pencil
 from planes.measuring import Quantity, Reader, asked
 from planes.nearest import nearest
 from planes.plans import Plans, sliced, state
 from planes.scales import FIT_MM, scales
 from planes.scene import Scene
 from planes.structure import Structure
+from planes.warned import warnings
 from planes.wording import PlanFailure, SceneError
 from planes.words import Lang, Phrase, say
 
@@ -122,21 +122,8 @@ def position(
     drawn = reader.plans(names, errors)
     if drawn or wanted is None:
         results["plans"] = drawn
-    results["warnings"] = reader.warnings(lang)
-    if instrument is None or isinstance(instrument, Exact):
-        results["warnings"] += doubted(plans, wanted, reader, given, lang)
+    results["warnings"] = warnings(reader, wanted, given, lang)
     return Position(value, plans, drawing, mus, results)
-
-
-def doubted(plans: Plans, wanted: list[Quantity] | None, reader: Reader, given: Mapping[str, Any], lang: Lang) -> list[str]:
-    """Sentences about results that rounding has eaten; nothing is reckoned where there is no doubt."""
-    drawn, small = reader.drawing, reader.small()
-    if not small and clear(drawn.program, drawn.things, drawn.hand) and not far_apart(plans.given):
-        return []
-    from planes.cycle.doubts import doubts
-
-    found = zip(("doubtful", "faint"), doubts(plans, wanted, drawn, given, small), strict=True)
-    return [say(key, lang, makes=", ".join(names)) for key, names in found if names]
 
 
 def pencil_errors(plans: Plans, given: Mapping[str, Any], pencil: Pencil, reader: Reader) -> dict[str, float]:

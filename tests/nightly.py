@@ -1,7 +1,9 @@
-"""The long checks, run by hand: claims over a million random positions, masks over ten million.
+"""The long checks, run by hand: claims over a million random positions, masks over ten million, and families of scenes
+on the way to a limit.
 
     python tests/nightly.py claims --positions 1000000 --minutes 60
     python tests/nightly.py masks --positions 10000000 --minutes 60
+    python tests/nightly.py limits --positions 100000 --minutes 60
 
 Each prints what it counted when it is done or its minutes are over, and ends with 1 where anything was wrong.
 
@@ -24,6 +26,7 @@ from typing import Any
 
 import numpy as np
 from mechanisms import KINDS, make, to_yaml
+from near_limits import FAMILIES, walk
 from oracle import NoSolution
 
 from planes.cycle import Cycle, fused
@@ -133,7 +136,7 @@ def _claims_of(c: Cycle, seed: int, tally: Tally) -> None:
     rng = np.random.default_rng(seed)
     near = close_to_limits(c, rng) if seed % 3 == 0 else np.empty(0)
     values = near if len(near) else rng.uniform(0, 360, EACH)
-    (block,) = c.blocks(values, fast=False)
+    (block,) = c.blocks(values, fast=False, bare=True)
     good = block.codes == 0
     if not good.any():
         return
@@ -172,7 +175,7 @@ def _count(c: Cycle, seed: int, tally: Tally, found: tuple[Any, Any, Any, Any]) 
 def _compiled(c: Cycle, seed: int, tally: Tally, found: tuple[Any, Any, Any]) -> None:
     """The same positions by the compiled loop, which rounds otherwise."""
     values, true, claimed = found
-    blocks = list(c.blocks(values, fast=True))
+    blocks = list(c.blocks(values, fast=True, bare=True))
     table, good = np.hstack([b.table for b in blocks]), np.hstack([b.codes for b in blocks]) == 0
     over = (errors(table, true) > claimed) & good
     tally.count.update(compiled=int(good.sum()), compiled_wrong=int(over.sum()))
@@ -239,15 +242,27 @@ def masks(positions: int, end: float, seed: int) -> bool:
     return not bare
 
 
+def limits(positions: int, end: float, seed: int) -> bool:
+    """Whether no number near a limit was wrong without a word."""
+    tallies = {family: Counter[str]() for family in FAMILIES}
+    while sum(t["positions"] for t in tallies.values()) < positions and time.monotonic() < end:
+        for family, tally in tallies.items():
+            tally.update(walk(family, seed, 20))
+        seed += 1
+    for family, tally in tallies.items():
+        print(f"{family}: {', '.join(f'{n} {what}' for what, n in sorted(tally.items()))}")
+    return not any(t[k] for t in tallies.values() for k in ("invented", "unsaid", "arrays wrong", "compiled wrong"))
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("what", choices=("claims", "masks"))
+    parser.add_argument("what", choices=("claims", "masks", "limits"))
     parser.add_argument("--positions", type=int, default=1000)
     parser.add_argument("--minutes", type=float, default=60.0)
     parser.add_argument("--seed", type=int, default=0)
     asked = parser.parse_args()
     end = time.monotonic() + 60 * asked.minutes
-    work = claims if asked.what == "claims" else masks
+    work = {"claims": claims, "masks": masks, "limits": limits}[asked.what]
     return 0 if work(asked.positions, end, asked.seed) else 1
 
 

@@ -46,7 +46,7 @@ def random_cycle(seed: int, **how: Any) -> Cycle:
 
 def ratios(c: Cycle, values: Any, fast: bool = False) -> Any:
     """Claim over error, of every number that is not right to the last place; none may be below 1."""
-    (block,) = c.blocks(values, fast=fast, chunk=len(values))
+    (block,) = c.blocks(values, fast=fast, chunk=len(values), bare=True)
     good = block.codes == 0
     assert good.any()
     error, claims = errors(block.table[:, good], truth(c, values[good])), Claims(c).bounds(values[good])
@@ -122,7 +122,7 @@ def test_a_table_carries_its_claims_block_by_block() -> None:
     c = cycle_of("kind-1-rrr")
     lengths = c.given["l_BC"] * np.linspace(1, 1.01, 9)
     many, values = Cycle(c.plans, known={"l_BC": lengths}), np.linspace(0, 359, 9)
-    table = np.hstack([b.table for b in Claims(many).beside(many.blocks(values, chunk=4, fast=False))])
+    table = np.hstack([b.table for b in many.beside(many.blocks(values, chunk=4, fast=False))])
     results, claims = np.split(table, 2)
     assert (np.isnan(results) == np.isnan(claims)).all() and not np.isnan(results).all()
     for k in range(9):

@@ -30,6 +30,7 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "instruments scene.expressions scene.source statement steps.crossings steps.reckoning structure units",
     "check.sight.frame check.sight.ink course course.scenes cycle.digits lesson.formulas program scene.reader "
     "self_aligning steps",
+    "clearness",
     "check.nudging check.sight.line_fitting check.sight.symbols_seen course.students crank_slider.reading_table "
     "cycle.tracing drafting drawing scene.links scene.motion scene.settings scene.vectors",
     "check.handwork check.sight.heads check.sight.left_over course.giving cycle.fused diagrams.graphical "
@@ -46,11 +47,16 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "check.polygons check.slips check.ways cycle.altering cycle.contrast lesson.scheme plans.driven scales",
     "alignment check.mistakes check.mistakes_force check.mistakes_position course.showing crank_slider.engine "
     "cycle.peers diagrams.curves lesson.steps measuring nearest",
-    "check.accounts check.bench crank_slider.kinematics cycle.columns lesson solving",
-    "check.chains check.scaling check.sight.poles course.numbers crank_slider.forces crank_slider.pages cycle "
+    "cycle.columns",
+    "cycle.claims",
+    "cycle",
+    "cycle.doubts",
+    "warned",
+    "check.accounts check.bench crank_slider.kinematics lesson solving",
+    "check.chains check.scaling check.sight.poles course.numbers crank_slider.forces crank_slider.pages "
     "cycle.explaining lesson.note lesson.practice lesson.zones remedies tables",
     "check check.sight.motion_seen check.sizing course.papers course.settling crank_slider.balance "
-    "crank_slider.misprints cycle.bench cycle.claims cycle.spread cycle.streams diagrams.graphical_text "
+    "crank_slider.misprints cycle.bench cycle.spread cycle.streams diagrams.graphical_text "
     "diagrams.turn lesson.data",
     "check.matching check.regrading check.sight.force_ways check.sight.scheme_seen check.verdict course.summary "
     "crank_slider.shaft cycle.limits cycle.long_run cycle.methods diagrams.extremes erring roof.lesson",

@@ -191,12 +191,13 @@ class Claims:
             return np.where(bound < BLIND * 1e-50, bound, np.inf)
 
     def doubtful(self, table: Any, bounds: Any) -> Any:
-        """Of which numbers rounding leaves less than three digits, seen against the largest of their kind."""
+        """Of which numbers rounding leaves less than three digits, seen against what the largest of their kind is at
+        least."""
         kinds = np.array([c.kind for c in self.cycle.columns])
-        sizes = np.abs(table)
+        sizes = np.abs(table) - bounds
         doubtful = np.zeros(table.shape, bool)
         for kind in set(kinds.tolist()):
             rows = kinds == kind
             largest = np.fmax.reduce(sizes[rows], axis=0, initial=TURN if kind == "°" else 0.0)
-            doubtful[rows] = ~(bounds[rows] <= DOUBT * np.fmax(largest, sizes[rows])) & np.isfinite(table[rows])
+            doubtful[rows] = ~(bounds[rows] <= DOUBT * largest) & np.isfinite(table[rows])
         return doubtful
