@@ -93,12 +93,13 @@ def failed(failure: PlanFailure, value: float, kind: str, near: float | None, la
     """The sentence of a position that did not come out, with the nearest one that does."""
     name = "φ" if kind == "phi" else "s"
     sentence = say("at", lang, name=name, value=told(value, kind, lang)) + failure.sentence(lang)
-    return sentence + ("" if near is None else say("nearest", lang, name=name, value=told(round(near, 4), kind, lang)))
+    return sentence + ("" if near is None else say("nearest", lang, name=name, value=told(near, kind, lang, exact=True)))
 
 
-def told(value: float, kind: str, lang: Lang) -> str:
-    """A value of the drive in words."""
-    return f"{value:.10g}°" if kind == "phi" else say("in_m", lang, value=f"{value:.10g}")
+def told(value: float, kind: str, lang: Lang, exact: bool = False) -> str:
+    """A value of the drive in words, with ten digits or ``exact``, so that it can be typed again."""
+    number = repr(value).removesuffix(".0") if exact else f"{value:.10g}"
+    return f"{number}°" if kind == "phi" else say("in_m", lang, value=number)
 
 
 def key_of(plans: Plans) -> str:
