@@ -14,6 +14,7 @@ from planes.wording import PlanFailure
 STEPS = 1440  # to either side, an eighth of a degree each; a sliding driver looks as far as four of its longest lengths
 ZOOMS, FINER = 12, 16  # how often, and into how many parts, a step is divided in which there may be a narrow range
 HALVINGS = 60
+LEAST = 5e-324  # more than nothing
 BESIDE = 0.08  # of a step: how far one goes from a place where the method fails alone, both its sides working
 DECIMALS = 4  # of degrees; of metres two more. More are told only where the range is too narrow for them
 
@@ -69,8 +70,9 @@ class _Side:
         drawing = run(self.plans.program, {**given, self.plans.drive_given: self.value + self.side * offsets})
         found = numpy.zeros(len(offsets))
         for _, _, ok, numbers in drawing.hand.failures:
-            miss = numpy.nan_to_num(numbers.get("miss_mm", math.inf) + numpy.zeros(len(offsets)), nan=math.inf)
-            found = numpy.where((found == 0) & ~ok, numpy.maximum(miss, 5e-324), found)
+            miss = numbers.get("miss_mm", math.inf)
+            miss = numpy.where(numpy.isfinite(miss), numpy.maximum(miss, LEAST), math.inf)
+            found = numpy.where((found == 0) & ~ok, miss, found)
         return found
 
     def edge(self, low: float, high: float) -> tuple[float, float] | None:
