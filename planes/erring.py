@@ -33,7 +33,7 @@ class Errors:
         columns |= {name: _length(name, s) for name, s in self.segments.items()}
         self.cycle = Cycle(plans, known=position.scales, columns=columns.values())
         self.ruler_mm = by.ruler_mm / math.sqrt(12.0) if isinstance(by, Pencil) else 0.0
-        self.claims: Any = Spread(self.cycle, by, {}) if isinstance(by, Pencil) else Claims(self.cycle)
+        self.claims: Any = Spread(self.cycle, by, {}) if isinstance(by, Pencil) else Claims(self.cycle, plans.off)
 
     def of(self, position: Position) -> dict[str, Any]:
         """The ± of a position's results, in the same nested shape (None: nothing can be claimed)."""

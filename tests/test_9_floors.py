@@ -24,7 +24,7 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "words.mistakes words.note words.scene words.sheets words.text words.why working",
     "arithmetic check.arrowheads cycle.fused_functions cycle.reading cycle.slopes cycle.symbols mark_names "
     "words.check words.lesson",
-    "cycle.fused_text cycle.twofold plane tools words",
+    "cycle.fused_text cycle.twofold plane plans.written tools words",
     "cycle.rounding home scene.yaml_faults steps.base thing_names wording",
     "angles check.paper check.read_dxf check.read_svg check.sight.picture course.crowd course.ledger equations "
     "instruments scene.expressions scene.source statement steps.crossings steps.reckoning structure units",

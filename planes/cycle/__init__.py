@@ -164,9 +164,9 @@ class Cycle:
 
     def beside(self, blocks: Iterable[Block]) -> Iterator[Block]:
         """Blocks of successive positions, with a row of ± after the rows of results."""
-        start = 0
+        start, claims = 0, Claims(self, self.plans.off)
         for block in blocks:
-            claimed = self.claims.bounds(block.values, start + np.arange(len(block.values)))
+            claimed = claims.bounds(block.values, start + np.arange(len(block.values)))
             start += len(block.values)
             yield Block(block.values, np.vstack([block.table, np.where(np.isnan(block.table), np.nan, claimed)]),
                         block.codes)  # fmt: skip

@@ -1,6 +1,6 @@
 """How far off a result may be, told by the drawing itself: a running bound of every rounding on the way to it.
 
-What is given, and the drive's values, are taken as exact. Each operation errs by its own rounding and by what its
+What is given, and the drive's values, are taken as exact, or as off as decimals are. Each operation errs by its own rounding and by what its
 slopes say nothing of (``rounding``); each such error goes on to every result by slopes, exactly: f(a + d) = f(a) +
 slope · d + what is lost by taking f to be straight. Errors that cancel are left to cancel (``slopes``). Roundings add
 up as chances do, what is lost adds up at its worst. Where a sharpness, or a force divided by, is as small as its own
@@ -47,13 +47,24 @@ class _Running:
         """How far the wanted places may be off."""
         bounds = {}
         for place, op, args in self.carrying.moving():
-            if place in self.kept.turns:
+            if place in self.kept.written:
+                self._given(place)
+            elif place in self.kept.turns:
                 self.unsure[place] = self._turning(args)
             elif op not in STIFF or op == "const":
                 self._err(place, op, args)
             if place in wanted:
                 bounds[place] = self._bound(place, slice(None))
         return bounds
+
+    def _given(self, place: int) -> None:
+        """A given is off by what its decimals, and reckoning it, have lost."""
+        x, k = self.found[place], self.carrying.made
+        decimals = np.where(x * 1024 == np.floor(x * 1024), 0.0, np.spacing(np.abs(x)) / 2)
+        self.largest[k] = np.maximum(decimals, self.kept.written[place])
+        self.usual[k] = 1 / 3
+        self.reach[place] = self.largest[k].copy()
+        self.carrying.carry(place, (), (), own=True)
 
     def _err(self, place: int, op: str, args: tuple[int, ...]) -> None:
         slip = rounding(self.tape, place, self.found, self.kept.whole)
@@ -142,10 +153,18 @@ class _Running:
 class Kept:
     """What is known of a tape beforehand."""
 
-    def __init__(self, tape: Tape, order: list[int], turns: tuple[int, ...]) -> None:
+    def __init__(self, tape: Tape, order: list[int], turns: tuple[int, ...], off: Mapping[str, float] | None) -> None:
+        self.written = {} if off is None else _written(tape, order, off)
         self.whole, self.turns = whole_numbers(tape, order), frozenset(turns)
         self.units, self.chosen = unit_parts(tape, order)
-        self.most = sum(tape.ops[p][0] not in STIFF or tape.ops[p][0] == "const" for p in order)
+        made = sum(tape.ops[p][0] not in STIFF or tape.ops[p][0] == "const" for p in order)
+        self.most = made + len(self.written)
+
+
+def _written(tape: Tape, order: list[int], off: Mapping[str, float]) -> dict[int, float]:
+    """Places of the givens a scene writes, each with how far off it is reckoned; scales are of the drawing alone."""
+    names = {p: tape.values[p] for p in order if tape.ops[p][0] == "given"}
+    return {p: off.get(n.removesuffix(".x").removesuffix(".y"), 0.0) for p, n in names.items() if not n.startswith("mu_")}
 
 
 class Reckoned(Protocol):
@@ -162,14 +181,18 @@ class Reckoned(Protocol):
 
 
 class Claims:
-    """What a cycle of exact drawings claims of itself: ± of every column, for any values of the drive."""
+    """What a cycle of exact drawings claims of itself: ± of every column, for any values of the drive.
 
-    def __init__(self, cycle: Reckoned) -> None:
+    Where it is told how far ``off`` givens are (``Plans.off``), numbers are those a scene writes, not the doubles that
+    stand for them: every given is off by the last place of its decimals.
+    """
+
+    def __init__(self, cycle: Reckoned, off: Mapping[str, float] | None = None) -> None:
         self.cycle, self.count = cycle, len(cycle.columns)
         drawn = trace(cycle.program, cycle.given, [c.take for c in cycle.columns], cycle.folded)
         self.tape, self.outputs = drawn.tape, drawn.outputs
         self.order = self.tape.needed(list(drawn.outputs))
-        self.kept = Kept(self.tape, self.order, drawn.turns)
+        self.kept = Kept(self.tape, self.order, drawn.turns, off)
 
     def bounds(self, values: Any, at: Any = None) -> Any:
         """A row for each column: no result is further from the truth; infinite where nothing can be claimed.

@@ -62,6 +62,7 @@ class Plans:
     zhukovsky: str
     acting: Acting
     at_rest: bool
+    off: Mapping[str, float]  # how far off givens may be that are reckoned of the scene's numbers
 
     @property
     def drive_given(self) -> str:
@@ -107,7 +108,7 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
     return Plans(
         mechanism, structure, Program(tuple(draft.steps.values())), draft.given, tuple(draft.equations),
         tuple(draft.moments), tuple(dict.fromkeys(draft.segments)), points, links, velocity.slides,
-        acceleration.slides, statics.reactions, statics.balancing, zhukovsky, acting, at_rest,
+        acceleration.slides, statics.reactions, statics.balancing, zhukovsky, acting, at_rest, draft.off,
     )  # fmt: skip
 
 

@@ -13,6 +13,7 @@ from planes.mechanism import FRAME
 from planes.naming import POLE, at
 from planes.plans.bodies import SCHEME, Bodies, Body, Spot
 from planes.plans.legs import Leg, legs_of
+from planes.plans.written import distance, ratio
 from planes.steps import Carry, Image, Same
 
 
@@ -164,9 +165,8 @@ class Rates:
         assert body.ref
         points, (one, two) = body.link.points, body.ref
         p, q, r = points[spot.name], points[one.place], points[two.place]
-        name = f"ratio_{spot.name}_{body.link.name}"
-        ends = self.mark(one.name), self.mark(two.name)
-        self.b.draft.similar(self.plan, self.label(spot.name), *ends, name, (p - q) / (r - q))
+        given = (f"ratio_{spot.name}_{body.link.name}", *ratio(p, q, r))
+        self.b.draft.similar(self.plan, self.label(spot.name), self.mark(one.name), self.mark(two.name), given)
 
 
 def _drive(r: Rates) -> None:
@@ -198,7 +198,7 @@ def swing(r: Rates, body: Body, spot: Spot) -> None:
     ray = d.ray(SCHEME, pivot, spot.place)
     across = d.square(f"⊥{ray}", ray)
     if spot.name in link.points:
-        length = d.give(f"l_{pivot}{spot.place}", abs(link.points[spot.name] - link.points[pivot]))
+        length = d.give(f"l_{pivot}{spot.place}", *distance(link.points[pivot], link.points[spot.name]))
     else:
         length = d.measure(f"l_{pivot}{spot.place}", at(SCHEME, pivot), at(SCHEME, spot.place))
     pole, end, name = at(r.plan, POLE), r.label(spot.name), r.letter + spot.name
