@@ -95,8 +95,9 @@ class Draft:
         return self.step(Put(at(plan, POLE)))
 
     def put(self, plan: str, label: str, place: complex) -> str:
-        """A mark at a given place of the scheme (m)."""
-        return self.step(Put(at(plan, label), self.give(f"place_{label}", place), mu_of(plan)))
+        """A mark at a given place of the scheme (m), off as one is that was written by radius and angle."""
+        off = 2.0**-50 * abs(place) if place.real and place.imag else 0.0
+        return self.step(Put(at(plan, label), self.give(f"place_{label}", place, off), mu_of(plan)))
 
     def aim(self, name: str, angle_deg: float) -> str:
         """A direction at a given angle."""

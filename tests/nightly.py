@@ -2,12 +2,13 @@
 on the way to a limit.
 
     python tests/nightly.py claims --positions 1000000 --minutes 60
+    python tests/nightly.py written --positions 100000 --minutes 60
     python tests/nightly.py masks --positions 10000000 --minutes 60
     python tests/nightly.py limits --positions 100000 --minutes 60
 
 Each prints what it counted when it is done or its minutes are over, and ends with 1 where anything was wrong.
 
-The truth of ``claims`` is the same tape read in numbers of 106 bits; at a few positions of every mechanism it is
+``written`` compares with scenes as they are written, their decimals at 50 digits. The truth of ``claims`` is the same tape read in numbers of 106 bits; at a few positions of every mechanism it is
 compared with 50 digits (it must not stray by a hundredth of the claim), and the drawing of one position with the claim
 as well. Ratios of claim to error are those of numbers with any error at all for which something is claimed, two hundred
 numbers of every mechanism, drawn at random; the median is over all of them.
@@ -24,6 +25,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from typing import Any
 
+import as_written
 import numpy as np
 from mechanisms import KINDS, make, to_yaml
 from near_limits import FAMILIES, walk
@@ -40,6 +42,7 @@ from planes.scene import loads
 from planes.wording import PlanesError
 
 EACH, CLOSE, FEW, SEEN = 1000, 1e-6, 2, 200
+FULL = 40  # positions of one mechanism compared with its text
 COMPILED = 25  # of so many mechanisms one is drawn by the compiled loop too
 FINE = 1e-28  # what two floats tell apart
 TURN = np.arange(0.0, 360.0, 0.5)
@@ -157,6 +160,33 @@ def _claims_of(c: Cycle, seed: int, tally: Tally) -> None:
         _beside_digits(c, float(values[k]), [(x[0][k], x[1][k]) for x in true], claimed[:, k], tally.count)
 
 
+def written(positions: int, end: float, seed: int) -> bool:
+    """Whether no result was further from what the scene's own decimals make than claimed."""
+    done = numbers = wrong = 0
+    ratios: list[float] = []
+    while done < positions and time.monotonic() < end:
+        seed += 1
+        c = mechanism(seed, sliding=False)
+        if c is None:
+            continue
+        values = np.round(np.random.default_rng(seed).uniform(0, 360, FULL), 6)
+        error, claimed = beside_text(c, values)
+        sure = (error > 0) & np.isfinite(claimed)
+        done, numbers, wrong = done + error.shape[1], numbers + error.size, wrong + int((error > claimed).sum())
+        if sure.any():
+            ratios.append(float(np.median(claimed[sure] / error[sure])))
+    print(f"written: {done} positions, {numbers} numbers, {wrong} further off than claimed; median of claim to error "
+          f"{np.median(ratios):.1f}")  # fmt: skip
+    return not wrong
+
+
+def beside_text(c: Cycle, values: Any) -> tuple[Any, Any]:
+    """Errors against the text of a scene, and what is claimed of them, where the mechanism works."""
+    (block,) = c.blocks(values, fast=False, chunk=len(values), bare=True)
+    good = block.codes == 0
+    return errors(block.table[:, good], as_written.truth(c, values[good])), Claims(c, c.plans.off).bounds(values[good])
+
+
 def _count(c: Cycle, seed: int, tally: Tally, found: tuple[Any, Any, Any, Any]) -> None:
     values, table, error, claimed = found
     said, over = np.isfinite(table), error > claimed
@@ -256,13 +286,13 @@ def limits(positions: int, end: float, seed: int) -> bool:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("what", choices=("claims", "masks", "limits"))
+    parser.add_argument("what", choices=("claims", "written", "masks", "limits"))
     parser.add_argument("--positions", type=int, default=1000)
     parser.add_argument("--minutes", type=float, default=60.0)
     parser.add_argument("--seed", type=int, default=0)
     asked = parser.parse_args()
     end = time.monotonic() + 60 * asked.minutes
-    work = {"claims": claims, "masks": masks, "limits": limits}[asked.what]
+    work = {"claims": claims, "written": written, "masks": masks, "limits": limits}[asked.what]
     return 0 if work(asked.positions, end, asked.seed) else 1
 
 
