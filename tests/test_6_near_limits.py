@@ -14,6 +14,7 @@ from planes.cli import main
 from planes.cycle import Cycle, fused
 from planes.scene import loads
 from planes.solving import plans_of, solve
+from planes.tables import report
 
 SLOT = """\
 planes: 1
@@ -73,10 +74,24 @@ def test_a_force_that_is_nothing_beside_others_is_warned_of() -> None:
     assert not solve(loads(FAINT + "find: [F_20]\n")).positions[0].results["warnings"]
 
 
-def test_a_table_file_leaves_out_what_has_no_digits(tmp_path: Path) -> None:
+def test_the_drivers_own_rates_are_printed_beside_whatever_else(capsys: pytest.CaptureFixture[str]) -> None:
+    print(report(solve(loads(SLOT), [1e-12])))
+    row = next(line for line in capsys.readouterr().out.splitlines() if line.startswith("  1  "))
+    assert row.split() == ["1", "1·10⁻¹²", "10", "3"]
+
+
+def test_a_position_that_does_not_work_names_its_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scene = tmp_path / "slot.yaml"
+    scene.write_text(SLOT, encoding="utf-8")
+    assert main(["solve", str(scene), "--phi", "0"]) == 2
+    assert capsys.readouterr().err.startswith(f"{scene}: at φ = 0°: ")
+
+
+def test_a_table_file_leaves_out_what_has_no_digits(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     scene, out = tmp_path / "slot.yaml", tmp_path / "t.csv"
     scene.write_text(SLOT, encoding="utf-8")
     assert main(["cycle", str(scene), "--phi", "0.003:60.003:20", "-o", str(out)]) == 0
+    assert "no correct digit is left in a_C_x, epsilon_3, epsilon_2" in capsys.readouterr().err
     first, *others = csv.DictReader(out.read_text(encoding="utf-8").splitlines())
     assert first["epsilon_3 [rad/s²]"] == "" and first["failed"] == "no_digits"
     assert first["omega_3 [rad/s]"] and all(row["epsilon_3 [rad/s²]"] and not row["failed"] for row in others)

@@ -137,4 +137,6 @@ def reason(table: Cycle, reasons: tuple[Reason, ...], gap: Gap, lang: Lang) -> s
     except PlanFailure as failure:
         return failure.sentence(lang)
     why = reasons[gap.code - 1]
-    return say("no_digits", lang, makes=why.makes or "…")
+    (block,) = table.blocks([gap.first], fast=False)
+    empty = (c.name for c, row in zip(table.columns, block.table, strict=True) if np.isnan(row[0]) and not c.beside)
+    return say("no_digits", lang, makes=why.makes or ", ".join(empty) or "…")
