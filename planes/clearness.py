@@ -16,8 +16,8 @@ from planes.program import Program
 from planes.steps import Through, Touch
 
 BLUNT, CLEAR = 0.1, 0.01
-"""A sharpness of ``BLUNT`` takes nothing away; all together may leave no less than ``CLEAR`` of it. An acceleration errs
-by some 5e-15 over the third power of a sharpness: where lines of one group meet at 1e-3, by less than 1e-5."""
+"""A sharpness of ``BLUNT`` takes nothing away; all together may leave no less than ``CLEAR`` of it. An acceleration
+errs by some 5e-15 over the third power of a sharpness: where lines of one group meet at 1e-3, by less than 1e-5."""
 FAR = 1e6  # lengths as many times longer than the shortest: digits go where no line is blunt
 _AGAIN = ("velocity", "motion", "acceleration", "lever")  # plans whose lines are those of the scheme
 

@@ -93,7 +93,7 @@ def failed(failure: PlanFailure, value: float, kind: str, near: float | None, la
     """The sentence of a position that did not come out, with the nearest one that does."""
     name = "φ" if kind == "phi" else "s"
     sentence = say("at", lang, name=name, value=told(value, kind, lang)) + failure.sentence(lang)
-    return sentence + ("" if near is None else say("nearest", lang, name=name, value=told(near, kind, lang, exact=True)))
+    return sentence + (say("nearest", lang, name=name, value=told(near, kind, lang, True)) if near is not None else "")
 
 
 def told(value: float, kind: str, lang: Lang, exact: bool = False) -> str:

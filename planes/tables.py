@@ -115,7 +115,8 @@ def _links(links: dict[str, Any], lang: Lang, e: dict[str, Any] | None, driver: 
     beside = {"angle_deg": 180.0, "omega": spin, "epsilon": max(_largest(links.values(), "epsilon"), spin * spin)}
     rows = []
     for n, v in links.items():
-        cells = ([_number(v[k], 0.0 if n == driver else beside[k]) if k in v else "", *error_of(e, "links", n, k)] for k in keys)
+        most = dict.fromkeys(keys, 0.0) if n == driver else beside
+        cells = ([_number(v[k], most[k]) if k in v else "", *error_of(e, "links", n, k)] for k in keys)
         rows.append([n, *(c for cell in cells for c in cell)])
     head = ["", "φ, °", *pm(e), f"ω, {say('rad/s', lang)}", *pm(e), f"ε, {say('rad/s²', lang)}", *pm(e)]
     return table(say("links", lang), head, rows)

@@ -16,7 +16,8 @@ NOTHING = 4e-15  # beside the largest of a plan
 
 def warnings(reader: Reader, wanted: Sequence[Quantity] | None, given: Mapping[str, Any], lang: Lang) -> list[str]:
     """The sentences, those of a kind together."""
-    said = [say("blunt", lang, makes=", ".join(marks), angle_deg=angle) for angle, marks in _blunt(reader, lang).items()]
+    blunt = _blunt(reader, lang).items()
+    said = [say("blunt", lang, makes=", ".join(marks), angle_deg=angle) for angle, marks in blunt]
     for reason, step, _ in reader.drawing.hand.notes:
         said.append(say(reason, lang, makes=str(getattr(step, "makes", "")).partition("_")[2]))
     rough, none = _doubts(reader, wanted, given)

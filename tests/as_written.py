@@ -58,7 +58,7 @@ def pair(x: Any) -> Two:
 def truth(c: Cycle, values: Any) -> list[Two]:
     """The columns of scenes as they are written, read in numbers of 106 bits."""
     drawn = trace(c.program, c.given, [x.take for x in c.columns], c.folded, fine=FINE)
-    true = {n: v if not hasattr(v, "imag") or not v.imag else v for n, v in givens(c.plans.mechanism).items()}
+    true = givens(c.plans.mechanism)
     flat: dict[str, Any] = {}
     for name, value in given_values(c.given).items():
         own, part = (name[:-2], name[-1]) if name.endswith((".x", ".y")) else (name, "")

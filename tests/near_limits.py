@@ -24,7 +24,7 @@ RRR = """planes: 1
 frame: {{points: {{A: [0, 0], D: [{d!r}, 0]}}}}
 links:
   1: {{points: {{A: 0, B: {r!r}}}}}
-  2: {{points: {{B: 0, C: {l!r}}}}}
+  2: {{points: {{B: 0, C: {rod!r}}}}}
   3: {{points: {{D: 0, C: {q!r}}}}}
 assembly: {{C: left}}
 drive: {{link: 1, phi: 0, omega: 10, epsilon: 3}}
@@ -33,7 +33,7 @@ RRP = """planes: 1
 frame: {{points: {{A: [0, 0]}}, guides: {{x: {{y: {e!r}}}}}}}
 links:
   1: {{points: {{A: 0, B: {r!r}}}}}
-  2: {{points: {{B: 0, C: {l!r}}}}}
+  2: {{points: {{B: 0, C: {rod!r}}}}}
   3: {{points: {{C: 0}}, slides: x}}
 assembly: {{C: ahead}}
 drive: {{link: 1, phi: 0, omega: 10, epsilon: 3}}
@@ -59,34 +59,34 @@ drive: {{link: 1, phi: 0, omega: 10, epsilon: 3}}
 
 def _four_bar_limit(rng: random.Random) -> tuple[str, float]:
     while True:
-        r, l, q, d = (rng.uniform(0.1, 0.9) for _ in range(4))
-        reach = rng.choice((l + q, abs(l - q)))
+        r, rod, q, d = (rng.uniform(0.1, 0.9) for _ in range(4))
+        reach = rng.choice((rod + q, abs(rod - q)))
         cosine = (r * r + d * d - reach * reach) / (2 * r * d)
         if abs(cosine) < 0.99:
-            return RRR.format(r=r, l=l, q=q, d=d), math.degrees(math.acos(cosine))
+            return RRR.format(r=r, rod=rod, q=q, d=d), math.degrees(math.acos(cosine))
 
 
 def _change_point(rng: random.Random) -> tuple[str, float]:
     r, d = rng.uniform(0.1, 0.4), rng.uniform(0.5, 0.9)
-    return RRR.format(r=r, l=d, q=r, d=d), rng.choice((0.0, 180.0))
+    return RRR.format(r=r, rod=d, q=r, d=d), rng.choice((0.0, 180.0))
 
 
 def _kite(rng: random.Random) -> tuple[str, float]:
-    r, l = rng.uniform(0.1, 0.4), rng.uniform(0.5, 0.9)
-    return RRR.format(r=r, l=l, q=l, d=r), 0.0
+    r, rod = rng.uniform(0.1, 0.4), rng.uniform(0.5, 0.9)
+    return RRR.format(r=r, rod=rod, q=rod, d=r), 0.0
 
 
 def _crank_limit(rng: random.Random) -> tuple[str, float]:
     while True:
-        r, l, e = rng.uniform(0.3, 0.9), rng.uniform(0.1, 0.5), rng.uniform(-0.5, 0.5)
-        sine = (e + rng.choice((l, -l))) / r
+        r, rod, e = rng.uniform(0.3, 0.9), rng.uniform(0.1, 0.5), rng.uniform(-0.5, 0.5)
+        sine = (e + rng.choice((rod, -rod))) / r
         if abs(sine) < 0.99:
-            return RRP.format(r=r, l=l, e=e), math.degrees(math.asin(sine))
+            return RRP.format(r=r, rod=rod, e=e), math.degrees(math.asin(sine))
 
 
 def _crank_fold(rng: random.Random) -> tuple[str, float]:
     r = rng.uniform(0.1, 0.9)
-    return RRP.format(r=r, l=r, e=0.0), rng.choice((90.0, -90.0))
+    return RRP.format(r=r, rod=r, e=0.0), rng.choice((90.0, -90.0))
 
 
 def _parallel_guides(rng: random.Random) -> tuple[str, float]:

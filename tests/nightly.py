@@ -8,10 +8,11 @@ on the way to a limit.
 
 Each prints what it counted when it is done or its minutes are over, and ends with 1 where anything was wrong.
 
-``written`` compares with scenes as they are written, their decimals at 50 digits. The truth of ``claims`` is the same tape read in numbers of 106 bits; at a few positions of every mechanism it is
-compared with 50 digits (it must not stray by a hundredth of the claim), and the drawing of one position with the claim
-as well. Ratios of claim to error are those of numbers with any error at all for which something is claimed, two hundred
-numbers of every mechanism, drawn at random; the median is over all of them.
+``written`` compares with scenes as they are written, their decimals at 50 digits. The truth of ``claims`` is the same
+tape read in numbers of 106 bits; at a few positions of every mechanism it is compared with 50 digits (it must not stray
+by a hundredth of the claim), and the drawing of one position with the claim as well. Ratios of claim to error are those
+of numbers with any error at all for which something is claimed, two hundred numbers of every mechanism, drawn at
+random; the median is over all of them.
 """
 
 from __future__ import annotations

@@ -1,10 +1,11 @@
 """How far off a result may be, told by the drawing itself: a running bound of every rounding on the way to it.
 
-What is given, and the drive's values, are taken as exact, or as off as decimals are. Each operation errs by its own rounding and by what its
-slopes say nothing of (``rounding``); each such error goes on to every result by slopes, exactly: f(a + d) = f(a) +
-slope · d + what is lost by taking f to be straight. Errors that cancel are left to cancel (``slopes``). Roundings add
-up as chances do, what is lost adds up at its worst. Where a sharpness, or a force divided by, is as small as its own
-error the loss has no end, and nothing is claimed. ``tests/nightly.py`` measures how honest this is, and how close.
+What is given, and the drive's values, are taken as exact, or as off as decimals are. Each operation errs by its own
+rounding and by what its slopes say nothing of (``rounding``); each such error goes on to every result by slopes,
+exactly: f(a + d) = f(a) + slope · d + what is lost by taking f to be straight. Errors that cancel are left to cancel
+(``slopes``). Roundings add up as chances do, what is lost adds up at its worst. Where a sharpness, or a force divided
+by, is as small as its own error the loss has no end, and nothing is claimed. ``tests/nightly.py`` measures how honest
+this is, and how close.
 """
 
 from __future__ import annotations
@@ -164,7 +165,8 @@ class Kept:
 def _written(tape: Tape, order: list[int], off: Mapping[str, float]) -> dict[int, float]:
     """Places of the givens a scene writes, each with how far off it is reckoned; scales are of the drawing alone."""
     names = {p: tape.values[p] for p in order if tape.ops[p][0] == "given"}
-    return {p: off.get(n.removesuffix(".x").removesuffix(".y"), 0.0) for p, n in names.items() if not n.startswith("mu_")}
+    own = {p: n.removesuffix(".x").removesuffix(".y") for p, n in names.items() if not n.startswith("mu_")}
+    return {p: off.get(n, 0.0) for p, n in own.items()}
 
 
 class Reckoned(Protocol):
@@ -197,7 +199,7 @@ class Claims:
     def bounds(self, values: Any, at: Any = None) -> Any:
         """A row for each column: no result is further from the truth; infinite where nothing can be claimed.
 
-        The ``values`` of the drive are those of the positions numbered ``at`` (of the first ones, when nothing is said).
+        The ``values`` of the drive are those of the positions numbered ``at`` (None: the first ones).
         """
         values = np.asarray(values, float)
         at = np.arange(len(values)) if at is None else at
