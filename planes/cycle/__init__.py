@@ -89,7 +89,7 @@ class Cycle:
     @cached_property
     def dim(self) -> bool:
         """Whether no position is clear of rounding."""
-        return far_apart(self.given)
+        return far_apart(self.plans.given)
 
     @cached_property
     def compiled(self) -> fused.Bound:
