@@ -54,6 +54,7 @@ class _Side:
 
         offsets = numpy.arange(STEPS + 1) * self.step
         missing = self.missing(offsets)
+        missing[0] = missing[0] or math.inf  # alone it fails, whatever it does among others
         good = numpy.flatnonzero(missing == 0)
         end = int(good[0]) if len(good) else STEPS
         dips = 1 + numpy.flatnonzero((missing[1:end] <= missing[: end - 1]) & (missing[1:end] <= missing[2 : end + 1]))
