@@ -109,7 +109,7 @@ class Many:
         return self.np.sign(x)
 
     def power(self, x: Any, n: int) -> Any:
-        return x**n if n >= 0 else 1 / self.np.asarray(x) ** -n
+        return x**n if n >= 0 else self.np.divide(1.0, x**-n)
 
     def gap(self, c: Any, d: Any, r: Any, s: Any) -> Any:
         return gap(c.real, c.imag, d.real, d.imag, r, s)

@@ -57,16 +57,19 @@ class Draft:
     def __init__(self) -> None:
         self.steps: dict[str, Step] = {}
         self.given: dict[str, Any] = {}
+        self.off: dict[str, float] = {}  # how far reckoned givens may be from what the scene's decimals make of them
         self.equations: list[Equation] = []
         self.moments: list[Moments] = []
         self.segments: list[Segment] = []
         self.laws: dict[str, Law] = {}  # givens that hold where the drive stands in the file alone
         self.rays: dict[tuple[str, str, str], str] = {}  # (plan, label, label) -> direction
 
-    def give(self, name: str, value: Any) -> str:
-        """State a given value (SI, degrees, ±1) or place (complex, m); a name taken by another is primed."""
+    def give(self, name: str, value: Any, off: float = 0.0) -> str:
+        """State a given value (SI, degrees, ±1) or place (complex, m); a name taken by another is primed. What is
+        reckoned of the scene's numbers may be ``off``."""
         while name in self.steps or self.given.setdefault(name, value) != value:
             name += "′"
+        self.off[name] = max(off, self.off.get(name, 0.0))
         return name
 
     def law(self, name: str, law: Law | None) -> None:
@@ -97,8 +100,9 @@ class Draft:
         return self.step(Put(at(plan, POLE)))
 
     def put(self, plan: str, label: str, place: complex) -> str:
-        """A mark at a given place of the scheme (m)."""
-        return self.step(Put(at(plan, label), self.give(f"place_{label}", place), mu_of(plan)))
+        """A mark at a given place of the scheme (m), off as one is that was written by radius and angle."""
+        off = 2.0**-50 * abs(place) if place.real and place.imag else 0.0
+        return self.step(Put(at(plan, label), self.give(f"place_{label}", place, off), mu_of(plan)))
 
     def aim(self, name: str, angle_deg: float) -> str:
         """A direction at a given angle."""
@@ -112,17 +116,17 @@ class Draft:
         """A direction turned by right angles with the set square."""
         return self.step(Turn(name, of, quarter))
 
-    def turn(self, name: str, of: str, angle_deg: float) -> str:
+    def turn(self, name: str, of: str, angle_deg: float, off: float = 0.0) -> str:
         """A direction turned by a given angle."""
-        return self.step(Turn(name, of, 0, self.give(f"angle_{name}", angle_deg)))
+        return self.step(Turn(name, of, 0, self.give(f"angle_{name}", angle_deg, off)))
 
     def lay_off(self, plan: str, label: str, start: str, along: str, length: str) -> str:
         """A length (SI value by name) laid off from a mark."""
         return self.step(LayOff(at(plan, label), start, along, length, mu_of(plan)))
 
-    def similar(self, plan: str, label: str, start: str, end: str, name: str, ratio: complex) -> str:
-        """A mark by similarity (or proportional division) on a segment of the plan."""
-        return self.step(Similar(at(plan, label), start, end, self.give(name, ratio)))
+    def similar(self, plan: str, label: str, start: str, end: str, ratio: tuple[str, complex, float]) -> str:
+        """A mark by similarity (or proportional division) on a segment of the plan; ``ratio`` as it is given."""
+        return self.step(Similar(at(plan, label), start, end, self.give(*ratio)))
 
     def measure(self, name: str, start: str, end: str, along: str | None = None) -> str:
         """A segment read off its plan, in SI."""

@@ -36,7 +36,7 @@ class Errors:
         columns = {c.name: c for found in self.quantities.values() for c in found}
         columns |= {name: _length(name, s) for name, s in self.segments.items()}
         self.cycle = Cycle(plans, known=position.scales, columns=columns.values())
-        self.ruler_mm, self.claims = _ruler_mm(by), _claims(self.cycle, by)
+        self.ruler_mm, self.claims = _ruler_mm(by), _claims(self.cycle, by, plans.off)
 
     def of(self, position: Position) -> dict[str, Any]:
         """The ± of a position's results, in the same nested shape (None: nothing can be claimed)."""
@@ -86,7 +86,7 @@ class Still:
     columns: list[Column]
     folded: dict[str, float]
 
-    def moving(self, values: Any, start: int = 0) -> dict[str, Any]:
+    def moving(self, values: Any, at: Any) -> dict[str, Any]:
         """Nothing."""
         return {}
 
@@ -102,9 +102,9 @@ def vector_errors(results: VectorResults, instrument: Instrument | None = None) 
     return replace(results, errors={"vectors": vectors, "plans": {PLAN: {"segments": segments}}})
 
 
-def _claims(ready: Ready, by: Instrument | None) -> Any:
-    """What tells the ± of the columns drawn by this instrument."""
-    return Spread(ready, by, {}) if isinstance(by, Pencil) else Claims(ready)
+def _claims(ready: Ready, by: Instrument | None, off: Mapping[str, float] | None = None) -> Any:
+    """What tells the ± of the columns drawn by this instrument; ``off``: how far off the givens are."""
+    return Spread(ready, by, {}) if isinstance(by, Pencil) else Claims(ready, off)
 
 
 def _ruler_mm(by: Instrument | None) -> float:

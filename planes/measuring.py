@@ -216,34 +216,6 @@ class Reader:
                 found[label_of(name)] = float(one)
         return found
 
-    def warnings(self, lang: Lang = "en") -> list[str]:
-        """What a reader must know: blunt crossings, each angle once, and loads that stand still."""
-        blunt: dict[str, list[str]] = {}
-        for plan in self.st.drawn:
-            for label, sharpness in self.sharpness(plan).items():
-                if sharpness < BLUNT:
-                    angle = f"{math.degrees(math.asin(min(1.0, sharpness))):.2g}"
-                    blunt.setdefault(angle, []).append(f"{label} ({say_plan(plan, lang)})")
-        said = [say("blunt", lang, makes=", ".join(marks), angle_deg=angle) for angle, marks in blunt.items()]
-        for reason, step, ok in self.drawing.hand.notes:
-            if self.pick is None or not (ok[self.pick] if _many(ok) else ok):
-                said.append(say(reason, lang, makes=str(getattr(step, "makes", "")).partition("_")[2]))
-        faint = self.faint()
-        return said + ([say("faint", lang, makes=", ".join(faint))] if faint else [])
-
-    def faint(self) -> list[str]:
-        """Rates of points of which rounding leaves no digit: not zero, yet nothing beside the largest of their plan."""
-        found = []
-        for letter, plan in (("v", "velocity"), ("a", "acceleration")):
-            sizes = {}
-            for point, marks in self.st.points.items():
-                mark = marks.velocity if letter == "v" else marks.acceleration
-                if mark in self.drawing:
-                    sizes[point] = abs(self.number(mark))
-            limit = 4e-15 * max(sizes.values(), default=0.0) / min([1.0, *self.sharpness(plan).values()])
-            found += [f"{letter}_{point}" for point, size in sizes.items() if 0 < size <= limit]
-        return found
-
 
 def _many(value: Any) -> bool:
     return bool(getattr(value, "shape", None))

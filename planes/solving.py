@@ -15,6 +15,7 @@ from planes.plans import Plans, sliced, state
 from planes.scales import FIT_MM, scales
 from planes.scene import Scene
 from planes.structure import Structure
+from planes.warned import warnings
 from planes.wording import PlanFailure, SceneError
 from planes.words import Lang, Phrase, say
 
@@ -93,12 +94,13 @@ def failed(failure: PlanFailure, value: float, kind: str, near: float | None, la
     """The sentence of a position that did not come out, with the nearest one that does."""
     name = "φ" if kind == "phi" else "s"
     sentence = say("at", lang, name=name, value=told(value, kind, lang)) + failure.sentence(lang)
-    return sentence + ("" if near is None else say("nearest", lang, name=name, value=told(round(near, 4), kind, lang)))
+    return sentence + (say("nearest", lang, name=name, value=told(near, kind, lang, True)) if near is not None else "")
 
 
-def told(value: float, kind: str, lang: Lang) -> str:
-    """A value of the drive in words."""
-    return f"{value:.10g}°" if kind == "phi" else say("in_m", lang, value=f"{value:.10g}")
+def told(value: float, kind: str, lang: Lang, exact: bool = False) -> str:
+    """A value of the drive in words, with ten digits or ``exact``, so that it can be typed again."""
+    number = repr(value).removesuffix(".0") if exact else f"{value:.10g}"
+    return f"{number}°" if kind == "phi" else say("in_m", lang, value=number)
 
 
 def key_of(plans: Plans) -> str:
@@ -123,7 +125,7 @@ def position(
     drawn = reader.plans(names, errors)
     if drawn or wanted is None:
         results["plans"] = drawn
-    results["warnings"] = reader.warnings(lang)
+    results["warnings"] = warnings(reader, wanted, given, lang)
     return Position(value, plans, drawing, mus, results)
 
 

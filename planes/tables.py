@@ -33,17 +33,17 @@ def report(solved: Solved, lang: Lang = "en") -> str:
     s = solved.plans.structure
     lines = [solved.scene.title.get(lang, ""), f"W = {s.W}, q = {s.q}, {s.formula}"]
     for p in solved.positions:
-        lines += _position(p.results, key_of(solved.plans), lang)
+        lines += _position(p.results, key_of(solved.plans), lang, solved.plans.mechanism.drive.link)
     if some := next((p for p in solved.positions if "errors" in p.results), None):
         lines += errors_told(True, some.drawing, lang)
     return "\n".join(line for i, line in enumerate(lines) if line or i) + "\n"
 
 
-def _position(r: dict[str, Any], key: str, lang: Lang) -> list[str]:
+def _position(r: dict[str, Any], key: str, lang: Lang, driver: str) -> list[str]:
     head = f"φ = {r[key]:.10g}°" if key == "phi_deg" else f"s = {r[key]:.10g} {say('m', lang)}"
     lines = ["", f"— {head} —"]
     e: dict[str, Any] | None = r.get("errors")
-    lines += _points(r.get("points", {}), lang, e) + _links(r.get("links", {}), lang, e)
+    lines += _points(r.get("points", {}), lang, e) + _links(r.get("links", {}), lang, e, driver)
     lines += _slides(r.get("slides", {}), lang, e)
     for name, plan in r.get("plans", {}).items():
         if name != "position" and any(s["mm"] for s in plan["segments"].values()):
@@ -108,13 +108,15 @@ def pm(errors: dict[str, Any] | None) -> list[str]:
     return [] if errors is None else ["±"]
 
 
-def _links(links: dict[str, Any], lang: Lang, e: dict[str, Any] | None) -> list[str]:
+def _links(links: dict[str, Any], lang: Lang, e: dict[str, Any] | None, driver: str) -> list[str]:
+    """Rates of the driver are given: beside whatever else, they are no nothing."""
     keys = ("angle_deg", "omega", "epsilon")
     spin = _largest(links.values(), "omega")
     beside = {"angle_deg": 180.0, "omega": spin, "epsilon": max(_largest(links.values(), "epsilon"), spin * spin)}
     rows = []
     for n, v in links.items():
-        cells = ([_number(v[k], beside[k]) if k in v else "", *error_of(e, "links", n, k)] for k in keys)
+        most = dict.fromkeys(keys, 0.0) if n == driver else beside
+        cells = ([_number(v[k], most[k]) if k in v else "", *error_of(e, "links", n, k)] for k in keys)
         rows.append([n, *(c for cell in cells for c in cell)])
     head = ["", "φ, °", *pm(e), f"ω, {say('rad/s', lang)}", *pm(e), f"ε, {say('rad/s²', lang)}", *pm(e)]
     return table(say("links", lang), head, rows)

@@ -1,18 +1,22 @@
-"""The long checks, run by hand: claims over a million random positions, masks over ten million, scenes of any shape.
+"""The long checks, run by hand: claims over a million random positions, masks over ten million, scenes of any shape,
+families of scenes on the way to a limit.
 
     python tests/nightly.py claims --positions 1000000 --minutes 60
+    python tests/nightly.py written --positions 100000 --minutes 60
     python tests/nightly.py masks --positions 10000000 --minutes 60
     python tests/nightly.py scenes --positions 2000
+    python tests/nightly.py limits --positions 100000 --minutes 60
 
 Each prints what it counted when it is done or its minutes are over, and ends with 1 where anything was wrong.
 
 ``scenes`` draws scenes of any shape and compares every number with the independent solver (at most 1e-9 of the largest
 of its kind, times the least sharpness).
 
-The truth of ``claims`` is the same tape read in numbers of 106 bits; at a few positions of every mechanism it is
-compared with 50 digits (it must not stray by a hundredth of the claim), and the drawing of one position with the claim
-as well. Ratios of claim to error are those of numbers with any error at all for which something is claimed, two hundred
-numbers of every mechanism, drawn at random; the median is over all of them.
+``written`` compares with scenes as they are written, their decimals at 50 digits. The truth of ``claims`` is the same
+tape read in numbers of 106 bits; at a few positions of every mechanism it is compared with 50 digits (it must not stray
+by a hundredth of the claim), and the drawing of one position with the claim as well. Ratios of claim to error are those
+of numbers with any error at all for which something is claimed, two hundred numbers of every mechanism, drawn at
+random; the median is over all of them.
 """
 
 from __future__ import annotations
@@ -26,9 +30,11 @@ from collections import Counter
 from dataclasses import dataclass, field
 from typing import Any
 
+import as_written
 import numpy as np
 from comparing import against, standing
 from mechanisms import KINDS, any_scene, make, shape_of, to_yaml
+from near_limits import FAMILIES, walk
 from oracle import NoSolution
 
 from planes.cycle import Cycle, fused
@@ -42,6 +48,7 @@ from planes.scene import loads
 from planes.wording import PlanesError
 
 EACH, CLOSE, FEW, SEEN = 1000, 1e-6, 2, 200
+FULL = 40  # positions of one mechanism compared with its text
 COMPILED = 25  # of so many mechanisms one is drawn by the compiled loop too
 NEAR = 1e-9  # of the largest number of its kind, times the sharpness: as far as a scene's number may be off
 FINE = 1e-28  # what two floats tell apart
@@ -139,7 +146,7 @@ def _claims_of(c: Cycle, seed: int, tally: Tally) -> None:
     rng = np.random.default_rng(seed)
     near = close_to_limits(c, rng) if seed % 3 == 0 else np.empty(0)
     values = near if len(near) else rng.uniform(0, 360, EACH)
-    (block,) = c.blocks(values, fast=False)
+    (block,) = c.blocks(values, fast=False, bare=True)
     good = block.codes == 0
     if not good.any():
         return
@@ -160,6 +167,33 @@ def _claims_of(c: Cycle, seed: int, tally: Tally) -> None:
         _beside_digits(c, float(values[k]), [(x[0][k], x[1][k]) for x in true], claimed[:, k], tally.count)
 
 
+def written(positions: int, end: float, seed: int) -> bool:
+    """Whether no result was further from what the scene's own decimals make than claimed."""
+    done = numbers = wrong = 0
+    ratios: list[float] = []
+    while done < positions and time.monotonic() < end:
+        seed += 1
+        c = mechanism(seed, sliding=False)
+        if c is None:
+            continue
+        values = np.round(np.random.default_rng(seed).uniform(0, 360, FULL), 6)
+        error, claimed = beside_text(c, values)
+        sure = (error > 0) & np.isfinite(claimed)
+        done, numbers, wrong = done + error.shape[1], numbers + error.size, wrong + int((error > claimed).sum())
+        if sure.any():
+            ratios.append(float(np.median(claimed[sure] / error[sure])))
+    print(f"written: {done} positions, {numbers} numbers, {wrong} further off than claimed; median of claim to error "
+          f"{np.median(ratios):.1f}")  # fmt: skip
+    return not wrong
+
+
+def beside_text(c: Cycle, values: Any) -> tuple[Any, Any]:
+    """Errors against the text of a scene, and what is claimed of them, where the mechanism works."""
+    (block,) = c.blocks(values, fast=False, chunk=len(values), bare=True)
+    good = block.codes == 0
+    return errors(block.table[:, good], as_written.truth(c, values[good])), Claims(c, c.plans.off).bounds(values[good])
+
+
 def _count(c: Cycle, seed: int, tally: Tally, found: tuple[Any, Any, Any, Any]) -> None:
     values, table, error, claimed = found
     said, over = np.isfinite(table), error > claimed
@@ -178,7 +212,7 @@ def _count(c: Cycle, seed: int, tally: Tally, found: tuple[Any, Any, Any, Any]) 
 def _compiled(c: Cycle, seed: int, tally: Tally, found: tuple[Any, Any, Any]) -> None:
     """The same positions by the compiled loop, which rounds otherwise."""
     values, true, claimed = found
-    blocks = list(c.blocks(values, fast=True))
+    blocks = list(c.blocks(values, fast=True, bare=True))
     table, good = np.hstack([b.table for b in blocks]), np.hstack([b.codes for b in blocks]) == 0
     over = (errors(table, true) > claimed) & good
     tally.count.update(compiled=int(good.sum()), compiled_wrong=int(over.sum()))
@@ -280,15 +314,28 @@ def scenes(count: int, end: float, seed: int) -> bool:
     return not wrong
 
 
+def limits(positions: int, end: float, seed: int) -> bool:
+    """Whether no number near a limit was wrong without a word."""
+    tallies = {family: Counter[str]() for family in FAMILIES}
+    while sum(t["positions"] for t in tallies.values()) < positions and time.monotonic() < end:
+        for family, tally in tallies.items():
+            tally.update(walk(family, seed, 20))
+        seed += 1
+    for family, tally in tallies.items():
+        print(f"{family}: {', '.join(f'{n} {what}' for what, n in sorted(tally.items()))}")
+    return not any(t[k] for t in tallies.values() for k in ("invented", "unsaid", "arrays wrong", "compiled wrong"))
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("what", choices=("claims", "masks", "scenes"))
+    parser.add_argument("what", choices=("claims", "written", "masks", "scenes", "limits"))
     parser.add_argument("--positions", type=int, default=1000)
     parser.add_argument("--minutes", type=float, default=60.0)
     parser.add_argument("--seed", type=int, default=0)
     asked = parser.parse_args()
     end = time.monotonic() + 60 * asked.minutes
-    work = {"claims": claims, "masks": masks, "scenes": scenes}[asked.what]
+    every = {"claims": claims, "written": written, "masks": masks, "scenes": scenes, "limits": limits}
+    work = every[asked.what]
     return 0 if work(asked.positions, end, asked.seed) else 1
 
 

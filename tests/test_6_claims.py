@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from mechanisms import KINDS, make, to_yaml
-from nightly import close_to_limits, errors, mechanism, truth
+from nightly import beside_text, close_to_limits, errors, mechanism, truth
 
 from planes.cli import main
 from planes.cycle import Cycle, fused
@@ -46,7 +46,7 @@ def random_cycle(seed: int, **how: Any) -> Cycle:
 
 def ratios(c: Cycle, values: Any, fast: bool = False) -> Any:
     """Claim over error, of every number that is not right to the last place; none may be below 1."""
-    (block,) = c.blocks(values, fast=fast, chunk=len(values))
+    (block,) = c.blocks(values, fast=fast, chunk=len(values), bare=True)
     good = block.codes == 0
     assert good.any()
     error, claims = errors(block.table[:, good], truth(c, values[good])), Claims(c).bounds(values[good])
@@ -122,7 +122,7 @@ def test_a_table_carries_its_claims_block_by_block() -> None:
     c = cycle_of("kind-1-rrr")
     lengths = c.given["l_BC"] * np.linspace(1, 1.01, 9)
     many, values = Cycle(c.plans, known={"l_BC": lengths}), np.linspace(0, 359, 9)
-    table = np.hstack([b.table for b in Claims(many).beside(many.blocks(values, chunk=4, fast=False))])
+    table = np.hstack([b.table for b in many.beside(many.blocks(values, chunk=4, fast=False))])
     results, claims = np.split(table, 2)
     assert (np.isnan(results) == np.isnan(claims)).all() and not np.isnan(results).all()
     for k in range(9):
@@ -245,3 +245,34 @@ def test_spread_of_a_pencil_is_that_of_many_draughtsmen(name: str) -> None:
         seen = np.std(np.broadcast_to(column.take(drawing.things, drawing.hand.ar), (many,)))
         if np.isfinite(seen) and seen > 1e-12:
             assert spread == pytest.approx(seen, rel=0.25), column.name
+
+
+FAR_GUIDE = """\
+planes: 1
+frame: {{points: {{A: [0, 0], D: [0.3, 0.1]}}}}
+links:
+  1: {{points: {{A: 0, B: 0.1}}}}
+  2: {{points: {{B: 0}}, slides: g}}
+  3: {{points: {{D: 0, E: [0.11, 0.13]}}, guides: {{g: {{through: [{x!r}, {y!r}], angle: {angle!r}}}}}}}
+assembly: {{g: ahead}}
+drive: {{link: 1, phi: 359.976493, omega: 10.1, epsilon: 3.3}}
+"""
+
+
+@pytest.mark.parametrize("seed", range(31, 37))
+def test_claims_hold_for_the_numbers_as_a_scene_writes_them(seed: int) -> None:
+    c = random_cycle(seed, sliding=False)
+    error, claimed = beside_text(c, np.round(np.random.default_rng(seed).uniform(0, 360, 10), 6))
+    assert not (error > claimed).any()
+    sure = (error > 0) & np.isfinite(claimed)
+    assert np.median(claimed[sure] / error[sure]) < 60
+
+
+@pytest.mark.parametrize("far", [0.1, 10.0, 1e3, 1e6])
+def test_claims_hold_for_a_guide_through_a_far_point(far: float) -> None:
+    x, y = far * math.cos(0.7), far * math.sin(0.7) + 0.013
+    c = Cycle(state(loads(FAR_GUIDE.format(x=x, y=y, angle=math.degrees(0.7))).mechanism))  # type: ignore[arg-type]
+    error, claimed = beside_text(c, np.array([359.976493, 12.3, 77.7]))
+    assert not (error > claimed).any()
+    short = error > Claims(c).bounds(np.array([359.976493, 12.3, 77.7]))
+    assert short.any()  # what is counted from the doubles on alone is too little

@@ -216,7 +216,7 @@ def test_failed_positions_are_told_and_the_others_come_out(cli: Run) -> None:
     found = json.loads(out)
     assert status == 0 and [p["phi_deg"] for p in found["positions"]] == [150]
     assert [f["phi_deg"] for f in found["failed"]] == [90, 120] and set(found["failed"][0]) == {"phi_deg", "error"}
-    assert err.splitlines() == [f["error"] for f in found["failed"]]
+    assert err.splitlines() == [f"{SIX}: {f['error']}" for f in found["failed"]]
     assert "90°" in err and "mm" in err and "C" in err
     status, out, err = cli("solve", SIX, "--phi", "90:150:30", "--lang", "ru")
     assert status == 0 and "φ = 150°" in out and err.count("\n") == 2 and "мм" in err

@@ -114,7 +114,7 @@ def test_a_scene_as_students_spoil_it(capsys, tmp_path, text, old, new, piece, l
 def test_a_position_as_students_spoil_it(capsys, tmp_path, text, old, new, piece):
     assert old in text
     said = refused(capsys, tmp_path, text.replace(old, new, 1))
-    assert said["en"].startswith("at φ = ") and piece in said["en"] and said["ru"].startswith("при φ = ")
+    assert said["en"].startswith("s: at φ = ") and piece in said["en"] and said["ru"].startswith("s: при φ = ")
 
 
 GREAT = {"omega: 10": "omega: 1e50, epsilon: 1e50", "mass: 2": "mass: 1e50", "inertia: 0.1": "inertia: 1e50"}

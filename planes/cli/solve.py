@@ -32,7 +32,7 @@ def run(args: argparse.Namespace, scene: Scene, values: list[float] | None, as_j
 
         add_errors(solved, instrument)
     for failure in solved.failed:
-        print(failure["error"], file=sys.stderr)
+        print(f"{scene.file}: {failure['error']}", file=sys.stderr)
     if args.json:
         if solved.positions or solved.failed:
             print(as_json(solved.json()))

@@ -13,9 +13,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from planes.clearness import clear, far_apart
 from planes.cycle import fused
+from planes.cycle.claims import Claims
 from planes.cycle.columns import Column, columns_of
-from planes.cycle.tracing import Trace, given_values, trace
+from planes.cycle.tracing import UNCLEAR, Trace, given_values, trace
 from planes.drawing import run
 from planes.instruments import Exact, Instrument
 from planes.measuring import asked
@@ -84,7 +86,17 @@ class Cycle:
     @cached_property
     def reasons(self) -> tuple[Reason, ...]:
         """What each code means: code k is the reason k - 1."""
-        return tuple(Reason(r, makes) for r, makes, _ in self.trace.requires)
+        return tuple(Reason(r, makes) for r, makes, _ in self.trace.requires if r != UNCLEAR)
+
+    @cached_property
+    def claims(self) -> Claims:
+        """How far off every number may be."""
+        return Claims(self)
+
+    @cached_property
+    def dim(self) -> bool:
+        """Whether no position is clear of rounding."""
+        return far_apart(self.plans.given)
 
     @cached_property
     def compiled(self) -> fused.Bound:
@@ -92,15 +104,19 @@ class Cycle:
         loop = fused.fuse(self.trace, (self.plans.drive_given, *self.moved))
         return loop.bound(given_values(self.given))
 
-    def moving(self, values: Any, start: int = 0) -> dict[str, Any]:
-        """What moves, at the positions from ``start`` on: the drive with ``values``, and its companions."""
-        beside = {name: v[start : start + len(values)] for name, v in self.moved.items()}
+    def moving(self, values: Any, at: Any) -> dict[str, Any]:
+        """What moves, at the positions numbered ``at``: the drive with ``values``, and its companions."""
+        beside = {name: v[at] for name, v in self.moved.items()}
         return {**self.plans.at(values, self.program, self.known), **beside}
 
     def blocks(
-        self, values: Any, chunk: int = CHUNK, fast: bool | None = None, instrument: Instrument | None = None
-    ) -> Iterator[Block]:
-        """Blocks of at most ``chunk`` positions. ``fast`` says whether to compile; by itself when that pays."""
+        self, values: Any, chunk: int = CHUNK, fast: bool | None = None, instrument: Instrument | None = None,
+        bare: bool = False,
+    ) -> Iterator[Block]:  # fmt: skip
+        """Blocks of at most ``chunk`` positions. ``fast`` says whether to compile; by itself when that pays.
+
+        Numbers that rounding leaves without digits are NaN, unless they are asked for ``bare``.
+        """
         if not hasattr(values, "__getitem__"):
             values = np.fromiter(values, float)
         by_hand = instrument is not None and not isinstance(instrument, Exact)
@@ -109,12 +125,13 @@ class Cycle:
         size = min(chunk, self.compiled.fused.row if fast else max(1, HELD // (len(self.program.steps) + 1)))
         for start in range(0, len(values), size):
             part = np.asarray(values[start : start + size], float)
-            found = self._run(part, start) if fast else self._drawn(self.moving(part, start), len(part), instrument)
-            yield self._whole(part, *found)
+            at = slice(start, start + len(part))
+            found = self._run(part, at) if fast else self._drawn(self.moving(part, at), len(part), instrument)
+            yield self._looked_at(self._whole(part, *found), start, bare or by_hand)
 
-    def _run(self, part: Any, start: int) -> tuple[Any, Any]:
+    def _run(self, part: Any, at: slice) -> tuple[Any, Any]:
         """The table by the compiled loop, and the codes (None: nothing failed); what it suspects is drawn by arrays."""
-        moving = self.moving(part, start)
+        moving = self.moving(part, at)
         table, codes = self.compiled(np.array([moving[name] for name in self.compiled.fused.inputs]))
         if codes is None or not (suspect := np.isin(codes, self._suspected)).any():
             return table, codes
@@ -135,20 +152,41 @@ class Cycle:
         with np.errstate(all="ignore"):
             for row, column in zip(table, self.columns, strict=True):
                 row[:] = column.take(drawing.things, drawing.hand.ar)
-        numbered = {(r.key, r.makes): k for k, r in enumerate(self.reasons, 1)}
+        numbered = {(r, makes): k for k, (r, makes, _) in enumerate(self.trace.requires, 1)}
         whole = np.array([not c.beside for c in self.columns])
-        codes = np.where(np.isfinite(table[whole].sum(axis=0)), 0, numbered.get(("no_digits", ""), 0))
+        codes = np.where(clear(self.program, drawing.things, drawing.hand), 0, numbered.get((UNCLEAR, ""), 0))
+        codes = np.where(np.isfinite(table[whole].sum(axis=0)), codes, numbered.get(("no_digits", ""), 0))
         for reason, step, ok, _ in reversed(drawing.hand.failures):
             codes = np.where(ok, codes, numbered[reason, getattr(step, "makes", "")])
         return table, codes.astype(np.int16) if codes.any() else None
 
     def _whole(self, part: Any, table: Any, codes: Any) -> Block:
-        """The block with NaN in everything that depends on what failed."""
+        """The block with NaN in everything that depends on what failed; and where it is not clear, that code."""
         if codes is None:
             return Block(part, table, np.zeros(len(part), np.int16))
-        for code in np.unique(codes[codes != 0]):
+        for code in np.unique(codes[(codes != 0) & (codes <= len(self.reasons))]):
             table[np.ix_(self._after[self.reasons[code - 1].makes], codes == code)] = np.nan
         return Block(part, table, codes)
+
+    def _looked_at(self, block: Block, start: int, bare: bool) -> Block:
+        """The block with NaN for numbers without digits, where it is not clear."""
+        where = np.flatnonzero((block.codes == len(self.reasons) + 1) | (block.codes == 0) & self.dim)
+        block.codes[where] = 0
+        if len(where) and not bare:
+            found = self.claims.bounds(block.values[where], start + where)
+            doubtful = self.claims.doubtful(block.table[:, where], found)
+            block.table[:, where] = np.where(doubtful, np.nan, block.table[:, where])
+            block.codes[where[doubtful.any(axis=0)]] = self.reasons.index(Reason("no_digits", "")) + 1
+        return block
+
+    def beside(self, blocks: Iterable[Block]) -> Iterator[Block]:
+        """Blocks of successive positions, with a row of ± after the rows of results."""
+        start, claims = 0, Claims(self, self.plans.off)
+        for block in blocks:
+            claimed = claims.bounds(block.values, start + np.arange(len(block.values)))
+            start += len(block.values)
+            yield Block(block.values, np.vstack([block.table, np.where(np.isnan(block.table), np.nan, claimed)]),
+                        block.codes)  # fmt: skip
 
     @cached_property
     def _after(self) -> dict[str, list[int]]:

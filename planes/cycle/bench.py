@@ -100,11 +100,11 @@ class Bench:
 
     def many(self, values: Any, fast: bool) -> Any:
         """The columns by arrays or by the compiled loop."""
-        return np.hstack([b.table for b in self.cycle.blocks(values, fast=fast)])
+        return np.hstack([b.table for b in self.cycle.blocks(values, fast=fast, bare=True)])
 
     def through(self, values: Any, fast: bool) -> int:
         """The same, each block let go of as soon as it is there; how many blocks."""
-        return sum(1 for _ in self.cycle.blocks(values, fast=fast))
+        return sum(1 for _ in self.cycle.blocks(values, fast=fast, bare=True))
 
     def single(self, values: Any) -> Any:
         """The same in numbers of 24 bits."""
@@ -113,7 +113,7 @@ class Bench:
         return np.hstack([self._single(order, i, values[i : i + 4096]) for i in range(0, len(values), 4096)])
 
     def _single(self, order: list[int], start: int, part: Any) -> Any:
-        given = {**given_values(self.cycle.given), **self.cycle.moving(part, start)}
+        given = {**given_values(self.cycle.given), **self.cycle.moving(part, slice(start, start + len(part)))}
         found = read(self.cycle.trace.tape, order, given, np.float32)
         return np.array([np.broadcast_to(found[o], part.shape) for o in self.cycle.trace.outputs])
 
@@ -124,7 +124,7 @@ class Bench:
         width, unit = (step, math.degrees(step)) if drive.kind == "phi" else (step * self.reach,) * 2
 
         def at(value: Any) -> Any:
-            return np.hstack([b.table for b in places.blocks(value, fast=False)])
+            return np.hstack([b.table for b in places.blocks(value, fast=False, bare=True)])
 
         found = np.empty((len(self.letters), len(values)))
         here, back, on = at(values), at(values - unit), at(values + unit)

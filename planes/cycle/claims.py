@@ -1,20 +1,20 @@
 """How far off a result may be, told by the drawing itself: a running bound of every rounding on the way to it.
 
-What is given, and the drive's values, are taken as exact. Each operation errs by its own rounding and by what its
-slopes say nothing of (``rounding``); each such error goes on to every result by slopes, exactly: f(a + d) = f(a) +
-slope · d + what is lost by taking f to be straight. Errors that cancel are left to cancel (``slopes``). Roundings add
-up as chances do, what is lost adds up at its worst. Where a sharpness, or a force divided by, is as small as its own
-error the loss has no end, and nothing is claimed. ``tests/nightly.py`` measures how honest this is, and how close.
+What is given, and the drive's values, are taken as exact, or as off as decimals are. Each operation errs by its own
+rounding and by what its slopes say nothing of (``rounding``); each such error goes on to every result by slopes,
+exactly: f(a + d) = f(a) + slope · d + what is lost by taking f to be straight. Errors that cancel are left to cancel
+(``slopes``). Roundings add up as chances do, what is lost adds up at its worst. Where a sharpness, or a force divided
+by, is as small as its own error the loss has no end, and nothing is claimed. ``tests/nightly.py`` measures how honest
+this is, and how close.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
-from planes.cycle import Block
 from planes.cycle.columns import Ready
 from planes.cycle.reading import read
 from planes.cycle.rounding import BLIND, LARGEST, USUAL, bent, rounding, unit_parts, whole_numbers
@@ -27,6 +27,8 @@ SMALL = 0.01  # a loss this small beside the rounding is not worth a better boun
 NOTHING = 1e-9  # and one this small not worth counting
 ROUNDED = 1 + 1e-6  # for what is not counted; and the bound is reckoned in floats too
 PIECE = 128  # positions worked at once
+DOUBT = 1e-3  # of the largest number of its kind: a number that may be further off is no result
+TURN = 60.0  # degrees: a radian, near enough
 
 
 class _Running:
@@ -45,13 +47,24 @@ class _Running:
         """How far the wanted places may be off."""
         bounds = {}
         for place, op, args in self.carrying.moving():
-            if place in self.kept.turns:
+            if place in self.kept.written:
+                self._given(place)
+            elif place in self.kept.turns:
                 self.unsure[place] = self._turning(args)
             elif op not in STIFF or op == "const":
                 self._err(place, op, args)
             if place in wanted:
                 bounds[place] = self._bound(place, slice(None))
         return bounds
+
+    def _given(self, place: int) -> None:
+        """A given is off by what its decimals, and reckoning it, have lost."""
+        x, k = self.found[place], self.carrying.made
+        decimals = np.where(x * 1024 == np.floor(x * 1024), 0.0, np.spacing(np.abs(x)) / 2)
+        self.largest[k] = np.maximum(decimals, self.kept.written[place])
+        self.usual[k] = 1 / 3
+        self.reach[place] = self.largest[k].copy()
+        self.carrying.carry(place, (), (), own=True)
 
     def _err(self, place: int, op: str, args: tuple[int, ...]) -> None:
         slip = rounding(self.tape, place, self.found, self.kept.whole)
@@ -140,43 +153,62 @@ class _Running:
 class Kept:
     """What is known of a tape beforehand."""
 
-    def __init__(self, tape: Tape, order: list[int], turns: tuple[int, ...]) -> None:
+    def __init__(self, tape: Tape, order: list[int], turns: tuple[int, ...], off: Mapping[str, float] | None) -> None:
+        self.written = {} if off is None else _written(tape, order, off)
         self.whole, self.turns = whole_numbers(tape, order), frozenset(turns)
         self.units, self.chosen = unit_parts(tape, order)
-        self.most = sum(tape.ops[p][0] not in STIFF or tape.ops[p][0] == "const" for p in order)
+        made = sum(tape.ops[p][0] not in STIFF or tape.ops[p][0] == "const" for p in order)
+        self.most = made + len(self.written)
+
+
+def _written(tape: Tape, order: list[int], off: Mapping[str, float]) -> dict[int, float]:
+    """Places of the givens a scene writes, each with how far off it is reckoned; scales are of the drawing alone."""
+    names = {p: tape.values[p] for p in order if tape.ops[p][0] == "given"}
+    own = {p: n.removesuffix(".x").removesuffix(".y") for p, n in names.items() if not n.startswith("mu_")}
+    return {p: off.get(n, 0.0) for p, n in own.items()}
 
 
 class Claims:
-    """What a cycle of exact drawings claims of itself: ± of every column, for any values of the drive."""
+    """What a cycle of exact drawings claims of itself: ± of every column, for any values of the drive.
 
-    def __init__(self, cycle: Ready) -> None:
+    Where it is told how far ``off`` givens are (``Plans.off``), numbers are those a scene writes, not the doubles that
+    stand for them: every given is off by the last place of its decimals.
+    """
+
+    def __init__(self, cycle: Ready, off: Mapping[str, float] | None = None) -> None:
         self.cycle, self.count = cycle, len(cycle.columns)
         drawn = trace(cycle.program, cycle.given, [c.take for c in cycle.columns], cycle.folded)
         self.tape, self.outputs = drawn.tape, drawn.outputs
         self.order = self.tape.needed(list(drawn.outputs))
-        self.kept = Kept(self.tape, self.order, drawn.turns)
+        self.kept = Kept(self.tape, self.order, drawn.turns, off)
 
-    def bounds(self, values: Any, start: int = 0) -> Any:
+    def bounds(self, values: Any, at: Any = None) -> Any:
         """A row for each column: no result is further from the truth; infinite where nothing can be claimed.
 
-        The ``values`` of the drive are those of the positions from ``start`` on.
+        The ``values`` of the drive are those of the positions numbered ``at`` (None: the first ones).
         """
+        values = np.asarray(values, float)
+        at = np.arange(len(values)) if at is None else at
         steps = range(0, len(values), PIECE)
-        pieces = [self._piece(np.asarray(values[i : i + PIECE], float), start + i) for i in steps]
+        pieces = [self._piece(values[i : i + PIECE], at[i : i + PIECE]) for i in steps]
         return np.hstack(pieces) if pieces else np.empty((self.count, 0))
 
-    def _piece(self, values: Any, start: int) -> Any:
-        given = {**given_values(self.cycle.given), **self.cycle.moving(values, start)}
+    def _piece(self, values: Any, at: Any) -> Any:
+        given = {**given_values(self.cycle.given), **self.cycle.moving(values, at)}
         found = read(self.tape, self.order, given)
         with np.errstate(all="ignore"):
             bounds = _Running(self.tape, self.order, found, len(values), self.kept)(frozenset(self.outputs))
             bound = np.array([bounds[p] for p in self.outputs]).reshape(self.count, len(values)) * ROUNDED
             return np.where(bound < BLIND * 1e-50, bound, np.inf)
 
-    def beside(self, blocks: Iterator[Block]) -> Iterator[Block]:
-        """The blocks with a row of ± after the rows of results."""
-        start = 0
-        for block in blocks:
-            claimed = np.where(np.isnan(block.table), np.nan, self.bounds(block.values, start))
-            start += len(block.values)
-            yield Block(block.values, np.vstack([block.table, claimed]), block.codes)
+    def doubtful(self, table: Any, bounds: Any) -> Any:
+        """Of which numbers rounding leaves less than three digits, seen against what the largest of their kind is at
+        least."""
+        kinds = np.array([c.kind for c in self.cycle.columns])
+        sizes = np.abs(table) - bounds
+        doubtful = np.zeros(table.shape, bool)
+        for kind in set(kinds.tolist()):
+            rows = kinds == kind
+            largest = np.fmax.reduce(sizes[rows], axis=0, initial=TURN if kind == "°" else 0.0)
+            doubtful[rows] = ~(bounds[rows] <= DOUBT * largest) & np.isfinite(table[rows])
+        return doubtful

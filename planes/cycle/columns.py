@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -31,6 +31,11 @@ class Column:
     end: str = ""
     part: str = ""
     beside: tuple[str, ...] = ()
+
+    @property
+    def kind(self) -> str:
+        """What it is weighed against: numbers of its unit; an arm, by itself and those like it."""
+        return "arm" if self.beside else self.unit
 
     @property
     def needs(self) -> tuple[str, ...]:
@@ -62,11 +67,13 @@ class Ready(Protocol):
 
     program: Program
     given: dict[str, Any]
-    columns: list[Column]
     folded: dict[str, float]
 
-    def moving(self, values: Any, start: int = 0) -> dict[str, Any]:
-        """The givens that are other in each drawing."""
+    @property
+    def columns(self) -> Sequence[Column]: ...
+
+    def moving(self, values: Any, at: Any) -> Mapping[str, Any]:
+        """The givens that are other in the drawings numbered ``at``."""
         ...
 
 

@@ -12,7 +12,6 @@ import numpy as np
 
 from planes.angles import Span
 from planes.cycle import Block, Cycle, Reason
-from planes.cycle.claims import Claims
 from planes.cycle.streams import Heading, opened
 from planes.diagrams.turn import Turn
 from planes.drawing import run
@@ -57,7 +56,7 @@ def write_cycle(
     span = values or whole(plans)
     blocks, columns = table.blocks(span, fast=fast), table.columns
     if errors:
-        blocks = Claims(table).beside(blocks)
+        blocks = table.beside(blocks)
         columns = [*columns, *(replace(c, name=f"± {c.name}") for c in columns)]
     return _written(table, columns, table.reasons, blocks, len(span), output, lang)
 
@@ -138,4 +137,6 @@ def reason(table: Cycle, reasons: tuple[Reason, ...], gap: Gap, lang: Lang) -> s
     except PlanFailure as failure:
         return failure.sentence(lang)
     why = reasons[gap.code - 1]
-    return say("no_digits", lang, makes=why.makes or "…")
+    (block,) = table.blocks([gap.first], fast=False)
+    empty = (c.name for c, row in zip(table.columns, block.table, strict=True) if np.isnan(row[0]) and not c.beside)
+    return say("no_digits", lang, makes=why.makes or ", ".join(empty) or "…")

@@ -30,7 +30,7 @@ class Spread:
         pieces = []
         for start in range(0, len(values), PIECE):
             part = np.asarray(values[start : start + PIECE], float)
-            given = {**given_values(self.cycle.given), **self.cycle.moving(part, start)}
+            given = {**given_values(self.cycle.given), **self.cycle.moving(part, slice(start, start + len(part)))}
             pieces.append(_spread(self.drawn, given, len(part)))
         return np.hstack(pieces) if pieces else np.empty((len(self.cycle.columns), 0))
 

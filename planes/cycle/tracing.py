@@ -8,11 +8,14 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from planes.arithmetic import One
+from planes.clearness import clear
 from planes.cycle.symbols import Num, Test, Vec, number, place_of
 from planes.cycle.tape import Tape
 from planes.instruments import Hand
 from planes.program import Program
 from planes.proofs import TOLD_APART, Twofold
+
+UNCLEAR = "unclear"
 
 
 class Recording:
@@ -148,8 +151,9 @@ def trace(
 ) -> Trace:  # fmt: skip
     """Record a program. ``given`` shows which givens are places; those in ``known`` are folded in as constants.
 
-    The outputs marked in ``must`` have to be finite numbers: that is the last condition, "no_digits". ``fine`` is the
-    relative error of the numbers the tape is to be read in, where they are longer than doubles.
+    The outputs marked in ``must`` have to be finite numbers: that is the condition "no_digits"; then comes ``UNCLEAR``:
+    where that alone does not hold, numbers have to be looked at by themselves. ``fine`` is the relative error of the
+    numbers the tape is to be read in, where they are longer than doubles.
     """
     tape = Tape()
     ar = Recording()
@@ -171,6 +175,7 @@ def trace(
                 gap, size = proof.gap(things, hand.ar)
                 hand.require(gap <= TOLD_APART * size, proof, proof.reason)
         hand.require(_finite(tape, [x for x, m in zip(taken, must, strict=True) if m]), None, "no_digits")
+        hand.require(clear(program, things, hand), None, UNCLEAR)
     requires = tuple((r, str(getattr(s, "makes", "")), place_of(tape, ok)) for r, s, ok, _ in hand.failures)
     return Trace(tape, outputs, requires, tuple(hand.sources), tuple(ar.turns))
 

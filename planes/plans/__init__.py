@@ -66,6 +66,7 @@ class Plans:
     acting: Acting
     at_rest: bool
     laws: Mapping[str, SceneError]
+    off: Mapping[str, float]  # how far off givens may be that are reckoned of the scene's numbers
 
     @property
     def drive_given(self) -> str:
@@ -133,7 +134,7 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
         mechanism, structure, Program(tuple(draft.steps.values()), proofs), draft.given, tuple(draft.equations),
         tuple(draft.moments), tuple(dict.fromkeys(draft.segments)), points, links, velocity.slides,
         acceleration.slides, statics.reactions, statics.balancing, zhukovsky, acting, at_rest,
-        {name: _frozen(mechanism, law, file) for name, law in draft.laws.items()},
+        {name: _frozen(mechanism, law, file) for name, law in draft.laws.items()}, draft.off,
     )  # fmt: skip
 
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import cmath
-import math
 from dataclasses import dataclass, field
 
 from planes.drafting import Draft
 from planes.mechanism import FRAME, Link, Mechanism
 from planes.naming import POLE, at
+from planes.plans.written import HALF, Off, angle_deg, distance, height, ratio
 from planes.structure import Group, Pair, Structure
 
 SCHEME = "position"
@@ -75,12 +74,11 @@ class Bodies:
         if body.rigid and body.ref:
             q, r = (points[s.place] for s in body.ref)
             q_mark, r_mark = (at(SCHEME, s.place) for s in body.ref)
-            return d.similar(SCHEME, label, q_mark, r_mark, f"ratio_{label}_{body.link.name}", (p - q) / (r - q))
+            return d.similar(SCHEME, label, q_mark, r_mark, (f"ratio_{label}_{body.link.name}", *ratio(p, q, r)))
         base = body.base.place
-        way = p - points[base]
-        ray = d.turn(f"{base}{label}", body.axis, math.degrees(cmath.phase(way)) if way else 0.0)
+        ray = d.turn(f"{base}{label}", body.axis, *angle_deg(points[base], p))
         d.rays[SCHEME, base, label] = ray
-        return d.lay_off(SCHEME, label, at(SCHEME, base), ray, d.give(f"l_{base}{label}", abs(way)))
+        return d.lay_off(SCHEME, label, at(SCHEME, base), ray, d.give(f"l_{base}{label}", *distance(points[base], p)))
 
     def line(self, pair: Pair, known: str) -> tuple[str, str]:
         """The line of a sliding pair as the solved link ``known`` carries it: a mark on it and its direction."""
@@ -120,28 +118,29 @@ class Bodies:
             return self.draft.turn(f"∥{pair.guide}", axis, -self._slide_angle(pair))
         return self.draft.turn(f"∥{pair.guide}", axis, self.mechanism.guide(pair.guide).angle_deg)
 
-    def offset(self, pair: Pair, link: str, point: str) -> float | None:
-        """How far a point of ``link`` lies to the left of the pair's line (m); None: on it by construction."""
+    def offset(self, pair: Pair, link: str, point: str) -> Off | None:
+        """How far a point of ``link`` lies to the left of the pair's line (m), and how far off that may be; None: on it
+        by construction."""
         body = self.mechanism.link(link)
         if link == pair.other:
             guide = body.guides[pair.guide]
             if guide.through_point == point:
                 return None
-            return ((body.points[point] - guide.through) * cmath.exp(-1j * math.radians(guide.angle_deg))).imag
+            return height(body.points[point], guide.through, guide.angle_deg)
         slides = body.slides
         if slides is None:
             raise AssertionError(pair)
         if point == body.first_point:
-            return slides.offset
-        turn = cmath.exp(1j * math.radians(slides.angle_deg or 0.0))
-        return (slides.offset or 0.0) + ((body.points[point] - body.points[body.first_point]) * turn).imag
+            return None if slides.offset is None else (slides.offset, 0.0)
+        found = height(body.points[point], body.points[body.first_point], -(slides.angle_deg or 0.0))
+        return difference(found, (-(slides.offset or 0.0), 0.0))
 
-    def shifted(self, label: str, start: str, direction: str, by: float | None) -> str:
+    def shifted(self, label: str, start: str, direction: str, by: Off | None) -> str:
         """A mark ``by`` metres to the left of a line through ``start`` (the mark itself when that is nothing)."""
         if by is None:
             return start
         normal = self.draft.square(f"⊥{direction}", direction)
-        return self.draft.lay_off(SCHEME, label, start, normal, self.draft.give(f"e_{label}", by))
+        return self.draft.lay_off(SCHEME, label, start, normal, self.draft.give(f"e_{label}", *by))
 
     def foot(self, pair: Pair) -> str:
         """The foot of the slider's first point on the guide line."""
@@ -151,9 +150,12 @@ class Bodies:
         if offset is None:
             return first
         direction = self.draft.turn(f"∥{pair.guide}", body.axis, -self._slide_angle(pair))
-        return self.shifted(f"{body.link.first_point}⊥{pair.guide}", first, direction, -offset)
+        return self.shifted(f"{body.link.first_point}⊥{pair.guide}", first, direction, difference((0.0, 0.0), offset))
 
 
-def difference(a: float | None, b: float | None) -> float | None:
+def difference(a: Off | None, b: Off | None) -> Off | None:
     """a - b, where None is a nothing that stays nothing."""
-    return None if a is None and b is None else (a or 0.0) - (b or 0.0)
+    if a is None and b is None:
+        return None
+    (one, off), (other, more) = a or (0.0, 0.0), b or (0.0, 0.0)
+    return one - other, off + more + (HALF * (abs(one) + 2 * abs(other)) if one and other else 0.0)

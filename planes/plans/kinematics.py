@@ -13,6 +13,7 @@ from planes.mechanism import FRAME
 from planes.naming import POLE, at
 from planes.plans.bodies import SCHEME, Bodies, Body, Spot
 from planes.plans.legs import Leg, legs_of
+from planes.plans.written import distance, ratio
 from planes.steps import Carry, Image, Same
 
 
@@ -164,9 +165,8 @@ class Rates:
         assert body.ref
         points, (one, two) = body.link.points, body.ref
         p, q, r = points[spot.name], points[one.place], points[two.place]
-        name = f"ratio_{spot.name}_{body.link.name}"
-        ends = self.mark(one.name), self.mark(two.name)
-        self.b.draft.similar(self.plan, self.label(spot.name), *ends, name, (p - q) / (r - q))
+        given = (f"ratio_{spot.name}_{body.link.name}", *ratio(p, q, r))
+        self.b.draft.similar(self.plan, self.label(spot.name), self.mark(one.name), self.mark(two.name), given)
 
 
 def _drive(r: Rates) -> None:
@@ -230,7 +230,7 @@ def _distance(b: Bodies, body: Body, spot: Spot) -> str:
     points, (one, two) = body.link.points, (body.carrier, spot)
     name = f"l_{one.place}{two.place}"
     if one.name in points and two.name in points:
-        return b.draft.give(name, abs(points[two.name] - points[one.name]))
+        return b.draft.give(name, *distance(points[one.name], points[two.name]))
     return b.draft.measure(name, at(SCHEME, one.place), at(SCHEME, two.place))
 
 

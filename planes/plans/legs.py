@@ -12,6 +12,7 @@ from planes.mechanism import FRAME
 from planes.naming import POLE
 from planes.plans.bodies import SCHEME, Bodies, Spot
 from planes.plans.positions import moving_name
+from planes.plans.written import distance
 from planes.structure import Group, Pair
 
 
@@ -60,7 +61,7 @@ def _pivot(b: Bodies, pair: Pair, link: str, new: Spot) -> Leg:
     ray = d.ray(SCHEME, pivot, new.place)
     points = b.mechanism.link(link).points
     if new.name in points:
-        length = d.give(f"l_{pivot}{new.place}", abs(points[new.name] - points[pivot]))
+        length = d.give(f"l_{pivot}{new.place}", *distance(points[pivot], points[new.name]))
     else:
         length = d.measure(f"l_{pivot}{new.place}", f"{SCHEME}:{pivot}", f"{SCHEME}:{new.place}")
     return Leg(

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import cmath
-import math
-
 from planes.equations import Equation, Term
 from planes.mechanism import FRAME
 from planes.naming import POLE, at, label_of
 from planes.plans.bodies import SCHEME, Bodies, Body, Spot, difference
+from planes.plans.written import angle_deg, distance
 from planes.steps import Touch
 from planes.structure import Group, Pair
 from planes.wording import SceneError
@@ -75,7 +73,7 @@ def _ray(name: str, start: str, direction: str) -> tuple[Term, Term]:
 
 def _length(b: Bodies, link: str, one: str, two: str) -> str:
     points = b.mechanism.link(link).points
-    return b.draft.give(f"l_{one}{two}", abs(points[two] - points[one]))
+    return b.draft.give(f"l_{one}{two}", *distance(points[one], points[two]))
 
 
 def _on_line(b: Bodies, pair: Pair, link: str, point: str) -> tuple[str, str]:
@@ -95,11 +93,12 @@ def _side(b: Bodies, key: str, group: Group) -> str:
 def _rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
     """A link known by two of its points; its x axis is drawn from them."""
     link = b.mechanism.link(name)
-    way = link.points[two] - link.points[one]
-    if not way:
+    places = link.points[one], link.points[two]
+    if places[0] == places[1]:
         line = b.mechanism.where.get(("links", name), b.mechanism.where.get(("links",)))
         raise SceneError(Phrase("hinges_coincide", link=name, one=one, two=two), b.file, line)
-    axis = b.draft.turn(f"x_{name}", b.draft.ray(SCHEME, one, two), -math.degrees(cmath.phase(way)))
+    angle, off = angle_deg(*places)
+    axis = b.draft.turn(f"x_{name}", b.draft.ray(SCHEME, one, two), -angle, off)
     spots = Spot(one, one), Spot(two, two)
     return Body(link, spots[0], axis, name, spots, rigid=True)
 
@@ -134,7 +133,7 @@ def _place_slider(b: Bodies, pair: Pair, name: str, base: str, direction: str) -
 def _place_rpr(b: Bodies, g: Group) -> None:
     one, two, pair = g.first_outer.point, g.last_outer.point, g.inner
     offset = difference(b.offset(pair, g.first, one), b.offset(pair, g.last, two))
-    given = None if offset is None else b.draft.give(f"e_{one}{two}", offset)
+    given = None if offset is None else b.draft.give(f"e_{one}{two}", *offset)
     side = _side(b, pair.guide, g)
     ends = at(SCHEME, two), at(SCHEME, one)
     direction = b.draft.step(Touch(f"∥{pair.guide}", *ends, given, "mu_position", side))

@@ -19,6 +19,7 @@ from planes.plans.friction import meet_with_friction
 from planes.plans.loads import Couple, Force, force_name
 from planes.plans.primary import DriverForces
 from planes.plans.reactions import Reaction, Statics
+from planes.plans.written import distance
 from planes.structure import Group, Pair
 
 
@@ -131,7 +132,7 @@ class _GroupForces:
         else:
             about, links, ray = g.inner.point, (link,), d.ray(SCHEME, pair.point, g.inner.point)
             points = self.b.mechanism.links[link].points
-            length, sign = d.give(f"l_{pair.point}{about}", abs(points[about] - points[pair.point])), 1.0
+            length, sign = d.give(f"l_{pair.point}{about}", *distance(points[pair.point], points[about])), 1.0
         forces = [f for x in links for f in self.loads[x]]
         couples = [c for x in links for c in self.couples[x]]
         products, shown = self.s.moment_terms(at(SCHEME, about), forces, couples, sign, length)

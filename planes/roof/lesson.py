@@ -80,7 +80,8 @@ def placed(scene: Scene, values: list[float] | None, lang: Lang) -> Position:
     try:
         return position(scene, plans, None, value, None, lang)
     except PlanFailure as failure:
-        raise PlanesError(failed(failure, value, plans.mechanism.drive.kind, None, lang)) from None
+        said = failed(failure, value, plans.mechanism.drive.kind, None, lang)
+        raise PlanesError(f"{scene.file}: {said}") from None
 
 
 def figures(blocks: list[Block], composer: Composer, drawn: Position) -> dict[str, View]:

@@ -99,7 +99,8 @@ class Drawn:
         except PlanFailure as failure:
             near = nearest(plans, self.value)
             kind = plans.mechanism.drive.kind
-            raise PlanesError(failed(failure, self.value, kind, near, self.lang)) from None
+            said = failed(failure, self.value, kind, near, self.lang)
+            raise PlanesError(f"{self.scene.file}: {said}") from None
 
     def extents(self, sizes: Sizes, shown: Callable[[str], bool]) -> dict[str, float]:
         """The size in mm of the plans that are shown and whose μ is open."""

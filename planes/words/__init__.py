@@ -127,6 +127,10 @@ WORDS: dict[str, tuple[str, str]] = {
         "{makes}: нуль с точностью до округления, верных цифр нет",
         "{makes}: zero to within rounding, no digit of it is certain",
     ),
+    "doubtful": (
+        "{makes}: округление оставляет меньше трёх верных цифр (оценку погрешности даст --errors)",
+        "{makes}: rounding leaves less than three correct digits (--errors tells how far off they may be)",
+    ),
     "blunt": (
         "{makes}: линии встречаются под углом {angle_deg}° (меньше 15°), чертёж здесь неточен",
         "{makes}: the lines meet at {angle_deg}° (less than 15°), a drawing is inaccurate here",

@@ -1,0 +1,76 @@
+"""The truth of a scene as it is written: its decimals at 50 digits, and all that is reckoned of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from planes.cycle import Cycle
+from planes.cycle.digits import Long
+from planes.cycle.reading import read
+from planes.cycle.tracing import given_values, trace
+from planes.cycle.twofold import TWO_OPS, Two, twofold
+from planes.mechanism import Mechanism
+from planes.plans import state, written
+
+FINE = 1e-28
+LONG = Long(50)
+
+
+def decimal(x: float) -> Any:
+    """The decimal that a scene has for a double: its shortest digits."""
+    return LONG.mp.mpf(repr(float(x)))
+
+
+def long(thing: Any) -> Any:
+    """A mechanism, or a part of it, with every number as long as it is written."""
+    if isinstance(thing, complex):
+        return LONG.mp.mpc(decimal(thing.real), decimal(thing.imag))
+    if isinstance(thing, float):
+        return decimal(thing)
+    if isinstance(thing, Mapping):
+        return {k: long(v) for k, v in thing.items()}
+    if isinstance(thing, tuple):
+        return tuple(long(x) for x in thing)
+    if is_dataclass(thing) and not isinstance(thing, type):
+        return replace(thing, **{f.name: long(getattr(thing, f.name)) for f in fields(thing) if f.name != "where"})
+    return thing
+
+
+def givens(mechanism: Mechanism) -> dict[str, Any]:
+    """All that is given to the drawing, reckoned with long numbers."""
+    kept, written.ARITHMETIC = written.ARITHMETIC, LONG  # type: ignore[assignment]
+    try:
+        return dict(state(long(mechanism)).given)
+    finally:
+        written.ARITHMETIC = kept
+
+
+def pair(x: Any) -> Two:
+    """A long number as two doubles."""
+    high = float(x)
+    return np.float64(high), np.float64(float(x - LONG.mp.mpf(high)))
+
+
+def truth(c: Cycle, values: Any) -> list[Two]:
+    """The columns of scenes as they are written, read in numbers of 106 bits."""
+    drawn = trace(c.program, c.given, [x.take for x in c.columns], c.folded, fine=FINE)
+    true = givens(c.plans.mechanism)
+    flat: dict[str, Any] = {}
+    for name, value in given_values(c.given).items():
+        own, part = (name[:-2], name[-1]) if name.endswith((".x", ".y")) else (name, "")
+        if own in true:
+            x = true[own]
+            value = pair({"": lambda x: x, "x": lambda x: x.real, "y": lambda x: x.imag}[part](LONG.mp.mpmathify(x)))
+        flat[name] = value
+    parts = [pair(decimal(v)) for v in values]
+    flat[c.plans.drive_given] = np.array([p[0] for p in parts]), np.array([p[1] for p in parts])
+    found = read(drawn.tape, drawn.tape.needed(list(drawn.outputs)), flat, _two, TWO_OPS)
+    return [tuple(np.broadcast_to(part, values.shape) for part in found[p]) for p in drawn.outputs]  # type: ignore[misc]
+
+
+def _two(x: Any) -> Two:
+    return x if isinstance(x, tuple) else twofold(x)
