@@ -8,13 +8,15 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 from planes.check.arrowheads import head_of, settle
-from planes.check.strokes import Sketch, Words
-from planes.check.svg_shapes import Looks, looks_of, outline, rings, style_rules
+from planes.check.parts import without_letters
+from planes.check.strokes import ROUND_MM, Head, Sketch, Words
+from planes.check.svg_shapes import Looks, circles, looks_of, outline, rings, style_rules
 from planes.wording import PlanesError
 from planes.words import Phrase
 
 LARGEST = 30_000_000  # bytes
 MOST = 60_000  # elements
+LONGEST = 200  # letters of a text
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _MM = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72, "pc": 25.4 / 6, "px": 25.4 / 96, "": 25.4 / 96}
 NO_HEADS = ("dot", "circle", "square", "stop", "tick", "distance", "diamond")  # markers that are no arrowheads
@@ -34,9 +36,15 @@ def read_svg(path: str | Path) -> Sketch:
         raise PlanesError(Phrase("check_svg", file=str(path), why=str(error)[:80])) from None
     if _tag(root) != "svg":
         raise PlanesError(Phrase("check_svg", file=str(path), why=f"<{_tag(root)}>"))
+    return sketch_of(root, str(path))
+
+
+def sketch_of(root: ElementTree.Element, file: str) -> Sketch:
+    """What a picture's tree holds, in mm, y up."""
     named = {e.get("id", ""): e for e in root.iter() if e.get("id")}
-    reader = _Reader(Sketch(str(path)), named, style_rules(root))
+    reader = _Reader(Sketch(file), named, style_rules(root))
     reader.walk(root, _page(root), 0, {})
+    without_letters(reader.sketch)
     settle(reader.sketch)
     return reader.sketch
 
@@ -125,6 +133,9 @@ class _Reader:
             self._use(e, m, depth, looks)
         elif tag == "text":
             self._text(e, m)
+        elif tag == "circle":
+            middle = complex(*(_mm_free(e.get(k)) for k in ("cx", "cy")))
+            self._round(m, middle, _mm_free(e.get("r")))
         elif tag in ("line", "polyline", "polygon", "path"):
             self._shape(e, tag, m, looks)
         elif tag not in ("defs", "clipPath", "marker", "pattern", "mask") and (tag != "symbol" or used):
@@ -140,6 +151,8 @@ class _Reader:
     def _shape(self, e: ElementTree.Element, tag: str, m: Affine, looks: Looks) -> None:
         stroke, fill = looks.get("stroke", ""), looks.get("fill", "")
         solid = stroke == "none" or (not stroke and fill not in ("", "none"))
+        for middle, radius in circles(e.get("d") or ""):
+            self._round(m, middle, radius)
         curved = [h for ring in rings(e.get("d") or "") if (h := head_of([_at(m, z) for z in ring]))]
         if curved:
             self.sketch.heads += curved
@@ -153,29 +166,46 @@ class _Reader:
                 self.sketch.add(places, closed)
                 self._markers(places, looks)
 
+    def _round(self, m: Affine, middle: complex, radius: float) -> None:
+        """A small circle."""
+        if 0 < radius * abs(m[1]) <= ROUND_MM:
+            self.sketch.rounds.append((_at(m, middle), radius * abs(m[1])))
+
     def _markers(self, places: list[complex], looks: Looks) -> None:
         """Heads a line has by itself."""
         for key, tip, before in (("marker-start", places[0], places[1]), ("marker-end", places[-1], places[-2])):
             named = looks.get(key, looks.get("marker", "none")).lower()
             if named != "none" and tip != before and not any(word in named for word in NO_HEADS):
-                self.sketch.heads.append((tip, (tip - before) / abs(tip - before)))
+                self.sketch.heads.append(Head(tip, (tip - before) / abs(tip - before)))
 
     def _text(self, e: ElementTree.Element, m: Affine) -> None:
         text = "".join(e.itertext()).strip()
-        if not text or len(text) > 40:
+        if not text or len(text) > LONGEST:
             return
         first = next((c for c in e.iter() if c.get("x")), e)
-        z = complex(float(re.findall(_NUMBER, first.get("x") or "0")[0]),
-                    float(re.findall(_NUMBER, first.get("y") or "0")[0]))  # fmt: skip
         m = _then(m, _transform(first.get("transform"))) if first is not e else m
-        sizes = [c.get("font-size") or (re.search(r"font-size:([^;]+)", c.get("style") or "") or ["", ""])[1]
-                 for c in (first, e)]  # fmt: skip
-        size = next((float(n[0]) for s in sizes if (n := re.findall(_NUMBER, s))), 12.0)
-        height, along = 0.73 * size * abs(m[2]), m[1] / abs(m[1]) if abs(m[1]) else 1 + 0j
+        pieces = [c for c in e.iter() if c.get("x") and (c.text or "").strip()] or [first]
+        if pieces != [first] and "".join(c.text or "" for c in pieces).replace(" ", "") == text.replace(" ", ""):
+            boxes = [_box(c, c.text or "", _size(c, e)) for c in pieces]
+        else:
+            boxes = [_box(first, text, _size(first, e))]
+        height, along = boxes[0][2] * abs(m[2]), m[1] / abs(m[1]) if abs(m[1]) else 1 + 0j
+        width = max(x + w - boxes[0][0].real for x, w in ((z.real, w) for z, w, _ in boxes)) * abs(m[1])
         anchor = e.get("text-anchor") or ("middle" if "text-anchor:middle" in (e.get("style") or "") else "start")
-        width = 0.7 * height * len(text)
         back = {"middle": 0.5, "end": 1.0}.get(anchor, 0.0) * width
-        self.sketch.words.append(Words(text, _at(m, z) - along * back, height, width, along))
+        self.sketch.words.append(Words(text, _at(m, boxes[0][0]) - along * back, height, width, along))
+
+
+def _size(*said: ElementTree.Element) -> float:
+    """The size of letters, said by the first that says it."""
+    sizes = [c.get("font-size") or (re.search(r"font-size:([^;]+)", c.get("style") or "") or ["", ""])[1] for c in said]
+    return next((float(n[0]) for s in sizes if (n := re.findall(_NUMBER, s))), 12.0)
+
+
+def _box(e: ElementTree.Element, text: str, size: float) -> tuple[complex, float, float]:
+    """Where a piece of text begins, its width and its height."""
+    width = _mm_free(e.get("textLength")) or 0.7 * 0.73 * size * len(text.strip())
+    return complex(_mm_free(e.get("x")), _mm_free(e.get("y"))), width, 0.73 * size
 
 
 def _mm_free(text: str | None) -> float:

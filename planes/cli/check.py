@@ -6,12 +6,14 @@ import argparse
 import json
 import os
 import re
+from dataclasses import replace
 from pathlib import Path
 
 from planes.check.bench import Asked, prepare
 from planes.check.nudging import HAND, cad
 from planes.check.paper import Paper, read_table
 from planes.check.report import heads, numbers_of, rows_of
+from planes.check.strokes import Sketch
 from planes.check.verdict import STATUS, Outcome, check
 from planes.check.verdict_rows import as_json
 from planes.cli.classes import check_class
@@ -21,8 +23,9 @@ from planes.tables import table
 from planes.units import UnitError, read_mu
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
+from render.names import Naming
 
-LINES = (".svg", ".dxf")
+LINES = (".svg", ".dxf", ".pdf")
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
 TABLES = (".csv", ".json", ".txt", ".tsv")
 MOST_SHOWN = 2000  # lines of a drawing shown in its report
@@ -64,7 +67,8 @@ def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:
     """The question of the command line."""
     plan = args.plan
     mu = _mu(args.mu, plan)
-    asked = Asked(scene, plan, value, mu)
+    spelt = Naming(args.lang, scene.frame_number, scene.sheet.get("reactions") == "from-on").vector
+    asked = Asked(scene, plan, value, mu, spelt=spelt)
     others = {}
     for pair in args.others:
         name, _, file = pair.partition("=")
@@ -74,7 +78,7 @@ def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:
     skill = HAND
     if args.work == "cad":
         skill = cad(_size(asked))
-    return Asked(scene, plan, value, mu, skill, others)
+    return replace(asked, skill=skill, others=others)
 
 
 def _mu(text: str | None, plan: str) -> float | None:
@@ -102,8 +106,9 @@ def read_paper(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
         return read_table(file)
     if not Path(file).is_file():
         raise PlanesError(Phrase("check_no_file", file=file, why=os.strerror(2)))
-    if suffix in LINES:
-        return _from_lines(file, asked, args)
+    sketch = _lines(file, suffix, args)
+    if sketch is not None:
+        return _from_lines(file, sketch, asked, args)
     if suffix in PICTURES:
         from planes.check.sight.photograph import paper_of_picture
 
@@ -113,19 +118,29 @@ def read_paper(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
     raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
 
 
-def _from_lines(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
-    """The marks of a drawing of lines; --pole and --mark are in its own units, y down."""
-    from planes.check.matching import paper_of, scaled
+def _lines(file: str, suffix: str, args: argparse.Namespace) -> Sketch | None:
+    """The lines of a drawing of lines; of a PDF with pixels told, or that shows a picture, none."""
     from planes.check.read_dxf import read_dxf
-    from planes.check.read_svg import read_svg, units
+    from planes.check.read_pdf import read_pdf
+    from planes.check.read_svg import read_svg
+
+    if suffix == ".pdf":
+        return None if args.pole or args.format else read_pdf(file)
+    return {".svg": read_svg, ".dxf": read_dxf}[suffix](file) if suffix in LINES else None
+
+
+def _from_lines(file: str, sketch: Sketch, asked: Asked, args: argparse.Namespace) -> Paper:
+    """The marks of a drawing of lines; --pole and --mark are in its own units, y down."""
+    from planes.check.matching import scaled
+    from planes.check.read_svg import units
+    from planes.check.whole_page import paper_on
 
     bench = prepare(asked)
-    sketch = read_svg(file) if file.lower().endswith(".svg") else read_dxf(file)
     turn = units(file) if file.lower().endswith(".svg") else (lambda z: z)
     pole = turn(place(args.pole, "--pole")[1]) if args.pole else None
     marks = dict(place(m, "--mark") for m in args.mark)
     sketch, by = scaled(sketch, bench, pole, {n: turn(z) for n, z in marks.items()})
-    paper = paper_of(sketch, bench)
+    paper = paper_on(sketch, bench)
     paper.scale_mark = by
     origin = paper.spots[0].place if paper.spots else 0j  # the pole is read first
     paper.strokes = [(a - origin, b - origin) for a, b in sketch.strokes[:MOST_SHOWN]] if paper.spots else []

@@ -1,0 +1,56 @@
+"""Vectors of a force plan told one by one by their arrowheads and names, wherever on the plan they lie.
+
+A sheet may show more than the bare polygon: whole reactions beside their parts, inner reactions, lines of action; and
+forces of one line are drawn side by side. Then lines do not make up one chain, yet each arrow is a vector.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from planes.check.bench import Bench
+from planes.check.chains import FAR_WORD, NAMED_UNLIKE, NEAR_MM, NO_WORD, TOO_FAR, UNLIKE, named_best, true_vectors
+from planes.check.paper import Spot
+from planes.check.strokes import Sketch, Stroke, headed
+from planes.drawing import run
+from planes.naming import POLE, at
+
+HEADLESS_MM = 2.0  # a shorter vector may be drawn without a head
+
+Costs = list[dict[str, float]]
+
+
+def lone_vectors(sketch: Sketch, bench: Bench) -> tuple[list[Spot], bool]:
+    """The plan's vectors, each as a row of its own, and whether all that is drawn was read."""
+    arrows = [s if sketch.ways[k] > 0 else s[::-1] for k in headed(sketch) if (s := sketch.strokes[k])]
+    sides = true_vectors(bench)
+    known = {**others(bench), **sides}
+    names = named_best(_costs(arrows, sketch, bench, known))
+    rows = [(n, a, b) for n, (a, b) in zip(names, arrows, strict=True) if n in sides]
+    spots = [Spot(n, z, sketch.error_mm) for name, a, b in rows for n, z in ((POLE, a), (name or "", b))]
+    seen = all(n in names for n, v in sides.items() if abs(v) < HEADLESS_MM)
+    return spots, bool(arrows) and all(names) and seen
+
+
+def others(bench: Bench) -> dict[str, complex]:
+    """Vectors that may be drawn beside the polygon's own: whole reactions, inner ones."""
+    plan, made = bench.asked.plan, run(bench.plans.program, bench.given)
+    return {s.name.replace("^", ""): complex(made[at(plan, s.end)] - made[at(plan, s.start)])
+            for s in bench.plans.segments if s.plan == plan}  # fmt: skip
+
+
+def _costs(arrows: Sequence[Stroke], sketch: Sketch, bench: Bench, known: Mapping[str, complex]) -> Costs:
+    """What it costs each arrow to have each name: how far its word stands, and how unlike the true vector it is."""
+    spelt = bench.written(known)
+    words = [(spelt.find(w.text), w) for w in sketch.words]
+    written = {n for n, _ in words if n and n != POLE}
+    out: Costs = []
+    for a, b in arrows:
+        near = {n: NO_WORD if n not in written else FAR_WORD for n in known}
+        for name, word in words:
+            far = min(word.distance(a + (b - a) * t / 8) for t in range(1, 8))
+            if name in near and far <= NEAR_MM:
+                near[name] = min(near[name], far)
+        unlike = {n: min(1.0, abs(b - a - t) / (abs(t) + 3)) for n, t in known.items()}
+        out.append({n: near[n] + (NAMED_UNLIKE if n in written else UNLIKE) * unlike[n] for n in known})
+    return [{n: c for n, c in row.items() if c < TOO_FAR} for row in out]
