@@ -9,27 +9,29 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from planes.check.bench import Bench
-from planes.check.chains import FAR_WORD, NAMED_UNLIKE, NEAR_MM, NO_WORD, TOO_FAR, UNLIKE, named_best, true_vectors
+from planes.check.chains import FAR_WORD, NEAR_MM, NO_WORD, TOO_FAR, UNLIKE, named_best, true_vectors
 from planes.check.paper import Spot
 from planes.check.strokes import Sketch, Stroke, headed
 from planes.drawing import run
 from planes.naming import POLE, at
 
+NAMED = 1.5  # what unlikeness counts for where names are written: they stand beside their own arrows
 HEADLESS_MM = 2.0  # a shorter vector may be drawn without a head
 
 Costs = list[dict[str, float]]
 
 
 def lone_vectors(sketch: Sketch, bench: Bench) -> tuple[list[Spot], bool]:
-    """The plan's vectors, each as a row of its own, and whether all that is drawn was read."""
+    """The plan's vectors, each as a row of its own, and whether every arrow was named."""
     arrows = [s if sketch.ways[k] > 0 else s[::-1] for k in headed(sketch) if (s := sketch.strokes[k])]
+    bare = [s for stroke in sketch.strokes if abs(stroke[1] - stroke[0]) < HEADLESS_MM and stroke not in arrows
+            and stroke[::-1] not in arrows for s in (stroke, stroke[::-1])]  # fmt: skip
     sides = true_vectors(bench)
-    known = {**others(bench), **sides}
-    names = named_best(_costs(arrows, sketch, bench, known))
-    rows = [(n, a, b) for n, (a, b) in zip(names, arrows, strict=True) if n in sides]
+    costs = _costs([*arrows, *bare], sketch, bench, {**others(bench), **sides})
+    names = named_best(costs)
+    rows = [(n, a, b) for n, (a, b) in zip(names, [*arrows, *bare], strict=True) if n in sides]
     spots = [Spot(n, z, sketch.error_mm) for name, a, b in rows for n, z in ((POLE, a), (name or "", b))]
-    seen = all(n in names for n, v in sides.items() if abs(v) < HEADLESS_MM)
-    return spots, bool(arrows) and all(names) and seen
+    return spots, bool(arrows) and all(names[: len(arrows)])
 
 
 def others(bench: Bench) -> dict[str, complex]:
@@ -52,5 +54,7 @@ def _costs(arrows: Sequence[Stroke], sketch: Sketch, bench: Bench, known: Mappin
             if name in near and far <= NEAR_MM:
                 near[name] = min(near[name], far)
         unlike = {n: min(1.0, abs(b - a - t) / (abs(t) + 3)) for n, t in known.items()}
-        out.append({n: near[n] + (NAMED_UNLIKE if n in written else UNLIKE) * unlike[n] for n in known})
+        short = abs(b - a) < HEADLESS_MM  # without its head
+        out.append({n: near[n] + (NAMED if n in written else UNLIKE) * unlike[n] for n in known
+                    if not short or abs(known[n]) < HEADLESS_MM})  # fmt: skip
     return [{n: c for n, c in row.items() if c < TOO_FAR} for row in out]

@@ -23,7 +23,7 @@ from planes.scales import kind_of
 from planes.words import Phrase
 
 NEAR_WORD_MM = 12.0  # a word farther from a node names something else
-LEADER_MM = 2.0  # a line from a word ends so near it
+LEADER_MM = 2.5  # a line from a word ends so near it
 POLE_MM = 2.7  # ends nearer than this to a printed pole are at it
 NEAR_POINT_MM = 1.5  # a point of a scheme is where it should be
 APART_MM = 0.7  # two marks nearer than this are one place
@@ -142,14 +142,14 @@ def _pole(nodes: Nodes, bench: Bench, near: Candidates) -> complex | None:
 
 
 def _origin(nodes: Nodes, bench: Bench, near: Candidates) -> complex | None:
-    """The origin of a scheme's axes: from the place beside a word from which most words stand beside their points."""
+    """The origin of a scheme's axes: where it is so that the frame's points, then most others, stand beside their words."""
     truth = {label_of(m): complex(run(bench.program, bench.given)[m]) for m in bench.marks}
     places = [(nodes.places[i] - truth[n], far) for n, held in near.items() if n in truth for i, far in held.items()]
     fixed = Names(bench.plans.mechanism.frame.points)
 
     def worth(origin: complex, far: float) -> float:
         off = {n: min(abs(nodes.places[i] - origin - z) for i in near[n]) for n, z in truth.items() if n in near}
-        return sum(2.0 if fixed.find(n) else 1.0 for n in off if off[n] < NEAR_POINT_MM) - 0.05 * far
+        return sum(len(off) if fixed.find(n) else 1.0 for n in off if off[n] < NEAR_POINT_MM) - 0.05 * far
 
     if not places:
         return _pole(nodes, bench, near)
