@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from planes.check.bench import Bench, variants_of
-from planes.check.chains import force_chain
+from planes.check.chains import MOST_LINES, force_chain
 from planes.check.handwork import Hand, Taken
 from planes.check.lone_vectors import lone_vectors
 from planes.check.paper import Paper, Spot
@@ -75,7 +75,7 @@ def paper_of(sketch: Sketch, bench: Bench, pole: complex | None = None) -> Paper
 def _polygon(sketch: Sketch, nodes: Nodes, bench: Bench, paper: Paper) -> Paper:
     """The vectors of a force plan: as the chain they make up, else each by its arrowhead and name."""
     paper = force_chain(sketch, nodes, bench, paper)
-    if not paper.whole and headed(sketch):
+    if not paper.whole and 0 < len(headed(sketch)) <= MOST_LINES:
         rows, every = lone_vectors(sketch, bench)
         if 2 * sum(not spot.name.startswith("?") for spot in paper.spots[1:]) <= len(rows):
             paper.spots, paper.whole = rows, every

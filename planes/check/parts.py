@@ -10,6 +10,7 @@ from planes.check.strokes import Round, Sketch, Stroke, Words
 TOGETHER_MM = 2.3  # strokes no farther apart belong together: a force is drawn this far beside another one
 NEAR_WORD_MM = 12.0  # a word farther off names something else
 NEAR_ROUND_MM = 7.0  # a point beside its link
+MOST = 4000  # a page with more strokes is not taken apart
 LEAST_MM = 6.0  # a smaller part is a sign or a letter
 LETTER = 1.4  # how long a stroke of a letter may be, in heights of its word
 AROUND = 0.35  # how far beyond a word's box its letters may reach, in heights
@@ -77,6 +78,8 @@ def _touched(ends: Any, inside: Any, tips: Sequence[complex]) -> Any:
 
 def parts(sketch: Sketch) -> list[Sketch]:
     """The sketch by pieces that hang together, those with most strokes first; what is smaller than a plan goes."""
+    if len(sketch.strokes) > MOST:
+        return []
     import numpy
     from shapely import STRtree
 
@@ -113,22 +116,17 @@ def _part(sketch: Sketch, held: list[int]) -> Sketch | None:
     xs, ys = ([f(z) for s in strokes for z in s] for f in (lambda z: z.real, lambda z: z.imag))
     if max(max(xs) - min(xs), max(ys) - min(ys)) < LEAST_MM:
         return None
-    near = _Near(strokes)
-    words = [w for w in sketch.words if near(w.middle) < NEAR_WORD_MM + w.width / 2]
-    rounds = [r for r in sketch.rounds if near(r[0]) < NEAR_ROUND_MM]
+    words, rounds = sketch.words, sketch.rounds
+    far = _distances(strokes, [w.middle for w in words])
+    words = [w for w, d in zip(words, far, strict=True) if d < NEAR_WORD_MM + w.width / 2]
+    rounds = [r for r, d in zip(rounds, _distances(strokes, [z for z, _ in rounds]), strict=True) if d < NEAR_ROUND_MM]
     return Sketch(sketch.file, strokes, words, sketch.error_mm, [sketch.ways[k] for k in held] if sketch.ways else [],
                   rounds=rounds)  # fmt: skip
 
 
-class _Near:
+def _distances(strokes: Sequence[Stroke], places: Sequence[complex]) -> list[float]:
     """How far places are from the nearest of some strokes."""
+    from shapely import MultiLineString, distance, points
 
-    def __init__(self, strokes: Sequence[Stroke]) -> None:
-        from shapely import MultiLineString
-
-        self.lines = MultiLineString([[(a.real, a.imag), (b.real, b.imag)] for a, b in strokes])
-
-    def __call__(self, z: complex) -> float:
-        from shapely import Point
-
-        return float(self.lines.distance(Point(z.real, z.imag)))
+    lines = MultiLineString([[(a.real, a.imag), (b.real, b.imag)] for a, b in strokes])
+    return [float(d) for d in distance(points([(z.real, z.imag) for z in places]), lines)] if places else []

@@ -17,6 +17,7 @@ from planes.scales import kind_of
 from planes.wording import PlanesError
 
 MOST = 6  # parts that are read
+OPEN = 2.0  # what it costs a force polygon not to close, in marks
 NAMED = 0.1  # what a name of the plan beside a part is worth, in marks drawn rightly
 
 
@@ -46,4 +47,4 @@ def _worth(bench: Bench, paper: Paper) -> float:
         found = None
     if found is None:
         return -len(bench.marks)
-    return len(found.judgement.misses) - 2.0 * len(found.judgement.wrong)
+    return len(found.judgement.misses) - 2.0 * len(found.judgement.wrong) - OPEN * bool(found.gap_wrong)
