@@ -63,16 +63,15 @@ def settle(sketch: Sketch) -> None:
 
 def _reaching(stroke: Stroke, way: int, tip: complex | None) -> Stroke:
     """A shaft that ends within its head, drawn up to the tip."""
-    a, b = stroke
-    if not way or tip is None or abs(tip - (b if way > 0 else a)) < NEAR_MM:
+    if not way or tip is None:
         return stroke
-    return (a, tip) if way > 0 else (tip, b)
+    return (stroke[0], tip) if way > 0 else (tip, stroke[1])
 
 
 def given(strokes: Sequence[Stroke], heads: Sequence[Head]) -> tuple[list[int], dict[int, complex]]:
-    """Which end of each stroke has a head: +1 the second, -1 the first, 0 neither, 2 both; and the tips.
+    """Which end of each stroke has a head: +1 the second, -1 the first, 0 neither, 2 both; a head has one stroke.
 
-    A head has one stroke.
+    With them the tips of those strokes that end within their heads.
     """
     found, tips = [0] * len(strokes), dict[int, complex]()
     if len(strokes) * len(heads) > MOST_PAIRS:
@@ -81,13 +80,14 @@ def given(strokes: Sequence[Stroke], heads: Sequence[Head]) -> tuple[list[int], 
     for candidates, tip in wanted:
         free = [(far + 5 * (found[k] != 0), k, way) for far, k, way in candidates if found[k] in (0, -way)]
         if free:
-            _, k, way = min(free)
-            found[k], tips[k] = BOTH if found[k] else way, tip
+            far, k, way = min(free)
+            found[k] = BOTH if found[k] else way
+            tips |= {k: tip} if far < 0 else {}
     return found, tips
 
 
 def _candidates(strokes: Sequence[Stroke], head: Head) -> list[tuple[float, int, int]]:
-    """Ends of strokes a head may belong to: how far it is, which stroke, which end."""
+    """Ends of strokes a head may belong to: how far it is (less than nothing if within it), which stroke, which end."""
     tip, way, long = head
     found = []
     for k, (a, b) in enumerate(strokes):

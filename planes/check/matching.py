@@ -77,7 +77,7 @@ def _polygon(sketch: Sketch, nodes: Nodes, bench: Bench, paper: Paper) -> Paper:
     paper = force_chain(sketch, nodes, bench, paper)
     if not paper.whole and 0 < len(headed(sketch)) <= MOST_LINES:
         rows, every = lone_vectors(sketch, bench)
-        if 2 * sum(not spot.name.startswith("?") for spot in paper.spots[1:]) <= len(rows):
+        if every or 2 * sum(not spot.name.startswith("?") for spot in paper.spots[1:]) <= len(rows):
             paper.spots, paper.whole = rows, every
     return paper
 
