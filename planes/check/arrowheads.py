@@ -17,6 +17,7 @@ NEAR_MM = 0.7  # a tip is at the end of its stroke, or that end is within the he
 TURNED = 10.0  # how much better it is for a stroke to point as its head does than to end at the tip, mm per radian
 MOST_PAIRS = 1_000_000  # of more strokes and heads none is told whose it is
 BOTH = 2
+MOST_JOINED, SAME_MM = 500, 0.02
 EVEN = 0.03  # how unequal sides may be that meet in a tip, of their sum
 SLIM = 0.1  # how far from a head's middle line its shaft may end, in lengths of the head
 STRAIGHT = 0.94  # the cosine of the angle between a head and its stroke, at the least
@@ -59,6 +60,34 @@ def settle(sketch: Sketch) -> None:
     kept = [k for k in range(len(strokes)) if owned[k] != BOTH and (k < len(sketch.strokes) or owned[k])]
     sketch.strokes = [_reaching(strokes[k], owned[k], tips.get(k)) for k in kept]
     sketch.ways, sketch.short = [owned[k] for k in kept], []
+    _join(sketch)
+
+
+def _join(sketch: Sketch) -> None:
+    """Strokes without heads that a stroke with a head goes straight on from, where nothing else meets, join it."""
+    if len(sketch.strokes) > MOST_JOINED:
+        return
+    gone = set[int]()
+    for k, way in enumerate(sketch.ways):
+        while way:
+            a, b = sketch.strokes[k][::way]
+            near = [i for i, s in enumerate(sketch.strokes) if i != k and i not in gone and _at(a, s)]
+            if len(near) != 1 or sketch.ways[near[0]] or not _on(before := _far(a, sketch.strokes[near[0]]), a, b):
+                break
+            gone.add(near[0])
+            sketch.strokes[k] = (before, b) if way > 0 else (b, before)
+    kept = [k for k in range(len(sketch.strokes)) if k not in gone]
+    sketch.strokes, sketch.ways = [sketch.strokes[k] for k in kept], [sketch.ways[k] for k in kept]
+
+
+def _at(z: complex, stroke: Stroke) -> bool:
+    """Whether a stroke ends in a place."""
+    return min(abs(z - stroke[0]), abs(z - stroke[1])) < SAME_MM
+
+
+def _far(z: complex, stroke: Stroke) -> complex:
+    """The end of a stroke away from a place."""
+    return max(stroke, key=lambda end: abs(end - z))
 
 
 def _reaching(stroke: Stroke, way: int, tip: complex | None) -> Stroke:

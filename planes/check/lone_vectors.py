@@ -26,7 +26,7 @@ Costs = list[dict[str, float]]
 
 
 def lone_vectors(sketch: Sketch, bench: Bench) -> tuple[list[Spot], bool]:
-    """The plan's vectors, each as a row of its own, and whether every arrow was named."""
+    """The plan's vectors, each as a row of its own, and whether nothing can have been overlooked."""
     arrows = [s if sketch.ways[k] > 0 else s[::-1] for k in headed(sketch) if (s := sketch.strokes[k])]
     bare = [s for stroke in sketch.strokes if abs(stroke[1] - stroke[0]) < HEADLESS_MM and stroke not in arrows
             and stroke[::-1] not in arrows for s in (stroke, stroke[::-1])]  # fmt: skip
@@ -34,7 +34,8 @@ def lone_vectors(sketch: Sketch, bench: Bench) -> tuple[list[Spot], bool]:
     names = _named([*arrows, *bare], sketch, bench, {**others(bench), **sides})
     rows = [(n, a, b) for n, (a, b) in zip(names, [*arrows, *bare], strict=True) if n in sides]
     spots = [Spot(n, z, sketch.error_mm) for name, a, b in rows for n, z in ((POLE, a), (name or "", b))]
-    return spots, bool(arrows) and all(names[: len(arrows)])
+    seen = all(n in names for n, v in sides.items() if abs(v) < HEADLESS_MM)
+    return spots, bool(arrows) and all(names[: len(arrows)]) and seen
 
 
 def _named(
