@@ -23,7 +23,6 @@ from planes.tables import table
 from planes.units import UnitError, read_mu
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
-from render.names import Naming
 
 LINES = (".svg", ".dxf", ".pdf")
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
@@ -65,10 +64,11 @@ def _trace(args: argparse.Namespace, asked: Asked) -> int:
 
 def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:
     """The question of the command line."""
+    from planes.roof.check import spelling
+
     plan = args.plan
     mu = _mu(args.mu, plan)
-    spelt = Naming(args.lang, scene.frame_number, scene.sheet.get("reactions") == "from-on").vector
-    asked = Asked(scene, plan, value, mu, spelt=spelt)
+    asked = Asked(scene, plan, value, mu, spelt=spelling(scene, args.lang))
     others = {}
     for pair in args.others:
         name, _, file = pair.partition("=")
