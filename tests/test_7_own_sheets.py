@@ -104,7 +104,7 @@ def test_a_view_is_right_and_with_one_step_spoiled_wrong_there(
 @pytest.mark.parametrize("suffix", READERS)
 def test_every_plan_of_a_whole_sheet_is_right(suffix: str, tmp_path: Path) -> None:
     """Frame, title block, tables, equations and the other plans are not lines of the plan."""
-    scene, position = drawn("kind-1-rrr")
+    position = drawn("kind-1-rrr")[1]
     sheet = whole_sheet()
     for plan in known_plans(position.plans):
         found = checked("kind-1-rrr", plan, sheet, tmp_path / f"sheet{suffix}")
@@ -121,7 +121,7 @@ def whole_sheet() -> Sheet:
 @pytest.mark.parametrize("sample", sorted(p.stem for p in SAMPLES.glob("*.yaml") if p.stem != "vectors"))
 @pytest.mark.parametrize("suffix", READERS)
 def test_every_view_of_every_sample(sample: str, suffix: str, tmp_path: Path) -> None:
-    scene, position = drawn(sample)
+    position = drawn(sample)[1]
     for plan in known_plans(position.plans):
         marks = [m for m in position.drawing.things if m.startswith(f"{plan}:")]
         if plan != "position" and all(abs(position.drawing[m]) < 1e-6 for m in marks):

@@ -28,8 +28,8 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "cycle.rounding home scene.yaml_faults steps.base thing_names wording",
     "angles check.paper check.read_dxf check.read_svg check.sight.picture course.crowd course.ledger equations "
     "instruments scene.expressions scene.source statement steps.crossings steps.reckoning structure units",
-    "check.read_pdf check.sight.frame check.sight.ink course course.scenes cycle.digits lesson.formulas program scene.reader "
-    "self_aligning steps",
+    "check.read_pdf check.sight.frame check.sight.ink course course.scenes cycle.digits lesson.formulas program "
+    "scene.reader self_aligning steps",
     "check.nudging check.sight.line_fitting check.sight.symbols_seen course.students crank_slider.reading_table "
     "cycle.tracing drafting drawing scene.links scene.motion scene.settings scene.vectors",
     "check.handwork check.sight.heads check.sight.left_over course.giving cycle.fused diagrams.graphical "
@@ -47,15 +47,15 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "alignment check.mistakes check.mistakes_force check.mistakes_position course.showing crank_slider.engine "
     "cycle.peers diagrams.curves lesson.steps measuring nearest",
     "check.accounts check.bench crank_slider.kinematics cycle.columns lesson solving",
-    "check.chains check.scaling check.sight.poles check.words_near course.numbers crank_slider.forces crank_slider.pages cycle "
-    "cycle.explaining lesson.note lesson.practice lesson.zones remedies tables",
+    "check.chains check.scaling check.sight.poles check.words_near course.numbers crank_slider.forces crank_slider.pages "
+    "cycle cycle.explaining lesson.note lesson.practice lesson.zones remedies tables",
     "check check.lone_vectors check.sight.motion_seen check.sizing course.papers course.settling crank_slider.balance "
     "crank_slider.misprints cycle.bench cycle.claims cycle.spread cycle.streams diagrams.graphical_text "
     "diagrams.turn lesson.data",
     "check.matching check.regrading check.sight.force_ways check.sight.scheme_seen check.verdict course.summary "
     "crank_slider.shaft cycle.limits cycle.long_run cycle.methods diagrams.extremes erring roof.lesson",
-    "check.shown check.sight.force_seen check.verdict_rows check.whole_page cli.solve crank_slider.fatigue cycle.stability "
-    "diagrams.motion diagrams.summary",
+    "check.shown check.sight.force_seen check.verdict_rows check.whole_page cli.solve crank_slider.fatigue "
+    "cycle.stability diagrams.motion diagrams.summary",
     "check.sight.photograph check.tracing_paper crank_slider.rod diagrams.runs diagrams.text roof.charts survey",
     "check.report cli.survey crank_slider.calculation roof.cycle roof.graphs",
     "cli.cycle crank_slider.pages_balance crank_slider.pages_kinematics crank_slider.pages_rod "

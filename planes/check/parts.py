@@ -113,7 +113,7 @@ def _shapes(strokes: Sequence[Stroke], rounds: Sequence[Round]) -> Any:
 def _part(sketch: Sketch, held: list[int]) -> Sketch | None:
     """Some of the strokes, with the words and circles near them."""
     strokes = [sketch.strokes[k] for k in held]
-    xs, ys = ([f(z) for s in strokes for z in s] for f in (lambda z: z.real, lambda z: z.imag))
+    xs, ys = [z.real for s in strokes for z in s], [z.imag for s in strokes for z in s]
     if max(max(xs) - min(xs), max(ys) - min(ys)) < LEAST_MM:
         return None
     words, rounds = sketch.words, sketch.rounds
