@@ -47,8 +47,8 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
     "alignment check.mistakes check.mistakes_force check.mistakes_position course.showing crank_slider.engine "
     "cycle.peers diagrams.curves lesson.steps measuring nearest",
     "check.accounts check.bench crank_slider.kinematics cycle.columns lesson solving",
-    "check.chains check.scaling check.sight.poles check.words_near course.numbers crank_slider.forces crank_slider.pages "
-    "cycle cycle.explaining lesson.note lesson.practice lesson.zones remedies tables",
+    "check.chains check.scaling check.sight.poles check.words_near course.numbers crank_slider.forces "
+    "crank_slider.pages cycle cycle.explaining lesson.note lesson.practice lesson.zones remedies tables",
     "check check.lone_vectors check.sight.motion_seen check.sizing course.papers course.settling crank_slider.balance "
     "crank_slider.misprints cycle.bench cycle.claims cycle.spread cycle.streams diagrams.graphical_text "
     "diagrams.turn lesson.data",

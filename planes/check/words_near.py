@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from planes.check.bench import Bench
 from planes.check.parts import NEAR_WORD_MM
-from planes.check.strokes import Nodes, Sketch, Words
+from planes.check.strokes import CROSSINGS, Nodes, Sketch, Words
 from planes.drawing import run
 from planes.mark_names import Names, tidy
 from planes.naming import POLE, label_of
@@ -36,7 +36,7 @@ def by_words(words: Iterable[Words], nodes: Nodes, labels: Iterable[str]) -> Can
 def led(sketch: Sketch, nodes: Nodes) -> Iterator[Words]:
     """Words with a line from them to what they name, as if they stood there."""
     places = nodes.places[: nodes.corners]
-    for k, stroke in enumerate(sketch.strokes):
+    for k, stroke in enumerate(sketch.strokes if len(sketch.strokes) <= CROSSINGS else ()):
         for j in (0, 1):
             z, at_node = stroke[j], nodes.ends[k, 1 - j]
             if nodes.weights[nodes.ends[k, j]] > 1 or at_node >= nodes.corners or (sketch.ways and sketch.ways[k]):
