@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from planes.naming import POLE
 
@@ -27,11 +27,15 @@ def tidy(name: str) -> str:
 
 
 class Names:
-    """Finds the program's name for a written one; ``poles`` also reads the ways to write p."""
+    """Finds the program's name for a written one; ``poles`` also reads the ways to write p.
 
-    def __init__(self, known: Iterable[str], poles: bool = True) -> None:
+    What is written as ``spelt`` says has that meaning before any other.
+    """
+
+    def __init__(self, known: Iterable[str], poles: bool = True, spelt: Callable[[str], str] = str) -> None:
         self.known = list(dict.fromkeys(known))
         self.poles = poles
+        self._spelt = {tidy(spelt(name)): name for name in self.known}
         self._keys: list[dict[str, list[str]]] = [{}, {}, {}]
         for name in self.known:
             for table, key in zip(self._keys, self._forms(name), strict=True):
@@ -47,6 +51,8 @@ class Names:
         """The program's name, or None where there is none or two would do."""
         if self.poles and tidy(written) in _POLES:
             return POLE
+        if tidy(written) in self._spelt:
+            return self._spelt[tidy(written)]
         for table, key in zip(self._keys, self._forms(written), strict=True):
             found = table.get(key, [])
             if len(found) == 1:

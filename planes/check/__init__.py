@@ -23,6 +23,7 @@ from planes.words import Phrase, Written
 
 OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
 LONG_MM = 3.0  # a shorter vector shows no scale
+NAMELESS = "?"  # begins the name of a line that has none
 READABLE = 0.5  # the share of a plan's crossings that must be read
 
 
@@ -65,7 +66,8 @@ class Grading:
         used = self._used()
         for mark in self.marks:
             step = next(s for s in self.hand.program.steps if s.makes == mark)
-            if isinstance(step, LayOff) and mark not in used:
+            sure = label_of(mark) in self.rebuilt.absent or _long(self, step)  # what is short may be there, unseen
+            if isinstance(step, LayOff) and mark not in used and sure:
                 miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
                 if miss.sigmas > self.judgement.limit:
                     return label_of(mark)
@@ -127,8 +129,10 @@ def grade(bench: Bench, paper: Paper) -> Grading | None:
     if best is None:
         return None
     best[1].rebuilt = rebuilt
-    if unknown:
-        best[1].notes.append(Phrase("check_unknown", names=", ".join(unknown)))
+    if named := [name for name in unknown if not name.startswith(NAMELESS)]:
+        best[1].notes.append(Phrase("check_unknown", names=", ".join(named)))
+    if len(named) < len(unknown):
+        best[1].notes.append(Phrase("check_nameless", count=len(unknown) - len(named)))
     return best[1]
 
 
@@ -144,9 +148,8 @@ def _rescaled(found: Grading) -> bool:
 
 
 def _long(found: Grading, step: Step) -> bool:
-    """Whether a vector is long enough to show another scale."""
-    assert isinstance(step, LayOff)
-    return bool(abs(found.truth[step.makes] - found.truth[step.start]) > LONG_MM)
+    """Whether a vector is long enough to be told from none, or to show another scale."""
+    return isinstance(step, LayOff) and bool(abs(found.truth[step.makes] - found.truth[step.start]) > LONG_MM)
 
 
 def _worth(found: Grading) -> float:

@@ -26,7 +26,7 @@ def align(bench: Bench, plan: str, paper: Paper) -> tuple[dict[str, Spot], Rebui
     found: dict[str, Spot] = {}
     unknown = []
     for spot in paper.spots:
-        name = names.find(spot.name)
+        name = names.find(spot.name) or names.find(_bare(bench, spot.name))
         if name is None and not _fixed(bench, spot.name):
             unknown.append(spot.name)
         elif name and name != POLE:
@@ -34,6 +34,12 @@ def align(bench: Bench, plan: str, paper: Paper) -> tuple[dict[str, Spot], Rebui
     origin = pole.place if pole else _origin(bench, plan, found)
     moved = {n: Spot(n, s.place - origin, s.error_mm) for n, s in found.items()}
     return moved, None, unknown
+
+
+def _bare(bench: Bench, name: str) -> str:
+    """n_AO as the plan has it, n_A, where O is a fixed point."""
+    return next((name.removesuffix(p) for p in bench.plans.mechanism.frame.points
+                 if name.startswith("n_") and name.endswith(p) and len(name) > len(p) + 2), name)  # fmt: skip
 
 
 def _fixed(bench: Bench, name: str) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -13,6 +13,7 @@ from planes.check.mistakes_position import position_variants
 from planes.check.nudging import HAND, Skill
 from planes.check.paper import Paper
 from planes.check.ways import Ways
+from planes.mark_names import Names
 from planes.naming import POLE, label_of, mu_of, plan_of
 from planes.plans import Plans, state
 from planes.program import Program
@@ -32,6 +33,7 @@ class Asked:
     mu: float | None = None
     skill: Skill = HAND
     others: Mapping[str, Paper] = field(default_factory=dict)  # drawings of earlier plans
+    spelt: Callable[[str], str] = str  # how the scene's sheets letter a vector: F_56 for F_50
 
 
 @dataclass
@@ -45,9 +47,18 @@ class Bench:
     marks: list[str]
     said_mu: float
 
+    def written(self, vectors: Iterable[str]) -> Names:
+        """Names of vectors of a force plan as sheets of the scene letter them, and as the program does."""
+        return Names(vectors, spelt=lambda name: self.asked.spelt(_parted(name)))
+
     def ways(self) -> Ways:
         """The steps a mistake may change."""
         return Ways(self.plans, self.program, self.asked.plan)
+
+
+def _parted(name: str) -> str:
+    """F_21t as the part of a vector it is, F_21^t."""
+    return f"{name[:-1]}^{name[-1]}" if name.startswith("F_") and name[-1] in "tn" else name
 
 
 def prepare(asked: Asked) -> Bench:

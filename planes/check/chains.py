@@ -51,7 +51,7 @@ def force_chain(sketch: Sketch, nodes: Nodes, bench: Bench, paper: Paper) -> Pap
         edges = _reached(_edges(sketch, nodes, split), pole)
         if not edges or len(edges) > MOST_LINES:
             continue
-        words = beside(sketch.words, nodes, edges, truth)
+        words = beside(sketch.words, nodes, edges, bench.written(truth))
         best: tuple[float, list[Spot], bool] | None = None
         for start, trail in _trails(edges, pole):
             rows = _rows(start, trail, nodes, words, truth, sketch.error_mm)
@@ -107,10 +107,9 @@ def _reached(edges: list[Edge], pole: int | None) -> list[Edge]:
 
 
 def beside(
-    words: Sequence[Words], nodes: Nodes, edges: Sequence[Edge], truth: Mapping[str, complex]
+    words: Sequence[Words], nodes: Nodes, edges: Sequence[Edge], known: Names
 ) -> dict[str, dict[tuple[Edge, int], float]]:
     """How far every vector's name stands from the middle part of every line near it, passed to either end."""
-    known = Names(truth)
     found: dict[str, dict[tuple[Edge, int], float]] = {}
     for word in words:
         name = known.find(word.text)
@@ -139,8 +138,7 @@ def _pole(words: Sequence[Words], nodes: Nodes) -> int | None:
     names = Names([])
     for word in words:
         if names.find(word.text) == POLE:
-            middle = word.place + word.along * complex(word.width or word.height, word.height) / 2
-            near = sorted(nodes.within(middle, 14.0), key=lambda i: word.distance(nodes.places[i]))
+            near = sorted(nodes.within(word.middle, 14.0), key=lambda i: word.distance(nodes.places[i]))
             near = [i for i in near if i < nodes.corners]
             if near and word.distance(nodes.places[near[0]]) < NEAR_MM + 1:
                 return near[0]
@@ -181,7 +179,7 @@ def _rows(
         far = {n: words[n].get((edge, node), FAR_WORD) if n in words else NO_WORD for n in truth}
         unlike = {n: min(1.0, abs(v - t) / (abs(t) + 3)) for n, t in truth.items()}
         costs.append({n: far[n] + (NAMED_UNLIKE if n in words else UNLIKE) * unlike[n] for n in truth})
-    names = _named(costs)
+    names = named_best(costs)
     if not any(names):
         return None
     score = sum(TOO_FAR - cost[n] for n, cost in zip(names, costs, strict=True) if n)
@@ -190,7 +188,7 @@ def _rows(
     return (score - 3 * names.count(None)) / TOO_FAR, [start, *rows]
 
 
-def _named(costs: Sequence[Mapping[str, float]]) -> list[str | None]:
+def named_best(costs: Sequence[Mapping[str, float]]) -> list[str | None]:
     """Each vector's name, the cheapest first, then exchanged wherever that is cheaper in all."""
     found: list[str | None] = [None] * len(costs)
     for cost, i, n in sorted((cost, i, n) for i, row in enumerate(costs) for n, cost in row.items()):
@@ -198,7 +196,7 @@ def _named(costs: Sequence[Mapping[str, float]]) -> list[str | None]:
             found[i] = n
 
     def price(i: int, name: str | None) -> float:
-        return min(costs[i][name], 2 * TOO_FAR) if name else TOO_FAR
+        return costs[i].get(name, 2 * TOO_FAR) if name else TOO_FAR
 
     better = True
     while better:
@@ -206,4 +204,4 @@ def _named(costs: Sequence[Mapping[str, float]]) -> list[str | None]:
         for i, j in combinations(range(len(found)), 2):
             if price(i, found[j]) + price(j, found[i]) < price(i, found[i]) + price(j, found[j]) - 1e-9:
                 found[i], found[j], better = found[j], found[i], True
-    return [n if n and costs[i][n] < TOO_FAR else None for i, n in enumerate(found)]
+    return [n if n and costs[i].get(n, TOO_FAR) < TOO_FAR else None for i, n in enumerate(found)]

@@ -6,27 +6,27 @@ mistake of the catalogue; what is nowhere stays unread.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from planes.check.bench import Bench, variants_of
-from planes.check.chains import force_chain
+from planes.check.chains import MOST_LINES, force_chain
 from planes.check.handwork import Hand, Taken
+from planes.check.lone_vectors import lone_vectors
 from planes.check.paper import Paper, Spot
 from planes.check.sizing import sized
-from planes.check.strokes import Nodes, Sketch, Words, covered
+from planes.check.strokes import LOOSE_MM, Nodes, Sketch, Words, covered, headed, hinged
+from planes.check.words_near import Candidates, by_words, led, origin_of, pole_of
 from planes.drawing import run
-from planes.mark_names import Names, tidy
+from planes.mark_names import Names
 from planes.naming import POLE, at, label_of
 from planes.scales import kind_of
 from planes.words import Phrase
 
-NEAR_WORD_MM = 12.0  # a word farther from a node names something else
 POLE_MM = 2.7  # ends nearer than this to a printed pole are at it
 APART_MM = 0.7  # two marks nearer than this are one place
 WORDED = 0.6  # the share of marks with words from which on one without was not drawn
 USED = 4.0  # how strange it is, in mm from its word, for a mark to be where another one is
-HEADED = 0.5  # the share of strokes with arrowheads from which on a mark has one
 DENSE = 80  # so many ends near one word leave nothing to choose by
 LOOSE = 0.2  # of how far joined ends are apart, the error of where they are
 ALONG = 0.7  # the share of a vector that must be drawn for its end to count
@@ -37,20 +37,31 @@ def paper_of(sketch: Sketch, bench: Bench, pole: complex | None = None) -> Paper
     paper = Paper(sketch.file, whole=False)
     if pole is not None:
         sketch.strokes = [(_at(pole, a), _at(pole, b)) for a, b in sketch.strokes if _at(pole, a) != _at(pole, b)]
-    nodes = Nodes(sketch.strokes)
+    sketch = replace(sketch, words=[one for w in sketch.words for one in w.listed()])
+    if kind_of(bench.asked.plan) == "position":
+        sketch = hinged(sketch)
+        middles = [z for z, _ in sketch.rounds]
+        nodes = Nodes(sketch.strokes, LOOSE_MM if middles else None, points=middles)
+    else:
+        sketch.rounds = []
+        nodes = Nodes(sketch.strokes, vectors=headed(sketch))
     sketch.error_mm = max(sketch.error_mm, LOOSE * nodes.near)
     if not nodes.places:
         paper.notes.append(Phrase("check_no_lines"))
         return paper
     labels = [label_of(m) for m in bench.marks]
-    near = by_words(sketch.words, nodes, labels)
+    near = by_words([*sketch.words, *led(sketch, nodes)], nodes, labels)
+    first = len(sketch.rounds) if len(sketch.rounds) >= len(labels) else nodes.corners if headed(sketch) else None
+    if first is not None:  # where marks are told from where lines merely cross or end
+        near = {n: {i: far for i, far in held.items() if i < first} or held for n, held in near.items()}
     bench = sized(bench, sketch, nodes, near)
     if kind_of(bench.asked.plan) == "force":
-        return force_chain(sketch, nodes, bench, paper)
+        return _polygon(sketch, nodes, bench, paper)
     if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):
         paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))
         return paper
-    origin = pole if pole is not None else _pole(nodes, bench, near)
+    find = origin_of if kind_of(bench.asked.plan) == "position" else pole_of
+    origin = pole if pole is not None else find(nodes, bench, near)
     if origin is None:
         return paper
     places = _marks(bench, sketch, nodes, origin, near)
@@ -59,44 +70,19 @@ def paper_of(sketch: Sketch, bench: Bench, pole: complex | None = None) -> Paper
     return paper
 
 
+def _polygon(sketch: Sketch, nodes: Nodes, bench: Bench, paper: Paper) -> Paper:
+    """The vectors of a force plan: as the chain they make up, else each by its arrowhead and name."""
+    paper = force_chain(sketch, nodes, bench, paper)
+    if not paper.whole and 0 < len(headed(sketch)) <= MOST_LINES:
+        rows, every = lone_vectors(sketch, bench)
+        if every or 2 * sum(not spot.name.startswith("?") for spot in paper.spots[1:]) <= len(rows):
+            paper.spots, paper.whole = rows, every
+    return paper
+
+
 def _at(pole: complex, z: complex) -> complex:
     """An end so near the pole that it must be there."""
     return pole if abs(z - pole) < POLE_MM else z
-
-
-Candidates = dict[str, dict[int, float]]
-
-
-def by_words(words: Iterable[Words], nodes: Nodes, labels: Iterable[str]) -> Candidates:
-    """Nodes near the word of every mark, with the distance from the word."""
-    names, found = Names(labels), Candidates()
-    for word in words:
-        name = names.find(word.text)
-        if name is None or (tidy(word.text) != tidy(name) and name != POLE):
-            continue
-        middle = word.place + word.along * complex(word.width or word.height, word.height) / 2
-        for node in nodes.within(middle, NEAR_WORD_MM + word.width):
-            distance = word.distance(nodes.places[node]) + (2.0 if node >= nodes.corners else 0.0)
-            if distance <= NEAR_WORD_MM:
-                near = found.setdefault(name, {})
-                near[node] = min(distance, near.get(node, distance))
-    return found
-
-
-def _pole(nodes: Nodes, bench: Bench, near: Candidates) -> complex | None:
-    """The node from which the true plan would meet most nodes, one beside the word p if there is any."""
-    truth = run(bench.program, bench.given)
-    ends = [truth[m] for m in bench.marks if abs(truth[m]) > 1]
-    beside = near.get(POLE)
-    if not ends or (not beside and len(nodes.places) > 600):
-        return None
-    scores = []
-    for i in beside or range(len(nodes.places)):
-        z = nodes.places[i]
-        hits = sum(nodes.nearest(z + e, 2.5) is not None for e in ends)
-        scores.append((hits - (0.5 * beside[i] if beside else 0.0), nodes.weights[i], i))
-    best = max(scores)
-    return nodes.places[best[2]] if beside or best[0] >= max(2, 0.5 * len(ends)) else None
 
 
 def _marks(bench: Bench, sketch: Sketch, nodes: Nodes, origin: complex, near: Candidates) -> dict[str, complex]:
@@ -115,11 +101,12 @@ def _marks(bench: Bench, sketch: Sketch, nodes: Nodes, origin: complex, near: Ca
 
 
 def _tips(sketch: Sketch, nodes: Nodes) -> set[int] | None:
-    """Nodes with an arrowhead; None where too few lines have one for that to tell anything."""
-    headed = [k for k, way in enumerate(sketch.ways) if way]
-    if len(headed) < HEADED * max(len(sketch.strokes), 1):
-        return None
-    return {nodes.ends[k, 1 if sketch.ways[k] > 0 else 0] for k in headed}
+    """Nodes with an arrowhead, or with the circle of a point; None where too few have one for that to tell anything."""
+    if sketch.rounds:
+        found = (nodes.nearest(z, nodes.near) for z, _ in sketch.rounds)
+        return {i for i in found if i is not None}
+    vectors = headed(sketch)
+    return {nodes.ends[k, 1 if sketch.ways[k] > 0 else 0] for k in vectors} if vectors else None
 
 
 @dataclass
@@ -134,6 +121,7 @@ class _Desk:
     worded: bool  # whether nearly every mark has its word, so that one without was most likely not drawn
     found: dict[str, complex] = field(default_factory=dict)
     costs: dict[str, dict[int, float]] = field(default_factory=dict)  # of every node near its word, by mark
+    odd: dict[str, set[int]] = field(default_factory=dict)  # those of them where another mark is, and should not be
 
     @property
     def used(self) -> list[complex]:
@@ -153,7 +141,7 @@ class _Desk:
         taken: dict[int, str] = {}
         for name, costs in self.costs.items():
             node = min(costs, key=lambda i: costs[i])
-            if node in taken and costs[node] >= USED:
+            if node in taken and node in self.odd.get(name, ()):
                 one, two = self._regret(taken[node], node), self._regret(name, node) + USED
                 if one < two:
                     return taken[node], node
@@ -173,6 +161,7 @@ class _Desk:
         reach = min(max(miss.reach(3.0), 1.2), 8.0)
         guesses = [(self.origin + z, share * reach) for z, share in _guesses(self.bench, hand, mark)]
         if near:
+            self.odd[name] = {i for i in near if self._strange(i, guesses)}
             costs = self.costs[name] = {i: far + self._odd(i, guesses) for i, far in near.items()}
             return self.nodes.places[min(costs, key=lambda i: costs[i])]
         step = next(s for s in self.bench.program.steps if s.makes == mark)
@@ -193,9 +182,15 @@ class _Desk:
         z = self.nodes.places[node]
         fits = [abs(z - guess) <= far for guess, far in guesses]
         odd = 0.0 if fits[0] else 1.5 if any(fits) else 3.0
-        together = any(abs(u - guesses[0][0]) < guesses[0][1] for u in self.used)  # as they should be
-        odd += 0.0 if self._fresh(node) or (fits[0] and together) else USED
+        odd += USED if self._strange(node, guesses) else 0.0
         return odd + (2.0 if self.tips is not None and node not in self.tips else 0.0)
+
+
+    def _strange(self, node: int, guesses: list[tuple[complex, float]]) -> bool:
+        """Whether another mark is at a node already, where the two should not be together."""
+        place, reach = guesses[0]
+        together = any(abs(u - place) < reach for u in self.used) and abs(self.nodes.places[node] - place) <= reach
+        return not self._fresh(node) and not together
 
 
 def _guesses(bench: Bench, hand: Hand, mark: str) -> Iterator[tuple[complex, float]]:

@@ -11,13 +11,15 @@ from typing import Any
 
 from planes.check.arrowheads import head_of, settle, tapered
 from planes.check.opened import MB, contents, too_many
-from planes.check.strokes import Sketch, Words
+from planes.check.parts import joined, without_letters
+from planes.check.strokes import ROUND_MM, Head, Sketch, Words
 from planes.wording import PlanesError, guarded
 from planes.words import Phrase
 
 _MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 8: 25.4e-6, 13: 1e-3, 14: 100.0}
 LARGEST = 12 * MB
 MOST = 60_000  # entities, blocks among them
+LONGEST = 200  # letters of a text
 DEEPEST = 30  # blocks within blocks
 MEASURES = ("DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION", "TOLERANCE", "VIEWPORT")  # no vectors
 
@@ -50,6 +52,8 @@ def _sketch(document: Any, space: Any, scale: float, file: str) -> Sketch:
             _entity(found, entity, scale)
         except (ValueError, AttributeError, TypeError, IndexError, ZeroDivisionError):
             continue
+    found.words = joined(found.words)
+    without_letters(found)
     settle(found)
     return found
 
@@ -90,13 +94,15 @@ def _entity(found: Sketch, entity: Any, scale: float) -> None:
     match entity.dxftype():
         case "LINE":
             found.add([_z(entity.dxf.start, scale), _z(entity.dxf.end, scale)])
+        case "CIRCLE" if entity.dxf.radius * scale <= ROUND_MM:
+            found.rounds.append((_z(entity.ocs().to_wcs(entity.dxf.center), scale), entity.dxf.radius * scale))
         case "LWPOLYLINE" | "POLYLINE":
             _polyline(found, entity, scale)
         case "LEADER":
             places = [_z(v, scale) for v in entity.vertices]
             found.add(places)
             if entity.dxf.get("has_arrowhead", 1) and len(places) > 1 and places[0] != places[1]:
-                found.heads.append((places[0], (places[0] - places[1]) / abs(places[0] - places[1])))
+                found.heads.append(Head(places[0], (places[0] - places[1]) / abs(places[0] - places[1])))
         case "SOLID" | "TRACE":
             _head(found, [_z(p, scale) for p in entity.wcs_vertices()])
         case "HATCH":
@@ -111,7 +117,7 @@ def _entity(found: Sketch, entity: Any, scale: float) -> None:
             text = entity.plain_text()
             width = 0.7 * height * len(text.strip())
             back = (entity.dxf.get("attachment_point", 1) - 1) % 3 / 2
-            _words(found, text, insert - along * width * back, height, along)
+            _words(found, text, insert - along * width * back, height, along, width)
 
 
 def _polyline(found: Sketch, entity: Any, scale: float) -> None:
@@ -159,18 +165,22 @@ def _text(found: Sketch, entity: Any, scale: float) -> None:
     """A line of text: where its lower left corner is depends on how it is aligned."""
     along = cmath.rect(1, math.radians(entity.dxf.get("rotation", 0.0)))
     across, up = entity.dxf.get("halign", 0), entity.dxf.get("valign", 0)
+    fitted = entity.dxf.get("align_point") if across in (3, 5) else None
     placed = entity.dxf.get("align_point") if (across or up) and across not in (3, 5) else None
     at = entity.ocs().to_wcs(placed if placed is not None else entity.dxf.insert)
     height, text = entity.dxf.height * scale, entity.plain_text()
     width = 0.7 * height * len(text.strip())
+    if fitted is not None:  # between two places
+        span = _z(fitted, scale) - _z(entity.dxf.insert, scale)
+        width, along = abs(span) or width, span / abs(span) if span else along
     back = {1: 0.5, 2: 1.0, 4: 0.5}.get(across, 0.0) if placed is not None else 0.0
     down = {2: 0.5, 3: 1.0}.get(up, 0.5 if across == 4 else 0.0) if placed is not None else 0.0
-    _words(found, text, _z(at, scale) - along * (width * back + 1j * height * down), height, along)
+    _words(found, text, _z(at, scale) - along * (width * back + 1j * height * down), height, along, width)
 
 
-def _words(found: Sketch, text: str, place: complex, height: float, along: complex) -> None:
-    if text.strip() and len(text) <= 40:
-        found.words.append(Words(text.strip(), place, height, 0.7 * height * len(text.strip()), along))
+def _words(found: Sketch, text: str, place: complex, height: float, along: complex, width: float) -> None:
+    if text.strip() and len(text) <= LONGEST:
+        found.words.append(Words(text.strip(), place, height, width, along))
 
 
 def _z(p: Any, scale: float) -> complex:

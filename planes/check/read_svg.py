@@ -9,14 +9,16 @@ from xml.etree import ElementTree
 
 from planes.check.arrowheads import head_of, settle
 from planes.check.opened import MB, contents, too_many
-from planes.check.strokes import Sketch, Words
-from planes.check.svg_shapes import NUMBER, Looks, looks_of, number, outline, rings, style_rules
+from planes.check.parts import without_letters
+from planes.check.strokes import ROUND_MM, Head, Sketch, Words
+from planes.check.svg_shapes import NUMBER, Looks, circles, looks_of, number, outline, rings, style_rules
 from planes.check.svg_tree import MOST, tree
 from planes.wording import PlanesError
 from planes.words import Phrase
 
 LARGEST = 12 * MB
 LETTERS = 50  # of a shape's own description that take as long to read as one element
+LONGEST = 200  # letters of a text
 _MM = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72, "pc": 25.4 / 6, "px": 25.4 / 96, "": 25.4 / 96}
 DEEPEST = 60  # groups within groups
 NO_HEADS = ("dot", "circle", "square", "stop", "tick", "distance", "diamond")  # markers that are no arrowheads
@@ -30,12 +32,18 @@ def read_svg(path: str | Path) -> Sketch:
     root = tree(contents(path, LARGEST), str(path))
     if _tag(root) != "svg":
         raise PlanesError(Phrase("check_svg", file=str(path), why=f"<{_tag(root)}>"))
+    return sketch_of(root, str(path))
+
+
+def sketch_of(root: ElementTree.Element, file: str) -> Sketch:
+    """What a picture's tree holds, in mm, y up."""
     named = {e.get("id", ""): e for e in root.iter() if e.get("id")}
     page = _page(root)
-    sketch = Sketch(str(path), mm=lambda z: _at(page, z))
-    _Reader(sketch, named, style_rules(root)).walk(root, page, 0, {})
-    settle(sketch)
-    return sketch
+    reader = _Reader(Sketch(file, mm=lambda z: _at(page, z)), named, style_rules(root))
+    reader.walk(root, page, 0, {})
+    without_letters(reader.sketch)
+    settle(reader.sketch)
+    return reader.sketch
 
 
 def _tag(e: ElementTree.Element) -> str:
@@ -120,6 +128,9 @@ class _Reader:
             self._use(e, m, depth, looks)
         elif tag == "text":
             self._text(e, m)
+        elif tag == "circle":
+            middle = complex(*(number(e.get(k)) for k in ("cx", "cy")))
+            self._round(m, middle, number(e.get("r")))
         elif tag in ("line", "polyline", "polygon", "path"):
             self._shape(e, tag, m, looks)
         elif tag not in ("defs", "clipPath", "marker", "pattern", "mask") and (tag != "symbol" or used):
@@ -135,6 +146,8 @@ class _Reader:
     def _shape(self, e: ElementTree.Element, tag: str, m: Affine, looks: Looks) -> None:
         stroke, fill = looks.get("stroke", ""), looks.get("fill", "")
         solid = stroke == "none" or (not stroke and fill not in ("", "none"))
+        for middle, radius in circles(e.get("d") or ""):
+            self._round(m, middle, radius)
         curved = [h for ring in rings(e.get("d") or "") if (h := head_of([_at(m, z) for z in ring]))]
         if curved:
             self.sketch.heads += curved
@@ -148,28 +161,46 @@ class _Reader:
                 self.sketch.add(places, closed)
                 self._markers(places, looks)
 
+    def _round(self, m: Affine, middle: complex, radius: float) -> None:
+        """A small circle."""
+        if 0 < radius * abs(m[1]) <= ROUND_MM:
+            self.sketch.rounds.append((_at(m, middle), radius * abs(m[1])))
+
     def _markers(self, places: list[complex], looks: Looks) -> None:
         """Heads a line has by itself."""
         for key, tip, before in (("marker-start", places[0], places[1]), ("marker-end", places[-1], places[-2])):
             named = looks.get(key, looks.get("marker", "none")).lower()
             if named != "none" and tip != before and not any(word in named for word in NO_HEADS):
-                self.sketch.heads.append((tip, (tip - before) / abs(tip - before)))
+                self.sketch.heads.append(Head(tip, (tip - before) / abs(tip - before)))
 
     def _text(self, e: ElementTree.Element, m: Affine) -> None:
         text = "".join(e.itertext()).strip()
-        if not text or len(text) > 40:
+        if not text or len(text) > LONGEST:
             return
         first = next((c for c in e.iter() if c.get("x")), e)
-        z = complex(number(first.get("x")), number(first.get("y")))
         m = _then(m, _transform(first.get("transform"))) if first is not e else m
-        sizes = [c.get("font-size") or (re.search(r"font-size:([^;]+)", c.get("style") or "") or ["", ""])[1]
-                 for c in (first, e)]  # fmt: skip
-        size = next((float(n[0]) for s in sizes if (n := re.findall(NUMBER, s))), 12.0)
-        height, along = 0.73 * size * abs(m[2]), m[1] / abs(m[1]) if abs(m[1]) else 1 + 0j
+        pieces = [c for c in e.iter() if c.get("x") and (c.text or "").strip()] or [first]
+        if pieces != [first] and "".join(c.text or "" for c in pieces).replace(" ", "") == text.replace(" ", ""):
+            boxes = [_box(c, c.text or "", _size(c, e)) for c in pieces]
+        else:
+            boxes = [_box(first, text, _size(first, e))]
+        height, along = boxes[0][2] * abs(m[2]), m[1] / abs(m[1]) if abs(m[1]) else 1 + 0j
+        width = max(x + w - boxes[0][0].real for x, w in ((z.real, w) for z, w, _ in boxes)) * abs(m[1])
         anchor = e.get("text-anchor") or ("middle" if "text-anchor:middle" in (e.get("style") or "") else "start")
-        width = 0.7 * height * len(text)
         back = {"middle": 0.5, "end": 1.0}.get(anchor, 0.0) * width
-        self.sketch.words.append(Words(text, _at(m, z) - along * back, height, width, along))
+        self.sketch.words.append(Words(text, _at(m, boxes[0][0]) - along * back, height, width, along))
+
+
+def _size(*said: ElementTree.Element) -> float:
+    """The size of letters, said by the first that says it."""
+    sizes = [c.get("font-size") or (re.search(r"font-size:([^;]+)", c.get("style") or "") or ["", ""])[1] for c in said]
+    return next((float(n[0]) for s in sizes if (n := re.findall(NUMBER, s))), 12.0)
+
+
+def _box(e: ElementTree.Element, text: str, size: float) -> tuple[complex, float, float]:
+    """Where a piece of text begins, its width and its height."""
+    width = number(e.get("textLength")) or 0.7 * 0.73 * size * len(text.strip())
+    return complex(number(e.get("x")), number(e.get("y"))), width, 0.73 * size
 
 
 def _inner(e: ElementTree.Element) -> Affine:

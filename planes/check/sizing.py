@@ -6,13 +6,13 @@ import math
 import statistics
 from collections.abc import Mapping
 from dataclasses import replace
+from itertools import combinations
 
 from planes.check.bench import Bench
 from planes.check.chains import true_vectors
 from planes.check.strokes import Nodes, Sketch
 from planes.drawing import run
-from planes.mark_names import Names
-from planes.naming import POLE, at, label_of, mu_of
+from planes.naming import POLE, label_of, mu_of
 from planes.scales import kind_of
 
 LEAST_MM = 4.0  # shorter vectors tell little about the scale
@@ -34,23 +34,21 @@ def sized(bench: Bench, sketch: Sketch, nodes: Nodes, near: Mapping[str, Mapping
 
 
 def _of_marks(bench: Bench, nodes: Nodes, near: Mapping[str, Mapping[int, float]]) -> list[float]:
-    """Logarithms of drawn to stated distances from the pole."""
-    if POLE not in near:
-        return []
-    pole = nodes.places[min(near[POLE], key=lambda i: near[POLE][i])]
-    truth = run(bench.program, bench.given)
+    """Logarithms of drawn to stated distances from the pole, of a scheme between its points."""
+    truth = {label_of(m): run(bench.program, bench.given)[m] for m in bench.marks} | {POLE: 0j}
+    place = {n: nodes.places[min(held, key=lambda i: held[i])] for n, held in near.items() if n in truth}
+    pairs = [(POLE, n) for n in place if n != POLE] if POLE in place else list(combinations(place, 2))
     found = []
-    for name in map(label_of, bench.marks):
-        if name in near and abs(truth[at(bench.asked.plan, name)]) > LEAST_MM:
-            far = abs(nodes.places[min(near[name], key=lambda i: near[name][i])] - pole)
-            found += [math.log(far / abs(truth[at(bench.asked.plan, name)]))] if far > LEAST_MM else []
+    for one, two in pairs if POLE in place or bench.asked.plan == "position" else ():
+        true, drawn = abs(truth[one] - truth[two]), abs(place[one] - place[two])
+        found += [math.log(drawn / true)] if min(true, drawn) > LEAST_MM else []
     return found
 
 
 def _of_vectors(bench: Bench, sketch: Sketch) -> list[float]:
     """Logarithms of drawn to stated lengths of the vectors nearest to their words."""
     truth = true_vectors(bench)
-    known, found = Names(truth), []
+    known, found = bench.written(truth), []
     for word in sketch.words:
         name = known.find(word.text)
         if name is None or name == POLE or abs(truth[name]) < LEAST_MM:

@@ -3,20 +3,33 @@
 from __future__ import annotations
 
 import math
+import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
+from typing import NamedTuple
 
 from planes.check.opened import too_many
 
 Stroke = tuple[complex, complex]
-Head = tuple[complex, complex]  # the tip of an arrowhead, and the unit way it points
+Round = tuple[complex, float]  # the middle of a small circle, a hinge or a point, and its radius
+LONGEST_LIST = 40  # letters of names in a row
+ROUND_MM = 3.0  # a larger circle is no sign of a point
 SHORT_MM = 0.8  # shorter strokes are ticks, dots and pieces of letters
 SNAPPED_MM, LOOSE_MM, FARTHEST_MM = 0.1, 0.6, 2.0  # ends no farther apart are one: joined by a program, by eye, badly
 CROSSINGS = 400  # of more strokes than this crossings are not looked for
 MOST, MOST_SHORT = 12_000, 120_000  # strokes of a drawing, and pieces of letters: a plan has a few dozen strokes
+HEADED, FEWEST_HEADS = 0.25, 2  # of all lines, how many must have heads for that to tell the vectors from the rest
 CROWD = 0.03  # nodes per mm² beyond which any place would do for a mark
+
+
+class Head(NamedTuple):
+    """An arrowhead: its tip, the unit way it points, and how far back from its tip it is filled."""
+
+    tip: complex
+    way: complex
+    length: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -28,6 +41,16 @@ class Words:
     height: float = 3.5
     width: float = 0.0
     along: complex = 1 + 0j
+
+    def listed(self) -> list[Words]:
+        """One for each name where several are written in a row: p, a, d, or F = R."""
+        names = [t.strip() for t in re.split("[,=]", self.text)] if len(self.text) <= LONGEST_LIST else []
+        return [replace(self, text=t) for t in names if t] or [self]
+
+    @property
+    def middle(self) -> complex:
+        """The middle of the text's box."""
+        return self.place + self.along * complex(self.width or self.height, self.height) / 2
 
     def distance(self, z: complex) -> float:
         """From a place to the text's box."""
@@ -48,6 +71,7 @@ class Sketch:
     heads: list[Head] = field(default_factory=list)
     short: list[Stroke] = field(default_factory=list)  # vectors if they have heads, else ticks and pieces of letters
     mm: Callable[[complex], complex] = lambda z: z  # from the file's own units to mm, y up
+    rounds: list[Round] = field(default_factory=list)
 
     def add(self, points: Sequence[complex], closed: bool = False) -> None:
         """A polyline's strokes."""
@@ -64,12 +88,34 @@ def _finite(z: complex) -> bool:
     return math.isfinite(z.real) and math.isfinite(z.imag)
 
 
-def reach_of(strokes: Sequence[Stroke]) -> float:
-    """How far apart, mm, ends that are one place may be: hardly where a program joined them, more where the eye did."""
+def headed(sketch: Sketch) -> list[int]:
+    """The strokes with arrowheads, where so many have one that a vector is told from a construction line by it."""
+    found = [k for k, way in enumerate(sketch.ways) if way]
+    return found if len(found) >= max(FEWEST_HEADS, HEADED * len(sketch.strokes)) else []
+
+
+def hinged(sketch: Sketch) -> Sketch:
+    """The sketch with strokes that end at the circle of a hinge drawn on to its middle."""
+
+    def on(z: complex) -> complex:
+        return next((c for c, r in sketch.rounds if abs(z - c) < r + LOOSE_MM / 2), z)
+
+    lines = [(on(a), on(b)) for a, b in sketch.strokes]
+    kept = [k for k, (a, b) in enumerate(lines) if a != b]
+    ways = [sketch.ways[k] for k in kept] if sketch.ways else []
+    return replace(sketch, strokes=[lines[k] for k in kept], ways=ways)
+
+
+def reach_of(strokes: Sequence[Stroke], vectors: Sequence[int] = ()) -> float:
+    """How far apart, mm, ends that are one place may be: hardly where a program joined them, more where the eye did.
+
+    Where ``vectors`` are known, their ends alone tell.
+    """
     ends = [(k, z) for k, stroke in enumerate(strokes) for z in stroke]
     if len(ends) > 2 * CROSSINGS:
         return LOOSE_MM
-    gaps = sorted(min((abs(z - w) for j, w in ends if j != k), default=math.inf) for k, z in ends)
+    asked = [(k, z) for k in vectors for z in strokes[k]] or ends
+    gaps = sorted(min((abs(z - w) for j, w in ends if j != k), default=math.inf) for k, z in asked)
     joined = [g for g in gaps if g < FARTHEST_MM]
     if sum(g < SNAPPED_MM for g in gaps) > 0.7 * len(gaps) or not joined:
         return SNAPPED_MM if joined else LOOSE_MM
@@ -77,33 +123,59 @@ def reach_of(strokes: Sequence[Stroke]) -> float:
 
 
 class Nodes:
-    """Places where strokes end or cross, those nearer than ``near`` (mm) taken for one."""
+    """Places where strokes end or cross, those nearer than ``near`` (mm) taken for one.
 
-    def __init__(self, strokes: Sequence[Stroke], near: float | None = None) -> None:
-        self.near = near or reach_of(strokes)
+    Ends of vectors come first; of other lines only those that meet something are corners: the rest run on beyond
+    their crossing. Nothing but an end of its own kind moves a node.
+    """
+
+    def __init__(
+        self, strokes: Sequence[Stroke], near: float | None = None, vectors: Sequence[int] = (),
+        points: Iterable[complex] = (),
+    ) -> None:  # fmt: skip
+        self.near = near or reach_of(strokes, vectors)
         self.places: list[complex] = []
         self.weights: list[int] = []
         self.cells: dict[tuple[int, int], list[int]] = defaultdict(list)
         self.ends: dict[tuple[int, int], int] = {}
-        for k, stroke in enumerate(strokes):
-            self.ends[k, 0] = self._add(stroke[0])
-            self.ends[k, 1] = self._add(stroke[1], but=self.ends[k, 0])  # a stroke has two ends
+        for z in points:
+            self._add(z)
+        plain = [k for k in range(len(strokes)) if k not in set(vectors)] if vectors else []
+        for k in vectors or range(len(strokes)):
+            self._stroke(k, strokes[k])
+        free = [k for k in plain if not all(self._met(strokes, k, j) for j in (0, 1))]
+        for k in plain:
+            if k not in free:
+                self._stroke(k, strokes[k], fixed=True)
         self.corners = len(self.places)
+        for k in free:
+            self._stroke(k, strokes[k], fixed=True)
         if len(strokes) <= CROSSINGS:
             for z in crossings(strokes):
-                self._add(z)
+                self._add(z, fixed=True)
 
-    def _add(self, z: complex, but: int = -1) -> int:
+    def _stroke(self, k: int, stroke: Stroke, fixed: bool = False) -> None:
+        self.ends[k, 0] = self._add(stroke[0], fixed=fixed)
+        self.ends[k, 1] = self._add(stroke[1], but=self.ends[k, 0], fixed=fixed)  # a stroke has two ends
+
+    def _met(self, strokes: Sequence[Stroke], k: int, j: int) -> bool:
+        """Whether an end of a stroke meets an end of another one."""
+        z = strokes[k][j]
+        return bool(self.within(z, self.near)) or any(
+            abs(z - w) <= self.near for i, other in enumerate(strokes) if i != k for w in other)
+
+    def _add(self, z: complex, but: int = -1, fixed: bool = False) -> int:
         found = next((i for i in self.within(z, self.near) if i != but), None)
-        if found is not None:
-            weight = self.weights[found]
+        if found is None:
+            self.places.append(z)
+            self.weights.append(1)
+            self.cells[self._cell(z)].append(len(self.places) - 1)
+            return len(self.places) - 1
+        weight = self.weights[found]
+        if not fixed:
             self.places[found] = (self.places[found] * weight + z) / (weight + 1)
-            self.weights[found] += 1
-            return found
-        self.places.append(z)
-        self.weights.append(1)
-        self.cells[self._cell(z)].append(len(self.places) - 1)
-        return len(self.places) - 1
+        self.weights[found] += 1
+        return found
 
     def _cell(self, z: complex) -> tuple[int, int]:
         return math.floor(z.real / 4), math.floor(z.imag / 4)

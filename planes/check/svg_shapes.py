@@ -8,6 +8,7 @@ from itertools import pairwise
 from xml.etree import ElementTree
 
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+ROUND = 0.05  # how unequal the radii of a circle may be, and how far its ends apart, for its size
 STRAIGHT = 0.01  # a curve that leaves its chord by less is a line
 Looks = dict[str, str]
 LOOKS = ("stroke", "fill", "display", "visibility", "marker", "marker-start", "marker-end")
@@ -98,12 +99,28 @@ def path_lines(d: str) -> Iterator[tuple[list[complex], bool]]:
 def rings(d: str) -> Iterator[list[complex]]:
     """Corners of the closed figures of a path, those between curves too."""
     ring: list[complex] = []
-    for letter, at, _ in _pieces(d):
+    for letter, at, _ in _pieces(d) if "z" in d or "Z" in d else ():
         if letter == "Z" and len(ring) > 2:
             yield ring
         ring = [at] if letter in "MZ" else ring
         if letter not in "MZ":
             ring.append(at)
+
+
+def circles(d: str) -> Iterator[tuple[complex, float]]:
+    """Middles and radii of the closed figures of a path that are all curve and stand round their middle."""
+    ring: list[complex] = []
+    curved = True
+    for letter, at, _ in (*_pieces(d), ("M", 0j, True)) if re.search("[AaCc]", d) else ():
+        if letter not in "MZ":
+            ring, curved = [*ring, at], curved and letter not in "LHV"
+            continue
+        corners = ring[:-1] if len(ring) > 2 and abs(ring[-1] - ring[0]) < ROUND * abs(ring[1] - ring[0]) else []
+        middle = sum(corners) / max(len(corners), 1)
+        radii = [abs(z - middle) for z in corners]
+        if curved and radii and max(radii) < (1 + ROUND) * min(radii):
+            yield middle, max(radii)
+        ring, curved = [at], True
 
 
 def _end(base: str, v: list[float], at: complex, relative: bool) -> complex:

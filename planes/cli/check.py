@@ -5,12 +5,14 @@ from __future__ import annotations
 import argparse
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 from planes.check.bench import Asked, prepare
 from planes.check.nudging import HAND, cad
 from planes.check.paper import Paper, read_table
 from planes.check.report import heads, numbers_of, rows_of
+from planes.check.strokes import Sketch
 from planes.check.verdict import STATUS, Outcome, check
 from planes.check.verdict_rows import as_json
 from planes.cli.classes import check_class
@@ -22,7 +24,7 @@ from planes.units import UnitError, read_mu
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
 
-LINES = (".svg", ".dxf")
+LINES = (".svg", ".dxf", ".pdf")
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
 TABLES = (".csv", ".json", ".txt", ".tsv")
 MOST_SHOWN = 2000  # lines of a drawing shown in its report
@@ -74,9 +76,11 @@ def _trace(args: argparse.Namespace, asked: Asked) -> int:
 
 def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:
     """The question of the command line."""
+    from planes.roof.check import spelling
+
     plan = args.plan
     mu = _mu(args.mu, plan)
-    asked = Asked(scene, plan, value, mu)
+    asked = Asked(scene, plan, value, mu, spelt=spelling(scene, args.lang))
     others = {}
     for pair in args.others:
         name, _, file = pair.partition("=")
@@ -86,7 +90,7 @@ def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:
     skill = HAND
     if args.work == "cad":
         skill = cad(_size(asked))
-    return Asked(scene, plan, value, mu, skill, others)
+    return replace(asked, skill=skill, others=others)
 
 
 def _mu(text: str | None, plan: str) -> float | None:
@@ -112,8 +116,9 @@ def read_paper(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
     suffix = Path(file).suffix.lower()
     if suffix in TABLES:
         return read_table(file)
-    if suffix in LINES:
-        return _from_lines(file, asked, args)
+    sketch = _lines(file, suffix, args)
+    if sketch is not None:
+        return _from_lines(file, sketch, asked, args)
     if suffix in PICTURES:
         from planes.check.sight.photograph import paper_of_picture
 
@@ -123,18 +128,27 @@ def read_paper(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
     raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
 
 
-def _from_lines(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
-    """The marks of a drawing of lines; --pole and --mark are in its own units, y down."""
-    from planes.check.matching import paper_of, scaled
+def _lines(file: str, suffix: str, args: argparse.Namespace) -> Sketch | None:
+    """The lines of a drawing of lines; of a PDF with pixels told, or that shows a picture, none."""
     from planes.check.read_dxf import read_dxf
+    from planes.check.read_pdf import read_pdf
     from planes.check.read_svg import read_svg
 
+    if suffix == ".pdf":
+        return None if args.pole or args.format else read_pdf(file)
+    return {".svg": read_svg, ".dxf": read_dxf}[suffix](file) if suffix in LINES else None
+
+
+def _from_lines(file: str, sketch: Sketch, asked: Asked, args: argparse.Namespace) -> Paper:
+    """The marks of a drawing of lines; --pole and --mark are in its own units, y down."""
+    from planes.check.matching import scaled
+    from planes.check.whole_page import paper_on
+
     bench = prepare(asked)
-    sketch = read_svg(file) if file.lower().endswith(".svg") else read_dxf(file)
     pole = sketch.mm(place(args.pole, "--pole")[1]) if args.pole else None
     marks = dict(place(m, "--mark") for m in args.mark)
     sketch, by = scaled(sketch, bench, pole, {n: sketch.mm(z) for n, z in marks.items()})
-    paper = paper_of(sketch, bench)
+    paper = paper_on(sketch, bench)
     paper.scale_mark = by
     origin = paper.spots[0].place if paper.spots else 0j  # the pole is read first
     paper.strokes = [(a - origin, b - origin) for a, b in sketch.strokes[:MOST_SHOWN]] if paper.spots else []

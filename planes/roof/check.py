@@ -21,6 +21,7 @@ from planes.files import save
 from planes.measuring import say_plan
 from planes.naming import POLE
 from planes.scales import kind_of
+from planes.scene import Scene
 from planes.units import mu_text
 from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
@@ -168,8 +169,16 @@ def _tables(found: Outcome, name: Callable[[str], str], naming: Naming) -> list[
 
 
 def _naming(found: Outcome, lang: Lang) -> Naming:
-    scene = found.bench.asked.scene
+    return _naming_of(found.bench.asked.scene, lang)
+
+
+def _naming_of(scene: Scene, lang: Lang) -> Naming:
     return Naming(lang, scene.frame_number, scene.sheet.get("reactions") == "from-on")
+
+
+def spelling(scene: Scene, lang: Lang) -> Callable[[str], str]:
+    """How the sheets of a scene letter the vectors of its force plans."""
+    return _naming_of(scene, lang).vector
 
 
 def _upper(name: str) -> str:

@@ -64,6 +64,10 @@ CHECK: dict[str, tuple[str, str]] = {
         "The drawing's scale is taken as {mu} (the scene says {said}).",
     ),
     "check_mu_found": ("Масштаб чертежа принят {mu}.", "The drawing's scale is taken as {mu}."),
+    "check_nameless": (
+        "Линий, которые не удалось отнести ни к одному вектору плана: {count}; они пропущены.",
+        "Lines that could not be taken for any vector of the plan: {count}; they are left out.",
+    ),
     "check_unknown": (
         "Нет таких отметок в плане: {names}; они пропущены.",
         "The plan has no such marks: {names}; they are left out.",
