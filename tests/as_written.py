@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from planes.cycle import Cycle
-from planes.cycle.digits import Long
-from planes.cycle.reading import read
-from planes.cycle.tracing import given_values, trace
-from planes.cycle.twofold import TWO_OPS, Two, twofold
-from planes.mechanism import Mechanism
+from planes.accuracy.digits import Long
+from planes.batch import Cycle
+from planes.batch.reading import read
+from planes.batch.tracing import given_values, trace
+from planes.batch.twofold import TWO_OPS, Two, twofold
 from planes.plans import state, written
+from planes.scene.mechanism import Mechanism
 
 FINE = 1e-28
 LONG = Long(50)

@@ -12,9 +12,9 @@ import yaml
 from mechanisms import Case, to_yaml
 from oracle import Solution, reaction_key, solve
 
-from planes.drawing import Drawing, run
+from planes.drafting.drawing import Drawing, run
 from planes.plans import Plans, state
-from planes.scales import scales
+from planes.plans.scales import scales
 from planes.scene import Scene, loads
 
 

@@ -20,9 +20,9 @@ import drawings_force
 import sample_oracle
 from drawings import NONE, SHAKY, Care, Hand, Mistake
 
-from planes.check import grade, readable
-from planes.check.bench import Asked, Bench, prepare
-from planes.check.paper import Paper, Spot
+from planes.check.grading.bench import Asked, Bench, prepare
+from planes.check.grading.grading import grade, readable
+from planes.check.grading.paper import Paper, Spot
 from planes.scene import load
 
 SAMPLES = Path(__file__).parents[1] / "samples"

@@ -8,7 +8,7 @@ from __future__ import annotations
 import difflib
 from pathlib import Path
 
-from render.marks import Arc, Arrow, Hatch, Line, Shape, Text
+from render.paper.marks import Arc, Arrow, Hatch, Line, Shape, Text
 
 GOLDEN = Path(__file__).parent / "golden"
 SHOWN = 40  # lines of a difference

@@ -11,12 +11,12 @@ from typing import Any
 
 import numpy as np
 
-from planes.cycle import Cycle, fused
-from planes.cycle.digits import Digits
-from planes.drawing import run
+from planes.accuracy.digits import Digits
+from planes.batch import Cycle, fused
+from planes.drafting.drawing import run
 from planes.scene import loads
 from planes.solving import plans_of, solve
-from planes.wording import PlanFailure
+from planes.words.errors import PlanFailure
 
 WRONG = 1e-3  # of the largest number of its kind
 DIGITS = 60

@@ -37,15 +37,15 @@ from mechanisms import KINDS, any_scene, make, shape_of, to_yaml
 from near_limits import FAMILIES, walk
 from oracle import NoSolution
 
-from planes.cycle import Cycle, fused
-from planes.cycle.claims import Claims
-from planes.cycle.digits import Digits
-from planes.cycle.tracing import given_values, trace
-from planes.cycle.twofold import Two, apart, read_long
-from planes.drawing import run
+from planes.accuracy.digits import Digits
+from planes.batch import Cycle, fused
+from planes.batch.claims import Claims
+from planes.batch.tracing import given_values, trace
+from planes.batch.twofold import Two, apart, read_long
+from planes.drafting.drawing import run
 from planes.plans import state
 from planes.scene import loads
-from planes.wording import PlanesError
+from planes.words.errors import PlanesError
 
 EACH, CLOSE, FEW, SEEN = 1000, 1e-6, 2, 200
 FULL = 40  # positions of one mechanism compared with its text

@@ -25,9 +25,9 @@ from drawings import Care, Hand, Mistake
 from line_drawings import Stroke
 from same_ink import alike_on_paper, same_ink, size_on_paper
 
+from planes.check import Outcome, check
 from planes.check.sight.photograph import blank_pole, paper_of_picture
-from planes.check.verdict import Outcome, check
-from planes.naming import label_of
+from planes.words.names import label_of
 
 ROOM = (38.0, 288.0, 10.0, 200.0)  # of a blank: left, right, lower, upper, mm
 KINDS: dict[str, Callable[[random.Random], photographs.Camera]] = {

@@ -23,16 +23,16 @@ from pathlib import Path
 
 import shapely
 
-from planes.roof import sheet_of, write
+from planes.documents import sheet_of, write
 from planes.scene import Scene, load
 from planes.solving import Position, solve
-from planes.wording import PlanesError
 from planes.words import Lang, say
+from planes.words.errors import PlanesError
 from render.labels.footprints import conflicts, described
-from render.marks import Arrow, Line, Mark, Text
-from render.names import Naming
+from render.paper.marks import Arrow, Line, Mark, Text
+from render.paper.names import Naming
+from render.paper.typeset import plain
 from render.sheet import Sheet
-from render.typeset import plain
 from render.views.moments import MomentLines
 from render.views.tables import Tables
 

@@ -15,8 +15,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from shapely.geometry import LineString
 
-from planes import plane
-from planes.arithmetic import Many, One
+from planes.geometry import plane
+from planes.geometry.arithmetic import Many, One
 
 EPS = 2.0**-52
 ONE, MANY = One(), Many()

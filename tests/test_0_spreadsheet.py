@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from planes.cli import main
-from planes.spreadsheet import as_csv, cell
+from planes.words.spreadsheet import as_csv, cell
 
 SAMPLES = Path(__file__).parents[1] / "samples"
 FORMULAS = ["=1+1", "=cmd|'C calc'!A0", '=HYPERLINK("http://localhost")', "@SUM(1)", "+1+cmd", "-2+3", "-", "\t=1",

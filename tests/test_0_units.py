@@ -4,17 +4,8 @@ import math
 
 import pytest
 
-from planes.degrees import acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
-from planes.units import (
-    PLANS,
-    UnitError,
-    mu_text,
-    plan_of_mu,
-    quantity,
-    read_mu,
-    standard_mu,
-    standard_scale,
-)
+from planes.geometry.degrees import acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
+from planes.words.units import PLANS, UnitError, mu_text, plan_of_mu, quantity, read_mu, standard_mu, standard_scale
 
 READ = [
     ("250 mm/m", "position", 250.0), ("250mm/m", "position", 250.0), ("0.004 m/mm", "position", 250.0),

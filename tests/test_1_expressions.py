@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from planes.scene.expressions import evaluate, is_name, names_in, resolve
-from planes.wording import ExpressionError
+from planes.words.errors import ExpressionError
 
 NAMES = {"l_AB": 0.1, "φ": 30.0, "длина": 2.0, "x'": 5.0}
 

@@ -8,7 +8,7 @@ from counting import at_most
 
 from planes.scene import source
 from planes.scene.source import Items, Table, Text, lines, parse, read
-from planes.wording import SceneError
+from planes.words.errors import SceneError
 
 SIZE = 999_000
 ACCENTS = "a" + "\u0300\u0316" * 200

@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from planes.equations import Equation, Term
-from planes.wording import EquationError, PlanesError
+from planes.drafting.equations import Equation, Term
+from planes.words.errors import EquationError, PlanesError
 
 V_B = Term("v_B", "p", "b", length="v_B", direction="⊥AB")
 V_CB = Term("v_CB", "b", "c", direction="⊥CB", action="⊥CB")

@@ -3,9 +3,9 @@
 import pytest
 from scene_texts import SIX_LINK, VECTORS, changed
 
-from planes.mechanism import Assembly, Drive, Guide, Link, Load, Slide
 from planes.scene import VectorGiven, load, loads
-from planes.wording import SceneError
+from planes.scene.mechanism import Assembly, Drive, Guide, Link, Load, Slide
+from planes.words.errors import SceneError
 
 LINKS = {
     "1": Link("1", {"A": 0j, "B": 0.1 + 0j}, {}, None, 60.0, 5.0),

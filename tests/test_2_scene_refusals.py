@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scene_texts import SIX_LINK, VECTORS, changed
 
 from planes.scene import Scene, loads
-from planes.wording import SceneError
+from planes.words.errors import SceneError
 
 BAD = [
     ("planes: 1\n", "\n", '"planes: 1" is missing', 1), ("planes: 1", "planes: 2", 'format "2"', 1),

@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from mechanisms import KINDS, Case, make, mechanisms, to_yaml
 from test_5_failures import CROSS_SLIDE, FOUR_BAR, ROCKER, SLIDER
 
+from planes.plans.structure import KIND_NAMES, Structure, analyse
 from planes.scene import loads
-from planes.structure import KIND_NAMES, Structure, analyse
-from planes.wording import SceneError, StructureError
+from planes.words.errors import SceneError, StructureError
 
 SHEARS = """\
 planes: 1

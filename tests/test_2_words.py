@@ -13,16 +13,16 @@ from scene_texts import SIX_LINK, VECTORS, changed
 from test_2_scene_refusals import BAD, BAD_VECTORS
 
 from planes import cli, words
-from planes.angles import read_range
 from planes.scene import loads
 from planes.scene.expressions import evaluate
+from planes.scene.ranges import read_range
 from planes.scene.source import parse
+from planes.scene.statement import read_equation
 from planes.solving import solve
-from planes.statement import read_equation
-from planes.units import read_mu
-from planes.vectors import solve_vectors
-from planes.wording import PlanesError, PlanFailure, SceneError
+from planes.solving.vectors import solve_vectors
 from planes.words import TABLE, Phrase, say
+from planes.words.errors import PlanesError, PlanFailure, SceneError
+from planes.words.units import read_mu
 
 TABLES = [table for name, table in vars(words).items() if name.isupper() and name != "TABLE"]
 HOUSES = [Path(words.__file__).parents[1], Path(words.__file__).parents[2] / "render"]
@@ -94,7 +94,7 @@ def keys_told():
     """Keys that the program tells, as patterns: from constants, "a" if … else "b", and f"kind_{…}"."""
     for file, tree in TREES.items():
         ours = {name.asname or name.name for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)
-                and node.module in ("planes.words", "planes.wording") for name in node.names}
+                and node.module in ("planes.words", "planes.words.errors") for name in node.names}
         for node in ast.walk(tree):
             name = node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
             if name in TELLERS and (name in ours or name == "_help") and node.args:

@@ -12,16 +12,16 @@ from hypothesis import given, settings
 from mechanisms import KINDS, make, mechanisms, to_yaml
 from test_5_failures import FOUR_BAR, ROCKER, SLIDER
 
-import planes.steps
-import planes.steps.reckoning
-from planes.drawing import run
-from planes.measuring import asked
+import planes.drafting.steps
+import planes.drafting.steps.reckoning
+from planes.drafting.drawing import run
+from planes.drafting.program import Program
+from planes.drafting.steps import Aim, Carry, Cross, LayOff, Put, Step, Through, Turn
+from planes.drafting.steps.reckoning import Calculate, Measure, Product, Protractor
 from planes.plans import Plans, sliced, state
-from planes.program import Program
+from planes.plans.measuring import asked
 from planes.scene import loads
-from planes.steps import Aim, Carry, Cross, LayOff, Put, Step, Through, Turn
-from planes.steps.reckoning import Calculate, Measure, Product, Protractor
-from planes.wording import ProgramError
+from planes.words.errors import ProgramError
 
 LOADED = (
     FOUR_BAR
@@ -209,7 +209,8 @@ def test_changed_numbers_leave_a_random_program_the_same(case: Any) -> None:
 
 
 def all_steps() -> list[type[Step]]:
-    found = {v for m in (planes.steps, planes.steps.reckoning) for v in vars(m).values() if isinstance(v, type)}
+    rooms = planes.drafting.steps, planes.drafting.steps.reckoning
+    found = {v for room in rooms for v in vars(room).values() if isinstance(v, type)}
     return sorted((s for s in found if issubclass(s, Step)), key=lambda s: s.__name__)
 
 

@@ -12,11 +12,11 @@ from comparing import draw
 from mechanisms import KINDS, make, to_yaml
 from test_5_failures import FOUR_BAR, SLIDER
 
-from planes.drawing import Drawing, run
+from planes.drafting.drawing import Drawing, run
 from planes.plans import Plans, state
-from planes.scales import scales
+from planes.plans.scales import scales
 from planes.scene import loads
-from planes.wording import PlanFailure
+from planes.words.errors import PlanFailure
 
 EPS = 2.0**-52
 Bench = tuple[Plans, dict[str, float]]

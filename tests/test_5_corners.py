@@ -13,11 +13,11 @@ from comparing import checked, draw
 from mechanisms import KINDS, make, to_yaml
 from test_5_failures import FOUR_BAR, ROCKER, SLIDER
 
-from planes.instruments import Pencil
-from planes.measuring import catalogue
+from planes.drafting.instruments import Pencil
+from planes.plans.measuring import catalogue
 from planes.scene import loads
 from planes.solving import plans_of, solve
-from planes.wording import SceneError
+from planes.words.errors import SceneError
 
 TWO_SLIDERS = """\
 planes: 1

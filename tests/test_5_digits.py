@@ -7,13 +7,13 @@ from pathlib import Path
 import mpmath
 import pytest
 
-from planes.cycle.columns import columns_of
-from planes.cycle.digits import Digits
-from planes.drawing import Drawing, run
+from planes.accuracy.digits import Digits
+from planes.batch.columns import columns_of
+from planes.drafting.drawing import Drawing, run
 from planes.plans import Plans, state
-from planes.scales import unit_scales
+from planes.plans.scales import unit_scales
 from planes.scene import load, loads
-from planes.wording import PlanFailure
+from planes.words.errors import PlanFailure
 
 SAMPLES = Path(__file__).parents[1] / "samples"
 

@@ -13,7 +13,7 @@ from mechanisms import KINDS, make, to_yaml
 
 from planes.scene import loads
 from planes.solving import solve
-from planes.wording import PlanFailure, SceneError
+from planes.words.errors import PlanFailure, SceneError
 
 FOUR_BAR = """\
 planes: 1

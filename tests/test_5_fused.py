@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planes.cycle import fused
-from planes.cycle.reading import read
-from planes.cycle.symbols import Num, Vec, number, place_of
-from planes.cycle.tape import Tape
-from planes.cycle.tracing import Recording, Trace
+from planes.batch import fused
+from planes.batch.reading import read
+from planes.batch.symbols import Num, Vec, number, place_of
+from planes.batch.tape import Tape
+from planes.batch.tracing import Recording, Trace
 
 needs_compiler = pytest.mark.skipif(not fused.available(), reason="the extra planes[fast] is not installed")
 AR = Recording()
@@ -83,7 +83,7 @@ def test_the_loop_does_what_the_tape_says() -> None:
 
 @needs_compiler
 def test_a_structure_is_compiled_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    from planes.cycle import Cycle
+    from planes.batch import Cycle
     from planes.plans import state
     from planes.scene import load
 

@@ -14,21 +14,21 @@ from mechanisms import KINDS, make
 from test_5_corners import OLDHAM, TANGENT
 from test_5_failures import ROCKER, SLIDER
 
-from planes import plane
-from planes.arithmetic import One
+from planes.batch import Cycle, fused
 from planes.cli import main
-from planes.cycle import Cycle, fused
-from planes.drawing import proved, run
-from planes.instruments import Pencil
+from planes.drafting.drawing import proved, run
+from planes.drafting.instruments import Pencil
+from planes.drafting.proofs import Twofold
+from planes.drafting.steps import Similar
+from planes.drafting.steps.reckoning import Drop
+from planes.geometry import plane
+from planes.geometry.arithmetic import One
 from planes.plans import lever, state
 from planes.plans.kinematics import Rates
 from planes.plans.reactions import Statics
-from planes.proofs import Twofold
 from planes.scene import loads
 from planes.solving import solve
-from planes.steps import Similar
-from planes.steps.reckoning import Drop
-from planes.wording import Contradiction, PlanFailure
+from planes.words.errors import Contradiction, PlanFailure
 
 SAMPLES = Path(__file__).parents[1] / "samples"
 Spoil = Callable[[pytest.MonkeyPatch], None]

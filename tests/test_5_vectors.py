@@ -10,12 +10,12 @@ from itertools import pairwise
 
 import pytest
 
-from planes.cycle.explaining import explain
-from planes.erring import vector_errors
-from planes.instruments import Pencil
+from planes.accuracy.errors import vector_errors
+from planes.drafting.instruments import Pencil
 from planes.scene import loads
-from planes.vectors import VectorResults, solve_vectors
-from planes.wording import SceneError
+from planes.solving.explaining import explain
+from planes.solving.vectors import VectorResults, solve_vectors
+from planes.words.errors import SceneError
 
 FORCES = """planes: 1
 vectors:

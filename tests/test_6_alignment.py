@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from test_6_diagrams import ROCKER, plans_of
 
-from planes.alignment import CHOICES, _places, aligned, determinant, firm, pairs_of, steadily
 from planes.plans import Plans, state
+from planes.plans.alignment import CHOICES, _places, aligned, determinant, firm, pairs_of, steadily
+from planes.plans.self_aligning import FREEDOMS
+from planes.plans.structure import Pair
 from planes.scene import load
-from planes.self_aligning import FREEDOMS
-from planes.structure import Pair
 
 SAMPLES = Path(__file__).parents[1] / "samples"
 NAMES = ["six-link", "assignment-12", "kind-1-rrr", "kind-2-rrp", "kind-3-rpr", "kind-4-prp", "kind-5-rpp",

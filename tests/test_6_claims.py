@@ -12,20 +12,20 @@ import pytest
 from mechanisms import KINDS, make, to_yaml
 from nightly import beside_text, close_to_limits, errors, mechanism, truth
 
+from planes.accuracy.digits import Digits
+from planes.accuracy.spread import pencil_spread
+from planes.accuracy.stability import approach
+from planes.batch import Cycle, fused
+from planes.batch.claims import Claims
+from planes.batch.reading import OPS, read
+from planes.batch.rounding import EXACT, LARGEST, USUAL, bent, rounding, whole_numbers
+from planes.batch.tracing import given_values
+from planes.batch.twofold import TWO_OPS, apart
 from planes.cli import main
-from planes.cycle import Cycle, fused
-from planes.cycle.claims import Claims
-from planes.cycle.digits import Digits
-from planes.cycle.reading import OPS, read
-from planes.cycle.rounding import EXACT, LARGEST, USUAL, bent, rounding, whole_numbers
-from planes.cycle.spread import pencil_spread
-from planes.cycle.stability import approach
-from planes.cycle.tracing import given_values
-from planes.cycle.twofold import TWO_OPS, apart
-from planes.drawing import run
-from planes.instruments import Pencil
+from planes.drafting.drawing import run
+from planes.drafting.instruments import Pencil
 from planes.plans import state
-from planes.scales import scales
+from planes.plans.scales import scales
 from planes.scene import load, loads
 
 SAMPLES = Path(__file__).parents[1] / "samples"

@@ -12,16 +12,16 @@ import numpy as np
 import pytest
 from mechanisms import KINDS, make, to_yaml
 
-from planes.angles import Span, read_span
+from planes.accuracy.digits import Digits
+from planes.batch import Cycle, cycle, fused
+from planes.batch.claims import Claims
 from planes.cli import main
-from planes.cycle import Cycle, cycle, fused
-from planes.cycle.claims import Claims
-from planes.cycle.digits import Digits
-from planes.drawing import run
+from planes.drafting.drawing import run
 from planes.plans import Plans, state
 from planes.scene import load, loads
+from planes.scene.ranges import Span, read_span
 from planes.solving import solve
-from planes.wording import PlanesError
+from planes.words.errors import PlanesError
 
 SAMPLES = Path(__file__).parents[1] / "samples"
 NAMES = ["six-link", "sliding-driver", *(f"kind-{k}" for k in ("1-rrr", "2-rrp", "3-rpr", "4-prp", "5-rpp"))]

@@ -16,9 +16,9 @@ from planes.cli import main
 from planes.diagrams.summary import summary
 from planes.diagrams.text import as_json, report
 from planes.plans import state
+from planes.plans.structure import analyse
 from planes.scene import loads
-from planes.structure import analyse
-from planes.wording import SceneError
+from planes.words.errors import SceneError
 
 SAMPLES = Path(__file__).parents[1] / "samples"
 DRAG_LINK = """\

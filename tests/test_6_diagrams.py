@@ -20,11 +20,11 @@ from planes.diagrams.motion import dead_points, driven_grid
 from planes.diagrams.summary import Summary, summary
 from planes.diagrams.text import as_json, decimals, report
 from planes.diagrams.turn import Turn, grid, reach, span_of, turn_of, unwound
-from planes.nearest import trials
+from planes.diagrams.working import Span
 from planes.plans import Plans, state
 from planes.scene import Scene, load, loads
-from planes.wording import PlanesError
-from planes.working import Span
+from planes.solving.nearest import trials
+from planes.words.errors import PlanesError
 
 SAMPLES = Path(__file__).parents[1] / "samples"
 R, L = 0.1, 0.35

@@ -10,12 +10,12 @@ from typing import Any
 
 import pytest
 
+from planes.accuracy.digits import Digits
+from planes.accuracy.errors import add_errors
 from planes.cli import main
-from planes.cycle.digits import Digits
-from planes.drawing import run
-from planes.erring import add_errors
-from planes.instruments import Pencil
-from planes.measuring import Reader
+from planes.drafting.drawing import run
+from planes.drafting.instruments import Pencil
+from planes.plans.measuring import Reader
 from planes.scene import load
 from planes.solving import solve
 

@@ -13,11 +13,11 @@ from planes.diagrams.graphical import Construction, differentiated, integrated
 from planes.diagrams.graphical_text import readings, report
 from planes.diagrams.motion import constructed, motion_of
 from planes.diagrams.stages import Motion
-from planes.drawing import run
-from planes.instruments import Exact, Pencil
+from planes.drafting.drawing import run
+from planes.drafting.instruments import Exact, Pencil
+from planes.drafting.steps import Carry, Cross, Through
 from planes.scene import loads
-from planes.steps import Carry, Cross, Through
-from planes.wording import PlanesError
+from planes.words.errors import PlanesError
 
 
 def motion(text: str = "", sections: int = 12) -> Motion:

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from near_limits import FAMILIES, case, walk
 
+from planes.batch import Cycle, fused
 from planes.cli import main
-from planes.cycle import Cycle, fused
 from planes.scene import loads
 from planes.solving import plans_of, solve
-from planes.tables import report
+from planes.solving.tables import report
 
 SLOT = """\
 planes: 1

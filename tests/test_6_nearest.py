@@ -10,9 +10,9 @@ from collections.abc import Callable
 import pytest
 from near_limits import PRP, RPR, RRP, RRR
 
-from planes.nearest import nearest
 from planes.scene import loads
 from planes.solving import plans_of, solve
+from planes.solving.nearest import nearest
 
 PLACES = 1.01e-4  # degrees: the last place printed
 

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from planes.cli import main
-from planes.remedies import remedy
 from planes.scene import load, loads
 from planes.solving import solve
+from planes.solving.remedies import remedy
 
 SIX = str(Path(__file__).parents[1] / "samples" / "six-link.yaml")
 PARALLELOGRAM = """

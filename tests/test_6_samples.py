@@ -25,11 +25,11 @@ from sample_oracle import (
 )
 from sample_oracle import scales as sizes
 
-from planes.measuring import say_plan
-from planes.naming import at
+from planes.plans.measuring import say_plan
 from planes.scene import Scene, load
 from planes.solving import Position, Solved, solve
-from planes.vectors import solve_vectors
+from planes.solving.vectors import solve_vectors
+from planes.words.names import at
 
 PUBLISHED = ("six-link", "assignment-12", "bntu-1", "bntu-2", "bntu-3", "bntu-4", "bntu-5")
 NEAR = 1e-9

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from test_6_remedies import PARALLELOGRAM
 
-from planes.cycle import fused
-from planes.cycle.bench import Bench
-from planes.cycle.limits import find
-from planes.cycle.stability import Approach, approach
+from planes.accuracy.bench import Bench
+from planes.accuracy.limits import find
+from planes.accuracy.stability import Approach, approach
+from planes.batch import fused
 from planes.plans import Plans, state
 from planes.scene import load, loads
 

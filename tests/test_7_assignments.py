@@ -19,11 +19,11 @@ from comparing import Drawn, closing_mm, differences, expected, measured_closing
 from oracle import Solution
 from oracle import solve as solve_independently
 
-from planes.drawing import run
+from planes.course.survey import lines_of
+from planes.drafting.drawing import run
 from planes.plans import state
-from planes.scales import scales
+from planes.plans.scales import scales
 from planes.scene import load
-from planes.survey import lines_of
 
 FOLDER = Path(__file__).parent.parent / "samples" / "assignments"
 VARIANTS = "АБВГДЕ"

@@ -19,16 +19,16 @@ import pytest
 from confusion import SAMPLES, Easel, easels, run_all, told
 from drawings import Care, Hand, Mistake
 
-from planes.check.bench import Asked, prepare
-from planes.check.matching import paper_of
-from planes.check.paper import Paper, Spot, read_table
-from planes.check.read_svg import read_svg
-from planes.check.verdict import check
-from planes.check.verdict_rows import as_json
+from planes.check import check
+from planes.check.grading.bench import Asked, prepare
+from planes.check.grading.paper import Paper, Spot, read_table
+from planes.check.reading.matching import paper_of
+from planes.check.reading.svg import read_svg
+from planes.check.report.rows import as_json
 from planes.cli import main
-from planes.drawing import run as run_program
+from planes.drafting.drawing import run as run_program
 from planes.scene import load
-from planes.wording import PlanesError
+from planes.words.errors import PlanesError
 
 SIX = str(SAMPLES / "six-link.yaml")
 RIGHT = {"p": 0j, "b": 30 + 51.96j, "c": 71.66 - 8.11j, "s2": 57.77 + 11.91j, "l": 41.13 - 29.28j, "h": 30.03j}
@@ -390,9 +390,9 @@ def test_slips_are_named_beside_a_wrong_drawing(tmp_path: Path, capsys: pytest.C
 def test_the_printed_report_keeps_to_its_sheet(sample: str, plan: str) -> None:
     """Everything inside the frame, the drawing off the table, however far a wrong mark has run away."""
     from planes.check.fiducials import SHEET_MM
-    from planes.roof.check import _overlay
-    from render.check_sheet import compose
-    from render.marks import Arc, Arrow, Line, Text
+    from planes.documents.check import _overlay
+    from render.paper.marks import Arc, Arrow, Line, Text
+    from render.sheet.check_sheet import compose
 
     bench = prepare(Asked(load(SAMPLES / f"{sample}.yaml"), plan))
     drawn = run_program(bench.program, bench.given)

@@ -20,12 +20,12 @@ from planes.course.reading import read_course
 from planes.course.scenes import own_scene, used_names
 from planes.course.settling import again, main_answers, question, settle
 from planes.course.showing import clearest
-from planes.drawing import run
+from planes.drafting.drawing import run
 from planes.plans import state
-from planes.scales import unit_scales
+from planes.plans.scales import unit_scales
 from planes.scene import Scene, load, loads
 from planes.solving import solve
-from planes.wording import PlanesError
+from planes.words.errors import PlanesError
 
 SAMPLES = Path(__file__).parents[1] / "samples"
 TWELVE = SAMPLES / "assignments" / "12.yaml"

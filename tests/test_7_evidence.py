@@ -9,20 +9,20 @@ from pathlib import Path
 
 import pytest
 
-from planes.check.bench import Asked, Bench, known_plans, prepare
-from planes.check.matching import paper_of
-from planes.check.paper import Paper, Spot
-from planes.check.read_svg import read_svg
-from planes.check.strokes import Sketch, Words
-from planes.check.verdict import check
-from planes.check.verdict_rows import as_json
+from planes.check import check
+from planes.check.grading.bench import Asked, Bench, known_plans, prepare
+from planes.check.grading.paper import Paper, Spot
+from planes.check.reading.matching import paper_of
+from planes.check.reading.strokes import Sketch, Words
+from planes.check.reading.svg import read_svg
+from planes.check.report.rows import as_json
 from planes.cli import main
-from planes.drawing import run
-from planes.naming import label_of
+from planes.documents.check import write_blank
+from planes.drafting.drawing import run
+from planes.drafting.steps import Similar
 from planes.plans import state
-from planes.roof.check import write_blank
 from planes.scene import load
-from planes.steps import Similar
+from planes.words.names import label_of
 
 SAMPLES = Path(__file__).parent.parent / "samples"
 SCENES = ("kind-1-rrr", "bntu-2", "assignments/66")

@@ -10,9 +10,9 @@ import pytest
 from confusion import bench, easels, hand_in, run_all, told
 from drawings import SHAKY, Care, Mistake
 
-from planes.check import grade
-from planes.check.handwork import Hand, Miss
-from planes.check.jointly import given_before, order_of_reckoning
+from planes.check.grading.grading import grade
+from planes.check.grading.handwork import Hand, Miss
+from planes.check.grading.jointly import given_before, order_of_reckoning
 
 
 def miss(off: complex, *change: complex) -> Miss:

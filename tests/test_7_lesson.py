@@ -11,21 +11,21 @@ from pathlib import Path
 import pytest
 
 from planes import cli
-from planes.drawing import run
+from planes.documents.lesson import Lesson, figures, placed, set_note
+from planes.drafting.drawing import run
 from planes.lesson import LANGS, Teller, needed, value_of
 from planes.lesson.data import lesson_data
 from planes.lesson.formulas import fill
 from planes.lesson.note import Figure, Heading, Note, Prose, Table
-from planes.measuring import Reader, catalogue
-from planes.naming import at
 from planes.plans import state
-from planes.roof.lesson import Lesson, figures, placed, set_note
-from planes.scales import scales
+from planes.plans.measuring import Reader, catalogue
+from planes.plans.scales import scales
 from planes.scene import load
 from planes.solving import solve
-from planes.wording import PlanesError, SceneError
-from render.lesson_page import page
-from render.marks import Line
+from planes.words.errors import PlanesError, SceneError
+from planes.words.names import at
+from render.page.lesson_page import page
+from render.paper.marks import Line
 from render.sheet.composer import Composer
 from render.views.plotted import of_position
 

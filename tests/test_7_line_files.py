@@ -17,11 +17,11 @@ import test_7_check
 from confusion import easels, possible
 from counting import at_most
 
-from planes.check.matching import paper_of
-from planes.check.read_dxf import read_dxf
-from planes.check.read_svg import read_svg
-from planes.check.strokes import Sketch
-from planes.check.verdict import Outcome, check
+from planes.check import Outcome, check
+from planes.check.reading.dxf import read_dxf
+from planes.check.reading.matching import paper_of
+from planes.check.reading.strokes import Sketch
+from planes.check.reading.svg import read_svg
 
 LINES = [(0j, 30 + 40j), (30 + 40j, 60 + 0j), (0j, 60 + 0j)]  # from the pole, mm, y up
 WORDS = ("p", "b", "c")

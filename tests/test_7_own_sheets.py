@@ -10,27 +10,27 @@ from pathlib import Path
 import numpy
 import pytest
 
-from planes.check.arrowheads import settle
-from planes.check.bench import Asked, known_plans, prepare, variants_of
-from planes.check.handwork import Hand, Variant
-from planes.check.nudging import HAND
-from planes.check.parts import joined, parts, without_letters
-from planes.check.read_dxf import read_dxf
-from planes.check.read_pdf import read_pdf
-from planes.check.read_svg import read_svg
-from planes.check.strokes import Head, Nodes, Sketch, Words
-from planes.check.verdict import Outcome, check
-from planes.check.whole_page import paper_on
-from planes.naming import label_of, mu_of
-from planes.roof import _mechanism_views, rendered, sheet_of
-from planes.roof.sheets import Drawn
+from planes.check import Outcome, check
+from planes.check.grading.bench import Asked, known_plans, prepare, variants_of
+from planes.check.grading.handwork import Hand, Variant
+from planes.check.grading.nudging import HAND
+from planes.check.reading.arrowheads import settle
+from planes.check.reading.dxf import read_dxf
+from planes.check.reading.parts import joined, parts, without_letters
+from planes.check.reading.pdf import read_pdf
+from planes.check.reading.strokes import Head, Nodes, Sketch, Words
+from planes.check.reading.svg import read_svg
+from planes.check.reading.whole_page import paper_on
+from planes.documents import _mechanism_views, rendered, sheet_of
+from planes.documents.sheets import Drawn
 from planes.scene import Scene, load
 from planes.solving import Position
-from render.names import Naming
+from planes.words.names import label_of, mu_of
+from render.paper.names import Naming
 from render.sheet import Sheet
 from render.sheet.composer import Composer
+from render.sheet.single import Page, page
 from render.sheet.sizes import Sizes
-from render.views.single import Page, page
 
 SAMPLES = Path(__file__).parent.parent / "samples"
 READERS = {".svg": read_svg, ".dxf": read_dxf, ".pdf": read_pdf}

@@ -12,7 +12,7 @@ from PIL import Image
 from reportlab.pdfgen.canvas import Canvas
 
 from planes.cli import main
-from planes.wording import PlanesError
+from planes.words.errors import PlanesError
 
 cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402

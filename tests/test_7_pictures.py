@@ -23,14 +23,14 @@ import photographs  # noqa: E402
 import picture_corpus as corpus  # noqa: E402
 from photographs import PHONE, SCAN, Camera  # noqa: E402
 
-from planes.check.bench import Asked  # noqa: E402
+from planes.check import Outcome, check  # noqa: E402
 from planes.check.fiducials import SHEET_MM  # noqa: E402
+from planes.check.grading.bench import Asked  # noqa: E402
+from planes.check.report.rows import as_json  # noqa: E402
 from planes.check.sight.colours import plainest  # noqa: E402
 from planes.check.sight.frame import SIZES_MM, frame_corners, shape_of  # noqa: E402
 from planes.check.sight.photograph import paper_of_picture  # noqa: E402
 from planes.check.sight.picture import flatten  # noqa: E402
-from planes.check.verdict import Outcome, check  # noqa: E402
-from planes.check.verdict_rows import as_json  # noqa: E402
 
 SIX = str(SAMPLES / "six-link.yaml")
 MOTION = [("six-link", "velocity"), ("six-link", "acceleration"), ("kind-2-rrp", "acceleration"),

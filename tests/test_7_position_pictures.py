@@ -17,9 +17,9 @@ import photographs  # noqa: E402
 import position_pictures as schemes  # noqa: E402
 from photographs import PHONE, SCAN, Camera  # noqa: E402
 
-from planes.check.bench import Asked, Bench, prepare  # noqa: E402
+from planes.check import Outcome, check  # noqa: E402
+from planes.check.grading.bench import Asked, Bench, prepare  # noqa: E402
 from planes.check.sight.photograph import blank_pole, paper_of_picture  # noqa: E402
-from planes.check.verdict import Outcome, check  # noqa: E402
 from planes.scene import load  # noqa: E402
 
 

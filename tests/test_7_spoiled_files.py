@@ -10,12 +10,11 @@ from pathlib import Path
 import line_drawings
 import pytest
 
-from planes.check import read_svg as svg
-from planes.check import strokes, svg_tree
-from planes.check.paper import MOST as MOST_ROWS
-from planes.check.paper import read_table
+from planes.check.grading.paper import MOST as MOST_ROWS
+from planes.check.grading.paper import read_table
+from planes.check.reading import strokes, svg, svg_tree
 from planes.cli import main
-from planes.wording import PlanesError
+from planes.words.errors import PlanesError
 
 SAMPLES = Path(__file__).parent.parent / "samples"
 SCENE = str(SAMPLES / "kind-1-rrr.yaml")

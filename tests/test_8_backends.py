@@ -14,10 +14,11 @@ import pypdfium2
 import pytest
 from PIL import Image
 
-from render import pdf, png, style, svg
-from render.ink import arrow_parts, flattened, hatch_strokes
-from render.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
-from render.typeset import extent, layout, plain
+from render.files import pdf, png, svg
+from render.paper import style
+from render.paper.ink import arrow_parts, flattened, hatch_strokes
+from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
+from render.paper.typeset import extent, layout, plain
 
 SIZE = (210.0, 297.0)
 SVG = "{http://www.w3.org/2000/svg}"

@@ -9,12 +9,12 @@ import pytest
 from test_8_sheet import clashes
 
 from planes.diagrams.motion import constructed
-from planes.roof import sheet_of, view_of
+from planes.documents import sheet_of, view_of
 from planes.scene import load
-from render.marks import Arc, Line, Text
-from render.names import Naming
-from render.numbers import scale, unit, with_unit
-from render.typeset import plain
+from render.paper.marks import Arc, Line, Text
+from render.paper.names import Naming
+from render.paper.numbers import scale, unit, with_unit
+from render.paper.typeset import plain
 from render.views.graphical import Graphical, cropped, smooth
 from render.views.hodograph import _pieces
 

@@ -16,17 +16,18 @@ from counting import at_most
 from PIL import Image
 
 from planes.cli import main
-from planes.roof import draw_sheet, sheet_of
+from planes.documents import draw_sheet, sheet_of
 from planes.scene import load
-from render import form1, lettering, png, symbols
-from render.cutting import uncovered
-from render.ink import is_circle
-from render.marks import Arc, Line, Text
-from render.style import HINGE_MM, LAYERS, pen
-from render.typeset import layout
+from render.files import png
+from render.paper import form1, lettering, symbols
+from render.paper.cutting import uncovered
+from render.paper.ink import is_circle
+from render.paper.marks import Arc, Line, Text
+from render.paper.style import HINGE_MM, LAYERS, pen
+from render.paper.typeset import layout
 
 ezdxf = pytest.importorskip("ezdxf")
-dxf = pytest.importorskip("render.dxf")
+dxf = pytest.importorskip("render.files.dxf")
 
 SAMPLES = {path.stem: path for path in sorted((Path(__file__).parent.parent / "samples").glob("*.yaml"))}
 
@@ -122,7 +123,7 @@ def test_the_same_bytes_twice_and_a_file_by_its_suffix(tmp_path):
 
 def test_the_same_bytes_whatever_python_makes_its_sets_of():
     program = (
-        "import hashlib\nfrom planes.roof import sheet_of\nfrom planes.scene import load\nfrom render import dxf\n"
+        "import hashlib\nfrom planes.documents import sheet_of\nfrom planes.scene import load\nfrom render import dxf\n"
         f"found = sheet_of(load({str(SAMPLES['kind-1-rrr'])!r}), None)\n"
         "print(hashlib.sha256(dxf.write(found.marks, found.size, found.title)).hexdigest())\n"
     )

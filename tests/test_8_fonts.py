@@ -16,13 +16,14 @@ from test_8_golden import agree, farthest, letters, of_pdf, of_svg
 from test_8_sheet import clashes
 
 from planes.cli import main
-from planes.roof import sheet_of, view_of
+from planes.documents import sheet_of, view_of
 from planes.scene import load
-from render import lettering, outlines, pdf, svg
-from render.faces import OWN, Face, current, lettered
-from render.marks import Text
-from render.outlines import dejavu
-from render.typeset import extent, layout
+from render.files import pdf, svg
+from render.paper import lettering, outlines
+from render.paper.faces import OWN, Face, current, lettered
+from render.paper.marks import Text
+from render.paper.outlines import dejavu
+from render.paper.typeset import extent, layout
 
 SAMPLES = {path.stem: path for path in sorted((Path(__file__).parent.parent / "samples").glob("*.yaml"))}
 SANS = Face(str(dejavu()), False, "DejaVu Sans")
@@ -152,7 +153,7 @@ def test_letters_of_a_font_are_filled_and_their_holes_are_open():
 
     from PIL import Image
 
-    from render import png
+    from render.files import png
 
     with Image.open(io.BytesIO(png.write([mark], (60, 40), "t", dpi=254))) as picture:
         grey = np.asarray(picture.convert("L"))

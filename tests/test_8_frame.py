@@ -9,13 +9,13 @@ from itertools import combinations
 import pytest
 from scene_texts import SIX_LINK
 
-from planes.roof import sheet_of
+from planes.documents import sheet_of
 from planes.scene import loads
-from render import form1
 from render.labels.footprints import conflicts
-from render.marks import Line, Text
+from render.paper import form1
+from render.paper.marks import Line, Text
+from render.paper.typeset import extent, layout
 from render.sheet.frame import FORMATS, Paper, fitted
-from render.typeset import extent, layout
 
 SIZES = list(FORMATS.values())
 

@@ -16,13 +16,13 @@ from listings import GOLDEN, difference, listing
 from pypdfium2 import raw
 from test_8_dxf import SAMPLES, sheet
 
-from planes.roof import sheet_of
+from planes.documents import sheet_of
 from planes.scene import load
-from render import dxf, pdf, svg
-from render.cutting import uncovered
-from render.ink import arrow_parts, is_circle
-from render.marks import Arc, Arrow, Line, Shape, Text, moved
-from render.typeset import layout
+from render.files import dxf, pdf, svg
+from render.paper.cutting import uncovered
+from render.paper.ink import arrow_parts, is_circle
+from render.paper.marks import Arc, Arrow, Line, Shape, Text, moved
+from render.paper.typeset import layout
 
 KEPT = {"six-link-1": ("six-link", 1), "six-link-2": ("six-link", 2), "kind-5-rpp": ("kind-5-rpp", None)}
 NEAR_MM = 0.05

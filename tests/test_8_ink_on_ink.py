@@ -14,12 +14,12 @@ import pytest
 import shapely
 from mechanisms import KINDS, make, to_yaml
 
-from planes.roof import rendered, sheet_of, view_of
+from planes.documents import rendered, sheet_of, view_of
 from planes.scene import Scene, load, loads
-from planes.wording import PlanesError
+from planes.words.errors import PlanesError
+from render.paper.typeset import plain
 from render.sheet import Sheet
-from render.typeset import plain
-from render.views.single import Page
+from render.sheet.single import Page
 
 ROOT = Path(__file__).parent.parent / "samples"
 SOME = [ROOT / f"{name}.yaml" for name in ("six-link", "kind-3-rpr", "sliding-driver", "assignments/44")]

@@ -9,8 +9,8 @@ import pytest
 
 from render.labels import Label, place
 from render.labels.footprints import conflicts
-from render.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
-from render.typeset import layout
+from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
+from render.paper.typeset import layout
 
 FIELD = (0.0, 0.0, 420.0, 297.0)
 

@@ -8,8 +8,8 @@ from itertools import pairwise
 
 import pytest
 
-from render import lettering
-from render.lettering.signs import SAME, SHIFTED
+from render.paper import lettering
+from render.paper.lettering.signs import SAME, SHIFTED
 
 RUSSIAN = "АБВГДЕЁЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯ"
 BELARUSIAN = "АБВГДЕЁЖЗІЙКЛМНОПРСТУЎФХЦЧШЫЬЭЮЯ"

@@ -10,14 +10,14 @@ import pytest
 import shapely
 from test_8_sheet import clashes
 
-from planes.roof import draw_sheet, sheet_of
+from planes.documents import draw_sheet, sheet_of
 from planes.scene import load
 from planes.solving import solve
-from planes.wording import PlanesError
-from render import lettering
-from render.marks import Arrow, Line, Text
-from render.names import Naming
-from render.typeset import plain
+from planes.words.errors import PlanesError
+from render.paper import lettering
+from render.paper.marks import Arrow, Line, Text
+from render.paper.names import Naming
+from render.paper.typeset import plain
 from render.views.diagrams import pieces, unwound
 from render.views.many import Many, Numbered
 from render.views.scheme import Scheme

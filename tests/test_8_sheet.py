@@ -11,15 +11,16 @@ import shapely
 from scene_texts import SIX_LINK
 
 from planes.cli import main
-from planes.roof import draw_sheet, sheet_of
+from planes.documents import draw_sheet, sheet_of
 from planes.scene import load, loads
 from planes.solving import solve
-from planes.wording import PlanesError
-from render import lettering, pdf, svg
+from planes.words.errors import PlanesError
+from render.files import pdf, svg
 from render.labels.footprints import conflicts
-from render.marks import Arrow, Line, Text
+from render.paper import lettering
+from render.paper.marks import Arrow, Line, Text
+from render.paper.typeset import layout, plain
 from render.sheet.layout import GAP_MM, Field, pack
-from render.typeset import layout, plain
 
 SAMPLES = sorted((Path(__file__).parent.parent / "samples").glob("*.yaml"))
 NAMES = [path.stem for path in SAMPLES]
@@ -135,7 +136,7 @@ def test_result_lines_are_thick_and_lines_of_action_thin():
 
 
 def test_underlines_count_what_is_known():
-    from planes.vectors import solve_vectors
+    from planes.solving.vectors import solve_vectors
     from render.sheet.composer import Naming
     from render.views.formulas import Formulas
     from render.views.plotted import of_vectors

@@ -9,17 +9,17 @@ from pathlib import Path
 import pytest
 
 from planes.cli import main
+from planes.diagrams.driven import driven
 from planes.diagrams.turn import span_of
-from planes.plans.driven import driven
-from planes.roof import sheet_of
-from planes.roof.turning import turned_once
+from planes.documents import sheet_of
+from planes.documents.turning import turned_once
 from planes.scene import load, loads
 from planes.solving import plans_of, solve
-from render.marks import Arrow, Line, Text
-from render.names import Naming
+from render.paper.marks import Arrow, Line, Text
+from render.paper.names import Naming
+from render.paper.typeset import plain
 from render.sheet.composer import Composer
 from render.sheet.sizes import Sizes, grown
-from render.typeset import plain
 from render.views.diagrams import Curve, cut_off
 from render.views.given import Given
 
@@ -144,7 +144,7 @@ def test_the_field_is_well_filled(name, number):
 def test_round_scales_only():
     text = (SAMPLES / "assignments" / "61.yaml").read_text(encoding="utf-8")
     for size in (Sizes(), Sizes(1.25), Sizes(1.6)):
-        from planes.roof.sheets import Drawn
+        from planes.documents.sheets import Drawn
 
         mu = Drawn(loads(text), None, "ru").at(size).scales["mu_position"]
         assert f"{mu:.3g}" == f"{mu:g}"

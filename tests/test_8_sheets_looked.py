@@ -9,9 +9,9 @@ import pytest
 import sheets_run
 from sheets_run import Job, clashes, crossings, jobs, leaders, look, omissions, scene_of, unlettered, untranslated
 
-from planes.roof import sheet_of
+from planes.documents import sheet_of
 from render.labels import Label, place
-from render.marks import Arc, Line, Mark, Text, moved
+from render.paper.marks import Arc, Line, Mark, Text, moved
 
 SEED, COUNT = 5, 8
 SOME = random.Random(SEED).sample(jobs(True, True), COUNT)

@@ -6,9 +6,9 @@ import math
 
 import pytest
 
-from render.cutting import cut, uncovered
-from render.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
-from render.symbols import (
+from render.paper.cutting import cut, uncovered
+from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
+from render.paper.symbols import (
     angle_arc,
     bar,
     base,

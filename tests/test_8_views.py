@@ -7,16 +7,16 @@ from pathlib import Path
 import pytest
 
 from planes.cli import main
-from planes.instruments import Pencil
-from planes.roof import picture, view_of
+from planes.documents import picture, view_of
+from planes.drafting.instruments import Pencil
 from planes.scene import load
 from planes.solving import solve
-from planes.wording import PlanesError
+from planes.words.errors import PlanesError
 from render.labels.footprints import conflicts
-from render.marks import Line, Text
+from render.paper.marks import Line, Text
+from render.sheet.single import MARGIN_MM
+from render.sheet.traces import traced
 from render.views import bounds
-from render.views.single import MARGIN_MM
-from render.views.traces import traced
 
 SAMPLES = {path.stem: path for path in sorted((Path(__file__).parent.parent / "samples").glob("*.yaml"))}
 
@@ -69,7 +69,7 @@ def test_an_unknown_view_is_one_sentence_and_no_file(arguments, said, tmp_path, 
 def test_a_scene_and_a_position_show_themselves_once_the_extension_is_loaded():
     from types import SimpleNamespace
 
-    from planes.roof import notebook
+    from planes.documents import notebook
 
     told = {}
     formatter = SimpleNamespace(for_type=told.__setitem__, pop=told.pop)

@@ -14,17 +14,17 @@ import numpy as np
 import pytest
 
 from planes.cli import main
+from planes.documents import sheet_of, view_of
+from planes.drafting.steps.reckoning import Drop
 from planes.lesson.data import lesson_data
-from planes.roof import sheet_of, view_of
 from planes.scene import Scene, load, loads
 from planes.solving import Position, solve
-from planes.steps.reckoning import Drop
-from planes.wording import PlanesError
+from planes.words.errors import PlanesError
 from render.labels.footprints import ink, letters, overprinted
-from render.letters import pieces
-from render.marks import Line, Text
-from render.names import Naming
-from render.typeset import plain
+from render.paper.letters import pieces
+from render.paper.marks import Line, Text
+from render.paper.names import Naming
+from render.paper.typeset import plain
 from render.views.loading import Arms
 from render.views.tables import Grid
 

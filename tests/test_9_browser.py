@@ -11,15 +11,15 @@ from typing import Any
 import pytest
 from browser import chromium, until
 
-from planes.drawing import run
+from planes.drafting.drawing import run
 from planes.lesson import LANGS, Teller, value_of
 from planes.lesson.data import lesson_data
 from planes.lesson.formulas import fill
 from planes.plans import state
-from planes.scales import scales
+from planes.plans.scales import scales
 from planes.scene import load
 from planes.solving import position
-from render.lesson_page import page as written
+from render.page.lesson_page import page as written
 
 ROOT = Path(__file__).parent.parent / "samples"
 SIX = ROOT / "six-link.yaml"

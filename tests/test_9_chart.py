@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 from test_6_stability import CRANK, plans
 
+from planes.accuracy import methods, stability
+from planes.accuracy.bench import Bench
+from planes.accuracy.limits import find
 from planes.cli import main
-from planes.cycle import methods, stability
-from planes.cycle.bench import Bench
-from planes.cycle.limits import find
-from planes.roof.charts import axis, moving
+from planes.documents.charts import axis, moving
 from planes.scene import load
 
 SAMPLES = Path(__file__).parents[1] / "samples"

@@ -14,16 +14,16 @@ from browser import chromium
 from drawings import Care, Mistake
 from test_9_browser import watched
 
-from planes.check import Grading, empty
-from planes.check.bench import Asked, prepare, variants_of
-from planes.check.paper import Paper, Spot, read_table
-from planes.check.regrading import SURELY_MM, exported, retrace
-from planes.check.verdict import Outcome, check
+from planes.batch.tape import LEAVES, TESTS
+from planes.check import Outcome, check
+from planes.check.grading.bench import Asked, prepare, variants_of
+from planes.check.grading.grading import Grading, empty
+from planes.check.grading.paper import Paper, Spot, read_table
+from planes.check.report.regrading import SURELY_MM, exported, retrace
 from planes.cli.classes import Checked, Group
-from planes.cycle.tape import LEAVES, TESTS
-from planes.roof.check import write_class, write_report
+from planes.documents.check import write_class, write_report
 from planes.scene import load
-from planes.wording import PlanesError
+from planes.words.errors import PlanesError
 
 SAMPLES = Path(__file__).parent.parent / "samples"
 CASES = [

@@ -20,11 +20,11 @@ from counting import PATIENCE_S
 
 from planes.cli import main
 from planes.course import crowd, numbers
-from planes.roof import conducting
-from planes.roof import course as documents
+from planes.documents import conducting
+from planes.documents import course as documents
 from planes.scene import load
 from planes.solving import solve
-from planes.wording import PlanesError
+from planes.words.errors import PlanesError
 
 SAMPLES = Path(__file__).parents[1] / "samples"
 COMMAND = [sys.executable, "-m", "planes.cli", "course"]
@@ -250,7 +250,7 @@ def test_a_cluster_makes_the_same_bytes(whole: Path, tmp_path: Path, cluster: st
 
 
 def test_a_cluster_that_fails_is_a_sentence(cluster: str) -> None:
-    program = ("import sys\nfrom planes.course.crowd import crowd\nfrom planes.wording import PlanesError\n"
+    program = ("import sys\nfrom planes.course.crowd import crowd\nfrom planes.words.errors import PlanesError\n"
                "try:\n with crowd(scheduler=sys.argv[1]) as each: list(each(int, ['x']))\n"
                "except PlanesError as error: print(error)")  # fmt: skip
     done = subprocess.run([sys.executable, "-c", program, cluster], capture_output=True, text=True, check=False)

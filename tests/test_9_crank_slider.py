@@ -10,7 +10,7 @@ import pypdfium2
 import pytest
 from crank_slider_scenes import SAMPLE, changed, two_stroke
 
-from planes import roof
+from planes import documents as roof
 from planes.cli import main
 
 REFUSALS = [

@@ -13,12 +13,12 @@ import pytest
 from test_6_diagrams import ROCKER, crank
 
 from planes.cli import main
+from planes.documents.cycle import Turned, ends
+from planes.documents.graphs import over_cycle
 from planes.plans import state
-from planes.roof.cycle import Turned, ends
-from planes.roof.graphs import over_cycle
 from planes.scene import load, loads
-from render.curve_names import lettered_curve
-from render.names import Naming
+from render.paper.curve_names import lettered_curve
+from render.paper.names import Naming
 from render.views.diagrams import jumps
 
 SAMPLES = Path(__file__).parents[1] / "samples"
@@ -195,7 +195,7 @@ def test_a_mechanism_that_never_assembles_says_so(tmp_path: Path, capsys: Any) -
 
 
 def test_the_ends_of_a_range_run_backwards_are_the_same() -> None:
-    from planes.angles import read_span
+    from planes.scene.ranges import read_span
 
     assert ends(read_span("90:0:-10")) == ends(read_span("0:90:10")) == (0.0, 90.0)
     assert math.isclose(load(TWELVE).mechanism.drive.velocity, 12)  # type: ignore[union-attr]

@@ -15,14 +15,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planes.angles import Span
+from planes.batch import Cycle
+from planes.batch.streams import Heading, opened
 from planes.cli import main
-from planes.cycle import Cycle
-from planes.cycle.streams import Heading, opened
-from planes.files import keep, save
 from planes.plans import state
 from planes.scene import load
-from planes.wording import PlanesError
+from planes.scene.files import keep, save
+from planes.scene.ranges import Span
+from planes.words.errors import PlanesError
 
 SAMPLES = Path(__file__).parent.parent / "samples"
 RRR, ENGINE = str(SAMPLES / "kind-1-rrr.yaml"), str(SAMPLES / "crank-slider.yaml")

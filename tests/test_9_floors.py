@@ -72,7 +72,7 @@ STOREYS = (  # a module imports only from the storeys above its own in this list
 )
 FLOORS = {f"planes.{name}": floor for floor, names in enumerate(STOREYS) for name in names.split()}
 # alone may hand drawings to the renderer
-ROOFS = {"planes.cli", *(m for m in FLOORS if m.startswith("planes.roof"))}
+ROOFS = {"planes.cli", *(m for m in FLOORS if m.startswith("planes.documents"))}
 READ_BY_RENDER = {  # what drawings are made of, and words: nothing that states or solves mechanics
     f"planes.{name}" for name in (
         "crank_slider.pages", "diagrams.graphical", "diagrams.stages", "drafting", "drawing", "equations", "files",

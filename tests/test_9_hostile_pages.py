@@ -10,20 +10,20 @@ from typing import Any
 import pytest
 from browser import chromium
 
-from planes.check.bench import Asked
-from planes.check.paper import read_table
+from planes.check import check
+from planes.check.grading.bench import Asked
+from planes.check.grading.paper import read_table
 from planes.check.report import page_data
-from planes.check.tracing_paper import tracing_data
-from planes.check.verdict import check
+from planes.check.report.tracing_paper import tracing_data
 from planes.cli import main
 from planes.crank_slider.pages import Document, Heading, Paragraph, TableBlock
+from planes.documents.check import PAGE_WORDS, TRACE_WORDS
 from planes.lesson import note
 from planes.lesson.data import lesson_data
-from planes.roof.check import PAGE_WORDS, TRACE_WORDS
 from planes.scene import load
 from planes.words import say
-from render import check_page, class_page, lesson_page, trace_page, web_page
-from render.names import Naming
+from render.page import check_page, class_page, lesson_page, trace_page, web_page
+from render.paper.names import Naming
 from render.report import html as report
 from render.report import note_html
 

@@ -11,16 +11,16 @@ from pathlib import Path
 
 import pytest
 
+from planes.batch import Cycle
 from planes.cli import main
-from planes.cycle import Cycle
+from planes.documents import sheet_of
 from planes.plans import state
-from planes.roof import sheet_of
 from planes.scene import load, loads
 from planes.scene.settings import MOST_REVISIONS, SHEET_KEYS
-from planes.wording import PlanesError, SceneError
 from planes.words import say
-from render import svg
-from render.form1 import REVISIONS
+from planes.words.errors import PlanesError, SceneError
+from render.files import svg
+from render.paper.form1 import REVISIONS
 from render.sheet.said import cells
 
 SAMPLES = Path(__file__).parents[1] / "samples"

@@ -21,12 +21,12 @@ import photographs  # noqa: E402
 import picture_corpus as corpus  # noqa: E402
 
 from planes.check.fiducials import SHEET_MM  # noqa: E402
-from planes.roof.check import _overlay  # noqa: E402
-from render import png  # noqa: E402
-from render.check_sheet import compose  # noqa: E402
+from planes.documents.check import _overlay  # noqa: E402
+from render.files import png  # noqa: E402
 from render.labels.footprints import conflicts  # noqa: E402
-from render.marks import Arrow, Text  # noqa: E402
-from render.photo import Photo  # noqa: E402
+from render.paper.marks import Arrow, Text  # noqa: E402
+from render.paper.photo import Photo  # noqa: E402
+from render.sheet.check_sheet import compose  # noqa: E402
 
 SIX = str(confusion.SAMPLES / "six-link.yaml")
 

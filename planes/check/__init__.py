@@ -1,226 +1,245 @@
-"""Check a person's drawing of one plan: align it, find its scale, grade every mark, name the first mistake."""
+"""The outcome of a check: what was handed in, judged, as the object for programs and as words for people."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
 
-from planes.check.aligning import align
-from planes.check.bench import Bench, variants_of
-from planes.check.evidence import SURE, by_chance, nothing_drawn, size_of
-from planes.check.handwork import Hand, Miss, Taken
-from planes.check.judging import WARN, Judgement, judge, verdicts
-from planes.check.paper import Paper
-from planes.check.polygons import Rebuilt
-from planes.check.scaling import own_scales
-from planes.drawing import Drawing, run
-from planes.naming import at, label_of, mu_of, plan_of
-from planes.plans import Plans
-from planes.scales import extent, kind_of
-from planes.steps import Cross, CrossArc, CrossArcs, LayOff, Same, Step
+from planes.check.grading.accounts import Account, account, result_figures, segment_figures
+from planes.check.grading.bench import Asked, Bench, prepare, variants_of
+from planes.check.grading.evidence import SURE_LENGTHS, lengths_by_chance
+from planes.check.grading.grading import Grading, grade, readable
+from planes.check.grading.handwork import Hand, Taken, Variant
+from planes.check.grading.paper import Paper
+from planes.check.grading.slips import Figure
+from planes.plans.measuring import catalogue
+from planes.plans.scales import kind_of
 from planes.words import Phrase, Written
+from planes.words.errors import PlanesError
+from planes.words.names import label_of, mu_of
+from planes.words.units import mu_text
 
-OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
-LONG_MM = 3.0  # a shorter vector shows no scale
-NAMELESS = "?"  # begins the name of a line that has none
-READABLE = 0.5  # the share of a plan's crossings that must be read
+STATUS = {"right": 0, "wrong": 1, "unreadable": 2}
 
 
 @dataclass
-class Grading:
-    """A drawing graded at one scale."""
+class Outcome:
+    """Everything found in one drawing."""
 
-    plans: Plans
-    hand: Hand
-    truth: Drawing
-    marks: list[str]
-    mu: float
-    judgement: Judgement
-    free: Mapping[str, Miss]
-    loose: Hand  # the plan without the person's own marks
-    said_mu: bool = True
-    rebuilt: Rebuilt | None = None
+    bench: Bench
+    paper: Paper
+    grading: Grading | None = None
+    segments: Account | None = None
+    results: Account | None = None
+    unreadable: Phrase | None = None
     notes: list[Phrase] = field(default_factory=list)
 
     @property
-    def gap_wrong(self) -> float | None:
-        """By how many mm a force polygon fails to close, where that is more than a hand's error."""
-        gap = self.rebuilt.gap if self.rebuilt else None
-        reach = self.gap_reach
-        return abs(gap.place) if gap and reach is not None and abs(gap.place) > reach else None
+    def verdict(self) -> str:
+        """right, wrong or unreadable."""
+        if self.unreadable:
+            return "unreadable"
+        return "wrong" if self.first_wrong else "right"
 
     @property
-    def gap_reach(self) -> float | None:
-        """How far from closed a hand may leave a polygon, mm; None where nothing is there to close it."""
-        gap = self.rebuilt.gap if self.rebuilt else None
-        if gap is None:
-            return None
-        return self.judgement.limit * math.sqrt(2 * self.hand.tool.skill.point_mm ** 2 + 2 * gap.error_mm ** 2)
-
-    @property
-    def left_out(self) -> str | None:
-        """A known force that is not in the polygon and that nothing read was drawn from."""
-        if self.rebuilt is None or self.judgement.wrong:
-            return None
-        used = self._used()
-        for mark in self.marks:
-            step = next(s for s in self.hand.program.steps if s.makes == mark)
-            sure = label_of(mark) in self.rebuilt.absent or _long(self, step)  # what is short may be there, unseen
-            if isinstance(step, LayOff) and mark not in used and sure:
-                miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
-                if miss.sigmas > self.judgement.limit:
-                    return label_of(mark)
+    def first_wrong(self) -> str | None:
+        """The mark (or segment, or result) where the work goes wrong."""
+        if self.grading and (found := self.grading.strays):
+            return found
+        for table in (self.segments, self.results):
+            if table and table.first_wrong:
+                return table.named.blames if table.named and table is self.segments else table.first_wrong.figure.name
         return None
+
+    @property
+    def mistake(self) -> str | None:
+        """The named mistake, None when none explains the work best."""
+        if self.unreadable:
+            return None
+        g = self.grading
+        if g and g.judgement.first_wrong:
+            return g.judgement.named.mistake if g.judgement.named else None
+        if g and g.left_out:
+            return "weight_missing" if g.left_out.startswith("G_") else "force_missing"
+        if g and g.gap_wrong:
+            return "not_closed"
+        table = self._table
+        if table is None:
+            return None
+        return table.number_mistake or (table.named.mistake if table.named else None)
+
+    @property
+    def _table(self) -> Account | None:
+        return next((t for t in (self.segments, self.results) if t and t.first_wrong), None)
+
+    @property
+    def runner_up(self) -> str | None:
+        """The mistake that explains the work next best."""
+        if self.mistake is None and self.verdict != "wrong":
+            return None
+        g = self.grading
+        if g and g.judgement.first_wrong:
+            return g.judgement.runner_up.mistake if g.judgement.runner_up else None
+        return self._table.runner_up if self._table else None
+
+    @property
+    def sentence(self) -> Phrase:
+        """What is wrong and how to mend it."""
+        if self.unreadable:
+            return self.unreadable
+        first = self.first_wrong
+        if first is None:
+            return self.when_right if not self.unseen else self.when_right_as_seen
+        if self.mistake:
+            return Phrase(f"mistake_{self.mistake}", **self._about(first))
+        return self._unclear(first)
+
+    @property
+    def when_right(self) -> Phrase:
+        """What is said of a right drawing of the plan."""
+        key, parts = _plan_words(self.bench.asked.plan)
+        return Phrase("check_right", plan=Phrase(key, **parts))
 
     @property
     def unseen(self) -> list[str]:
-        """Marks that were not read and that nothing read was drawn from: wherever they are, nobody has looked."""
-        used, steps = self._used(), {s.makes: s for s in self.hand.program.steps}
-        absent = self.rebuilt.absent if self.rebuilt else ()
-        return [label_of(m) for m in self.marks
-                if m not in used and not isinstance(steps[m], Same) and label_of(m) not in absent]  # fmt: skip
-
-    def _used(self) -> set[str]:
-        """Marks that were read, and those they were drawn from."""
-        used = set(self.judgement.misses)
-        for step in reversed(self.hand.program.steps):
-            if step.makes in used:
-                used.update(n for n, kind in step.reads() if kind == "mark" and n not in self.judgement.misses)
-        return used
+        """Marks of the plan that nobody has looked at."""
+        return self.grading.unseen if self.grading and not self.unreadable else []
 
     @property
-    def strays(self) -> str | None:
-        """The mark where it goes wrong: drawn wrongly, left out, or where a polygon should close."""
-        gap = self.rebuilt.closing if self.gap_wrong and self.rebuilt else None
-        return self.judgement.first_wrong or self.left_out or gap
+    def when_right_as_seen(self) -> Phrase:
+        """What is said of a drawing that is right where it was seen."""
+        key, parts = _plan_words(self.bench.asked.plan)
+        return Phrase("check_right_as_seen", plan=Phrase(key, **parts), names=", ".join(self.unseen))
 
-    @property
-    def chance(self) -> float:
-        """How likely marks put anywhere on the drawing would be as right."""
-        found = self.judgement
-        return by_chance(self.hand, found.misses, found.limit, not self.said_mu, self.gap_reach)
+    def _about(self, first: str) -> dict[str, object]:
+        """Names for the sentence of the mistake."""
+        g, table = self.grading, self._table
+        named: Variant | None = g.judgement.named if g else None
+        if not named and table:
+            named = table.named
+        about: dict[str, object] = {"mark": first, **(named.about if named else {})}
+        if self.mistake == "not_closed" and g and g.gap_wrong:
+            about["gap"] = Written(f"{g.gap_wrong:.1f}")
+        return about
 
-    @property
-    def verdicts(self) -> dict[str, str]:
-        """right, wrong, follows or unread for every mark of the plan."""
-        strayed = {m: miss.sigmas > self.judgement.limit for m, miss in self.free.items()}
-        return verdicts(self.judgement, self.marks, strayed)
+    def _unclear(self, first: str) -> Phrase:
+        g, table = self.grading, self._table
+        if g and g.judgement.wrong:
+            off = abs(g.judgement.misses[g.judgement.wrong[0]].off)
+            if not math.isfinite(off):
+                return Phrase("check_undrawable", mark=first)
+            return Phrase("check_unclear", mark=first, off=Written(f"{off:.1f}"))
+        s = table.first_wrong if table else None
+        given, true = (s.figure.given, s.true) if s else (0.0, 0.0)
+        return Phrase("check_number_unclear", mark=first, given=Written(f"{given:.4g}"), true=Written(f"{true:.4g}"))
 
 
-def grade(bench: Bench, paper: Paper) -> Grading | None:
-    """Grade a paper of marks at the scale that explains it best; None when no mark of the plan was read."""
-    plan = bench.asked.plan
-    spots, rebuilt, unknown = align(bench, plan, paper)
-    taken = {at(plan, n): Taken(s.place, s.error_mm) for n, s in spots.items()}
-    if not taken:
+def _plan_words(plan: str) -> tuple[str, dict[str, object]]:
+    kind, _, links = plan.partition(":")
+    return f"plan_{kind}", {"links": links.replace("-", ", ")}
+
+
+def check(asked: Asked, paper: Paper) -> Outcome:
+    """Check one paper. :class:`PlanesError` where the scene or the question is wrong."""
+    bench = prepare(asked)
+    out = Outcome(bench, paper, notes=list(paper.notes))
+    try:
+        _look(out)
+    except PlanesError as error:
+        out.unreadable = error.phrase if isinstance(error.phrase, Phrase) else Phrase("check_nothing_read", names="")
+    return out
+
+
+def _look(out: Outcome) -> None:
+    bench, paper = out.bench, out.paper
+    if paper.scale_mark and all(n.key != "check_scale_vector" for n in out.notes):
+        out.notes.append(Phrase("check_scale_vector", mark=paper.scale_mark))
+    if paper.spots:
+        out.grading = grade(bench, paper)
+    if out.grading:
+        out.unreadable = readable(out.grading)
+        out.notes += out.grading.notes + _scale_notes(out)
+    if paper.segments:
+        _segments(out)
+    if paper.results:
+        _results(out)
+    if not (out.grading or (out.segments and out.segments.scored) or (out.results and out.results.scored)):
+        out.unreadable = Phrase("check_nothing_read", names=", ".join(label_of(m) for m in bench.marks))
+
+
+def _scale_notes(out: Outcome) -> list[Phrase]:
+    g, bench = out.grading, out.bench
+    if g is None or g.said_mu:
+        return []
+    kind = kind_of(bench.asked.plan)
+    found, said = _mu(float(f"{g.mu:.3g}"), kind), bench.asked.scene.mu.get(kind)
+    return [Phrase("check_mu", mu=found, said=_mu(said, kind)) if said else Phrase("check_mu_found", mu=found)]
+
+
+def _mu(mu: float, kind: str) -> Written:
+    return Written(mu_text(mu, kind), mu_text(mu, kind, "ru"))
+
+
+def _free(bench: Bench, wanted: Iterable[str], mu: float, taken: dict[str, Taken]) -> Hand:
+    """The true plan with the errors of drafting carried through it, up to the wanted names."""
+    asked = bench.asked
+    program = bench.plans.program.sliced([*bench.marks, *(n for n in wanted if n)])
+    given = {**bench.given, mu_of(asked.plan): mu}
+    return Hand(program, given, asked.skill, taken)
+
+
+def _segments(out: Outcome) -> None:
+    bench = out.bench
+    labels = [label_of(m) for m in bench.marks]
+    figures, unknown = segment_figures(bench.plans, bench.asked.plan, labels, out.paper.segments)
+    out.notes += [Phrase("check_unknown", names=", ".join(unknown))] if unknown else []
+    if not figures:
+        return
+    best: tuple[int, int, Account] | None = None
+    for k, mu in enumerate(_segment_scales(bench, figures)):
+        free = _free(bench, [], mu, {})
+        found = account(figures, free, None, variants_of(bench, free, mu), bench.plans, bench.asked.skill.ruler_mm)
+        wrong = sum(s.verdict == "wrong" for s in found.scored) + (found.first_wrong is not None and not found.named)
+        if best is None or (wrong, k > 0) < best[:2]:
+            best = wrong, k > 0, found
+    out.segments = best[2] if best else None
+    if best and best[2].first_wrong is None and not out.grading:
+        out.unreadable = _shown_by(best[2], bool(best[1]))
+
+
+def _shown_by(lengths: Account, free: bool) -> Phrase | None:
+    """None when right lengths show that the plan is right, else a sentence that says they are too few or too short."""
+    longest = max(s.figure.given for s in lengths.scored)
+    shares = (6 * s.sigma / longest if longest else 1.0 for s in lengths.scored)
+    if lengths_by_chance(shares, free) <= SURE_LENGTHS:
         return None
-    taken |= _earlier(bench)
-    best: tuple[float, Grading] | None = None
-    for mu, share in own_scales(bench, taken):
-        found = _grade_at(bench, mu, share, taken, rebuilt.absent if rebuilt else set())
-        said = mu == bench.said_mu
-        score = _worth(found) + (0.0 if said else OWN_SCALE)
-        found.said_mu = said
-        if best is None or score > best[0] + 1e-9:
-            best = score, found
-        if said and not _rescaled(found):
-            break
-    if best is None:
-        return None
-    best[1].rebuilt = rebuilt
-    if named := [name for name in unknown if not name.startswith(NAMELESS)]:
-        best[1].notes.append(Phrase("check_unknown", names=", ".join(named)))
-    if len(named) < len(unknown):
-        best[1].notes.append(Phrase("check_nameless", count=len(unknown) - len(named)))
-    return best[1]
+    return Phrase("check_by_chance", count=len(lengths.scored), size=Written(f"{longest:.1f}"))
 
 
-def _rescaled(found: Grading) -> bool:
-    """Whether another scale may be behind the wrong marks: of a force plan all forces would be wrong, not one."""
-    if not found.judgement.wrong:
-        return False
-    if found.rebuilt is None and kind_of(plan_of(found.marks[0])) != "force":
-        return True
-    steps = {s.makes: s for s in found.hand.program.steps}
-    laid = [m for m in found.judgement.misses if isinstance(steps[m], LayOff) and _long(found, steps[m])]
-    return len(laid) < 2 or sum(m in found.judgement.wrong for m in laid) > 1
+def _segment_scales(bench: Bench, figures: list[Figure]) -> list[float]:
+    """The stated scale and those the lengths themselves show."""
+    found = [bench.said_mu]
+    if bench.asked.mu:
+        return found
+    free = _free(bench, [], bench.said_mu, {})
+    for f in figures:
+        true = float(abs(f.read(free.things)[0]))
+        if true > 5 and f.given > 0 and all(abs(bench.said_mu * f.given / true / m - 1) > 0.01 for m in found):
+            found.append(bench.said_mu * f.given / true)
+    return found[:6]
 
 
-def _long(found: Grading, step: Step) -> bool:
-    """Whether a vector is long enough to be told from none, or to show another scale."""
-    return isinstance(step, LayOff) and bool(abs(found.truth[step.makes] - found.truth[step.start]) > LONG_MM)
-
-
-def _worth(found: Grading) -> float:
-    """How much a grading is to be believed: how likely the drawing is, with the mistake named or without any."""
-    return found.judgement.score
-
-
-def _earlier(bench: Bench) -> dict[str, Taken]:
-    """Marks of earlier plans that were handed in too."""
-    found: dict[str, Taken] = {}
-    for plan, paper in bench.asked.others.items():
-        spots, _, _ = align(bench, plan, paper)
-        found |= {at(plan, n): Taken(s.place, s.error_mm) for n, s in spots.items()}
-    return found
-
-
-def _grade_at(bench: Bench, mu: float, share: float, taken: Mapping[str, Taken], absent: set[str]) -> Grading:
-    """Grade at one scale."""
-    plan, skill = bench.asked.plan, bench.asked.skill
-    name = mu_of(plan)
-    given = {**bench.given, name: mu}
-    unsure = {name: share} if share and name in bench.program.givens else {}
-    hand = Hand(bench.program, given, skill, taken, unsure)
-    truth = run(bench.program, given)
-    free = Hand(bench.program, given, skill, {m: t for m, t in taken.items() if m not in bench.marks}, unsure)
-    apart = {m: _apart(free, m, taken[m]) for m in bench.marks if m in taken}
-    size = extent(truth, plan)
-    judgement = judge(hand, bench.marks, variants_of(bench, hand, mu), size, absent)
-    wrong, at_home = judgement.wrong, {m for m, miss in apart.items() if miss.sigmas <= judgement.limit}
-    judgement.wrong = wrong[:1] + [m for m in wrong[1:] if m not in at_home]  # off a wrong mark, but where it should be
-    return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart, free)
-
-
-def _apart(free: Hand, mark: str, own: Taken) -> Miss:
-    """How far a mark is from the true plan, where drafting alone may lead a person astray."""
-    miss = free.miss(free.things[mark], own.place)
-    xx, xy, yy = miss.cov
-    return Miss(miss.off, (xx + own.error_mm**2, xy, yy + own.error_mm**2))
-
-
-def empty(bench: Bench) -> Grading:
-    """The grading of a drawing of which no mark is read yet, at the stated scale."""
-    return _grade_at(bench, bench.said_mu, 0.0, _earlier(bench), set())
-
-
-def key_marks(grading: Grading) -> list[str]:
-    """The marks a plan cannot be judged without: its crossings, or all that are drawn."""
-    steps = {s.makes: s for s in grading.plans.program.steps}
-    key = [m for m in grading.marks if isinstance(steps[m], Cross | CrossArc | CrossArcs)]
-    return key or [m for m in grading.marks if not isinstance(steps[m], Same)]
-
-
-def readable(grading: Grading) -> Phrase | None:
-    """None when enough was read to judge, else a sentence that says what is missing."""
-    key = key_marks(grading)
-    found = [m for m in key if m in grading.judgement.misses]
-    if len(found) < READABLE * len(key):
-        missing = ", ".join(label_of(m) for m in key if m not in found)
-        return Phrase("check_too_little", found=len(found), count=len(key), names=missing)
-    size = Written(f"{size_of(grading.hand, grading.marks):.1f}")
-    if nothing_drawn(grading.hand, grading.marks):
-        return Phrase("check_nothing_drawn", size=size)
-    if not grading.strays and grading.chance > SURE:
-        return Phrase("check_by_chance", size=size, count=len(grading.judgement.misses))
-    count = len(grading.judgement.misses)
-    wrong = [m for m, v in grading.verdicts.items() if v == "wrong"]
-    if grading.judgement.named is None and count >= 3 and len(wrong) > 0.7 * count:
-        return Phrase("check_other_drawing", count=count, wrong=len(wrong))
-    return None
-
-
-def close_call(miss: Miss, limit: float) -> bool:
-    """Whether a mark is right by less than it should."""
-    return WARN < miss.sigmas <= limit
+def _results(out: Outcome) -> None:
+    bench = out.bench
+    known = catalogue(bench.plans)
+    figures, unknown = result_figures(bench.plans, known, out.paper.results)
+    out.notes += [Phrase("check_unknown", names=", ".join(unknown))] if unknown else []
+    if not figures:
+        return
+    wanted = [n for q in known.values() for n in q.needs if any(f.name == q.name for f in figures)]
+    mu = out.grading.mu if out.grading else bench.said_mu
+    free = _free(bench, wanted, mu, {})
+    own = _free(bench, wanted, mu, dict(out.grading.hand.taken)) if out.grading else None
+    ways = replace(bench, program=free.program)
+    out.results = account(figures, free, own, [] if own else variants_of(ways, free, mu), bench.plans)

@@ -11,14 +11,14 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import Any
 
-from planes.angles import read_span
 from planes.cli.idle import check_needs, check_options
 from planes.cli.options import add_blank_options, add_check_options, add_course_options, add_cycle_options
+from planes.cli.parser import Parser, help_of, home_lang
 from planes.cli.positions import add_positions, range_of, value_of, values_of
-from planes.home import Parser, help_of, home_lang
 from planes.scene import Scene, load
-from planes.wording import PlanesError
+from planes.scene.ranges import read_span
 from planes.words import Phrase
+from planes.words.errors import PlanesError
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -136,11 +136,11 @@ def _solve(args: argparse.Namespace) -> int:
 
 
 def _structure(args: argparse.Namespace) -> int:
-    from planes.alignment import aligned
     from planes.plans import state
+    from planes.plans.alignment import aligned
+    from planes.plans.structure import analyse
     from planes.solving import structure_json
-    from planes.structure import analyse
-    from planes.tables import alignment_report, structure_report
+    from planes.solving.tables import alignment_report, structure_report
 
     scene = _scene(args)
     if scene.mechanism is None:
@@ -174,7 +174,7 @@ def _blank(args: argparse.Namespace) -> int:
 
 
 def _sheet(args: argparse.Namespace) -> int:
-    from planes.roof import draw_sheet
+    from planes.documents import draw_sheet
 
     scene = _scene(args)
     values = values_of(args, scene)
@@ -182,7 +182,7 @@ def _sheet(args: argparse.Namespace) -> int:
     if args.text and not args.output.lower().endswith(".dxf"):
         raise PlanesError(Phrase("text_dxf"))
     if args.remedy:
-        from planes.remedies import for_sheet
+        from planes.solving.remedies import for_sheet
 
         scene, values, said = for_sheet(scene, values, args.lang)
         print(*said, sep="\n", end="\n" if said else "", file=sys.stderr)
@@ -192,14 +192,14 @@ def _sheet(args: argparse.Namespace) -> int:
 
 
 def _lesson(args: argparse.Namespace) -> int:
-    from planes.roof.lesson import write_lesson
+    from planes.documents.lesson import write_lesson
 
     write_lesson(_scene(args), args.output, args.lang)
     return 0
 
 
 def _note(args: argparse.Namespace) -> int:
-    from planes.roof.lesson import write_note
+    from planes.documents.lesson import write_note
 
     scene = _scene(args)
     write_note(scene, values_of(args, scene), args.output, args.lang)
@@ -221,14 +221,14 @@ def _course(args: argparse.Namespace) -> int:
 
 
 def _chart(args: argparse.Namespace) -> int:
-    from planes.roof.charts import draw_chart
+    from planes.documents.charts import draw_chart
 
     draw_chart(_scene(args), args.output, args.table, args.lang)
     return 0
 
 
 def _crank_slider(args: argparse.Namespace) -> int:
-    from planes.roof.crank_slider import run
+    from planes.documents.crank_slider import run
 
     check_needs(args, ["phi"])
     return run(_scene(args), args, args.lang)

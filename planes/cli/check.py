@@ -8,21 +8,21 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
-from planes.check.bench import Asked, prepare
-from planes.check.nudging import HAND, cad
-from planes.check.paper import Paper, read_table
+from planes.check import STATUS, Outcome, check
+from planes.check.grading.bench import Asked, prepare
+from planes.check.grading.nudging import HAND, cad
+from planes.check.grading.paper import Paper, read_table
+from planes.check.reading.strokes import Sketch
 from planes.check.report import heads, numbers_of, rows_of
-from planes.check.strokes import Sketch
-from planes.check.verdict import STATUS, Outcome, check
-from planes.check.verdict_rows import as_json
+from planes.check.report.rows import as_json
 from planes.cli.classes import check_class
 from planes.cli.idle import check_options
-from planes.scales import kind_of
+from planes.plans.scales import kind_of
 from planes.scene import Scene
-from planes.tables import table
-from planes.units import UnitError, read_mu
-from planes.wording import PlanesError
+from planes.solving.tables import table
 from planes.words import Lang, Phrase, say
+from planes.words.errors import PlanesError
+from planes.words.units import UnitError, read_mu
 
 LINES = (".svg", ".dxf", ".pdf")
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
@@ -43,7 +43,7 @@ def run(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
         return check_class(args, asked, lambda file: read_paper(file, asked, args))
     found = check(asked, read_paper(args.drawing, asked, args))
     if args.output:
-        from planes.roof.check import write_report
+        from planes.documents.check import write_report
 
         write_report(found, args.output, args.lang)
     if args.json:
@@ -66,7 +66,7 @@ def _answer(args: argparse.Namespace) -> str:
 
 def _trace(args: argparse.Namespace, asked: Asked) -> int:
     """The tracing-paper page."""
-    from planes.roof.check import write_trace
+    from planes.documents.check import write_trace
 
     if args.drawing or not args.output or Path(args.output).suffix.lower() not in (".html", ".htm"):
         raise PlanesError(Phrase("check_trace"))
@@ -76,7 +76,7 @@ def _trace(args: argparse.Namespace, asked: Asked) -> int:
 
 def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:
     """The question of the command line."""
-    from planes.roof.check import spelling
+    from planes.documents.check import spelling
 
     plan = args.plan
     mu = _mu(args.mu, plan)
@@ -104,8 +104,8 @@ def _mu(text: str | None, plan: str) -> float | None:
 
 def _size(asked: Asked) -> float:
     """How large the plan is, mm."""
-    from planes.drawing import run as draw
-    from planes.scales import extent
+    from planes.drafting.drawing import run as draw
+    from planes.plans.scales import extent
 
     bench = prepare(asked)
     return max(extent(draw(bench.program, bench.given), asked.plan), 10.0)
@@ -130,9 +130,9 @@ def read_paper(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
 
 def _lines(file: str, suffix: str, args: argparse.Namespace) -> Sketch | None:
     """The lines of a drawing of lines; of a PDF with pixels told, or that shows a picture, none."""
-    from planes.check.read_dxf import read_dxf
-    from planes.check.read_pdf import read_pdf
-    from planes.check.read_svg import read_svg
+    from planes.check.reading.dxf import read_dxf
+    from planes.check.reading.pdf import read_pdf
+    from planes.check.reading.svg import read_svg
 
     if suffix == ".pdf":
         return None if args.pole or args.format else read_pdf(file)
@@ -141,8 +141,8 @@ def _lines(file: str, suffix: str, args: argparse.Namespace) -> Sketch | None:
 
 def _from_lines(file: str, sketch: Sketch, asked: Asked, args: argparse.Namespace) -> Paper:
     """The marks of a drawing of lines; --pole and --mark are in its own units, y down."""
-    from planes.check.matching import scaled
-    from planes.check.whole_page import paper_on
+    from planes.check.reading.matching import scaled
+    from planes.check.reading.whole_page import paper_on
 
     bench = prepare(asked)
     pole = sketch.mm(place(args.pole, "--pole")[1]) if args.pole else None
@@ -177,7 +177,7 @@ def told(found: Outcome, lang: Lang) -> str:
 
 def write_blank(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
     """``planes blank``: a sheet to draw a plan on."""
-    from planes.roof.check import write_blank as write
+    from planes.documents.check import write_blank as write
 
     write(Asked(scene, args.plan, value, _mu(args.mu, args.plan)), args.output, args.lang)
     return 0

@@ -6,70 +6,18 @@ import argparse
 import json
 import sys
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
-from planes.check.bench import Asked
-from planes.check.paper import Paper
-from planes.check.verdict import STATUS, Outcome, check
-from planes.check.verdict_rows import as_json
-from planes.spreadsheet import as_csv
-from planes.wording import PlanesError, guarded
+from planes.check import check
+from planes.check.grading.bench import Asked
+from planes.check.grading.paper import Paper
+from planes.check.report.classes import Checked, Group
 from planes.words import Lang, Phrase, say
+from planes.words.errors import PlanesError, guarded
+from planes.words.spreadsheet import as_csv
 
 Reader = Callable[[str], Paper]
 NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp")  # lie beside the drawings
-
-
-@dataclass
-class Checked:
-    """One drawing of the folder: what was found in it, or why nothing could be."""
-
-    file: str
-    found: Outcome | None = None
-    refused: PlanesError | None = None
-    report: str = ""
-
-    @property
-    def verdict(self) -> str:
-        """right, wrong or unreadable."""
-        return self.found.verdict if self.found else "unreadable"
-
-    @property
-    def first(self) -> str:
-        """Where it goes wrong."""
-        return (self.found.first_wrong or "") if self.found and self.verdict == "wrong" else ""
-
-    def said(self, lang: Lang) -> str:
-        """Which mistake it is, why it cannot be read, or what was not seen of it; nothing of a right one."""
-        if self.found is None:
-            return self.refused.told(lang) if self.refused else ""
-        whole = self.verdict == "right" and not self.found.unseen
-        return "" if whole else self.found.sentence.told(lang)
-
-    def row(self, lang: Lang) -> list[str]:
-        """File, verdict, mark, sentence."""
-        return [self.file, say(f"verdict_{self.verdict}", lang), self.first, self.said(lang)]
-
-    def as_json(self, lang: Lang) -> dict[str, Any]:
-        """The object of the drawing, with its file."""
-        if self.found:
-            return {"file": self.file, **as_json(self.found, lang)}
-        return {"file": self.file, "verdict": self.verdict, "sentence": {one: self.said(one) for one in ("ru", "en")}}
-
-
-@dataclass
-class Group:
-    """All drawings of a folder."""
-
-    title: str
-    all: list[Checked] = field(default_factory=list)
-
-    @property
-    def status(self) -> int:
-        """The worst exit status of all."""
-        return max((STATUS[one.verdict] for one in self.all), default=2)
 
 
 def check_class(args: argparse.Namespace, asked: Asked, read: Reader) -> int:
@@ -116,7 +64,7 @@ def _csv(group: Group, lang: Lang) -> str:
 
 def _write(group: Group, output: str, lang: Lang) -> None:
     """The table as a page, a spreadsheet or objects; a folder gets a report for each drawing and the page."""
-    from planes.roof.check import write_class, write_text
+    from planes.documents.check import write_class, write_text
 
     suffix = Path(output).suffix.lower()
     if suffix == ".json":

@@ -6,11 +6,11 @@ import argparse
 import sys
 from pathlib import Path
 
+from planes.cli.parser import home_lang
 from planes.course.crowd import crowd
 from planes.course.reading import read_course
-from planes.home import home_lang
-from planes.wording import PlanesError
 from planes.words import Lang, Phrase, say
+from planes.words.errors import PlanesError
 
 FOLDER = "out"
 
@@ -23,8 +23,8 @@ def run(args: argparse.Namespace) -> int:
         raise PlanesError(Phrase("course_jobs", count=args.jobs))
     course = read_course(args.folder)
     lang = said or course.lang or args.lang
-    from planes.roof.conducting import conduct
-    from planes.roof.lesson import bar
+    from planes.documents.conducting import conduct
+    from planes.documents.lesson import bar
 
     folder = Path(args.output) if args.output else Path(course.file).parent / FOLDER
     with crowd(args.jobs, args.scheduler) as each, bar() as step:

@@ -9,11 +9,11 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from planes.angles import Span
 from planes.cli.idle import check_needs, check_options
 from planes.scene import Scene
-from planes.wording import PlanesError
+from planes.scene.ranges import Span
 from planes.words import Phrase
+from planes.words.errors import PlanesError
 
 PICTURES = (".png", ".svg", ".pdf")
 LISTED = 24  # positions a listing may have
@@ -82,7 +82,7 @@ def _names(args: argparse.Namespace) -> list[str] | None:
 
 
 def _picture(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
-    from planes.roof.cycle import draw_cycle
+    from planes.documents.cycle import draw_cycle
 
     show, loops, paths = (asked(getattr(args, option), f"--{option}") for option in ("show", "hodograph", "path"))
     draw_cycle(scene, span, args.output, show, loops, paths, args.lang)
@@ -90,7 +90,7 @@ def _picture(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
 
 
 def _table(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
-    from planes.cycle.long_run import write_curves, write_cycle
+    from planes.diagrams.long_run import write_curves, write_cycle
 
     fast = False if args.plain else None
     if args.show is None:
@@ -128,8 +128,8 @@ def _summary(args: argparse.Namespace, scene: Scene, span: Span | None, as_json:
     from planes.diagrams.text import as_json as plain
     from planes.diagrams.text import report
     from planes.diagrams.turn import reach
+    from planes.diagrams.working import FULL
     from planes.plans import state
-    from planes.working import FULL
 
     assert scene.mechanism
     plans = state(scene.mechanism, scene.file)
@@ -153,7 +153,7 @@ def _graphical(args: argparse.Namespace, scene: Scene, as_json: Callable[[object
     from planes.diagrams.motion import constructed
 
     if args.output:
-        from planes.roof import draw_constructions
+        from planes.documents import draw_constructions
 
         draw_constructions(scene, args.graphical, args.pole, args.output, args.lang)
         return 0

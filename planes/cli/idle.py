@@ -5,8 +5,8 @@ from __future__ import annotations
 from argparse import Namespace
 from collections.abc import Iterable, Mapping
 
-from planes.wording import PlanesError
 from planes.words import Phrase
+from planes.words.errors import PlanesError
 
 TAKES: Mapping[str, Mapping[str, str]] = {
     "solve": {"positions": "phi s json pencil seed errors remedy", "vectors": "json pencil seed errors",

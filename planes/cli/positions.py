@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import argparse
 
-from planes.angles import read_range
-from planes.home import help_of
+from planes.cli.parser import help_of
 from planes.scene import Scene
-from planes.wording import PlanesError
+from planes.scene.ranges import read_range
 from planes.words import Phrase
+from planes.words.errors import PlanesError
 
 
 def add_positions(parser: argparse.ArgumentParser) -> None:

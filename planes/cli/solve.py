@@ -6,17 +6,17 @@ import argparse
 import sys
 from collections.abc import Callable
 
-from planes.instruments import Exact, Instrument, Pencil
+from planes.drafting.instruments import Exact, Instrument, Pencil
 from planes.scene import Scene
 from planes.solving import solve
-from planes.tables import report, vector_report
+from planes.solving.tables import report, vector_report
 
 
 def run(args: argparse.Namespace, scene: Scene, values: list[float] | None, as_json: Callable[[object], str]) -> int:
     """Solve and print; the exit status."""
     instrument = Pencil(seed=1 if args.seed is None else args.seed) if args.pencil else Exact()
     if args.explain:
-        from planes.cycle.explaining import explain
+        from planes.solving.explaining import explain
 
         print(explain(scene, args.lang), end="")
         return 0
@@ -24,11 +24,11 @@ def run(args: argparse.Namespace, scene: Scene, values: list[float] | None, as_j
         return _vectors(args, scene, instrument, as_json)
     solved = solve(scene, values, instrument, args.lang)
     if args.remedy:
-        from planes.remedies import remedy
+        from planes.solving.remedies import remedy
 
         remedy(solved, instrument, args.lang)
     if args.errors:
-        from planes.erring import add_errors
+        from planes.accuracy.errors import add_errors
 
         add_errors(solved, instrument)
     for failure in solved.failed:
@@ -42,11 +42,11 @@ def run(args: argparse.Namespace, scene: Scene, values: list[float] | None, as_j
 
 
 def _vectors(args: argparse.Namespace, scene: Scene, instrument: Instrument, as_json: Callable[[object], str]) -> int:
-    from planes.vectors import solve_vectors
+    from planes.solving.vectors import solve_vectors
 
     results = solve_vectors(scene, instrument)
     if args.errors:
-        from planes.erring import vector_errors
+        from planes.accuracy.errors import vector_errors
 
         results = vector_errors(results, instrument)
     print(as_json(results.json(args.lang)) if args.json else vector_report(results, args.lang))

@@ -6,15 +6,15 @@ import argparse
 from collections.abc import Callable
 
 from planes.course.crowd import crowd
-from planes.roof.lesson import bar
-from planes.survey import lines_of, report, scenes_of
+from planes.course.survey import lines_of, report, scenes_of
+from planes.documents.lesson import bar
 
 
 def run(args: argparse.Namespace, as_json: Callable[[object], str]) -> int:
     """Solve, print; exit status 0 if everything is solved and its balancing loads agree, else 1."""
     tasks = [(str(path), args.lang, args.variant) for path in scenes_of(args.scene)]
     found = {}
-    with crowd(ready=("planes.survey",)) as each, bar() as step:
+    with crowd(ready=("planes.course.survey",)) as each, bar() as step:
         for k, lines in each(lines_of, tasks):
             found[k] = lines
             if step:

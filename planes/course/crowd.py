@@ -14,13 +14,13 @@ from contextlib import contextmanager, suppress
 from importlib import import_module
 from typing import Any
 
-from planes.wording import PlanesError
 from planes.words import Phrase
+from planes.words.errors import PlanesError
 
 Each = Callable[[Callable[[Any], Any], Sequence[Any]], Iterator[tuple[int, Any]]]
 """Does a function to each of many things: yields (which, what came of it) as they are done."""
 
-READY = ("planes.roof.course", "render.report.note_pdf", "reportlab.platypus", "numpy", "shapely")
+READY = ("planes.documents.course", "render.report.note_pdf", "reportlab.platypus", "numpy", "shapely")
 """What workers are made with: imported once."""
 SECONDS = 10  # to find a scheduler
 

@@ -14,9 +14,9 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from planes.files import PART, cannot_write, sayable, whole
-from planes.wording import PlanesError
+from planes.scene.files import PART, cannot_write, sayable, whole
 from planes.words import Phrase
+from planes.words.errors import PlanesError
 
 MANIFEST, JOURNAL = "manifest.json", ".journal"
 DRAFT = f"{JOURNAL}{PART}"  # the one file that is being written

@@ -14,15 +14,15 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 from planes.course import Choice
-from planes.drawing import run
+from planes.drafting.drawing import run
 from planes.plans import Plans, state
-from planes.scales import unit_scales
+from planes.plans.scales import unit_scales
 from planes.scene import Scene
 from planes.scene.source import Table, Text
 from planes.scene.source import parse as parse_text
 from planes.solving import solve
-from planes.wording import Contradiction, PlanesError, SceneError
 from planes.words import Phrase
+from planes.words.errors import Contradiction, PlanesError, SceneError
 
 TRIES = 1000  # sets of numbers, before it is said that there are none
 ROUND = tuple(float(k) for k in range(0, 360, 2))  # the driver's angles a mechanism is tried at, degrees

@@ -6,16 +6,16 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from planes.drafting import Segment
+from planes.drafting.draft import Segment
 from planes.lesson.formulas import number, unit
 from planes.lesson.note import Block, Figure, Heading, Note, Prose, Table
-from planes.measuring import say_plan
-from planes.mechanism import Load, Mechanism
-from planes.naming import POLE, label_of
+from planes.plans.measuring import say_plan
 from planes.scene import Scene
+from planes.scene.mechanism import Load, Mechanism
 from planes.solving import Position, told
-from planes.tables import say_mu
+from planes.solving.tables import say_mu
 from planes.words import Lang, decimal, say
+from planes.words.names import POLE, label_of
 
 _ANGLES = {"alpha": "α", "beta": "β", "gamma": "γ"}
 NOISE_MM = 1e-6  # a segment shorter than this is nothing

@@ -11,8 +11,8 @@ from planes.scene import loads, source
 from planes.scene.reader import Reader, part
 from planes.scene.settings import read_sheet, read_words
 from planes.scene.source import Items, Node, Table, Text
-from planes.wording import SceneError, choices, shown
 from planes.words import Phrase
+from planes.words.errors import SceneError, choices, shown
 
 NAME = "course.yaml"
 KEYS = ("course", "title", "lang", "sheet", "students", "assignments", "each", "variants", "draw", "sharpness",

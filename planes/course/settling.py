@@ -15,12 +15,12 @@ from planes.course.fingerprint import fingerprint
 from planes.course.giving import Share
 from planes.course.numbers import choices_of, dice, draw_numbers
 from planes.course.scenes import own_scene
-from planes.mechanism import FRAME
 from planes.scene import Scene, loads
+from planes.scene.mechanism import FRAME
 from planes.scene.source import Node, Text
 from planes.solving import solve
-from planes.wording import PlanesError
 from planes.words import Lang, Phrase
+from planes.words.errors import PlanesError
 
 FILE = "scene.yaml"
 

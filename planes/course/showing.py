@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator
 from itertools import combinations
 
-from planes.drawing import Drawing, run
+from planes.drafting.drawing import Drawing, run
 from planes.plans import Plans
-from planes.scales import unit_scales
-from planes.wording import PlanFailure
+from planes.plans.scales import unit_scales
+from planes.words.errors import PlanFailure
 
 STEP_DEG, APART_DEG = 15, 30.0
 FAR = 4.0  # points a quarter of the mechanism apart read as well as links at a right angle

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from planes.course import Assignment, Student
 from planes.scene import source
-from planes.wording import SceneError, choices, shown
 from planes.words import Phrase
+from planes.words.errors import SceneError, choices, shown
 
 FILES = ("students.csv", "students.txt")
 MOST_NAME = 100

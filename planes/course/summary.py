@@ -12,8 +12,8 @@ from planes.course.settling import Answer, main_answers
 from planes.lesson.formulas import number
 from planes.lesson.note import Block, Heading, Prose, Table
 from planes.scene import loads
-from planes.spreadsheet import as_csv as csv_of
 from planes.words import Lang, say
+from planes.words.spreadsheet import as_csv as csv_of
 
 NOISE = 1e-9
 

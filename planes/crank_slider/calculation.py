@@ -18,8 +18,8 @@ from planes.crank_slider.reading import read
 from planes.crank_slider.rod import PinStrength, RodStrength, pin_strength, rod_strength
 from planes.crank_slider.shaft import Section, Supports, sections, supports
 from planes.scene import Scene
-from planes.wording import SceneError
 from planes.words import Phrase
+from planes.words.errors import SceneError
 
 Array = Any
 

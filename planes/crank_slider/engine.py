@@ -8,14 +8,14 @@ from typing import Any
 import numpy as np
 
 from planes.crank_slider.shape import Shape
-from planes.drawing import Drawing, run
-from planes.mechanism import Load, Mechanism
-from planes.naming import at
+from planes.drafting.drawing import Drawing, run
 from planes.plans import Plans, state
-from planes.scales import unit_scales
+from planes.plans.scales import unit_scales
 from planes.scene import Scene
-from planes.wording import SceneError
+from planes.scene.mechanism import Load, Mechanism
 from planes.words import Phrase
+from planes.words.errors import SceneError
+from planes.words.names import at
 
 Array = Any
 

@@ -9,8 +9,8 @@ from typing import Any
 
 from planes.scene import Scene
 from planes.solving import Position
-from planes.units import quantity
 from planes.words import Lang, decimal
+from planes.words.units import quantity
 
 Words = Mapping[str, tuple[str, str]]
 _PLACE = re.compile(r"(?<![_^])\{(\w+)\}")

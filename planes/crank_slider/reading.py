@@ -11,8 +11,8 @@ from planes.crank_slider.reading_table import Values, read_indicator
 from planes.crank_slider.shape import Shape, shape_of
 from planes.scene import Scene
 from planes.scene.reader import Reader, section
-from planes.wording import SceneError
 from planes.words import Phrase
+from planes.words.errors import SceneError
 
 _KEYS = (
     "bore", "ambient", "indicator", "step", "speed", "flywheel", "positions", "shaft", "counterweights", "rod",

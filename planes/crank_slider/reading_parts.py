@@ -7,8 +7,8 @@ from planes.crank_slider.materials import ELASTICITY_MPA, STEELS, Material, made
 from planes.crank_slider.reading_table import Values
 from planes.crank_slider.sections import Round, Shank, Web
 from planes.scene.source import Text
-from planes.wording import choices, shown
 from planes.words import Phrase
+from planes.words.errors import choices, shown
 
 _MATERIAL = ("name", "strength_MPa", "yield_MPa", "alloyed", "fatigue_MPa", "fatigue_torsion_MPa", "elasticity_MPa")
 

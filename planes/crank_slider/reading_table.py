@@ -8,8 +8,8 @@ from types import MappingProxyType
 from planes.crank_slider.indicator import FOUR, TWO, UNITS, Indicator, Points, span
 from planes.scene.reader import Reader, part
 from planes.scene.source import Items, Node, Table
-from planes.wording import SceneError
 from planes.words import Phrase, Told
+from planes.words.errors import SceneError
 
 
 class Values:

@@ -9,13 +9,13 @@ from planes.crank_slider.pages_forces import write_forces
 from planes.crank_slider.pages_kinematics import write_given, write_kinematics
 from planes.crank_slider.pages_rod import write_rod, write_summary
 from planes.crank_slider.pages_shaft import write_shaft
-from planes.crank_slider.words_balance import BALANCE
-from planes.crank_slider.words_forces import FORCES
-from planes.crank_slider.words_report import GENERAL, KINEMATICS
-from planes.crank_slider.words_rod import ROD
-from planes.crank_slider.words_strength import STRENGTH
-from planes.tables import table
+from planes.solving.tables import table
 from planes.words import Lang
+from planes.words.crank_slider_balance import BALANCE
+from planes.words.crank_slider_forces import FORCES
+from planes.words.crank_slider_report import GENERAL, KINEMATICS
+from planes.words.crank_slider_rod import ROD
+from planes.words.crank_slider_strength import STRENGTH
 
 CHAPTERS = (write_given, write_kinematics, write_forces, write_balance, write_shaft, write_rod, write_summary)
 

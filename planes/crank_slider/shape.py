@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from planes.mechanism import FRAME, Link, Mechanism
+from planes.plans.structure import Structure, analyse
 from planes.scene import Scene
-from planes.structure import Structure, analyse
-from planes.wording import SceneError
+from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words import Phrase
+from planes.words.errors import SceneError
 
 
 @dataclass(frozen=True)

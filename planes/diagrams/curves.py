@@ -14,10 +14,10 @@ from typing import Any, Literal
 
 import numpy as np
 
-from planes.mechanism import FRAME
+from planes.diagrams.driven import driven
 from planes.plans import Plans
-from planes.plans.driven import driven
 from planes.plans.loads import force_name
+from planes.scene.mechanism import FRAME
 
 Sample = Mapping[str, Any]
 """Columns of many positions by name: "v_C_x", and "q:v_C_x" of the unit drive."""

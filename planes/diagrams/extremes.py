@@ -14,7 +14,7 @@ import numpy as np
 
 from planes.diagrams.curves import Curve, Sample
 from planes.diagrams.turn import Grid, Turn
-from planes.working import FULL
+from planes.diagrams.working import FULL
 
 CELLS = 8  # parts a bracket is cut into, each round
 ROUNDS = 14

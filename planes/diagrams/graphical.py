@@ -17,12 +17,12 @@ from itertools import pairwise
 from typing import Any
 
 from planes.diagrams.stages import Motion, Stage
-from planes.drafting import Draft
-from planes.drawing import Drawing, run
-from planes.instruments import Instrument
-from planes.naming import at, mu_of
-from planes.steps import Carry, Cross, LayOff, Put, Similar, Through
-from planes.units import standard_mu
+from planes.drafting.draft import Draft
+from planes.drafting.drawing import Drawing, run
+from planes.drafting.instruments import Instrument
+from planes.drafting.steps import Carry, Cross, LayOff, Put, Similar, Through
+from planes.words.names import at, mu_of
+from planes.words.units import standard_mu
 
 WIDE_MM = 156.0  # of the whole turn on the axis of time
 TALL_MM = 42.0  # the largest ordinate a diagram may have
@@ -44,7 +44,7 @@ class Construction:
     @cached_property
     def program(self) -> Any:
         """The steps, checked."""
-        from planes.program import Program
+        from planes.drafting.program import Program
 
         return Program(tuple(self.draft.steps.values()))
 

@@ -8,11 +8,11 @@ from typing import Any
 
 from planes.diagrams.graphical import Construction
 from planes.diagrams.stages import Stage
-from planes.drawing import Drawing
-from planes.instruments import Exact, Pencil
-from planes.tables import table
-from planes.units import quantity
+from planes.drafting.drawing import Drawing
+from planes.drafting.instruments import Exact, Pencil
+from planes.solving.tables import table
 from planes.words import Lang, say
+from planes.words.units import quantity
 
 PENCILS = 400
 LETTERS = {True: ("s", "v", "a"), False: ("φ", "ω", "ε")}

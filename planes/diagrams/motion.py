@@ -8,16 +8,16 @@ from typing import Any
 import numpy as np
 
 from planes.diagrams.curves import curves_of, output_curves, transfer_curves
+from planes.diagrams.driven import driven
 from planes.diagrams.extremes import extremes
 from planes.diagrams.graphical import Construction, differentiated, integrated
 from planes.diagrams.stages import Motion
 from planes.diagrams.turn import Grid, Turn, grid, span_of, turn_of, unwound
+from planes.diagrams.working import FULL
 from planes.plans import Plans, state
-from planes.plans.driven import driven
 from planes.scene import Scene
-from planes.wording import PlanesError
 from planes.words import Phrase
-from planes.working import FULL
+from planes.words.errors import PlanesError
 
 DENSE = 10  # places of the drawn curve within a section
 FEWEST, MOST = 6, 72

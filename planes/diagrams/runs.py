@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from planes.diagrams.motion import dead_points, driven_grid, ends_of
+from planes.diagrams.working import FULL
 from planes.plans import Plans
-from planes.working import FULL
 
 BESIDE = 1e-6  # degrees (or metres) on either side of a dead point, where what depends on the sense of motion jumps
 STEPS = 720

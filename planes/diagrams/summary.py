@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 
 from planes.diagrams.curves import Curve
+from planes.diagrams.driven import driven
 from planes.diagrams.extremes import Extreme, extremes, varies
 from planes.diagrams.turn import Grid, grid, in_one_piece, turn_of
+from planes.diagrams.working import FULL
 from planes.plans import Plans
-from planes.plans.driven import driven
 from planes.scene import Scene
-from planes.working import FULL
 
 SAME = 1e-12
 

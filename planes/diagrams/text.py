@@ -11,14 +11,14 @@ from planes.diagrams.curves import Curve
 from planes.diagrams.extremes import Extreme
 from planes.diagrams.summary import Row, Stroke, Summary
 from planes.diagrams.turn import Turn
-from planes.drawing import run
-from planes.nearest import nearest
-from planes.scales import unit_scales
+from planes.drafting.drawing import run
+from planes.plans.scales import unit_scales
 from planes.solving import failed, key_of, told
-from planes.tables import table
-from planes.units import quantity
-from planes.wording import PlanFailure
+from planes.solving.nearest import nearest
+from planes.solving.tables import table
 from planes.words import Lang, say
+from planes.words.errors import PlanFailure
+from planes.words.units import quantity
 
 GROUPS = ("place", "analogue", "rate", "force")
 DECIMALS = 5  # of a listing

@@ -12,13 +12,13 @@ from typing import Any
 
 import numpy as np
 
-from planes.cycle import CHUNK, Block, Cycle, Reason
-from planes.cycle.columns import columns_of
+from planes.batch import CHUNK, Block, Cycle, Reason
+from planes.batch.columns import columns_of
 from planes.diagrams.curves import UNIT, Arrow, Curve, arrows_of, curves_of
+from planes.diagrams.working import FULL, Span
 from planes.plans import Plans
-from planes.wording import PlanesError, choices
 from planes.words import Phrase
-from planes.working import FULL, Span
+from planes.words.errors import PlanesError, choices
 
 FLIP = 90.0  # degrees a link cannot turn by from one place to the next
 ROUNDING = 1e-13  # what is left of numbers that cancel, beside them

@@ -10,20 +10,20 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from planes import steps as s
-from planes.drafting import Moments
-from planes.drawing import Drawing
-from planes.equations import Equation
+from planes.drafting import steps as s
+from planes.drafting.draft import Moments
+from planes.drafting.drawing import Drawing
+from planes.drafting.equations import Equation
+from planes.drafting.steps.reckoning import Calculate
 from planes.lesson.formulas import SLOT, number, paper, unit, value
 from planes.lesson.moments import moment_words
 from planes.lesson.steps import StepWords, lettered, whole
-from planes.naming import POLE, at, label_of, mu_of, plan_of
 from planes.plans import Plans
-from planes.scales import kind_of
-from planes.steps.reckoning import Calculate
-from planes.units import mu_text
+from planes.plans.scales import kind_of
 from planes.words import Lang, decimal
 from planes.words.lesson import tell, why
+from planes.words.names import POLE, at, label_of, mu_of, plan_of
+from planes.words.units import mu_text
 
 LANGS: tuple[Lang, ...] = ("ru", "en")
 

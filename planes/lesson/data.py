@@ -8,23 +8,23 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from planes.drawing import Drawing, run
-from planes.equations import Equation, Term
+from planes.drafting.drawing import Drawing, run
+from planes.drafting.equations import Equation, Term
+from planes.drafting.steps import Cross, CrossArc, CrossArcs, Step
+from planes.drafting.steps.reckoning import Choose
 from planes.lesson import LANGS, Teller, mu_said, needed, value_of
 from planes.lesson.formulas import unit
 from planes.lesson.practice import Practice, told_values
 from planes.lesson.scheme import arms, feet, related, scheme
 from planes.lesson.steps import action, whole
 from planes.lesson.zones import reasons, zones
-from planes.measuring import say_plan
-from planes.naming import at, label_of, mu_of
 from planes.plans import Plans, state
-from planes.scales import kind_of, scales
+from planes.plans.measuring import say_plan
+from planes.plans.scales import kind_of, scales
 from planes.scene import Scene
-from planes.steps import Cross, CrossArc, CrossArcs, Step
-from planes.steps.reckoning import Choose
-from planes.wording import PlanFailure, SceneError
 from planes.words import Phrase
+from planes.words.errors import PlanFailure, SceneError
+from planes.words.names import at, label_of, mu_of
 
 POSITIONS = 360
 Progress = Callable[[int, int], None]

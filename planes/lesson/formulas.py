@@ -9,10 +9,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from planes.steps.reckoning import Calculate, Product
-from planes.units import quantity
+from planes.drafting.steps.reckoning import Calculate, Product
 from planes.words import Lang, decimal
 from planes.words.lesson import tell
+from planes.words.units import quantity
 
 SLOT = re.compile(r"⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧")
 UNITS = (

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from planes.drafting import Moments
-from planes.drawing import Drawing
+from planes.drafting.draft import Moments
+from planes.drafting.drawing import Drawing
+from planes.drafting.steps.reckoning import Calculate
 from planes.lesson.formulas import sides, unit, value
-from planes.steps.reckoning import Calculate
 from planes.words import Lang
 from planes.words.lesson import tell
 

@@ -14,13 +14,13 @@ from typing import Any
 
 from planes.lesson import Frame, Teller, mu_said, value_of
 from planes.lesson.formulas import fill, number, unit
-from planes.measuring import say_plan
-from planes.mechanism import FRAME
-from planes.naming import mu_of
-from planes.scales import kind_of
+from planes.plans.measuring import say_plan
+from planes.plans.scales import kind_of
 from planes.scene import Scene
+from planes.scene.mechanism import FRAME
 from planes.solving import Position, told
 from planes.words import Lang
+from planes.words.names import mu_of
 from planes.words.note import note_said
 
 NOISE = 1e-12

@@ -13,24 +13,24 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from planes.check.handwork import Variant
-from planes.check.mistakes import motion_variants
-from planes.check.mistakes_force import force_variants
-from planes.check.mistakes_position import position_variants
-from planes.check.ways import Ways
-from planes.drawing import Drawing, run
+from planes.check.grading.handwork import Variant
+from planes.check.grading.mistakes import motion_variants
+from planes.check.grading.mistakes_force import force_variants
+from planes.check.grading.mistakes_position import position_variants
+from planes.check.grading.ways import Ways
+from planes.drafting.drawing import Drawing, run
+from planes.drafting.program import Program
+from planes.drafting.steps import Cross, CrossArc, CrossArcs, Image, LayOff, Similar, Step
+from planes.drafting.steps.reckoning import Choose
 from planes.lesson import LANGS, Frame
 from planes.lesson.formulas import slots
 from planes.lesson.steps import action, lettered, line_of
-from planes.naming import mu_of, plan_of
 from planes.plans import Plans
-from planes.program import Program
-from planes.scales import kind_of
-from planes.steps import Cross, CrossArc, CrossArcs, Image, LayOff, Similar, Step
-from planes.steps.reckoning import Choose
-from planes.wording import PlanesError
+from planes.plans.scales import kind_of
 from planes.words import Lang, say
+from planes.words.errors import PlanesError
 from planes.words.lesson import tell
+from planes.words.names import mu_of, plan_of
 
 Said = dict[Lang, str]
 APART_MM = 2.5  # a wrong place nearer than this to the right one cannot be told from it

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from planes.drafting import Moments
-from planes.drawing import Drawing
-from planes.mechanism import FRAME
-from planes.naming import at
+from planes.drafting.draft import Moments
+from planes.drafting.drawing import Drawing
+from planes.drafting.steps import LayOff, Step
+from planes.drafting.steps.reckoning import Calculate, Drop
 from planes.plans import Plans
-from planes.steps import LayOff, Step
-from planes.steps.reckoning import Calculate, Drop
+from planes.scene.mechanism import FRAME
+from planes.words.names import at
 
 SPREAD = (8, 92)  # per cent of the positions by which the length of a rod is judged
 

@@ -7,16 +7,16 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from planes import steps as s
-from planes.drawing import Drawing
-from planes.equations import Equation, Term
+from planes.drafting import steps as s
+from planes.drafting.drawing import Drawing
+from planes.drafting.equations import Equation, Term
+from planes.drafting.steps.reckoning import Calculate, Choose, Measure
 from planes.lesson.formulas import formula, number, paper, sense, unit, value
-from planes.naming import label_of, plan_of, written
 from planes.plans import Plans
-from planes.scales import kind_of
-from planes.steps.reckoning import Calculate, Choose, Measure
+from planes.plans.scales import kind_of
 from planes.words import Lang
 from planes.words.lesson import tell, why
+from planes.words.names import label_of, plan_of, written
 
 Words = tuple[str, Any, dict[str, Any]]  # the key of the sentence, of the reason (or the reason), names
 _TOWARDS = re.compile(r"^(\w+)→(\w+)$")

@@ -6,15 +6,15 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from planes.drawing import Drawing, run
+from planes.drafting.drawing import Drawing, run
 from planes.lesson import LANGS
-from planes.measuring import BLUNT, say_plan
-from planes.naming import label_of, plan_of
 from planes.plans import Plans
+from planes.plans.measuring import BLUNT, say_plan
 from planes.solving import failed
-from planes.wording import PlanFailure
 from planes.words import decimal
+from planes.words.errors import PlanFailure
 from planes.words.lesson import tell
+from planes.words.names import label_of, plan_of
 
 
 def zones(plans: Plans, cycle: Drawing, values: list[float]) -> list[dict[str, Any]]:

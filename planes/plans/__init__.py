@@ -6,11 +6,11 @@ from collections.abc import Container, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from planes.drafting import Draft, Moments, Segment
-from planes.drawing import proved
-from planes.equations import Equation
-from planes.mechanism import FRAME, Law, Mechanism
-from planes.naming import at, mu_of, plan_of
+from planes.drafting.draft import Draft, Moments, Segment
+from planes.drafting.drawing import proved
+from planes.drafting.equations import Equation
+from planes.drafting.program import Program
+from planes.drafting.steps.reckoning import Protractor
 from planes.plans.assembly import Choice, resolve
 from planes.plans.bodies import SCHEME, Bodies, Body
 from planes.plans.kinematics import Rates, SlideReading
@@ -20,11 +20,11 @@ from planes.plans.positions import place_all
 from planes.plans.proving import proofs_of
 from planes.plans.reactions import Reaction, Statics
 from planes.plans.statics import draw_forces
-from planes.program import Program
-from planes.steps.reckoning import Protractor
-from planes.structure import Structure, analyse
-from planes.wording import ProgramError, SceneError
+from planes.plans.structure import Structure, analyse
+from planes.scene.mechanism import FRAME, Law, Mechanism
 from planes.words import Phrase
+from planes.words.errors import ProgramError, SceneError
+from planes.words.names import at, mu_of, plan_of
 
 
 @dataclass(frozen=True)

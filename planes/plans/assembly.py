@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from planes.drafting import Draft
-from planes.drawing import run
-from planes.mechanism import Assembly, Mechanism
-from planes.naming import at
-from planes.program import Program
-from planes.structure import Group
-from planes.wording import PlanFailure, SceneError
+from planes.drafting.draft import Draft
+from planes.drafting.drawing import run
+from planes.drafting.program import Program
+from planes.plans.structure import Group
+from planes.scene.mechanism import Assembly, Mechanism
 from planes.words import Phrase
+from planes.words.errors import PlanFailure, SceneError
+from planes.words.names import at
 
 WORDS_OF_KIND = {1: ("left", "right"), 2: ("ahead", "behind"), 3: ("ahead", "behind")}
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from planes.drafting import Draft
-from planes.mechanism import FRAME, Link, Mechanism
-from planes.naming import POLE, at
+from planes.drafting.draft import Draft
+from planes.plans.structure import Group, Pair, Structure
 from planes.plans.written import HALF, Off, angle_deg, distance, height, ratio
-from planes.structure import Group, Pair, Structure
+from planes.scene.mechanism import FRAME, Link, Mechanism
+from planes.words.names import POLE, at
 
 SCHEME = "position"
 

@@ -9,12 +9,12 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import product
 
-from planes.equations import Term
-from planes.naming import at, mu_of
+from planes.drafting.equations import Term
+from planes.drafting.steps import Cross
+from planes.drafting.steps.reckoning import Choose, Lean, Sense, Trial
 from planes.plans.loads import Acting, force_name
-from planes.steps import Cross
-from planes.steps.reckoning import Choose, Lean, Sense, Trial
-from planes.structure import Pair
+from planes.plans.structure import Pair
+from planes.words.names import at, mu_of
 
 
 def sliding_sense(acting: Acting, pair: Pair) -> str:

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from planes.equations import Equation, Term
-from planes.mechanism import FRAME
-from planes.naming import POLE, at
+from planes.drafting.equations import Equation, Term
+from planes.drafting.steps import Carry, Image, Same
 from planes.plans.bodies import SCHEME, Bodies, Body, Spot
 from planes.plans.legs import Leg, legs_of
 from planes.plans.written import distance, ratio
-from planes.steps import Carry, Image, Same
+from planes.scene.mechanism import FRAME
+from planes.words.names import POLE, at
 
 
 @dataclass(frozen=True)

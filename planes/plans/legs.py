@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from planes.mechanism import FRAME
-from planes.naming import POLE
 from planes.plans.bodies import SCHEME, Bodies, Spot
 from planes.plans.positions import moving_name
+from planes.plans.structure import Group, Pair
 from planes.plans.written import distance
-from planes.structure import Group, Pair
+from planes.scene.mechanism import FRAME
+from planes.words.names import POLE
 
 
 @dataclass(frozen=True)

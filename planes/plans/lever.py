@@ -6,13 +6,13 @@ the check shares the loads and the velocity plan with the force plans, and none 
 
 from __future__ import annotations
 
-from planes.drafting import Moments
-from planes.mechanism import FRAME
-from planes.naming import POLE, at
+from planes.drafting.draft import Moments
+from planes.drafting.steps.reckoning import Product
 from planes.plans.kinematics import turned_copy
 from planes.plans.loads import Acting, Force
 from planes.plans.reactions import Statics
-from planes.steps.reckoning import Product
+from planes.scene.mechanism import FRAME
+from planes.words.names import POLE, at
 
 
 def draw_lever(s: Statics) -> str:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from planes.mechanism import FRAME, Link, Load
-from planes.naming import POLE, at
+from planes.drafting.steps.reckoning import Sense, SenseOf
 from planes.plans.bodies import SCHEME, Bodies, Spot
 from planes.plans.kinematics import Rates
-from planes.steps.reckoning import Sense, SenseOf
+from planes.scene.mechanism import FRAME, Link, Load
+from planes.words.names import POLE, at
 
 
 @dataclass(frozen=True)

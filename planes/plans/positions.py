@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from planes.equations import Equation, Term
-from planes.mechanism import FRAME
-from planes.naming import POLE, at, label_of
+from planes.drafting.equations import Equation, Term
+from planes.drafting.steps import Touch
 from planes.plans.bodies import SCHEME, Bodies, Body, Spot, difference
+from planes.plans.structure import Group, Pair
 from planes.plans.written import angle_deg, distance
-from planes.steps import Touch
-from planes.structure import Group, Pair
-from planes.wording import SceneError
+from planes.scene.mechanism import FRAME
 from planes.words import Phrase
+from planes.words.errors import SceneError
+from planes.words.names import POLE, at, label_of
 
 APART = 1e-9  # relative: two points of a link nearer than this are at one place, and say nothing of its turning
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from planes.drafting import Moments
-from planes.equations import Equation, Term
-from planes.mechanism import FRAME
-from planes.naming import POLE, at
+from planes.drafting.draft import Moments
+from planes.drafting.equations import Equation, Term
 from planes.plans.bodies import SCHEME
 from planes.plans.friction import meet_with_friction
 from planes.plans.loads import force_name
 from planes.plans.reactions import Statics
+from planes.scene.mechanism import FRAME
+from planes.words.names import POLE, at
 
 
 class DriverForces:

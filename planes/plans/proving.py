@@ -7,15 +7,15 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from planes.drafting import Draft
-from planes.equations import Equation
-from planes.mechanism import FRAME
-from planes.naming import POLE, at
+from planes.drafting.draft import Draft
+from planes.drafting.equations import Equation
+from planes.drafting.proofs import Balanced, Frame, Point, Polygon, Proof, Rigid, Slid, Twofold
+from planes.drafting.steps.reckoning import Calculate
 from planes.plans.bodies import SCHEME
 from planes.plans.kinematics import Rates
 from planes.plans.reactions import Statics
-from planes.proofs import Balanced, Frame, Point, Polygon, Proof, Rigid, Slid, Twofold
-from planes.steps.reckoning import Calculate
+from planes.scene.mechanism import FRAME
+from planes.words.names import POLE, at
 
 RATES = ("velocity", "acceleration")
 

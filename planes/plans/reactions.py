@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from planes.drafting import Moments
-from planes.naming import at, label_of
+from planes.drafting.draft import Moments
+from planes.drafting.steps.reckoning import Product
 from planes.plans.bodies import SCHEME, Bodies
 from planes.plans.loads import Acting, Couple, Force, force_name
-from planes.steps.reckoning import Product
-from planes.structure import Pair
+from planes.plans.structure import Pair
+from planes.words.names import at, label_of
 
 
 @dataclass(frozen=True)

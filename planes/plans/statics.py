@@ -10,17 +10,17 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from planes.drafting import Moments
-from planes.equations import Equation, Term
-from planes.mechanism import FRAME
-from planes.naming import POLE, at
+from planes.drafting.draft import Moments
+from planes.drafting.equations import Equation, Term
 from planes.plans.bodies import SCHEME
 from planes.plans.friction import meet_with_friction
 from planes.plans.loads import Couple, Force, force_name
 from planes.plans.primary import DriverForces
 from planes.plans.reactions import Reaction, Statics
+from planes.plans.structure import Group, Pair
 from planes.plans.written import distance
-from planes.structure import Group, Pair
+from planes.scene.mechanism import FRAME
+from planes.words.names import POLE, at
 
 
 def draw_forces(statics: Statics) -> None:

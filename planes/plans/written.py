@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from planes.arithmetic import One
+from planes.geometry.arithmetic import One
 
 ARITHMETIC = One()
 HALF = 2.0**-53  # of a last place, at most, relative to the number

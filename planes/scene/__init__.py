@@ -8,11 +8,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
 
-from planes.mechanism import Mechanism, Where
 from planes.scene import source
 from planes.scene.doubts import read_doubts
 from planes.scene.laws import read_laws
 from planes.scene.links import read_frame, read_links
+from planes.scene.mechanism import Mechanism, Where
 from planes.scene.motion import read_assembly, read_drive, read_friction, read_gravity, read_loads
 from planes.scene.reader import Reader
 from planes.scene.settings import (
@@ -28,8 +28,8 @@ from planes.scene.settings import (
 )
 from planes.scene.source import Node, Table
 from planes.scene.vectors import VectorGiven, read_equations, read_vectors
-from planes.wording import Doubt, SceneError, shown
 from planes.words import Phrase
+from planes.words.errors import Doubt, SceneError, shown
 
 __all__ = ["Reading", "Scene", "VectorGiven", "load", "loads"]
 

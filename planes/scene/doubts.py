@@ -8,11 +8,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import fields
 from itertools import combinations
 
-from planes.mechanism import Link, Mechanism
+from planes.scene.mechanism import Link, Mechanism
 from planes.scene.reader import Keys, texts
 from planes.scene.source import Items, Node, Table, Text
-from planes.wording import Doubt
 from planes.words import Phrase
+from planes.words.errors import Doubt
 
 LONG_M = 10.0  # a link this long is more likely given in millimetres
 MOST_HOPS = 20  # from parameter to parameter

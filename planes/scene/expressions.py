@@ -11,9 +11,9 @@ import re
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping
 
-from planes.degrees import acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
-from planes.wording import ExpressionError, choices, shown
+from planes.geometry.degrees import acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
 from planes.words import Phrase
+from planes.words.errors import ExpressionError, choices, shown
 
 MAX_LENGTH = 1000
 MAX_DEPTH = 40

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from planes.mechanism import Law
 from planes.scene.expressions import names_in
+from planes.scene.mechanism import Law
 from planes.scene.reader import Keys, texts
 from planes.scene.source import Items, Node, Table, Text
-from planes.wording import ExpressionError
+from planes.words.errors import ExpressionError
 
 _GIVEN = ("force", "moment", "direction", "angle")  # numbers of a load
 _RATES = ("omega", "epsilon", "velocity", "acceleration")

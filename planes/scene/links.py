@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from types import MappingProxyType
 
-from planes.mark_names import latin
-from planes.mechanism import FRAME, Guide, Link, Slide
+from planes.scene.mechanism import FRAME, Guide, Link, Slide
 from planes.scene.reader import Reader, part
 from planes.scene.source import Node, Table, Text
 from planes.words import Phrase
+from planes.words.spelling import latin
 
 _LINK_KEYS = ("points", "guides", "slides", "centre", "mass", "inertia")
 _FRAME_KEYS = ("points", "guides", "number")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import cast
 
-from planes.mechanism import FRAME, Assembly, Drive, Link, Load, Order, Sense
+from planes.scene.mechanism import FRAME, Assembly, Drive, Link, Load, Order, Sense
 from planes.scene.reader import Reader, part, section
 from planes.scene.source import Items, Node, Table, Text
 from planes.words import Phrase

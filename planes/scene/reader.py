@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from planes.degrees import cos_deg, sin_deg
+from planes.geometry.degrees import cos_deg, sin_deg
 from planes.scene.expressions import evaluate
 from planes.scene.source import Items, Node, Table, Text
-from planes.wording import ExpressionError, SceneError, choices, shown
 from planes.words import Phrase, Told
+from planes.words.errors import ExpressionError, SceneError, choices, shown
 
 Keys = tuple[str, ...]
 MOST = 1e50  # the largest number of a scene: products of several stay far from overflow

@@ -8,9 +8,9 @@ from collections.abc import Mapping
 from planes.scene.expressions import RESERVED, is_name, resolve
 from planes.scene.reader import MAX_NAME, Reader, part, section
 from planes.scene.source import Items, Node, Table, Text
-from planes.units import PLANS, UnitError, plan_of_mu, read_mu
-from planes.wording import ExpressionError, choices, shown
 from planes.words import Phrase
+from planes.words.errors import ExpressionError, choices, shown
+from planes.words.units import PLANS, UnitError, plan_of_mu, read_mu
 
 Words = dict[str, str]
 

@@ -18,8 +18,8 @@ from pathlib import Path
 import yaml
 
 from planes.scene.yaml_faults import explained
-from planes.wording import SceneError, shown
 from planes.words import Phrase
+from planes.words.errors import SceneError, shown
 
 MAX_BYTES = 1_000_000
 MAX_BYTES_SLOW = 100_000  # when only the slow YAML reader is there

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from planes.scene.reader import MAX_NAME, Reader, part
 from planes.scene.source import Node, Text
-from planes.wording import shown
 from planes.words import Phrase
+from planes.words.errors import shown
 
 _KEYS = ("value", "direction", "perpendicular_to", "near")
 _NAME = re.compile(r"[^\W\d][\w'′″^]*")

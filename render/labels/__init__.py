@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from render.labels.board import Board
 from render.labels.footprints import Bounds, ink
-from render.marks import Layer, Line, Mark, Text
+from render.paper.marks import Layer, Line, Mark, Text
 
 
 @dataclass(frozen=True)

@@ -22,8 +22,8 @@ from render.labels.candidates import (
     union,
 )
 from render.labels.footprints import Bounds, Ink
-from render.marks import Layer, Line, Text
-from render.typeset import extent
+from render.paper.marks import Layer, Line, Text
+from render.paper.typeset import extent
 
 HARD = 200.0  # cost of one overlap, more than all that is merely disliked together
 OUTSIDE = 1000.0  # cost of leaving the field

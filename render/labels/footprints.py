@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import shapely
 
-from render.ink import arrow_parts, flattened, is_circle
-from render.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
-from render.style import pen
-from render.typeset import layout
+from render.paper.ink import arrow_parts, flattened, is_circle
+from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
+from render.paper.style import pen
+from render.paper.typeset import layout
 
 Bounds = tuple[float, float, float, float]
 """x0, y0, x1, y1 in mm."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from planes.crank_slider.pages import Document
-from planes.files import save
+from planes.scene.files import save
 
 
 def write(document: Document, path: str | Path) -> None:

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from planes.crank_slider.pages import Chart, Drawn, Sketch
 from planes.words import Lang
 from render import charts
-from render.marks import Anchor, Arc, Arrow, Line, Mark, Text
-from render.report.strokes import Picture
+from render.charts.strokes import Picture
+from render.paper.marks import Anchor, Arc, Arrow, Line, Mark, Text
 from render.sheet.composer import Composer
 from render.views import View, bounds, stacked, view
 from render.views.plotted import of_position

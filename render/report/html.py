@@ -17,10 +17,11 @@ from planes.crank_slider.pages import (
     Sketch,
     TableBlock,
 )
-from render import svg, web_page
+from render.charts.strokes import Picture, escaped
+from render.files import svg
+from render.page import web_page
 from render.report.figures import Figure, shown
 from render.report.mathematics import formula
-from render.report.strokes import Picture, escaped
 
 CSS = """
 body{font:16px/1.5 "PT Serif","DejaVu Serif",Georgia,"Times New Roman",serif;color:#111;background:#fff;max-width:46rem;

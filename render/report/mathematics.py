@@ -7,7 +7,7 @@ from functools import lru_cache
 from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import TextPath, text_to_path
 
-from render.report.strokes import Picture, Stroke, pieces_of
+from render.charts.strokes import Picture, Stroke, pieces_of
 
 INK = "#000000"
 

@@ -7,9 +7,9 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from planes.lesson.note import Block, Figure, Heading, Prose, Table
-from render import png
-from render.letters import pieces
-from render.names import Naming
+from render.files import png
+from render.paper.letters import pieces
+from render.paper.names import Naming
 from render.views import View
 
 WIDTH_MM, HEIGHT_MM = 170.0, 190.0

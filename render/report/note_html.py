@@ -7,9 +7,10 @@ import re
 from collections.abc import Mapping, Sequence
 
 from planes.lesson.note import Block, Figure, Heading, Prose, Table
-from render import svg, web_page
-from render.letters import pieces
-from render.names import Naming
+from render.files import svg
+from render.page import web_page
+from render.paper.letters import pieces
+from render.paper.names import Naming
 from render.views import View
 
 STYLE = """

@@ -8,10 +8,10 @@ from html import escape
 from typing import Any
 
 from planes.lesson.note import Block, Figure, Heading, Prose, Table
-from render.letters import pieces
-from render.names import Naming
-from render.outlines import dejavu
-from render.pdf import POINTS_PER_MM, draw_marks
+from render.files.pdf import POINTS_PER_MM, draw_marks
+from render.paper.letters import pieces
+from render.paper.names import Naming
+from render.paper.outlines import dejavu
 from render.views import View
 
 MARGINS_MM = (25.0, 10.0, 20.0, 20.0)  # left, right, top, bottom

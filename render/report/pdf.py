@@ -29,12 +29,12 @@ from planes.crank_slider.pages import (
     TableBlock,
 )
 from planes.words import Lang
-from render.outlines import dejavu
-from render.pdf import POINTS_PER_MM, draw_marks
+from render.charts.strokes import Picture, escaped
+from render.files.pdf import POINTS_PER_MM, draw_marks
+from render.paper.outlines import dejavu
 from render.report.figures import Figure, shown
 from render.report.html import is_number
 from render.report.mathematics import formula
-from render.report.strokes import Picture, escaped
 
 FONT, BOLD = "DejaVuSans", "DejaVuSans-Bold"
 WIDTH = A4[0] - 40 * mm

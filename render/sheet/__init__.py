@@ -7,16 +7,16 @@ from dataclasses import dataclass
 from itertools import product
 
 from planes.scene import Scene
-from planes.wording import SceneError
 from planes.words import Lang, say
-from render import svg
+from planes.words.errors import SceneError
+from render.files import svg
 from render.labels.footprints import overprinted
-from render.marks import Mark
+from render.paper.marks import Mark
+from render.paper.typeset import plain
 from render.sheet.frame import FORMATS, Paper
 from render.sheet.layout import FULL, QUICK, USUAL, Effort, Field, Packed, pack, spread
 from render.sheet.said import cells
 from render.sheet.sizes import LARGEST, Extents, Sizes, grown
-from render.typeset import plain
 from render.views import View
 
 SMALLER = (0.8, 0.63, 0.5, 0.4)

@@ -6,15 +6,15 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-from planes.naming import mu_of
-from planes.scales import kind_of
+from planes.plans.scales import kind_of
 from planes.scene import Scene
 from planes.solving import Position
-from planes.units import mu_text
-from planes.vectors import PLAN, VectorResults
+from planes.solving.vectors import PLAN, VectorResults
 from planes.words import Lang, say
-from render.names import Naming
-from render.numbers import decimal
+from planes.words.names import mu_of
+from planes.words.units import mu_text
+from render.paper.names import Naming
+from render.paper.numbers import decimal
 from render.views import View, stacked, view
 from render.views.formulas import Formulas
 from render.views.moments import MomentLines

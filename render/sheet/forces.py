@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from planes.naming import mu_of
 from planes.solving import Position
 from planes.words import say
+from planes.words.names import mu_of
 from render.sheet.composer import LARGER, Composer
 from render.sheet.sizes import Sizes
 from render.views import View, beside, stacked, view

@@ -7,11 +7,11 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from render import form1
-from render.form1 import BLOCK, EDGE, LEFT, TOP_CELL, Cell
 from render.labels.footprints import Bounds
-from render.marks import Line, Mark, Text
-from render.typeset import extent
+from render.paper import form1
+from render.paper.form1 import BLOCK, EDGE, LEFT, TOP_CELL, Cell
+from render.paper.marks import Line, Mark, Text
+from render.paper.typeset import extent
 
 FORMATS: dict[str, tuple[float, float]] = {
     "A4": (210.0, 297.0),

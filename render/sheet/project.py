@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from planes.naming import mu_of
 from planes.solving import Position
 from planes.words import say
-from render.marks import Mark, Text
-from render.numbers import decimal
+from planes.words.names import mu_of
+from render.paper.marks import Mark, Text
+from render.paper.numbers import decimal
 from render.sheet.composer import LARGER, Composer, drawn_plans
 from render.sheet.forces import Drawer, Forces, extents
 from render.sheet.sizes import Sizes

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from planes.scene import Scene
 from planes.words import Lang, say
-from render.form1 import LOWER, UPPER
-from render.numbers import decimal
+from render.paper.form1 import LOWER, UPPER
+from render.paper.numbers import decimal
 
 _SAME = (
     "student", "teacher", "tech", "role", "person", "checked", "approved", "teacher_date", "tech_date", "person_date",

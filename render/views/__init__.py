@@ -9,8 +9,8 @@ import numpy as np
 import shapely
 
 from render.labels.footprints import Bounds, ink
-from render.marks import Mark, Text, moved
-from render.typeset import extent
+from render.paper.marks import Mark, Text, moved
+from render.paper.typeset import extent
 
 TITLE_MM = 5.0  # letter height of titles
 REMARK_MM = 2.5

@@ -6,15 +6,16 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any
 
-from planes.mechanism import FRAME, Link
-from planes.self_aligning import Aligned, Sign
+from planes.plans.self_aligning import Aligned, Sign
+from planes.plans.structure import Pair
+from planes.scene.mechanism import FRAME, Link
 from planes.solving import Position
-from planes.structure import Pair
 from planes.words import say
-from render import labels, symbols
-from render.marks import Arc, Line, Mark, Text
-from render.names import Naming
-from render.style import HINGE_MM
+from render import labels
+from render.paper import symbols
+from render.paper.marks import Arc, Line, Mark, Text
+from render.paper.names import Naming
+from render.paper.style import HINGE_MM
 from render.views import View, stacked, view
 from render.views.places import degrees
 from render.views.scheme import Scheme

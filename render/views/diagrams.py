@@ -7,13 +7,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from planes.diagrams.driven import driven
 from planes.plans import Plans
-from planes.plans.driven import driven
-from planes.units import standard_mu
 from planes.words import say
-from render.marks import Arrow, Line, Mark, Text
-from render.names import Naming
-from render.numbers import number, scale, unit
+from planes.words.units import standard_mu
+from render.paper.marks import Arrow, Line, Mark, Text
+from render.paper.names import Naming
+from render.paper.numbers import number, scale, unit
 
 SECTIONS = 12
 WIDTHS_MM = (12.0, 15.0, 18.0, 24.0, 30.0)  # of a section: over a whole turn μ_φ is 0.4, 0.5, … mm per degree

@@ -7,14 +7,14 @@ import math
 import re
 from dataclasses import dataclass, field
 
-from planes.equations import Equation, Term
-from planes.naming import written
-from planes.units import UNIT
+from planes.drafting.equations import Equation, Term
 from planes.words import say
-from render.marks import Line, Mark, Text
-from render.names import Naming
-from render.numbers import number
-from render.typeset import extent, over
+from planes.words.names import written
+from planes.words.units import UNIT
+from render.paper.marks import Line, Mark, Text
+from render.paper.names import Naming
+from render.paper.numbers import number
+from render.paper.typeset import extent, over
 from render.views.plotted import Plotted
 
 NOISE_MM = 1e-7  # a shorter vector is rounding noise

@@ -7,10 +7,10 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from planes.mechanism import Guide, Link
+from planes.scene.mechanism import Guide, Link
 from planes.solving import Position
-from render.names import Naming, greek
-from render.numbers import number, unit
+from render.paper.names import Naming, greek
+from render.paper.numbers import number, unit
 
 RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m")
 """Units in the order their rows stand in."""

@@ -9,15 +9,15 @@ from itertools import pairwise
 
 from planes.diagrams.graphical import Construction
 from planes.diagrams.stages import Stage
-from planes.drawing import Drawing
-from planes.naming import at
+from planes.drafting.drawing import Drawing
 from planes.words import say
-from render.marks import Arc, Arrow, Line, Mark, Text
-from render.names import Naming
-from render.numbers import number, scale
-from render.style import DOT_MM
-from render.symbols import dot
-from render.typeset import extent
+from planes.words.names import at
+from render.paper.marks import Arc, Arrow, Line, Mark, Text
+from render.paper.names import Naming
+from render.paper.numbers import number, scale
+from render.paper.style import DOT_MM
+from render.paper.symbols import dot
+from render.paper.typeset import extent
 
 BETWEEN_MM = 15.0
 BEYOND_MM = 9.0  # of an axis past its last section

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from planes.units import standard_mu
 from planes.words import say
+from planes.words.units import standard_mu
 from render import labels
-from render.marks import Arrow, Line, Mark
-from render.names import Naming
-from render.numbers import scale
-from render.symbols import dot
+from render.paper.marks import Arrow, Line, Mark
+from render.paper.names import Naming
+from render.paper.numbers import scale
+from render.paper.symbols import dot
 from render.views import View, view
 
 WIDE_MM = 70.0  # the larger side of a hodograph

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from planes.naming import POLE, at
+from planes.drafting.steps.reckoning import Drop
 from planes.solving import Position
-from planes.steps.reckoning import Drop
+from planes.words.names import POLE, at
 from render import labels
-from render.marks import Arrow, Line, Mark
-from render.names import Naming
-from render.symbols import dot
+from render.paper.marks import Arrow, Line, Mark
+from render.paper.names import Naming
+from render.paper.symbols import dot
 from render.views.loading import Arms
 from render.views.plotted import of_position
 from render.views.polygon import SAME_MM, ZERO_MM

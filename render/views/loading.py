@@ -5,16 +5,17 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 
-from planes.drafting import Moments
-from planes.naming import at
+from planes.drafting.draft import Moments
+from planes.drafting.steps.reckoning import Drop
 from planes.plans.bodies import SCHEME
 from planes.solving import Position
-from planes.steps.reckoning import Drop
-from render import labels, symbols
+from planes.words.names import at
+from render import labels
 from render.labels.footprints import ink
-from render.marks import Arrow, Line, Mark
-from render.names import Naming
-from render.style import BLOCK_MM
+from render.paper import symbols
+from render.paper.marks import Arrow, Line, Mark
+from render.paper.names import Naming
+from render.paper.style import BLOCK_MM
 from render.views.places import Places
 
 FORCE_MM = 15.0  # shortest arrow of a force; forces are not to scale

@@ -10,12 +10,12 @@ from functools import cached_property
 from statistics import median
 from typing import Any
 
-from planes.mechanism import FRAME, Link
 from planes.plans import Plans
+from planes.scene.mechanism import FRAME, Link
 from planes.words import Lang, say
 from render import labels
-from render.marks import Line, Mark
-from render.typeset import plain
+from render.paper.marks import Line, Mark
+from render.paper.typeset import plain
 from render.views.places import NEAR_MM, outline_of
 
 MOST = 3.5  # times its usual size a scheme may have in the course of a turn

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from planes.drafting import Moments
+from planes.drafting.draft import Moments
+from planes.drafting.steps.reckoning import Calculate
 from planes.solving import Position
-from planes.steps.reckoning import Calculate
 from planes.words import say
-from render.marks import Mark
-from render.names import Naming, flat
-from render.numbers import number
+from render.paper.marks import Mark
+from render.paper.names import Naming, flat
+from render.paper.numbers import number
 from render.views.formulas import Setter, Word
 
 NOISE = 1e-9  # of the largest moment of the equation: nothing

@@ -10,10 +10,10 @@ from functools import cached_property
 
 import shapely
 
-from planes.mechanism import Link, Mechanism
-from planes.naming import at
 from planes.plans.bodies import SCHEME
+from planes.scene.mechanism import Link, Mechanism
 from planes.solving import Position
+from planes.words.names import at
 
 NEAR_MM = 0.4  # places closer than this are one
 

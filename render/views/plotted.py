@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from planes.drafting import Segment
-from planes.drawing import Drawing
-from planes.equations import Equation
-from planes.naming import at, label_of, mu_of
+from planes.drafting.draft import Segment
+from planes.drafting.drawing import Drawing
+from planes.drafting.equations import Equation
 from planes.solving import Position
-from planes.vectors import PLAN, VectorResults
+from planes.solving.vectors import PLAN, VectorResults
+from planes.words.names import at, label_of, mu_of
 
 
 @dataclass(frozen=True)

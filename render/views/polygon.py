@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from planes.equations import Term
-from planes.naming import POLE, label_of, plan_of
-from planes.steps import Image, Similar
+from planes.drafting.equations import Term
+from planes.drafting.steps import Image, Similar
 from planes.words import say
-from render import detail, labels
-from render.marks import Arrow, Layer, Line, Mark
-from render.names import Naming
-from render.numbers import number
-from render.symbols import dot
-from render.typeset import plain
-from render.views import remark
+from planes.words.names import POLE, label_of, plan_of
+from render import labels
+from render.paper.marks import Arrow, Layer, Line, Mark
+from render.paper.names import Naming
+from render.paper.numbers import number
+from render.paper.symbols import dot
+from render.paper.typeset import plain
+from render.views import detail, remark
 from render.views.plotted import Plotted
 
 ZERO_MM = 0.05  # a vector shorter than this is nothing on paper

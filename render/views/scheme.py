@@ -7,13 +7,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from planes.mechanism import FRAME, Link
+from planes.scene.mechanism import FRAME, Link
 from planes.solving import Position
-from render import labels, symbols
+from render import labels
 from render.labels.footprints import ink
-from render.marks import Line, Mark
-from render.names import Naming, lettered
-from render.style import BLOCK_MM, HINGE_MM
+from render.paper import symbols
+from render.paper.marks import Line, Mark
+from render.paper.names import Naming, lettered
+from render.paper.style import BLOCK_MM, HINGE_MM
 from render.views.places import NEAR_MM, Places, degrees, nearest, outline_of
 from render.views.senses import driver_arrows, parted, yielding
 

@@ -6,12 +6,13 @@ import cmath
 import math
 from collections.abc import Sequence
 
-from render import labels, symbols
-from render.cutting import cut
+from render import labels
 from render.labels.footprints import ink, polygons
-from render.marks import Line, Mark, Shape, Text
-from render.names import Naming
-from render.typeset import layout
+from render.paper import symbols
+from render.paper.cutting import cut
+from render.paper.marks import Line, Mark, Shape, Text
+from render.paper.names import Naming
+from render.paper.typeset import layout
 from render.views.places import Places
 
 LETTER_MM = 5.0

@@ -7,19 +7,19 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from planes.drafting import Segment
-from planes.naming import POLE, label_of
-from planes.scales import kind_of
+from planes.drafting.draft import Segment
+from planes.plans.scales import kind_of
 from planes.solving import Position
-from planes.units import UNIT
-from planes.vectors import VectorResults
+from planes.solving.vectors import VectorResults
 from planes.words import say
-from render import symbols
-from render.ink import head as ink_head
-from render.marks import Arc, Line, Mark, Shape, Text
-from render.names import Naming
-from render.numbers import number
-from render.typeset import extent
+from planes.words.names import POLE, label_of
+from planes.words.units import UNIT
+from render.paper import symbols
+from render.paper.ink import head as ink_head
+from render.paper.marks import Arc, Line, Mark, Shape, Text
+from render.paper.names import Naming
+from render.paper.numbers import number
+from render.paper.typeset import extent
 from render.views import View, remark, view
 from render.views.formulas import NOISE_MM
 from render.views.given import Given

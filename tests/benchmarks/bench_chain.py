@@ -7,10 +7,10 @@ from test_6_degenerate import chain
 
 from planes.diagrams.summary import summary
 from planes.diagrams.text import as_json
+from planes.documents import sheet_of
 from planes.plans import state
-from planes.roof import sheet_of
+from planes.plans.structure import analyse
 from planes.scene import loads
-from planes.structure import analyse
 
 
 @pytest.mark.parametrize("links", [21, 51])

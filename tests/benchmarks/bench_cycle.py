@@ -12,11 +12,11 @@ from pathlib import Path
 import pytest
 from conftest import SAMPLES, SCENES, angles, plans
 
-from planes.angles import Span
-from planes.cycle import Cycle
-from planes.drawing import run
-from planes.measuring import catalogue
+from planes.batch import Cycle
+from planes.drafting.drawing import run
+from planes.plans.measuring import catalogue
 from planes.scene import load
+from planes.scene.ranges import Span
 from planes.solving import solve
 
 rivals = pytest.importorskip("rivals")
@@ -85,7 +85,7 @@ def bench_length(benchmark, count: int, way: str) -> None:
 def memory(way: str, count: int) -> float:
     """MB of a process that goes through so many positions."""
     text = (
-        "from planes.angles import Span\nfrom planes.cycle import Cycle\n"
+        "from planes.scene.ranges import Span\nfrom planes.batch import Cycle\n"
         "from planes.plans import state\nfrom planes.scene import load\n"
         f"cycle = Cycle(state(load({str(SAMPLES / 'six-link.yaml')!r}).mechanism))\n"
         f"for _ in cycle.blocks(Span(145.0, {10 / count}, {count}), fast={way == 'fused'}): pass\n"

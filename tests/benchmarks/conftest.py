@@ -9,10 +9,10 @@ from pathlib import Path
 
 import numpy as np
 
-from planes.angles import Span
-from planes.cycle.methods import machine
+from planes.accuracy.methods import machine
 from planes.plans import Plans, state
 from planes.scene import load
+from planes.scene.ranges import Span
 
 SAMPLES = Path(__file__).parents[2] / "samples"
 SCENES = {"four-bar": "kind-1-rrr", "slider-crank": "kind-2-rrp", "slotted lever": "kind-3-rpr", "six-link": "six-link"}

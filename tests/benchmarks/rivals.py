@@ -11,9 +11,9 @@ import kernels
 import numpy as np
 from conftest import angles, plans
 
-from planes.cycle import Cycle
-from planes.cycle.bench import Bench
-from planes.cycle.peers import Pylinkage, kinepy_run, pylinkage_run
+from planes.accuracy.bench import Bench
+from planes.accuracy.peers import Pylinkage, kinepy_run, pylinkage_run
+from planes.batch import Cycle
 
 COLUMNS = {"four-bar": kernels.FOUR_BAR_NAMES, "slider-crank": kernels.SLIDER_CRANK_NAMES,
            "slotted lever": kernels.SLOTTED_NAMES, "six-link": kernels.SIX_LINK_NAMES}  # fmt: skip

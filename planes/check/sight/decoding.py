@@ -6,11 +6,11 @@ import io
 from pathlib import Path
 from typing import Any
 
-from planes.check.opened import MB, contents, hushed
+from planes.check.reading.opened import MB, contents, hushed
 from planes.check.sight.colours import in_one_shade, plainest
 from planes.check.sight.picture import cv
-from planes.wording import PlanesError, guarded
 from planes.words import Phrase
+from planes.words.errors import PlanesError, guarded
 
 LARGEST = 200 * MB
 MOST_BYTES = 320 * MB  # to decode a picture: 64 million pixels, half of that where all must be held several times over

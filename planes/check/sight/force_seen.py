@@ -14,16 +14,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import permutations
 
-from planes.check.bench import Bench
-from planes.check.handwork import Miss
-from planes.check.paper import Spot
-from planes.check.polygons import loads_of, sides_of
+from planes.check.grading.bench import Bench
+from planes.check.grading.handwork import Miss
+from planes.check.grading.paper import Spot
+from planes.check.grading.polygons import loads_of, sides_of
 from planes.check.sight.force_ways import Guess, guesses, polygon_of, spread_of
 from planes.check.sight.places import Place, Seen
 from planes.check.sight.poles import pole_on
 from planes.check.sight.prices import ANYWHERE, COVERED, DOUBTFUL, GATE, NO_END, VAGUE, sigmas_of
 from planes.check.sight.ways_of_ink import Ways
-from planes.naming import POLE
+from planes.words.names import POLE
 
 NOTHING_MM = 0.3  # a vector shorter than this is not drawn
 TINY_MM = 1.6  # a vector shorter than this may be hidden where two others meet

@@ -7,13 +7,13 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from planes.check.bench import Bench, variants_of
-from planes.check.handwork import Hand, Miss, Variant
-from planes.check.polygons import Side
+from planes.check.grading.bench import Bench, variants_of
+from planes.check.grading.handwork import Hand, Miss, Variant
+from planes.check.grading.polygons import Side
 from planes.check.sight.motion_seen import redrawn
 from planes.check.sight.prices import slip
-from planes.naming import POLE, at, label_of, plan_of
-from planes.steps import Cross, Step
+from planes.drafting.steps import Cross, Step
+from planes.words.names import POLE, at, label_of, plan_of
 
 WILDEST_MM = 400.0  # nobody draws a longer vector on a sheet
 

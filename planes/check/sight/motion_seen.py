@@ -16,10 +16,10 @@ from operator import or_
 from types import MappingProxyType
 from typing import Any
 
-from planes.check.bench import Bench, variants_of
-from planes.check.handwork import Hand, Miss, Taken, Variant
-from planes.check.judging import LEFT_OUT
-from planes.check.paper import Spot
+from planes.check.grading.bench import Bench, variants_of
+from planes.check.grading.handwork import Hand, Miss, Taken, Variant
+from planes.check.grading.judging import LEFT_OUT
+from planes.check.grading.paper import Spot
 from planes.check.sight.places import Place, Seen
 from planes.check.sight.poles import pole_on
 from planes.check.sight.prices import (
@@ -35,11 +35,11 @@ from planes.check.sight.prices import (
     slip,
 )
 from planes.check.sight.ways_of_ink import Ways
-from planes.drawing import run
-from planes.instruments import Exact
-from planes.naming import POLE, at, label_of, plan_of
-from planes.steps import Step
-from planes.wording import PlanesError
+from planes.drafting.drawing import run
+from planes.drafting.instruments import Exact
+from planes.drafting.steps import Step
+from planes.words.errors import PlanesError
+from planes.words.names import POLE, at, label_of, plan_of
 
 NEARLY, CLOSE = 3.0, 12.0  # how much dearer a place may be, and a whole way, to be looked at again
 EVEN_MM = 0.9  # marks nearer than this may be one

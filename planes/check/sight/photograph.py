@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from planes.check.bench import Bench
 from planes.check.fiducials import SHEET_MM, pole_place
-from planes.check.paper import Paper, Spot
+from planes.check.grading.bench import Bench
+from planes.check.grading.paper import Paper, Spot
 from planes.check.sight.decoding import load
 from planes.check.sight.force_seen import vectors_on
 from planes.check.sight.frame import by_frame
@@ -17,12 +17,12 @@ from planes.check.sight.pencil_lines import sheet_of
 from planes.check.sight.picture import Flat, by_points, cv, flatten
 from planes.check.sight.poles import pole_found, pole_on
 from planes.check.sight.scheme_seen import points_on
-from planes.drawing import run
-from planes.mark_names import Names
-from planes.naming import at, label_of
-from planes.scales import kind_of
-from planes.wording import PlanesError
+from planes.drafting.drawing import run
+from planes.plans.scales import kind_of
 from planes.words import Phrase
+from planes.words.errors import PlanesError
+from planes.words.names import at, label_of
+from planes.words.spelling import Names
 
 MOST_LINES = 120  # a plan has far fewer
 EXPLAINED = 0.6  # the share of a picture's lines that must be the plan's

@@ -8,8 +8,8 @@ from typing import Any
 
 from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, centres
 from planes.check.sight.bend import Bend, add_paper, bend_of
-from planes.wording import PlanesError
 from planes.words import Phrase
+from planes.words.errors import PlanesError
 
 PX_PER_MM = 8.0
 LARGEST_PX = 3200  # the longer side beyond which a picture is made smaller before it is looked at

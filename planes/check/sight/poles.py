@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from planes.check.bench import Bench
+from planes.check.grading.bench import Bench
 from planes.check.sight.places import Normal, Place, Seen
-from planes.drawing import run
-from planes.scales import kind_of
+from planes.drafting.drawing import run
+from planes.plans.scales import kind_of
 
 POLE_MM = 0.06  # σ of the place where a line from the pole begins, about the pole
 REACH_MM = 2.5  # of a true mark, when the pole is looked for

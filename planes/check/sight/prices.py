@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from planes.check.handwork import Miss
+from planes.check.grading.handwork import Miss
 
 GATE = 4.5  # σ of drafting and reading within which a mark is looked for
 NO_MARK, NO_END, NO_LINE = 9.0, 3.0, 5.0  # what a mark costs that is nowhere, where nothing ends, where no line leads

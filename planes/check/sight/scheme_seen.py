@@ -12,18 +12,18 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import combinations
 
-from planes.check.bench import Bench, variants_of
-from planes.check.handwork import Hand, Taken
-from planes.check.paper import Spot
+from planes.check.grading.bench import Bench, variants_of
+from planes.check.grading.handwork import Hand, Taken
+from planes.check.grading.paper import Spot
 from planes.check.sight.motion_seen import Search, Way
 from planes.check.sight.places import SAME_MM, Place, Seen
 from planes.check.sight.poles import pole_on
 from planes.check.sight.prices import ANYWHERE, COVERED, NO_MARK, slip
 from planes.check.sight.symbols_seen import signs
 from planes.check.sight.ways_of_ink import Ways
-from planes.drawing import run
-from planes.naming import POLE, at, label_of
-from planes.steps import Step
+from planes.drafting.drawing import run
+from planes.drafting.steps import Step
+from planes.words.names import POLE, at, label_of
 
 SIGN_MM = 5.5  # a place nearer than this to a sign is likely a corner of what is drawn around it
 SUPPORT_MM, HINGE_MM = 9.5, 3.0  # ink nearer than this to a support or slider, to another point, is explained

@@ -1,0 +1,1 @@
+"""How far a number can be trusted: error bounds, the pencil's spread, methods compared, limits, stability."""

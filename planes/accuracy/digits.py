@@ -1,0 +1,93 @@
+"""The instrument of many digits: the same steps with mpmath's long numbers, one position at a time; the truth."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+from planes.drafting.instruments import Hand
+from planes.words import Phrase
+from planes.words.errors import PlanesError
+
+
+class Long:
+    """An arithmetic of ``digits`` decimal digits."""
+
+    def __init__(self, digits: int) -> None:
+        try:
+            import mpmath
+        except ImportError:
+            raise PlanesError(Phrase("digits_no_mpmath")) from None
+        self.mp: Any = mpmath.MPContext()
+        self.mp.dps = digits
+        self.eps: Any = self.mp.mpf(10) ** -digits
+
+    def long(self, x: Any) -> Any:
+        """A given number in this arithmetic, none of its digits lost."""
+        if isinstance(x, complex):
+            return self.mp.mpc(x)
+        return self.mp.mpf(x) if isinstance(x, float | int) and not isinstance(x, bool) else x
+
+    def sqrt(self, x: Any) -> Any:
+        return self.mp.sqrt(x) if x > 0 else self.mp.zero
+
+    def maximum(self, a: Any, b: Any) -> Any:
+        return a if a >= b else b
+
+    def minimum(self, a: Any, b: Any) -> Any:
+        return a if a <= b else b
+
+    def where(self, ok: Any, a: Any, b: Any) -> Any:
+        return a if ok else b
+
+    def cis_deg(self, angle: Any) -> Any:
+        """cos + i sin of an angle in degrees, exact at quarter turns."""
+        angle = self.long(angle)
+        quarter = int(self.mp.floor(angle / 90 + self.mp.mpf(1) / 2))
+        rest = (angle - 90 * quarter) * self.mp.pi / 180
+        return self.mp.mpc(self.mp.cos(rest), self.mp.sin(rest)) * (1, 1j, -1, -1j)[quarter % 4]
+
+    def angle_deg(self, u: Any) -> Any:
+        u = self.mp.mpc(u)
+        angle = self.mp.atan2(u.imag, u.real) * 180 / self.mp.pi
+        return -angle if angle == -180 else angle
+
+    def sign(self, x: Any) -> Any:
+        return self.mp.sign(x)
+
+    def power(self, x: Any, n: int) -> Any:
+        if n < 0 and not x:
+            return self.mp.nan
+        return x**n
+
+    def gap(self, c: Any, d: Any, r: Any, s: Any) -> Any:
+        apart = d - c
+        return (r + s) ** 2 - apart.real**2 - apart.imag**2
+
+
+@lru_cache(maxsize=8)
+def _arithmetic(digits: int) -> Long:
+    return Long(digits)
+
+
+class _LongHand(Hand):
+    """Draws with long numbers: what is given is taken over exactly."""
+
+    def given(self, value: Any) -> Any:
+        ar = self.ar
+        assert isinstance(ar, Long)
+        return ar.long(value)
+
+
+@dataclass(frozen=True)
+class Digits:
+    """No error but that of the ``digits``-th digit."""
+
+    digits: int = 50
+
+    def tool(self, many: bool) -> Hand:
+        if many:
+            raise PlanesError(Phrase("digits_one"))
+        fine = 10.0 ** (3 - self.digits)
+        return _LongHand(_arithmetic(self.digits), slack=fine, flat=fine, still=10 * fine)

@@ -1,0 +1,134 @@
+"""Every result with its ±: what a solved scene claims of its own numbers, in the shape of the results themselves."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from planes.accuracy.spread import Spread
+from planes.batch import Cycle
+from planes.batch.claims import Claims
+from planes.batch.columns import Column, Ready, columns_of
+from planes.drafting.draft import Segment
+from planes.drafting.instruments import Instrument, Pencil
+from planes.drafting.program import Program
+from planes.plans import Plans
+from planes.plans.measuring import Quantity, Reader, catalogue
+from planes.solving import Position, Solved, plans_of
+from planes.solving.vectors import PLAN, VectorResults
+from planes.words.names import at, mu_of
+
+Bounds = Mapping[str, float]
+_PARTS = ("x", "y", "size")
+
+
+class Errors:
+    """The ± of results of one mechanism: a bound for an exact drawing, one standard deviation for a pencil's."""
+
+    def __init__(self, plans: Plans, wanted: Iterable[Quantity] | None, position: Position, by: Instrument | None):
+        asked = catalogue(plans).values() if wanted is None else wanted
+        chosen = [q for q in asked if q.path[0] != "plans"]
+        self.quantities = {q.path: columns_of(plans, [q]) for q in chosen}
+        reader = Reader(plans, position.drawing, dict(position.scales))
+        self.segments = {f"{p}:{k}": s for p in plans.drawn for k, s in reader.plan_segments(p).items()}
+        columns = {c.name: c for found in self.quantities.values() for c in found}
+        columns |= {name: _length(name, s) for name, s in self.segments.items()}
+        self.cycle = Cycle(plans, known=position.scales, columns=columns.values())
+        self.ruler_mm, self.claims = _ruler_mm(by), _claims(self.cycle, by, plans.off)
+
+    def of(self, position: Position) -> dict[str, Any]:
+        """The ± of a position's results, in the same nested shape (None: nothing can be claimed)."""
+        self.cycle.given.update(position.scales)
+        rows = self.claims.bounds([position.value])[:, 0]
+        bounds = {c.name: float(x) for c, x in zip(self.cycle.columns, rows, strict=True)}
+        out: dict[str, Any] = {}
+        for path, columns in self.quantities.items():
+            within = out
+            for key in path[:-1]:
+                within = within.setdefault(key, {})
+            within[path[-1]] = _shaped(columns, bounds)
+        drawn = position.results.get("plans", {})
+        if drawn:
+            out["plans"] = {p: {"segments": self._segments(p, drawn[p], position, bounds)} for p in drawn}
+        return out
+
+    def _segments(self, plan: str, drawn: Any, position: Position, bounds: Bounds) -> dict[str, Any]:
+        """± of segments, in mm and in SI; what is read with a ruler is off by its rounding too."""
+        mu, found = position.scales[mu_of(plan)], {}
+        for key in drawn["segments"]:
+            found[key] = _measured(bounds[f"{plan}:{key}"], mu, self.ruler_mm)
+        return found
+
+
+def add_errors(solved: Solved, instrument: Instrument | None = None) -> None:
+    """Put ``errors`` beside the results of every position drawn by this instrument, and into ``error_mm``."""
+    drawn = [p for p in solved.positions if "interpolated" not in p.results]
+    if not drawn:
+        return
+    plans, wanted = plans_of(solved.scene)
+    errors = Errors(plans, wanted, drawn[0], instrument)
+    for position in drawn:
+        found = position.results["errors"] = errors.of(position)
+        for plan, segments in found.get("plans", {}).items():
+            for key, error in segments["segments"].items():
+                if error["mm"] is not None:
+                    position.results["plans"][plan]["segments"][key]["error_mm"] = error["mm"]
+
+
+@dataclass
+class Still:
+    """A program that is drawn as it stands: nothing of it moves."""
+
+    program: Program
+    given: dict[str, Any]
+    columns: list[Column]
+    folded: dict[str, float]
+
+    def moving(self, values: Any, at: Any) -> dict[str, Any]:
+        """Nothing."""
+        return {}
+
+
+def vector_errors(results: VectorResults, instrument: Instrument | None = None) -> VectorResults:
+    """A drawn scene of vectors with its ± beside: of the ends of vectors, and of their segments."""
+    columns = [Column(f"{n}_{part}", "", "", *span, part) for n, span in results.spans.items() for part in _PARTS]
+    claims = _claims(Still(results.drawing.program, results.given, columns, {}), instrument)
+    bounds = dict(zip((c.name for c in columns), map(float, claims.bounds([0.0])[:, 0]), strict=True))
+    ruler = _ruler_mm(instrument)
+    vectors = {n: [_finite(bounds[f"{n}_{part}"]) for part in "xy"] for n in results.spans}
+    segments = {n: _measured(bounds[f"{n}_size"], results.mu, ruler) for n in results.spans}
+    return replace(results, errors={"vectors": vectors, "plans": {PLAN: {"segments": segments}}})
+
+
+def _claims(ready: Ready, by: Instrument | None, off: Mapping[str, float] | None = None) -> Any:
+    """What tells the ± of the columns drawn by this instrument; ``off``: how far off the givens are."""
+    return Spread(ready, by, {}) if isinstance(by, Pencil) else Claims(ready, off)
+
+
+def _ruler_mm(by: Instrument | None) -> float:
+    """What reading a ruler adds."""
+    return by.ruler_mm / math.sqrt(12.0) if isinstance(by, Pencil) else 0.0
+
+
+def _measured(bound: float, mu: float, ruler_mm: float) -> dict[str, float | None]:
+    """± of a segment, in mm and in its unit."""
+    mm = math.hypot(bound * mu, ruler_mm)
+    return {"mm": _finite(mm), "value": _finite(mm / mu)}
+
+
+def _length(name: str, s: Segment) -> Column:
+    return Column(name, "", "", at(s.plan, s.start), at(s.plan, s.end), "size")
+
+
+def _shaped(columns: list[Column], bounds: Bounds) -> Any:
+    """A number for one column, [x, y] for two, a sliding pair's force, arm and moment for four."""
+    numbers = [_finite(bounds[c.name]) for c in columns]
+    if len(numbers) == 4:
+        return {"force": numbers[:2], "arm": numbers[2], "moment": numbers[3]}
+    return numbers if len(numbers) == 2 else numbers[0]
+
+
+def _finite(x: float) -> float | None:
+    return x if math.isfinite(x) else None

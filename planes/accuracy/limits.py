@@ -1,0 +1,203 @@
+"""Where a mechanism comes to the end of what can be drawn: a limit of assembly, a change point, a crossing at infinity.
+
+It is looked for along the drive; where the drive meets none, along a length or a guide's angle that is altered while
+the drive stands where its crossings are bluntest. A limit is known to 50 digits.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from planes.accuracy.altering import ANGLE, LENGTH, alterable
+from planes.accuracy.bench import Bench
+from planes.accuracy.digits import Digits
+from planes.drafting.drawing import Drawing, run
+from planes.words.errors import PlanFailure
+
+Kind = Literal["end", "change", "infinite"]
+FINE = Digits(50)
+HALVINGS, NARROWINGS = 170, 180
+BLUNT = 0.3  # openness of a place worth a closer look
+ROUGH, NONE = 1e-4, 1e-18  # openness that a closer look must find, and of a place that is no place any more
+FAR = 1e4  # reaches: a point so far off is on its way to infinity
+BESIDE = 1e-7
+QUICK = 10.0  # times the drive's own speed at the mechanism's reach: half open
+WIDEST = 6.0  # how many times longer or shorter a length may be made
+
+
+@dataclass(frozen=True)
+class Way:
+    """One given that moves (``name``), the drive standing at ``held`` unless it is the drive itself."""
+
+    bench: Bench
+    name: str
+    held: float | None = None
+
+    @property
+    def unit(self) -> Literal["rad", "m", "1"]:
+        """What distances are in; "1": of a length, relative to itself."""
+        if self.held is not None:
+            return "1" if self.name.startswith(LENGTH) else "rad"
+        return "rad" if self.bench.plans.mechanism.drive.kind == "phi" else "m"
+
+    @property
+    def here(self) -> float:
+        """The value in the scene."""
+        return float(self.bench.cycle.given[self.name])
+
+    @property
+    def values(self) -> Any:
+        """Values to look through, from end to end."""
+        if self.unit == "1":
+            return self.here * np.exp(np.linspace(-1, 1, 601) * math.log(WIDEST))
+        if self.unit == "m":
+            return self.here + np.linspace(-3, 3, 1201) * self.bench.reach
+        return self.here + np.linspace(-180, 180, 721) / (1 if self.held is None else 2)
+
+    def away(self, value: Any) -> float:
+        """How far a value is from the scene's, a length by the logarithm of how many times longer it is."""
+        if self.unit == "1":
+            return abs(math.log(value / self.here))
+        return abs(float(value) - self.here) * (math.radians(1) if self.unit == "rad" else 1.0)
+
+    def draw(self, value: Any, instrument: Digits | None = None) -> Drawing:
+        """The drawing at a value, or at many."""
+        held = {} if self.held is None else {self.bench.plans.drive_given: self.held}
+        return run(self.bench.cycle.program, {**self.bench.cycle.given, **held, self.name: value}, instrument)
+
+    def openness(self, values: Any) -> Any:
+        """From 1 down to 0 where nothing can be drawn."""
+        drawing = self.draw(np.asarray(values, float))
+        with np.errstate(all="ignore"):
+            found, failed = self._open(drawing), drawing.failed()
+        found = np.where(np.isfinite(found), found, 0.0) + np.zeros(len(values))
+        return found if failed is None else np.where(failed, 0.0, found)
+
+    def fine(self, value: Any) -> Any:
+        """The same of one value, at 50 digits."""
+        try:
+            return self._open(self.draw(value, FINE))
+        except PlanFailure:
+            return 0
+
+    def _open(self, drawing: Drawing) -> Any:
+        """The least sharpness, or how slow the quickest point still is against the drive, if that is less."""
+        ar, drive = drawing.hand.ar, self.bench.plans.mechanism.drive
+        found: Any = 1.0
+        for sharp in drawing.sharpness.values():
+            found = ar.minimum(found, sharp)
+        slow = QUICK * abs(drive.velocity) * (self.bench.reach if drive.kind == "phi" else 1.0)
+        if slow:
+            found = ar.minimum(found, slow / (slow + self._largest(drawing, "v")))
+        return found
+
+    def _largest(self, drawing: Drawing, letter: str) -> Any:
+        top: Any = 0.0
+        for kind, x in zip(self.bench.letters, self.bench.taken(drawing), strict=True):
+            if kind == letter:
+                top = drawing.hand.ar.maximum(top, abs(x))
+        return top
+
+    def far(self, value: Any) -> bool:
+        """Whether a point is far beyond the mechanism's reach."""
+        return bool(self._largest(self.draw(value, FINE), "r") > FAR * self.bench.reach)
+
+
+@dataclass(frozen=True)
+class Limit:
+    """The ``value`` (50 digits) where a way ends; positions work on its ``side`` (+1: above)."""
+
+    way: Way
+    value: Any
+    side: int
+    kind: Kind
+
+    @property
+    def unit(self) -> Any:
+        """What distances are told in: a radian (in degrees), a metre, or the length at the limit."""
+        return {"rad": 180 / self.value.context.pi, "m": 1, "1": self.value}[self.way.unit]
+
+
+def find(bench: Bench) -> Limit | None:
+    """The limit nearest to the scene along the drive; else along what is altered the least, the drive held."""
+    along = next(_limits(Way(bench, bench.plans.drive_given)), None)
+    if along:
+        return along
+    held = bluntest(bench)
+    names = alterable(bench.plans, [n for n in bench.cycle.program.givens if n.startswith((LENGTH, ANGLE))])
+    found = [next(_limits(Way(bench, name, held)), None) for name in names]
+    return min((x for x in found if x), key=lambda x: x.way.away(x.value), default=None)
+
+
+def like(limit: Limit, way: Way) -> Limit | None:
+    """The nearest limit of another way, if it is of the same sort."""
+    found = next(_limits(way), None)
+    return found if found and (found.kind, found.side) == (limit.kind, limit.side) else None
+
+
+def bluntest(bench: Bench) -> float:
+    """The value of the drive whose crossings are least sharp."""
+    way = Way(bench, bench.plans.drive_given)
+    values, found = way.values, way.openness(way.values)
+    return float(values[np.argmin(np.where(found > 0, found, 2.0))])
+
+
+def _limits(way: Way) -> Iterator[Limit]:
+    """Limits, the nearest first."""
+    values, found = way.values, way.openness(way.values)
+    works = found > 0
+    edges = np.flatnonzero(works[1:] != works[:-1])
+    middle = found[1:-1]
+    dips = np.flatnonzero((middle <= BLUNT) & works[:-2] & works[1:-1] & works[2:]
+                          & (middle <= found[:-2]) & (middle <= found[2:])) + 1  # fmt: skip
+    spots = [(way.away(values[k]), k, k + 1) for k in edges] + [(way.away(values[k]), k - 1, k + 1) for k in dips]
+    for _, low, high in sorted(spots):
+        limit = _between(way, values, works, int(low), int(high))
+        if limit:
+            yield limit
+
+
+def _between(way: Way, values: Any, works: Any, low: int, high: int) -> Limit | None:
+    if works[low] and works[high]:
+        return _dip(way, values[low], values[high])
+    good, bad = (low, high) if works[low] else (high, low)
+    if way.fine(float(values[bad])):  # drawn after all, when drawn with more digits
+        return _dip(way, values[max(bad - 1, 0)], values[min(bad + 1, len(values) - 1)])
+    return _edge(way, float(values[good]), float(values[bad]))
+
+
+def _edge(way: Way, good: float, bad: float) -> Limit:
+    """Halved until 50 digits tell no more."""
+    step = abs(bad - good)
+    one, two = (FINE.tool(False).given(x) for x in (good, bad))
+    for _ in range(HALVINGS):
+        middle = (one + two) / 2
+        one, two = (middle, two) if way.fine(middle) else (one, middle)
+    side = 1 if good > bad else -1
+    return Limit(way, one, side, _single(way, one, step) if way.fine(one - side * BESIDE * step) else "end")
+
+
+def _dip(way: Way, low: float, high: float) -> Limit | None:
+    """Where positions on both sides work and that between them does not, if it is so."""
+    step = abs(high - low)
+    one, two = (FINE.tool(False).given(x) for x in (low, high))
+    for k in range(NARROWINGS):
+        third = (two - one) / 3
+        left, right = way.fine(one + third), way.fine(two - third)
+        one, two = (one, two - third) if left < right else (one + third, two)
+        if k == NARROWINGS // 4 and min(left, right) > ROUGH:
+            return None
+    value = (one + two) / 2
+    if way.fine(value) > NONE:
+        return None
+    return Limit(way, value, 1 if way.here > value else -1, _single(way, value, step))
+
+
+def _single(way: Way, value: Any, step: float) -> Kind:
+    """What a single place between working ones is."""
+    return "infinite" if way.far(value + BESIDE * step) else "change"

@@ -1,0 +1,138 @@
+"""Speed and accuracy of every way to compute a mechanism: measured on the spot against 50 digits."""
+
+from __future__ import annotations
+
+import math
+import os
+import platform
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from planes.accuracy.bench import Bench
+from planes.accuracy.digits import Digits
+from planes.accuracy.peers import Pylinkage, installed, kinepy_run, pylinkage_run, version
+from planes.batch import fused
+from planes.drafting.drawing import Drawing, run
+from planes.drafting.instruments import Pencil
+from planes.plans import Plans
+from planes.plans.scales import FIT_MM, scales
+from planes.words.errors import PlanFailure
+from planes.words.names import plan_of
+
+MANY, FEWER = 100_000, 10_000
+SHEETS = {"A4": 0.5**0.5, "A3": 1.0, "A2": 2.0**0.5, "A1": 2.0, "A0": 2.0**1.5}
+RULERS = (0.5, 0.1)
+
+
+@dataclass(frozen=True)
+class Method:
+    """One mark of the chart: a word of the table with its number, seconds per position, largest relative error."""
+
+    key: str
+    number: str
+    seconds: float
+    error: float
+
+
+def machine() -> tuple[str, int]:
+    """The processor times are measured on, and how many cores of it there are."""
+    name = platform.processor() or platform.machine()
+    told = Path("/proc/cpuinfo")
+    if told.exists():
+        lines = told.read_text(encoding="utf-8").splitlines()
+        name = next((line.partition(": ")[2] for line in lines if line.startswith("model name")), name)
+    return name, os.cpu_count() or 1
+
+
+def clock(work: Callable[[], object], times: int = 3) -> float:
+    """Seconds of the quickest of several runs, the first one (which compiles) not counted; of the processor's own
+    time, so that it does not matter what else the machine does."""
+    work()
+    best = math.inf
+    for _ in range(times):
+        start = time.process_time()
+        work()
+        best = min(best, time.process_time() - start)
+    return best
+
+
+def measure(plans: Plans) -> list[Method]:
+    """Every method on one mechanism. :class:`PlanFailure` where no position of it can be drawn."""
+    bench = Bench(plans)
+    values = bench.working
+    if not len(values):
+        raise PlanFailure("no_working")
+    truth = bench.truth(values)
+    long = np.resize(values, MANY)
+    found = []
+
+    def add(
+        key: str, number: str, work: Callable[[Any], Any], timed: Any, again: Callable[[Any], Any] | None = None
+    ) -> None:
+        error = float(np.nanmax(bench.error(work(values), truth)))
+        seconds = clock(lambda: (again or work)(timed)) / len(timed)
+        found.append(Method(key, number, seconds, max(error, 2.0**-54)))
+
+    add("method_scalar", "", bench.scalar, values)
+    add("method_batch", "", lambda v: bench.many(v, False), long, lambda v: bench.through(v, False))
+    if fused.available():
+        add("method_fused", "", lambda v: bench.many(v, True), long, lambda v: bench.through(v, True))
+    add("method_single", "", bench.single, long)
+    for digits in (30, 50):
+        add("method_digits", str(digits), partial(bench.scalar, instrument=Digits(digits)), values[:12])
+    add("method_differences", "", bench.differences, long)
+    add("method_newton", "", bench.newton, values)
+    near = bench.near(values)(0)
+    if "pylinkage" in installed() and Pylinkage.can(plans):
+        add("method_pylinkage", version("pylinkage"), bench.pylinkage, long, pylinkage_run(plans, values[0], near))
+    if "kinepy" in installed():
+        add("method_kinepy", version("kinepy"), bench.kinepy, long[:FEWER], kinepy_run(plans))
+    return found + _pencils(bench, values, truth)
+
+
+def _pencils(bench: Bench, values: Any, truth: Any) -> list[Method]:
+    """Pencils on sheets of every format, with a good ruler and a better one."""
+    found = []
+    for sheet, factor in SHEETS.items():
+        fit = {plan: size * factor for plan, size in FIT_MM.items()}
+        mus = scales(bench.plans, {}, {bench.plans.drive_given: float(values[len(values) // 2])}, fit)
+        for ruler in RULERS:
+            pencil = Pencil(ruler_mm=ruler)
+            given = {**bench.cycle.given, **mus, bench.plans.drive_given: values}
+            drawing = run(bench.cycle.program, given, pencil)
+            with np.errstate(all="ignore"):
+                ruled = np.array([_ruled(c, drawing, mus, ruler) for c in bench.cycle.columns])
+                error = np.nanmax(bench.error(ruled, truth))
+            one = {**given, bench.plans.drive_given: float(values[0])}
+            seconds = clock(partial(_try, bench, one, pencil), 20)
+            found.append(Method("method_pencil", f"{sheet}, {ruler:g}", seconds, float(error)))
+    return found
+
+
+def _try(bench: Bench, given: dict[str, Any], pencil: Pencil) -> None:
+    try:
+        run(bench.cycle.program, given, pencil)
+    except PlanFailure:
+        return
+
+
+def _ruled(column: Any, drawing: Drawing, mus: dict[str, float], ruler: float) -> Any:
+    """A column as read off with the ruler."""
+    mu = mus["mu_" + plan_of(column.start)]
+    size = np.broadcast_to(column.take(drawing.things, drawing.hand.ar), drawing.hand.shape) * mu
+    return np.round(size / ruler) * ruler / mu
+
+
+def front(methods: list[Method]) -> list[Method]:
+    """The methods than which no other is both faster and more exact, the fastest first."""
+    best: list[Method] = []
+    for m in sorted(methods, key=lambda m: (m.seconds, m.error)):
+        if not best or m.error < best[-1].error:
+            best.append(m)
+    return best

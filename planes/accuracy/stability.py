@@ -1,0 +1,138 @@
+"""How every method behaves on the way to a limit: errors, sharpness and claims against the distance."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from planes.accuracy.altering import LENGTH, alterable, altered, changed
+from planes.accuracy.bench import Bench, Work
+from planes.accuracy.digits import Digits
+from planes.accuracy.limits import Limit, Way, find, like
+from planes.accuracy.peers import Pylinkage, installed
+from planes.batch import fused
+from planes.batch.claims import Claims
+from planes.plans import Plans
+
+DECADES, EACH, CROWD = 14, 2, 8  # points of a curve in a decade, and positions of which each is the worst
+BINS = range(1 * EACH, DECADES * EACH + 1)  # distances 0.1 … 1e-14
+BEGINS = frozenset(range(0, CROWD * len(BINS), len(BINS)))  # where a path begins
+ASIDE, LONGER = 0.37, 0.007  # from one of a crowd to the next: the held drive (degrees), or a length (relatively)
+NEAR = 0.3  # how far apart the limits of a crowd may be
+
+
+@dataclass(frozen=True)
+class Approach:
+    """A path to a limit: distances (rad, m or relative), sharpness, claim, and errors by method (NaN: refused).
+
+    Each is the worst of a crowd of positions from the distance told to half a decade above it, so that no curve is
+    low by a lucky rounding; of what every method tells.
+    """
+
+    limit: Limit
+    distances: Any
+    sharpness: Any
+    claim: Any
+    errors: dict[str, Any]
+
+
+def approach(plans: Plans) -> Approach | None:
+    """The way to the limit nearest to the scene; None where neither the drive nor any length or guide comes to one."""
+    limit = find(Bench(plans))
+    return None if limit is None else _measured(limit, *_path(limit))
+
+
+def _path(limit: Limit) -> tuple[Bench, Any, Any]:
+    """A bench, values of its drive, and distances: one path after another, each from far to near."""
+    spots = [(x, 10.0 ** (-(b / EACH) + k / (EACH * CROWD))) for k, x in enumerate(_crowd(limit)) for b in BINS]
+    values = [float(x.value + x.side * step * x.unit) for x, step in spots]
+    variants, drive, distances = [], [], []
+    for (x, _), value in zip(spots, values, strict=True):
+        way, plans = x.way, x.way.bench.plans
+        variants.append(plans if way.held is None else altered(plans, way.name, value))
+        drive.append(value if way.held is None else way.held)
+        moved = value if way.held is None else variants[-1].given[way.name]
+        distances.append(float(abs((moved - x.value) / x.unit)))
+    plans = limit.way.bench.plans
+    names = dict.fromkeys(name for x in variants for name in changed(plans, x))
+    known = {name: np.array([x.given[name] for x in variants]) for name in names}
+    return Bench(plans, known, variants, BEGINS), np.array(drive), np.array(distances)
+
+
+def _crowd(limit: Limit) -> list[Limit]:
+    """Limits of the same sort, as many as a crowd has positions: the drive held, or a length made, a little otherwise.
+
+    Roundings differ from one to the next, which those close to one limit would all share.
+    """
+    for ways in _beside(limit.way):
+        found = [like(limit, way) for way in ways]
+        if all(x and abs((x.value - limit.value) / limit.unit) < NEAR for x in found):
+            return [limit, *(x for x in found if x)]
+    return [limit] * CROWD
+
+
+def _beside(way: Way) -> Iterator[Iterator[Way]]:
+    """Crowds of ways to try."""
+    if way.held is not None:
+        held = way.held
+        yield (replace(way, held=held + ASIDE * ((k + 1) // 2) * (-1) ** k) for k in range(1, CROWD))
+        return
+    plans = way.bench.plans
+    for name in alterable(plans, [n for n in way.bench.cycle.program.givens if n.startswith(LENGTH)]):
+        longer = [plans.given[name] * (1 + LONGER * k) for k in range(1, CROWD)]
+        yield (Way(Bench(altered(plans, name, length)), way.name) for length in longer)
+
+
+def ways(bench: Bench) -> dict[str, Work]:
+    """Every method that can be tried, ours before others'."""
+    found: dict[str, Work] = {"method_scalar": bench.scalar, "method_batch": lambda v: bench.many(v, False)}
+    if fused.available():
+        found["method_fused"] = lambda v: bench.many(v, True)
+    found["method_digits"] = lambda v: bench.scalar(v, Digits(30))
+    found["method_single"] = bench.single
+    found["method_newton"] = bench.newton
+    found["method_differences"] = bench.differences
+    if "pylinkage" in installed() and Pylinkage.can(bench.plans):
+        found["method_pylinkage"] = bench.pylinkage
+    if "kinepy" in installed():
+        found["method_kinepy"] = bench.kinepy
+    return found
+
+
+def _measured(limit: Limit, bench: Bench, values: Any, distances: Any) -> Approach:
+    truth = bench.truth(values)
+    works = np.isfinite(truth).all(axis=0) & (distances > 0)
+    with np.errstate(all="ignore"):
+        found = {key: work(values) for key, work in ways(bench).items()}
+        told = np.all([~np.isnan(table).all(axis=1) for table in found.values()], axis=0)
+        size = _sizes(bench, np.where(works, truth, 0.0))[told]
+        claims = np.max(Claims(bench.cycle).bounds(values)[told] / size, axis=0)
+        errors = {key: np.max(np.abs(table - truth)[told] / size, axis=0) for key, table in found.items()}
+        errors = {key: np.where(np.isfinite(row), row, math.nan) for key, row in errors.items()}
+    sharp = [_sharpness(bench, float(v), k) if works[k] else math.nan for k, v in enumerate(values)]
+    return _worst(limit, distances, works, np.array(sharp), claims, errors)
+
+
+def _sizes(bench: Bench, truth: Any) -> Any:
+    """For each column and position the largest place, velocity or acceleration of its crowd."""
+    size = bench.sizes(truth).reshape(len(truth), CROWD, -1)
+    return np.broadcast_to(size.max(axis=1, keepdims=True), size.shape).reshape(truth.shape)
+
+
+def _worst(limit: Limit, distances: Any, works: Any, sharp: Any, claims: Any, errors: dict[str, Any]) -> Approach:
+    """The worst of each crowd of positions."""
+    crowds = [k for k in np.arange(len(distances)).reshape(CROWD, -1).T if works[k].any()]
+
+    def worst(row: Any, by: Callable[[Any], Any] = np.max) -> Any:
+        return np.array([by(row[k][works[k]]) for k in crowds])  # refused once is refused
+
+    return Approach(limit, worst(distances, np.min), worst(sharp, np.min), worst(claims),
+                    {key: worst(row) for key, row in errors.items()})  # fmt: skip
+
+
+def _sharpness(bench: Bench, value: float, k: int) -> float:
+    return min((float(s) for s in bench.drawn(value, Digits(50), k).sharpness.values()), default=1.0)

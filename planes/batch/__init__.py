@@ -1,0 +1,208 @@
+"""Many positions of a mechanism at once: one program over blocks of the drive's values, from positions to forces.
+
+Memory is that of one block, however many values there are. A position that cannot be drawn has its reason, and NaN
+in what depends on what failed. Long runs go through the compiled loop (``fused``) where it is installed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from planes.batch import fused
+from planes.batch.claims import Claims
+from planes.batch.columns import Column, columns_of
+from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
+from planes.drafting.clearness import clear, far_apart
+from planes.drafting.drawing import run
+from planes.drafting.instruments import Exact, Instrument
+from planes.drafting.program import Program
+from planes.drafting.proofs import Twofold
+from planes.plans import Plans
+from planes.plans.measuring import asked
+from planes.plans.scales import unit_scales
+from planes.words import Phrase
+from planes.words.errors import ProgramError, choices
+
+CHUNK = 4096
+HELD = 2**22  # numbers a block of arrays may hold, all steps of its program together
+PAYS = 200_000
+"""From how many positions on a compiled loop is worth compiling."""
+
+
+class Block(NamedTuple):
+    """Results of successive positions: a row of ``table`` for each column; ``codes`` number the reasons (0: none)."""
+
+    values: Any
+    table: Any
+    codes: Any
+
+    @property
+    def failed(self) -> Any:
+        """Which positions could not be drawn: a mask."""
+        return self.codes != 0
+
+
+@dataclass(frozen=True)
+class Reason:
+    """Why positions fail: a key of the table of words, and what could not be made."""
+
+    key: str
+    makes: str
+
+
+class Cycle:
+    """A mechanism ready for any number of positions, cut down to what is asked (``names``; None: everything).
+
+    ``known`` overrides givens by name; those with an array, a number for each position, move with the drive.
+    ``columns`` may be given as such, in place of ``names``.
+    """
+
+    def __init__(
+        self, plans: Plans, names: Iterable[str] | None = None, known: Mapping[str, Any] | None = None,
+        columns: Iterable[Column] | None = None,
+    ) -> None:  # fmt: skip
+        quantities = None if names is None else asked(plans, names)
+        self.plans, self.columns = plans, columns_of(plans, quantities) if columns is None else list(columns)
+        self.program: Program = plans.program.sliced([n for c in self.columns for n in c.needs])
+        self.mus, self.known = unit_scales(plans), frozenset(known or ())
+        self.given = {**plans.given, **self.mus}
+        for name in self.known - {*self.given}:
+            raise ProgramError(Phrase("no_given", name=name, valid=choices(name, self.given)))
+        self.given |= known or {}
+        self.moved = {name: np.asarray(v, float) for name, v in (known or {}).items() if np.ndim(v)}
+        self.folded = {mu: 1.0 for mu in self.mus if mu not in (known or {})}
+
+    @cached_property
+    def trace(self) -> Trace:
+        """The program on a tape, drawn in SI, or at the scales that are given."""
+        must = [not c.beside for c in self.columns]  # an arm ends where its force does
+        return trace(self.program, self.given, [c.take for c in self.columns], self.folded, must=must)
+
+    @cached_property
+    def reasons(self) -> tuple[Reason, ...]:
+        """What each code means: code k is the reason k - 1."""
+        return tuple(Reason(r, makes) for r, makes, _ in self.trace.requires if r != UNCLEAR)
+
+    @cached_property
+    def claims(self) -> Claims:
+        """How far off every number may be."""
+        return Claims(self)
+
+    @cached_property
+    def dim(self) -> bool:
+        """Whether no position is clear of rounding."""
+        return far_apart(self.plans.given)
+
+    @cached_property
+    def compiled(self) -> fused.Bound:
+        """The compiled loop."""
+        loop = fused.fuse(self.trace, (self.plans.drive_given, *self.moved))
+        return loop.bound(given_values(self.given))
+
+    def moving(self, values: Any, at: Any) -> dict[str, Any]:
+        """What moves, at the positions numbered ``at``: the drive with ``values``, and its companions."""
+        beside = {name: v[at] for name, v in self.moved.items()}
+        return {**self.plans.at(values, self.program, self.known), **beside}
+
+    def blocks(
+        self, values: Any, chunk: int = CHUNK, fast: bool | None = None, instrument: Instrument | None = None,
+        bare: bool = False,
+    ) -> Iterator[Block]:  # fmt: skip
+        """Blocks of at most ``chunk`` positions. ``fast`` says whether to compile; by itself when that pays.
+
+        Numbers that rounding leaves without digits are NaN, unless they are asked for ``bare``.
+        """
+        if not hasattr(values, "__getitem__"):
+            values = np.fromiter(values, float)
+        by_hand = instrument is not None and not isinstance(instrument, Exact)
+        if fast is None:
+            fast = not by_hand and fused.available() and ("compiled" in self.__dict__ or len(values) >= PAYS)
+        size = min(chunk, self.compiled.fused.row if fast else max(1, HELD // (len(self.program.steps) + 1)))
+        for start in range(0, len(values), size):
+            part = np.asarray(values[start : start + size], float)
+            at = slice(start, start + len(part))
+            found = self._run(part, at) if fast else self._drawn(self.moving(part, at), len(part), instrument)
+            yield self._looked_at(self._whole(part, *found), start, bare or by_hand)
+
+    def _run(self, part: Any, at: slice) -> tuple[Any, Any]:
+        """The table by the compiled loop, and the codes (None: nothing failed); what it suspects is drawn by arrays."""
+        moving = self.moving(part, at)
+        table, codes = self.compiled(np.array([moving[name] for name in self.compiled.fused.inputs]))
+        if codes is None or not (suspect := np.isin(codes, self._suspected)).any():
+            return table, codes
+        some = {name: np.asarray(v)[suspect] for name, v in moving.items()}
+        table[:, suspect], found = self._drawn(some, int(suspect.sum()), None)
+        codes[suspect] = 0 if found is None else found
+        return table, codes if codes.any() else None
+
+    @cached_property
+    def _suspected(self) -> list[int]:
+        """The codes of what the compiled loop cannot decide: two balancing loads that may be but rounded."""
+        return [k for k, r in enumerate(self.reasons, 1) if r.key == Twofold.reason]
+
+    def _drawn(self, moving: dict[str, Any], count: int, instrument: Instrument | None) -> tuple[Any, Any]:
+        """The same by arrays."""
+        drawing = run(self.program, {**self.given, **moving}, instrument)
+        table = np.empty((len(self.columns), count))
+        with np.errstate(all="ignore"):
+            for row, column in zip(table, self.columns, strict=True):
+                row[:] = column.take(drawing.things, drawing.hand.ar)
+        numbered = {(r, makes): k for k, (r, makes, _) in enumerate(self.trace.requires, 1)}
+        whole = np.array([not c.beside for c in self.columns])
+        codes = np.where(clear(self.program, drawing.things, drawing.hand), 0, numbered.get((UNCLEAR, ""), 0))
+        codes = np.where(np.isfinite(table[whole].sum(axis=0)), codes, numbered.get(("no_digits", ""), 0))
+        for reason, step, ok, _ in reversed(drawing.hand.failures):
+            codes = np.where(ok, codes, numbered[reason, getattr(step, "makes", "")])
+        return table, codes.astype(np.int16) if codes.any() else None
+
+    def _whole(self, part: Any, table: Any, codes: Any) -> Block:
+        """The block with NaN in everything that depends on what failed; and where it is not clear, that code."""
+        if codes is None:
+            return Block(part, table, np.zeros(len(part), np.int16))
+        for code in np.unique(codes[(codes != 0) & (codes <= len(self.reasons))]):
+            table[np.ix_(self._after[self.reasons[code - 1].makes], codes == code)] = np.nan
+        return Block(part, table, codes)
+
+    def _looked_at(self, block: Block, start: int, bare: bool) -> Block:
+        """The block with NaN for numbers without digits, where it is not clear."""
+        where = np.flatnonzero((block.codes == len(self.reasons) + 1) | (block.codes == 0) & self.dim)
+        block.codes[where] = 0
+        if len(where) and not bare:
+            found = self.claims.bounds(block.values[where], start + where)
+            doubtful = self.claims.doubtful(block.table[:, where], found)
+            block.table[:, where] = np.where(doubtful, np.nan, block.table[:, where])
+            block.codes[where[doubtful.any(axis=0)]] = self.reasons.index(Reason("no_digits", "")) + 1
+        return block
+
+    def beside(self, blocks: Iterable[Block]) -> Iterator[Block]:
+        """Blocks of successive positions, with a row of ± after the rows of results."""
+        start, claims = 0, Claims(self, self.plans.off)
+        for block in blocks:
+            claimed = claims.bounds(block.values, start + np.arange(len(block.values)))
+            start += len(block.values)
+            yield Block(block.values, np.vstack([block.table, np.where(np.isnan(block.table), np.nan, claimed)]),
+                        block.codes)  # fmt: skip
+
+    @cached_property
+    def _after(self) -> dict[str, list[int]]:
+        """The columns that depend on each thing that may fail."""
+        found: dict[str, list[int]] = {makes: [] for _, makes, _ in self.trace.requires}
+        for k, column in enumerate(self.columns):
+            for made in self.program.sliced(column.needs).made & found.keys():
+                found[made].append(k)
+        return {**found, "": list(range(len(self.columns)))}
+
+
+def cycle(
+    plans: Plans, values: Any, names: Iterable[str] | None = None, chunk: int = CHUNK, fast: bool | None = None
+) -> Iterator[Block]:
+    """Results of a mechanism for many values of its drive (degrees, or metres), in blocks of ``chunk``."""
+    return Cycle(plans, names).blocks(values, chunk, fast)
+
+
+__all__ = ["Block", "Column", "Cycle", "Reason", "cycle"]

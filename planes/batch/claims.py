@@ -1,0 +1,214 @@
+"""How far off a result may be, told by the drawing itself: a running bound of every rounding on the way to it.
+
+What is given, and the drive's values, are taken as exact, or as off as decimals are. Each operation errs by its own
+rounding and by what its slopes say nothing of (``rounding``); each such error goes on to every result by slopes,
+exactly: f(a + d) = f(a) + slope · d + what is lost by taking f to be straight. Errors that cancel are left to cancel
+(``slopes``). Roundings add up as chances do, what is lost adds up at its worst. Where a sharpness, or a force divided
+by, is as small as its own error the loss has no end, and nothing is claimed. ``tests/nightly.py`` measures how honest
+this is, and how close.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from planes.batch.columns import Ready
+from planes.batch.reading import read
+from planes.batch.rounding import BLIND, LARGEST, USUAL, bent, rounding, unit_parts, whole_numbers
+from planes.batch.slopes import STIFF, Carrying, Values, times
+from planes.batch.tape import Tape
+from planes.batch.tracing import given_values, trace
+
+SIGMAS = 6.0  # roundings add up as chances do: further off than this is one sum in five hundred million
+SMALL = 0.01  # a loss this small beside the rounding is not worth a better bound
+NOTHING = 1e-9  # and one this small not worth counting
+ROUNDED = 1 + 1e-6  # for what is not counted; and the bound is reckoned in floats too
+PIECE = 128  # positions worked at once
+DOUBT = 1e-3  # of the largest number of its kind: a number that may be further off is no result
+TURN = 60.0  # degrees: a radian, near enough
+
+
+class _Running:
+    """The errors on the way, of one piece of positions: how far every place reached may be off."""
+
+    def __init__(self, tape: Tape, order: list[int], found: Values, count: int, kept: Kept) -> None:
+        self.tape, self.found, self.count, self.kept = tape, found, count, kept
+        self.carrying = Carrying(tape, order, count)
+        self.largest, self.lost = np.zeros((kept.most, count)), np.zeros((kept.most, count))
+        self.usual, self.losing = np.ones(kept.most), np.zeros(kept.most, bool)
+        self.reach: dict[int, Any] = {}  # no place is further off: a rough bound, made better where it matters
+        self.better: dict[int, Any] = {}
+        self.unsure: dict[int, Any] = {}  # of the tests whether a thing moves
+
+    def __call__(self, wanted: frozenset[int]) -> dict[int, Any]:
+        """How far the wanted places may be off."""
+        bounds = {}
+        for place, op, args in self.carrying.moving():
+            if place in self.kept.written:
+                self._given(place)
+            elif place in self.kept.turns:
+                self.unsure[place] = self._turning(args)
+            elif op not in STIFF or op == "const":
+                self._err(place, op, args)
+            if place in wanted:
+                bounds[place] = self._bound(place, slice(None))
+        return bounds
+
+    def _given(self, place: int) -> None:
+        """A given is off by what its decimals, and reckoning it, have lost."""
+        x, k = self.found[place], self.carrying.made
+        decimals = np.where(x * 1024 == np.floor(x * 1024), 0.0, np.spacing(np.abs(x)) / 2)
+        self.largest[k] = np.maximum(decimals, self.kept.written[place])
+        self.usual[k] = 1 / 3
+        self.reach[place] = self.largest[k].copy()
+        self.carrying.carry(place, (), (), own=True)
+
+    def _err(self, place: int, op: str, args: tuple[int, ...]) -> None:
+        slip = rounding(self.tape, place, self.found, self.kept.whole)
+        lost, parts = self._bent(place, op, args, slip)
+        none = ~np.isfinite(self.found[place])
+        if op not in ("neg", "const") and np.any(none):
+            slip, lost = (np.where(none, x, 0.0 if y is None else y) for x, y in ((0.0, slip), (BLIND, lost)))
+            parts = tuple(np.where(none, np.zeros_like(part), part) for part in parts)
+        moved = [np.abs(times(part, self.reach[a])) for a, part in zip(args, parts, strict=True) if a in self.reach]
+        own = slip is not None or lost is not None
+        if own:
+            k = self.carrying.made
+            self.largest[k] = LARGEST.get(op, 1.0) * (0.0 if slip is None else slip)
+            self.usual[k] = (USUAL.get(op, 1.0) / LARGEST.get(op, 1.0)) ** 2 / 3
+            moved.append(self.largest[k])
+        if lost is not None:
+            self.lost[k], self.losing[k] = lost, True
+            moved.append(lost)
+        if moved:
+            self.reach[place] = np.minimum(sum(moved), BLIND) + np.zeros(self.count)
+        self.carrying.carry(place, args, parts, own)
+
+    def _bent(self, place: int, op: str, args: tuple[int, ...], slip: Any) -> Any:
+        """What is lost at a place by taking it to be straight, and its slopes; with better bounds where it matters."""
+        z, given = self.found[place], tuple(self.found[a] for a in args)
+        if args and args[0] in self.unsure:
+            return self.unsure[args[0]], bent(op, z, given, ())[1]
+        if place in self.kept.chosen:  # a direction of nothing that may yet be something
+            length = self.kept.chosen[place]
+            lost = np.where((self.found[length] == 0) & (self.reach.get(length, 0.0) > 0), 2.0, 0.0)
+            return lost, bent(op, z, given, ())[1]
+        lost, parts = bent(op, z, given, self._reaches(args))
+        if lost is None or not np.any(lost):
+            return None, parts
+        beside = 0.0 if slip is None else slip
+        doubtful = lost > SMALL * beside
+        if not np.any(lost > NOTHING * beside):
+            return None, parts
+        if np.any(doubtful):
+            self._look(args, np.broadcast_to(doubtful, (self.count,)))
+            lost, parts = bent(op, z, given, self._reaches(args))
+        if place in self.kept.units:
+            length = self.kept.units[place]
+            reach = self.reach.get(length, 0.0)
+            blunt = (2 * reach >= np.abs(self.found[length])) & (reach > 0)
+            lost, parts = np.where(blunt, 2.0, lost), tuple(np.where(blunt, 0.0, part) for part in parts)
+        return lost, parts
+
+    def _reaches(self, args: tuple[int, ...]) -> tuple[Any, ...]:
+        return tuple(self.reach.get(a, 0.0) for a in args)
+
+    def _look(self, places: Any, where: Any) -> None:
+        """Find better bounds of places, at the positions that need them."""
+        for place in set(places) & self.carrying.rows.keys():
+            seen = self.better.setdefault(place, np.zeros(self.count, bool))
+            new = np.flatnonzero(where & ~seen)
+            if len(new):
+                seen[new] = True
+                self.reach[place][new] = np.fmin(self.reach[place][new], self._bound(place, new))
+
+    def _bound(self, place: int, where: Any) -> Any:
+        """How far a place may be off: every loss at its worst, and the roundings by chance.
+
+        The worst sum of the roundings is no bound even where it is the smaller: arrays and single positions divide
+        complex numbers otherwise than a tape does, with more of them.
+        """
+        if place not in self.carrying.rows:
+            return np.zeros(self.count)[where]
+        rows = self.carrying.rows[place][:, where]
+        size = np.abs(rows)
+        losing = np.flatnonzero(self.losing[: len(rows)])
+        lost = np.einsum("kp,kp->p", size[losing], self.lost[losing][:, where])
+        size *= self.largest[: len(rows), where]
+        size *= size
+        return SIGMAS * np.sqrt(self.usual[: len(rows)] @ size) + lost
+
+    def _turning(self, args: tuple[int, ...]) -> Any:
+        """How far off a sense may be: what is called a standstill may be a motion, and of a motion that is all error
+        it is not known which way it goes. Only what cannot move at all surely stands."""
+        self._look(args, np.ones(self.count, bool))
+        (still, least), (size, error) = ((np.abs(self.found[a]), self.reach.get(a, 0.0)) for a in args)
+        sure = (size - error > still + least) | ((size == 0) & (error == 0))
+        return np.where(sure, 0.0, 2.0)
+
+
+class Kept:
+    """What is known of a tape beforehand."""
+
+    def __init__(self, tape: Tape, order: list[int], turns: tuple[int, ...], off: Mapping[str, float] | None) -> None:
+        self.written = {} if off is None else _written(tape, order, off)
+        self.whole, self.turns = whole_numbers(tape, order), frozenset(turns)
+        self.units, self.chosen = unit_parts(tape, order)
+        made = sum(tape.ops[p][0] not in STIFF or tape.ops[p][0] == "const" for p in order)
+        self.most = made + len(self.written)
+
+
+def _written(tape: Tape, order: list[int], off: Mapping[str, float]) -> dict[int, float]:
+    """Places of the givens a scene writes, each with how far off it is reckoned; scales are of the drawing alone."""
+    names = {p: tape.values[p] for p in order if tape.ops[p][0] == "given"}
+    own = {p: n.removesuffix(".x").removesuffix(".y") for p, n in names.items() if not n.startswith("mu_")}
+    return {p: off.get(n, 0.0) for p, n in own.items()}
+
+
+class Claims:
+    """What a cycle of exact drawings claims of itself: ± of every column, for any values of the drive.
+
+    Where it is told how far ``off`` givens are (``Plans.off``), numbers are those a scene writes, not the doubles that
+    stand for them: every given is off by the last place of its decimals.
+    """
+
+    def __init__(self, cycle: Ready, off: Mapping[str, float] | None = None) -> None:
+        self.cycle, self.count = cycle, len(cycle.columns)
+        drawn = trace(cycle.program, cycle.given, [c.take for c in cycle.columns], cycle.folded)
+        self.tape, self.outputs = drawn.tape, drawn.outputs
+        self.order = self.tape.needed(list(drawn.outputs))
+        self.kept = Kept(self.tape, self.order, drawn.turns, off)
+
+    def bounds(self, values: Any, at: Any = None) -> Any:
+        """A row for each column: no result is further from the truth; infinite where nothing can be claimed.
+
+        The ``values`` of the drive are those of the positions numbered ``at`` (None: the first ones).
+        """
+        values = np.asarray(values, float)
+        at = np.arange(len(values)) if at is None else at
+        steps = range(0, len(values), PIECE)
+        pieces = [self._piece(values[i : i + PIECE], at[i : i + PIECE]) for i in steps]
+        return np.hstack(pieces) if pieces else np.empty((self.count, 0))
+
+    def _piece(self, values: Any, at: Any) -> Any:
+        given = {**given_values(self.cycle.given), **self.cycle.moving(values, at)}
+        found = read(self.tape, self.order, given)
+        with np.errstate(all="ignore"):
+            bounds = _Running(self.tape, self.order, found, len(values), self.kept)(frozenset(self.outputs))
+            bound = np.array([bounds[p] for p in self.outputs]).reshape(self.count, len(values)) * ROUNDED
+            return np.where(bound < BLIND * 1e-50, bound, np.inf)
+
+    def doubtful(self, table: Any, bounds: Any) -> Any:
+        """Of which numbers rounding leaves less than three digits, seen against what the largest of their kind is at
+        least."""
+        kinds = np.array([c.kind for c in self.cycle.columns])
+        sizes = np.abs(table) - bounds
+        doubtful = np.zeros(table.shape, bool)
+        for kind in set(kinds.tolist()):
+            rows = kinds == kind
+            largest = np.fmax.reduce(sizes[rows], axis=0, initial=TURN if kind == "°" else 0.0)
+            doubtful[rows] = ~(bounds[rows] <= DOUBT * largest) & np.isfinite(table[rows])
+        return doubtful

@@ -1,0 +1,58 @@
+"""Read a tape with numbers: floats, numpy arrays, or any numbers an arithmetic knows."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+import numpy as np
+
+from planes.batch.tape import Tape
+from planes.geometry.lossless import gap
+
+OPS: dict[str, Callable[..., Any]] = {
+    "add": lambda a, b: a + b,
+    "sub": lambda a, b: a - b,
+    "mul": lambda a, b: a * b,
+    "inv": lambda a: 1.0 / a,
+    "neg": lambda a: -a,
+    "abs": np.abs,
+    "sqrt": lambda a: np.sqrt(np.maximum(a, 0.0)),
+    "hypot": np.hypot,
+    "sin": np.sin,
+    "cos": np.cos,
+    "atan2": np.arctan2,
+    "floor": np.floor,
+    "gap": gap,
+    "max": np.maximum,
+    "min": np.minimum,
+    "sel": np.where,
+    "lt": lambda a, b: a < b,
+    "le": lambda a, b: a <= b,
+    "eq": lambda a, b: a == b,
+    "and": lambda a, b: a & b,
+    "or": lambda a, b: a | b,
+    "not": np.logical_not,
+}
+
+
+def read(
+    tape: Tape, order: Iterable[int], given: Mapping[str, Any], real: Callable[[Any], Any] = np.float64,
+    ops: Mapping[str, Callable[..., Any]] = OPS,
+) -> dict[int, Any]:  # fmt: skip
+    """The numbers at the places of ``order``, of the kind ``real``, by the operations ``ops``; errors of instruments
+    are 0."""
+    found: dict[int, Any] = {}
+    with np.errstate(all="ignore"):
+        for place in order:
+            op, args = tape.ops[place]
+            if op == "given":
+                found[place] = real(given[tape.values[place]])
+            elif op == "source":
+                found[place] = real(0.0)
+            elif op == "const":
+                value = tape.values[place]
+                found[place] = np.bool_(value) if isinstance(value, bool) else real(value)
+            else:
+                found[place] = ops[op](*(found[a] for a in args))
+    return found

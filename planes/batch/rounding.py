@@ -1,0 +1,153 @@
+"""What one operation of a tape loses: its rounding, and what its slopes say nothing of."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from planes.batch.slopes import SLOPES, Parts, Values
+from planes.batch.tape import LEAVES, TESTS, Tape
+from planes.batch.twofold import REST
+from planes.geometry.lossless import doubt
+
+EXACT = TESTS | LEAVES | {"neg", "abs", "sel", "max", "min", "floor"}
+LARGEST = {"gap": 2.0, "hypot": 2.0, "sin": 2.0, "cos": 2.0, "atan2": 2.0}  # halves of the last place; of others: 1
+USUAL = {"hypot": 1.2, "atan2": 1.1}  # root mean square, in that of one rounding
+BLIND = 1e200  # nothing can be said of a number
+
+
+def rounding(tape: Tape, place: int, found: Values, whole: frozenset[int]) -> Any:
+    """Half of the last place of what an operation makes, or how far off a constant is; None where all comes out."""
+    op, args = tape.ops[place]
+    if op == "const":
+        x = tape.values[place]
+        return None if _round_number(x) else abs(REST.get(x, np.spacing(abs(x)) / 2))
+    if op in EXACT or place in whole:
+        return None
+    if op == "gap":  # its digits are those of numbers twice as long; where it is nothing, it may be a little
+        z, given = found[place], [found[a] for a in args]
+        return np.where(z == 0, doubt(*given), np.spacing(np.abs(z)) / 2 + 2.0**-100 * sum(map(np.abs, given)) ** 2)
+    out = _comes_out(op, found[place], *(found[a] for a in args))
+    return None if np.all(out) else np.where(out, 0.0, np.spacing(np.abs(found[place])) / 2)
+
+
+def _comes_out(op: str, z: Any, *args: Any) -> Any:
+    """Whether a sum, product or inverse has no digits to lose, however its last digits fall: sums with nothing,
+    differences of near numbers (Sterbenz), powers of two."""
+    if op in ("add", "sub"):
+        a, b = np.abs(args[0]), np.abs(args[1])
+        near = (2 * np.abs(z) <= np.minimum(a, b)) | (np.abs(z) == np.abs(a - b)) & (a <= 2 * b) & (b <= 2 * a)
+        return (a == 0) | (b == 0) | near
+    if op == "mul":
+        return _doubling(args[0]) | _doubling(args[1])
+    if op in ("sin", "cos"):  # 0 and 1, of quarter turns
+        return args[0] == 0
+    return _doubling(args[0]) if op == "inv" else False
+
+
+def _round_number(x: Any) -> bool:
+    return isinstance(x, bool) or not math.isfinite(x) or (x * 1024).is_integer()
+
+
+def _doubling(x: Any) -> Any:
+    part = np.abs(np.frexp(x)[0])
+    return (part == 0.5) | (part == 0.0)
+
+
+def whole_numbers(tape: Tape, order: list[int]) -> frozenset[int]:
+    """Places of small whole numbers: quarter turns and what is reckoned of them comes out exactly."""
+    found = set[int]()
+    for place in order:
+        op, args = tape.ops[place]
+        counts = op == "floor" or (op == "const" and float(tape.values[place]).is_integer())
+        if counts or (op in ("add", "sub", "mul", "neg") and found.issuperset(args)):
+            found.add(place)
+    return frozenset(found)
+
+
+def unit_parts(tape: Tape, order: list[int]) -> tuple[dict[int, int], dict[int, int]]:
+    """Components of unit vectors, x · 1/√(x² + y²), no larger than 1 whatever the vector, each with the place of the
+    length; and what is taken of them but where the length is nothing, each with that length."""
+    parts, sizes, chosen = dict[int, int](), dict[int, int](), dict[int, int]()
+    for place in order:
+        op, args = tape.ops[place]
+        for x, over in (args, args[::-1]) if op == "mul" else ():
+            if tape.ops[over][0] == "inv":
+                length = tape.ops[over][1][0]
+                size = tape.ops[length][1][2] if tape.ops[length][0] == "sel" else length
+                if tape.ops[size][0] in ("hypot", "abs") and x in (_bare(tape, p) for p in tape.ops[size][1]):
+                    parts[place] = length
+                    sizes[place] = size
+        if op == "sel" and _bare(tape, args[2]) in sizes:
+            chosen[place] = sizes[_bare(tape, args[2])]
+    return parts, chosen
+
+
+def _bare(tape: Tape, place: int) -> int:
+    """The place without its sign."""
+    return tape.ops[place][1][0] if tape.ops[place][0] == "neg" else place
+
+
+Lost = tuple[Any, Parts]
+
+
+def bent(op: str, z: Any, args: tuple[Any, ...], reach: tuple[Any, ...]) -> Lost:
+    """What is lost by taking an operation to be straight, where its arguments may be off by ``reach``; and slopes.
+
+    That is no less than |f(a + d) - f(a) - slope·d| for every |d| ≤ reach. Where the arguments are known so badly that
+    slopes are worth nothing, the slope is 0 and the loss is all that the result may be off.
+    """
+    parts = SLOPES[op](z, *args)
+    if op not in BENT:
+        return None, parts
+    lost, blunt = BENT[op](z, *args, *reach)
+    if blunt is not None and np.any(blunt):
+        parts = tuple(np.where(blunt, 0.0, part) for part in parts)
+    return np.minimum(lost, BLIND), parts
+
+
+def _bent_inverse(z: Any, a: Any, da: Any) -> tuple[Any, Any]:
+    q = da / np.abs(a)
+    blunt = ~(q < 1)
+    return np.where(blunt, BLIND, np.abs(z) * q * q / np.where(blunt, 1.0, 1 - q)), blunt
+
+
+def _bent_root(z: Any, a: Any, da: Any) -> tuple[Any, Any]:
+    blunt = da >= np.abs(a)
+    q = da / np.where(blunt, 1.0, np.abs(a))
+    return np.where(blunt, np.sqrt(da + np.maximum(-a, 0.0)), z * q * q / 2), blunt
+
+
+def _bent_length(z: Any, a: Any, b: Any, da: Any, db: Any) -> tuple[Any, Any]:
+    d = np.hypot(da, db)
+    blunt = 2 * d >= z
+    return np.where(blunt, d, d * d / np.where(blunt, 1.0, z)), blunt
+
+
+def _bent_angle(z: Any, y: Any, x: Any, dy: Any, dx: Any) -> tuple[Any, Any]:
+    q = np.hypot(dx, dy) / np.hypot(x, y)
+    blunt = ~(2 * q < 1) | ((x < 0) & (np.abs(y) <= dy) & (dy > 0))
+    return np.where(blunt, 2 * math.pi, 2 * q * q), blunt
+
+
+def _bent_gap(z: Any, *args: Any) -> tuple[Any, Any]:
+    cx, cy, dx, dy, r, s = args[6:]
+    return (cx + dx) ** 2 + (cy + dy) ** 2 + (r + s) ** 2, None
+
+
+BENT: dict[str, Callable[..., tuple[Any, Any]]] = {
+    "mul": lambda z, a, b, da, db: (da * db, None),
+    "inv": _bent_inverse,
+    "sqrt": _bent_root,
+    "hypot": _bent_length,
+    "sin": lambda z, a, da: (np.minimum(da * da / 2, 2 + da), None),
+    "cos": lambda z, a, da: (np.minimum(da * da / 2, 2 + da), None),
+    "atan2": _bent_angle,
+    "gap": _bent_gap,
+    "abs": lambda z, a, da: (2 * np.maximum(da - np.abs(a), 0.0), None),
+    "max": lambda z, a, b, da, db: (np.maximum(da + db - np.abs(a - b), 0.0), None),
+    "min": lambda z, a, b, da, db: (np.maximum(da + db - np.abs(a - b), 0.0), None),
+}

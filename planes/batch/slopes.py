@@ -1,0 +1,86 @@
+"""Errors carried forward along a tape: how much every place moves with each error made before it, to first order.
+
+Errors that cancel are left to cancel: each has its own row of slopes, from where it is made to the last result.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from planes.batch.tape import LEAVES, TESTS, Tape
+
+Values = Mapping[int, Any]
+Parts = Sequence[Any]
+BOOL = np.dtype(bool)
+STIFF = TESTS | LEAVES | {"floor"}  # what does not move with what it is made of
+
+
+def _over(a: Any, size: Any) -> Any:
+    """a / size; nothing where the size is nothing."""
+    return np.where(size > 0, a / np.where(size > 0, size, 1.0), 0.0)
+
+
+SLOPES: dict[str, Callable[..., Parts]] = {
+    "const": lambda z: (),
+    "add": lambda z, a, b: (1.0, 1.0),
+    "sub": lambda z, a, b: (1.0, -1.0),
+    "mul": lambda z, a, b: (b, a),
+    "inv": lambda z, a: (-z * z,),
+    "neg": lambda z, a: (-1.0,),
+    "abs": lambda z, a: (np.sign(a),),
+    "sqrt": lambda z, a: (_over(0.5, z),),
+    "hypot": lambda z, a, b: (_over(a, z), _over(b, z)),
+    "sin": lambda z, a: (np.cos(a),),
+    "cos": lambda z, a: (-np.sin(a),),
+    "atan2": lambda z, a, b: (_over(b, a * a + b * b), _over(-a, a * a + b * b)),
+    "max": lambda z, a, b: (a >= b, a < b),
+    "min": lambda z, a, b: (a <= b, a > b),
+    "sel": lambda z, t, a, b: (0.0, t, ~np.asarray(t)),
+    "gap": lambda z, cx, cy, dx, dy, r, s: (
+        2 * (dx - cx), 2 * (dy - cy), 2 * (cx - dx), 2 * (cy - dy), 2 * (r + s), 2 * (r + s)),
+}  # fmt: skip
+
+
+def times(part: Any, x: Any) -> Any:
+    """A slope times what it carries; a slope of yes or no lets through what it chose, whatever the other is."""
+    return np.where(part, x, 0.0) if getattr(part, "dtype", None) is BOOL else part * x
+
+
+class Carrying:
+    """The rows of every place still needed: row k is how much it moves with the k-th error made on the way."""
+
+    def __init__(self, tape: Tape, order: list[int], count: int) -> None:
+        self.tape, self.order, self.count = tape, order, count
+        self.rows: dict[int, Any] = {}
+        self.made = 0
+        self._last = {a: p for p in order for a in tape.ops[p][1]}
+
+    def moving(self) -> Iterator[tuple[int, str, tuple[int, ...]]]:
+        """The places in order, each with its operation; what nobody needs any more is forgotten on the way."""
+        for place in self.order:
+            op, args = self.tape.ops[place]
+            yield place, op, args
+            for arg in args:
+                if self._last.get(arg) == place:
+                    self.rows.pop(arg, None)
+
+    def carry(self, place: int, args: tuple[int, ...], parts: Parts, own: bool) -> None:
+        """Give a place its rows: those of its arguments times their slopes, and one of its ``own`` error."""
+        given = [(self.rows[a], part) for a, part in zip(args, parts, strict=True) if a in self.rows]
+        given.sort(key=lambda pair: -len(pair[0]))
+        if not given and not own:
+            return
+        longest = len(given[0][0]) if given else 0
+        rows = np.empty((self.made + 1 if own else longest, self.count))
+        if given:
+            first, part = given[0]
+            rows[:longest] = times(part, first)
+        for more, part in given[1:]:
+            rows[: len(more)] += times(part, more)
+        if own:
+            rows[longest:-1], rows[-1] = 0.0, 1.0
+            self.made += 1
+        self.rows[place] = rows

@@ -1,0 +1,193 @@
+"""Long tables written block by block: CSV, NumPy (.npy, .npz), Parquet. A file appears when it is whole."""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from tempfile import TemporaryFile
+from typing import IO, Any, Protocol
+
+import numpy as np
+
+from planes.batch import Block, Reason
+from planes.scene.files import sayable, whole
+from planes.words import Phrase
+from planes.words.errors import PlanesError
+
+GROUP = 65_536  # rows of one group of Parquet
+
+
+class Writer(Protocol):
+    """Takes blocks one after another; ``end`` when all are there, ``close`` whatever happens."""
+
+    def write(self, block: Block) -> None: ...
+
+    def end(self) -> None: ...
+
+    def close(self) -> None: ...
+
+
+class Heading:
+    """What a table's columns are: the drive's value, the results, and why a position failed."""
+
+    def __init__(self, drive: tuple[str, str], columns: Iterable[tuple[str, str]], reasons: tuple[Reason, ...]) -> None:
+        self.columns = [drive, *columns]
+        self.reasons = ["", *(f"{r.key}: {r.makes}" if r.makes else r.key for r in reasons)]
+
+    @property
+    def titles(self) -> list[str]:
+        """Names with units: "v_C_x [m/s]"."""
+        return [f"{name} [{unit}]" for name, unit in self.columns]
+
+
+@contextmanager
+def opened(path: Path, heading: Heading, count: int) -> Iterator[Writer]:
+    """A writer by the suffix of the file; what was begun and not ended leaves no file."""
+    make = WRITERS.get(path.suffix.lower())
+    if make is None:
+        raise PlanesError(Phrase("cycle_suffix", file=str(path), suffixes=", ".join(WRITERS)))
+    with sayable(path), whole(path) as draft:
+        writer = make(draft, heading, count)
+        try:
+            yield writer
+            writer.end()
+        finally:
+            with suppress(OSError):  # of a disk that is full: told already
+                writer.close()
+
+
+class Csv:
+    """Comma-separated text, UTF-8: shortest digits that give every number back; an empty cell where there is none."""
+
+    def __init__(self, path: Path, heading: Heading, count: int) -> None:
+        self.file, self.reasons = path.open("w", encoding="utf-8", newline="\n"), heading.reasons
+        self.file.write(",".join([*heading.titles, "failed"]) + "\n")
+
+    def write(self, block: Block) -> None:
+        """One line for each position."""
+        rows = np.vstack([block.values, block.table]).T.tolist()
+        lines = (",".join(map(repr, row)) for row in rows)
+        text = (f"{line},{self.reasons[code]}\n" for line, code in zip(lines, block.codes.tolist(), strict=True))
+        self.file.write("".join(text).replace("nan", ""))
+
+    def end(self) -> None:
+        """Every line is written, or it is said now why not."""
+        self.file.flush()
+
+    def close(self) -> None:
+        """Let the file go."""
+        self.file.close()
+
+
+class Npy:
+    """One NumPy array of records, its full length told first."""
+
+    def __init__(self, path: Path, heading: Heading, count: int) -> None:
+        self.kinds = np.dtype([(name, "<f8") for name, _ in heading.columns] + [("failed", "<i2")])
+        start = np.lib.format.open_memmap(path, mode="w+", dtype=self.kinds, shape=(count,)).offset
+        self.file = path.open("rb+")  # not through the map: a full disk would end the program without a word
+        self.file.seek(start)
+
+    def write(self, block: Block) -> None:
+        """The next records."""
+        part = np.empty(len(block.values), self.kinds)
+        for name, row in zip(self.kinds.names or (), [block.values, *block.table, block.codes], strict=True):
+            part[name] = row
+        self.file.write(part.tobytes())
+
+    def end(self) -> None:
+        """Every record is written."""
+        self.file.flush()
+
+    def close(self) -> None:
+        """Let the file go."""
+        self.file.close()
+
+
+class Npz:
+    """A NumPy archive: an array for each column, their units, and the reasons the codes in "failed" stand for."""
+
+    def __init__(self, path: Path, heading: Heading, count: int) -> None:
+        self.path, self.heading, self.count, self.at = path, heading, count, 0
+        self.raw = TemporaryFile(dir=path.parent)  # noqa: SIM115  # columns in turn; it has no name to be left
+
+    def write(self, block: Block) -> None:
+        """The next piece of every column."""
+        for number, row in enumerate([block.values, *block.table, block.codes]):
+            self.raw.seek(8 * (number * self.count + self.at))
+            self.raw.write(np.asarray(row, self._kind(number)).tobytes())
+        self.at += len(block.values)
+
+    def _kind(self, number: int) -> str:
+        return "<f8" if number < len(self.heading.columns) else "<i2"
+
+    def end(self) -> None:
+        """The archive of whole columns."""
+        with zipfile.ZipFile(self.path, "w", zipfile.ZIP_STORED, allowZip64=True) as archive:
+            for number, name in enumerate([*(n for n, _ in self.heading.columns), "failed"]):
+                with archive.open(f"{name}.npy", "w", force_zip64=True) as file:
+                    self._column(file, number)
+            for name, words in (("units", [u for _, u in self.heading.columns]), ("reasons", self.heading.reasons)):
+                with archive.open(f"{name}.npy", "w") as file:
+                    np.lib.format.write_array(file, np.array(words))
+
+    def _column(self, file: IO[bytes], number: int, piece: int = 1 << 20) -> None:
+        kind = self._kind(number)
+        header = {"descr": kind, "fortran_order": False, "shape": (self.count,)}
+        np.lib.format.write_array_header_1_0(file, header)
+        self.raw.seek(8 * number * self.count)
+        left = np.dtype(kind).itemsize * self.count
+        for start in range(0, left, piece):
+            file.write(self.raw.read(min(piece, left - start)))
+
+    def close(self) -> None:
+        """The columns are not needed any more."""
+        self.raw.close()
+
+
+class Parquet:
+    """Apache Parquet, where pyarrow is installed."""
+
+    def __init__(self, path: Path, heading: Heading, count: int) -> None:
+        try:
+            import pyarrow
+            import pyarrow.parquet
+        except ImportError:
+            raise PlanesError(Phrase("cycle_no_parquet")) from None
+        self.arrow, self.reasons = pyarrow, np.array(heading.reasons)
+        fields = [
+            pyarrow.field(name, pyarrow.float64(), metadata={"unit": unit}) for name, unit in heading.columns
+        ]
+        self.schema = pyarrow.schema([*fields, pyarrow.field("failed", pyarrow.string())])
+        self.writer = pyarrow.parquet.ParquetWriter(path, self.schema)
+        self.waiting: list[Block] = []
+
+    def write(self, block: Block) -> None:
+        """Blocks wait until they make a row group: what is told of every group stays in memory to the end."""
+        self.waiting.append(block)
+        if sum(len(b.values) for b in self.waiting) >= GROUP:
+            self._group()
+
+    def _group(self) -> None:
+        rows = np.hstack([np.vstack([b.values, b.table]) for b in self.waiting])
+        codes = np.hstack([b.codes for b in self.waiting])
+        columns: list[Any] = [*rows, self.reasons[codes]]
+        self.writer.write_table(self.arrow.table([self.arrow.array(c) for c in columns], schema=self.schema))
+        self.waiting.clear()
+
+    def end(self) -> None:
+        """The last group, and the footer."""
+        if self.waiting:
+            self._group()
+        self.writer.close()
+
+    def close(self) -> None:
+        """Let the file go."""
+        self.writer.close()
+
+
+WRITERS: dict[str, Callable[[Path, Heading, int], Writer]] = {
+    ".csv": Csv, ".npy": Npy, ".npz": Npz, ".parquet": Parquet,
+}  # fmt: skip

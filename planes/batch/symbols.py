@@ -1,0 +1,243 @@
+"""Numbers of a tape, that stand in for floats in the steps and in ``plane``: :class:`Num` for a real number,
+:class:`Vec` for a complex one, :class:`Test` for yes or no. What is known while recording is folded away.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from planes.batch.tape import Tape
+
+
+def place_of(tape: Tape, x: Any) -> int:
+    """The place of a number, a constant being recorded when it is used."""
+    if isinstance(x, Num | Test):
+        return x.at
+    return tape.leaf("const", bool(x) if isinstance(x, bool) else float(x))
+
+
+def number(tape: Tape, op: str, *args: Any) -> Num:
+    """A real number by an operation."""
+    return Num(tape, tape.record(op, *(place_of(tape, a) for a in args)))
+
+
+def truth(tape: Tape, op: str, *args: Any) -> Test:
+    """A yes or no by an operation."""
+    return Test(tape, tape.record(op, *(place_of(tape, a) for a in args)))
+
+
+def _real(x: Any) -> bool:
+    return isinstance(x, Num | float | int) and not isinstance(x, bool)
+
+
+class Num:
+    """A real number of a tape."""
+
+    __slots__ = ("at", "tape")
+
+    def __init__(self, tape: Tape, at: int) -> None:
+        self.tape, self.at = tape, at
+
+    __hash__ = None  # type: ignore[assignment]
+
+    @property
+    def op(self) -> str:
+        """The operation that made the number."""
+        return self.tape.ops[self.at][0]
+
+    def arg(self) -> Num:
+        """What that operation was done to."""
+        return Num(self.tape, self.tape.ops[self.at][1][0])
+
+    @property
+    def real(self) -> Num:
+        return self
+
+    @property
+    def imag(self) -> float:
+        return 0.0
+
+    def __neg__(self) -> Num:
+        return self.arg() if self.op == "neg" else number(self.tape, "neg", self)
+
+    def __abs__(self) -> Num:
+        if self.op in ("abs", "hypot", "sqrt"):
+            return self
+        return abs(self.arg()) if self.op == "neg" else number(self.tape, "abs", self)
+
+    def __add__(self, other: Any) -> Any:
+        if isinstance(other, Test):
+            other = other.number()
+        if not _real(other):
+            return Vec(self, 0.0) + other if isinstance(other, Vec | complex) else NotImplemented
+        if isinstance(other, Num):
+            return _sum(self, other)
+        return self if other == 0 else number(self.tape, "add", self, other)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Any) -> Any:
+        if isinstance(other, Num) and other.at == self.at:
+            return 0.0
+        return self + (-other)
+
+    def __rsub__(self, other: Any) -> Any:
+        return (-self) + other
+
+    def __mul__(self, other: Any) -> Any:
+        if not _real(other):
+            return Vec(self, 0.0) * other if isinstance(other, Vec | complex) else NotImplemented
+        if isinstance(other, Num):
+            return _product(self, other)
+        if other in (0, 1, -1):
+            return {0: 0.0, 1: self, -1: -self}[int(other)]
+        return -(-self * other) if self.op == "neg" else number(self.tape, "mul", self, other)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Any:
+        if not _real(other):
+            return Vec(self, 0.0) / other if isinstance(other, Vec | complex) else NotImplemented
+        if not isinstance(other, Num):
+            return self * (1 / other)
+        return 1.0 if other.at == self.at else self * other.inverse()
+
+    def __rtruediv__(self, other: Any) -> Any:
+        return other * self.inverse()
+
+    def inverse(self) -> Num:
+        """1/x, shared by all that is divided by it."""
+        if self.op == "neg":
+            return -self.arg().inverse()
+        return number(self.tape, "inv", self)
+
+    def __pow__(self, n: int) -> Any:
+        if n < 0:
+            return (self**-n).inverse() if n != -1 else self.inverse()
+        power: Any = 1.0
+        for _ in range(n):
+            power = power * self
+        return power
+
+    def __lt__(self, other: Any) -> Test:
+        return truth(self.tape, "lt", self, other)
+
+    def __le__(self, other: Any) -> Test:
+        return truth(self.tape, "le", self, other)
+
+    def __gt__(self, other: Any) -> Test:
+        return truth(self.tape, "lt", other, self)
+
+    def __ge__(self, other: Any) -> Test:
+        return truth(self.tape, "le", other, self)
+
+    def __eq__(self, other: object) -> Test:  # type: ignore[override]
+        return truth(self.tape, "eq", self, other)
+
+
+def _sum(a: Num, b: Num) -> Any:
+    tape = a.tape
+    if b.op == "neg":
+        a, b = b, a
+    if a.op != "neg":
+        return number(tape, "add", a, b)
+    if b.op == "neg":
+        return -_sum(a.arg(), b.arg())
+    one = a.arg()
+    return 0.0 if one.at == b.at else number(tape, "sub", b, one)
+
+
+def _product(a: Num, b: Num) -> Num:
+    tape = a.tape
+    for one, two in ((a, b), (b, a)):
+        if one.op == "neg":
+            return -_product(one.arg(), two)
+    return number(tape, "mul", a, b)
+
+
+def _parts(z: Any) -> tuple[Any, Any]:
+    return z.real, z.imag
+
+
+class Vec:
+    """A complex number of a tape: a place, a vector or a direction of the drawing."""
+
+    __slots__ = ("imag", "real")
+
+    def __init__(self, real: Any, imag: Any) -> None:
+        self.real, self.imag = real, imag
+
+    def conjugate(self) -> Vec:
+        """Mirrored in the x axis."""
+        return Vec(self.real, -self.imag)
+
+    def __neg__(self) -> Vec:
+        return Vec(-self.real, -self.imag)
+
+    def __add__(self, other: Any) -> Vec:
+        x, y = _parts(other)
+        return Vec(self.real + x, self.imag + y)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Any) -> Vec:
+        x, y = _parts(other)
+        return Vec(self.real - x, self.imag - y)
+
+    def __rsub__(self, other: Any) -> Vec:
+        return (-self).__add__(other)
+
+    def __mul__(self, other: Any) -> Vec:
+        (a, b), (x, y) = _parts(self), _parts(other)
+        return Vec(a * x - b * y, a * y + b * x)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Vec:
+        (a, b), (x, y) = _parts(self), _parts(other)
+        if isinstance(y, float | int) and y == 0:
+            return Vec(a / x, b / x)
+        size = x * x + y * y
+        return Vec((a * x + b * y) / size, (b * x - a * y) / size)
+
+    def __abs__(self) -> Any:
+        for one, other in ((self.real, self.imag), (self.imag, self.real)):
+            if isinstance(one, float | int):
+                return abs(other) if one == 0 else number(other.tape, "hypot", other, one)
+        return number(self.real.tape, "hypot", self.real, self.imag)
+
+
+class Test:
+    """Yes or no, not known until the tape is read."""
+
+    __slots__ = ("at", "tape")
+    __test__ = False  # no test of the tests
+
+    def __init__(self, tape: Tape, at: int) -> None:
+        self.tape, self.at = tape, at
+
+    def number(self) -> Num:
+        """1 where it is so, else 0."""
+        return number(self.tape, "sel", self, 1.0, 0.0)
+
+    def __and__(self, other: Any) -> Any:
+        if isinstance(other, bool):
+            return self if other else False
+        return truth(self.tape, "and", self, other)
+
+    __rand__ = __and__
+
+    def __or__(self, other: Any) -> Any:
+        if isinstance(other, bool):
+            return True if other else self
+        return truth(self.tape, "or", self, other)
+
+    __ror__ = __or__
+
+    def __invert__(self) -> Test:
+        return truth(self.tape, "not", self)
+
+    def __add__(self, other: Any) -> Any:
+        return self.number() + other
+
+    __radd__ = __add__

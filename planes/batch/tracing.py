@@ -1,0 +1,206 @@
+"""Record a program on a tape: the very steps that draw are drawn once with the numbers of ``symbols``."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from planes.batch.symbols import Num, Test, Vec, number, place_of
+from planes.batch.tape import Tape
+from planes.drafting.clearness import clear
+from planes.drafting.instruments import Hand
+from planes.drafting.program import Program
+from planes.drafting.proofs import TOLD_APART, Twofold
+from planes.geometry.arithmetic import One
+
+UNCLEAR = "unclear"
+
+
+class Recording:
+    """The arithmetic of a tape; what is known already is reckoned at once."""
+
+    eps = One.eps
+
+    def __init__(self) -> None:
+        self.one = One()
+        self.turns: list[int] = []  # places of the tests whether a thing moves, and which way
+
+    def sqrt(self, x: Any) -> Any:
+        return number(x.tape, "sqrt", x) if isinstance(x, Num) else self.one.sqrt(x)
+
+    def maximum(self, a: Any, b: Any) -> Any:
+        tape = _tape(a, b)
+        return number(tape, "max", a, b) if tape else self.one.maximum(a, b)
+
+    def minimum(self, a: Any, b: Any) -> Any:
+        tape = _tape(a, b)
+        return number(tape, "min", a, b) if tape else self.one.minimum(a, b)
+
+    def where(self, ok: Any, a: Any, b: Any) -> Any:
+        if not isinstance(ok, Test):
+            return a if ok else b
+        if isinstance(a, Vec | complex) or isinstance(b, Vec | complex):
+            return Vec(self.where(ok, a.real, b.real), self.where(ok, a.imag, b.imag))
+        one, two = place_of(ok.tape, a), place_of(ok.tape, b)
+        return a if one == two else number(ok.tape, "sel", ok, a, b)
+
+    def cis_deg(self, angle: Any) -> Any:
+        if not isinstance(angle, Num):
+            return self.one.cis_deg(angle)
+        tape = angle.tape
+        quarter = number(tape, "floor", angle / 90 + 0.5)
+        rest = (angle - 90.0 * quarter) * math.radians(1)
+        cos, sin = number(tape, "cos", rest), number(tape, "sin", rest)
+        turns = quarter - 4.0 * number(tape, "floor", quarter * 0.25)
+        odd, left, below = (turns == 1) | (turns == 3), (turns == 1) | (turns == 2), turns >= 2
+        x, y = self.where(odd, sin, cos), self.where(odd, cos, sin)
+        return Vec(self.where(left, -x, x), self.where(below, -y, y))
+
+    def angle_deg(self, u: Any) -> Any:
+        if not isinstance(u, Vec):
+            return self.one.angle_deg(u)
+        tape = _tape(u.real, u.imag)
+        assert tape
+        angle = number(tape, "atan2", u.imag, u.real) * math.degrees(1)
+        return self.where(angle == -180.0, 180.0, angle)
+
+    def sign(self, x: Any) -> Any:
+        if not isinstance(x, Num):
+            return self.one.sign(x)
+        ahead = x > 0
+        self.turns.append(ahead.at)
+        return self.where(ahead, 1.0, self.where(x < 0, -1.0, x))
+
+    def power(self, x: Any, n: int) -> Any:
+        return x**n if isinstance(x, Num) else self.one.power(x, n)
+
+    def gap(self, c: Any, d: Any, r: Any, s: Any) -> Any:
+        parts = c.real, c.imag, d.real, d.imag, r, s
+        tape = _tape(*parts)
+        return number(tape, "gap", *parts) if tape else self.one.gap(c, d, r, s)
+
+
+def _tape(*numbers: Any) -> Tape | None:
+    return next((x.tape for x in numbers if isinstance(x, Num)), None)
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where an instrument may err: the place on the tape of an error of standard deviation ``size``."""
+
+    place: int
+    size: float
+
+
+@dataclass
+class TracingHand(Hand):
+    """Draws on a tape. With ``errors`` (point mm, ray rad, ruler mm) every mark, ray and reading has its own."""
+
+    tape: Tape = field(default_factory=Tape)
+    errors: tuple[float, float, float] | None = None
+    sources: list[Source] = field(default_factory=list)
+
+    def mark(self, place: Any) -> Any:
+        return place + Vec(self._error(0), self._error(0)) if self.errors else place
+
+    def ray(self, direction: Any) -> Any:
+        return direction * Vec(1.0, self._error(1)) if self.errors else direction
+
+    def read(self, length_mm: Any) -> Any:
+        return length_mm + self._error(2) if self.errors else length_mm
+
+    def _error(self, which: int) -> Num:
+        assert self.errors
+        place = self.tape.leaf("source", len(self.sources))
+        self.sources.append(Source(place, self.errors[which]))
+        return Num(self.tape, place)
+
+    def require(self, ok: Any, step: object, reason: str, **numbers: Any) -> None:
+        if ok is not True:
+            self.failures.append((reason, step, ok, numbers))
+
+    def note(self, ok: Any, step: object, reason: str) -> None:
+        """A warning stops nothing; what it is told of, whether a thing moves at all, is remembered."""
+        if isinstance(ok, Test) and isinstance(self.ar, Recording):
+            self.ar.turns.append(ok.at)
+
+
+@dataclass(frozen=True)
+class Trace:
+    """A program on a tape: the places of the outputs and of each condition a drawing needs, with its reason."""
+
+    tape: Tape
+    outputs: tuple[int, ...]
+    requires: tuple[tuple[str, str, int], ...]  # reason, what the step makes, place of the condition
+    sources: tuple[Source, ...]
+    turns: tuple[int, ...]  # places of the tests whether a thing moves, and which way
+
+    def givens(self) -> dict[str, int]:
+        """Names of the given numbers (of a place, "name.x" and "name.y") and where they stand."""
+        return {v: k for k, v in self.tape.values.items() if self.tape.ops[k][0] == "given"}
+
+
+Take = Callable[[Mapping[str, Any], Any], Any]
+
+
+def trace(
+    program: Program, given: Mapping[str, Any], takes: list[Take], known: Mapping[str, Any],
+    errors: tuple[float, float, float] | None = None, must: Sequence[bool] = (), fine: float | None = None,
+) -> Trace:  # fmt: skip
+    """Record a program. ``given`` shows which givens are places; those in ``known`` are folded in as constants.
+
+    The outputs marked in ``must`` have to be finite numbers: that is the condition "no_digits"; then comes ``UNCLEAR``:
+    where that alone does not hold, numbers have to be looked at by themselves. ``fine`` is the relative error of the
+    numbers the tape is to be read in, where they are longer than doubles.
+    """
+    tape = Tape()
+    ar = Recording()
+    hand = TracingHand(ar, True, tape=tape, errors=errors, doubt_mm=errors[0] if errors else 0.0)
+    if fine is not None:
+        hand.slack, hand.flat, hand.still = fine, fine, 10 * fine
+    things: dict[str, Any] = {n: known[n] if n in known else _given(tape, n, given[n]) for n in given}
+    for step in program.steps:
+        before = len(hand.failures)
+        made = step.draw(things, hand)
+        for _, _, ok, _ in hand.failures[before:]:
+            made = hand.ar.where(ok, made, complex("nan+nanj") if isinstance(made, Vec | complex) else math.nan)
+        things[step.makes] = made
+    taken = [take(things, hand.ar) for take in takes]
+    outputs = tuple(place_of(tape, x) for x in taken)
+    if must:
+        for proof in program.proofs:
+            if isinstance(proof, Twofold):  # a loop only suspects: arrays find out
+                gap, size = proof.gap(things, hand.ar)
+                hand.require(gap <= TOLD_APART * size, proof, proof.reason)
+        hand.require(_finite(tape, [x for x, m in zip(taken, must, strict=True) if m]), None, "no_digits")
+        hand.require(clear(program, things, hand), None, UNCLEAR)
+    requires = tuple((r, str(getattr(s, "makes", "")), place_of(tape, ok)) for r, s, ok, _ in hand.failures)
+    return Trace(tape, outputs, requires, tuple(hand.sources), tuple(ar.turns))
+
+
+def _finite(tape: Tape, numbers: list[Any]) -> Any:
+    """Whether all are finite: nothing times each is nothing."""
+    total: Any = 0.0
+    for x in numbers:
+        if isinstance(x, Num):
+            total = number(tape, "mul", x, 0.0) + total
+    return total == 0.0
+
+
+def _given(tape: Tape, name: str, value: Any) -> Any:
+    if isinstance(value, complex):
+        return Vec(Num(tape, tape.leaf("given", name + ".x")), Num(tape, tape.leaf("given", name + ".y")))
+    return Num(tape, tape.leaf("given", name))
+
+
+def given_values(given: Mapping[str, Any]) -> dict[str, Any]:
+    """The givens of a tape by their names on it."""
+    flat: dict[str, Any] = {}
+    for name, value in given.items():
+        if isinstance(value, complex):
+            flat[name + ".x"], flat[name + ".y"] = value.real, value.imag
+        else:
+            flat[name] = value
+    return flat

@@ -1,0 +1,1 @@
+"""Marks judged step by step, and the mistakes that explain them."""

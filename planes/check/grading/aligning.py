@@ -1,0 +1,57 @@
+"""A paper's marks laid over a plan: by label, from the pole, a force polygon rebuilt from its vectors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from planes.check.grading.bench import Bench, marks_of
+from planes.check.grading.paper import Paper, Spot
+from planes.check.grading.polygons import Rebuilt, rebuild
+from planes.plans.scales import kind_of
+from planes.words import Phrase
+from planes.words.errors import PlanesError
+from planes.words.names import POLE, label_of, mu_of
+from planes.words.spelling import Names
+
+
+def align(bench: Bench, plan: str, paper: Paper) -> tuple[dict[str, Spot], Rebuilt | None, list[str]]:
+    """The paper's marks by label, from the pole; the rebuilt polygon of a force plan; names that are no marks."""
+    names = Names(label_of(m) for m in marks_of(bench.plans, plan))
+    pole = next((s for s in paper.spots if names.find(s.name) == POLE), None)
+    if kind_of(plan) == "force":
+        if pole is None:
+            raise PlanesError(Phrase("check_no_pole"))
+        rebuilt = rebuild(bench.plans, plan, paper.spots, paper.whole)
+        return rebuilt.spots, rebuilt, rebuilt.unknown
+    found: dict[str, Spot] = {}
+    unknown = []
+    for spot in paper.spots:
+        name = names.find(spot.name) or names.find(_bare(bench, spot.name))
+        if name is None and not _fixed(bench, spot.name):
+            unknown.append(spot.name)
+        elif name and name != POLE:
+            found.setdefault(name, spot)
+    origin = pole.place if pole else _origin(bench, plan, found)
+    moved = {n: Spot(n, s.place - origin, s.error_mm) for n, s in found.items()}
+    return moved, None, unknown
+
+
+def _bare(bench: Bench, name: str) -> str:
+    """n_AO as the plan has it, n_A, where O is a fixed point."""
+    return next((name.removesuffix(p) for p in bench.plans.mechanism.frame.points
+                 if name.startswith("n_") and name.endswith(p) and len(name) > len(p) + 2), name)  # fmt: skip
+
+
+def _fixed(bench: Bench, name: str) -> bool:
+    """Whether a name is that of a fixed point, which stands at the pole of a motion plan."""
+    return Names(bench.plans.mechanism.frame.points).find(name) is not None
+
+
+def _origin(bench: Bench, plan: str, found: Mapping[str, Spot]) -> complex:
+    """Where the pole is when it was not read: from a fixed point of the scheme."""
+    if plan != "position":
+        raise PlanesError(Phrase("check_no_pole"))
+    for name, place in bench.plans.mechanism.frame.points.items():
+        if name in found:
+            return complex(found[name].place - place * bench.given[mu_of(plan)])
+    raise PlanesError(Phrase("check_no_fixed", names=", ".join(bench.plans.mechanism.frame.points)))

@@ -1,0 +1,103 @@
+"""A plan of a scene made ready for checking drawings of it: program, marks, scale, and the mistakes it may hold."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from planes.check.grading.handwork import Hand, Variant
+from planes.check.grading.mistakes import motion_variants
+from planes.check.grading.mistakes_force import force_variants
+from planes.check.grading.mistakes_position import position_variants
+from planes.check.grading.nudging import HAND, Skill
+from planes.check.grading.paper import Paper
+from planes.check.grading.ways import Ways
+from planes.drafting.program import Program
+from planes.plans import Plans, state
+from planes.plans.scales import kind_of, scales
+from planes.scene import Scene
+from planes.words import Phrase
+from planes.words.errors import PlanesError, valid_names
+from planes.words.names import POLE, label_of, mu_of, plan_of
+from planes.words.spelling import Names
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What is checked: a plan of a scene at a value of the drive, and what is known of the drawing beforehand."""
+
+    scene: Scene
+    plan: str
+    value: float | None = None
+    mu: float | None = None
+    skill: Skill = HAND
+    others: Mapping[str, Paper] = field(default_factory=dict)  # drawings of earlier plans
+    spelt: Callable[[str], str] = str  # how the scene's sheets letter a vector: F_56 for F_50
+
+
+@dataclass
+class Bench:
+    """All that does not depend on the drawing's scale."""
+
+    asked: Asked
+    plans: Plans
+    given: dict[str, Any]
+    program: Program
+    marks: list[str]
+    said_mu: float
+
+    def written(self, vectors: Iterable[str]) -> Names:
+        """Names of vectors of a force plan as sheets of the scene letter them, and as the program does."""
+        return Names(vectors, spelt=lambda name: self.asked.spelt(_parted(name)))
+
+    def ways(self) -> Ways:
+        """The steps a mistake may change."""
+        return Ways(self.plans, self.program, self.asked.plan)
+
+
+def _parted(name: str) -> str:
+    """F_21t as the part of a vector it is, F_21^t."""
+    return f"{name[:-1]}^{name[-1]}" if name.startswith("F_") and name[-1] in "tn" else name
+
+
+def prepare(asked: Asked) -> Bench:
+    """The program of the plan, its marks and its stated scale. Errors name the plans there are."""
+    if asked.scene.mechanism is None:
+        raise PlanesError(Phrase("check_vectors", file=asked.scene.file))
+    plans = state(asked.scene.mechanism, asked.scene.file)
+    known = known_plans(plans)
+    if asked.plan not in known:
+        raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=valid_names(asked.plan, known)))
+    moved = {} if asked.value is None else plans.at(asked.value)
+    given = {**plans.given, **scales(plans, asked.scene.mu, moved), **moved}
+    if asked.mu:
+        given[mu_of(asked.plan)] = asked.mu
+    marks = marks_of(plans, asked.plan)
+    speeds = marks_of(plans, "velocity") if asked.plan == "acceleration" else []  # any may be taken for another
+    program = plans.program.sliced([*marks, *speeds])
+    return Bench(asked, plans, given, program, marks, given[mu_of(asked.plan)])
+
+
+def known_plans(plans: Plans) -> list[str]:
+    """The plans a person draws."""
+    return [p for p in plans.drawn if p not in ("lever", "motion")]
+
+
+def marks_of(plans: Plans, plan: str) -> list[str]:
+    """The marks of a plan that a person draws, in order of drawing."""
+    own = [s.makes for s in plans.program.steps if s.kind == "mark" and plan_of(s.makes) == plan]
+    labels = [label_of(m) for m in own]
+    return [m for m, label in zip(own, labels, strict=True)
+            if label != POLE and not set(label) & set("°⊥~") and label[-1] not in "+-"]  # fmt: skip
+
+
+def variants_of(bench: Bench, hand: Hand, mu: float) -> Sequence[Variant]:
+    """Every mistake of the catalogue that could be made in the plan."""
+    ways = bench.ways()
+    match kind_of(bench.asked.plan):
+        case "position":
+            return list(position_variants(ways, hand.taken, mu))
+        case "force":
+            return list(force_variants(ways))
+    return list(motion_variants(ways))

@@ -1,0 +1,226 @@
+"""Check a person's drawing of one plan: align it, find its scale, grade every mark, name the first mistake."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from planes.check.grading.aligning import align
+from planes.check.grading.bench import Bench, variants_of
+from planes.check.grading.evidence import SURE, by_chance, nothing_drawn, size_of
+from planes.check.grading.handwork import Hand, Miss, Taken
+from planes.check.grading.judging import WARN, Judgement, judge, verdicts
+from planes.check.grading.paper import Paper
+from planes.check.grading.polygons import Rebuilt
+from planes.check.grading.scaling import own_scales
+from planes.drafting.drawing import Drawing, run
+from planes.drafting.steps import Cross, CrossArc, CrossArcs, LayOff, Same, Step
+from planes.plans import Plans
+from planes.plans.scales import extent, kind_of
+from planes.words import Phrase, Written
+from planes.words.names import at, label_of, mu_of, plan_of
+
+OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
+LONG_MM = 3.0  # a shorter vector shows no scale
+NAMELESS = "?"  # begins the name of a line that has none
+READABLE = 0.5  # the share of a plan's crossings that must be read
+
+
+@dataclass
+class Grading:
+    """A drawing graded at one scale."""
+
+    plans: Plans
+    hand: Hand
+    truth: Drawing
+    marks: list[str]
+    mu: float
+    judgement: Judgement
+    free: Mapping[str, Miss]
+    loose: Hand  # the plan without the person's own marks
+    said_mu: bool = True
+    rebuilt: Rebuilt | None = None
+    notes: list[Phrase] = field(default_factory=list)
+
+    @property
+    def gap_wrong(self) -> float | None:
+        """By how many mm a force polygon fails to close, where that is more than a hand's error."""
+        gap = self.rebuilt.gap if self.rebuilt else None
+        reach = self.gap_reach
+        return abs(gap.place) if gap and reach is not None and abs(gap.place) > reach else None
+
+    @property
+    def gap_reach(self) -> float | None:
+        """How far from closed a hand may leave a polygon, mm; None where nothing is there to close it."""
+        gap = self.rebuilt.gap if self.rebuilt else None
+        if gap is None:
+            return None
+        return self.judgement.limit * math.sqrt(2 * self.hand.tool.skill.point_mm ** 2 + 2 * gap.error_mm ** 2)
+
+    @property
+    def left_out(self) -> str | None:
+        """A known force that is not in the polygon and that nothing read was drawn from."""
+        if self.rebuilt is None or self.judgement.wrong:
+            return None
+        used = self._used()
+        for mark in self.marks:
+            step = next(s for s in self.hand.program.steps if s.makes == mark)
+            sure = label_of(mark) in self.rebuilt.absent or _long(self, step)  # what is short may be there, unseen
+            if isinstance(step, LayOff) and mark not in used and sure:
+                miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
+                if miss.sigmas > self.judgement.limit:
+                    return label_of(mark)
+        return None
+
+    @property
+    def unseen(self) -> list[str]:
+        """Marks that were not read and that nothing read was drawn from: wherever they are, nobody has looked."""
+        used, steps = self._used(), {s.makes: s for s in self.hand.program.steps}
+        absent = self.rebuilt.absent if self.rebuilt else ()
+        return [label_of(m) for m in self.marks
+                if m not in used and not isinstance(steps[m], Same) and label_of(m) not in absent]  # fmt: skip
+
+    def _used(self) -> set[str]:
+        """Marks that were read, and those they were drawn from."""
+        used = set(self.judgement.misses)
+        for step in reversed(self.hand.program.steps):
+            if step.makes in used:
+                used.update(n for n, kind in step.reads() if kind == "mark" and n not in self.judgement.misses)
+        return used
+
+    @property
+    def strays(self) -> str | None:
+        """The mark where it goes wrong: drawn wrongly, left out, or where a polygon should close."""
+        gap = self.rebuilt.closing if self.gap_wrong and self.rebuilt else None
+        return self.judgement.first_wrong or self.left_out or gap
+
+    @property
+    def chance(self) -> float:
+        """How likely marks put anywhere on the drawing would be as right."""
+        found = self.judgement
+        return by_chance(self.hand, found.misses, found.limit, not self.said_mu, self.gap_reach)
+
+    @property
+    def verdicts(self) -> dict[str, str]:
+        """right, wrong, follows or unread for every mark of the plan."""
+        strayed = {m: miss.sigmas > self.judgement.limit for m, miss in self.free.items()}
+        return verdicts(self.judgement, self.marks, strayed)
+
+
+def grade(bench: Bench, paper: Paper) -> Grading | None:
+    """Grade a paper of marks at the scale that explains it best; None when no mark of the plan was read."""
+    plan = bench.asked.plan
+    spots, rebuilt, unknown = align(bench, plan, paper)
+    taken = {at(plan, n): Taken(s.place, s.error_mm) for n, s in spots.items()}
+    if not taken:
+        return None
+    taken |= _earlier(bench)
+    best: tuple[float, Grading] | None = None
+    for mu, share in own_scales(bench, taken):
+        found = _grade_at(bench, mu, share, taken, rebuilt.absent if rebuilt else set())
+        said = mu == bench.said_mu
+        score = _worth(found) + (0.0 if said else OWN_SCALE)
+        found.said_mu = said
+        if best is None or score > best[0] + 1e-9:
+            best = score, found
+        if said and not _rescaled(found):
+            break
+    if best is None:
+        return None
+    best[1].rebuilt = rebuilt
+    if named := [name for name in unknown if not name.startswith(NAMELESS)]:
+        best[1].notes.append(Phrase("check_unknown", names=", ".join(named)))
+    if len(named) < len(unknown):
+        best[1].notes.append(Phrase("check_nameless", count=len(unknown) - len(named)))
+    return best[1]
+
+
+def _rescaled(found: Grading) -> bool:
+    """Whether another scale may be behind the wrong marks: of a force plan all forces would be wrong, not one."""
+    if not found.judgement.wrong:
+        return False
+    if found.rebuilt is None and kind_of(plan_of(found.marks[0])) != "force":
+        return True
+    steps = {s.makes: s for s in found.hand.program.steps}
+    laid = [m for m in found.judgement.misses if isinstance(steps[m], LayOff) and _long(found, steps[m])]
+    return len(laid) < 2 or sum(m in found.judgement.wrong for m in laid) > 1
+
+
+def _long(found: Grading, step: Step) -> bool:
+    """Whether a vector is long enough to be told from none, or to show another scale."""
+    return isinstance(step, LayOff) and bool(abs(found.truth[step.makes] - found.truth[step.start]) > LONG_MM)
+
+
+def _worth(found: Grading) -> float:
+    """How much a grading is to be believed: how likely the drawing is, with the mistake named or without any."""
+    return found.judgement.score
+
+
+def _earlier(bench: Bench) -> dict[str, Taken]:
+    """Marks of earlier plans that were handed in too."""
+    found: dict[str, Taken] = {}
+    for plan, paper in bench.asked.others.items():
+        spots, _, _ = align(bench, plan, paper)
+        found |= {at(plan, n): Taken(s.place, s.error_mm) for n, s in spots.items()}
+    return found
+
+
+def _grade_at(bench: Bench, mu: float, share: float, taken: Mapping[str, Taken], absent: set[str]) -> Grading:
+    """Grade at one scale."""
+    plan, skill = bench.asked.plan, bench.asked.skill
+    name = mu_of(plan)
+    given = {**bench.given, name: mu}
+    unsure = {name: share} if share and name in bench.program.givens else {}
+    hand = Hand(bench.program, given, skill, taken, unsure)
+    truth = run(bench.program, given)
+    free = Hand(bench.program, given, skill, {m: t for m, t in taken.items() if m not in bench.marks}, unsure)
+    apart = {m: _apart(free, m, taken[m]) for m in bench.marks if m in taken}
+    size = extent(truth, plan)
+    judgement = judge(hand, bench.marks, variants_of(bench, hand, mu), size, absent)
+    wrong, at_home = judgement.wrong, {m for m, miss in apart.items() if miss.sigmas <= judgement.limit}
+    judgement.wrong = wrong[:1] + [m for m in wrong[1:] if m not in at_home]  # off a wrong mark, but where it should be
+    return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart, free)
+
+
+def _apart(free: Hand, mark: str, own: Taken) -> Miss:
+    """How far a mark is from the true plan, where drafting alone may lead a person astray."""
+    miss = free.miss(free.things[mark], own.place)
+    xx, xy, yy = miss.cov
+    return Miss(miss.off, (xx + own.error_mm**2, xy, yy + own.error_mm**2))
+
+
+def empty(bench: Bench) -> Grading:
+    """The grading of a drawing of which no mark is read yet, at the stated scale."""
+    return _grade_at(bench, bench.said_mu, 0.0, _earlier(bench), set())
+
+
+def key_marks(grading: Grading) -> list[str]:
+    """The marks a plan cannot be judged without: its crossings, or all that are drawn."""
+    steps = {s.makes: s for s in grading.plans.program.steps}
+    key = [m for m in grading.marks if isinstance(steps[m], Cross | CrossArc | CrossArcs)]
+    return key or [m for m in grading.marks if not isinstance(steps[m], Same)]
+
+
+def readable(grading: Grading) -> Phrase | None:
+    """None when enough was read to judge, else a sentence that says what is missing."""
+    key = key_marks(grading)
+    found = [m for m in key if m in grading.judgement.misses]
+    if len(found) < READABLE * len(key):
+        missing = ", ".join(label_of(m) for m in key if m not in found)
+        return Phrase("check_too_little", found=len(found), count=len(key), names=missing)
+    size = Written(f"{size_of(grading.hand, grading.marks):.1f}")
+    if nothing_drawn(grading.hand, grading.marks):
+        return Phrase("check_nothing_drawn", size=size)
+    if not grading.strays and grading.chance > SURE:
+        return Phrase("check_by_chance", size=size, count=len(grading.judgement.misses))
+    count = len(grading.judgement.misses)
+    wrong = [m for m, v in grading.verdicts.items() if v == "wrong"]
+    if grading.judgement.named is None and count >= 3 and len(wrong) > 0.7 * count:
+        return Phrase("check_other_drawing", count=count, wrong=len(wrong))
+    return None
+
+
+def close_call(miss: Miss, limit: float) -> bool:
+    """Whether a mark is right by less than it should."""
+    return WARN < miss.sigmas <= limit

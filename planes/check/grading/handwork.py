@@ -1,0 +1,186 @@
+"""The hand: runs a program on a person's own marks; what a step misses by is its grade.
+
+Each mark that was read is looked up instead of drawn, so the next step starts from where the person really was and
+one early mistake is blamed once. A variant of some steps (a mistake supposed) re-draws only what it touches.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from planes.check.grading.nudging import Columns, Nudged, Skill
+from planes.drafting.program import Program
+from planes.drafting.steps import Aim, Same, Step, Turn
+from planes.drafting.steps.reckoning import Measure
+from planes.words import Written
+
+LEAST_MM = 0.1  # no mark on paper is surer than this
+
+
+@dataclass(frozen=True)
+class Taken:
+    """A mark of a person's drawing: where it is from the pole, and how surely it was read."""
+
+    place: complex
+    error_mm: float = 0.1
+
+
+@dataclass(frozen=True)
+class Miss:
+    """By how much a mark (complex, mm) or a value (real) is off what its step makes, with its covariance."""
+
+    off: complex
+    cov: tuple[float, float, float]  # xx, xy, yy
+    change: Any = field(default=None, compare=False, repr=False)  # what each error of the drawing adds to it
+
+    @property
+    def sigmas(self) -> float:
+        """Mahalanobis distance: how many standard deviations, in whatever direction it is."""
+        xx, xy, yy = self.cov
+        det = xx * yy - xy * xy
+        x, y = self.off.real, self.off.imag
+        return math.sqrt(max((yy * x * x - 2 * xy * x * y + xx * y * y) / det, 0.0))
+
+    def reach(self, limit: float) -> float:
+        """The tolerance in mm in the direction of the miss (if none: the largest)."""
+        found = self.sigmas
+        if found > 1e-9 and abs(self.off) > 1e-9:
+            return limit * abs(self.off) / found
+        return limit * self.worst
+
+    @property
+    def worst(self) -> float:
+        """The standard deviation in the direction where it is largest, mm."""
+        xx, xy, yy = self.cov
+        return math.sqrt((xx + yy) / 2 + math.hypot((xx - yy) / 2, xy))
+
+    @property
+    def mean(self) -> float:
+        """The standard deviation of a round error of the same area, mm."""
+        xx, xy, yy = self.cov
+        return math.sqrt(math.sqrt(max(xx * yy - xy * xy, 0.0)))
+
+    @property
+    def log_density(self) -> float:
+        """Logarithm of the normal density per mm²."""
+        xx, xy, yy = self.cov
+        return -0.5 * self.sigmas**2 - math.log(2 * math.pi) - 0.5 * math.log(xx * yy - xy * xy)
+
+
+@dataclass(frozen=True)
+class Variant:
+    """Some steps done another way: ``swaps`` puts steps in the place of the one that makes the name (the last of
+    them makes it too); ``givens`` are values changed or added. ``blames`` is the mark the mistake is made at."""
+
+    mistake: str
+    blames: str
+    swaps: Mapping[str, tuple[Step, ...]] = field(default_factory=dict)
+    givens: Mapping[str, Any] = field(default_factory=dict)
+    weight: float = 1.0
+    about: Mapping[str, str | Written] = field(default_factory=dict)  # names for the sentence
+
+
+def by_protractor(step: Step, given: Mapping[str, Any]) -> bool:
+    """Whether a direction is drawn at an angle that no set square has."""
+    return isinstance(step, Aim | Turn) and step.angle is not None and float(given.get(step.angle, 0.0)) % 90 != 0
+
+
+class Hand:
+    """A program run on a person's marks (``taken``), with the errors of ``skill`` carried through it."""
+
+    def __init__(
+        self, program: Program, given: Mapping[str, Any], skill: Skill, taken: Mapping[str, Taken],
+        unsure: Mapping[str, float] | None = None,
+    ) -> None:  # fmt: skip
+        self.program, self.taken = program, taken
+        self.given, self.unsure = {n: given[n] for n in program.givens}, unsure or {}
+        columns = Columns.of(program.steps, [*taken, *self.unsure])
+        self.tool = Nudged(skill, columns)
+        self.things: dict[str, Any] = dict(self.given)
+        for name, share in self.unsure.items():  # a given that is itself only estimated: its relative error
+            value = self.tool.spread(float(self.things[name]))
+            value[columns.start[f"read {name}"]] *= 1 + share
+            self.things[name] = value
+        self.made: dict[str, Any] = {}
+        self._each(lambda step: (step,), program.steps, self.things, self.made)
+
+    def _each(
+        self, way: Callable[[Step], tuple[Step, ...]], steps: Sequence[Step], things: dict[str, Any],
+        made: dict[str, Any],
+    ) -> None:  # fmt: skip
+        import numpy
+
+        with numpy.errstate(all="ignore"):
+            for step in steps:
+                failures = len(self.tool.failures)
+                self.tool.begin(step.makes)
+                done: Any = None
+                for one in way(step):
+                    done = things[one.makes] = self._draw(one, things)
+                for _, _, ok, _ in self.tool.failures[failures:]:
+                    done = numpy.where(ok, done, numpy.nan)
+                made[step.makes] = done
+                if step.makes in self.taken:
+                    mark = self.taken[step.makes]
+                    error = max(mark.error_mm, self.tool.skill.point_mm) if isinstance(step, Same) else mark.error_mm
+                    done = self.tool.taken(step.makes, mark.place, error)
+                things[step.makes] = done
+
+    def _draw(self, step: Step, things: dict[str, Any]) -> Any:
+        """A step's drawing; a person's own segment is measured as it lies, only its sign is by the direction."""
+        if isinstance(step, Measure) and step.along and self._own(step.start) and self._own(step.end):
+            way = self.tool.spread(things[step.end] - things[step.start] + 0j)[0]
+            along = self.tool.spread(things[step.along] + 0j)[0]
+            sign = -1.0 if (way * along.conjugate()).real < 0 else 1.0
+            return sign * replace(step, along=None).draw(things, self.tool)
+        made = step.draw(things, self.tool)
+        return self.tool.ray(made) if by_protractor(step, self.given) else made
+
+    def _own(self, mark: str) -> bool:
+        """Whether a mark is a person's own (the pole is)."""
+        plan, _, label = mark.rpartition(":")
+        return mark in self.taken or (label == "p" and any(m.startswith(plan + ":") for m in self.taken))
+
+    def misses(self, marks: Sequence[str], made: Mapping[str, Any] | None = None) -> dict[str, Miss]:
+        """What each of the marks misses by, for the steps as they are (or as ``made`` by a variant)."""
+        made = self.made if made is None else made
+        return {m: self.miss(made[m], self.things[m]) for m in marks if m in self.taken and m in made}
+
+    def miss(self, drawn: Any, read: Any) -> Miss:
+        """How far two arrays of columns are apart."""
+        import numpy
+
+        off = self.tool.spread(read - drawn + 0j)
+        change = numpy.nan_to_num(off[1:] - off[0], nan=0.0, posinf=0.0, neginf=0.0)
+        floor = LEAST_MM**2
+        xx, yy = float(change.real @ change.real) + floor, float(change.imag @ change.imag) + floor
+        return Miss(complex(off[0]), (xx, float(change.real @ change.imag), yy), change)
+
+    def spread_of(self, value: Any) -> float:
+        """Standard deviation of a real value."""
+        import numpy
+
+        row = self.tool.spread(numpy.real(value) + 0.0)
+        change = numpy.nan_to_num(row[1:] - row[0], nan=0.0, posinf=0.0, neginf=0.0)
+        return math.sqrt(float(change @ change))
+
+    def number(self, name: str) -> Any:
+        """A thing of the drawing without its columns."""
+        value = self.things[name]
+        return value[0].item() if getattr(value, "shape", None) else value
+
+    def under(self, variant: Variant) -> dict[str, Any]:
+        """What the steps touched by a variant make of the person's marks, everything else unchanged."""
+        things = {**self.things, **variant.givens}
+        dirty = set(variant.givens)
+        made: dict[str, Any] = {}
+        for step in self.program.steps:
+            if step.makes in variant.swaps or any(name in dirty for name, _ in step.reads()):
+                steps = variant.swaps.get(step.makes, (step,))
+                self._each(lambda _, steps=steps: steps, (step,), things, made)  # type: ignore[misc]
+                if step.makes not in self.taken:
+                    dirty.add(step.makes)
+        return made

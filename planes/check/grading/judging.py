@@ -1,0 +1,179 @@
+"""Judging a hand's misses: which mark is the first wrong one, and which mistake of the catalogue explains it.
+
+Every mistake is a hypothesis with the likelihood of the drawing under it, every mark given those before it; "correct
+but for noise" and "wrong there for some other cause" are hypotheses too. A mistake is named when it beats them and the
+runner-up. Where all marks are within limits, close calls are looked at again for a mistake that explains them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from planes.check.grading.handwork import Hand, Miss, Variant
+from planes.check.grading.jointly import given_before, order_of_reckoning
+from planes.words.names import label_of
+
+FALSE_ALARM = 0.02  # of right drawings, how many a hand as shaky as supposed would see refused
+WARN = 2.486  # as rare in two dimensions as 2σ in one
+SLIP = 0.02  # the share of marks that are wrong for a reason of their own
+OTHER_CAUSE = 0.1  # the weight of "some other cause" beside a named mistake
+UNDRAWN = 0.1  # the weight of "drawn wrongly" beside "left out", for a mark that is not on the drawing
+LEFT_OUT = ("_missing", "_along_loaded_link")
+MARGIN = 0.7  # the logarithm of how much better than the runner-up a mistake must be
+TOO_WELL = math.log(20)  # the logarithm of how much better than chance a mistake must explain what is within limits
+
+
+def limit_of(count: int) -> float:
+    """How many σ a mark may miss by: 3σ of a lone one, more where many could each be the unlucky one."""
+    return math.sqrt(-2 * math.log(FALSE_ALARM / max(count, 4)))
+
+
+@dataclass
+class Judgement:
+    """What was found: misses of every mark, the wrong ones in order of drawing, and what explains the first."""
+
+    limit: float
+    misses: dict[str, Miss]
+    wrong: list[str] = field(default_factory=list)
+    named: Variant | None = None
+    runner_up: Variant | None = None
+    explained: frozenset[str] = frozenset()
+    score: float = 0.0  # logarithm of how likely the drawing is, with the mistake that is named or without any
+
+    @property
+    def first_wrong(self) -> str | None:
+        """The label of the mark where the drawing goes wrong."""
+        if self.named:
+            return self.named.blames
+        return label_of(self.wrong[0]) if self.wrong else None
+
+
+def judge(
+    hand: Hand, marks: Sequence[str], variants: Iterable[Variant], extent_mm: float, absent: Collection[str] = ()
+) -> Judgement:
+    """Grade the marks of a hand, in order of drawing, and name the first mistake; ``absent`` are not there at all."""
+    weighing = _Weighing(hand, marks, breadth(extent_mm))
+    found = Judgement(weighing.limit, weighing.misses)
+    found.wrong = [m for m, miss in found.misses.items() if not miss.sigmas <= found.limit]
+    found.score = sum(_mixed(miss, weighing.broad) for miss in found.misses.values())
+    drawn = {label_of(m) for m in found.misses} - set(absent)
+    if found.wrong:
+        _name(found, weighing.ranked(variants, drawn, found.wrong[:1]), weighing.broad)
+    elif close := [m for m, miss in found.misses.items() if miss.sigmas > WARN]:
+        _look_closer(found, weighing.ranked(variants, drawn, close))
+    return found
+
+
+def breadth(extent_mm: float) -> float:
+    """Logarithm of the density of a mark that may be anywhere on the drawing."""
+    return -2 * math.log(2 * max(extent_mm, 20.0))
+
+
+def _mixed(miss: Miss, broad: float) -> float:
+    """Logarithm of the density of a miss: normal, but for now and then a slip."""
+    normal = miss.log_density if math.isfinite(miss.sigmas) else -math.inf
+    high, low = max(normal, broad), min(normal, broad)
+    shares = (math.log(1 - SLIP), math.log(SLIP)) if normal >= broad else (math.log(SLIP), math.log(1 - SLIP))
+    top, rest = high + shares[0], low + shares[1]
+    best = max(top, rest)
+    return best + math.log(math.exp(top - best) + math.exp(rest - best))
+
+
+@dataclass(frozen=True)
+class Named:
+    """A hypothesis with its logarithmic score against "correct but for noise", and the misses under it."""
+
+    score: float
+    variant: Variant
+    under: Mapping[str, Miss]
+
+
+class _Weighing:
+    """Weighs hypotheses about the marks of a hand against each other."""
+
+    def __init__(self, hand: Hand, marks: Sequence[str], broad: float) -> None:
+        self.hand, self.broad = hand, broad
+        self.order = order_of_reckoning(hand.program.steps, marks)
+        self.plain = hand.misses(marks)
+        self.limit = limit_of(len(self.plain))
+        self.misses = given_before(self.plain, self.order, self.limit)
+
+    def ranked(self, variants: Iterable[Variant], drawn: set[str], suspects: Collection[str]) -> list[Named]:
+        """The mistakes that touch a suspected mark, the likeliest first."""
+        scored = []
+        for variant in variants:
+            touched = self.hand.misses(list(self.plain), self.hand.under(variant))
+            if not any(m in touched and math.isfinite(touched[m].sigmas) for m in suspects) or not self._shows(touched):
+                continue
+            under = given_before({**self.plain, **touched}, self.order, self.limit)
+            gain = sum(_mixed(miss, self.broad) - _mixed(self.misses[m], self.broad) for m, miss in under.items())
+            scored.append(Named(gain + math.log(variant.weight * _likely(variant, drawn)), variant, under))
+        return _by_mistake(scored)
+
+
+    def _shows(self, touched: Mapping[str, Miss]) -> bool:
+        """Whether a mistake puts some mark farther from where it should be than a hand's error does."""
+        apart = (Miss(miss.off - self.plain[m].off, self.plain[m].cov) for m, miss in touched.items())
+        return any(not miss.sigmas <= self.limit for miss in apart)
+
+
+def _name(found: Judgement, ranked: Sequence[Named], broad: float) -> None:
+    """Keep the likeliest mistake if it is good enough to explain the first wrong mark."""
+    if not ranked:
+        return
+    other = math.log(OTHER_CAUSE) + broad - _mixed(found.misses[found.wrong[0]], broad)
+    _keep(found, ranked, ranked[0].score >= max(0.0, other))
+
+
+def _look_closer(found: Judgement, ranked: Sequence[Named]) -> None:
+    """No mark is wrong by itself, but some are close calls: a mistake may explain them too well for chance."""
+    if ranked and ranked[0].score >= TOO_WELL:
+        found.wrong = [m for m in found.misses if label_of(m) == ranked[0].variant.blames]
+        _keep(found, ranked, True)
+
+
+def _keep(found: Judgement, ranked: Sequence[Named], good: bool) -> None:
+    """Name the likeliest mistake if it is good enough and well ahead of the next."""
+    best, rest = ranked[0], ranked[1:]
+    if not good or (rest and best.score - rest[0].score < MARGIN):
+        found.runner_up = best.variant
+        return
+    found.named = best.variant
+    found.runner_up = rest[0].variant if rest else None
+    found.explained = frozenset(m for m, miss in best.under.items() if miss.sigmas <= found.limit)
+    found.score += best.score + math.log(SLIP)
+
+
+def _likely(variant: Variant, drawn: set[str]) -> float:
+    """What is not on the drawing was most likely left out, what is on it was not."""
+    return 1.0 if (variant.blames in drawn) != variant.mistake.endswith(LEFT_OUT) else UNDRAWN
+
+
+def _by_mistake(scored: Sequence[Named]) -> list[Named]:
+    """The best variant of every mistake, the best mistake first; its variants' likelihoods added up."""
+    groups: dict[str, list[Named]] = {}
+    for one in scored:
+        groups.setdefault(one.variant.mistake, []).append(one)
+    merged = []
+    for group in groups.values():
+        best = max(group, key=lambda n: n.score)
+        total = best.score + math.log(sum(math.exp(n.score - best.score) for n in group))
+        merged.append(replace(best, score=total))
+    return sorted(merged, key=lambda n: -n.score)
+
+
+def verdicts(found: Judgement, order: Sequence[str], strayed: Mapping[str, bool]) -> dict[str, str]:
+    """right, wrong, follows or unread for every mark; ``strayed`` says which are off the true plan."""
+    out, upset = {}, False
+    for mark in order:
+        label = label_of(mark)
+        upset = upset or label == found.first_wrong
+        if mark not in found.misses:
+            out[mark] = "unread"
+        elif mark in found.wrong and not (mark in found.explained and label != found.first_wrong):
+            out[mark], upset = "wrong", True
+        else:
+            out[mark] = "follows" if (upset or mark in found.wrong) and strayed.get(mark) else "right"
+    return out

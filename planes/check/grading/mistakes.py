@@ -1,0 +1,223 @@
+"""The catalogue of mistakes of velocity and acceleration plans, as variants of the program's own steps."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+from planes.check.grading.handwork import Variant
+from planes.check.grading.ways import Ways
+from planes.drafting.steps import Carry, Cross, Image, LayOff, Read, Same, Similar, Step
+from planes.drafting.steps.reckoning import Calculate, Measure
+from planes.drafting.tools import Env, Tool
+from planes.words.names import POLE, at, label_of, mu_of
+
+
+def motion_variants(w: Ways) -> Iterator[Variant]:
+    """Mistakes of a velocity or acceleration plan."""
+    quick = w.plan == "acceleration"
+    yield from _driver(w, quick)
+    for step in w.own:
+        if isinstance(step, Cross):
+            yield from _crossed(w, step, quick)
+        elif isinstance(step, Similar | Image):
+            yield from _similar(w, step, quick)
+        elif isinstance(step, LayOff) and quick:
+            yield from _laid_quick(w, step)
+        elif isinstance(step, LayOff) and (line := w.link_line(step.along)):
+            yield w.variant("along_link", step, replace(step, along=line), about={"line": line})
+
+
+def _driver(w: Ways, quick: bool) -> Iterator[Variant]:
+    """The driver's own motion taken with the wrong sense, or left out."""
+    drive = w.plans.mechanism.drive
+    turning = drive.kind == "phi"
+    name = (f"epsilon_{drive.link}" if turning else "a_drive") if quick else (
+        f"omega_{drive.link}" if turning else "v_drive")
+    if name not in w.program.givens:
+        return
+    mark = next((s.makes for s in w.own if isinstance(s, LayOff) and _leads(w, name, s.length)), None)
+    if mark is None:
+        return
+    value, label = float(w.plans.given[name]), label_of(mark)
+    about = {"mark": label, "value": name}
+    yield Variant("epsilon1_reversed" if quick else "omega1_reversed", label, {}, {name: -value}, 1.0, about)
+    if quick:
+        yield Variant("epsilon1_ignored", label, {}, {name: 0.0}, 1.0, about)
+
+
+def _leads(w: Ways, value: str, length: str) -> bool:
+    step = w.steps.get(length)
+    return value == length or (step is not None and any(n == value for n, _ in step.reads()))
+
+
+def _crossed(w: Ways, step: Cross, quick: bool) -> Iterator[Variant]:
+    """A mark where two lines cross: one of them in a wrong direction, or from a wrong place."""
+    sides = (("along", step.along), ("across", step.across))
+    for side, direction in sides:
+        line = w.link_line(direction)
+        if line and not line.startswith("∥"):
+            about = {"line": line}
+            mistake = "tangential_along_link" if quick else "along_link"
+            yield w.variant(mistake, step, _with(step, side, line), about=about)
+            others = [d for d in w.perpendiculars() if d not in (step.along, step.across) and w.before(d, step)]
+            others += [d for _, d in sides if d != direction and not quick]
+            for other in others if not quick else []:
+                found = _with(step, side, other)
+                yield w.variant("wrong_link", step, found, weight=1 / len(others), about={"line": line, "other": other})
+        elif direction.startswith("∥"):
+            turned = f"⊥{direction}~{step.makes}"
+            swap = w.square(direction, turned), _with(step, side, turned)
+            yield w.variant("across_guide", step, *swap, about={"guide": direction.removeprefix("∥")})
+    if not quick:
+        yield from _displaced(w, step)
+
+
+def _with(step: Cross, side: str, direction: str) -> Cross:
+    return replace(step, along=direction) if side == "along" else replace(step, across=direction)
+
+
+def _displaced(w: Ways, step: Cross) -> Iterator[Variant]:
+    """The two lines drawn from each other's ends, or the relative velocity laid off backwards."""
+    starts = (step.start, step.other)
+    if w.pole in starts and step.start != step.other:
+        yield w.variant("relative_from_pole", step, replace(step, start=step.other, other=step.start))
+    elif w.pole not in starts:
+        for one, two in ((w.pole, step.other), (step.start, w.pole)):
+            yield w.variant("relative_from_pole", step, replace(step, start=one, other=two), weight=0.5)
+    for known in dict.fromkeys(s for s in starts if s != w.pole):
+        met = f"{step.makes}~met"
+        yield w.variant("relative_reversed", step, replace(step, makes=met), Carry(step.makes, known, met, known))
+
+
+def _similar(w: Ways, step: Similar | Image, quick: bool) -> Iterator[Variant]:
+    """A mark by similarity: mirrored, divided from the wrong end, or built on another segment."""
+    start, end = (step.start, step.end) if isinstance(step, Similar) else step.image
+    yield from _mirrored(w, step)
+    if isinstance(step, Image) and step.start != start:
+        return  # carried from a mark of its own: there is no other end to begin from
+    about = {"start": label_of(start), "end": label_of(end)}
+    if not quick:
+        yield w.variant("divided_from_wrong_end", step, _on(step, end, start), about=about)
+        for far in (end, start):
+            if w.pole not in (start, end):
+                for pair in ((w.pole, far), (far, w.pole)):
+                    found = _on(step, *pair)
+                    yield w.variant("similarity_on_pole_segments", step, found, weight=0.25, about=about)
+        return
+    for one, two in ((start, end), (end, start)):
+        for normal in _normals(w, one, two):
+            ends = (normal, two) if one == start else (two, normal)
+            words = {"normal": label_of(normal), **about}
+            yield w.variant("similarity_on_tangential", step, _on(step, *ends), about=words)
+
+
+def _on(step: Similar | Image, start: str, end: str) -> Step:
+    if isinstance(step, Similar):
+        return replace(step, start=start, end=end)
+    return replace(step, start=start, image=(start, end))
+
+
+def _normals(w: Ways, start: str, end: str) -> Iterator[str]:
+    """Ends of normal parts laid off from ``start`` on the way to ``end``."""
+    meets = w.steps.get(end)
+    for step in w.own:
+        normal = isinstance(step, LayOff) and label_of(step.makes).startswith("n_") and step.start == start
+        if normal and isinstance(meets, Cross) and step.makes in (meets.start, meets.other):
+            yield step.makes
+
+
+def _mirrored(w: Ways, step: Similar | Image) -> Iterator[Variant]:
+    """The similar figure turned over about its base."""
+    name = f"mirrored {step.makes}"
+    label = label_of(step.makes)
+    if isinstance(step, Similar):
+        ratio = complex(w.plans.given[step.ratio]).conjugate()
+        swaps = {step.makes: (replace(step, ratio=name),)}
+        yield Variant("similarity_mirrored", label, swaps, {name: ratio}, 1.0, {"mark": label})
+        return
+    foot = Mirror(f"{name}°", step.of, step.like)
+    yield w.variant("similarity_mirrored", step, foot, replace(step, of=(step.of[0], foot.makes)))
+
+
+@dataclass(frozen=True)
+class Mirror(Step):
+    """The second of the marks ``of`` mirrored in the line through the first along ``like``."""
+
+    of: tuple[str, str]
+    like: tuple[str, str]
+
+    def reads(self) -> tuple[Read, ...]:
+        return tuple((n, "mark") for n in (*self.of, *self.like))
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        (a, b), (c, d) = self.of, self.like
+        along = env[d] - env[c]
+        return env[a] + along * ((env[b] - env[a]) / along).conjugate()
+
+
+def _laid_quick(w: Ways, step: LayOff) -> Iterator[Variant]:
+    label = label_of(step.makes)
+    if label.startswith("n_"):
+        yield from _normal(w, step)
+    elif label.startswith("k_"):
+        yield from _coriolis(w, step)
+    elif line := w.link_line(step.along):
+        yield w.variant("tangential_along_link", step, replace(step, along=line), about={"line": line})
+
+
+def _normal(w: Ways, step: LayOff) -> Iterator[Variant]:
+    """A normal part: outward, left out, with another velocity, from the pole."""
+    yield w.variant("normal_outward", step, *w.reversed_length(step))
+    yield w.variant("normal_missing", step, Same(step.makes, step.start))
+    if step.start != w.pole:
+        yield w.variant("normal_from_pole", step, replace(step, start=w.pole))
+    formula = w.steps.get(step.length)
+    if not isinstance(formula, Calculate) or not formula.terms:
+        return
+    squares = [n for n, power in formula.terms[0].factors if power == 2 and n.startswith("v_")]
+    for square in squares:
+        others = list(_velocities(w, step, square))
+        for other, measured in others:
+            factors = tuple((other if n == square else n, power) for n, power in formula.terms[0].factors)
+            found = Calculate(f"{step.makes} v²", (replace(formula.terms[0], factors=factors),))
+            swap = (*measured, found, replace(step, length=found.makes))
+            about = {"value": square, "other": other.removeprefix(f"{step.makes} ")}
+            yield w.variant("normal_wrong_velocity", step, *swap, weight=1 / len(others), about=about)
+
+
+def _velocities(w: Ways, step: LayOff, but: str) -> Iterator[tuple[str, tuple[Step, ...]]]:
+    """Other speeds of the velocity plan, with the step that reads each where none does yet."""
+    for name, made in w.steps.items():
+        plain = isinstance(made, Measure) and made.start.startswith("velocity:") and "slide" not in name
+        if name != but and name.startswith("v_") and plain and w.before(name, step):
+            yield name, ()
+    for name, made in w.steps.items():
+        if made.kind == "mark" and name.startswith("velocity:") and label_of(name) != POLE and w.before(name, step):
+            tag = f"{step.makes} v_{label_of(name).upper()}"
+            yield tag, (Measure(tag, at("velocity", POLE), name, None, mu_of("velocity")),)
+
+
+def _coriolis(w: Ways, step: LayOff) -> Iterator[Variant]:
+    """A Coriolis part: left out, reversed, halved, with another ω, along the guide."""
+    yield w.variant("coriolis_missing", step, Same(step.makes, step.start))
+    yield w.variant("coriolis_reversed", step, *w.reversed_length(step))
+    yield w.variant("coriolis_half", step, *w.reversed_length(step, 0.5))
+    if guide := w.link_line(step.along):
+        yield w.variant("coriolis_along_guide", step, replace(step, along=guide), weight=0.5)
+        length, _ = w.reversed_length(step)
+        back = replace(step, along=guide, length=length.makes)
+        yield w.variant("coriolis_along_guide", step, length, back, weight=0.5)
+    formula = w.steps.get(step.length)
+    if not isinstance(formula, Calculate):
+        return
+    used = [n for n, _ in formula.terms[0].factors if n.startswith("omega_")]
+    spins = [n for n in (*w.program.givens, *w.steps) if n.startswith("omega_") and n not in used]
+    spins = [n for n in spins if n in w.program.givens or w.before(n, step)]
+    for spin in spins:
+        factors = tuple((spin if n in used else n, power) for n, power in formula.terms[0].factors)
+        found = Calculate(f"{step.makes} ω", (replace(formula.terms[0], factors=factors),))
+        swap = found, replace(step, length=found.makes)
+        about = {"value": used[0] if used else "", "other": spin}
+        yield w.variant("coriolis_wrong_omega", step, *swap, weight=1 / len(spins), about=about)

@@ -1,0 +1,179 @@
+"""Mistakes of a force plan as variants of its steps: loads, moments and arms, reactions, friction."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from planes.check.grading.handwork import Variant
+from planes.check.grading.ways import Ways
+from planes.drafting.steps import Cross, LayOff, Same, Step, Through
+from planes.drafting.steps.reckoning import Calculate, Drop, Lean, Measure, Product
+from planes.words.names import label_of
+
+
+def force_variants(w: Ways) -> Iterator[Variant]:
+    """Mistakes of the plan of one group or of the driver."""
+    for step in w.own:
+        if isinstance(step, LayOff):
+            yield from _force(w, step)
+        elif isinstance(step, Cross):
+            yield from _reaction(w, step)
+    yield from _friction(w)
+
+
+def _force(w: Ways, step: LayOff) -> Iterator[Variant]:
+    label = label_of(step.makes)
+    if label.startswith("F_") and label.endswith("t"):
+        yield w.variant("reaction_along_loaded_link", step, Same(step.makes, step.start))
+        yield w.variant("tangential_reversed", step, *w.reversed_length(step))
+        yield w.variant("force_doubled", step, *w.reversed_length(step, 2.0))
+        yield from _moments(w, step)
+        return
+    missing = "weight_missing" if label.startswith("G_") else "force_missing"
+    yield from _both(w, step, missing, (Same(step.makes, step.start),), 0.0)
+    yield from _both(w, step, "force_doubled", w.reversed_length(step, 2.0), 2.0)
+    if label.startswith("G_"):
+        yield from _mass(w, step)
+    elif label.startswith("I_"):
+        yield from _both(w, step, "inertia_along_acceleration", w.reversed_length(step), -1.0)
+    elif label.startswith("F_"):
+        yield from _both(w, step, "reaction_not_reversed", w.reversed_length(step), -1.0)
+
+
+def _both(w: Ways, step: LayOff, mistake: str, swap: tuple[Step, ...], factor: float) -> Iterator[Variant]:
+    """A force wrong in the polygon alone, or in the equation of moments too."""
+    alone = w.variant(mistake, step, *swap, weight=0.5)
+    yield alone
+    swaps = _in_moments(w, step, factor)
+    if swaps:
+        yield replace(alone, swaps={**alone.swaps, **swaps})
+
+
+def _in_moments(w: Ways, step: LayOff, factor: float) -> dict[str, tuple[Step, ...]]:
+    """The plan's moment equations with the terms of one force multiplied."""
+    arm = f"h_{label_of(step.makes)}_"
+    found: dict[str, tuple[Step, ...]] = {}
+    for formula in _formulas(w):
+        terms = tuple(
+            replace(t, coefficient=t.coefficient * factor) if any(n.startswith(arm) for n, _ in t.factors) else t
+            for t in formula.terms
+        )
+        if terms != formula.terms:
+            found[formula.makes] = (replace(formula, terms=terms),)
+    return found
+
+
+def _formulas(w: Ways) -> Iterator[Calculate]:
+    """Moment equations whose result is laid off on this plan."""
+    for step in w.own:
+        formula = w.steps.get(step.length) if isinstance(step, LayOff) else None
+        if isinstance(formula, Calculate) and formula.makes.endswith("^t"):
+            yield formula
+
+
+def _mass(w: Ways, step: LayOff) -> Iterator[Variant]:
+    """Kilograms laid off for newtons."""
+    weight = w.steps.get(step.length)
+    if isinstance(weight, Calculate):
+        mass = next((n for n, _ in weight.terms[0].factors if n.startswith("m_")), None)
+        if mass:
+            alone = w.variant("mass_for_weight", step, replace(step, length=mass), weight=0.5)
+            yield alone
+            if gravity := float(w.plans.given["g"]):
+                yield replace(alone, swaps={**alone.swaps, **_in_moments(w, step, 1.0 / gravity)})
+
+
+def _moments(w: Ways, step: LayOff) -> Iterator[Variant]:
+    """Mistakes of the equation of moments behind a tangential reaction."""
+    formula = w.steps.get(step.length)
+    if not isinstance(formula, Calculate):
+        return
+    count = max(1, len(formula.terms))
+    for i, term in enumerate(formula.terms if count > 1 else ()):
+        name = next((n for n, _ in term.factors), "")
+        inertia = name.startswith("MI_")
+        mistake = "inertia_moment_reversed" if inertia else "moment_sign"
+        turned = _replaced(formula, i, replace(term, coefficient=-term.coefficient))
+        yield _of_moments(w, step, mistake, (turned,), 1.0 if inertia else 1 / count, name)
+    for i, term in enumerate(formula.terms):
+        name = next((n for n, _ in term.factors), "")
+        arm = next((n for n, _ in term.factors if isinstance(w.steps.get(n), Drop)), None)
+        if arm:
+            yield from _arm(w, step, formula, i, arm, name)
+    scaled = replace(formula, terms=tuple(_longer(w, t) for t in formula.terms))
+    if scaled != formula:
+        yield _of_moments(w, step, "arm_wrong", (scaled,), 0.2, "mm")
+
+
+def _longer(w: Ways, term: Product) -> Product:
+    """A term with its arm in millimetres of paper."""
+    drop = next((w.steps[n] for n, _ in term.factors if isinstance(w.steps.get(n), Drop)), None)
+    return replace(term, factors=(*term.factors, (drop.mu, 1))) if isinstance(drop, Drop) else term
+
+
+def _arm(w: Ways, step: LayOff, formula: Calculate, index: int, arm: str, force: str) -> Iterator[Variant]:
+    """The distance between two points, or the wrong leg of the triangle, taken for the arm."""
+    drop, term = w.steps[arm], formula.terms[index]
+    assert isinstance(drop, Drop)
+    whole = Measure(f"{arm}~whole", drop.point, drop.about, None, drop.mu)
+    leg = Measure(f"{arm}~leg", drop.point, drop.about, drop.along, drop.mu)
+    for made in (whole, leg):
+        for sign in (1.0, -1.0):
+            factors = tuple((made.makes if n == arm else n, p) for n, p in term.factors)
+            swapped = _replaced(formula, index, replace(term, coefficient=sign * term.coefficient, factors=factors))
+            yield _of_moments(w, step, "arm_wrong", (made, swapped), 0.25 / len(formula.terms), force)
+
+
+def _replaced(formula: Calculate, index: int, term: Product) -> Calculate:
+    return replace(formula, terms=tuple(term if i == index else t for i, t in enumerate(formula.terms)))
+
+
+def _of_moments(w: Ways, step: LayOff, mistake: str, steps: tuple[Step, ...], weight: float, force: str) -> Variant:
+    label = label_of(step.makes)
+    return Variant(mistake, label, {step.length: steps}, {}, weight, {"mark": label, "force": _shown(force)})
+
+
+def _shown(value: str) -> str:
+    return value.strip("|").replace("MI_", "M_И")
+
+
+def _reaction(w: Ways, step: Cross) -> Iterator[Variant]:
+    """The lines of the unknown reactions in a wrong direction."""
+    for side in ("along", "across"):
+        direction = step.along if side == "along" else step.across
+        guide = w.link_line(direction)
+        if guide and guide.startswith("∥"):
+            others = [guide, *_links(w, step)]
+            for i, other in enumerate(others):
+                swap = replace(step, along=other) if side == "along" else replace(step, across=other)
+                about = {"guide": guide.removeprefix("∥")}
+                weight = 0.7 if i == 0 else 0.3 / (len(others) - 1)
+                yield w.variant("guide_reaction_not_normal", step, swap, weight=weight, about=about)
+
+
+def _links(w: Ways, step: Cross) -> list[str]:
+    """Directions of links on the scheme."""
+    own = (step.along, step.across)
+    rays = [s for s in w.program.steps if isinstance(s, Through) and s.start.startswith("position:")]
+    return [s.makes for s in rays if s.makes not in own]
+
+
+def _friction(w: Ways) -> Iterator[Variant]:
+    """Friction drawn the way of the motion."""
+    leans = [s for s in w.program.steps if isinstance(s, Lean) and _used(w, s.makes)]
+    trial = next((s for s in w.own if label_of(s.makes)[-1:] in "+-" and isinstance(s, Cross)), None)
+    if not leans or trial is None:
+        return
+    swaps: dict[str, tuple[Step, ...]] = {}
+    for lean in leans:
+        back = Calculate(f"{lean.makes}~f", (Product(-1.0, ((lean.coefficient, 1),)),))
+        swaps[lean.makes] = (back, replace(lean, coefficient=back.makes))
+    label = label_of(trial.makes).rstrip("+-")
+    yield Variant("friction_along_motion", label, swaps, {}, 1.0, {"mark": label})
+
+
+def _used(w: Ways, lean: str) -> bool:
+    return any(isinstance(s, Cross) and lean in (s.along, s.across) for s in w.own)
+
+

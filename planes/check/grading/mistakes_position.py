@@ -1,0 +1,102 @@
+"""Mistakes of a position plan: the other assembly, the angle's sense, a link in another scale, an offset ignored."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping, Sequence
+
+from planes.check.grading.handwork import Taken, Variant
+from planes.check.grading.ways import Ways
+from planes.drafting.steps import CrossArc, CrossArcs, LayOff, Step
+from planes.words import Written
+from planes.words.names import label_of
+
+LEAST_OFFSET = 1e-6  # relative: a guide nearer to the pivot passes through it
+LEAST_SCALE = 0.04  # a link drawn longer or shorter by less is a matter of care, not of scale
+
+
+def position_variants(w: Ways, taken: Mapping[str, Taken], mu: float) -> Iterator[Variant]:
+    """Mistakes of a position plan; the person's own marks say in which scale a link may have been drawn."""
+    yield from _angle(w)
+    for name, value in w.plans.given.items():
+        if name not in w.program.givens:
+            continue
+        users = [s for s in w.program.steps if name in (n for n, _ in s.reads())]
+        if name.startswith("side_"):
+            yield from _marked(w, "other_assembly", users, {name: -float(value)})
+        elif name.startswith("e_") and value:
+            yield from _marked(w, "guide_offset_ignored", users, {name: 0.0})
+    yield from _centred(w)
+    for step in w.own:
+        yield from _scales(w, step, taken, mu)
+
+
+def _centred(w: Ways) -> Iterator[Variant]:
+    """A guide of the frame drawn through the driver's pivot, as if it were not offset."""
+    mechanism = w.plans.mechanism
+    driver = mechanism.links[mechanism.drive.link]
+    pivot = next((f"place_{n}" for n in driver.points if n in mechanism.frame.points), "")
+    for guide in mechanism.frame.guides if pivot in w.plans.given else ():
+        place = f"place_°{guide}"
+        if place in w.program.givens and _apart(w, place, pivot, f"angle_∥{guide}"):
+            users = [s for s in w.program.steps if place in (n for n, _ in s.reads())]
+            yield from _marked(w, "guide_offset_ignored", users, {place: w.plans.given[pivot]})
+
+
+def _apart(w: Ways, place: str, pivot: str, angle: str) -> bool:
+    """Whether the line of a guide misses a point."""
+    way = cmath.rect(1.0, math.radians(float(w.plans.given[angle])))
+    off = (complex(w.plans.given[pivot]) - complex(w.plans.given[place])) * way.conjugate()
+    return abs(off.imag) > LEAST_OFFSET * max(abs(complex(w.plans.given[place])), 1e-9)
+
+
+def _angle(w: Ways) -> Iterator[Variant]:
+    """φ measured from the wrong axis or in the wrong sense."""
+    given = w.plans.drive_given
+    if w.plans.mechanism.drive.kind != "phi":
+        return
+    phi = float(w.plans.given[given])
+    wrong = (-phi, 180 - phi, 180 + phi, 90 - phi, phi + 90, phi - 90)
+    users = [s for s in w.own if isinstance(s, LayOff)][:1]
+    for angle in wrong:
+        if users:
+            yield from _marked(w, "angle_sense", users, {given: angle}, 1 / len(wrong))
+
+
+def _marked(
+    w: Ways, mistake: str, users: Sequence[Step], givens: Mapping[str, complex], weight: float = 1.0
+) -> Iterator[Variant]:
+    """A variant blamed at the first mark of the plan that the changed givens lead to."""
+    dirty = {u.makes for u in users}
+    for step in w.program.steps:
+        if step.makes in dirty or any(n in dirty for n, _ in step.reads()):
+            dirty.add(step.makes)
+            if step.kind == "mark" and "°" not in step.makes and "⊥" not in step.makes:
+                label = label_of(step.makes)
+                yield Variant(mistake, label, {}, dict(givens), weight, {"mark": label})
+                return
+
+
+def _scales(w: Ways, step: Step, taken: Mapping[str, Taken], mu: float) -> Iterator[Variant]:
+    """A length drawn in another scale, the one the person's own mark shows."""
+    own = taken.get(step.makes)
+    if own is None:
+        return
+    ends: list[tuple[str, str]] = []
+    if isinstance(step, LayOff):
+        ends = [(step.start, step.length)]
+    elif isinstance(step, CrossArcs):
+        ends = [(step.centre, step.radius), (step.other, step.other_radius)]
+    elif isinstance(step, CrossArc):
+        ends = [(step.centre, step.radius)]
+    for centre, length in ends:
+        value, start = w.plans.given.get(length), taken.get(centre)
+        if start is None or not value or length not in w.program.givens or not length.startswith("l_"):
+            continue
+        drawn = abs(own.place - start.place) / mu
+        ratio = drawn / abs(float(value))
+        if abs(ratio - 1) > LEAST_SCALE:
+            label = label_of(step.makes)
+            about: dict[str, str | Written] = {"mark": label, "value": length, "ratio": Written(f"{ratio:.3g}")}
+            yield Variant("link_scale", label, {}, {length: float(value) * ratio}, 0.1, about)

@@ -1,0 +1,113 @@
+"""Errors of hand and ruler one at a time: a drawing made in many columns, each with a single error made.
+
+Column 0 of every mark, direction and value is without error; column k has the k-th error alone, of one standard
+deviation. So the differences of a run's columns are its first-order derivatives times the errors' sizes.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+from planes.drafting.instruments import Hand
+from planes.drafting.steps import Step
+from planes.geometry.arithmetic import Many, Point, Real
+
+_COLUMNS = {"mark": 8, "value": 2, "direction": 1}  # errors a step of the kind may make: marks, rays, readings
+
+
+@dataclass(frozen=True)
+class Skill:
+    """Standard deviations of a draughtsman: a mark (each way), a reading, a carried direction."""
+
+    point_mm: float = 0.3
+    ruler_mm: float = 0.35
+    ray_deg: float = 0.35
+
+
+HAND = Skill()
+
+
+def cad(extent_mm: float) -> Skill:
+    """Work on a computer: 0.2 % of the plan's size."""
+    return Skill(0.002 * extent_mm, 0.002 * extent_mm, math.degrees(0.002))
+
+
+@dataclass
+class Columns:
+    """Which columns belong to whom: every step that can err, and every name that was read with an error."""
+
+    start: dict[str, int] = field(default_factory=dict)
+    width: int = 1
+
+    def add(self, name: str, count: int) -> None:
+        """Reserve columns."""
+        self.start[name] = self.width
+        self.width += count
+
+    @staticmethod
+    def of(steps: Iterable[Step], read: Iterable[str]) -> Columns:
+        """Columns for the errors of steps and of readings (two each)."""
+        columns = Columns()
+        for step in steps:
+            if step.kind in _COLUMNS:
+                columns.add(step.makes, _COLUMNS[step.kind])
+        for name in read:
+            columns.add(f"read {name}", 2)
+        return columns
+
+
+class Nudged(Hand):
+    """The tool: makes each error in its own column."""
+
+    def __init__(self, skill: Skill, columns: Columns) -> None:
+        super().__init__(Many(), True)
+        self.skill, self.columns, self.at, self.end = skill, columns, 0, 0
+
+    def begin(self, name: str) -> None:
+        """From now on the errors are those of the step that makes ``name``."""
+        self.at = self.columns.start.get(name, 0)
+        self.end = self.at + 8 if self.at else 0
+
+    def spread(self, value: Any) -> Any:
+        """The value as an array of all columns, to be nudged."""
+        import numpy
+
+        return numpy.array(numpy.broadcast_to(value, (self.columns.width,)))
+
+    def _next(self) -> int:
+        self.at += 1
+        return self.at - 1
+
+    def mark(self, place: Point) -> Point:
+        if self.at + 2 > self.end:
+            return place
+        out = self.spread(place + 0j)
+        out[self._next()] += self.skill.point_mm
+        out[self._next()] += 1j * self.skill.point_mm
+        return out
+
+    def ray(self, direction: Point) -> Point:
+        if self.at + 1 > self.end:
+            return direction
+        out = self.spread(direction + 0j)
+        angle = math.radians(self.skill.ray_deg)
+        out[self._next()] *= (1 + 1j * angle) / abs(1 + 1j * angle)
+        return out
+
+    def read(self, length_mm: Real) -> Real:
+        if self.at + 1 > self.end:
+            return length_mm
+        out = self.spread(length_mm + 0.0)
+        out[self._next()] += self.skill.ruler_mm
+        return out
+
+    def taken(self, name: str, place: complex, error_mm: float) -> Any:
+        """A mark read from a person's drawing, with the error of the reading."""
+        out = self.spread(complex(place))
+        column = self.columns.start[f"read {name}"]
+        out[column] += error_mm
+        out[column + 1] += 1j * error_mm
+        return out

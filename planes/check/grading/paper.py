@@ -1,0 +1,184 @@
+"""What a person handed in, read from a table: ends of vectors, lengths of segments, or results."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from planes.check.reading.opened import MB, contents, too_many
+from planes.words import Phrase
+from planes.words.errors import PlanesError
+
+_COLUMNS = {
+    "mark": ("mark", "точка", "отметка", "point"),
+    "x_mm": ("x_mm", "x"),
+    "y_mm": ("y_mm", "y"),
+    "segment": ("segment", "отрезок"),
+    "mm": ("mm", "мм", "length_mm"),
+    "result": ("result", "результат", "name"),
+    "value": ("value", "значение"),
+    "unit": ("unit", "единица"),
+    "error_mm": ("error_mm", "±"),
+}
+_ROUNDED = math.sqrt(12)  # a number rounded to r is wrong by r/√12
+LARGEST = 2 * MB
+MOST = 2000  # rows
+LARGEST_MM = 10_000.0  # no sheet is larger
+
+
+@dataclass(frozen=True)
+class Spot:
+    """A mark where it was read, mm of paper, y up, any origin, with the error of its reading (each way)."""
+
+    name: str
+    place: complex
+    error_mm: float = 0.1
+
+
+@dataclass
+class Paper:
+    """Everything read from what was handed in, in its order. It is ``whole`` if nothing can have been overlooked."""
+
+    file: str = ""
+    spots: list[Spot] = field(default_factory=list)
+    segments: list[tuple[str, float]] = field(default_factory=list)
+    results: list[tuple[str, float, str]] = field(default_factory=list)
+    scale_mark: str | None = None  # the vector the picture's scale was taken from
+    whole: bool = True
+    picture: bytes = b""  # the flat picture, for the report
+    box: tuple[float, float, float, float] | None = None  # where it lies: left, bottom, right, top, mm from the pole
+    strokes: list[tuple[complex, complex]] = field(default_factory=list)  # lines of a drawing of lines, from the pole
+    notes: list[Phrase] = field(default_factory=list)
+
+    def refuse(self, key: str, **parts: object) -> PlanesError:
+        """A refusal that names the file."""
+        return PlanesError(Phrase(key, file=self.file, **parts))
+
+
+def read_table(path: str | Path) -> Paper:
+    """A CSV or JSON file as a paper; :class:`PlanesError` where it cannot be read."""
+    paper = Paper(str(path))
+    try:
+        text = contents(path, LARGEST).decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise paper.refuse("check_text") from None
+    if text.lstrip()[:1] in ("{", "["):
+        _read_json(paper, text)
+    else:
+        _read_rows(paper, _split(text))
+    return paper
+
+
+def _split(text: str) -> list[tuple[int, list[str]]]:
+    """Rows with their numbers; the separator is the one the first row uses."""
+    lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
+    first = lines[0] if lines else ""
+    mark = next((c for c in (";", "\t") if c in first), ",")
+    rows = csv.reader(io.StringIO("\n".join(text.splitlines())), delimiter=mark)
+    return [(rows.line_num, [c.strip() for c in row]) for row in rows if any(c.strip() for c in row)
+            and not row[0].lstrip().startswith("#")]  # fmt: skip
+
+
+def _read_rows(paper: Paper, rows: Sequence[tuple[int, list[str]]]) -> None:
+    """Rows under one header or more: a new header begins a new table."""
+    columns: list[str] | None = None
+    for line, row in rows:
+        head = _header(row)
+        if head:
+            columns = head
+            continue
+        if columns is None:
+            raise paper.refuse("check_columns")
+        _add(paper, dict(zip(columns, row, strict=False)), line)
+    if columns is None:
+        raise paper.refuse("check_columns")
+
+
+def _header(row: Sequence[str]) -> list[str] | None:
+    names = [next((k for k, words in _COLUMNS.items() if cell.casefold() in words), cell) for cell in row]
+    for wanted in (("mark", "x_mm", "y_mm"), ("segment", "mm"), ("result", "value")):
+        if all(w in names for w in wanted):
+            return names
+    return None
+
+
+def _add(paper: Paper, row: Mapping[str, Any], line: int) -> None:
+    """One row of whichever table."""
+    if len(paper.spots) + len(paper.segments) + len(paper.results) >= MOST:
+        raise too_many(paper.file, "rows", MOST)
+    if "mark" in row:
+        cells = [row.get("x_mm"), row.get("y_mm")]
+        if None in cells:
+            raise paper.refuse("check_row", line=line)
+        x, y = (_length(paper, c, line) for c in cells)
+        said = row.get("error_mm") or None
+        error = abs(_length(paper, said, line)) if said is not None else max(_rounding(c) for c in cells)
+        paper.spots.append(Spot(str(row["mark"]), complex(x, y), error))
+    elif "segment" in row and row.get("mm") is not None:
+        paper.segments.append((str(row["segment"]), abs(_length(paper, row["mm"], line))))
+    elif "result" in row and row.get("value") is not None:
+        paper.results.append((str(row["result"]), _number(paper, row["value"], line), str(row.get("unit") or "")))
+    else:
+        raise paper.refuse("check_row", line=line)
+
+
+def _number(paper: Paper, cell: Any, line: int) -> float:
+    try:
+        number = float(str(cell).replace(",", ".").replace("−", "-").replace(" ", "").replace("\u00a0", ""))
+    except ValueError:
+        number = math.nan
+    if not math.isfinite(number):
+        raise paper.refuse("check_not_number", line=line, text=f'"{str(cell)[:40]}"')
+    return number
+
+
+def _length(paper: Paper, cell: Any, line: int) -> float:
+    """A length on a sheet, mm."""
+    found = _number(paper, cell, line)
+    if abs(found) > LARGEST_MM:
+        raise paper.refuse("check_no_place", line=line, text=str(cell)[:40])
+    return found
+
+
+def _rounding(cell: Any) -> float:
+    """The error of a number as it is rounded: 12.5 by 0.1/√12 mm."""
+    text = str(cell).replace(",", ".")
+    if "e" in text.lower():
+        return 0.02
+    digits = len(text.partition(".")[2])
+    return float(max(10.0**-digits / _ROUNDED, 0.02))
+
+
+def _read_json(paper: Paper, text: str) -> None:
+    """The same tables as JSON: a list of rows, or an object of "marks", "segments" and "results"."""
+    try:
+        data = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise paper.refuse("check_json", why=str(error)[:80]) from None
+    if isinstance(data, list):
+        data = {"rows": data}
+    parts = [data.get(k) for k in ("rows", "marks", "segments", "results")] if isinstance(data, dict) else []
+    if not any(parts):
+        raise paper.refuse("check_columns")
+    for key, part in zip(("mark", "mark", "segment", "result"), parts, strict=True):
+        for line, row in enumerate(_json_rows(part, key), 1):
+            _add(paper, row, line)
+
+
+def _json_rows(part: Any, key: str) -> Iterable[Mapping[str, Any]]:
+    if isinstance(part, dict):
+        for name, value in part.items():
+            if key == "mark" and isinstance(value, list) and len(value) == 2:
+                yield {"mark": name, "x_mm": value[0], "y_mm": value[1]}
+            else:
+                yield {key: name, "mm" if key == "segment" else "value": value}
+    elif isinstance(part, list):
+        for row in part:
+            names = _header(list(row)) if isinstance(row, dict) else None
+            yield dict(zip(names, row.values(), strict=True)) if names else {}

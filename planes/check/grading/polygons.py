@@ -1,0 +1,120 @@
+"""Force polygons drawn in any order: a person's vectors put into the order of the program.
+
+A polygon's order is free, so each vector is taken by its name and the marks of the program's own polygon are rebuilt
+from the person's vectors. What is left when all of them are laid end to end is the gap.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from planes.check.grading.paper import Spot
+from planes.drafting.steps import LayOff
+from planes.plans import Plans
+from planes.words.names import POLE
+from planes.words.spelling import Names
+
+
+@dataclass(frozen=True)
+class Side:
+    """A vector of a force plan: its name, and the labels of the program's marks it leads between."""
+
+    name: str
+    start: str
+    end: str
+
+
+@dataclass
+class Rebuilt:
+    """Marks of the program's polygon by label, and what does not close."""
+
+    spots: dict[str, Spot] = field(default_factory=dict)
+    gap: Spot | None = None
+    closing: str = ""
+    absent: set[str] = field(default_factory=set)  # known forces that are not there
+    unknown: list[str] = field(default_factory=list)
+
+
+def sides_of(plans: Plans, plan: str) -> list[Side]:
+    """All vectors of a force plan as the program draws them, the closing ones last."""
+    found: dict[str, Side] = {}
+    for e in plans.equations:
+        if e.plan == plan:
+            for t in e.terms:
+                ends = (t.start, t.end) if t.sign > 0 else (t.end, t.start)
+                name = t.name.replace("^", "")
+                found.setdefault(name, Side(name, *ends))
+    return list(found.values())
+
+
+def loads_of(plans: Plans, plan: str) -> set[str]:
+    """Labels of the marks where forces known beforehand end."""
+    steps = (s.makes.rpartition(":") for s in plans.program.steps if isinstance(s, LayOff))
+    return {label for where, _, label in steps if where == plan}
+
+
+def rebuild(plans: Plans, plan: str, spots: Sequence[Spot], whole: bool = True) -> Rebuilt:
+    """The person's vectors, each from the end of the row before it, laid off in the program's order.
+
+    Of a ``whole`` polygon what is not listed is not there; else it may have been overlooked.
+    """
+    sides = {s.name: s for s in sides_of(plans, plan)}
+    names, out = Names(sides), Rebuilt()
+    vectors: dict[str, tuple[complex, float]] = {}
+    before = spots[0]
+    for spot in spots:
+        name = names.find(spot.name)
+        if name == POLE:
+            before = spot
+            continue
+        error = (before.error_mm**2 + spot.error_mm**2) ** 0.5
+        if name is None:
+            out.unknown.append(spot.name)
+        else:
+            vector = spot.place - before.place
+            old = vectors.get(name, (0j, 0.0))
+            vectors[name] = old[0] + vector, max(error, old[1])
+        before = spot
+    _lay(out, sides, vectors, loads_of(plans, plan), whole)
+    return out
+
+
+def _lay(
+    out: Rebuilt, sides: dict[str, Side], vectors: dict[str, tuple[complex, float]], loads: set[str], whole: bool
+) -> None:  # fmt: skip
+    """Marks from vectors: a side of which one end is known gives the other; a second way to a mark gives the gap."""
+    places: dict[str, complex] = {POLE: 0j}
+    hidden: set[str] = set()  # left out, or hidden in the next vector
+    left = dict(sides)
+    while left:
+        known = [n for n, s in left.items() if _ready(s, places, n in vectors, loads)]
+        if not known:
+            return
+        name = next((n for n in known if left[n].start in places), known[0])
+        side = left.pop(name)
+        if name not in vectors:
+            places[side.end] = places[side.start]
+            hidden.add(side.end)
+            if whole:
+                out.absent.add(side.end)
+                out.spots[side.end] = Spot(side.end, places[side.end], 0.0)
+            continue
+        vector, error = vectors[name]
+        if side.start in places and side.end in places:
+            gap = places[side.start] + vector - places[side.end]
+            if (whole or not hidden & {side.start, side.end}) and (out.gap is None or abs(gap) > abs(out.gap.place)):
+                out.gap, out.closing = Spot(name, gap, error), name
+        elif side.start in places:
+            places[side.end] = places[side.start] + vector
+            out.spots[side.end] = Spot(side.end, places[side.end], error)
+        else:
+            places[side.start] = places[side.end] - vector
+            out.spots[side.start] = Spot(side.start, places[side.start], error)
+
+
+def _ready(side: Side, places: dict[str, complex], read: bool, loads: set[str]) -> bool:
+    """Whether a side can be laid now: read and reached, or a load that nobody read."""
+    if not read:
+        return side.end in loads and side.start in places and side.end not in places
+    return side.start in places or (side.end in places and side.end not in loads)

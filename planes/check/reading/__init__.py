@@ -1,0 +1,1 @@
+"""Marks read out of drawings written by other programs."""

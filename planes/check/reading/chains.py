@@ -1,0 +1,207 @@
+"""Force polygons on a drawing: the strokes as one chain of vectors, each named by its word or by its likeness."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations, pairwise
+
+from planes.check.grading.bench import Bench
+from planes.check.grading.paper import Paper, Spot
+from planes.check.grading.polygons import sides_of
+from planes.check.reading.strokes import Nodes, Sketch, Words
+from planes.drafting.drawing import run
+from planes.words.names import POLE, at
+from planes.words.spelling import Names
+
+NEAR_MM = 9.0
+NO_WORD, FAR_WORD, UNLIKE, TOO_FAR = 5.0, 9.0, 7.0, 13.0  # what a name may cost, mm of distance from its word
+NAMED_UNLIKE = 3.0  # what is written counts for more than what is likely
+TIP = 8.0  # of two vectors upon each other a name belongs to the one whose tip is nearer
+LONGEST = 26  # vectors in a polygon
+MOST_LINES = 4 * LONGEST
+WHOLE = 0.5  # how much a polygon that leaves no line over is to be preferred
+MOST_TRAILS, MOST_SEEN = 400, 20000
+
+
+@dataclass(frozen=True)
+class Edge:
+    """A line between two nodes, drawn on either way or, where an arrowhead says so, ``onward`` only."""
+
+    start: int
+    end: int
+    onward: bool = False
+
+    def other(self, node: int) -> int:
+        """The node at the other end."""
+        return self.end if node == self.start else self.start
+
+
+Trail = list[tuple[Edge, int]]  # lines passed, each with the node it is left at
+
+
+def force_chain(sketch: Sketch, nodes: Nodes, bench: Bench, paper: Paper) -> Paper:
+    """The polygon as rows: the pole, then the end of every vector in the order they were drawn."""
+    truth = true_vectors(bench)
+    pole = _pole(sketch.words, nodes)
+    for split in (False, True):
+        if split and len(sketch.strokes) > MOST_LINES:
+            continue
+        edges = _reached(_edges(sketch, nodes, split), pole)
+        if not edges or len(edges) > MOST_LINES:
+            continue
+        words = beside(sketch.words, nodes, edges, bench.written(truth))
+        best: tuple[float, list[Spot], bool] | None = None
+        for start, trail in _trails(edges, pole):
+            rows = _rows(start, trail, nodes, words, truth, sketch.error_mm)
+            whole = trail[-1][1] == start and len(trail) == len(edges)
+            if rows and (best is None or rows[0] + WHOLE * whole > best[0]):
+                best = rows[0] + WHOLE * whole, rows[1], whole
+        if best and (best[2] or split or best[0] > 0.4 * len(truth)):
+            paper.spots, paper.whole = best[1], best[2]
+            return paper
+    return paper
+
+
+def true_vectors(bench: Bench) -> dict[str, complex]:
+    """Every vector of the right plan by name."""
+    plan = bench.asked.plan
+    made = run(bench.program, bench.given)
+    found = {}
+    for s in sides_of(bench.plans, plan):
+        ends = [0j if n == POLE else made[at(plan, n)] for n in (s.start, s.end)]
+        found[s.name] = complex(ends[1] - ends[0])
+    return found
+
+
+def _edges(sketch: Sketch, nodes: Nodes, split: bool) -> list[Edge]:
+    """Nodes joined by strokes; if ``split``, a stroke through a node is two."""
+    found: list[Edge] = []
+    for k, (a, b) in enumerate(sketch.strokes):
+        i, j = nodes.ends[k, 0], nodes.ends[k, 1]
+        way = sketch.ways[k] if sketch.ways else 0
+        if way < 0:
+            (a, b), (i, j) = (b, a), (j, i)
+        u = (b - a) / abs(b - a)
+        inside = []
+        for n in range(nodes.corners if split else 0):
+            local = (nodes.places[n] - a) * u.conjugate()
+            if n not in (i, j) and abs(local.imag) < 0.5 and 1 < local.real < abs(b - a) - 1:
+                inside.append((local.real, n))
+        path = [i, *(n for _, n in sorted(inside)), j]
+        found += [Edge(one, two, way != 0) for one, two in pairwise(path) if one != two]
+    return found
+
+
+def _reached(edges: list[Edge], pole: int | None) -> list[Edge]:
+    """The lines that hang together with the pole; all of them where it is not known."""
+    if pole is None:
+        return edges
+    seen, grown = {pole}, True
+    while grown:
+        more = {n for e in edges if (e.start in seen) != (e.end in seen) for n in (e.start, e.end)}
+        grown = bool(more - seen)
+        seen |= more
+    return [e for e in edges if e.start in seen]
+
+
+def beside(
+    words: Sequence[Words], nodes: Nodes, edges: Sequence[Edge], known: Names
+) -> dict[str, dict[tuple[Edge, int], float]]:
+    """How far every vector's name stands from the middle part of every line near it, passed to either end."""
+    found: dict[str, dict[tuple[Edge, int], float]] = {}
+    for word in words:
+        name = known.find(word.text)
+        if name is None or name == POLE:
+            continue
+        for edge in edges:
+            for start, end in ((edge.start, edge.end), (edge.end, edge.start)):
+                a, b = nodes.places[start], nodes.places[end]
+                far, short = min((word.distance(a + (b - a) * t / 8), 1 - t / 8) for t in range(1, 8))
+                if far <= NEAR_MM:
+                    middle = abs((a + b) / 2 - word.place) / max(abs(b - a), 5.0)
+                    upon = TIP * (short - 0.5) if any(_there_and_back(nodes, edge, e) for e in edges) else 0.0
+                    found.setdefault(name, {})[edge, end] = far + 2 * min(middle, 1.0) + upon
+    return found
+
+
+def _there_and_back(nodes: Nodes, one: Edge, two: Edge) -> bool:
+    """Whether two lines lie upon each other, one going where the other comes from."""
+    if one is two:
+        return False
+    a, b, c, d = (nodes.places[n] for n in (one.start, one.end, two.end, two.start))
+    return max(abs(a - c), abs(b - d)) < 0.1 * abs(b - a)
+
+
+def _pole(words: Sequence[Words], nodes: Nodes) -> int | None:
+    names = Names([])
+    for word in words:
+        if names.find(word.text) == POLE:
+            near = sorted(nodes.within(word.middle, 14.0), key=lambda i: word.distance(nodes.places[i]))
+            near = [i for i in near if i < nodes.corners]
+            if near and word.distance(nodes.places[near[0]]) < NEAR_MM + 1:
+                return near[0]
+    return None
+
+
+def _trails(edges: Sequence[Edge], pole: int | None) -> Iterator[tuple[int, Trail]]:
+    """Ways along the lines, none passed twice: round from the pole or from anywhere, or from the pole to a dead end."""
+    beside_of: dict[int, list[int]] = defaultdict(list)
+    for k, edge in enumerate(edges):
+        beside_of[edge.start].append(k)
+        if not edge.onward:
+            beside_of[edge.end].append(k)
+    starts = [pole] if pole is not None and pole in beside_of else list(beside_of)
+    count, seen = 0, 0
+    for start in starts[:20]:
+        stack: list[tuple[int, list[int], Trail]] = [(start, [], [])]
+        while stack and seen < MOST_SEEN and count < MOST_TRAILS:
+            node, passed, trail = stack.pop()
+            seen += 1
+            ahead = [k for k in beside_of[node] if k not in passed]
+            if trail and (node == start or (pole is not None and not ahead)):
+                count += 1
+                yield start, trail
+            if len(trail) < LONGEST:
+                stack += [(z := edges[k].other(node), [*passed, k], [*trail, (edges[k], z)]) for k in ahead]
+
+
+def _rows(
+    pole: int, trail: Trail, nodes: Nodes, words: Mapping[str, Mapping[tuple[Edge, int], float]],
+    truth: Mapping[str, complex], error_mm: float,
+) -> tuple[float, list[Spot]] | None:  # fmt: skip
+    """A trail's vectors named by the words beside them and by their likeness, with how well all this fits."""
+    ends = [nodes.places[i] for i in (pole, *(node for _, node in trail))]
+    vectors = [b - a for a, b in pairwise(ends)]
+    costs: list[dict[str, float]] = []
+    for v, (edge, node) in zip(vectors, trail, strict=True):
+        far = {n: words[n].get((edge, node), FAR_WORD) if n in words else NO_WORD for n in truth}
+        unlike = {n: min(1.0, abs(v - t) / (abs(t) + 3)) for n, t in truth.items()}
+        costs.append({n: far[n] + (NAMED_UNLIKE if n in words else UNLIKE) * unlike[n] for n in truth})
+    names = named_best(costs)
+    if not any(names):
+        return None
+    score = sum(TOO_FAR - cost[n] for n, cost in zip(names, costs, strict=True) if n)
+    start = Spot(POLE, ends[0], error_mm)
+    rows = [Spot(n or f"?{i}", z, error_mm) for i, (n, z) in enumerate(zip(names, ends[1:], strict=True))]
+    return (score - 3 * names.count(None)) / TOO_FAR, [start, *rows]
+
+
+def named_best(costs: Sequence[Mapping[str, float]]) -> list[str | None]:
+    """Each vector's name, the cheapest first, then exchanged wherever that is cheaper in all."""
+    found: list[str | None] = [None] * len(costs)
+    for cost, i, n in sorted((cost, i, n) for i, row in enumerate(costs) for n, cost in row.items()):
+        if found[i] is None and n not in found and cost < TOO_FAR:
+            found[i] = n
+
+    def price(i: int, name: str | None) -> float:
+        return costs[i].get(name, 2 * TOO_FAR) if name else TOO_FAR
+
+    better = True
+    while better:
+        better = False
+        for i, j in combinations(range(len(found)), 2):
+            if price(i, found[j]) + price(j, found[i]) < price(i, found[i]) + price(j, found[j]) - 1e-9:
+                found[i], found[j], better = found[j], found[i], True
+    return [n if n and costs[i].get(n, TOO_FAR) < TOO_FAR else None for i, n in enumerate(found)]

@@ -1,0 +1,187 @@
+"""Strokes and words of a DXF file: lines, polylines, blocks inside blocks, arrowheads, texts; no dimensions."""
+
+from __future__ import annotations
+
+import cmath
+import io
+import math
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+from planes.check.reading.arrowheads import head_of, settle, tapered
+from planes.check.reading.opened import MB, contents, too_many
+from planes.check.reading.parts import joined, without_letters
+from planes.check.reading.strokes import ROUND_MM, Head, Sketch, Words
+from planes.words import Phrase
+from planes.words.errors import PlanesError, guarded
+
+_MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 8: 25.4e-6, 13: 1e-3, 14: 100.0}
+LARGEST = 12 * MB
+MOST = 60_000  # entities, blocks among them
+LONGEST = 200  # letters of a text
+DEEPEST = 30  # blocks within blocks
+MEASURES = ("DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION", "TOLERANCE", "VIEWPORT")  # no vectors
+
+
+def read_dxf(path: str | Path) -> Sketch:
+    """The strokes of a file's model space in mm, of its sheets where that is empty.
+
+    :class:`PlanesError` where it is not a DXF.
+    """
+    try:
+        from ezdxf import recover
+    except ImportError:
+        raise PlanesError(Phrase("check_needs", what="ezdxf")) from None
+    data = contents(path, LARGEST)
+    with guarded("check_dxf", path):
+        document, _ = recover.read(io.BytesIO(data))
+        scale = _MM.get(int(document.header.get("$INSUNITS", 0)), 1.0)
+        for space in (document.modelspace(), *(s for s in document.layouts if s.name != "Model")):
+            found = _sketch(document, space, scale, str(path))
+            if found.strokes:
+                break
+    return found
+
+
+def _sketch(document: Any, space: Any, scale: float, file: str) -> Sketch:
+    found = Sketch(file)
+    unseen = {layer.dxf.name.casefold() for layer in document.layers if layer.is_off() or layer.is_frozen()}
+    for entity in _taken_apart(space, unseen, 0, _Counted(file)):
+        try:
+            _entity(found, entity, scale)
+        except (ValueError, AttributeError, TypeError, IndexError, ZeroDivisionError):
+            continue
+    found.words = joined(found.words)
+    without_letters(found)
+    settle(found)
+    return found
+
+
+class _Counted:
+    """Counts entities as they pass, whether or not anything is to be seen of them."""
+
+    def __init__(self, file: str) -> None:
+        self.file, self.count = file, 0
+
+    def each(self, entities: Iterable[Any]) -> Iterator[Any]:
+        """The same entities, refused in words once there are too many."""
+        for entity in entities:
+            self.count += 1
+            if self.count > MOST:
+                raise too_many(self.file, "elements", MOST)
+            yield entity
+
+
+def _taken_apart(entities: Iterable[Any], unseen: set[str], depth: int, counted: _Counted) -> Iterator[Any]:
+    """Entities that can be seen, blocks as what they hold."""
+    for entity in counted.each(entities):
+        kind = entity.dxftype()
+        hidden = entity.dxf.get("layer", "0").casefold() in unseen or entity.dxf.get("invisible", 0)
+        if kind in MEASURES or hidden:
+            continue
+        if kind != "INSERT":
+            yield entity
+        elif depth < DEEPEST:
+            copies = entity.multi_insert() if entity.mcount > 1 else (entity,)
+            for one in counted.each(copies):
+                yield from _taken_apart(one.virtual_entities(), unseen, depth + 1, counted)
+                yield from one.attribs
+
+
+def _entity(found: Sketch, entity: Any, scale: float) -> None:
+    """One entity, if it is straight, a head or a text."""
+    match entity.dxftype():
+        case "LINE":
+            found.add([_z(entity.dxf.start, scale), _z(entity.dxf.end, scale)])
+        case "CIRCLE" if entity.dxf.radius * scale <= ROUND_MM:
+            found.rounds.append((_z(entity.ocs().to_wcs(entity.dxf.center), scale), entity.dxf.radius * scale))
+        case "LWPOLYLINE" | "POLYLINE":
+            _polyline(found, entity, scale)
+        case "LEADER":
+            places = [_z(v, scale) for v in entity.vertices]
+            found.add(places)
+            if entity.dxf.get("has_arrowhead", 1) and len(places) > 1 and places[0] != places[1]:
+                found.heads.append(Head(places[0], (places[0] - places[1]) / abs(places[0] - places[1])))
+        case "SOLID" | "TRACE":
+            _head(found, [_z(p, scale) for p in entity.wcs_vertices()])
+        case "HATCH":
+            for path in entity.paths.polygon_paths() if hasattr(entity.paths, "polygon_paths") else entity.paths:
+                _head(found, _boundary(entity, path, scale))
+        case "TEXT" | "ATTRIB":
+            _text(found, entity, scale)
+        case "MTEXT":
+            along = cmath.rect(1, math.radians(entity.get_rotation()))
+            height, below = entity.dxf.char_height * scale, (entity.dxf.get("attachment_point", 1) - 1) // 3
+            insert = _z(entity.dxf.insert, scale) - 1j * along * height * (1 - below / 2)
+            text = entity.plain_text()
+            width = 0.7 * height * len(text.strip())
+            back = (entity.dxf.get("attachment_point", 1) - 1) % 3 / 2
+            _words(found, text, insert - along * width * back, height, along, width)
+
+
+def _polyline(found: Sketch, entity: Any, scale: float) -> None:
+    """A polyline: a vector or several, perhaps with heads of its own, or a hollow head."""
+    if entity.dxftype() == "LWPOLYLINE":
+        points = [_z(p, scale) for p in entity.vertices_in_wcs()]
+        rows = [(w[0], w[1], w[2]) for w in entity.get_points("seb")]
+        closed = bool(entity.closed)
+    else:
+        points = [_z(p, scale) for p in entity.points_in_wcs()]
+        rows = [(v.dxf.get("start_width", 0.0), v.dxf.get("end_width", 0.0), v.dxf.get("bulge", 0.0))
+                for v in entity.vertices]  # fmt: skip
+        closed = bool(entity.is_closed)
+    if head := head_of(points) if closed or (len(points) > 3 and abs(points[0] - points[-1]) < 1e-6) else None:
+        found.heads.append(head)
+        return
+    if any(row[2] for row in rows):  # arcs are no vectors
+        ring = [*points, points[0]] if closed else points
+        for a, b, row in zip(ring, ring[1:], rows, strict=False):
+            if not row[2]:
+                found.add([a, b])
+        return
+    if not closed and len(points) > 1:
+        points, heads = tapered(points, [(w[0], w[1]) for w in rows])
+        found.heads += heads
+    found.add(points, closed)
+
+
+def _head(found: Sketch, places: list[complex]) -> None:
+    if len(places) > 2 and (head := head_of(places)):
+        found.heads.append(head)
+
+
+def _boundary(entity: Any, path: Any, scale: float) -> list[complex]:
+    """Corners of a hatched figure."""
+    if hasattr(path, "vertices"):
+        corners = [(v[0], v[1]) for v in path.vertices]
+    else:
+        corners = [edge.start for edge in path.edges if hasattr(edge, "start")]
+    ocs = entity.ocs()
+    return [_z(ocs.to_wcs((x, y, 0)), scale) for x, y, *_ in corners]
+
+
+def _text(found: Sketch, entity: Any, scale: float) -> None:
+    """A line of text: where its lower left corner is depends on how it is aligned."""
+    along = cmath.rect(1, math.radians(entity.dxf.get("rotation", 0.0)))
+    across, up = entity.dxf.get("halign", 0), entity.dxf.get("valign", 0)
+    fitted = entity.dxf.get("align_point") if across in (3, 5) else None
+    placed = entity.dxf.get("align_point") if (across or up) and across not in (3, 5) else None
+    at = entity.ocs().to_wcs(placed if placed is not None else entity.dxf.insert)
+    height, text = entity.dxf.height * scale, entity.plain_text()
+    width = 0.7 * height * len(text.strip())
+    if fitted is not None:  # between two places
+        span = _z(fitted, scale) - _z(entity.dxf.insert, scale)
+        width, along = abs(span) or width, span / abs(span) if span else along
+    back = {1: 0.5, 2: 1.0, 4: 0.5}.get(across, 0.0) if placed is not None else 0.0
+    down = {2: 0.5, 3: 1.0}.get(up, 0.5 if across == 4 else 0.0) if placed is not None else 0.0
+    _words(found, text, _z(at, scale) - along * (width * back + 1j * height * down), height, along, width)
+
+
+def _words(found: Sketch, text: str, place: complex, height: float, along: complex, width: float) -> None:
+    if text.strip() and len(text) <= LONGEST:
+        found.words.append(Words(text.strip(), place, height, width, along))
+
+
+def _z(p: Any, scale: float) -> complex:
+    return complex(float(p[0]), float(p[1])) * scale

@@ -1,0 +1,89 @@
+"""Vectors of a force plan told one by one by their arrowheads and names, wherever on the plan they lie.
+
+A sheet may show more than the bare polygon: whole reactions beside their parts, inner reactions, lines of action; and
+forces of one line are drawn side by side. Then lines do not make up one chain, yet each arrow is a vector.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from planes.check.grading.bench import Bench
+from planes.check.grading.paper import Spot
+from planes.check.reading.chains import FAR_WORD, NEAR_MM, NO_WORD, TOO_FAR, UNLIKE, named_best, true_vectors
+from planes.check.reading.strokes import Sketch, Stroke, headed
+from planes.drafting.drawing import run
+from planes.words.names import POLE, at
+
+SHARE = 0.1  # a vector off by more of its length is not the true one
+REVERSED = 0.25  # how unlike a vector is its opposite
+NAMED = 2.0  # what unlikeness counts for where names are written: they stand beside their own arrows
+ALIKE, LEAST = 1.03, 0.2  # sizes worth trying differ by so much; the smallest, to what is stated
+OTHER = 3.0  # what it costs for the size to be other than it seems
+HEADLESS_MM = 2.0  # a shorter vector may be drawn without a head
+
+Costs = list[dict[str, float]]
+
+
+def lone_vectors(sketch: Sketch, bench: Bench) -> tuple[list[Spot], bool]:
+    """The plan's vectors, each as a row of its own, and whether nothing can have been overlooked."""
+    arrows = [s if sketch.ways[k] > 0 else s[::-1] for k in headed(sketch) if (s := sketch.strokes[k])]
+    bare = [s for stroke in sketch.strokes if abs(stroke[1] - stroke[0]) < HEADLESS_MM and stroke not in arrows
+            and stroke[::-1] not in arrows for s in (stroke, stroke[::-1])]  # fmt: skip
+    sides = true_vectors(bench)
+    names = _named([*arrows, *bare], sketch, bench, {**others(bench), **sides})
+    rows = [(n, a, b) for n, (a, b) in zip(names, [*arrows, *bare], strict=True) if n in sides]
+    spots = [Spot(n, z, sketch.error_mm) for name, a, b in rows for n, z in ((POLE, a), (name or "", b))]
+    seen = all(n in names for n, v in sides.items() if abs(v) < HEADLESS_MM)
+    return spots, bool(arrows) and all(names[: len(arrows)]) and seen
+
+
+def _named(
+    arrows: Sequence[Stroke], sketch: Sketch, bench: Bench, known: Mapping[str, complex]
+) -> list[str | None]:  # fmt: skip
+    """The arrows' names, at the size that explains them best: it is the drawer's choice."""
+    lengths = [abs(t) for t in known.values() if abs(t) > HEADLESS_MM]
+    sizes: list[float] = []
+    for ratio in sorted(abs(b - a) / t for a, b in arrows for t in lengths) if not bench.asked.mu else ():
+        if LEAST < ratio < 1 / LEAST and (not sizes or ratio > ALIKE * sizes[-1]):
+            sizes.append(ratio)
+    best: tuple[float, list[str | None]] | None = None
+    for size in (1.0, *sizes):
+        costs = _costs(arrows, sketch, bench, {n: t * size for n, t in known.items()})
+        names = named_best(costs)
+        price = sum(row[n] if n else TOO_FAR for n, row in zip(names, costs, strict=True)) + OTHER * (size != 1.0)
+        if best is None or price < best[0]:
+            best = price, names
+    return best[1] if best else []
+
+
+def others(bench: Bench) -> dict[str, complex]:
+    """Vectors that may be drawn beside the polygon's own: whole reactions, inner ones."""
+    plan, made = bench.asked.plan, run(bench.plans.program, bench.given)
+    return {s.name.replace("^", ""): complex(made[at(plan, s.end)] - made[at(plan, s.start)])
+            for s in bench.plans.segments if s.plan == plan}  # fmt: skip
+
+
+def _costs(arrows: Sequence[Stroke], sketch: Sketch, bench: Bench, known: Mapping[str, complex]) -> Costs:
+    """What it costs each arrow to have each name: how far its word stands, and how unlike the true vector it is."""
+    spelt = bench.written(known)
+    words = [(spelt.find(w.text), w) for w in sketch.words]
+    written = {n for n, _ in words if n and n != POLE}
+    out: Costs = []
+    for a, b in arrows:
+        near = {n: NO_WORD if n not in written else FAR_WORD for n in known}
+        for name, word in words:
+            far = min(word.distance(a + (b - a) * t / 8) for t in range(1, 8))
+            if name in near and far <= NEAR_MM:
+                near[name] = min(near[name], far)
+        unlike = {n: _unlike(b - a, t) for n, t in known.items()}
+        short = abs(b - a) < HEADLESS_MM  # without its head
+        out.append({n: near[n] + (NAMED if n in written else UNLIKE) * unlike[n] for n in known
+                    if not short or abs(known[n]) < HEADLESS_MM})  # fmt: skip
+    return [{n: c for n, c in row.items() if c < TOO_FAR} for row in out]
+
+
+def _unlike(v: complex, true: complex) -> float:
+    """How unlike a vector is the true one: hardly, if it is the true one reversed, for then its name must tell."""
+    back = abs(v + true) < abs(v - true)
+    return min(1.0, abs(v + true if back else v - true) / (SHARE * abs(true) + 1) + REVERSED * back)

@@ -1,0 +1,227 @@
+"""Which mark is which on a drawing: by the words beside it, else by where the plan leads from the marks found.
+
+A mark without a word is looked for where its step leads from the person's own earlier marks, rightly or by any
+mistake of the catalogue; what is nowhere stays unread.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+
+from planes.check.grading.bench import Bench, variants_of
+from planes.check.grading.handwork import Hand, Taken
+from planes.check.grading.paper import Paper, Spot
+from planes.check.reading.chains import MOST_LINES, force_chain
+from planes.check.reading.lone_vectors import lone_vectors
+from planes.check.reading.sizing import sized
+from planes.check.reading.strokes import LOOSE_MM, Nodes, Sketch, Words, covered, headed, hinged
+from planes.check.reading.words_near import Candidates, by_words, led, origin_of, pole_of
+from planes.drafting.drawing import run
+from planes.plans.scales import kind_of
+from planes.words import Phrase
+from planes.words.names import POLE, at, label_of
+from planes.words.spelling import Names
+
+POLE_MM = 2.7  # ends nearer than this to a printed pole are at it
+APART_MM = 0.7  # two marks nearer than this are one place
+WORDED = 0.6  # the share of marks with words from which on one without was not drawn
+USED = 4.0  # how strange it is, in mm from its word, for a mark to be where another one is
+DENSE = 80  # so many ends near one word leave nothing to choose by
+LOOSE = 0.2  # of how far joined ends are apart, the error of where they are
+ALONG = 0.7  # the share of a vector that must be drawn for its end to count
+
+
+def paper_of(sketch: Sketch, bench: Bench, pole: complex | None = None) -> Paper:
+    """The marks of a plan found on a sketch; its pole may be known beforehand."""
+    paper = Paper(sketch.file, whole=False)
+    if pole is not None:
+        sketch.strokes = [(_at(pole, a), _at(pole, b)) for a, b in sketch.strokes if _at(pole, a) != _at(pole, b)]
+    sketch = replace(sketch, words=[one for w in sketch.words for one in w.listed()])
+    if kind_of(bench.asked.plan) == "position":
+        sketch = hinged(sketch)
+        middles = [z for z, _ in sketch.rounds]
+        nodes = Nodes(sketch.strokes, LOOSE_MM if middles else None, points=middles)
+    else:
+        sketch.rounds = []
+        nodes = Nodes(sketch.strokes, vectors=headed(sketch))
+    sketch.error_mm = max(sketch.error_mm, LOOSE * nodes.near)
+    if not nodes.places:
+        paper.notes.append(Phrase("check_no_lines"))
+        return paper
+    labels = [label_of(m) for m in bench.marks]
+    near = by_words([*sketch.words, *led(sketch, nodes)], nodes, labels)
+    first = len(sketch.rounds) if len(sketch.rounds) >= len(labels) else nodes.corners if headed(sketch) else None
+    if first is not None:  # where marks are told from where lines merely cross or end
+        near = {n: {i: far for i, far in held.items() if i < first} or held for n, held in near.items()}
+    bench = sized(bench, sketch, nodes, near)
+    if kind_of(bench.asked.plan) == "force":
+        return _polygon(sketch, nodes, bench, paper)
+    if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):
+        paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))
+        return paper
+    find = origin_of if kind_of(bench.asked.plan) == "position" else pole_of
+    origin = pole if pole is not None else find(nodes, bench, near)
+    if origin is None:
+        return paper
+    places = _marks(bench, sketch, nodes, origin, near)
+    paper.spots = [Spot(POLE, origin, sketch.error_mm)]
+    paper.spots += [Spot(n, places[n], sketch.error_mm) for n in labels if n in places]
+    return paper
+
+
+def _polygon(sketch: Sketch, nodes: Nodes, bench: Bench, paper: Paper) -> Paper:
+    """The vectors of a force plan: as the chain they make up, else each by its arrowhead and name."""
+    paper = force_chain(sketch, nodes, bench, paper)
+    if not paper.whole and 0 < len(headed(sketch)) <= MOST_LINES:
+        rows, every = lone_vectors(sketch, bench)
+        if every or 2 * sum(not spot.name.startswith("?") for spot in paper.spots[1:]) <= len(rows):
+            paper.spots, paper.whole = rows, every
+    return paper
+
+
+def _at(pole: complex, z: complex) -> complex:
+    """An end so near the pole that it must be there."""
+    return pole if abs(z - pole) < POLE_MM else z
+
+
+def _marks(bench: Bench, sketch: Sketch, nodes: Nodes, origin: complex, near: Candidates) -> dict[str, complex]:
+    """Every mark in order of drawing, looked for where its word stands and where its step may lead."""
+    worded = len(near) >= WORDED * (len(bench.marks) + 1)
+    near = {n: dict(nodes_near) for n, nodes_near in near.items()}
+    for _ in range(len(bench.marks)):
+        desk = _Desk(bench, sketch, nodes, origin, _tips(sketch, nodes), worded)
+        for mark in bench.marks:
+            desk.look(mark, near.get(label_of(mark)))
+        better = desk.exchange()
+        if better is None:
+            break
+        del near[better[0]][better[1]]
+    return desk.found
+
+
+def _tips(sketch: Sketch, nodes: Nodes) -> set[int] | None:
+    """Nodes with an arrowhead, or with the circle of a point; None where too few have one for that to tell anything."""
+    if sketch.rounds:
+        found = (nodes.nearest(z, nodes.near) for z, _ in sketch.rounds)
+        return {i for i in found if i is not None}
+    vectors = headed(sketch)
+    return {nodes.ends[k, 1 if sketch.ways[k] > 0 else 0] for k in vectors} if vectors else None
+
+
+@dataclass
+class _Desk:
+    """A drawing on which marks are looked for, one after another."""
+
+    bench: Bench
+    sketch: Sketch
+    nodes: Nodes
+    origin: complex
+    tips: set[int] | None
+    worded: bool  # whether nearly every mark has its word, so that one without was most likely not drawn
+    found: dict[str, complex] = field(default_factory=dict)
+    costs: dict[str, dict[int, float]] = field(default_factory=dict)  # of every node near its word, by mark
+    odd: dict[str, set[int]] = field(default_factory=dict)  # those of them where another mark is, and should not be
+
+    @property
+    def used(self) -> list[complex]:
+        """Where marks are already."""
+        return [self.origin, *self.found.values()]
+
+    def look(self, mark: str, near: Mapping[int, float] | None) -> None:
+        """Find one mark by its word, else by where it should be, or by where a mistake would put it."""
+        plan, name = self.bench.asked.plan, label_of(mark)
+        taken = {at(plan, n): Taken(z - self.origin, self.sketch.error_mm) for n, z in self.found.items()}
+        place = self._place(taken, mark, name, near)
+        if place is not None:
+            self.found[name] = place
+
+    def exchange(self) -> tuple[str, int] | None:
+        """Of two marks at one node (it fits only one), the one that has another place nearly as good, and the node."""
+        taken: dict[int, str] = {}
+        for name, costs in self.costs.items():
+            node = min(costs, key=lambda i: costs[i])
+            if node in taken and node in self.odd.get(name, ()):
+                one, two = self._regret(taken[node], node), self._regret(name, node) + USED
+                if one < two:
+                    return taken[node], node
+            taken.setdefault(node, name)
+        return None
+
+    def _regret(self, name: str, node: int) -> float:
+        """What it costs a mark to go elsewhere."""
+        costs = self.costs[name]
+        return min((c for i, c in costs.items() if i != node), default=1e9) - costs[node]
+
+    def _place(
+        self, taken: Mapping[str, Taken], mark: str, name: str, near: Mapping[int, float] | None
+    ) -> complex | None:
+        hand = Hand(self.bench.program, self.bench.given, self.bench.asked.skill, taken)
+        miss = hand.miss(hand.things[mark], hand.number(mark))
+        reach = min(max(miss.reach(3.0), 1.2), 8.0)
+        guesses = [(self.origin + z, share * reach) for z, share in _guesses(self.bench, hand, mark)]
+        if near:
+            self.odd[name] = {i for i in near if self._strange(i, guesses)}
+            costs = self.costs[name] = {i: far + self._odd(i, guesses) for i, far in near.items()}
+            return self.nodes.places[min(costs, key=lambda i: costs[i])]
+        step = next(s for s in self.bench.program.steps if s.makes == mark)
+        starts = [self.origin, *(taken[n].place + self.origin for n in _starts(step) if n in taken)]
+        for guess, far in guesses[:1] if self.worded else guesses:
+            for i in self.nodes.within(guess, far):
+                z = self.nodes.places[i]
+                together = not self.worded and guess == guesses[0][0] and any(abs(u - guess) < far for u in self.used)
+                if (self._fresh(i) or together) and any(covered(self.sketch.strokes, s, z) >= ALONG for s in starts):
+                    return z
+        return None
+
+    def _fresh(self, node: int) -> bool:
+        return all(abs(self.nodes.places[node] - u) > APART_MM for u in self.used)
+
+    def _odd(self, node: int, guesses: list[tuple[complex, float]]) -> float:
+        """How strange it would be, in mm of distance from its word, for a mark to be at a node."""
+        z = self.nodes.places[node]
+        fits = [abs(z - guess) <= far for guess, far in guesses]
+        odd = 0.0 if fits[0] else 1.5 if any(fits) else 3.0
+        odd += USED if self._strange(node, guesses) else 0.0
+        return odd + (2.0 if self.tips is not None and node not in self.tips else 0.0)
+
+
+    def _strange(self, node: int, guesses: list[tuple[complex, float]]) -> bool:
+        """Whether another mark is at a node already, where the two should not be together."""
+        place, reach = guesses[0]
+        together = any(abs(u - place) < reach for u in self.used) and abs(self.nodes.places[node] - place) <= reach
+        return not self._fresh(node) and not together
+
+
+def _guesses(bench: Bench, hand: Hand, mark: str) -> Iterator[tuple[complex, float]]:
+    """Where a mark should be, and where each mistake would put it; with how far to look around."""
+    yield hand.number(mark), 1.0
+    for variant in variants_of(bench, hand, bench.said_mu):
+        if variant.blames == label_of(mark):
+            made = hand.under(variant).get(mark)
+            if made is not None:
+                yield complex(hand.tool.spread(made)[0]), 0.6
+
+
+def _starts(step: object) -> list[str]:
+    return [getattr(step, k) for k in ("start", "other", "end") if hasattr(step, k)]
+
+
+def scaled(
+    sketch: Sketch, bench: Bench, pole: complex | None, marks: Mapping[str, complex]
+) -> tuple[Sketch, str | None]:
+    """The sketch with its scale set by a named pole and a named vector; the vector's name."""
+    named = next(iter(marks), None)
+    if pole is None or named is None:
+        return sketch, None
+    name = Names(label_of(m) for m in bench.marks).find(named)
+    if name is None or abs(marks[named] - pole) == 0:
+        return sketch, None
+    truth = run(bench.program, bench.given)
+    factor = abs(truth[at(bench.asked.plan, name)]) / abs(marks[named] - pole)
+    words = [replace(w, place=(w.place - pole) * factor, height=w.height * factor, width=w.width * factor)
+             for w in sketch.words]  # fmt: skip
+    words.append(Words("p", 0j, 0.1, 0.1))
+    words += [Words(n, (z - pole) * factor, 0.1, 0.1) for n, z in marks.items()]
+    strokes = [((a - pole) * factor, (b - pole) * factor) for a, b in sketch.strokes]
+    return Sketch(sketch.file, strokes, words, sketch.error_mm, sketch.ways), name

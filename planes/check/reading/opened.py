@@ -1,0 +1,52 @@
+"""Files as people hand them in: of bounded size, and whatever a reading library breaks on is one sentence."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from planes.words import Phrase
+from planes.words.errors import PlanesError
+
+MB = 1_000_000
+
+
+def contents(path: str | Path, most: int) -> bytes:
+    """The bytes of a file of no more than ``most``; :class:`PlanesError` where it is none or is larger."""
+    file = Path(path)
+    try:
+        if file.exists() and not file.is_file():
+            raise PlanesError(Phrase("check_no_plain_file", file=str(path)))
+        with file.open("rb") as opened:
+            data = opened.read(most + 1)
+    except (OSError, ValueError) as error:
+        why = getattr(error, "strerror", None) or str(error)
+        raise PlanesError(Phrase("check_no_file", file=str(path), why=why)) from None
+    if len(data) > most:
+        raise PlanesError(Phrase("check_large_file", file=str(path), most=most // MB))
+    return data
+
+
+def too_many(file: str, what: str, most: int) -> PlanesError:
+    """A refusal of a file that holds more than any drawing of a plan; ``what`` is counted."""
+    return PlanesError(Phrase("check_too_many", file=file, what=Phrase(f"count_{what}"), most=most))
+
+
+@contextmanager
+def hushed() -> Iterator[None]:
+    """What libraries themselves print to the terminal while they decode goes nowhere."""
+    try:
+        kept = os.dup(2)
+    except OSError:  # there is no terminal
+        yield
+        return
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    try:
+        os.dup2(nowhere, 2)
+        yield
+    finally:
+        os.dup2(kept, 2)
+        os.close(kept)
+        os.close(nowhere)

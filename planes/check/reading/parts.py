@@ -1,0 +1,132 @@
+"""What stands on a page: lettering put aside, the rest as parts that hang together, each with the words near it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from planes.check.reading.strokes import Round, Sketch, Stroke, Words
+
+TOGETHER_MM = 2.3  # strokes no farther apart belong together: a force is drawn this far beside another one
+NEAR_WORD_MM = 12.0  # a word farther off names something else
+NEAR_ROUND_MM = 7.0  # a point beside its link
+MOST = 4000  # a page with more strokes is not taken apart
+LEAST_MM = 6.0  # a smaller part is a sign or a letter
+LETTER = 1.4  # how long a stroke of a letter may be, in heights of its word
+AROUND = 0.35  # how far beyond a word's box its letters may reach, in heights
+TOUCH_MM = 0.05
+INDEX = 0.95  # an index is no taller than this, in heights of the letter before it
+RISE = (-0.8, 1.2)  # where the foot of an index may be, in heights of its letter
+GAP = (-0.4, 0.5)  # how far from its letter it may stand
+
+
+def joined(words: Sequence[Words]) -> list[Words]:
+    """Words written in several pieces, a letter and its indices, as one each."""
+    out: list[tuple[Words, Words]] = []  # the first piece, and all of it
+    for word in words:
+        before = next((k for k in range(len(out) - 1, max(len(out) - 3, -1), -1) if _goes_on(*out[k], word)), None)
+        if before is None:
+            out.append((word, word))
+        else:
+            first, whole = out[before]
+            end = ((word.place - first.place) * first.along.conjugate()).real + word.width
+            text = whole.text + word.text
+            out[before] = first, Words(text, first.place, first.height, max(end, whole.width), first.along)
+    return [whole for _, whole in out]
+
+
+def _goes_on(first: Words, whole: Words, word: Words) -> bool:
+    """Whether a piece of text is an index of the word before it, or its second index."""
+    local = (word.place - first.place) * first.along.conjugate()
+    small = word.height < INDEX * first.height or set(word.text) <= set("'′’")
+    level = RISE[0] * first.height < local.imag < RISE[1] * first.height
+    along = abs(word.along - first.along) < 0.02 and any(
+        GAP[0] * first.height < local.real - end < GAP[1] * first.height for end in (first.width, whole.width))
+    return small and level and along
+
+
+def without_letters(sketch: Sketch) -> None:
+    """Strokes within the box of a word, that touch nothing beyond it, are the letters of that word."""
+    import numpy
+
+    if not sketch.strokes or not sketch.words:
+        return
+    ends = numpy.array(sketch.strokes + sketch.short)
+    length = abs(ends[:, 1] - ends[:, 0])
+    inside = numpy.zeros(len(ends), bool)
+    for word in sketch.words:
+        local, high = (ends - word.place) * word.along.conjugate(), word.height
+        over = AROUND * high
+        held = (local.real > -over) & (local.real < word.width + over) & (local.imag > -over - 0.35 * high)
+        inside |= (held & (local.imag < high + 2 * over)).all(axis=1) & (length < LETTER * high)
+    kept = _touched(ends, inside, [head.tip for head in sketch.heads]) | ~inside
+    count = len(sketch.strokes)
+    sketch.strokes = [s for s, good in zip(sketch.strokes, kept[:count], strict=True) if good]
+    sketch.short = [s for s, good in zip(sketch.short, kept[count:], strict=True) if good]
+
+
+def _touched(ends: Any, inside: Any, tips: Sequence[complex]) -> Any:
+    """Which strokes meet one that is no letter, or an arrowhead."""
+    import numpy
+
+    others = numpy.concatenate([ends[~inside].ravel(), numpy.array(list(tips), complex)])
+    found = numpy.zeros(len(ends), bool)
+    for k in numpy.flatnonzero(inside) if len(others) else ():
+        found[k] = min(abs(others - ends[k, 0]).min(), abs(others - ends[k, 1]).min()) < TOUCH_MM
+    return found
+
+
+def parts(sketch: Sketch) -> list[Sketch]:
+    """The sketch by pieces that hang together, those with most strokes first; what is smaller than a plan goes."""
+    if len(sketch.strokes) > MOST:
+        return []
+    import numpy
+    from shapely import STRtree
+
+    shapes = _shapes(sketch.strokes, sketch.rounds)
+    if not len(shapes):
+        return []
+    group = numpy.arange(len(shapes))
+    pairs = STRtree(shapes).query(shapes, predicate="dwithin", distance=TOGETHER_MM)
+    while True:
+        lower = group.copy()
+        numpy.minimum.at(lower, pairs[0], group[pairs[1]])
+        lower = lower[lower]
+        if (lower == group).all():
+            break
+        group = lower
+    groups = [numpy.flatnonzero(group[: len(sketch.strokes)] == k) for k in numpy.unique(group)]
+    found = [_part(sketch, held.tolist()) for held in groups if len(held) > 1]
+    return sorted((p for p in found if p is not None), key=lambda p: -len(p.strokes))
+
+
+def _shapes(strokes: Sequence[Stroke], rounds: Sequence[Round]) -> Any:
+    """Strokes as lines, circles as discs."""
+    import numpy
+    from shapely import linestrings, points
+
+    lines = linestrings([[(a.real, a.imag), (b.real, b.imag)] for a, b in strokes]) if strokes else []
+    discs = points([(z.real, z.imag) for z, _ in rounds]) if rounds else []
+    return numpy.array([*lines, *(disc.buffer(r) for disc, (_, r) in zip(discs, rounds, strict=True))], object)
+
+
+def _part(sketch: Sketch, held: list[int]) -> Sketch | None:
+    """Some of the strokes, with the words and circles near them."""
+    strokes = [sketch.strokes[k] for k in held]
+    xs, ys = [z.real for s in strokes for z in s], [z.imag for s in strokes for z in s]
+    if max(max(xs) - min(xs), max(ys) - min(ys)) < LEAST_MM:
+        return None
+    words, rounds = sketch.words, sketch.rounds
+    far = _distances(strokes, [w.middle for w in words])
+    words = [w for w, d in zip(words, far, strict=True) if d < NEAR_WORD_MM + w.width / 2]
+    rounds = [r for r, d in zip(rounds, _distances(strokes, [z for z, _ in rounds]), strict=True) if d < NEAR_ROUND_MM]
+    return Sketch(sketch.file, strokes, words, sketch.error_mm, [sketch.ways[k] for k in held] if sketch.ways else [],
+                  rounds=rounds)  # fmt: skip
+
+
+def _distances(strokes: Sequence[Stroke], places: Sequence[complex]) -> list[float]:
+    """How far places are from the nearest of some strokes."""
+    from shapely import MultiLineString, distance, points
+
+    lines = MultiLineString([[(a.real, a.imag), (b.real, b.imag)] for a, b in strokes])
+    return [float(d) for d in distance(points([(z.real, z.imag) for z in places]), lines)] if places else []

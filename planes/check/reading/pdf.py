@@ -1,0 +1,112 @@
+"""Strokes and words of a page of a PDF that is drawn in lines: its paths and texts as a picture of SVG."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+from planes.check.reading.opened import MB, contents
+from planes.check.reading.strokes import Sketch
+from planes.check.reading.svg import sketch_of
+
+LARGEST = 200 * MB
+MOST = 60_000  # objects of a page
+DEEPEST = 15  # forms within forms
+FEWEST = 4  # with fewer lines the page is a picture
+PICTURE = 0.5  # an image over so much of the page is what the page shows
+
+
+def read_pdf(path: str | Path, page: int = 0) -> Sketch | None:
+    """The strokes of a page in mm, y up; None where it shows a picture, or cannot be read."""
+    import pypdfium2
+
+    data = contents(path, LARGEST)
+    try:
+        document = pypdfium2.PdfDocument(data)
+    except pypdfium2.PdfiumError:
+        return None
+    try:
+        root = _tree(document[page]) if page < len(document) else None
+        return None if root is None else sketch_of(root, str(path))
+    finally:
+        document.close()
+
+
+def _tree(page: Any) -> ElementTree.Element | None:
+    """The page as an SVG: y down from its upper edge, in points."""
+    import pypdfium2.raw as pdf
+
+    width, height = page.get_size()
+    root = ElementTree.Element("svg", width=f"{width}pt", height=f"{height}pt", viewBox=f"0 0 {width} {height}")
+    box = page.get_mediabox()
+    turned = ElementTree.SubElement(root, "g", transform=f"matrix(1 0 0 -1 {-box[0]} {box[3]})")
+    words, count = page.get_textpage(), 0
+    for thing, _ in zip(page.get_objects(max_depth=DEEPEST), range(MOST), strict=False):
+        if thing.type == pdf.FPDF_PAGEOBJ_PATH:
+            count += _path(turned, thing)
+        elif thing.type == pdf.FPDF_PAGEOBJ_TEXT:
+            _text(turned, thing, words)
+        elif thing.type == pdf.FPDF_PAGEOBJ_IMAGE:
+            left, low, right, high = _bounds(thing)
+            if (right - left) * (high - low) > PICTURE * width * height:
+                return None
+    return root if count >= FEWEST else None
+
+
+def _path(root: ElementTree.Element, thing: Any) -> bool:
+    """A path with its looks; whether it is stroked."""
+    import pypdfium2.raw as pdf
+
+    fill, stroke = ctypes.c_int(), ctypes.c_int()
+    pdf.FPDFPath_GetDrawMode(thing, fill, stroke)
+    looks = {"stroke": "#000" if stroke.value else "none", "fill": "#000" if fill.value else "none"}
+    matrix = "matrix({})".format(" ".join(map(str, thing.get_matrix().get())))
+    ElementTree.SubElement(root, "path", looks, d=" ".join(_pieces(thing)), transform=matrix)
+    return bool(stroke.value)
+
+
+def _pieces(thing: Any) -> Iterator[str]:
+    """A path's pieces as an SVG writes them."""
+    import pypdfium2.raw as pdf
+
+    letters = {pdf.FPDF_SEGMENT_MOVETO: "M", pdf.FPDF_SEGMENT_LINETO: "L", pdf.FPDF_SEGMENT_BEZIERTO: "C"}
+    x, y, handles = ctypes.c_float(), ctypes.c_float(), list[str]()
+    for k in range(pdf.FPDFPath_CountSegments(thing)):
+        piece = pdf.FPDFPath_GetPathSegment(thing, k)
+        letter = letters.get(pdf.FPDFPathSegment_GetType(piece), "")
+        pdf.FPDFPathSegment_GetPoint(piece, x, y)
+        place = f"{x.value} {y.value}"
+        if letter == "C" and len(handles) < 2:
+            handles.append(place)
+            continue
+        yield f"{letter}{' '.join([*handles, place])}"
+        handles = []
+        if pdf.FPDFPathSegment_GetClose(piece):
+            yield "Z"
+
+
+def _text(root: ElementTree.Element, thing: Any, words: Any) -> None:
+    """A piece of text where it begins, upright in its own axes."""
+    import pypdfium2.raw as pdf
+
+    length = pdf.FPDFTextObj_GetText(thing, words, None, 0)
+    held, size = ctypes.create_string_buffer(max(length, 2)), ctypes.c_float()
+    pdf.FPDFTextObj_GetText(thing, words, ctypes.cast(held, ctypes.POINTER(ctypes.c_ushort)), length)
+    pdf.FPDFTextObj_GetFontSize(thing, size)
+    text = held.raw.decode("utf-16-le", "replace").rstrip("\0")
+    matrix = thing.get_matrix()
+    local = "matrix({}) scale(1 -1)".format(" ".join(map(str, matrix.get())))
+    looks = {"font-size": str(size.value), "transform": local}
+    left, _, right, _ = _bounds(thing)
+    if abs(matrix.b) < 1e-6 < abs(matrix.a):
+        looks["textLength"] = str((right - left) / abs(matrix.a))
+    ElementTree.SubElement(root, "text", looks).text = text
+
+
+def _bounds(thing: Any) -> tuple[float, float, float, float]:
+    """Left, bottom, right and top of an object, whatever the library's version calls them."""
+    found: tuple[float, float, float, float] = (thing.get_bounds if hasattr(thing, "get_bounds") else thing.get_pos)()
+    return found

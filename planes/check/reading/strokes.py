@@ -1,0 +1,243 @@
+"""Lines and words of a drawing, whatever it was read from: straight strokes in mm, y up, and texts with their boxes."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+from typing import NamedTuple
+
+from planes.check.reading.opened import too_many
+
+Stroke = tuple[complex, complex]
+Round = tuple[complex, float]  # the middle of a small circle, a hinge or a point, and its radius
+LONGEST_LIST = 40  # letters of names in a row
+ROUND_MM = 3.0  # a larger circle is no sign of a point
+SHORT_MM = 0.8  # shorter strokes are ticks, dots and pieces of letters
+SNAPPED_MM, LOOSE_MM, FARTHEST_MM = 0.1, 0.6, 2.0  # ends no farther apart are one: joined by a program, by eye, badly
+CROSSINGS = 400  # of more strokes than this crossings are not looked for
+MOST, MOST_SHORT = 12_000, 120_000  # strokes of a drawing, and pieces of letters: a plan has a few dozen strokes
+HEADED, FEWEST_HEADS = 0.25, 2  # of all lines, how many must have heads for that to tell the vectors from the rest
+CROWD = 0.03  # nodes per mm² beyond which any place would do for a mark
+
+
+class Head(NamedTuple):
+    """An arrowhead: its tip, the unit way it points, and how far back from its tip it is filled."""
+
+    tip: complex
+    way: complex
+    length: float = 0.0
+
+
+@dataclass(frozen=True)
+class Words:
+    """A piece of text: where its lower left corner is, its direction, height and width, mm."""
+
+    text: str
+    place: complex
+    height: float = 3.5
+    width: float = 0.0
+    along: complex = 1 + 0j
+
+    def listed(self) -> list[Words]:
+        """One for each name where several are written in a row: p, a, d, or F = R."""
+        names = [t.strip() for t in re.split("[,=]", self.text)] if len(self.text) <= LONGEST_LIST else []
+        return [replace(self, text=t) for t in names if t] or [self]
+
+    @property
+    def middle(self) -> complex:
+        """The middle of the text's box."""
+        return self.place + self.along * complex(self.width or self.height, self.height) / 2
+
+    def distance(self, z: complex) -> float:
+        """From a place to the text's box."""
+        local = (z - self.place) * self.along.conjugate()
+        width = self.width or 0.7 * self.height * max(len(self.text), 1)
+        return math.hypot(max(-local.real, 0.0, local.real - width), max(-local.imag, 0.0, local.imag - self.height))
+
+
+@dataclass
+class Sketch:
+    """What was found on a drawing. ``error_mm`` is how surely an end of a stroke is where it was found."""
+
+    file: str = ""
+    strokes: list[Stroke] = field(default_factory=list)
+    words: list[Words] = field(default_factory=list)
+    error_mm: float = 0.05
+    ways: list[int] = field(default_factory=list)  # which end of each stroke has a head: +1, -1, 0 unknown; or none
+    heads: list[Head] = field(default_factory=list)
+    short: list[Stroke] = field(default_factory=list)  # vectors if they have heads, else ticks and pieces of letters
+    mm: Callable[[complex], complex] = lambda z: z  # from the file's own units to mm, y up
+    rounds: list[Round] = field(default_factory=list)
+
+    def add(self, points: Sequence[complex], closed: bool = False) -> None:
+        """A polyline's strokes."""
+        line = [*points, points[0]] if closed and len(points) > 2 else list(points)
+        for a, b in pairwise(line):
+            if all(map(_finite, (a, b))) and abs(b - a) > 0.02:
+                (self.strokes if abs(b - a) >= SHORT_MM else self.short).append((a, b))
+        for held, most in ((self.strokes, MOST), (self.short, MOST_SHORT)):
+            if len(held) > most:
+                raise too_many(self.file, "strokes", most)
+
+
+def _finite(z: complex) -> bool:
+    return math.isfinite(z.real) and math.isfinite(z.imag)
+
+
+def headed(sketch: Sketch) -> list[int]:
+    """The strokes with arrowheads, where so many have one that a vector is told from a construction line by it."""
+    found = [k for k, way in enumerate(sketch.ways) if way]
+    return found if len(found) >= max(FEWEST_HEADS, HEADED * len(sketch.strokes)) else []
+
+
+def hinged(sketch: Sketch) -> Sketch:
+    """The sketch with strokes that end at the circle of a hinge drawn on to its middle."""
+
+    def on(z: complex) -> complex:
+        return next((c for c, r in sketch.rounds if abs(z - c) < r + LOOSE_MM / 2), z)
+
+    lines = [(on(a), on(b)) for a, b in sketch.strokes]
+    kept = [k for k, (a, b) in enumerate(lines) if a != b]
+    ways = [sketch.ways[k] for k in kept] if sketch.ways else []
+    return replace(sketch, strokes=[lines[k] for k in kept], ways=ways)
+
+
+def reach_of(strokes: Sequence[Stroke], vectors: Sequence[int] = ()) -> float:
+    """How far apart, mm, ends that are one place may be: hardly where a program joined them, more where the eye did.
+
+    Where ``vectors`` are known, their ends alone tell.
+    """
+    ends = [(k, z) for k, stroke in enumerate(strokes) for z in stroke]
+    if len(ends) > 2 * CROSSINGS:
+        return LOOSE_MM
+    asked = [(k, z) for k in vectors for z in strokes[k]] or ends
+    gaps = sorted(min((abs(z - w) for j, w in ends if j != k), default=math.inf) for k, z in asked)
+    joined = [g for g in gaps if g < FARTHEST_MM]
+    if sum(g < SNAPPED_MM for g in gaps) > 0.7 * len(gaps) or not joined:
+        return SNAPPED_MM if joined else LOOSE_MM
+    return min(max(LOOSE_MM, 1.3 * joined[int(0.9 * (len(joined) - 1))]), FARTHEST_MM)
+
+
+class Nodes:
+    """Places where strokes end or cross, those nearer than ``near`` (mm) taken for one.
+
+    Ends of vectors come first; of other lines only those that meet something are corners: the rest run on beyond
+    their crossing. Nothing but an end of its own kind moves a node.
+    """
+
+    def __init__(
+        self, strokes: Sequence[Stroke], near: float | None = None, vectors: Sequence[int] = (),
+        points: Iterable[complex] = (),
+    ) -> None:  # fmt: skip
+        self.near = near or reach_of(strokes, vectors)
+        self.places: list[complex] = []
+        self.weights: list[int] = []
+        self.cells: dict[tuple[int, int], list[int]] = defaultdict(list)
+        self.ends: dict[tuple[int, int], int] = {}
+        for z in points:
+            self._add(z)
+        plain = [k for k in range(len(strokes)) if k not in set(vectors)] if vectors else []
+        for k in vectors or range(len(strokes)):
+            self._stroke(k, strokes[k])
+        free = [k for k in plain if not all(self._met(strokes, k, j) for j in (0, 1))]
+        for k in plain:
+            if k not in free:
+                self._stroke(k, strokes[k], fixed=True)
+        self.corners = len(self.places)
+        for k in free:
+            self._stroke(k, strokes[k], fixed=True)
+        if len(strokes) <= CROSSINGS:
+            for z in crossings(strokes):
+                self._add(z, fixed=True)
+
+    def _stroke(self, k: int, stroke: Stroke, fixed: bool = False) -> None:
+        self.ends[k, 0] = self._add(stroke[0], fixed=fixed)
+        self.ends[k, 1] = self._add(stroke[1], but=self.ends[k, 0], fixed=fixed)  # a stroke has two ends
+
+    def _met(self, strokes: Sequence[Stroke], k: int, j: int) -> bool:
+        """Whether an end of a stroke meets an end of another one."""
+        z = strokes[k][j]
+        return bool(self.within(z, self.near)) or any(
+            abs(z - w) <= self.near for i, other in enumerate(strokes) if i != k for w in other)
+
+    def _add(self, z: complex, but: int = -1, fixed: bool = False) -> int:
+        found = next((i for i in self.within(z, self.near) if i != but), None)
+        if found is None:
+            self.places.append(z)
+            self.weights.append(1)
+            self.cells[self._cell(z)].append(len(self.places) - 1)
+            return len(self.places) - 1
+        weight = self.weights[found]
+        if not fixed:
+            self.places[found] = (self.places[found] * weight + z) / (weight + 1)
+        self.weights[found] += 1
+        return found
+
+    def _cell(self, z: complex) -> tuple[int, int]:
+        return math.floor(z.real / 4), math.floor(z.imag / 4)
+
+    def within(self, z: complex, reach: float) -> list[int]:
+        """Nodes no farther than ``reach``, the nearest first."""
+        if not _finite(z) or abs(z) > 1e6:
+            return []
+        cx, cy = self._cell(z)
+        steps = math.ceil(reach / 4) + 1
+        found = [i for dx in range(-steps, steps + 1) for dy in range(-steps, steps + 1)
+                 for i in self.cells.get((cx + dx, cy + dy), ()) if abs(self.places[i] - z) <= reach]  # fmt: skip
+        return sorted(found, key=lambda i: abs(self.places[i] - z))
+
+    def nearest(self, z: complex, reach: float) -> int | None:
+        """The nearest node, if any is that near."""
+        found = self.within(z, reach)
+        return found[0] if found else None
+
+    @property
+    def crowded(self) -> bool:
+        """Whether there are so many that anything would match."""
+        if len(self.places) < 60:
+            return False
+        xs, ys = [z.real for z in self.places], [z.imag for z in self.places]
+        area = max((max(xs) - min(xs)) * (max(ys) - min(ys)), 1.0)
+        return len(self.places) / area > CROWD or len(self.places) > 3000
+
+
+def crossings(strokes: Sequence[Stroke]) -> Iterable[complex]:
+    """Places where strokes cross inside each other."""
+    for i, (a, b) in enumerate(strokes):
+        u = b - a
+        for c, d in strokes[:i]:
+            w = d - c
+            turn = (u.conjugate() * w).imag
+            if abs(turn) < 0.05 * abs(u) * abs(w):
+                continue
+            s, t = ((c - a).conjugate() * w).imag / turn, ((c - a).conjugate() * u).imag / turn
+            if -0.01 <= s <= 1.01 and -0.01 <= t <= 1.01:
+                yield a + s * u
+
+
+def covered(strokes: Sequence[Stroke], a: complex, b: complex, reach: float = 0.9) -> float:
+    """The share of the way from ``a`` to ``b`` that some stroke runs along."""
+    way = b - a
+    length = abs(way)
+    if length < 2 * reach:
+        return 1.0
+    u = way / length
+    spans = []
+    for c, d in strokes:
+        p, q = (c - a) * u.conjugate(), (d - a) * u.conjugate()
+        if abs(p.imag) > reach and abs(q.imag) > reach and p.imag * q.imag > 0:
+            continue
+        if abs((q - p).imag) > 0.06 * abs(q - p) + reach or max(abs(p.imag), abs(q.imag)) > 4 * reach:
+            continue
+        low, high = sorted((p.real, q.real))
+        spans.append((max(low, 0.0), min(high, length)))
+    total, reached = 0.0, 0.0
+    for low, high in sorted(spans):
+        if high > max(low, reached):
+            total += high - max(low, reached)
+            reached = high
+    return total / length

@@ -1,0 +1,50 @@
+"""The plan among all that stands on a page: of the parts that hang together the one that is best read as it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from planes.check.grading.bench import Bench
+from planes.check.grading.grading import grade
+from planes.check.grading.paper import Paper
+from planes.check.reading.chains import true_vectors
+from planes.check.reading.matching import paper_of
+from planes.check.reading.parts import parts
+from planes.check.reading.strokes import Sketch
+from planes.plans.scales import kind_of
+from planes.words.errors import PlanesError
+from planes.words.names import POLE, label_of
+from planes.words.spelling import Names, tidy
+
+MOST = 6  # parts that are read
+OPEN = 2.0  # what it costs a force polygon not to close, in marks
+NAMED = 0.1  # what a name of the plan beside a part is worth, in marks drawn rightly
+
+
+def paper_on(sketch: Sketch, bench: Bench) -> Paper:
+    """The marks of the plan on a page that may show other things too."""
+    found = parts(sketch)
+    force = kind_of(bench.asked.plan) == "force"
+    known = bench.written(true_vectors(bench)) if force else Names(map(label_of, bench.marks))
+
+    def named(part: Sketch) -> int:
+        words = [one.text for w in part.words for one in w.listed()]
+        return len({n for w in words if (n := known.find(w)) and (n == POLE or tidy(n) == tidy(w))} - {None})
+
+    likely = sorted(found, key=named, reverse=True)[:MOST]
+    likely = [p for p in likely if 2 * named(p) >= named(likely[0])]
+    if len(likely) < 2:
+        return paper_of(likely[0] if likely else sketch, bench)
+    papers = [(paper_of(replace(part), bench), named(part)) for part in likely]
+    return max(papers, key=lambda p: _worth(bench, p[0]) + NAMED * p[1])[0]
+
+
+def _worth(bench: Bench, paper: Paper) -> float:
+    """How many marks of a paper are where their steps lead, less those that are not."""
+    try:
+        found = grade(bench, paper) if paper.spots else None
+    except PlanesError:
+        found = None
+    if found is None:
+        return -len(bench.marks)
+    return len(found.judgement.misses) - 2.0 * len(found.judgement.wrong) - OPEN * bool(found.gap_wrong)

@@ -1,0 +1,84 @@
+"""Words beside the nodes of a drawing: which marks may be where, and from them where the pole is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+
+from planes.check.grading.bench import Bench
+from planes.check.reading.parts import NEAR_WORD_MM
+from planes.check.reading.strokes import CROSSINGS, Nodes, Sketch, Words
+from planes.drafting.drawing import run
+from planes.words.names import POLE, label_of
+from planes.words.spelling import Names, tidy
+
+LEADER_MM = 2.5  # a line from a word ends so near it
+NEAR_POINT_MM = 1.5  # a point of a scheme is where it should be
+
+Candidates = dict[str, dict[int, float]]
+
+
+def by_words(words: Iterable[Words], nodes: Nodes, labels: Iterable[str]) -> Candidates:
+    """Nodes near the word of every mark, with the distance from the word."""
+    names, found = Names(labels), Candidates()
+    for word in words:
+        name = names.find(word.text)
+        if name is None or (tidy(word.text) != tidy(name) and name != POLE):
+            continue
+        for node in nodes.within(word.middle, NEAR_WORD_MM + word.width):
+            distance = word.distance(nodes.places[node]) + (2.0 if node >= nodes.corners else 0.0)
+            if distance <= NEAR_WORD_MM:
+                near = found.setdefault(name, {})
+                near[node] = min(distance, near.get(node, distance))
+    return found
+
+
+def led(sketch: Sketch, nodes: Nodes) -> Iterator[Words]:
+    """Words with a line from them to what they name, as if they stood there."""
+    places = nodes.places[: nodes.corners]
+    for k, stroke in enumerate(sketch.strokes if len(sketch.strokes) <= CROSSINGS else ()):
+        for j in (0, 1):
+            z, at_node = stroke[j], nodes.ends[k, 1 - j]
+            if nodes.weights[nodes.ends[k, j]] > 1 or at_node >= nodes.corners or (sketch.ways and sketch.ways[k]):
+                continue
+            if any(_between(w, *stroke) for i, w in enumerate(places) if i != at_node):
+                continue
+            yield from (replace(w, place=nodes.places[at_node], height=0.1, width=0.1)
+                        for w in sketch.words if w.distance(z) < LEADER_MM)  # fmt: skip
+
+
+def _between(z: complex, a: complex, b: complex) -> bool:
+    """Whether a place is on the way from a to b, not at its ends."""
+    local = (z - a) / (b - a) * abs(b - a)
+    return abs(local.imag) < LEADER_MM / 2 and LEADER_MM / 2 < local.real < abs(b - a) - LEADER_MM / 2
+
+
+def pole_of(nodes: Nodes, bench: Bench, near: Candidates) -> complex | None:
+    """The node from which the true plan would meet most nodes, one beside the word p if there is any."""
+    truth = run(bench.program, bench.given)
+    ends = [truth[m] for m in bench.marks if abs(truth[m]) > 1]
+    beside = near.get(POLE)
+    if not ends or (not beside and len(nodes.places) > 600):
+        return None
+    scores = []
+    for i in beside or range(len(nodes.places)):
+        z = nodes.places[i]
+        hits = sum(nodes.nearest(z + e, 2.5) is not None for e in ends)
+        scores.append((hits - (0.5 * beside[i] if beside else 0.0), nodes.weights[i], i))
+    best = max(scores)
+    return nodes.places[best[2]] if beside or best[0] >= max(2, 0.5 * len(ends)) else None
+
+
+def origin_of(nodes: Nodes, bench: Bench, near: Candidates) -> complex | None:
+    """The origin of a scheme's axes: so that the frame's points, then most others, stand beside their words."""
+    truth = {label_of(m): complex(run(bench.program, bench.given)[m]) for m in bench.marks}
+    places = [(nodes.places[i] - truth[n], far) for n, held in near.items() if n in truth for i, far in held.items()]
+    fixed = Names(bench.plans.mechanism.frame.points)
+
+    def worth(origin: complex, far: float) -> float:
+        off = {n: min(abs(nodes.places[i] - origin - z) for i in near[n]) for n, z in truth.items() if n in near}
+        return sum(len(off) if fixed.find(n) else 1.0 for n in off if off[n] < NEAR_POINT_MM) - 0.05 * far
+
+    if not places:
+        return pole_of(nodes, bench, near)
+    return max(places, key=lambda p: worth(*p))[0]

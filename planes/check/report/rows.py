@@ -1,0 +1,76 @@
+"""The outcome of a check as the object for programs: marks, results, the sentence in both languages."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from planes.check import Outcome
+from planes.check.grading.grading import close_call
+from planes.words import Lang, Phrase
+from planes.words.names import label_of
+
+
+def mark_rows(out: Outcome) -> list[dict[str, Any]]:
+    """The marks of the JSON (or the segments of a table of segments)."""
+    g = out.grading
+    if g is None:
+        return [_segment_row(s) for s in (out.segments.scored if out.segments else [])]
+    rows = []
+    for mark, verdict in g.verdicts.items():
+        own, miss = g.hand.taken.get(mark), g.judgement.misses.get(mark)
+        row: dict[str, Any] = {"mark": label_of(mark), "read_mm": None, "read_error_mm": None, "deviation_mm": None,
+                               "tolerance_mm": None, "verdict": verdict}  # fmt: skip
+        absent = g.rebuilt is not None and label_of(mark) in g.rebuilt.absent
+        if own and miss and not (absent and verdict == "right"):
+            free = g.free[mark]
+            sizes = {
+                "read_error_mm": own.error_mm, "deviation_mm": abs(free.off),
+                "tolerance_mm": free.reach(g.judgement.limit), "own_deviation_mm": abs(miss.off),
+                "own_tolerance_mm": miss.reach(g.judgement.limit),
+            }  # fmt: skip
+            row["read_mm"] = [round(own.place.real, 3), round(own.place.imag, 3)]
+            row |= {key: round(mm, 3) if math.isfinite(mm) else None for key, mm in sizes.items()}
+            if verdict == "right" and close_call(miss, g.judgement.limit):
+                row["warning"] = Phrase("check_close").told("en")
+        elif absent:
+            row["verdict"] = "unread"
+        if label_of(mark) == out.paper.scale_mark:
+            row["unjudged"] = "length"  # the scale was taken from it
+        rows.append(row)
+    return rows
+
+
+def _segment_row(s: Any) -> dict[str, Any]:
+    off = abs(abs(s.figure.given) - s.true)
+    row = {"mark": s.figure.name, "read_mm": s.figure.given, "read_error_mm": 0.35, "deviation_mm": round(off, 3),
+           "tolerance_mm": round(3 * s.sigma, 3), "verdict": s.verdict}  # fmt: skip
+    return row | ({"warning": Phrase("check_close").told("en")} if s.close else {})
+
+
+def result_rows(out: Outcome) -> list[dict[str, Any]]:
+    """The results of the JSON."""
+    rows = []
+    for s in out.results.scored if out.results else []:
+        row = {"name": s.figure.name, "given": s.figure.given, "true": s.true, "verdict": s.verdict}
+        row |= {"mistake": s.slip} if s.verdict == "wrong" else {}
+        rows.append(row | ({"warning": Phrase("check_close").told("en")} if s.close else {}))
+    return rows
+
+
+def as_json(out: Outcome, lang: Lang = "en") -> dict[str, Any]:
+    """The object ``planes check --json`` prints."""
+    asked, plans = out.bench.asked, out.bench.plans
+    value = float(out.bench.given[plans.drive_given])
+    unreadable = out.verdict == "unreadable"
+    unseen = [Phrase("check_unseen", names=", ".join(out.unseen))] if out.unseen and out.verdict == "right" else []
+    return {
+        "planes": 1, "scene": asked.scene.file, "variant": asked.scene.variant,
+        "phi_deg" if plans.mechanism.drive.kind == "phi" else "s": value,
+        "plan": asked.plan, "verdict": out.verdict, "marks": mark_rows(out),
+        "first_wrong": None if unreadable else out.first_wrong,
+        "mistake": out.mistake, "runner_up": None if unreadable else out.runner_up,
+        "sentence": {one: out.sentence.told(one) for one in ("ru", "en")},
+        "results": result_rows(out), "warnings": [n.told(lang) for n in (*out.notes, *unseen)],
+    }  # fmt: skip
+

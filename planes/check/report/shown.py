@@ -1,0 +1,149 @@
+"""Both plans as they are shown, each where it lies: a force polygon's order is free, so both in the person's own."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from planes.check import Outcome
+from planes.check.grading.bench import Bench
+from planes.check.grading.judging import WARN
+from planes.check.grading.paper import Spot
+from planes.check.grading.polygons import Side, sides_of
+from planes.drafting.drawing import run
+from planes.plans.scales import kind_of
+from planes.words.names import POLE, label_of, plan_of
+from planes.words.spelling import Names
+
+Vector = tuple[complex, complex]
+
+
+def vectors(bench: Bench) -> list[tuple[str, str]]:
+    """Vectors of the plan by the labels of their ends; of a scheme, its links."""
+    plan = bench.asked.plan
+    if kind_of(plan) == "force":
+        return [(s.start, s.end) for s in sides_of(bench.plans, plan)]
+    drawn = {POLE, *(label_of(m) for m in bench.marks)}
+    if plan == "position":
+        return _bars(bench, drawn)
+    found = dict.fromkeys((s.start, s.end) for s in bench.plans.segments if s.plan == plan and s.start != s.end)
+    return [pair for pair in found if set(pair) <= drawn]
+
+
+def _bars(bench: Bench, drawn: Collection[str]) -> list[tuple[str, str]]:
+    """Lines of a scheme: from point to point of a link, and along a link's guide to the slider on it."""
+    mechanism = bench.plans.mechanism
+    found = [p for link in mechanism.links.values() for p in pairwise(n for n in link.points if n in drawn)]
+    for link in mechanism.links.values():
+        if link.slides and link.slides.guide not in mechanism.frame.guides:
+            through = mechanism.guide(link.slides.guide).through_point
+            found += [(through, next(iter(link.points)))] if through else []
+    return [pair for pair in dict.fromkeys(found) if set(pair) <= set(drawn)]
+
+
+def own_marks(found: Outcome) -> dict[str, complex]:
+    """The person's own marks, mm from the pole."""
+    if found.grading is None:
+        return {}
+    plan = found.bench.asked.plan
+    return {label_of(m): t.place for m, t in found.grading.hand.taken.items() if plan_of(m) == plan}
+
+
+def true_marks(found: Outcome) -> dict[str, complex]:
+    """The right plan's marks at the drawing's scale, mm from the pole."""
+    bench = found.bench
+    truth = found.grading.truth if found.grading else run(bench.program, bench.given)
+    return {label_of(m): complex(truth[m]) for m in bench.marks}
+
+
+@dataclass(frozen=True)
+class Shown:
+    """Both plans as they are shown, mm from the pole: vectors, the person's marks, names that stand along vectors."""
+
+    own: list[Vector]
+    true: list[Vector]
+    marks: dict[str, complex]
+    along: dict[str, Vector]
+
+
+def shown_plans(found: Outcome) -> Shown:
+    """The person's plan where it lies, and the right one; force polygons both in the person's order."""
+    bench, own = found.bench, own_marks(found)
+    at_own, at_true = {POLE: 0j, **own}, {POLE: 0j, **true_marks(found)}
+    if kind_of(bench.asked.plan) != "force":
+        pairs = vectors(bench)
+        drawn = [(at_own[a], at_own[b]) for a, b in pairs if a in at_own and b in at_own]
+        return Shown(drawn, [(at_true[a], at_true[b]) for a, b in pairs], own, {})
+    sides = sides_of(bench.plans, bench.asked.plan)
+    order = own_order(found)
+    laid = own_sides(sides, found.paper.spots) if order else between(sides, at_own)
+    right = chained(order, at_true) if order else between(sides, at_true)
+    marks = {n: z for n, z in ends(laid).items() if n in own}
+    return Shown([(s.start, s.end) for s in laid], [(s.start, s.end) for s in right], marks,
+                 {s.side.name: (s.start, s.end) for s in laid})  # fmt: skip
+
+
+def leads(found: Outcome, shown: Mapping[str, complex]) -> list[Vector]:
+    """From each mark that is off, where it is shown, to where the construction from the person's own marks leads."""
+    if found.grading is None:
+        return []
+    misses, verdicts = found.grading.judgement.misses, found.grading.verdicts
+    off = {label_of(m): miss.off for m, miss in misses.items() if miss.sigmas > WARN
+           and not (verdicts[m] == "right" and miss.sigmas > found.grading.judgement.limit)}  # fmt: skip
+    return [(shown[n], shown[n] - by) for n, by in off.items() if n in shown]
+
+
+@dataclass(frozen=True)
+class Laid:
+    """A side where it lies, mm from the pole."""
+
+    side: Side
+    start: complex
+    end: complex
+
+
+def own_order(found: Outcome) -> list[Side]:
+    """A force polygon's sides as the person laid them, what is missing last; none where the pen was lifted."""
+    spots, grading = found.paper.spots, found.grading
+    if kind_of(found.bench.asked.plan) != "force" or grading is None or grading.rebuilt is None:
+        return []
+    sides = {s.name: s for s in sides_of(found.bench.plans, found.bench.asked.plan)}
+    names = Names(sides)
+    read = [names.find(spot.name) for spot in spots]
+    if POLE in read[1:] or read[0] != POLE:
+        return []
+    missing = (s.name for s in sides.values() if s.end in grading.rebuilt.absent)
+    return [sides[n] for n in dict.fromkeys([*read[1:], *missing]) if n in sides]
+
+
+def own_sides(sides: Sequence[Side], spots: Sequence[Spot]) -> list[Laid]:
+    """The vectors as they were read."""
+    by_name = {s.name: s for s in sides}
+    names, pole = Names(by_name), spots[0].place
+    rows = [(names.find(b.name), a.place - pole, b.place - pole) for a, b in pairwise(spots)]
+    return [Laid(by_name[name], a, b) for name, a, b in rows if name in by_name]
+
+
+def chained(order: Sequence[Side], places: Mapping[str, complex]) -> list[Laid]:
+    """The sides of another drawing of the polygon, by its marks, laid in that order."""
+    out, z = [], 0j
+    for side in order:
+        if side.start in places and side.end in places:
+            v = places[side.end] - places[side.start]
+            out.append(Laid(side, z, z + v))
+            z += v
+    return out
+
+
+def between(sides: Sequence[Side], places: Mapping[str, complex]) -> list[Laid]:
+    """The sides between their marks."""
+    return [Laid(s, places[s.start], places[s.end]) for s in sides if s.start in places and s.end in places]
+
+
+def ends(laid: Sequence[Laid]) -> dict[str, complex]:
+    """Where the marks stand: each at the end of the first side that leads to it."""
+    found: dict[str, complex] = {}
+    for one in laid:
+        found.setdefault(one.side.end, one.end)
+    return found

@@ -1,0 +1,52 @@
+"""The right plans as tracing paper: plain data for a page that lays them over a picture nobody sends anywhere."""
+
+from __future__ import annotations
+
+import shlex
+from dataclasses import replace
+from typing import Any
+
+from planes.check.grading.bench import Asked, Bench, known_plans, prepare
+from planes.check.grading.polygons import sides_of
+from planes.check.report.shown import vectors
+from planes.drafting.drawing import run
+from planes.plans.measuring import say_plan
+from planes.plans.scales import kind_of
+from planes.words import Lang
+from planes.words.names import POLE, label_of
+from planes.words.units import mu_text
+
+
+def tracing_data(asked: Asked, lang: Lang) -> dict[str, Any]:
+    """All plans of a scene, the one asked for first, mm from their poles."""
+    bench = prepare(asked)
+    others = [p for p in known_plans(bench.plans) if p != asked.plan]
+    benches = [bench, *(prepare(replace(asked, plan=p, mu=None)) for p in others)]
+    scene = asked.scene
+    return {
+        "title": scene.title.get(lang, "") or scene.file, "frame": scene.frame_number,
+        "plans": [_plan(b, lang) for b in benches],
+    }  # fmt: skip
+
+
+def _plan(bench: Bench, lang: Lang) -> dict[str, Any]:
+    plan, kind = bench.asked.plan, kind_of(bench.asked.plan)
+    truth = run(bench.program, bench.given)
+    marks = {label_of(m): complex(truth[m]) for m in bench.marks}
+    said = say_plan(plan, lang)
+    names = [(s.name, s.start, s.end) for s in sides_of(bench.plans, plan)] if kind == "force" else []
+    return {
+        "key": plan, "kind": kind, "title": f"{said[:1].upper()}{said[1:]}, μ = {mu_text(bench.said_mu, kind, lang)}",
+        "marks": {POLE: [0.0, 0.0], **{n: [round(z.real, 4), round(z.imag, 4)] for n, z in marks.items()}},
+        "far": max(marks, key=lambda n: abs(marks[n])), "vectors": vectors(bench), "names": names,
+        "command": _command(bench),
+    }  # fmt: skip
+
+
+def _command(bench: Bench) -> str:
+    """How to check the picture itself; the page puts in its name and the places of two points."""
+    asked, kind = bench.asked, bench.plans.mechanism.drive.kind
+    words = ["planes", "check", asked.scene.file, "⟦file⟧", "--plan", asked.plan]
+    words += ["--variant", asked.scene.variant] if asked.scene.variant else []
+    words += [f"--{kind}={asked.value:g}"] if asked.value is not None else []
+    return f"{shlex.join(words)} --pole ⟦pole⟧ --mark ⟦mark⟧".replace("'⟦file⟧'", "⟦file⟧")

@@ -1,0 +1,154 @@
+"""Every scene of a folder in every variant: what came out, how well the two balancing loads agree, and what did not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from planes.diagrams.summary import summary
+from planes.diagrams.working import FULL
+from planes.plans import Plans
+from planes.scene import Scene, load
+from planes.solving import Position, solve, told
+from planes.solving.tables import table
+from planes.solving.vectors import solve_vectors
+from planes.words import Lang, Phrase, say
+from planes.words.errors import PlanesError, guarded
+
+AGREE = 1e-9  # relative: how far the two balancing loads may be apart
+
+
+@dataclass(frozen=True)
+class Line:
+    """One variant of one scene. ``balancing`` and ``lever`` are N·m (N for a sliding driver), None without forces;
+    ``remarks`` are sentences: what the data lack, where it does not assemble, why it could not be solved."""
+
+    scene: str
+    variant: str
+    drive: str
+    solved: bool
+    balancing: float | None = None
+    lever: float | None = None
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def difference(self) -> float | None:
+        """How far the two loads are apart, relative to the larger."""
+        if self.balancing is None or self.lever is None:
+            return None
+        largest = max(abs(self.balancing), abs(self.lever))
+        return abs(self.balancing - self.lever) / largest if largest else 0.0
+
+    @property
+    def right(self) -> bool:
+        """Whether it is solved and the loads agree."""
+        return self.solved and (self.difference is None or self.difference <= AGREE)
+
+    def json(self) -> dict[str, Any]:
+        """The object for programs."""
+        return {"scene": self.scene, "variant": self.variant or None, "solved": self.solved,
+                "balancing": self.balancing, "lever": self.lever, "difference": self.difference,
+                "remarks": list(self.remarks)}  # fmt: skip
+
+
+def scenes_of(folder: str | Path) -> list[Path]:
+    """The scene files of a folder; a refusal in words if there is none."""
+    files = sorted(f for f in Path(folder).iterdir() if f.suffix in (".yaml", ".yml") and f.name != "course.yaml")
+    if not files:
+        raise PlanesError(Phrase("survey_empty", folder=str(folder)))
+    return files
+
+
+def lines_of(task: tuple[str, Lang, str | None]) -> tuple[Line, ...]:
+    """The lines of one file (path, language, the one variant asked for): its variants, or the scene itself."""
+    path, lang, only = task
+    name = Path(path).stem
+    try:
+        with guarded("check_broken", path):  # one scene never stops the others
+            variants = load(path).variants
+            if only and only not in variants:
+                return ()
+            return tuple(_line(load(path, v), name, v or "", lang) for v in ([only] if only else variants or (None,)))
+    except PlanesError as error:
+        return (Line(name, "", "", False, remarks=(error.told(lang),)),)
+
+
+def _line(scene: Scene, name: str, variant: str, lang: Lang) -> Line:
+    """One variant solved."""
+    missing = tuple(text for text in (scene.missing.get(lang, ""), *(d.told(lang) for d in scene.doubts)) if text)
+    if scene.mechanism is None:
+        solve_vectors(scene)
+        return Line(name, variant, "", True, remarks=missing)
+    drive = scene.mechanism.drive
+    at = f"{'φ' if drive.kind == 'phi' else 's'} = {told(drive.position, drive.kind, lang)}"
+    solved = solve(scene, lang=lang)
+    if not solved.positions:
+        return Line(name, variant, at, False, remarks=(*missing, solved.failed[0]["error"]))
+    remarks = (*missing, *_no_turn(scene, solved.plans, lang))
+    loads = _loads(solved.positions[0], solved.plans)
+    line = Line(name, variant, at, True, *loads, remarks=remarks)
+    if line.right:
+        return line
+    apart = say("survey_apart", lang, balancing=loads[0], lever=loads[1], most=AGREE)
+    return Line(name, variant, at, True, *loads, remarks=(*remarks, apart))
+
+
+def _loads(position: Position, plans: Plans) -> tuple[float | None, float | None]:
+    """The balancing load by the force plans and by the lever, None where there are no forces at all."""
+    forces = any(abs(complex(position.drawing[r.end] - position.drawing[r.start])) for r in plans.reactions.values())
+    if not forces:
+        return None, None
+    return float(position.drawing[plans.balancing]), float(position.drawing[plans.zhukovsky])
+
+
+def _no_turn(scene: Scene, plans: Plans, lang: Lang) -> Iterator[str]:
+    """A sentence where a turning driver cannot go all the way round."""
+    drive = plans.mechanism.drive
+    if drive.kind != "phi":
+        return
+    ranges = summary(scene, plans).ranges
+    starts = [*(low for low, _ in ranges[1:]), ranges[0][0] + FULL]
+    pairs = zip([high for _, high in ranges], starts, strict=True)
+    gaps = [(high % FULL, high % FULL + low - high) for high, low in pairs if low > high + 1e-9]
+    if not gaps:
+        return
+    said = tuple(Phrase("survey_gap", low=_angle(a, lang), high=_angle(b, lang)) for a, b in gaps)
+    yield say("survey_no_turn", lang, link=drive.link, ranges=said)
+
+
+def _angle(value: float, lang: Lang) -> str:
+    text = f"{value:.1f}".removesuffix(".0")
+    return f"{text.replace('.', ',') if lang == 'ru' else text}°"
+
+
+def report(lines: Sequence[Line], lang: Lang) -> str:
+    """A line for every variant, then what must be said of some, then the count."""
+    rows = [[x.scene, x.variant, x.drive, say("survey_yes" if x.solved else "survey_no", lang), *_numbers(x)]
+            for x in lines]  # fmt: skip
+    keys = ("survey_scene", "survey_variant", "survey_drive", "survey_solved", "survey_balancing", "survey_lever",
+            "survey_difference")  # fmt: skip
+    found = table(say("survey_title", lang), [say(k, lang) for k in keys], rows)
+    said = [f"{scene} ({', '.join(v)}): {text}" if any(v) else f"{scene}: {text}"
+            for (scene, text), v in remarks(lines).items()]  # fmt: skip
+    if said:
+        found += ["", say("survey_exceptions", lang), *said]
+    worst = max((x.difference for x in lines if x.difference is not None), default=0.0)
+    counts = {"count": len(lines), "solved": sum(x.solved for x in lines), "said": len(said),
+              "forces": sum(x.balancing is not None for x in lines)}  # fmt: skip
+    return "\n".join([*found, "", say("survey_count", lang, **counts, worst=f"{worst:.1e}")]).lstrip("\n") + "\n"
+
+
+def _numbers(line: Line) -> list[str]:
+    loads = [f"{x:.6g}" if x is not None else "—" for x in (line.balancing, line.lever)]
+    return [*loads, "—" if line.difference is None else f"{line.difference:.1e}"]
+
+
+def remarks(lines: Sequence[Line]) -> dict[tuple[str, str], list[str]]:
+    """The sentences, each with the variants it is said of."""
+    found: dict[tuple[str, str], list[str]] = {}
+    for line in lines:
+        for text in line.remarks:
+            found.setdefault((line.scene, text), []).append(line.variant)
+    return found

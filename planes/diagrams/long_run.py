@@ -1,0 +1,142 @@
+"""The command ``planes cycle``: a table of many positions, with a progress bar, and ranges that failed in words."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Protocol
+
+import numpy as np
+
+from planes.batch import Block, Cycle, Reason
+from planes.batch.streams import Heading, opened
+from planes.diagrams.turn import Turn
+from planes.drafting.drawing import run
+from planes.plans import Plans, state
+from planes.scene import Scene
+from planes.scene.ranges import Span
+from planes.solving import told
+from planes.words import Lang, Phrase, say
+from planes.words.errors import PlanesError, PlanFailure
+
+FULL_TURN = Span(0.0, 1.0, 361)
+TOLD = 20  # how many failed ranges are told in words
+
+
+class Named(Protocol):
+    """What stands over a column."""
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def unit(self) -> str: ...
+
+
+@dataclass
+class Gap:
+    """Successive positions that failed for one reason."""
+
+    code: int
+    first: float
+    last: float
+    count: int
+
+
+def write_cycle(
+    scene: Scene, values: Span | None, output: str, lang: Lang, fast: bool | None = None, errors: bool = False
+) -> int:
+    """Write the table, with ``errors`` the ± of every result after the results; the exit status."""
+    if scene.mechanism is None:
+        raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
+    plans = state(scene.mechanism, scene.file)
+    table = Cycle(plans, scene.find)
+    span = values or whole(plans)
+    blocks, columns = table.blocks(span, fast=fast), table.columns
+    if errors:
+        blocks = table.beside(blocks)
+        columns = [*columns, *(replace(c, name=f"± {c.name}") for c in columns)]
+    return _written(table, columns, table.reasons, blocks, len(span), output, lang)
+
+
+def write_curves(turn: Turn, values: Span | None, output: str, lang: Lang) -> int:
+    """Write a table of chosen curves, analogues among them if they are asked for; the exit status."""
+    span = values or whole(turn.plans)
+    return _written(turn.cycles[0][1], turn.curves, turn.reasons, turn.blocks(span), len(span), output, lang)
+
+
+def whole(plans: Plans) -> Span:
+    """The places that are tabulated when none are asked for: a full turn, or the one place of a slider."""
+    drive = plans.mechanism.drive
+    return FULL_TURN if drive.kind == "phi" else Span(drive.position, 0.0, 1)
+
+
+def _written(
+    table: Cycle, columns: Sequence[Named], reasons: tuple[Reason, ...], blocks: Iterator[Block], count: int,
+    output: str, lang: Lang,
+) -> int:  # fmt: skip
+    kind = table.plans.mechanism.drive.kind
+    drive = ("phi", "°") if kind == "phi" else ("s", "m")
+    gaps: list[Gap] = []
+    with opened(Path(output), Heading(drive, [(c.name, c.unit) for c in columns], reasons), count) as writer:
+        for block in progress(blocks, count, lang):
+            writer.write(block)
+            collect(gaps, block)
+    tell(table, reasons, gaps, kind, lang)
+    failed = sum(gap.count for gap in gaps)
+    print(say("cycle_done", lang, file=output, count=count, failed=failed), file=sys.stderr)
+    return 0 if failed < count else 2
+
+
+def progress(blocks: Iterator[Block], count: int, lang: Lang) -> Iterator[Block]:
+    """The blocks, with a bar where a person waits at a terminal."""
+    if not sys.stderr.isatty():
+        yield from blocks
+        return
+    from tqdm import tqdm
+
+    with tqdm(total=count, unit=f" {say('positions', lang)}", unit_scale=True, leave=False) as bar:
+        for block in blocks:
+            yield block
+            bar.update(len(block.values))
+
+
+def collect(gaps: list[Gap], block: Block) -> None:
+    """Join the failed positions of a block to the ranges found so far."""
+    codes: Any = block.codes
+    if not codes.any():
+        gaps.append(Gap(0, 0.0, 0.0, 0)) if gaps and gaps[-1].code else None
+        return
+    edges = np.flatnonzero(np.diff(codes)) + 1
+    for start, end in zip([0, *edges], [*edges, len(codes)], strict=True):
+        code, first, last = int(codes[start]), float(block.values[start]), float(block.values[end - 1])
+        if gaps and gaps[-1].code == code:
+            gaps[-1].last, gaps[-1].count = last, gaps[-1].count + int(end - start) * (code != 0)
+        else:
+            gaps.append(Gap(code, first, last, int(end - start) * (code != 0)))
+
+
+def tell(table: Cycle, reasons: tuple[Reason, ...], gaps: list[Gap], kind: str, lang: Lang) -> None:
+    """Say on stderr where and why positions failed."""
+    failed = [gap for gap in gaps if gap.code]
+    for gap in failed[:TOLD]:
+        first, last = (told(v, kind, lang) for v in (gap.first, gap.last))
+        name, why = "φ" if kind == "phi" else "s", reason(table, reasons, gap, lang)
+        print(say("cycle_failed", lang, name=name, first=first, last=last, count=gap.count, why=why), file=sys.stderr)
+    if len(failed) > TOLD:
+        print(say("cycle_more", lang, count=len(failed) - TOLD), file=sys.stderr)
+
+
+def reason(table: Cycle, reasons: tuple[Reason, ...], gap: Gap, lang: Lang) -> str:
+    """The sentence of the first position of a range, drawn by itself at full size."""
+    full = dict.fromkeys(table.mus, 1000.0)
+    try:
+        run(table.program, {**table.given, **full, table.plans.drive_given: gap.first})
+    except PlanFailure as failure:
+        return failure.sentence(lang)
+    why = reasons[gap.code - 1]
+    (block,) = table.blocks([gap.first], fast=False)
+    empty = (c.name for c, row in zip(table.columns, block.table, strict=True) if np.isnan(row[0]) and not c.beside)
+    return say("no_digits", lang, makes=why.makes or ", ".join(empty) or "…")

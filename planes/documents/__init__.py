@@ -1,0 +1,142 @@
+"""The roof over both houses: solves a scene, has its sheet composed, and writes the file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from planes.documents import sheets
+from planes.documents.graphs import constructions, views_beside
+from planes.documents.sheets import Drawn
+from planes.documents.turning import turned_once
+from planes.drafting.drawing import Drawing, painters
+from planes.scene import Reading, Scene
+from planes.scene.files import keep
+from planes.solving import Position
+from planes.solving.vectors import solve_vectors
+from planes.words import Lang, say
+from planes.words.errors import PlanesError
+from render.paper.faces import lettered
+from render.paper.fonts import face_of
+from render.sheet import Sheet
+from render.sheet.composer import Composer
+from render.sheet.single import Makers, Page, of_mechanism, of_scene_of_vectors, page
+from render.sheet.sizes import Sizes
+from render.sheet.traces import traced
+from render.views import stacked
+
+SUFFIXES = (".svg", ".pdf", ".png", ".dxf")
+
+
+def shown(drawing: Drawing) -> str | None:
+    """A drawing by itself as SVG: its plans with the lines they were found by."""
+    page_of = traced(drawing)
+    return page_of._repr_svg_() if page_of else None
+
+
+painters[:] = [shown]
+
+
+def draw_sheet(
+    scene: Scene, values: Iterable[float] | None, output: str, lang: Lang = "ru", number: int | None = None,
+    view: str | None = None, text: str = "text",
+) -> tuple[str, ...]:  # fmt: skip
+    """Draw the sheet of a scene into a file; :class:`PlanesError` in one sentence, and no file, if it cannot be.
+
+    Returns a sentence for each thing that must be said of it: what found no room, or cannot be seen or read.
+
+    ``number`` 1 or 2 is that sheet of a course project; without it everything stands on one page. ``view`` is one
+    view alone, without a frame. ``text`` "strokes" letters a DXF in strokes instead of texts.
+    """
+    path = Path(output)
+    if path.suffix.lower() not in SUFFIXES:
+        raise PlanesError(say("bad_suffix", lang, file=output, known=", ".join(SUFFIXES)))
+    drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
+    write(drawn, path, lang, text)
+    return drawn.warnings
+
+
+def draw_constructions(scene: Scene, sections: int, pole_mm: float | None, output: str, lang: Lang) -> None:
+    """Draw both graphical constructions of a scene, one beneath the other, into a file."""
+    composer = Composer(scene, lang)
+    with lettered(face_of(scene)):
+        both = stacked("graphical", constructions(scene, composer, sections, pole_mm), 20.0)
+        write(page({both.key: lambda: both}, both.key, composer), Path(output), lang)
+
+
+def picture(drawn: Scene | Position, view: str | None = None, lang: Lang = "ru") -> Page:
+    """One view (the scheme, unless another is named) of a scene, or of a position solved before, for a notebook.
+
+    A position is drawn as it is, by whatever instrument; what a scene says of its sheet is not known then.
+    """
+    if isinstance(drawn, Scene):
+        return view_of(drawn, view, None, lang)
+    mechanism = drawn.plans.mechanism
+    scene = Scene("", {}, {}, Reading(), mechanism, {}, (), (), drawn.scales, None, None, {})
+    return _page(_mechanism_views(scene, drawn, Composer(scene, lang)), view, Composer(scene, lang))
+
+
+def view_of(scene: Scene, view: str | None, values: Iterable[float] | None = None, lang: Lang = "ru") -> Page:
+    """One view of a scene on a page of its own, by name (the first, if none is named)."""
+    with lettered(face_of(scene)):
+        return _view_of(scene, view, values, lang)
+
+
+def _view_of(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> Page:
+    composer = Composer(scene, lang)
+    if scene.mechanism is None:
+        return _page(of_scene_of_vectors(solve_vectors(scene), composer), view, composer)
+    drawn = Drawn(replace(scene, find=None), values, lang)
+    return _page(_mechanism_views(drawn.scene, drawn.at(Sizes()), composer), view, composer)
+
+
+def _mechanism_views(scene: Scene, drawn: Position, composer: Composer) -> Makers:
+    more = views_beside(scene, drawn, composer)
+    return of_mechanism(drawn, composer, lambda: turned_once(scene, drawn.plans, composer, True), more)
+
+
+def _page(makers: Makers, view: str | None, composer: Composer) -> Page:
+    return page(makers, view or next(iter(makers)), composer)
+
+
+def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", number: int | None = None) -> Sheet:
+    """The composed sheet of one position, or of vectors alone, lettered as the scene says."""
+    with lettered(face_of(scene)):
+        return sheets.sheet_of(scene, values, lang, number)
+
+
+def write(sheet: Sheet | Page, path: Path, lang: Lang, text: str = "text") -> None:
+    """The sheet as a file in the format of its suffix."""
+    keep(rendered(sheet, path.suffix.lower(), lang, text), path)
+
+
+def rendered(sheet: Sheet | Page, suffix: str, lang: Lang, text: str = "text") -> bytes:
+    """The contents of the sheet's file; the same sheet gives the same bytes."""
+    match suffix:
+        case ".svg":
+            from render.files import svg
+
+            return svg.write(sheet.marks, sheet.size, sheet.title, lang=lang)
+        case ".pdf":
+            from render.files import pdf
+
+            return pdf.write(sheet.marks, sheet.size, sheet.title, lang=lang)
+        case ".dxf":
+            found: bytes = _dxf(lang).write(sheet.marks, sheet.size, sheet.title, lang=lang, text=text)
+            return found
+        case _:
+            from render.files import png
+
+            return png.write(sheet.marks, sheet.size, sheet.title)
+
+
+def _dxf(lang: Lang) -> Any:
+    """The writer of DXF, if ezdxf is installed."""
+    if find_spec("ezdxf") is None:
+        raise PlanesError(say("needs_ezdxf", lang))
+    from render.files import dxf
+
+    return dxf

@@ -1,0 +1,97 @@
+"""The command ``planes chart``: measures the methods on a scene and has the charts drawn, with their table."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+from planes.accuracy.limits import Limit
+from planes.accuracy.methods import Method, front, machine, measure
+from planes.accuracy.peers import installed, version
+from planes.accuracy.stability import Approach, approach
+from planes.plans import state
+from planes.scene import Scene
+from planes.scene.files import save
+from planes.scene.mechanism import Mechanism
+from planes.solving import told
+from planes.words import Lang, Phrase, say
+from planes.words.errors import PlanesError
+from render.charts.chart_files import METADATA
+from render.charts.method_charts import Spot, Ways, draw
+
+
+def draw_chart(scene: Scene, output: str, table: str | None, lang: Lang) -> None:
+    """Draw speed against accuracy, and stability, into a file."""
+    path = Path(output)
+    if path.suffix.lower() not in METADATA:
+        raise PlanesError(Phrase("chart_suffix", file=output, suffixes=", ".join(METADATA)))
+    if scene.mechanism is None:
+        raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
+    plans = state(moving(scene.mechanism), scene.file)
+    methods, way = measure(plans), approach(plans)
+    ways = None if way is None else _ways(way, lang)
+    target = output
+    try:
+        draw(path, scene.title.get(lang, ""), _spots(methods), _spots(front(methods)), ways, _seconds(lang), lang)
+        if table:
+            target = table
+            save(text(methods, way, lang).encode(), table)
+    except OSError as error:
+        raise PlanesError(Phrase("cannot_write", file=target, reason=error.strerror or "")) from None
+
+
+def moving(mechanism: Mechanism) -> Mechanism:
+    """The mechanism, a driver at rest moving by 1 rad/s or 1 m/s: nothing is to be seen of velocities that are 0."""
+    drive = mechanism.drive
+    return mechanism if drive.velocity else replace(mechanism, drive=replace(drive, velocity=1.0))
+
+
+def _ways(way: Approach, lang: Lang) -> Ways:
+    names = {key: name_of(key, lang) for key in way.errors}
+    title = say(f"chart_{way.limit.kind}", lang)
+    return Ways(title, axis(way.limit, lang), way.distances, way.sharpness, way.claim, way.errors, names)
+
+
+def name_of(key: str, lang: Lang) -> str:
+    """A method in words."""
+    tool = key.removeprefix("method_")
+    return say(key, lang, number=version(tool) if tool in installed() else "30")
+
+
+def axis(limit: Limit, lang: Lang) -> str:
+    """What distances to a limit are, in words."""
+    way, value = limit.way, f"{round(float(limit.value), 12):.7g}".replace("-", "−")
+    kind = way.bench.plans.mechanism.drive.kind
+    if way.held is None:
+        return say(f"chart_distance_{kind}", lang, value=value)
+    letter, held = ("φ", math.remainder(way.held, 360)) if kind == "phi" else ("s", way.held)
+    drive = f"{letter} = {told(held, kind, lang)}".replace("-", "−")
+    key, name = ("length", way.name) if way.unit == "1" else ("angle", way.name.removeprefix("angle_∥"))
+    return say(f"chart_distance_{key}", lang, name=name, value=value, here=f"{way.here:.6g}", drive=drive)
+
+
+def _seconds(lang: Lang) -> str:
+    name, cores = machine()
+    return say("chart_seconds", lang) + "\n" + say("chart_machine", lang, name=name, cores=cores)
+
+
+def _spots(methods: list[Method]) -> list[Spot]:
+    return [Spot(m.key, m.number, m.seconds, m.error) for m in methods]
+
+
+def text(methods: list[Method], way: Approach | None, lang: Lang) -> str:
+    """The numbers of both charts as CSV."""
+    best = front(methods)
+    lines = [f"{say('chart_method', lang)},s,{say('chart_error_short', lang)},{say('chart_front', lang)}"]
+    for m in methods:
+        name = say(m.key, lang, number=m.number)
+        lines.append(f'"{name}",{m.seconds:.4g},{m.error:.4g},{int(m in best)}')
+    if way is not None:
+        names = [name_of(key, lang) for key in way.errors]
+        heads = [axis(way.limit, lang), say("chart_sharpness", lang), say("chart_claim", lang), *names]
+        lines += ["", ",".join(f'"{h}"' for h in heads)]
+        for k, distance in enumerate(way.distances):
+            numbers = [distance, way.sharpness[k], way.claim[k], *(e[k] for e in way.errors.values())]
+            lines.append(",".join("" if x != x else f"{x:.4g}" for x in numbers))
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,188 @@
+"""The roof over checking: blanks to draw on, reports of checked drawings, a whole class as a table."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote
+
+from planes.check import Outcome, report
+from planes.check.fiducials import SHEET_MM, SIDE_MM, cells, centres
+from planes.check.grading.bench import Asked, prepare
+from planes.check.report.classes import Checked, Group
+from planes.check.report.rows import as_json, mark_rows
+from planes.check.report.shown import leads, shown_plans
+from planes.check.report.tracing_paper import tracing_data
+from planes.check.sight.photograph import blank_pole
+from planes.plans.measuring import say_plan
+from planes.plans.scales import kind_of
+from planes.scene import Scene
+from planes.scene.files import save
+from planes.words import Lang, Phrase, say
+from planes.words.errors import PlanesError
+from planes.words.names import POLE
+from planes.words.units import mu_text
+from render.files import pdf, png, svg
+from render.page import check_page, class_page, trace_page
+from render.paper.names import Naming
+from render.paper.numbers import decimal
+from render.paper.photo import Photo
+from render.sheet import blank, check_sheet
+
+TRACE_WORDS = (
+    "open", "plan", "by", "layer_plan", "layer_names", "picture", "paper", "zoom", "pole", "turned", "scale", "hint",
+    "check", "not_picture",
+)  # fmt: skip
+MOST_COMMON = 8  # mistakes of a class that are listed
+PAGE_WORDS = ("own", "next", "truth", "picture", "save", "reset", "moved", "steps", "numbers", "drag", "noscript")
+
+
+def write_blank(asked: Asked, output: str, lang: Lang) -> None:
+    """A sheet to draw a plan on, as PDF, SVG or PNG."""
+    marks, title = blank_marks(asked, lang)
+    _write(marks, title, output, lang)
+
+
+def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Any], str]:
+    """The marks of a sheet to draw a plan on, and its title; ``more`` lines stand beneath it."""
+    bench = prepare(asked)
+    title = asked.scene.title.get(lang, "") or asked.scene.file
+    mu = decimal(mu_text(bench.said_mu, kind_of(asked.plan), lang), lang)
+    squares = [(z, cells(k), SIDE_MM) for k, z in enumerate(centres(SHEET_MM))]
+    texts = [f"{say_plan(asked.plan, lang)}, μ = {mu}", title, *more]
+    return blank.compose(SHEET_MM, squares, blank_pole(bench), texts), title
+
+
+def _write(marks: list[Any], title: str, output: str, lang: Lang, under: Photo | None = None) -> None:
+    suffix = Path(output).suffix.lower()
+    writers = {".svg": svg.write, ".pdf": pdf.write}
+    try:
+        if suffix in writers:
+            writers[suffix](marks, SHEET_MM, title, output, lang=lang, under=under)
+        elif suffix == ".png":
+            png.write(marks, SHEET_MM, title, output, under=under)
+        else:
+            raise PlanesError(Phrase("check_output", file=output))
+    except OSError as error:
+        raise PlanesError(Phrase("cannot_write", file=output, reason=error.strerror or str(error))) from None
+
+
+def write_trace(asked: Asked, output: str, lang: Lang) -> None:
+    """The right plans as a page to lay over a picture."""
+    words = {k: say(f"trace_{k}", lang) for k in TRACE_WORDS}
+    write_text(trace_page.page(tracing_data(asked, lang), words, lang), output)
+
+
+def write_report(found: Outcome, output: str, lang: Lang) -> None:
+    """The report by the file's suffix: a page, a sheet, a picture or the object."""
+    suffix = Path(output).suffix.lower()
+    if suffix == ".json":
+        write_text(json.dumps(as_json(found, lang), ensure_ascii=False, allow_nan=False), output)
+    elif suffix in (".html", ".htm"):
+        words = {k: say(f"check_page_{k}", lang) for k in PAGE_WORDS}
+        write_text(check_page.page(report.page_data(found, lang), words, lang), output)
+    else:
+        marks, photo = check_sheet.compose(SHEET_MM, _overlay(found, lang))
+        _write(marks, report.title(found, lang), output, lang, photo)
+
+
+def write_class(group: Group, output: str, lang: Lang) -> None:
+    """The drawings of a class as a page; into a folder, with the report of each beside it."""
+    target = Path(output)
+    if not target.suffix:
+        try:
+            target.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise PlanesError(Phrase("cannot_write", file=output, reason=error.strerror or str(error))) from None
+        for one in group.all:
+            if one.found:
+                one.report = f"{one.file}.html"
+                write_report(one.found, str(target / one.report), lang)
+        output = str(target / "index.html")
+    counts = Counter(one.verdict for one in group.all)
+    common: dict[str, list[tuple[str, str]]] = {}
+    for one in group.all:
+        if one.found and one.found.mistake:
+            common.setdefault(_unmarked(one, lang), []).append((Path(one.file).stem, quote(one.report)))
+    often = sorted(common.items(), key=lambda said: -len(said[1]))[:MOST_COMMON]
+    told = [(say(f"verdict_{v}", lang), counts[v]) for v in ("right", "wrong", "unreadable")]
+    head = [say(k, lang) for k in ("check_file", "check_verdict", "check_mark", "check_first")]
+    rows = [(one.verdict, quote(one.report), [*one.row(lang)[:-1], _unmarked(one, lang)]) for one in group.all]
+    words = {"common": say("check_common", lang)}
+    title = f"{say('check_class', lang)}: {group.title}"
+    write_text(class_page.page(title, told, often, head, rows, words, lang), output)
+
+
+def _unmarked(one: Checked, lang: Lang) -> str:
+    """What is said of a drawing without its mark, which has a column of its own."""
+    said: str = one.said(lang)
+    return said.removeprefix(f"{one.first}: ") if one.first else said
+
+
+def write_text(text: str, output: str) -> None:
+    """A file of text, whole or not at all, or a sentence why not."""
+    try:
+        save(text.encode(), output)
+    except OSError as error:
+        raise PlanesError(Phrase("cannot_write", file=output, reason=error.strerror or str(error))) from None
+
+
+def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:
+    """What a sheet shows: both plans, the table and the sentence."""
+    kind, naming = kind_of(found.bench.asked.plan), _naming(found, lang)
+    verdicts = {r["mark"]: r["verdict"] for r in mark_rows(found)}
+
+    def name(label: str) -> str:
+        return naming.vector(_upper(label)) if kind == "force" and label != POLE else naming.mark(label, kind)
+
+    first, said = found.first_wrong or "", found.sentence.told(lang)
+    told = name(first) if first in verdicts else naming.vector(first)
+    shown = shown_plans(found)
+    photo = Photo(found.paper.picture, found.paper.box) if found.paper.picture and found.paper.box else None
+    return check_sheet.Overlay(
+        own=shown.own, true=shown.true if _stands(photo) else [], next=leads(found, shown.marks),
+        marks={name(n): (z, verdicts.get(n, "right")) for n, z in shown.marks.items()},
+        along={name(n): v for n, v in shown.along.items()},
+        pole=name(POLE), title=report.title(found, lang), tables=_tables(found, name, naming),
+        sentence=said.replace(f"{first}:", f"{told}:", 1) if first else said,
+        legend=(say("check_page_own", lang), say("check_page_truth", lang), say("check_page_next", lang)),
+        reduced=say("check_reduced", lang, n="{n}"), lines=kind == "position",
+        notes=[n.told(lang) for n in found.notes], photo=photo, lang=lang,
+    )  # fmt: skip
+
+
+def _stands(photo: Photo | None) -> bool:
+    """Whether a plan can be laid on a picture: its pole must be known, or it stands at the very corner."""
+    return photo is None or (photo.box[0] < -1 and photo.box[1] < -1)
+
+
+def _tables(found: Outcome, name: Callable[[str], str], naming: Naming) -> list[check_sheet.Table]:
+    """The steps, and the results that were written down."""
+    lang = naming.lang
+    head = [say(k, lang) for k in ("check_mark", "check_deviation", "check_tolerance", "check_verdict")]
+    rows = [[name(label), off, limit, told]
+            for _, label, off, limit, _, told in report.rows_of(found, lang)]  # fmt: skip
+    numbers = [[naming.vector(n), decimal(given, lang), decimal(true, lang), told.partition(":")[0]]
+               for _, n, given, true, told in report.numbers_of(found, lang)]  # fmt: skip
+    return [(head, rows), (report.heads(lang)[1], numbers)]
+
+
+def _naming(found: Outcome, lang: Lang) -> Naming:
+    return _naming_of(found.bench.asked.scene, lang)
+
+
+def _naming_of(scene: Scene, lang: Lang) -> Naming:
+    return Naming(lang, scene.frame_number, scene.sheet.get("reactions") == "from-on")
+
+
+def spelling(scene: Scene, lang: Lang) -> Callable[[str], str]:
+    """How the sheets of a scene letter the vectors of its force plans."""
+    return _naming_of(scene, lang).vector
+
+
+def _upper(name: str) -> str:
+    """F_21t as the vector it is, F_21^t."""
+    return f"{name[:-1]}^{name[-1]}" if name.startswith("F_") and name[-1] in "tn" else name

@@ -1,0 +1,159 @@
+"""The documents of one student, made by any worker: plain data in, the contents of files out."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from planes.check.fiducials import SHEET_MM
+from planes.check.grading.bench import Asked
+from planes.course import Course
+from planes.course.fingerprint import fingerprint
+from planes.course.papers import answers, task
+from planes.course.settling import slip
+from planes.course.showing import clearest
+from planes.documents import rendered, sheet_of
+from planes.documents.check import blank_marks
+from planes.documents.lesson import figures, note, placed, set_note
+from planes.lesson.data import lesson_data
+from planes.lesson.note import Block
+from planes.plans.scales import FIT_MM
+from planes.scene import Scene, loads
+from planes.solving import Position, position
+from planes.words import Lang, Phrase
+from planes.words.errors import PlanesError
+from render.files import pdf
+from render.page.lesson_page import page
+from render.sheet import Sheet
+from render.sheet.composer import Composer
+
+FIGURE_MM = 75.0  # of the scheme on a task: with the table it leaves room for the rest of the page
+_ONE = threading.Lock()  # a worker may have several threads; the libraries that draw like one better
+
+
+@dataclass(frozen=True)
+class Order:
+    """What is to be made of a student's scene: the names of ``files``, what stands above them, plans of blanks."""
+
+    scene: str
+    heads: tuple[str, ...]
+    used: tuple[str, ...]
+    files: tuple[str, ...]
+    plans: tuple[str, ...]
+    lang: Lang
+    program: str = ""
+
+
+@dataclass(frozen=True)
+class Made:
+    """The contents of files by name; of those that could not be made, the sentence why; ``said``: what must be said of
+    those that were."""
+
+    files: dict[str, bytes] = field(default_factory=dict)
+    faults: dict[str, str] = field(default_factory=dict)
+    said: dict[str, tuple[str, ...]] = field(default_factory=dict)
+
+
+def names_of(course: Course) -> dict[str, str]:
+    """The files each student gets: name -> the folder it is in, "students" or "teacher"."""
+    sheets = [f"sheet-{n}.{f}" for n in (1, 2) for f in course.formats]
+    known = {"task": ["task.pdf"], "blank": ["blank.pdf"], "key": ["key.pdf"], "sheets": sheets,
+             "lesson": ["lesson.html"], "note": ["note.pdf"]}  # fmt: skip
+    return {n: "students" if d in ("task", "blank") else "teacher" for d in course.documents for n in known[d]}
+
+
+def make(order: Order) -> Made:
+    """Every file asked for; one that cannot be made does not stop the rest."""
+    if order.program and order.program != fingerprint():
+        fault = Phrase("course_other_program").told(order.lang)
+        return Made({}, dict.fromkeys(order.files, fault))
+    made, desk = Made(), Desk(order)
+    with _ONE:
+        for name in order.files:
+            try:
+                made.files[name] = desk.file(name)
+                made.said[name] = desk.said(name)
+            except PlanesError as error:
+                made.faults[name] = error.told(order.lang)
+            except Exception as error:  # a slip of the program: the others still get theirs
+                made.faults[name] = slip(error, order.lang)
+    return made
+
+
+@dataclass
+class Desk:
+    """Where one student's documents are made; what several of them need is made once."""
+
+    order: Order
+    sheets: dict[int, Sheet] = field(default_factory=dict)
+
+    @cached_property
+    def scene(self) -> Scene:
+        """The student's scene."""
+        return loads(self.order.scene, "scene.yaml")
+
+    @cached_property
+    def drawn(self) -> Position:
+        """The position the student works with."""
+        return placed(self.scene, None, self.order.lang)
+
+    def file(self, name: str) -> bytes:
+        """The contents of one file."""
+        if sheet := self.sheet(name):
+            return rendered(sheet, f".{name.rpartition('.')[2]}", self.order.lang)
+        return _MAKERS[name](self)
+
+    def said(self, name: str) -> tuple[str, ...]:
+        """What must be said of a file."""
+        sheet = self.sheet(name)
+        return sheet.warnings if sheet else ()
+
+    def sheet(self, name: str) -> Sheet | None:
+        """The sheet that a file shows, if it is one."""
+        stem = name.rpartition(".")[0]
+        if not stem.startswith("sheet-"):
+            return None
+        number = int(stem[-1])
+        if number not in self.sheets:
+            self.sheets[number] = sheet_of(self.scene, None, self.order.lang, number)
+        return self.sheets[number]
+
+    def task(self) -> bytes:
+        """The sheet of the task, its scheme drawn in another position."""
+        plans = self.drawn.plans
+        other, fits = clearest(plans, self.drawn.value), {**FIT_MM, "position": FIGURE_MM}
+        shown = position(self.scene, plans, None, other, None, self.order.lang, fits)
+        blocks = list(task(self.scene, self.drawn, self.order.heads, self.order.used, self.order.lang))
+        return self.set(blocks, shown)
+
+    def key(self) -> bytes:
+        """The answers to be read."""
+        return self.set(list(answers(self.scene, self.drawn, self.order.heads, self.order.used, self.order.lang)))
+
+    def set(self, blocks: list[Block], shown: Position | None = None) -> bytes:
+        """Blocks as a PDF."""
+        composer = Composer(self.scene, self.order.lang)
+        return set_note(blocks, figures(blocks, composer, shown or self.drawn), composer.naming, ".pdf")
+
+    def blank(self) -> bytes:
+        """A page for each plan."""
+        plans = [p for p in self.drawn.plans.drawn if p.partition(":")[0] in self.order.plans]
+        pages = [blank_marks(Asked(self.scene, plan), self.order.lang, self.order.heads[-1]) for plan in plans]
+        title = pages[0][1] if pages else ""
+        return pdf.write_pages([(marks, SHEET_MM) for marks, _ in pages], title, lang=self.order.lang)
+
+    def lesson(self) -> bytes:
+        """The lesson's page."""
+        return page(lesson_data(self.scene), self.order.lang).encode()
+
+    def note(self) -> bytes:
+        """The explanatory note."""
+        return note(self.scene, None, ".pdf", self.order.lang)
+
+
+_MAKERS: Mapping[str, Callable[[Desk], bytes]] = {
+    "task.pdf": Desk.task, "blank.pdf": Desk.blank, "key.pdf": Desk.key, "lesson.html": Desk.lesson,
+    "note.pdf": Desk.note,
+}  # fmt: skip

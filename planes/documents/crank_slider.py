@@ -1,0 +1,58 @@
+"""The roof over the integrated calculation: a scene in, a report, an object or a summary out."""
+
+from __future__ import annotations
+
+import json
+import sys
+from argparse import Namespace
+from pathlib import Path
+
+from planes.crank_slider.calculation import Calculation, calculate
+from planes.crank_slider.numbers import as_json
+from planes.crank_slider.pages_forces import worked
+from planes.crank_slider.pages_kinematics import scene_at
+from planes.crank_slider.report import document, summary
+from planes.scene import Scene
+from planes.scene.files import save, sayable
+from planes.words import Lang, Phrase
+from planes.words.errors import PlanesError
+
+SUFFIXES = (".html", ".htm", ".pdf", ".json")
+
+
+def run(scene: Scene, args: Namespace, lang: Lang) -> int:
+    """Calculate; write the report and the sheet if files are named; print the object or the summary."""
+    if args.output and Path(args.output).suffix.lower() not in SUFFIXES:
+        raise PlanesError(Phrase("cs_suffix", file=args.output))
+    found = calculate(scene)
+    if args.output:
+        _write(found, Path(args.output), lang)
+    if args.sheet:
+        _sheet(found, args.sheet, args.phi, lang)
+    if args.json:
+        print(json.dumps(as_json(found), allow_nan=False))
+    elif not args.output and not args.sheet:
+        print(summary(found, lang), end="")
+    return 0
+
+
+def _sheet(found: Calculation, path: str, phi: float | None, lang: Lang) -> None:
+    """The drawing sheet of one position, the gas force on the piston."""
+    from planes.documents import draw_sheet
+
+    low, high = float(found.motion.phi_deg[0]), float(found.motion.phi_deg[-1])
+    if phi is not None and not low <= phi <= high:
+        raise PlanesError(Phrase("cs_phi", value=phi, low=low, high=high))
+    asked = worked(found) if phi is None else float(found.motion.phi_deg[found.at(phi)])
+    for sentence in draw_sheet(scene_at(found, asked), [asked], path, lang):
+        print(sentence, file=sys.stderr)
+
+
+def _write(found: Calculation, path: Path, lang: Lang) -> None:
+    from render import report
+
+    with sayable(path):
+        if path.suffix.lower() == ".json":
+            save((json.dumps(as_json(found), ensure_ascii=False, allow_nan=False) + "\n").encode(), path)
+        else:
+            report.write(document(found, lang), path)

@@ -1,0 +1,129 @@
+"""What a sheet shows of the whole cycle beside positions: asked diagrams, hodographs, graphical constructions, and the
+self-aligning variant. The mechanics are read off the one program here; ``render`` draws them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from planes.plans import Plans
+from planes.scene import Scene
+from planes.solving import Position
+from planes.words import Phrase, say
+from planes.words.errors import SceneError, choices
+from render.paper.curve_names import lettered_curve
+from render.paper.names import Naming
+from render.sheet.composer import Composer
+from render.sheet.single import LETTER_MM, Makers
+from render.views import View, view
+from render.views.diagrams import Curve
+from render.views.hodograph import Hodograph
+
+STATIONS = 12
+SHOWN = ("diagrams", "hodographs")
+
+
+def over_cycle(
+    scene: Scene, plans: Plans, angles: Sequence[float], naming: Naming
+) -> tuple[tuple[Curve, ...], tuple[Hodograph, ...]]:
+    """The diagrams and hodographs that ``sheet:`` of a scene asks for, over the angles of a turn."""
+    names, loops = (asked(scene.sheet, key) for key in SHOWN)
+    if not names and not loops:
+        return (), ()
+    from planes.diagrams.runs import Runs
+    from planes.diagrams.turn import turn_of
+
+    turn = turn_of(plans, names, loops, scene.file)
+    runs = Runs(plans, min(angles), max(angles))
+    pieces, at = [(p, turn.sample(p)) for p in runs.pieces()], turn.sample(runs.read_stations())
+    curves = tuple(_curve(c, pieces, naming) for c in turn.curves)
+    found = tuple(
+        Hodograph(lettered_curve(a.name, naming), a.unit, _known(joined(pieces, a)[1]), _known(a.read(at)))
+        for a in turn.arrows
+    )
+    return curves, found
+
+
+def check_names(scene: Scene, plans: Plans | None) -> None:
+    """Whether there is every diagram and hodograph that ``sheet:`` names, on whichever sheet they are drawn."""
+    for key in SHOWN:
+        names = asked(scene.sheet, key)
+        if names and plans is None:
+            why = Phrase("cycle_no_mechanism", file=f"sheet.{key}")
+            raise SceneError(why, scene.file, scene.where.get(("sheet", key)))
+        if names and plans:
+            from planes.diagrams.curves import arrows_of, curves_of
+
+            known: Mapping[str, object] = curves_of(plans) if key == "diagrams" else arrows_of(plans)
+            for n, name in enumerate(names):
+                if name not in known:
+                    line = scene.where.get(("sheet", key, str(n)), scene.where.get(("sheet", key)))
+                    why = Phrase("no_curve", name=name, file=f"sheet.{key}", valid=choices(name, known))
+                    raise SceneError(why, scene.file, line)
+
+
+def joined(pieces: Sequence[tuple[Any, Any]], curve: Any) -> tuple[Any, Any]:
+    """A curve's runs as one row of places and one of values, with nothing between them."""
+    import numpy
+
+    x = numpy.concatenate([part for places, _ in pieces for part in (places, places[-1:])][:-1])
+    rows = [curve.read(sample) + numpy.zeros(len(places)) for places, sample in pieces]
+    return x, numpy.concatenate([part for row in rows for part in (row, [numpy.nan])][:-1])
+
+
+def _curve(curve: Any, pieces: Sequence[tuple[Any, Any]], naming: Naming) -> Curve:
+    """A curve as the sheet draws it; an angle is unwound."""
+    from planes.diagrams.turn import unwound
+
+    places, values = joined(pieces, curve)
+    if curve.angular:
+        values = unwound(values)
+    name = lettered_curve(curve.name, naming)
+    return Curve(name.partition("_")[0], curve.unit, _known(values), name, _known(places))
+
+
+def _known(values: Any) -> tuple[Any, ...]:
+    """Plain numbers, None where there are none."""
+    return tuple(None if v != v else v for v in values.tolist())
+
+
+def asked(sheet: Mapping[str, object], key: str) -> list[str]:
+    """Names under a key of ``sheet:``, as a list or with commas between them."""
+    said = sheet.get(key)
+    names = said if isinstance(said, list) else str(said or "").split(",")
+    return [str(n).strip() for n in names if str(n).strip()]
+
+
+def constructions(
+    scene: Scene, composer: Composer, sections: int = STATIONS, pole_mm: float | None = None
+) -> list[View]:
+    """Both graphical constructions of the driven link's motion."""
+    from planes.diagrams.motion import constructed
+    from render.views.graphical import Graphical
+
+    found = []
+    for one in constructed(scene, sections, pole_mm):
+        title = say(one.kind, composer.lang, link=composer.naming.link(one.motion.link))
+        marks = Graphical(one, one.drawn(), composer.naming).drawn()
+        found.append(view(one.kind, title, marks, figure=True))
+    return found
+
+
+def views_beside(scene: Scene, drawn: Position, composer: Composer) -> Makers:
+    """Views of the mechanism that belong to no one position, by their names."""
+
+    def graphical(kind: str) -> View:
+        return next(v for v in constructions(scene, composer) if v.key == kind)
+
+    def alignment() -> View:
+        from planes.plans.alignment import aligned
+        from render.views.alignment import alignment_view
+
+        title = say("self_aligning", composer.lang)
+        return alignment_view(drawn, aligned(drawn.plans, scene.file), composer.naming, title, LETTER_MM)
+
+    makers: dict[str, Any] = {"self-aligning": alignment}
+    drive = drawn.plans.mechanism.drive
+    if drive.kind == "phi" and drive.velocity:
+        makers |= {kind: lambda kind=kind: graphical(kind) for kind in ("differentiation", "integration")}
+    return makers

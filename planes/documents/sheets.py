@@ -1,0 +1,109 @@
+"""What a scene's sheets are composed of: its position drawn at the sizes asked for, and what else they show."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+from planes.documents.graphs import check_names
+from planes.documents.turning import turned_once
+from planes.plans import Plans
+from planes.plans.scales import FIT_MM, extent, kind_of
+from planes.scene import Scene
+from planes.solving import Position, failed, plans_of, position
+from planes.solving.nearest import nearest
+from planes.solving.vectors import solve_vectors
+from planes.words import Lang, say
+from planes.words.errors import PlanesError, PlanFailure
+from render.sheet import Contents, Sheet, compose
+from render.sheet.composer import Composer
+from render.sheet.project import Project
+from render.sheet.sizes import Sizes
+from render.views import View
+
+
+def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", number: int | None = None) -> Sheet:
+    """The composed sheet of one position, or of vectors alone; ``number`` is that of a sheet of a project."""
+    composer = Composer(scene, lang)
+    if scene.mechanism is None:
+        check_names(scene, None)
+        found = solve_vectors(scene)
+        return compose(scene, Contents(lambda _, *how: (composer.vector_views(found, *how), [])), lang)
+    drawn = Drawn(replace(scene, find=None) if number else scene, values, lang)
+    check_names(scene, drawn.stated[0])
+    if number:
+        return _numbered(drawn, composer, number)
+
+    def views(sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
+        now = drawn.at(sizes)
+        return composer.views(now, letter, together), composer.extras(now, letter)
+
+    return compose(scene, Contents(views, lambda sizes: drawn.extents(sizes, lambda plan: True)), lang)
+
+
+def _numbered(drawn: Drawn, composer: Composer, number: int) -> Sheet:
+    """Sheet 1 or 2 of a course project."""
+    scene = drawn.scene
+    project = Project(composer)
+    if number == 1:
+        project = turned_once(scene, drawn.at(Sizes()).plans, composer, bool(scene.sheet.get("positions")))
+
+    def views(sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
+        return project.sheet(number, drawn.at, sizes, letter, together), []
+
+    def extents(sizes: Sizes) -> dict[str, float]:
+        return project.extents(number, drawn.at, sizes, drawn.extents(sizes, Project.shows(number)))
+
+    return compose(scene, Contents(views, extents), composer.lang, number)
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """One position of a scene, drawn at any sizes of its plans; each once."""
+
+    scene: Scene
+    values: Iterable[float] | None
+    lang: Lang
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "kept", {})
+
+    @cached_property
+    def stated(self) -> tuple[Plans, Any]:
+        """The plans, and what the scene asks for."""
+        return plans_of(self.scene)
+
+    @cached_property
+    def value(self) -> float:
+        """The value of the drive a sheet is drawn for."""
+        chosen = [self.stated[0].mechanism.drive.position] if self.values is None else list(self.values)
+        if len(chosen) != 1:
+            raise PlanesError(say("one_position", self.lang, count=len(chosen)))
+        return chosen[0]
+
+    def at(self, sizes: Sizes) -> Position:
+        """The position with plans of those sizes; :class:`PlanesError` where it cannot be drawn."""
+        kept: dict[Sizes, Position] = vars(self)["kept"]
+        if sizes not in kept:
+            kept[sizes] = self._drawn(sizes)
+        return kept[sizes]
+
+    def _drawn(self, sizes: Sizes) -> Position:
+        plans, wanted = self.stated
+        fits = {plan: sizes.of(plan) * FIT_MM[kind_of(plan)] for plan in (*FIT_MM, *plans.drawn) if plan != "lever"}
+        fits["force"] = sizes.factor * FIT_MM["force"]
+        try:
+            return position(self.scene, plans, wanted, self.value, None, self.lang, fits)
+        except PlanFailure as failure:
+            near = nearest(plans, self.value)
+            kind = plans.mechanism.drive.kind
+            said = failed(failure, self.value, kind, near, self.lang)
+            raise PlanesError(f"{self.scene.file}: {said}") from None
+
+    def extents(self, sizes: Sizes, shown: Callable[[str], bool]) -> dict[str, float]:
+        """The size in mm of the plans that are shown and whose μ is open."""
+        found = self.at(sizes)
+        plans = (p for p in found.plans.drawn if p != "lever" and shown(kind_of(p)))
+        return {p: extent(found.drawing, p) for p in plans if self.scene.mu.get(kind_of(p)) is None}

@@ -1,0 +1,52 @@
+"""Whether the numbers of a drawing are clear of rounding: no lines so blunt, no distance so short, that a few of them
+together leave nothing of a result. It is a cheap look, made at every position; where it finds anything the running
+bound of ``cycle.claims`` says of which results digits are left.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from planes.drafting.instruments import Hand
+from planes.drafting.program import Program
+from planes.drafting.steps import Through, Touch
+from planes.geometry.arithmetic import Real, Truth
+from planes.words.names import plan_of
+
+BLUNT, CLEAR = 0.1, 0.01
+"""A sharpness of ``BLUNT`` takes nothing away; all together may leave no less than ``CLEAR`` of it. An acceleration
+errs by some 5e-15 over the third power of a sharpness: where lines of one group meet at 1e-3, by less than 1e-5."""
+FAR = 1e6  # lengths as many times longer than the shortest: digits go where no line is blunt
+_AGAIN = ("velocity", "motion", "acceleration", "lever")  # plans whose lines are those of the scheme
+
+
+def clear(program: Program, things: Mapping[str, Any], hand: Hand) -> Truth:
+    """Whether a drawing is clear: of one position, of many, or on a tape."""
+    ar, scheme, forces = hand.ar, 1.0, 1.0
+    for name, sharpness in hand.sharpness.items():
+        plan = plan_of(name).partition(":")[0]
+        if plan == "force" and name not in program.trials:
+            forces = ar.minimum(forces, sharpness)
+        elif plan not in (*_AGAIN, "force"):
+            scheme = scheme * ar.minimum(1.0, sharpness / BLUNT)
+    ok: Truth = (scheme >= CLEAR) & (forces >= BLUNT * CLEAR)
+    for step in program.steps:
+        if isinstance(step, Touch | Through) and plan_of(step.start) == "position":
+            one, two = things[step.start], things[step.end]
+            apart, size = _size(two - one, ar), ar.maximum(_size(one, ar), _size(two, ar))
+            ok = ok & ((apart >= BLUNT * CLEAR * size) | (apart == 0))
+    return ok
+
+
+def far_apart(given: Mapping[str, Any]) -> bool:
+    """Whether lengths of a mechanism are of such different sizes that no position is clear."""
+    lengths = [abs(v) for n, v in given.items() if n.startswith(("l_", "e_", "place_"))]
+    short = min((abs(v) for n, v in given.items() if n.startswith("l_") and v), default=math.inf)
+    return max(lengths, default=0.0) > FAR * short
+
+
+def _size(z: Any, ar: Any) -> Real:
+    """The larger side of the box about a vector: near enough its length, and quicker."""
+    return ar.maximum(abs(z.real), abs(z.imag))

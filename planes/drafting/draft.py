@@ -1,0 +1,211 @@
+"""The only compiler: vector equations, and what stands between them, into the steps of a program.
+
+A :class:`Draft` grows a program in the order a draughtsman would draw it. Each method names what it makes and gives
+the name back; asking twice for the same direction makes one step.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+from planes.drafting.equations import Equation, Term
+from planes.drafting.steps import Aim, Cross, CrossArc, CrossArcs, LayOff, Put, Similar, Step, Through, Turn
+from planes.drafting.steps.reckoning import Calculate, Drop, Measure, Product
+from planes.scene.mechanism import Law
+from planes.words import Phrase, Told
+from planes.words.errors import ProgramError
+from planes.words.names import AGAIN, POLE, at, mu_of, plan_of
+from planes.words.things import called, plan_phrase
+
+_READ_BY_NAME = ("v_", "vq_", "omega", "epsilon")  # values other modules find by their names
+
+
+def _told(name: str) -> Told:
+    """A mark with the plan it is on, or a value, as a sentence names it."""
+    return Phrase("mark_of_plan", mark=called(name), plan=plan_phrase(plan_of(name))) if ":" in name else called(name)
+
+
+@dataclass(frozen=True)
+class Segment:
+    """A segment of a plan that measures a quantity: from label ``start`` to ``end``, "v_CB" being its name."""
+
+    plan: str
+    start: str
+    end: str
+    name: str
+
+
+@dataclass(frozen=True)
+class Moments:
+    """A moment equation about a point: signed terms (force, arm) or (couple, "") adding up to zero with the unknown.
+
+    ``unknown`` is the value it is solved for and ``arm`` its arm's name ("" for a couple); ``links`` are those whose
+    equilibrium it states.
+    """
+
+    about: str
+    links: tuple[str, ...]
+    terms: tuple[tuple[str, str], ...]
+    unknown: str
+    arm: str
+
+
+class Draft:
+    """A program in the making, with its givens, equations, moment equations and measured segments."""
+
+    def __init__(self) -> None:
+        self.steps: dict[str, Step] = {}
+        self.given: dict[str, Any] = {}
+        self.off: dict[str, float] = {}  # how far reckoned givens may be from what the scene's decimals make of them
+        self.equations: list[Equation] = []
+        self.moments: list[Moments] = []
+        self.segments: list[Segment] = []
+        self.laws: dict[str, Law] = {}  # givens that hold where the drive stands in the file alone
+        self.rays: dict[tuple[str, str, str], str] = {}  # (plan, label, label) -> direction
+
+    def give(self, name: str, value: Any, off: float = 0.0) -> str:
+        """State a given value (SI, degrees, ±1) or place (complex, m); a name taken by another is primed. What is
+        reckoned of the scene's numbers may be ``off``."""
+        while name in self.steps or self.given.setdefault(name, value) != value:
+            name += "′"
+        self.off[name] = max(off, self.off.get(name, 0.0))
+        return name
+
+    def law(self, name: str, law: Law | None) -> None:
+        """Note that a given, or a direction, holds where the drive stands in the file alone."""
+        if law:
+            self.laws[name] = law
+
+    def step(self, step: Step) -> str:
+        """Add a step, unless it is there already; a direction or value named as another one is marked so."""
+        while step.makes in self.given or self.steps.setdefault(step.makes, step) != step:
+            if step.kind == "mark" or step.makes.startswith(_READ_BY_NAME):
+                raise ProgramError(Phrase("named_twice", name=_told(step.makes)))
+            step = replace(step, makes=step.makes + (AGAIN if step.kind == "direction" else "′"))
+        return step.makes
+
+    def ray(self, plan: str, one: str, two: str) -> str:
+        """The direction from one mark of a plan to another, as first drawn."""
+        if (plan, one, two) not in self.rays:
+            self.rays[plan, one, two] = self.through(f"{one}{two}", at(plan, one), at(plan, two))
+        return self.rays[plan, one, two]
+
+    def has(self, plan: str, label: str) -> bool:
+        """Whether the mark has been drawn."""
+        return at(plan, label) in self.steps
+
+    def pole(self, plan: str) -> str:
+        """The pole of a plan."""
+        return self.step(Put(at(plan, POLE)))
+
+    def put(self, plan: str, label: str, place: complex) -> str:
+        """A mark at a given place of the scheme (m), off as one is that was written by radius and angle."""
+        off = 2.0**-50 * abs(place) if place.real and place.imag else 0.0
+        return self.step(Put(at(plan, label), self.give(f"place_{label}", place, off), mu_of(plan)))
+
+    def aim(self, name: str, angle_deg: float) -> str:
+        """A direction at a given angle."""
+        return self.step(Aim(name, self.give(f"angle_{name}", angle_deg)))
+
+    def through(self, name: str, start: str, end: str) -> str:
+        """The direction from mark to mark."""
+        return self.step(Through(name, start, end))
+
+    def square(self, name: str, of: str, quarter: int = 1) -> str:
+        """A direction turned by right angles with the set square."""
+        return self.step(Turn(name, of, quarter))
+
+    def turn(self, name: str, of: str, angle_deg: float, off: float = 0.0) -> str:
+        """A direction turned by a given angle."""
+        return self.step(Turn(name, of, 0, self.give(f"angle_{name}", angle_deg, off)))
+
+    def lay_off(self, plan: str, label: str, start: str, along: str, length: str) -> str:
+        """A length (SI value by name) laid off from a mark."""
+        return self.step(LayOff(at(plan, label), start, along, length, mu_of(plan)))
+
+    def similar(self, plan: str, label: str, start: str, end: str, ratio: tuple[str, complex, float]) -> str:
+        """A mark by similarity (or proportional division) on a segment of the plan; ``ratio`` as it is given."""
+        return self.step(Similar(at(plan, label), start, end, self.give(*ratio)))
+
+    def measure(self, name: str, start: str, end: str, along: str | None = None) -> str:
+        """A segment read off its plan, in SI."""
+        return self.step(Measure(name, start, end, along, mu_of(plan_of(start))))
+
+    def arm(self, name: str, point: str, along: str, about: str) -> str:
+        """The arm of a line of action about a mark, in SI."""
+        return self.step(Drop(name, point, along, about, mu_of(plan_of(point))))
+
+    def product(self, name: str, coefficient: float = 1.0, **factors: int) -> str:
+        """One product of powers of values, e.g. v²/l."""
+        return self.total(name, [Product(coefficient, tuple(factors.items()))])
+
+    def total(self, name: str, terms: list[Product]) -> str:
+        """A sum of products."""
+        return self.step(Calculate(name, tuple(terms)))
+
+    def show(self, plan: str, start: str, end: str, name: str) -> None:
+        """Name a segment as the image of a quantity."""
+        self.segments.append(Segment(plan, start, end, name))
+
+    def draw(self, equation: Equation) -> None:
+        """Solve the equation on its plan: lay off what is known, then close, cross, or cross arcs; measure the rest."""
+        ends, open_terms = [], []
+        for chain in equation.chains:
+            mark, unknown = self._advance(equation.plan, chain)
+            ends.append(mark)
+            open_terms.append(unknown)
+        if equation.kind != "close":
+            self._meet(equation, ends, open_terms)
+        self.conclude(equation)
+
+    def conclude(self, equation: Equation) -> None:
+        """Measure what an equation was drawn for, its last mark being there."""
+        self.equations.append(equation)
+        for term in equation.terms:
+            ends = (term.start, term.end) if term.sign > 0 else (term.end, term.start)
+            self.show(equation.plan, *ends, term.name)
+            if not term.drawn and term.length is None:
+                self.measure(term.name, at(equation.plan, ends[0]), at(equation.plan, ends[1]), term.direction)
+        if equation.total and equation.chains[0]:
+            self.show(equation.plan, equation.chains[0][0].start, equation.chains[0][-1].end, equation.total)
+
+    def _advance(self, plan: str, chain: tuple[Term, ...]) -> tuple[str, list[Term]]:
+        """Lay off the known terms; the mark reached and the terms still open."""
+        mark = at(plan, chain[0].start) if chain else ""
+        unknown = []
+        for term in chain:
+            if term.drawn or term.known == 2:
+                mark = self.lay(plan, term, mark)
+            else:
+                unknown.append(term)
+        return mark, unknown
+
+    def lay(self, plan: str, term: Term, start: str | None = None) -> str:
+        """Lay a known vector off (or find it drawn already); the mark it ends at."""
+        if not term.drawn and term.length and term.direction:
+            return self.lay_off(plan, term.end, start or at(plan, term.start), term.direction, term.length)
+        return at(plan, term.end)
+
+    def _meet(self, equation: Equation, ends: list[str], open_terms: list[list[Term]]) -> None:
+        """Cross the lines or arcs of the two open terms."""
+        if len(open_terms[0]) == 1:
+            (one,), (two,) = open_terms
+            start, other = ends
+        else:  # both open terms stand in one chain: come to meet them from its far end
+            one, two = open_terms[0] or open_terms[1]
+            start, other = ends if open_terms[0] else reversed(ends)
+        mark, mu, side = at(equation.plan, one.end), mu_of(equation.plan), equation.side or ""
+        if one.direction and two.direction:
+            self.step(Cross(mark, start, one.direction, other, two.direction))
+        elif one.direction and two.length:
+            self.step(CrossArc(mark, start, one.direction, other, two.length, mu, side, self._arm(other)))
+        elif two.direction and one.length:
+            self.step(CrossArc(mark, other, two.direction, start, one.length, mu, side, self._arm(start)))
+        elif one.length and two.length:
+            self.step(CrossArcs(mark, start, one.length, other, two.length, mu, side))
+
+    def _arm(self, mark: str) -> tuple[str, str, str] | None:
+        """How a mark was laid off, if it was: from which mark, along which direction, which length."""
+        step = self.steps[mark]
+        return (step.start, step.along, step.length) if isinstance(step, LayOff) else None

@@ -1,0 +1,116 @@
+"""Planar vector equations: terms with known and unknown parts, the chain check, and the four kinds.
+
+The state of a term is the textbook's underlining: two lines for a vector known in length and direction, one for a
+vector of which one of the two is known (Chace, 1963; Bauman conventions of the underlines).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal
+
+from planes.words import Phrase
+from planes.words.errors import EquationError
+
+EquationKind = Literal["close", "cross", "arc", "arcs"]
+
+
+@dataclass(frozen=True)
+class Term:
+    """One vector of an equation, from mark ``start`` to mark ``end`` of its plan.
+
+    ``length`` and ``direction`` name a value and a direction of the program, or are None where unknown. ``action``
+    is the line of action as written beneath: "⊥BC", "∥y-y", "C→B", "=0", "∠⊥y-y" at an angle to that (friction).
+    ``drawn`` terms are on the plan already.
+    """
+
+    name: str
+    start: str
+    end: str
+    length: str | None = None
+    direction: str | None = None
+    action: str = ""
+    drawn: bool = False
+    sign: int = 1
+
+    @property
+    def known(self) -> int:
+        """How many of length and direction are known: the number of underlines."""
+        return 2 if self.drawn else (self.length is not None) + (self.direction is not None)
+
+
+@dataclass(frozen=True)
+class Equation:
+    """Two chains of vectors on one plan with one start and one end, and exactly two unknowns between them.
+
+    ``total`` names the vector both chains add up to ("v_C"); without it the chains are one closed polygon. ``side``
+    names the given ±1 that chooses between two crossings of arcs.
+    """
+
+    plan: str
+    chains: tuple[tuple[Term, ...], tuple[Term, ...]]
+    total: str | None = None
+    side: str | None = None
+
+    def __post_init__(self) -> None:
+        for chain in self.chains:
+            _check_chain(chain, self.text)
+        one, two = self.chains
+        if one and two and (one[0].start, one[-1].end) != (two[0].start, two[-1].end):
+            raise EquationError(Phrase(
+                "sides_apart", text=self.text, start=one[0].start, end=one[-1].end, other_start=two[0].start,
+                other_end=two[-1].end,
+            ))  # fmt: skip
+        if len(self.unknowns) != 2:
+            listed = tuple(unknown(name, part) for name, part in self.unknowns) or Phrase("none")
+            why = Phrase("unknowns_count", text=self.text, count=len(self.unknowns), listed=listed)
+            raise EquationError(why)
+
+    @property
+    def terms(self) -> tuple[Term, ...]:
+        """All terms, the first chain's first."""
+        return self.chains[0] + self.chains[1]
+
+    @property
+    def unknowns(self) -> tuple[tuple[str, str], ...]:
+        """Pairs (name of the vector, "length" or "direction"), in the order of the terms."""
+        found = []
+        for term in self.terms:
+            if not term.drawn:
+                found += [(term.name, "length")] * (term.length is None)
+                found += [(term.name, "direction")] * (term.direction is None)
+        if self.total and not self.chains[1]:
+            found += [(self.total, "length"), (self.total, "direction")]
+        return tuple(found)
+
+    @property
+    def kind(self) -> EquationKind:
+        """Which construction solves it: close the polygon, cross two lines, a line and an arc, or two arcs."""
+        (name, part), (other, other_part) = self.unknowns
+        if name == other:
+            return "close"
+        if part == other_part:
+            return "cross" if part == "length" else "arcs"
+        return "arc"
+
+    @property
+    def text(self) -> str:
+        """The equation in a line of text."""
+        one, two = (" + ".join(t.name for t in chain) for chain in self.chains)
+        if self.total:
+            return f"{self.total} = {one} = {two}" if two else f"{self.total} = {one}"
+        return f"{one} = {two}"
+
+
+def unknown(name: str, part: str) -> Phrase:
+    """An unknown in words: "length of v_C"."""
+    return Phrase("unknown_length" if part == "length" else "unknown_direction", name=name)
+
+
+def _check_chain(chain: tuple[Term, ...], text: str) -> None:
+    for before, after in pairwise(chain):
+        if before.end != after.start:
+            raise EquationError(
+                Phrase("chain_broken", text=text, name=after.name, start=after.start, reached=before.end)
+            )

@@ -1,0 +1,72 @@
+"""A program: steps in the order they are drawn, checked by name and kind before any number exists, and sliced."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from planes.drafting.proofs import Proof, Twofold
+from planes.drafting.steps.base import Kind, Step
+from planes.drafting.steps.crossings import Cross
+from planes.words import Phrase
+from planes.words.errors import ProgramError, valid_names
+
+
+@dataclass(frozen=True)
+class Program:
+    """A straight line of steps. What no step makes must be given (a value or a place) when it is run."""
+
+    steps: tuple[Step, ...]
+    # what must hold of what they draw, said by the scene's own numbers: no part of what a program depends on
+    proofs: tuple[Proof, ...] = field(default=(), compare=False)
+
+    def __post_init__(self) -> None:
+        made: dict[str, Kind] = {}
+        for step in self.steps:
+            for name, kind in step.reads():
+                have = made.get(name, kind if kind in ("value", "place") else None)
+                what, said = type(step).__name__, Phrase(f"kind_{kind}")
+                if have is None:
+                    valid = valid_names(name, [m for m, k in made.items() if k == kind][:12], "valid_drawn")
+                    raise ProgramError(
+                        Phrase("step_needs", step=what, makes=step.makes, kind=said, name=name, valid=valid)
+                    )
+                if have != kind:
+                    other = Phrase(f"kind_{have}")
+                    raise ProgramError(
+                        Phrase("step_kind", step=what, makes=step.makes, name=name, kind=said, have=other)
+                    )
+            if step.makes in made:
+                raise ProgramError(Phrase("made_twice", makes=step.makes))
+            made[step.makes] = step.kind
+
+    @cached_property
+    def made(self) -> frozenset[str]:
+        """Names of everything the steps make."""
+        return frozenset(s.makes for s in self.steps)
+
+    @cached_property
+    def givens(self) -> tuple[str, ...]:
+        """Names of what must be given, in the order they are first needed."""
+        names = (name for s in self.steps for name, _ in s.reads())
+        return tuple(dict.fromkeys(n for n in names if n not in self.made))
+
+    @cached_property
+    def trials(self) -> frozenset[str]:
+        """Marks that are only suppositions (friction): nothing is read off them but which came true."""
+        return frozenset(s.makes for s in self.steps if isinstance(s, Cross) and s.supposed)
+
+    def sliced(self, wanted: Iterable[str]) -> Program:
+        """The program without the steps that lead to none of the wanted names; it proves what it still draws."""
+        needed = set(wanted)
+        for proof in self.proofs:  # a balancing load is never drawn without the other to check it
+            if isinstance(proof, Twofold) and needed & {proof.one, proof.two}:
+                needed |= {proof.one, proof.two}
+        kept: list[Step] = []
+        for step in reversed(self.steps):
+            if step.makes in needed:
+                kept.append(step)
+                needed.update(name for name, _ in step.reads())
+        made = {s.makes for s in kept} | set(self.givens)
+        return Program(tuple(reversed(kept)), tuple(p for p in self.proofs if made.issuperset(p.reads())))

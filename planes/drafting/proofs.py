@@ -1,0 +1,231 @@
+"""What must hold of every drawing: checks of its numbers that share no construction with the steps that made them.
+
+A proof compares what was drawn with a definition (a rigid link, a sliding pair, a link in equilibrium, a polygon whose
+vectors are what was stated) or with another way to the same number (the force plan's balancing load and the lever's).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar, Protocol
+
+from planes.geometry import plane
+from planes.geometry.arithmetic import Arithmetic, Real
+from planes.words.names import mu_of, plan_of
+
+TOLD_APART = 1e-9  # relative: nearer than this, two ways to a number agree
+Things = Mapping[str, Any]
+Gap = tuple[Real, Real]  # how far apart the two sides are, and how large what they are made of is
+
+
+class Product(Protocol):
+    """A product of named values, each to a power."""
+
+    @property
+    def factors(self) -> tuple[tuple[str, int], ...]: ...
+
+    def value(self, env: Things, ar: Arithmetic) -> Any: ...
+
+
+@dataclass(frozen=True)
+class Proof:
+    """One thing that must hold, shown on ``plan``; ``about`` names what it is of."""
+
+    plan: str
+    about: str
+    reason: ClassVar[str]
+
+    def reads(self) -> tuple[str, ...]:
+        """Names of the program it looks at."""
+        raise NotImplementedError
+
+    def gap(self, things: Things, ar: Arithmetic) -> Gap:
+        """How far the two sides are apart, beside the size of what they are made of (SI)."""
+        raise NotImplementedError
+
+    def numbers(self, things: Things, gap: Gap) -> dict[str, object]:
+        """What a sentence says of its failure."""
+        return {"about": self.about, "gap": float(gap[0]), "size": float(gap[1])}
+
+
+@dataclass(frozen=True)
+class Twofold(Proof):
+    """The balancing load by the force plans (``one``) and by the lever (``two``): also the balance of powers."""
+
+    one: str
+    two: str
+    terms: tuple[Product, ...]
+    reason: ClassVar[str] = "balance_apart"
+    makes: ClassVar[str] = ""  # nothing of a position with two balancing loads is to be trusted
+
+    def reads(self) -> tuple[str, ...]:
+        return (self.one, self.two, *(name for t in self.terms for name, _ in t.factors))
+
+    def gap(self, things: Things, ar: Arithmetic) -> Gap:
+        one, two = things[self.one], things[self.two]
+        size = abs(one) + abs(two)
+        for term in self.terms:
+            size = size + abs(term.value(things, ar))
+        return abs(one - two), size
+
+    def numbers(self, things: Things, gap: Gap) -> dict[str, object]:
+        return {"about": self.about, "found": float(things[self.one]), "check": float(things[self.two])}
+
+
+@dataclass(frozen=True)
+class Polygon(Proof):
+    """Every vector of an equation is as long as stated, and points where stated: rows of (start, end, direction,
+    signed length's sign, length), either "" where it is not stated."""
+
+    rows: tuple[tuple[str, str, str, int, str], ...]
+    reason: ClassVar[str] = "polygon_open"
+
+    def reads(self) -> tuple[str, ...]:
+        return tuple(n for start, end, along, _, length in self.rows for n in (start, end, along, length) if n)
+
+    def gap(self, things: Things, ar: Arithmetic) -> Gap:
+        mu, open_, size = things[mu_of(self.plan)], 0.0, 0.0
+        for start, end, along, sign, length in self.rows:
+            vector = (things[end] - things[start]) / mu
+            size += (abs(things[end]) + abs(things[start])) / mu
+            if length:
+                size += abs(things[length])
+            if length and along:
+                open_ += abs(vector - sign * things[length] * things[along])
+            elif along:
+                open_ += abs(plane.cross(things[along], vector))
+            else:
+                open_ += abs(abs(vector) - abs(things[length]))
+        return open_, size
+
+
+@dataclass(frozen=True)
+class Point:
+    """A point of a link: its own coordinate and its marks on the scheme and on the plans of rates."""
+
+    local: complex
+    place: str
+    rates: tuple[str, str]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return (self.place, *self.rates)
+
+    def on(self, plan: str) -> str:
+        """Its mark on a plan."""
+        return self.place if plan == "position" else self.rates[plan == "acceleration"]
+
+
+@dataclass(frozen=True)
+class Frame:
+    """How a link lies and turns: a point of it, and names of its x axis, ω and ε ("" where it never turns)."""
+
+    origin: Point
+    axis: str = ""
+    omega: str = ""
+    epsilon: str = ""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return (*self.origin.names, *(n for n in (self.axis, self.omega, self.epsilon) if n))
+
+    def at(self, plan: str, things: Things, local: complex, place: Any) -> Any:
+        """What the plan must show, in SI, for the point of this link that lies at ``local`` or at ``place``."""
+        start = _si(things, self.origin.on(plan))
+        if plan == "position":
+            return start + (things[self.axis] if self.axis else 1.0) * (local - self.origin.local)
+        return start + self.spin(plan, things) * (place - _si(things, self.origin.place))
+
+    def spin(self, plan: str, things: Things) -> Any:
+        """iω, or iε - ω²: what the rate of a point is beside its distance."""
+        omega, epsilon = (things[n] if n else 0.0 for n in (self.omega, self.epsilon))
+        return 1j * omega if plan == "velocity" else 1j * epsilon - omega**2
+
+
+def _si(things: Things, mark: str) -> Any:
+    return things[mark] / things[mu_of(plan_of(mark))]
+
+
+def _largest(things: Things, marks: tuple[str, ...]) -> Any:
+    return sum(abs(_si(things, mark)) for mark in marks if mark in things)
+
+
+@dataclass(frozen=True)
+class Rigid(Proof):
+    """The points of a link keep their distances, and their rates are those of one turning body."""
+
+    body: Frame
+    points: tuple[Point, ...]
+    beside: tuple[str, ...]  # the marks its plan is driven by: how fast the mechanism moves
+    reason: ClassVar[str] = "link_bent"
+
+    def reads(self) -> tuple[str, ...]:
+        return (*self.body.names, *(n for p in self.points for n in p.names))
+
+    def gap(self, things: Things, ar: Arithmetic) -> Gap:
+        bent, size = 0.0, _largest(things, self.beside)
+        for p in self.points:
+            place = _si(things, p.place)
+            seen = _si(things, p.on(self.plan))
+            due = self.body.at(self.plan, things, p.local, place)
+            bent, size = bent + abs(seen - due), size + abs(seen) + abs(due) + abs(due - seen)
+            size += abs(self.body.spin(self.plan, things)) * abs(place) if self.plan != "position" else 0.0
+        return bent, size
+
+
+@dataclass(frozen=True)
+class Slid(Proof):
+    """A point of a slider stays on its guide: nothing of its motion against the guide's link is across the guide."""
+
+    slider: Point
+    owner: Frame
+    through: complex
+    turn: complex  # the guide's direction in its link's axes
+    offset: float
+    beside: tuple[str, ...]
+    reason: ClassVar[str] = "slider_off"
+
+    def reads(self) -> tuple[str, ...]:
+        return (*self.owner.names, *self.slider.names)
+
+    def gap(self, things: Things, ar: Arithmetic) -> Gap:
+        owner, place = self.owner, _si(things, self.slider.place)
+        along = self.turn * (things[owner.axis] if owner.axis else 1.0)
+        if self.plan == "position":
+            due = owner.at(self.plan, things, self.through, place)
+            return abs(plane.cross(along, place - due) - self.offset), abs(place) + abs(due) + abs(place - due)
+        v = _si(things, self.slider.rates[0])
+        relative, size = v - owner.at("velocity", things, 0j, place), abs(v)
+        if self.plan == "acceleration":
+            a, coriolis = _si(things, self.slider.rates[1]), 2 * owner.spin("velocity", things) * relative
+            relative, size = a - owner.at(self.plan, things, 0j, place) - coriolis, abs(a) + abs(coriolis)
+        size += _largest(things, self.beside) + abs(relative) + abs(owner.spin(self.plan, things)) * abs(place)
+        return abs(plane.cross(along, relative)), size
+
+
+@dataclass(frozen=True)
+class Balanced(Proof):
+    """All forces on a link add up to nothing, and so do their moments: ``forces`` (size, direction, point), sides of
+    ``reactions`` (start, end, ±1, point, couple), ``couples`` (value, ±1)."""
+
+    forces: tuple[tuple[str, str, str], ...]
+    reactions: tuple[tuple[str, str, int, str, str], ...]
+    couples: tuple[tuple[str, int], ...]
+    reason: ClassVar[str] = "link_unbalanced"
+
+    def reads(self) -> tuple[str, ...]:
+        of_reactions = (n for start, end, _, point, couple in self.reactions for n in (start, end, point, couple))
+        return (*(n for f in self.forces for n in f), *filter(None, of_reactions), *(n for n, _ in self.couples))
+
+    def gap(self, things: Things, ar: Arithmetic) -> Gap:
+        """Forces, with the moments about the pole divided by the largest distance from it."""
+        acting = [(things[size] * things[along], _si(things, point)) for size, along, point in self.forces]
+        couples = [sign * things[name] for name, sign in self.couples]
+        for start, end, sign, point, couple in self.reactions:
+            acting.append((sign * (_si(things, end) - _si(things, start)), _si(things, point)))
+            couples += [sign * things[couple]] if couple else []
+        far = max(abs(place) for _, place in acting) or 1.0
+        moments = [*(plane.cross(place, force) for force, place in acting), *couples]
+        gap = abs(sum(force for force, _ in acting)) + abs(sum(moments)) / far
+        return gap, sum(abs(force) for force, _ in acting) + sum(abs(m) for m in moments) / far

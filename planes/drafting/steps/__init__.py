@@ -1,0 +1,155 @@
+"""The steps of a drawing, each a draughtsman's verb: here those that always can be done, with the crossings."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from planes.drafting.steps.base import Kind, Read, Step, directions, marks, values
+from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs, Touch
+from planes.drafting.tools import Env, Tool
+from planes.geometry import plane
+
+__all__ = [
+    "Aim", "Carry", "Cross", "CrossArc", "CrossArcs", "Image", "Kind", "LayOff", "Put", "Read", "Same", "Similar",
+    "Step", "Through", "Touch", "Turn",
+]  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Put(Step):
+    """Put a mark at a given place of the plan (m, by the scale), or at its pole when ``at`` is None."""
+
+    at: str | None = None
+    mu: str | None = None
+
+    def reads(self) -> tuple[Read, ...]:
+        return ((self.at, "place"), *values(self.mu)) if self.at else ()
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        return tool.mark(env[self.at] * env[self.mu]) if self.at and self.mu else 0j
+
+
+@dataclass(frozen=True)
+class Aim(Step):
+    """A direction at a given angle (degrees) from the x axis, by protractor."""
+
+    angle: str
+    kind: ClassVar[Kind] = "direction"
+
+    def reads(self) -> tuple[Read, ...]:
+        return values(self.angle)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        return tool.ar.cis_deg(env[self.angle])
+
+
+@dataclass(frozen=True)
+class Through(Step):
+    """The direction from one mark to another; of two coinciding marks (a zero vector), any."""
+
+    start: str
+    end: str
+    kind: ClassVar[Kind] = "direction"
+
+    def reads(self) -> tuple[Read, ...]:
+        return marks(self.start, self.end)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        return plane.unit(env[self.end] - env[self.start], tool.ar)
+
+
+@dataclass(frozen=True)
+class Turn(Step):
+    """A direction turned by ``quarter`` right angles (set square) and by a given angle (degrees)."""
+
+    of: str
+    quarter: int = 0
+    angle: str | None = None
+    kind: ClassVar[Kind] = "direction"
+
+    def reads(self) -> tuple[Read, ...]:
+        return directions(self.of) + values(self.angle)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        turned = env[self.of] * (1, 1j, -1, -1j)[self.quarter % 4]
+        return turned * tool.ar.cis_deg(env[self.angle]) if self.angle else turned
+
+
+@dataclass(frozen=True)
+class LayOff(Step):
+    """Lay a signed length (SI, by the scale) off from a mark along a direction."""
+
+    start: str
+    along: str
+    length: str
+    mu: str
+
+    def reads(self) -> tuple[Read, ...]:
+        return marks(self.start) + directions(self.along) + values(self.length, self.mu)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        return tool.mark(env[self.start] + tool.ray(env[self.along]) * (env[self.length] * env[self.mu]))
+
+
+@dataclass(frozen=True)
+class Carry(Step):
+    """Carry the segment ``first``–``second`` to ``start``, turned by ``quarter`` right angles."""
+
+    start: str
+    first: str
+    second: str
+    quarter: int = 0
+
+    def reads(self) -> tuple[Read, ...]:
+        return marks(self.start, self.first, self.second)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        segment = (env[self.second] - env[self.first]) * (1, 1j, -1, -1j)[self.quarter % 4]
+        return tool.mark(env[self.start] + segment)
+
+
+@dataclass(frozen=True)
+class Same(Step):
+    """Another name for a mark: the points of a link that does not turn share one end on the plan."""
+
+    of: str
+
+    def reads(self) -> tuple[Read, ...]:
+        return marks(self.of)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        return env[self.of]
+
+
+@dataclass(frozen=True)
+class Similar(Step):
+    """A mark that stands to ``start``–``end`` as a point of a link to two others: ``ratio`` is the complex ratio of
+    the link's own sides (a real ratio divides the segment in proportion)."""
+
+    start: str
+    end: str
+    ratio: str
+
+    def reads(self) -> tuple[Read, ...]:
+        return (*marks(self.start, self.end), (self.ratio, "place"))
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        return tool.mark(env[self.start] + (env[self.end] - env[self.start]) * env[self.ratio])
+
+
+@dataclass(frozen=True)
+class Image(Step):
+    """Similarity taken off the scheme: from ``start`` draw what ``image`` is to ``like`` for the segment ``of``."""
+
+    start: str
+    of: tuple[str, str]
+    like: tuple[str, str]
+    image: tuple[str, str]
+
+    def reads(self) -> tuple[Read, ...]:
+        return marks(self.start, *self.of, *self.like, *self.image)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        (a, b), (c, d), (e, f) = self.of, self.like, self.image
+        return tool.mark(env[self.start] + (env[b] - env[a]) * ((env[f] - env[e]) / (env[d] - env[c])))

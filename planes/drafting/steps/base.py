@@ -1,0 +1,44 @@
+"""What a step of a drawing is: one named thing made from things made before, as a frozen record.
+
+A step makes a mark in mm on a plan, a direction, or a value in SI; marks are named "plan:label" ("velocity:c"). It is
+drawn by an instrument (``tool``), which owns the arithmetic, the errors of hand and ruler, and what a failure does;
+so the same step serves one position or an array of many.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar, Literal
+
+from planes.drafting.tools import Env, Tool
+
+Kind = Literal["mark", "direction", "value", "place"]
+Read = tuple[str, Kind]
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step; ``makes`` is the name of what it draws or reckons."""
+
+    makes: str
+    kind: ClassVar[Kind] = "mark"
+
+    def reads(self) -> tuple[Read, ...]:
+        """Names of what the step needs, each with its kind."""
+        raise NotImplementedError
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        """The thing itself, from the things in ``env``."""
+        raise NotImplementedError
+
+
+def marks(*names: str | None) -> tuple[Read, ...]:
+    return tuple((n, "mark") for n in names if n)
+
+
+def directions(*names: str | None) -> tuple[Read, ...]:
+    return tuple((n, "direction") for n in names if n)
+
+
+def values(*names: str | None) -> tuple[Read, ...]:
+    return tuple((n, "value") for n in names if n)

@@ -1,0 +1,125 @@
+"""Where two lines, a line and an arc, or two arcs meet, and the tangent to a circle: the steps that can fail."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from planes.drafting.steps.base import Kind, Read, Step, directions, marks, values
+from planes.drafting.tools import Env, Tool
+from planes.geometry import plane
+
+
+@dataclass(frozen=True)
+class Cross(Step):
+    """Cross two lines. A ``supposed`` crossing is a trial: lines that never meet give no mark instead of failing."""
+
+    start: str
+    along: str
+    other: str
+    across: str
+    supposed: bool = False
+
+    def reads(self) -> tuple[Read, ...]:
+        return marks(self.start, self.other) + directions(self.along, self.across)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        u, w = tool.ray(env[self.along]), tool.ray(env[self.across])
+        place, sharpness, gap = plane.lines(env[self.start], u, env[self.other], w)
+        tool.sharpen(self.makes, abs(sharpness))
+        met = abs(sharpness) > tool.flat
+        if self.supposed:
+            return tool.ar.where(met, tool.mark(place), complex("nan"))
+        apart = abs(gap) > tool.slack * (abs(env[self.start]) + abs(env[self.other]))
+        tool.require(met | apart, self, "coincident", gap_mm=gap)
+        tool.require(met, self, "parallel", gap_mm=gap)
+        return tool.mark(place)
+
+
+@dataclass(frozen=True)
+class CrossArc(Step):
+    """Cross a line with an arc of a given radius (SI) about a mark; ``side`` +1 is ahead along the line.
+
+    ``arm`` names the mark, direction and length the centre was laid off by, for instruments without errors.
+    """
+
+    start: str
+    along: str
+    centre: str
+    radius: str
+    mu: str
+    side: str
+    arm: tuple[str, str, str] | None = None
+
+    def reads(self) -> tuple[Read, ...]:
+        hub, ray, length = self.arm or (None, None, None)
+        lines = directions(self.along, ray)
+        return marks(self.start, self.centre, hub) + lines + values(self.radius, self.mu, self.side, length)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        radius = abs(env[self.radius] * env[self.mu])
+        u = tool.ray(env[self.along])
+        arm = None
+        if self.arm and not tool.doubt_mm:
+            hub, ray, length = self.arm
+            arm = env[hub], env[ray], env[length] * env[self.mu]
+        start, centre, side = env[self.start], env[self.centre], env[self.side]
+        place, sharpness, miss = plane.line_arc(start, u, centre, radius, side, tool.ar, arm)
+        tool.sharpen(self.makes, sharpness)
+        slack = tool.slack * (abs(start) + abs(centre) + radius)
+        tool.require(radius > 0, self, "no_length")
+        tool.require(miss <= slack, self, "arc_short", miss_mm=miss)
+        return tool.mark(place)
+
+
+@dataclass(frozen=True)
+class CrossArcs(Step):
+    """Cross two arcs (засечки); ``side`` +1 is to the left of the way from ``centre`` to ``other``."""
+
+    centre: str
+    radius: str
+    other: str
+    other_radius: str
+    mu: str
+    side: str
+
+    def reads(self) -> tuple[Read, ...]:
+        return marks(self.centre, self.other) + values(self.radius, self.other_radius, self.mu, self.side)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        r, s = abs(env[self.radius] * env[self.mu]), abs(env[self.other_radius] * env[self.mu])
+        centre, other = env[self.centre], env[self.other]
+        place, sharpness, far, near = plane.arcs(centre, r, other, s, env[self.side], tool.ar)
+        tool.sharpen(self.makes, sharpness)
+        slack = tool.slack * (abs(centre) + abs(other) + r + s)
+        tool.require((r > 0) & (s > 0), self, "no_lengths")
+        tool.require(far <= slack, self, "arcs_apart", miss_mm=far)
+        tool.require(near <= slack, self, "arcs_inside", miss_mm=near)
+        tool.require(abs(other - centre) > slack, self, "arcs_coincide")
+        return tool.mark(place)
+
+
+@dataclass(frozen=True)
+class Touch(Step):
+    """The direction of the line through ``start`` that passes ``end`` at a given offset (SI) to its left: the
+    tangent to a circle, or simply the line through both when ``offset`` is None."""
+
+    start: str
+    end: str
+    offset: str | None
+    mu: str
+    side: str
+    kind: ClassVar[Kind] = "direction"
+
+    def reads(self) -> tuple[Read, ...]:
+        return marks(self.start, self.end) + values(self.offset, self.mu, self.side)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        offset = env[self.offset] * env[self.mu] if self.offset else 0.0
+        start, end = env[self.start], env[self.end]
+        u, sharpness, miss = plane.tangent(start, end, offset, env[self.side], tool.ar)
+        tool.sharpen(self.makes, sharpness)
+        slack = tool.slack * (abs(start) + abs(end) + abs(offset))
+        tool.require(miss <= slack, self, "circle_large", miss_mm=miss)
+        tool.require(abs(end - start) > slack, self, "points_meet", miss_mm=miss)
+        return u

@@ -1,0 +1,199 @@
+"""Steps that read a drawing and reckon with what was read: measuring, arms, arithmetic, senses, choices."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from planes.drafting.steps.base import Kind, Read, Step, directions, marks, values
+from planes.drafting.tools import Env, Tool
+from planes.geometry import plane
+from planes.geometry.arithmetic import Arithmetic
+
+
+@dataclass(frozen=True)
+class Measure(Step):
+    """The length of a segment in SI: signed along a direction if one is named, else its size."""
+
+    start: str
+    end: str
+    along: str | None
+    mu: str
+    kind: ClassVar[Kind] = "value"
+
+    def reads(self) -> tuple[Read, ...]:
+        return marks(self.start, self.end) + directions(self.along) + values(self.mu)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        segment = env[self.end] - env[self.start]
+        length = plane.dot(env[self.along], segment) if self.along else abs(segment)
+        return tool.read(length) / env[self.mu]
+
+
+@dataclass(frozen=True)
+class Drop(Step):
+    """The arm, in SI, of a line of action through ``point`` about ``about``: positive when a force along the line
+    turns counter-clockwise."""
+
+    point: str
+    along: str
+    about: str
+    mu: str
+    kind: ClassVar[Kind] = "value"
+
+    def reads(self) -> tuple[Read, ...]:
+        return marks(self.point, self.about) + directions(self.along) + values(self.mu)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        arm = plane.cross(env[self.point] - env[self.about], env[self.along])
+        return tool.read(arm) / env[self.mu]
+
+
+@dataclass(frozen=True)
+class Protractor(Step):
+    """The angle of a direction from the x axis, degrees in (-180, 180]."""
+
+    of: str
+    kind: ClassVar[Kind] = "value"
+
+    def reads(self) -> tuple[Read, ...]:
+        return directions(self.of)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        return tool.ar.angle_deg(env[self.of])
+
+
+@dataclass(frozen=True)
+class Product:
+    """``coefficient`` times named values, each to a whole power."""
+
+    coefficient: float
+    factors: tuple[tuple[str, int], ...]
+
+    def value(self, env: Mapping[str, Any], ar: Arithmetic) -> Any:
+        """The product itself."""
+        product: Any = self.coefficient
+        for name, power in self.factors:
+            product = product * ar.power(env[name], power)
+        return product
+
+
+@dataclass(frozen=True)
+class Calculate(Step):
+    """A sum of products of values: v²/l, or a moment equation solved for its one unknown."""
+
+    terms: tuple[Product, ...]
+    kind: ClassVar[Kind] = "value"
+
+    def reads(self) -> tuple[Read, ...]:
+        return values(*dict.fromkeys(name for t in self.terms for name, _ in t.factors))
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        total: Any = 0.0
+        for term in self.terms:
+            total = total + term.value(env, tool.ar)
+        return total
+
+
+@dataclass(frozen=True)
+class Sense(Step):
+    """+1, -1 or 0: the sense of a segment along a direction (without one: 1 unless the segment vanishes).
+
+    A segment is zero when nothing of it is left beside the largest of the marks ``beside``, taken from ``start``.
+    """
+
+    start: str
+    end: str
+    along: str | None
+    beside: tuple[str, ...]
+    kind: ClassVar[Kind] = "value"
+
+    def reads(self) -> tuple[Read, ...]:
+        return marks(self.start, self.end, *self.beside) + directions(self.along)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        segment = env[self.end] - env[self.start]
+        length = plane.dot(env[self.along], segment) if self.along else abs(segment)
+        largest: Any = 0.0
+        for mark in self.beside:
+            largest = tool.ar.maximum(largest, abs(env[mark]))
+        moving = abs(length) > tool.still * largest
+        tool.note(moving, self, "standstill")
+        return tool.ar.where(moving, tool.ar.sign(length), 0.0)
+
+
+@dataclass(frozen=True)
+class SenseOf(Step):
+    """+1, -1 or 0: the sign of a value."""
+
+    value: str
+    kind: ClassVar[Kind] = "value"
+
+    def reads(self) -> tuple[Read, ...]:
+        return values(self.value)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        return tool.ar.sign(env[self.value])
+
+
+@dataclass(frozen=True)
+class Lean(Step):
+    """The line of a guide's reaction with Coulomb friction: the normal leans by arctan f against the sliding.
+
+    ``push`` is the supposed sign of the reaction along the normal: friction opposes the sliding whichever side
+    of the guide bears.
+    """
+
+    normal: str
+    along: str
+    coefficient: str
+    sliding: str
+    push: int
+    kind: ClassVar[Kind] = "direction"
+
+    def reads(self) -> tuple[Read, ...]:
+        return directions(self.normal, self.along) + values(self.coefficient, self.sliding)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        friction = env[self.coefficient] * env[self.sliding] * self.push
+        return plane.unit(env[self.normal] - env[self.along] * friction, tool.ar)
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A place drawn on the supposition that the reactions ``pushes`` have the signs of ``signs``."""
+
+    mark: str
+    pushes: tuple[str, ...]
+    signs: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Choose(Step):
+    """Keep the one trial whose supposition came true; none, or two different ones, is self-locking."""
+
+    trials: tuple[Trial, ...]
+    size: str
+    mu: str
+
+    def reads(self) -> tuple[Read, ...]:
+        pushes = tuple(dict.fromkeys(p for t in self.trials for p in t.pushes))
+        return marks(*(t.mark for t in self.trials)) + values(*pushes, self.mu) + marks(self.size)
+
+    def draw(self, env: Env, tool: Tool) -> Any:
+        chosen: Any = complex("nan")
+        sharp: Any = 1.0
+        count: Any = 0
+        for trial in reversed(self.trials):
+            true: Any = True
+            slack = (1e-10 * (abs(env[trial.mark]) + abs(env[self.size])) + tool.doubt_mm) / env[self.mu]
+            for push, sign in zip(trial.pushes, trial.signs, strict=True):
+                true = true & (env[push] * sign >= -slack)
+            fresh = true & ~(abs(env[trial.mark] - chosen) <= slack * env[self.mu])
+            count = count + fresh
+            chosen = tool.ar.where(true, env[trial.mark], chosen)
+            sharp = tool.ar.where(true, tool.sharpness[trial.mark], sharp)
+        tool.sharpen(self.makes, sharp)
+        tool.require(count == 1, self, "self_locking", solutions=count)
+        return chosen

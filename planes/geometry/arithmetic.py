@@ -1,0 +1,115 @@
+"""Arithmetics an instrument can calculate in: one number at a time, or arrays of many.
+
+The geometry of ``plane`` and the steps are written once and given one of these.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from typing import Any, Protocol
+
+from planes.geometry.lossless import gap
+
+Real = Any  # float or array of floats, or a longer number
+Point = Any  # complex or array of complex: a place, a vector or a direction
+Truth = Any  # bool or array of bools
+
+
+class Arithmetic(Protocol):
+    """The functions constructions need beyond + - * /."""
+
+    eps: float
+
+    def sqrt(self, x: Real) -> Real: ...
+    def maximum(self, a: Real, b: Real) -> Real: ...
+    def minimum(self, a: Real, b: Real) -> Real: ...
+    def where(self, ok: Truth, a: Any, b: Any) -> Any: ...
+    def cis_deg(self, angle: Real) -> Point: ...
+    def angle_deg(self, u: Point) -> Real: ...
+    def sign(self, x: Real) -> Real: ...
+    def power(self, x: Real, n: int) -> Real: ...
+    def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real: ...
+
+
+class One:
+    """Python's own float and complex: one position at a time."""
+
+    eps = 2.0**-52
+
+    def sqrt(self, x: float) -> float:
+        return math.sqrt(x) if x > 0 else 0.0
+
+    def maximum(self, a: float, b: float) -> float:
+        return a if a >= b else b
+
+    def minimum(self, a: float, b: float) -> float:
+        return a if a <= b else b
+
+    def where(self, ok: bool, a: Any, b: Any) -> Any:
+        return a if ok else b
+
+    def cis_deg(self, angle: float) -> complex:
+        """cos + i sin of an angle in degrees, exact at quarter turns."""
+        quarter = math.floor(angle / 90 + 0.5)
+        rest = math.radians(angle - 90 * quarter)
+        return complex(math.cos(rest), math.sin(rest)) * (1, 1j, -1, -1j)[quarter % 4]
+
+    def angle_deg(self, u: complex) -> float:
+        """Direction of a vector in degrees, in (-180, 180]."""
+        angle = math.degrees(cmath.phase(u))
+        return 180.0 if angle == -180.0 else angle
+
+    def sign(self, x: float) -> float:
+        return float((x > 0) - (x < 0))
+
+    def power(self, x: float, n: int) -> float:
+        if n >= 0:
+            return float(x**n)
+        return 1 / x**-n if x else math.nan
+
+    def gap(self, c: complex, d: complex, r: float, s: float) -> float:
+        """(r + s)² - |d - c|², with all its digits."""
+        return float(gap(c.real, c.imag, d.real, d.imag, r, s))
+
+
+class Many:
+    """numpy arrays: many positions at once, the same formulas."""
+
+    eps = 2.0**-52
+
+    def __init__(self) -> None:
+        import numpy
+
+        self.np = numpy
+
+    def sqrt(self, x: Any) -> Any:
+        return self.np.sqrt(self.np.maximum(x, 0.0))
+
+    def maximum(self, a: Any, b: Any) -> Any:
+        return self.np.maximum(a, b)
+
+    def minimum(self, a: Any, b: Any) -> Any:
+        return self.np.minimum(a, b)
+
+    def where(self, ok: Any, a: Any, b: Any) -> Any:
+        return self.np.where(ok, a, b)
+
+    def cis_deg(self, angle: Any) -> Any:
+        quarter = self.np.floor(self.np.asarray(angle) / 90 + 0.5)
+        rest = self.np.radians(angle - 90 * quarter)
+        turns = self.np.array([1, 1j, -1, -1j])[quarter.astype(int) % 4]
+        return (self.np.cos(rest) + 1j * self.np.sin(rest)) * turns
+
+    def angle_deg(self, u: Any) -> Any:
+        angle = self.np.degrees(self.np.angle(u))
+        return self.np.where(angle == -180.0, 180.0, angle)
+
+    def sign(self, x: Any) -> Any:
+        return self.np.sign(x)
+
+    def power(self, x: Any, n: int) -> Any:
+        return x**n if n >= 0 else self.np.divide(1.0, x**-n)
+
+    def gap(self, c: Any, d: Any, r: Any, s: Any) -> Any:
+        return gap(c.real, c.imag, d.real, d.imag, r, s)

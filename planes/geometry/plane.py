@@ -1,0 +1,102 @@
+"""Geometry of the drawing plane: where lines and arcs meet, written to keep its digits near failure.
+
+Places, vectors and directions are complex numbers, single or arrays. Each meeting returns the place and its
+*sharpness*: the sine of the angle at which the two lines meet (for arcs, of the angle between tangents).
+Nothing is raised here: a sharpness of zero or less says there is no honest answer.
+"""
+
+from __future__ import annotations
+
+from planes.geometry.arithmetic import Arithmetic, Point, Real
+
+
+def cross(a: Point, b: Point) -> Real:
+    """Signed area of the parallelogram on ``a`` and ``b``; positive when ``b`` is to the left of ``a``."""
+    return a.real * b.imag - a.imag * b.real
+
+
+def dot(a: Point, b: Point) -> Real:
+    """Scalar product of two vectors."""
+    return a.real * b.real + a.imag * b.imag
+
+
+def unit(v: Point, ar: Arithmetic) -> Point:
+    """The direction of ``v``; of a zero vector, the x axis (a zero vector is laid off anywhere)."""
+    length = abs(v)
+    nothing = length == 0  # what failed before (NaN) must stay so
+    return ar.where(nothing, 1 + 0j, v / ar.where(nothing, 1.0, length))
+
+
+def lines(p: Point, u: Point, q: Point, w: Point) -> tuple[Point, Real, Real]:
+    """Where the line through ``p`` along ``u`` meets the one through ``q`` along ``w`` (unit directions).
+
+    Returns the place, the signed sharpness, and the distance between the lines were they parallel. The place is
+    meaningless where the sharpness is 0; callers ask before they use it.
+    """
+    sharpness = cross(u, w)
+    gap = cross(u, q - p)
+    safe = sharpness + (sharpness == 0)
+    return p + u * (cross(q - p, w) / safe), sharpness, gap
+
+
+Arm = tuple[Point, Point, Real]  # a place, a direction, a length: how another place was reached
+
+
+def line_arc(
+    p: Point, u: Point, centre: Point, radius: Real, side: Real, ar: Arithmetic, arm: Arm | None = None
+) -> tuple[Point, Real, Real]:
+    """Where a line meets a circle, ahead (``side`` +1) or behind (-1) of the foot of its centre.
+
+    Returns the place, the sharpness and by how much the line misses the circle (negative: it does not).
+    The half chord is √((r-h)(r+h)): h is never squared. Where the ``arm`` leads to the centre, r-h is made of
+    lengths that are known: a crank as long as its rod folds without losing digits.
+    """
+    height = cross(u, centre - p)
+    miss = abs(height) - radius
+    half = ar.sqrt((radius - height) * (radius + height))
+    if arm:
+        reach, chord = _folded(p, u, radius, arm, ar)
+        half = ar.where(abs(reach - centre) <= 4 * ar.eps * (abs(centre) + abs(arm[2])), chord, half)
+    return centre + u * (side * half) - 1j * u * height, half / (radius + (radius == 0)), miss
+
+
+def _folded(p: Point, u: Point, radius: Real, arm: Arm, ar: Arithmetic) -> tuple[Point, Real]:
+    """The end of the arm, and the half chord by h = h₀ + l sin ψ, 1 - |sin ψ| = cos²ψ / (1 + |sin ψ|)."""
+    hub, ray, length = arm
+    rise, sine, cosine = cross(u, hub - p), cross(u, ray), dot(u, ray)
+    above = ar.where(sine < 0, -1.0, 1.0)
+    short = (radius - length - above * rise) + length * cosine * (cosine / (1 + abs(sine)))
+    return hub + ray * length, ar.sqrt(short * (radius + above * (rise + length * sine)))
+
+
+def arcs(c: Point, r: Real, d: Point, s: Real, side: Real, ar: Arithmetic) -> tuple[Point, Real, Real, Real]:
+    """Where two circles meet, left (``side`` +1) or right (-1) of the way from ``c`` to ``d``.
+
+    Returns the place, the sharpness, and by how much they are too far apart and by how much one lies inside the
+    other (negative: they are not). The triangle's area is 4K = √(((r + s)² - q²)(q² - (r - s)²)), each difference
+    formed of the places themselves without loss: the distance q between them, once rounded, leaves of a needle-like
+    triangle less than Kahan's formula (Miscalculating Area and Angles of a Needle-like Triangle, 1986) could save.
+    """
+    apart = abs(d - c)
+    far, near = apart - (r + s), abs(r - s) - apart
+    quad = ar.sqrt(ar.gap(c, d, r, s) * -ar.gap(c, d, r, -s))
+    safe = apart + (apart == 0)
+    along = (apart + (r - s) * ((r + s) / safe)) / 2
+    e = (d - c) / safe
+    place = c + e * along + 1j * e * (side * quad / (2 * safe))
+    return place, quad / (2 * r * s + (r * s == 0)), far, near
+
+
+def tangent(c: Point, a: Point, offset: Real, side: Real, ar: Arithmetic) -> tuple[Point, Real, Real]:
+    """Direction u of the line through ``c`` that has ``a`` at ``offset`` to its left, ahead (+1) or behind.
+
+    It is the tangent from ``a`` to the circle of radius ``offset`` about ``c``, √(|a - c|² - offset²) long. Returns u,
+    the sharpness and by how much the circle is too large (negative: it is not).
+    """
+    apart = abs(a - c)
+    safe = apart + (apart == 0)
+    through = isinstance(offset, float) and offset == 0  # the line through both
+    ahead = side * (apart if through else ar.sqrt(-ar.gap(c, a, offset, 0.0)))
+    u = (a - c) * (ahead - 1j * offset) / (safe * safe)
+    size = abs(u)
+    return u / (size + (size == 0)), abs(ahead) / safe, abs(offset) - apart

@@ -1,0 +1,168 @@
+"""The self-aligning variant: which pairs to loosen so that no constraint is redundant (q = 0).
+
+Somov–Malyshev: W = 6n − 5p₅ − 4p₄ − 3p₃. A planar group of one-freedom pairs holds its n links by 5p constraints where
+6n are enough; turning pairs may become cylindrical (2ц) or spherical (3с), sliding ones cylindrical. Counting is not
+enough: a rod between two spheres counts right and still spins. So the constraints out of the plane are written down at
+the mechanism's own places, and only a variant whose matrix has full rank is taken: no freedom is left in the group,
+and no constraint too many.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import product
+from typing import Any
+
+from planes.drafting.drawing import run
+from planes.plans import Plans
+from planes.plans.scales import unit_scales
+from planes.plans.self_aligning import FREEDOMS, Aligned, Sign
+from planes.plans.structure import Group, Pair
+from planes.scene.mechanism import FRAME
+from planes.words import Phrase
+from planes.words.errors import PlanFailure, StructureError
+
+CHOICES: Mapping[str, tuple[Sign, ...]] = {"R": ("R", "S", "C"), "P": ("P", "C")}
+FIRM = 1e-6  # a smaller determinant holds some link loosely
+POSITIONS = 24  # of the cycle that are looked at
+
+
+def aligned(plans: Plans, file: str = "") -> Aligned:
+    """The self-aligning variant of a mechanism; :class:`StructureError` where a group has none or nothing assembles."""
+    cycle = _places(plans, file)
+    found: list[tuple[Pair, Sign]] = [(plans.structure.drive_pair, plans.structure.drive_pair.kind)]
+    for group in plans.structure.groups:
+        ways = list(_variants(group))
+        steady = (w for w in ways if steadily(plans, group, w, cycle))
+        signs = next(steady, None) or next((w for w in ways if steadily(plans, group, w, cycle[:1])), None)
+        if signs is None:
+            raise StructureError(Phrase("no_alignment", links=group.links), file)
+        found += zip(pairs_of(group), signs, strict=True)
+    return Aligned(len(plans.mechanism.links), plans.structure.W, tuple(found))
+
+
+def pairs_of(group: Group) -> tuple[Pair, Pair, Pair]:
+    """The pairs of a group: outer, inner, outer."""
+    return group.first_outer, group.inner, group.last_outer
+
+
+def _variants(group: Group) -> Iterator[tuple[Sign, ...]]:
+    """Ways to loosen a group's pairs by as much as is redundant: those that change least and keep bearings first."""
+    pairs = pairs_of(group)
+    excess = 5 * len(pairs) - 6 * len(group.links)
+    ways = [w for w in product(*(CHOICES[p.kind] for p in pairs)) if sum(FREEDOMS[s] - 1 for s in w) == excess]
+
+    def awkward(way: tuple[Sign, ...]) -> tuple[int, int, int]:
+        changed = sum(FREEDOMS[s] > 1 for s in way)
+        grounded = sum(FREEDOMS[s] > 1 for p, s in zip(pairs, way, strict=True) if p.joins(FRAME))
+        sphere_inside = sum(s == "S" for p, s in zip(pairs, way, strict=True) if p == group.inner)
+        return changed, grounded, -sphere_inside
+
+    return iter(sorted(ways, key=awkward))
+
+
+# what a pair holds out of the plane
+
+Line = tuple[complex, complex]  # a point of it, and its direction
+
+
+@dataclass(frozen=True)
+class Places:
+    """Where every pair is in one position of the mechanism."""
+
+    lines: Mapping[Pair, Line]
+
+    @cached_property
+    def size(self) -> float:
+        """The distance of the two pairs farthest apart."""
+        points = [point for point, _ in self.lines.values()]
+        return max(abs(a - b) for a in points for b in points) or 1.0
+
+
+def _places(plans: Plans, file: str) -> list[Places]:
+    """Where every pair is (for a hinge the direction means nothing), through the cycle: in the drive's own position
+    first, where that assembles."""
+    wanted = [v.angle for v in plans.links.values() if v.angle] + [m.position for m in plans.points.values()]
+    program = plans.program.sliced(wanted)
+    given = {**plans.given, **unit_scales(plans)}
+    drive = plans.mechanism.drive
+    turn = [drive.position + 360.0 * k / POSITIONS for k in range(1, POSITIONS)] if drive.kind == "phi" else []
+    found = []
+    for value in (drive.position, *turn):
+        with suppress(PlanFailure):
+            things = run(program, {**given, plans.drive_given: value}).things
+            found.append(Places({p: _line(plans, p, things) for p in plans.structure.pairs}))
+    if not found:
+        raise StructureError(Phrase("no_working"), file)
+    return found
+
+
+def _line(plans: Plans, pair: Pair, things: Mapping[str, Any]) -> Line:
+    if pair.kind == "R":
+        return complex(things[plans.points[pair.point].position]), 1 + 0j
+    m = plans.mechanism
+    guide, owner = m.guide(pair.guide), m.link(pair.other)
+    turn, base, own = 1 + 0j, 0j, 0j
+    if owner.name != FRAME:
+        turn = cmath.exp(1j * math.radians(things[plans.links[owner.name].angle]))
+        base, own = complex(things[plans.points[owner.first_point].position]), owner.points[owner.first_point]
+    along = turn * cmath.exp(1j * math.radians(guide.angle_deg))
+    through = base + (guide.through - own) * turn
+    slider = complex(things[plans.points[m.link(pair.link).first_point].position])
+    return through + along * ((slider - through) * along.conjugate()).real, along
+
+
+def steadily(plans: Plans, group: Group, signs: tuple[Sign, ...], cycle: list[Places]) -> bool:
+    """Whether the pairs hold the group's links out of the plane exactly, neither loosely nor twice over, everywhere."""
+    firmness = [firm(group, signs, places) for places in cycle]
+    return all(f > FIRM for f in firmness) or all(f < -FIRM for f in firmness)
+
+
+def firm(group: Group, signs: tuple[Sign, ...], places: Places) -> float:
+    """The determinant of what the pairs hold out of the plane, rows and lengths of the size of one: 0 holds loosely."""
+    column = {link: 3 * k for k, link in enumerate(group.links)}
+    rows: list[list[float]] = []
+    for pair, sign in zip(pairs_of(group), signs, strict=True):
+        for held in holds(sign, pair.kind, *places.lines[pair], places.size):
+            row = [0.0] * (3 * len(group.links))
+            for link, side in ((pair.link, 1.0), (pair.other, -1.0)):
+                if link in column:
+                    row[column[link] : column[link] + 3] = [side * x for x in held]
+            length = math.hypot(*row)
+            rows.append([x / length for x in row])
+    return determinant(rows) if len(rows) == 3 * len(group.links) else 0.0
+
+
+def determinant(rows: list[list[float]]) -> float:
+    """Of a small square matrix, by elimination with the largest pivots."""
+    left, found = [row[:] for row in rows], 1.0
+    for k in range(len(left)):
+        best = max(range(k, len(left)), key=lambda i: abs(left[i][k]))
+        if left[best][k] == 0.0:
+            return 0.0
+        if best != k:
+            left[k], left[best], found = left[best], left[k], -found
+        found *= left[k][k]
+        for i in range(k + 1, len(left)):
+            part = left[i][k] / left[k][k]
+            left[i] = [x - part * y for x, y in zip(left[i], left[k], strict=True)]
+    return found
+
+
+def holds(sign: Sign, kind: str, place: complex, along: complex, size: float) -> list[tuple[float, float, float]]:
+    """What a pair forbids of a motion out of the plane (z, turn about x, turn about y; lengths over ``size``)."""
+    z = place / size
+    level = (1.0, z.imag, -z.real)  # the pair's place stays in the plane
+    about_x, about_y = (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+    if sign in ("R", "P"):
+        return [level, about_x, about_y]
+    if sign == "S":
+        return [level]
+    if kind == "R":  # a pin in a bushing: it may move along its axis
+        return [about_x, about_y]
+    return [level, (0.0, -along.imag, along.real)]  # a round rod: it may turn about itself

@@ -1,0 +1,82 @@
+"""The scale μ of every plan: as the scene says, or the largest standard one that fits its part of the paper."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Mapping
+from contextlib import suppress
+from typing import Any
+
+from planes.drafting.drawing import Drawing, run
+from planes.drafting.instruments import Exact
+from planes.drafting.program import Program
+from planes.plans import Plans
+from planes.words.errors import PlanFailure
+from planes.words.names import POLE, label_of, mu_of, plan_of
+from planes.words.units import standard_mu, standard_scale
+
+FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 110.0, "motion": 100.0}
+"""How large a plan may be on the paper when nothing else is said."""
+
+
+def kind_of(plan: str) -> str:
+    """The kind of a plan: "force" of "force:2-3"."""
+    return plan.partition(":")[0]
+
+
+def unit_scales(plans: Plans) -> dict[str, float]:
+    """Every μ as 1 mm per SI unit: a drawing in SI, to see how large things are."""
+    return {mu_of(plan): 1.0 for plan in plans.drawn}
+
+
+def scales(
+    plans: Plans, said: Mapping[str, float | None], given: Mapping[str, object] | None = None,
+    fit_mm: Mapping[str, float] = FIT_MM,
+) -> dict[str, float]:  # fmt: skip
+    """μ of every plan of one position (names to mm per SI unit). Raises what drawing that position raises.
+
+    ``fit_mm`` says how large each plan, or each kind of plans, may be.
+    """
+    fixed = {p: said.get(kind_of(p)) for p in plans.drawn if p != "lever"}
+    chosen = {mu_of(p): mu for p, mu in fixed.items() if mu}
+    if len(chosen) < len(fixed):
+        now = {**plans.given, **unit_scales(plans), **(given or {})}
+        drawing, failed = reached(plans.program, now)
+        for plan in fixed:
+            if mu_of(plan) not in chosen:
+                size, fit = extent(drawing, plan), fit_mm.get(plan) or fit_mm[kind_of(plan)]
+                standard = standard_scale if plan == "position" else standard_mu
+                chosen[mu_of(plan)] = standard(size, fit)
+        if failed:  # tell it in millimetres of the paper
+            run(plans.program, {**now, **chosen})
+            raise failed
+    if "lever" in plans.drawn:
+        chosen[mu_of("lever")] = chosen[mu_of("motion" if plans.at_rest else "velocity")]
+    return chosen
+
+
+def reached(program: Program, given: Mapping[str, Any]) -> tuple[Drawing, PlanFailure | None]:
+    """A drawing as far as it goes, and why it goes no further."""
+    try:
+        return run(program, given), None
+    except PlanFailure as failure:
+        things, hand, steps = dict(given), Exact().tool(False), []
+        with suppress(PlanFailure):
+            for step in program.steps:
+                things[step.makes] = step.draw(things, hand)
+                steps.append(step)
+        return Drawing(Program(tuple(steps)), things, hand), failure
+
+
+def extent(drawing: Drawing, plan: str) -> float:
+    """The larger side of the box around a plan's marks, in SI when drawn at unit scale."""
+    made = [s.makes for s in drawing.program.steps if s.kind == "mark" and s.makes not in drawing.program.trials]
+    own = [m for m in made if plan_of(m) == plan and "°" not in m and label_of(m) != POLE]
+    marks = [drawing[m] for m in own]
+    if plan != "position":
+        marks.append(0j)
+    marks = [m for m in marks if cmath.isfinite(m)]
+    if not marks:
+        return 0.0
+    wide = max(m.real for m in marks) - min(m.real for m in marks)
+    return float(max(wide, max(m.imag for m in marks) - min(m.imag for m in marks)))

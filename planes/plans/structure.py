@@ -1,0 +1,238 @@
+"""Pairs, Chebyshev's W, Reshetov's q and the Assur groups of a mechanism, in the order they are attached.
+
+Sources: Chebyshev's W = 3n - 2p₁ and Reshetov's q = W - 6n + 5p₁ for one-freedom pairs; Assur's groups of
+class II in the five kinds of Artobolevsky.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Literal
+
+from planes.scene.mechanism import FRAME, Mechanism
+from planes.words import Phrase
+from planes.words.errors import StructureError
+
+KIND_NAMES = ("RRR", "RRP", "RPR", "PRP", "RPP")
+
+
+@dataclass(frozen=True)
+class Pair:
+    """A kinematic pair of ``link`` with the earlier solved ``other``; in a sliding pair ``link`` slides.
+
+    ``kind`` "R" meets at ``point``; "P" is along ``guide``, carried by ``other``.
+    """
+
+    kind: Literal["R", "P"]
+    link: str
+    other: str
+    point: str = ""
+    guide: str = ""
+
+    def joins(self, link: str) -> bool:
+        """Whether this pair is one of the link's."""
+        return link in (self.link, self.other)
+
+    def mate(self, link: str) -> str:
+        """The other link of the pair."""
+        return self.other if link == self.link else self.link
+
+
+@dataclass(frozen=True)
+class Group:
+    """An Assur group of class II: two links, their inner pair and one outer pair each.
+
+    ``links`` stand in the order of the file. ``first`` and ``last`` are the same two in the order the method
+    takes them (RRP: connecting rod, slider; RPR: slider, guide link; RPP: hinged link, the other), with
+    outer pairs ``first_outer`` and ``last_outer``.
+    """
+
+    links: tuple[str, str]
+    kind: int
+    first: str
+    last: str
+    inner: Pair
+    first_outer: Pair
+    last_outer: Pair
+
+    @property
+    def name(self) -> str:
+        """The letters of its pairs, e.g. "RRP"."""
+        return KIND_NAMES[self.kind - 1]
+
+
+@dataclass(frozen=True)
+class Structure:
+    """What the structure of a mechanism is: freedom, redundant constraints, pairs, groups in order."""
+
+    W: int
+    q: int
+    drive_pair: Pair
+    groups: tuple[Group, ...]
+    driver: str
+
+    @property
+    def pairs(self) -> tuple[Pair, ...]:
+        """Every pair once: the drive's, then each group's outer, inner, outer."""
+        inside = (p for g in self.groups for p in (g.first_outer, g.inner, g.last_outer))
+        return (self.drive_pair, *inside)
+
+    @property
+    def formula(self) -> str:
+        """Formula of structure: "I(0;1) -> II(2;3) -> II(4;5)"."""
+        return " -> ".join([f"I({FRAME};{self.driver})", *(f"II({';'.join(g.links)})" for g in self.groups)])
+
+
+def analyse(mechanism: Mechanism, file: str = "") -> Structure:
+    """Find W, q and the groups; :class:`StructureError` names the links where the method cannot go on."""
+    finder = _Finder(mechanism, file)
+    pair_count = finder.pair_count()
+    freedom = 3 * len(mechanism.links) - 2 * pair_count
+    if freedom != 1:
+        hint = Phrase("freedom_more") if freedom > 1 else Phrase("freedom_less", count=1 - freedom)
+        raise finder.error(Phrase(
+            "wrong_freedom", links=len(mechanism.links), pairs=pair_count, freedom=freedom, hint=hint,
+            listed=finder.pair_words()), "links", finder.suspect(freedom > 1))
+    drive_pair = finder.drive_pair()
+    groups = finder.groups()
+    redundant = freedom - 6 * len(mechanism.links) + 5 * pair_count
+    return Structure(freedom, redundant, drive_pair, groups, mechanism.drive.link)
+
+
+class _Finder:
+    """Walks the links from the frame outwards, taking the earliest dyad of the file each time."""
+
+    def __init__(self, mechanism: Mechanism, file: str) -> None:
+        self.mechanism, self.file = mechanism, file
+        self.links = list(mechanism.links)
+        self.order = {FRAME: 0, mechanism.drive.link: 1}  # links in the order they are solved
+        self.holders: dict[str, list[str]] = {}
+        for link in (mechanism.frame, *mechanism.links.values()):
+            for point in link.points:
+                self.holders.setdefault(point, []).append(link.name)
+        self.slides = [
+            Pair("P", link.name, mechanism.owner(link.slides.guide), guide=link.slides.guide)
+            for link in mechanism.links.values()
+            if link.slides
+        ]
+        self.slid: dict[str, list[Pair]] = {}
+        for slide in self.slides:
+            for name in dict.fromkeys((slide.link, slide.other)):
+                self.slid.setdefault(name, []).append(slide)
+
+    def error(self, phrase: Phrase, *path: str) -> StructureError:
+        """A refusal that points at the line of what it speaks of."""
+        where = self.mechanism.where
+        return StructureError(phrase, self.file, where.get(path, where.get(("links",))))
+
+    def pair_count(self) -> int:
+        """Number of one-freedom pairs: k - 1 for a hinge of k links, one for each slide."""
+        return sum(len(h) - 1 for h in self.holders.values()) + len(self.slides)
+
+    def suspect(self, loose: bool) -> str:
+        """The link a wrong W is put down to: that of the fewest pairs, or of the most; of equals the last."""
+        count = {name: sum(name in h for h in self.holders.values() if len(h) > 1) for name in self.links}
+        for slide in self.slides:
+            for name in {slide.link, slide.other} - {FRAME}:
+                count[name] += 1
+        return (min if loose else max)(reversed(self.links), key=lambda name: count[name])
+
+    def pair_words(self) -> tuple[Phrase, ...]:
+        """The pairs in words, for the sentence of a wrong W."""
+        hinges = [Phrase("hinge_pair", point=p, links=tuple(h)) for p, h in self.holders.items() if len(h) > 1]
+        slides = [Phrase("slide_pair", link=s.link, guide=s.guide, owner=s.other) for s in self.slides]
+        return (*hinges, *slides) or (Phrase("none"),)
+
+    def drive_pair(self) -> Pair:
+        """The pair of the driver with the frame that the drive's motion is given in."""
+        drive = self.mechanism.drive
+        found = self.between(drive.link, {FRAME: 0})
+        wanted: Literal["R", "P"] = "R" if drive.kind == "phi" else "P"
+        fitting = [p for p in found if p.kind == wanted]
+        if len(found) != 1 or not fitting:
+            need = Phrase("need_hinge" if wanted == "R" else "need_guide")
+            have = tuple(_pair_word(p) for p in found) or Phrase("none")
+            raise self.error(Phrase("driver_pair", link=drive.link, kind=drive.kind, need=need, have=have), "drive")
+        return fitting[0]
+
+    def between(self, link: str, known: Mapping[str, int]) -> list[Pair]:
+        """Pairs of ``link`` with the known links, each hinge paired with the one solved first."""
+        pairs = []
+        for point in self.mechanism.link(link).points:
+            mates = [k for k in self.holders[point] if k in known]
+            if mates:
+                pairs.append(Pair("R", link, min(mates, key=known.__getitem__), point=point))
+        return pairs + [slide for slide in self.slid.get(link, ()) if slide.mate(link) in known]
+
+    def groups(self) -> tuple[Group, ...]:
+        """Dyads in the order they attach; refuses what is left when none attaches."""
+        found = []
+        while left := [x for x in self.links if x not in self.order]:
+            group = next((g for g in map(self.dyad, self.meeting(left)) if g), None)
+            if group is None:
+                raise self.higher_class(left)
+            found.append(group)
+            self.order |= {link: len(self.order) + k for k, link in enumerate(group.links)}
+        return tuple(found)
+
+    def meeting(self, left: list[str]) -> Iterator[tuple[str, str]]:
+        """The pairs of those links that have a hinge or a guide in common, in the order of the file."""
+        place = {link: k for k, link in enumerate(left)}
+        for one in left:
+            hinged = {h for point in self.mechanism.link(one).points for h in self.holders[point]}
+            mates = hinged | {slide.mate(one) for slide in self.slid.get(one, ())}
+            later = sorted(place[m] for m in mates if place.get(m, -1) > place[one])
+            yield from ((one, left[k]) for k in later)
+
+    def dyad(self, links: tuple[str, str]) -> Group | None:
+        """The two links as a dyad on what is solved, or None."""
+        one, two = links
+        outer_one, outer_two = self.between(one, self.order), self.between(two, self.order)
+        inner = [p for p in self.between(two, {one: 0}) if p.kind == "P" or not self.solved_hinge(p.point)]
+        if len(outer_one) != 1 or len(outer_two) != 1 or len(inner) != 1:
+            return None
+        return self.classified(links, outer_one[0], inner[0], outer_two[0])
+
+    def solved_hinge(self, point: str) -> bool:
+        return any(link in self.order for link in self.holders[point])
+
+    def classified(self, links: tuple[str, str], a: Pair, inner: Pair, b: Pair) -> Group:
+        """Kind and working order of a dyad with outer pairs ``a`` of the first link and ``b`` of the second."""
+        letters = a.kind + inner.kind + b.kind
+        one, two = links
+        if letters == "PPP":
+            raise self.error(Phrase("three_slides", one=one, two=two), "links", one)
+        if letters == "PRP" and a.mate(one) == b.mate(two):
+            raise self.error(Phrase("locked_slides", one=one, two=two, owner=a.mate(one)), "links", two)
+        swap = letters in ("PRR", "PPR") or (letters == "RPR" and inner.other == one)
+        if swap:
+            one, two, a, b = two, one, b, a
+        kind = KIND_NAMES.index(letters[::-1] if letters in ("PRR", "PPR") else letters) + 1
+        return Group(links, kind, one, two, inner, a, b)
+
+    def higher_class(self, left: list[str]) -> StructureError:
+        """The error for links that form a group of a higher class, or are over- or under-constrained."""
+        for size in range(1, len(left) + 1):
+            for chosen in combinations(left, size):
+                freedom = 3 * size - 2 * self.pairs_within(chosen)
+                if freedom < 0:
+                    why = Phrase("overconstrained", names=chosen, count=(1 - freedom) // 2, freedom=freedom)
+                    return self.error(why, "links", chosen[0])
+                if freedom == 0 and size > 2:
+                    return self.error(Phrase("higher_class", names=chosen), "links", chosen[0])
+        return self.error(Phrase("loose_links", names=tuple(left)), "links", left[0])
+
+    def pairs_within(self, chosen: tuple[str, ...]) -> int:
+        """Pairs of the chosen links among themselves and with the solved ones."""
+        known = set(self.order) | set(chosen)
+        count = 0
+        for holders in self.holders.values():
+            inside = [h for h in holders if h in known]
+            count += max(0, len(inside) - max(1, sum(h in self.order for h in inside)))
+        return count + sum(s.link in known and s.other in known for s in self.slides if {s.link, s.other} & set(chosen))
+
+
+def _pair_word(pair: Pair) -> Phrase:
+    return Phrase("a_hinge", name=pair.point) if pair.kind == "R" else Phrase("a_slide", name=pair.guide)

@@ -1,0 +1,90 @@
+"""The one way a file is written: the whole of it, or the one that was there before stays as it was."""
+
+from __future__ import annotations
+
+import errno
+import os
+import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from secrets import token_hex
+
+from planes.words import Phrase
+from planes.words.errors import PlanesError
+
+PART = ".part"  # ends the name of a file while it is being written
+
+
+@contextmanager
+def whole(path: str | Path, draft: Path | None = None) -> Iterator[Path]:
+    """A draft to write to, which takes the file's name once it is safe on the disk; whatever goes wrong, it goes away.
+
+    The draft lies beside the file under a name nobody else has. A link of the file's name gives way to the file: what
+    it leads to is not written to.
+    """
+    target = Path(path)
+    draft = draft or target.parent / f".planes-{token_hex(8)}{PART}"
+    mode = _mode(target)
+    try:
+        os.close(os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
+        yield draft
+        with draft.open("rb+") as file:
+            os.fsync(file.fileno())
+        if mode is not None:
+            draft.chmod(mode)
+        os.replace(draft, target)
+    except BaseException:
+        draft.unlink(missing_ok=True)
+        raise
+
+
+def _mode(target: Path) -> int | None:
+    """Who may read the file that is there, None where there is none; a name no file can have is refused at once."""
+    try:
+        found = target.lstat().st_mode
+    except FileNotFoundError:
+        return None
+    if stat.S_ISDIR(found):
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(target))
+    return stat.S_IMODE(found) if stat.S_ISREG(found) else None
+
+
+def save(data: bytes, path: str | Path | None) -> bytes:
+    """The same bytes, written to the path if one is given: the whole file or nothing."""
+    if path is not None:
+        if _flows(Path(path)):
+            Path(path).write_bytes(data)
+            return data
+        with whole(path) as draft:
+            draft.write_bytes(data)
+    return data
+
+
+def _flows(target: Path) -> bool:
+    """Whether it is a terminal or a pipe, which is written to and never replaced."""
+    try:
+        found = target.stat().st_mode
+    except OSError:
+        return False
+    return stat.S_ISCHR(found) or stat.S_ISFIFO(found)
+
+
+@contextmanager
+def sayable(path: str | Path) -> Iterator[None]:
+    """What the system refuses while a file is written, as a sentence."""
+    try:
+        yield
+    except OSError as error:
+        raise cannot_write(error, path) from None
+
+
+def cannot_write(error: OSError, path: str | Path) -> PlanesError:
+    """The sentence that a file cannot be written, and why."""
+    return PlanesError(Phrase("cannot_write", file=str(path), reason=error.strerror or str(error)))
+
+
+def keep(data: bytes, path: str | Path) -> None:
+    """Write the file whole, or refuse in a sentence."""
+    with sayable(path):
+        save(data, path)

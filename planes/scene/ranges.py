@@ -1,0 +1,67 @@
+"""Ranges of the drive's value as a person writes them: "30", "0:360:30", "-90"."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from planes.words import Phrase
+from planes.words.errors import SceneError
+
+MOST = 10_000_000  # positions that may be held at once
+MOST_ROWS = 1_000_000_000  # of a table, which is written piece by piece
+
+
+@dataclass(frozen=True)
+class Span:
+    """Evenly spaced values, none of them kept: only asked for, a block at a time."""
+
+    start: float
+    step: float
+    count: int
+
+    def __len__(self) -> int:
+        return self.count
+
+    def __getitem__(self, part: slice) -> Any:
+        import numpy
+
+        first, last, _ = part.indices(self.count)
+        values = numpy.arange(first, last, dtype=float)
+        values *= self.step
+        values += self.start
+        return values
+
+
+def read_range(text: str, option: str = "--phi") -> list[float]:
+    """The values of "a", or of "a:b:step" with b included when it falls on it."""
+    span = read_span(text, option)
+    _check_count(span.count, MOST, text, option)
+    return [span.start + i * span.step for i in range(span.count)]
+
+
+def read_span(text: str, option: str = "--phi") -> Span:
+    """The same values, however many, without making a list of them."""
+    parts = text.split(":")
+    try:
+        numbers = [float(p.replace("−", "-")) for p in parts]
+    except ValueError:
+        hint = Phrase("decimal_no_comma") if "," in text else ""
+        raise SceneError(Phrase("range_not_number", option=option, text=repr(text), hint=hint)) from None
+    if len(numbers) not in (1, 3) or not all(math.isfinite(n) for n in numbers):
+        raise SceneError(Phrase("range_parts", option=option, text=repr(text)))
+    if len(numbers) == 1:
+        return Span(numbers[0], 0.0, 1)
+    start, end, step = numbers
+    if step == 0 or (end - start) * step < 0:
+        raise SceneError(Phrase("range_endless", option=option, text=repr(text), step=step, start=start, end=end))
+    steps = (end - start) / step * (1 + 1e-12) + 1e-9
+    _check_count(steps, MOST_ROWS, text, option)
+    return Span(start, step, math.floor(steps) + 1)
+
+
+def _check_count(count: float, most: int, text: str, option: str) -> None:
+    if count > most:
+        told = f"{min(count, 1e308):.9g}"
+        raise SceneError(Phrase("range_long", option=option, text=repr(text), count=told, most=most))

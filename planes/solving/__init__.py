@@ -1,0 +1,144 @@
+"""Solve a scene for one or many values of its drive: what ``planes solve`` prints, as plain dictionaries."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from planes.drafting.drawing import Drawing, proved, run
+from planes.drafting.instruments import PENCILS, Instrument, Pencil
+from planes.plans import Plans, sliced, state
+from planes.plans.measuring import Quantity, Reader, asked
+from planes.plans.scales import FIT_MM, scales
+from planes.plans.structure import Structure
+from planes.scene import Scene
+from planes.solving.nearest import nearest
+from planes.solving.warned import warnings
+from planes.words import Lang, Phrase, say
+from planes.words.errors import PlanFailure, SceneError
+
+TOLD = 20  # for how many failed positions the nearest working one is looked for
+
+
+@dataclass(frozen=True)
+class Position:
+    """One position drawn: the value of the drive, its plans and drawing, scales, and results for JSON."""
+
+    value: float
+    plans: Plans
+    drawing: Drawing
+    scales: Mapping[str, float]
+    results: dict[str, Any]
+
+
+@dataclass
+class Solved:
+    """All positions that came out, and those that did not, each with its sentence; ``values`` as they were asked."""
+
+    scene: Scene
+    plans: Plans
+    values: list[float] = field(default_factory=list)
+    positions: list[Position] = field(default_factory=list)
+    failed: list[dict[str, Any]] = field(default_factory=list)
+    lang: Lang = "en"
+
+    def json(self) -> dict[str, Any]:
+        """The object ``planes solve --json`` prints."""
+        doubts = [doubt.told(self.lang) for doubt in self.scene.doubts]
+        return {
+            "planes": 1,
+            "scene": Path(self.scene.file).name,
+            "variant": self.scene.variant,
+            "structure": structure_json(self.plans.structure),
+            "positions": [{**p.results, "warnings": doubts + p.results["warnings"]} for p in self.positions],
+            "failed": self.failed,
+        }
+
+
+def structure_json(s: Structure) -> dict[str, Any]:
+    """W, q, formula and groups as the JSON has them."""
+    groups = [{"links": list(g.links), "kind": g.kind, "name": g.name} for g in s.groups]
+    return {"W": s.W, "q": s.q, "formula": s.formula, "groups": groups}
+
+
+def plans_of(scene: Scene) -> tuple[Plans, list[Quantity] | None]:
+    """The plans of a scene, cut to what it asks for, and the quantities asked (None: all)."""
+    if scene.mechanism is None:
+        raise SceneError(Phrase("vectors_alone"), scene.file, scene.where.get(("vectors",), 1))
+    plans = state(scene.mechanism, scene.file)
+    if scene.find is None:
+        return plans, None
+    wanted = asked(plans, scene.find, scene.file)
+    return sliced(plans, [n for q in wanted for n in q.needs]), wanted
+
+
+def solve(
+    scene: Scene, values: Iterable[float] | None = None, instrument: Instrument | None = None, lang: Lang = "en"
+) -> Solved:
+    """Draw and measure every asked position. :class:`SceneError` where the scene itself cannot be meant."""
+    plans, wanted = plans_of(scene)
+    drive = plans.mechanism.drive
+    solved = Solved(scene, plans, [drive.position] if values is None else list(values), lang=lang)
+    for value in solved.values:
+        try:
+            solved.positions.append(position(scene, plans, wanted, value, instrument, lang))
+        except PlanFailure as failure:
+            near = nearest(plans, value) if len(solved.failed) < TOLD else None
+            solved.failed.append({key_of(plans): value, "error": failed(failure, value, drive.kind, near, lang)})
+    return solved
+
+
+def failed(failure: PlanFailure, value: float, kind: str, near: float | None, lang: Lang) -> str:
+    """The sentence of a position that did not come out, with the nearest one that does."""
+    name = "φ" if kind == "phi" else "s"
+    sentence = say("at", lang, name=name, value=told(value, kind, lang)) + failure.sentence(lang)
+    return sentence + (say("nearest", lang, name=name, value=told(near, kind, lang, True)) if near is not None else "")
+
+
+def told(value: float, kind: str, lang: Lang, exact: bool = False) -> str:
+    """A value of the drive in words, with ten digits or ``exact``, so that it can be typed again."""
+    number = repr(value).removesuffix(".0") if exact else f"{value:.10g}"
+    return f"{number}°" if kind == "phi" else say("in_m", lang, value=number)
+
+
+def key_of(plans: Plans) -> str:
+    """The JSON key of the drive's value."""
+    return "phi_deg" if plans.mechanism.drive.kind == "phi" else "s"
+
+
+def position(
+    scene: Scene, plans: Plans, wanted: list[Quantity] | None, value: float, instrument: Instrument | None, lang: Lang,
+    fit_mm: Mapping[str, float] = FIT_MM,
+) -> Position:  # fmt: skip
+    """One position drawn at its scales (an open μ: the largest with which the plan fits ``fit_mm``) and measured."""
+    moved = plans.at(value)
+    mus = scales(plans, scene.mu, moved, fit_mm)
+    given = {**plans.given, **mus, **moved}
+    drawing = run(plans.program, given, instrument)
+    proved(plans.program, given)  # a pencil's errors prove nothing: what he was to draw must hold
+    reader = Reader(plans, drawing, mus)
+    results: dict[str, Any] = {key_of(plans): value, **reader.results(wanted)}
+    names = None if wanted is None else {n for q in wanted for n in (q.name, q.path[-1])}
+    errors = pencil_errors(plans, given, instrument, reader) if isinstance(instrument, Pencil) else None
+    drawn = reader.plans(names, errors)
+    if drawn or wanted is None:
+        results["plans"] = drawn
+    results["warnings"] = warnings(reader, wanted, given, lang)
+    return Position(value, plans, drawing, mus, results)
+
+
+def pencil_errors(plans: Plans, given: Mapping[str, Any], pencil: Pencil, reader: Reader) -> dict[str, float]:
+    """Standard deviation, in mm, of every segment over many draughtsmen with the same pencil."""
+    import numpy
+
+    crowd = {**given, plans.drive_given: numpy.full(PENCILS, float(given[plans.drive_given]))}
+    drawing = run(plans.program, crowd, pencil)
+    many = Reader(plans, drawing, reader.scales)
+    found = {}
+    for plan in plans.drawn:
+        for key, s in many.plan_segments(plan).items():
+            length = abs(drawing[f"{plan}:{s.end}"] - drawing[f"{plan}:{s.start}"])
+            found[f"{plan}:{key}"] = float(numpy.nanstd(length)) if numpy.ndim(length) else 0.0
+    return found

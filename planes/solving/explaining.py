@@ -1,0 +1,40 @@
+"""What ``planes solve --explain`` prints: the steps of a program that lead to what is asked, and those dropped."""
+
+from __future__ import annotations
+
+from planes.drafting.program import Program
+from planes.drafting.steps.base import Step
+from planes.plans import state
+from planes.scene import Scene
+from planes.solving import plans_of
+from planes.solving.vectors import program_of, stated
+from planes.words import Lang, say
+
+
+def explain(scene: Scene, lang: Lang = "en") -> str:
+    """The kept and the dropped steps of a scene, one on a line, in the order they would be drawn."""
+    whole, kept = _programs(scene)
+    dropped = [s for s in whole.steps if s.makes not in kept.made]
+    lines = [say("explain_kept", lang, kept=len(kept.steps), all=len(whole.steps)), *_listed(kept.steps, lang)]
+    if dropped:
+        lines += ["", say("explain_dropped", lang, dropped=len(dropped)), *_listed(tuple(dropped), lang)]
+    return "\n".join(lines) + "\n"
+
+
+def _programs(scene: Scene) -> tuple[Program, Program]:
+    """All that a scene states, and what of it is drawn."""
+    if scene.mechanism is None:
+        plan, spans = stated(scene)
+        return program_of(plan, plan.spans), program_of(plan, spans)
+    return state(scene.mechanism, scene.file).program, plans_of(scene)[0].program
+
+
+def _listed(steps: tuple[Step, ...], lang: Lang) -> list[str]:
+    return [f"  {_line(s, lang)}" for s in steps]
+
+
+def _line(step: Step, lang: Lang) -> str:
+    verb = say(f"step_{type(step).__name__}", lang)
+    names = ", ".join(dict.fromkeys(name for name, kind in step.reads() if not name.startswith("mu_")))
+    return f"{step.makes}: {verb}" + (f" ({say('explain_reads', lang, reads=names)})" if names else "")
+

@@ -1,0 +1,113 @@
+"""Where the method works again: the value of the drive nearest to one at which it fails."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from planes.drafting.drawing import run
+from planes.plans import Plans
+from planes.plans.scales import unit_scales
+from planes.words.errors import PlanFailure
+
+STEPS = 1440  # to either side, an eighth of a degree each; a sliding driver looks as far as four of its longest lengths
+ZOOMS, FINER = 12, 16  # how often, and into how many parts, a step is divided in which there may be a narrow range
+HALVINGS = 60
+LEAST = 5e-324  # more than nothing
+BESIDE = 0.08  # of a step: how far one goes from a place where the method fails alone, both its sides working
+DECIMALS = 4  # of degrees; of metres two more. More are told only where the range is too narrow for them
+
+
+def trials(plans: Plans) -> Callable[[float], bool]:
+    """A test of whether every step can be drawn at a value of the drive."""
+    given = {**plans.given, **unit_scales(plans)}
+
+    def works(value: float) -> bool:
+        try:
+            run(plans.program, {**given, plans.drive_given: value})
+        except (PlanFailure, OverflowError, ZeroDivisionError):
+            return False
+        return True
+
+    return works
+
+
+def nearest(plans: Plans, value: float) -> float | None:
+    """The nearest value that works, with few decimals and working when it is typed so; None if there is none."""
+    found = [x for x in (_Side(plans, value, side).first() for side in (1.0, -1.0)) if x is not None]
+    return min(found, key=lambda x: abs(x - value), default=None)
+
+
+class _Side:
+    """One side of a value that does not work."""
+
+    def __init__(self, plans: Plans, value: float, side: float) -> None:
+        self.plans, self.value, self.side, self.works = plans, value, side, trials(plans)
+        self.turning = plans.mechanism.drive.kind == "phi"
+        longest = max((abs(v) for k, v in plans.given.items() if k.startswith("l_")), default=1.0)
+        self.step = (180.0 if self.turning else 4 * longest) / STEPS
+
+    def first(self) -> float | None:
+        """The first value that works on the way."""
+        import numpy
+
+        offsets = numpy.arange(STEPS + 1) * self.step
+        missing = self.missing(offsets)
+        missing[0] = missing[0] or math.inf  # alone it fails, whatever it does among others
+        good = numpy.flatnonzero(missing == 0)
+        end = int(good[0]) if len(good) else STEPS
+        dips = 1 + numpy.flatnonzero((missing[1:end] <= missing[: end - 1]) & (missing[1:end] <= missing[2 : end + 1]))
+        for k in [*dips.tolist(), *good[:1].tolist()]:
+            if missing[k] < math.inf and (edge := self.edge(offsets[k - 1], offsets[min(k + 1, STEPS)])) is not None:
+                return self.told(edge)
+        return None
+
+    def missing(self, offsets: Any) -> Any:
+        """By how much the mechanism falls short of working: 0 where it works, infinite where that is not told."""
+        import numpy
+
+        given = {**self.plans.given, **unit_scales(self.plans)}
+        drawing = run(self.plans.program, {**given, self.plans.drive_given: self.value + self.side * offsets})
+        found = numpy.zeros(len(offsets))
+        for _, _, ok, numbers in drawing.hand.failures:
+            miss = numbers.get("miss_mm", math.inf)
+            miss = numpy.where(numpy.isfinite(miss), numpy.maximum(miss, LEAST), math.inf)
+            found = numpy.where((found == 0) & ~ok, miss, found)
+        return found
+
+    def edge(self, low: float, high: float) -> tuple[float, float] | None:
+        """The last offset that fails and the first that works, between two of which the lower fails."""
+        import numpy
+
+        for _ in range(ZOOMS):
+            offsets = numpy.linspace(low, high, FINER + 1)
+            missing = self.missing(offsets)
+            good = numpy.flatnonzero(missing[1:] == 0) + 1
+            if len(good):
+                return self.halved(float(offsets[good[0] - 1]), float(offsets[good[0]]))
+            k = int(numpy.argmin(missing))
+            low, high = offsets[max(k - 1, 0)], offsets[min(k + 1, FINER)]
+        return None
+
+    def halved(self, bad: float, good: float) -> tuple[float, float]:
+        """The same, no further apart than numbers can be."""
+        for _ in range(HALVINGS):
+            middle = (bad + good) / 2
+            if self.works(self.value + self.side * middle):
+                good = middle
+            else:
+                bad = middle
+        return bad, good
+
+    def told(self, edge: tuple[float, float]) -> float:
+        """The first value of few decimals beyond the edge, if it works; else one of more decimals."""
+        least = DECIMALS if self.turning else DECIMALS + 2
+        if edge[1] < 10.0**-least and self.works(beside := self.value + self.side * BESIDE * self.step):
+            return round(beside, least)
+        exact = self.value + self.side * edge[1]
+        for decimals in range(least, 16):
+            found = (math.ceil if self.side > 0 else math.floor)(exact * 10.0**decimals) / 10.0**decimals
+            if self.works(found):
+                return found
+        return exact

@@ -1,0 +1,176 @@
+"""What a draughtsman does near a dead point: a smaller scale, or values between those of neighbouring positions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from planes.drafting.instruments import Instrument
+from planes.plans import Plans
+from planes.plans.measuring import BLUNT, Quantity, Reader, say_plan
+from planes.plans.scales import FIT_MM, extent, kind_of
+from planes.scene import Scene
+from planes.solving import Position, Solved, failed, key_of, plans_of, position, told
+from planes.solving.nearest import trials
+from planes.words import Lang, say
+from planes.words.errors import PlanFailure
+from planes.words.names import mu_of
+from planes.words.units import mu_text
+
+ASIDE_DEG, BESIDE_DEG = 5.0, 0.01
+LARGE = 2.0  # times its usual size on the paper: a plan that no longer fits
+MOTION = ("points", "links", "slides")
+APART = 0.25  # neighbours whose values lead elsewhere than this, relatively, tell nothing
+
+Draw = Callable[[float], Position]
+
+
+def remedy(solved: Solved, instrument: Instrument | None = None, lang: Lang = "en") -> None:
+    """Put right what can be: positions at stated scales too large for blunt crossings, and those that failed."""
+    plans, wanted = plans_of(solved.scene)
+    solved.positions = [rescaled(solved.scene, plans, wanted, p, instrument, lang) for p in solved.positions]
+
+    def draw(value: float) -> Position:
+        return position(solved.scene, plans, wanted, value, instrument, lang)
+
+    left: list[dict[str, Any]] = []
+    for failure in solved.failed:
+        value = failure[key_of(plans)]
+        between = interpolated(plans, draw, value, failure["error"], lang)
+        solved.positions += [between] if between else []
+        left += [] if between else [failure]
+    solved.failed = left
+    order = {value: k for k, value in enumerate(solved.values)}
+    solved.positions.sort(key=lambda p: order[p.value])
+
+
+def rescaled(
+    scene: Scene, plans: Plans, wanted: list[Quantity] | None, p: Position, by: Instrument | None, lang: Lang
+) -> Position:
+    """The position with every stated μ left open whose plan is blunt and does not fit; the same if there is none."""
+    large: dict[str, tuple[str, str, float, float]] = {}
+    reader = Reader(p.plans, p.drawing, dict(p.scales))
+    for plan in p.plans.drawn:
+        stated, size = scene.mu.get(kind_of(plan)), extent(p.drawing, plan)
+        blunt = {label: s for label, s in reader.sharpness(plan).items() if s < BLUNT}
+        if stated and blunt and size > LARGE * FIT_MM[kind_of(plan)]:
+            angle = math.degrees(math.asin(min(blunt.values())))
+            large.setdefault(kind_of(plan), (plan, ", ".join(blunt), angle, size))
+    if not large:
+        return p
+    fitting = replace(scene, mu={k: v for k, v in scene.mu.items() if k not in large})
+    again = position(fitting, plans, wanted, p.value, by, lang)
+    again.results["remedied"] = sorted(large)
+    for kind, (plan, marks, angle, size) in large.items():
+        said, now = (mu_text(x[mu_of(plan)], kind, lang) for x in (p.scales, again.scales))
+        again.results["warnings"].append(
+            say("remedy_scale", lang, marks=marks, angle_deg=f"{angle:.2g}", said=said, mu=now, size_mm=f"{size:.0f}",
+                plan=say_plan(plan, lang))
+        )  # fmt: skip
+    return again
+
+
+def for_sheet(scene: Scene, values: list[float] | None, lang: Lang) -> tuple[Scene, list[float] | None, list[str]]:
+    """What a sheet is drawn of instead, and sentences that say so: open scales, or the neighbour it was taken from."""
+    plans, wanted = plans_of(scene)
+    asked = [plans.mechanism.drive.position] if values is None else values
+    if len(asked) != 1:
+        return scene, values, []
+    try:
+        p = position(scene, plans, wanted, asked[0], None, lang)
+        p = rescaled(scene, plans, wanted, p, None, lang)
+    except PlanFailure as failure:
+        near = interpolated(plans, lambda v: position(scene, plans, wanted, v, None, lang), asked[0], "", lang)
+        if near is None:
+            return scene, values, []
+        there, kind = near.results["interpolated"][1], plans.mechanism.drive.kind
+        why = failed(failure, asked[0], kind, None, lang)
+        return scene, [there], [say("remedy_beside", lang, why=why, there=told(there, kind, lang))]
+    kinds = p.results.get("remedied", [])
+    said = p.results["warnings"][len(p.results["warnings"]) - len(kinds) :]
+    return replace(scene, mu={k: v for k, v in scene.mu.items() if k not in kinds}), values, said
+
+
+def interpolated(plans: Plans, draw: Draw, value: float, why: str, lang: Lang) -> Position | None:
+    """Values at a position that cannot be drawn, from neighbours that can; None where they tell nothing of it.
+
+    They are halfway between those 5° to either side, where the motion goes on smoothly; where it turns off at a
+    change point, carried on from 10° and 5° before it, as the driver comes.
+    """
+    drive = plans.mechanism.drive
+    near = [value - BESIDE_DEG, value + BESIDE_DEG]
+    if drive.kind != "phi" or not all(map(trials(plans), near)):
+        return None
+    way = math.copysign(ASIDE_DEG, drive.velocity)
+    ways = {
+        "remedy_between": ((value - ASIDE_DEG, 0.5), (value + ASIDE_DEG, 0.5), near),
+        "remedy_carried": ((value - 2 * way, -1.0), (value - way, 2.0), [value - math.copysign(BESIDE_DEG, way)]),
+    }
+    for key, ((one, first), (two, second), ends) in ways.items():
+        try:
+            a, b = draw(one), draw(two)
+            found = _blend(_values(a), _values(b), first, second)
+            beside = [_values(draw(v)) for v in ends]
+        except PlanFailure:
+            continue
+        steady = {k: v for k, v in found.items() if k in MOTION}
+        apart = max(_apart(steady, x) for x in beside)
+        if apart <= APART:
+            loose = max(_apart(found, x) for x in beside) > APART
+            found, why = (steady, why + say("remedy_no_forces", lang)) if loose else (found, why)
+            low, high = (told(v, drive.kind, lang) for v in (one, two))
+            said = say(key, lang, why=why, low=low, high=high, apart=f"{100 * apart:.2g} %")
+            results = {key_of(plans): value, **found, "interpolated": [one, two], "warnings": [said]}
+            return Position(value, plans, b.drawing, b.scales, results)
+    return None
+
+
+def _values(p: Position) -> dict[str, Any]:
+    return {k: v for k, v in p.results.items() if k not in (key_of(p.plans), "plans", "warnings")}
+
+
+def _blend(a: Any, b: Any, one: float, two: float, key: str = "") -> Any:
+    """Sums of all numbers of two results; angles go the short way round."""
+    if isinstance(a, dict):
+        return {k: _blend(v, b[k], one, two, k) for k, v in a.items()}
+    if isinstance(a, list):
+        return [_blend(x, y, one, two) for x, y in zip(a, b, strict=True)]
+    if isinstance(a, str) or a is None or b is None:
+        return a if isinstance(a, str) else None
+    if key == "angle_deg":
+        b = a + math.remainder(b - a, 360.0)
+        return math.remainder(one * a + two * b, 360.0)
+    return one * a + two * b
+
+
+def _apart(a: dict[str, Any], b: dict[str, Any]) -> float:
+    """How far two results are apart: the largest difference relative to the largest number of its kind."""
+    sizes: dict[str, float] = {}
+    gaps: dict[str, float] = {}
+
+    def visit(x: Any, y: Any, kind: str) -> None:
+        if isinstance(x, dict):
+            for k, v in x.items():
+                visit(v, y[k], _kind(kind, k))
+        elif isinstance(x, list):
+            for one, two in zip(x, y, strict=True):
+                visit(one, two, kind)
+        elif isinstance(x, float | int) and isinstance(y, float | int):
+            gap = abs(math.remainder(x - y, 360.0)) if kind == "angle_deg" else abs(x - y)
+            sizes[kind] = max(sizes.get(kind, 0.0), 180.0 if kind == "angle_deg" else abs(y))
+            gaps[kind] = max(gaps.get(kind, 0.0), gap)
+
+    visit(a, b, "")
+    for slow, quick in (("epsilon", sizes.get("omega", 0.0) ** 2), ("coriolis", sizes.get("a", 0.0))):
+        sizes[slow] = max(sizes.get(slow, 0.0), quick)
+    return max((gap / sizes[kind] for kind, gap in gaps.items() if gap > 1e-9 * sizes[kind]), default=0.0)
+
+
+KINDS = ("r", "v", "a", "angle_deg", "omega", "epsilon", "coriolis", "reactions", "arm", "moment")
+
+
+def _kind(outer: str, key: str) -> str:
+    """The kind a number belongs to: the innermost key that names one."""
+    return key if key in KINDS or key.endswith(("_moment", "_force")) else outer

@@ -1,0 +1,245 @@
+"""Results as tables a person reads in a terminal, in Russian or English."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable
+from typing import Any
+
+from planes.drafting.drawing import Drawing
+from planes.plans.measuring import say_plan
+from planes.plans.self_aligning import Aligned
+from planes.plans.structure import Structure
+from planes.solving import Solved, key_of
+from planes.solving.vectors import VectorResults
+from planes.words import Lang, say
+from planes.words.units import UNIT, mu_text, plan_of_mu, quantity, read_mu
+
+
+def table(title: str, head: Iterable[str], rows: Iterable[Iterable[str]]) -> list[str]:
+    """Aligned columns under a title; nothing at all when there are no rows."""
+    lines = [list(head), *map(list, rows)]
+    if len(lines) == 1:
+        return []
+    widths = [max(len(row[i]) for row in lines) for i in range(len(lines[0]))]
+    text = ["  ".join(c.ljust(w) if i == 0 else c.rjust(w) for i, (c, w) in enumerate(zip(row, widths, strict=True)))
+            for row in lines]  # fmt: skip
+    return ["", title, *(f"  {line.rstrip()}" for line in text)]
+
+
+def report(solved: Solved, lang: Lang = "en") -> str:
+    """The whole answer of ``planes solve`` as text."""
+    s = solved.plans.structure
+    lines = [solved.scene.title.get(lang, ""), f"W = {s.W}, q = {s.q}, {s.formula}"]
+    for p in solved.positions:
+        lines += _position(p.results, key_of(solved.plans), lang, solved.plans.mechanism.drive.link)
+    if some := next((p for p in solved.positions if "errors" in p.results), None):
+        lines += errors_told(True, some.drawing, lang)
+    return "\n".join(line for i, line in enumerate(lines) if line or i) + "\n"
+
+
+def _position(r: dict[str, Any], key: str, lang: Lang, driver: str) -> list[str]:
+    head = f"φ = {r[key]:.10g}°" if key == "phi_deg" else f"s = {r[key]:.10g} {say('m', lang)}"
+    lines = ["", f"— {head} —"]
+    e: dict[str, Any] | None = r.get("errors")
+    lines += _points(r.get("points", {}), lang, e) + _links(r.get("links", {}), lang, e, driver)
+    lines += _slides(r.get("slides", {}), lang, e)
+    for name, plan in r.get("plans", {}).items():
+        if name != "position" and any(s["mm"] for s in plan["segments"].values()):
+            lines += _plan(name, plan, lang, e)
+    lines += _reactions(r.get("reactions", {}), lang, e) + _balance(r, lang)
+    return lines + [f"! {w}" for w in r["warnings"]]
+
+
+def _number(value: float | None, beside: float = 0.0) -> str:
+    """A number for people; one that is nothing ``beside`` the largest of its kind is 0."""
+    if value is None:
+        return "—"
+    return quantity(0.0 if abs(value) <= 1e-12 * beside else value)
+
+
+def _largest(things: Iterable[Any], key: str) -> float:
+    """The largest size of ``key`` among results."""
+    found = [t[key] for t in things if key in t]
+    return max((math.hypot(*v) if isinstance(v, list) else abs(v) for v in found), default=0.0)
+
+
+def _vector(v: list[float] | None, beside: float = 0.0) -> tuple[str, str]:
+    """Size and direction in degrees of a vector."""
+    if v is None:
+        return "", ""
+    z = complex(*v)
+    if abs(z) <= 1e-12 * beside:
+        return "0", "—"
+    angle = round(math.degrees(cmath.phase(z)), 2)
+    return _number(abs(z)), f"{180.0 if angle == -180 else angle + 0.0:.2f}"
+
+
+def error_of(errors: dict[str, Any] | None, *path: str) -> list[str]:
+    """The cell with a result's ± (of a vector: of its end), or no cell when none was asked."""
+    if errors is None:
+        return []
+    found: Any = errors
+    for key in path:
+        found = found.get(key, {}) if isinstance(found, dict) else {}
+    numbers = found if isinstance(found, list) else [found]
+    if found == {} or None in numbers:
+        return ["" if found == {} else "—"]
+    size = math.hypot(*numbers)
+    return [f"{size:.1e}" if size else "0"]
+
+
+def _points(points: dict[str, Any], lang: Lang, e: dict[str, Any] | None) -> list[str]:
+    far, fast, quick = (_largest(points.values(), key) for key in ("r", "v", "a"))
+    rows = []
+    for name, p in points.items():
+        x, y = (_number(c, far) for c in p["r"]) if "r" in p else ("", "")
+        r, v, a = (error_of(e, "points", name, letter) for letter in "rva")
+        rows.append([name, x, y, *r, *_vector(p.get("v"), fast), *v, *_vector(p.get("a"), quick), *a])
+    m, speed, rate = say("m", lang), say("m/s", lang), say("m/s²", lang)
+    o = pm(e)
+    head = ["", f"x, {m}", f"y, {m}", *o, f"v, {speed}", "∠°", *o, f"a, {rate}", "∠°", *o]
+    return table(say("points", lang), head, rows)
+
+
+def pm(errors: dict[str, Any] | None) -> list[str]:
+    """The head of a column of ±, where there is one."""
+    return [] if errors is None else ["±"]
+
+
+def _links(links: dict[str, Any], lang: Lang, e: dict[str, Any] | None, driver: str) -> list[str]:
+    """Rates of the driver are given: beside whatever else, they are no nothing."""
+    keys = ("angle_deg", "omega", "epsilon")
+    spin = _largest(links.values(), "omega")
+    beside = {"angle_deg": 180.0, "omega": spin, "epsilon": max(_largest(links.values(), "epsilon"), spin * spin)}
+    rows = []
+    for n, v in links.items():
+        most = dict.fromkeys(keys, 0.0) if n == driver else beside
+        cells = ([_number(v[k], most[k]) if k in v else "", *error_of(e, "links", n, k)] for k in keys)
+        rows.append([n, *(c for cell in cells for c in cell)])
+    head = ["", "φ, °", *pm(e), f"ω, {say('rad/s', lang)}", *pm(e), f"ε, {say('rad/s²', lang)}", *pm(e)]
+    return table(say("links", lang), head, rows)
+
+
+def _slides(slides: dict[str, Any], lang: Lang, e: dict[str, Any] | None) -> list[str]:
+    rows, fast, quick = [], _largest(slides.values(), "v"), _largest(slides.values(), "a")
+    for n, v in slides.items():
+        numbers: list[str] = []
+        for k, most in (("v", fast), ("a", quick)):
+            numbers += [_number(v[k], most) if k in v else "", *error_of(e, "slides", n, k)]
+        turn = [_vector(v.get("coriolis"), quick)[0], *error_of(e, "slides", n, "coriolis")]
+        rows.append([n, str(v.get("guide", "")), *numbers, *turn])
+    rate, o = say("m/s²", lang), pm(e)
+    head = ["", say("guide", lang), f"v, {say('m/s', lang)}", *o, f"a, {rate}", *o, f"aᵏ, {rate}", *o]
+    return table(say("slides", lang), head, rows)
+
+
+def _plan(name: str, plan: dict[str, Any], lang: Lang, e: dict[str, Any] | None) -> list[str]:
+    most = _largest(plan["segments"].values(), "value")
+    rows = []
+    for key, s in plan["segments"].items():
+        mm, value = (error_of(e, "plans", name, "segments", key, what) for what in ("mm", "value"))
+        rows.append([s["name"], key, f"{s['mm']:.2f}", *mm, _number(s["value"], most), *value])
+    kind = name.partition(":")[0]
+    unit = say({"velocity": "m/s", "acceleration": "m/s²", "force": "N"}[kind], lang)
+    title = f"{say_plan(name, lang)}, μ = {say_mu(plan['mu'], lang)}"
+    return table(title, ["", say("segment", lang), say("mm", lang), *pm(e), unit, *pm(e)], rows)
+
+
+def say_mu(text: str, lang: Lang) -> str:
+    """μ in the letters of the language."""
+    plan = plan_of_mu(text)
+    return mu_text(read_mu(text, plan), plan, lang)
+
+
+def _reactions(reactions: dict[str, Any], lang: Lang, e: dict[str, Any] | None) -> list[str]:
+    forces = {name: r["force"] if isinstance(r, dict) else r for name, r in reactions.items()}
+    most = max((math.hypot(*f) for f in forces.values()), default=0.0)
+    rows, o = [], [""] * len(pm(e))
+    for name, r in reactions.items():
+        slides = isinstance(r, dict)
+        force = error_of(e, "reactions", name, *(["force"] if slides else []))
+        more = ["", *o, "", *o]
+        if slides:
+            arm, moment = (error_of(e, "reactions", name, key) for key in ("arm", "moment"))
+            more = [_number(r["arm"], 1.0), *arm, _number(r["moment"], most), *moment]
+        rows.append([name, *(_number(c, most) for c in forces[name]), *_vector(forces[name], most), *force, *more])
+    if not any(map(_pressed, reactions.values())):
+        return []
+    n, reach, couple = say("N", lang), f"{say('arm', lang)}, {say('m', lang)}", f"M, {say('N·m', lang)}"
+    o = pm(e)
+    head = ["", f"x, {n}", f"y, {n}", f"|F|, {n}", "∠°", *o, reach, *o, couple, *o]
+    return table(say("reactions", lang), head, rows)
+
+
+def _pressed(r: Any) -> bool:
+    """Whether there is anything in a reaction."""
+    return any(r["force"]) or bool(r["moment"]) if isinstance(r, dict) else any(r)
+
+
+def _balance(r: dict[str, Any], lang: Lang) -> list[str]:
+    lines: list[str] = []
+    if "reactions" in r and not any(map(_pressed, r["reactions"].values())):
+        return lines
+    for what, unit in (("moment", "N·m"), ("force", "N")):
+        found, check = r.get(f"balancing_{what}"), r.get(f"zhukovsky_{what}")
+        own, other = (error_of(r.get("errors"), f"{by}_{what}") for by in ("balancing", "zhukovsky"))
+        if found is not None:
+            number = " ± ".join([_number(found), *own])
+            lines.append(f"{say(f'balancing_{what}', lang)}: {number} {say(unit, lang)}")
+        if check is not None:
+            lines.append(f"{say('by_lever', lang)}: {' ± '.join([_number(check), *other])} {say(unit, lang)}")
+        if found is not None and check is not None:
+            lines.append(f"{say('difference', lang)}: {difference_percent(found, check):.2g} %")
+    return ["", *lines] if lines else []
+
+
+def difference_percent(found: float, check: float) -> float:
+    """How far two values are apart, in per cent of the larger."""
+    largest = max(abs(found), abs(check))
+    return 100 * abs(found - check) / largest if largest else 0.0
+
+
+def structure_report(found: Structure, lang: Lang = "en") -> str:
+    """W and q with their numbers, the formula and the groups, one a line."""
+    n, p = 1 + sum(len(g.links) for g in found.groups), len(found.pairs)
+    counted = f"  W = 3n − 2p1 = 3·{n} − 2·{p} = {found.W};  q = W − 6n + 5p1 = {found.W} − 6·{n} + 5·{p} = {found.q}"
+    lines = [f"W = {found.W}, q = {found.q}", counted, found.formula]
+    for g in found.groups:
+        kind = say("class_kind", lang, kind=g.kind, name=g.name)
+        lines.append(f"{say('group', lang)} {', '.join(g.links)}: {kind}")
+    return "\n".join(lines)
+
+
+def alignment_report(found: Aligned, lang: Lang = "en") -> str:
+    """The self-aligning variant: the count of Somov and Malyshev, and what every pair becomes."""
+    p5, p4, p3 = found.counts
+    lines = [
+        say("alignment", lang, n=found.n, p5=p5, p4=p4, p3=p3),
+        say("alignment_W", lang, a=6 * found.n, b=5 * p5, c=4 * p4, d=3 * p3, W=found.W, q=found.q),
+    ]
+    for pair, sign in found.pairs:
+        name, links = pair.point or pair.guide, f"{pair.other}–{pair.link}"
+        lines.append("  " + say("alignment_pair", lang, name=name, links=links, sign=say(f"sign_{sign}", lang)))
+    return "\n".join(lines)
+
+
+def vector_report(results: VectorResults, lang: Lang = "en") -> str:
+    """The vectors of a scene without a mechanism."""
+    e, found = results.errors, results.vectors()
+    most = max(map(abs, found.values()))
+    rows = []
+    for n, v in found.items():
+        read, angle = results.segment(n), _vector([v.real, v.imag], most)[1]
+        mm = [f"{read['mm']:.2f}", *error_of(e, "plans", "vectors", "segments", n, "mm")]
+        rows.append([n, _number(read["value"], most), angle, *error_of(e, "vectors", n), *mm])
+    head = ["", say(UNIT[results.quantity], lang), "∠°", *pm(e), say("mm", lang), *pm(e)]
+    lines = table(f"μ = {mu_text(results.mu, results.quantity, lang)}", head, rows)
+    lines += [f"! {warning}" for warning in results.warnings(lang)] + errors_told(e, results.drawing, lang)
+    return "\n".join([results.scene.title.get(lang, ""), *lines[1:]]).lstrip("\n")
+
+
+def errors_told(errors: object, drawing: Drawing, lang: Lang) -> list[str]:
+    """What the ± are, where there are any."""
+    return ["", say("errors_pencil" if drawing.hand.doubt_mm > 0 else "errors_bound", lang)] if errors else []

@@ -1,0 +1,75 @@
+"""What a reader of one position must know of its numbers: blunt crossings, loads that stand still, digits eaten."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from planes.drafting.clearness import clear, far_apart
+from planes.plans.measuring import BLUNT, Quantity, Reader, say_plan
+from planes.words import Lang, say
+from planes.words.names import plan_of
+
+NOTHING = 4e-15  # beside the largest of a plan
+
+
+def warnings(reader: Reader, wanted: Sequence[Quantity] | None, given: Mapping[str, Any], lang: Lang) -> list[str]:
+    """The sentences, those of a kind together."""
+    blunt = _blunt(reader, lang).items()
+    said = [say("blunt", lang, makes=", ".join(marks), angle_deg=angle) for angle, marks in blunt]
+    for reason, step, _ in reader.drawing.hand.notes:
+        said.append(say(reason, lang, makes=str(getattr(step, "makes", "")).partition("_")[2]))
+    rough, none = _doubts(reader, wanted, given)
+    if faint := [*_faint(reader), *none]:
+        said.append(say("faint", lang, makes=", ".join(faint)))
+    return said + ([say("doubtful", lang, makes=", ".join(rough))] if rough else [])
+
+
+def _blunt(reader: Reader, lang: Lang) -> dict[str, list[str]]:
+    """Marks where lines meet bluntly, by the angle."""
+    found: dict[str, list[str]] = {}
+    for plan in reader.st.drawn:
+        for label, sharpness in reader.sharpness(plan).items():
+            if sharpness < BLUNT:
+                angle = f"{math.degrees(math.asin(min(1.0, sharpness))):.2g}"
+                found.setdefault(angle, []).append(f"{label} ({say_plan(plan, lang)})")
+    return found
+
+
+def _faint(reader: Reader) -> Iterator[str]:
+    """Rates of points of which rounding leaves no digit: not zero, yet nothing beside the largest of their plan."""
+    for letter, plan in (("v", "velocity"), ("a", "acceleration")):
+        sizes = {}
+        for point, marks in reader.st.points.items():
+            mark = marks.velocity if letter == "v" else marks.acceleration
+            if mark in reader.drawing:
+                sizes[point] = abs(reader.number(mark))
+        limit = NOTHING * max(sizes.values(), default=0.0) / min([1.0, *reader.sharpness(plan).values()])
+        yield from (f"{letter}_{point}" for point, size in sizes.items() if 0 < size <= limit)
+
+
+def _doubts(
+    reader: Reader, wanted: Sequence[Quantity] | None, given: Mapping[str, Any]
+) -> tuple[Sequence[str], Sequence[str]]:
+    """Results of an exact drawing with less than three digits, and reactions with none; the running bound is asked only
+    where there is something in doubt."""
+    drawn = reader.drawing
+    if drawn.hand.doubt_mm:
+        return [], []
+    small = _small(reader)
+    if not small and clear(drawn.program, drawn.things, drawn.hand) and not far_apart(reader.st.given):
+        return [], []
+    from planes.batch.doubts import doubts
+
+    return doubts(reader.st, wanted, drawn, given, small)
+
+
+def _small(reader: Reader) -> list[str]:
+    """Reactions that are nothing beside the largest force of their plan."""
+    drawn, largest = reader.drawing, dict.fromkeys(reader.st.drawn, 0.0)
+    for step in drawn.program.steps:
+        if (plan := plan_of(step.makes)).startswith("force:"):
+            largest[plan] = max(largest[plan], abs(drawn[step.makes]))
+    there = {k: r for k, r in reader.st.reactions.items() if r.start in drawn and r.end in drawn}
+    return [k for k, r in there.items() if abs(drawn[r.end] - drawn[r.start]) <= NOTHING * largest[r.plan] > 0]

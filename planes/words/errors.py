@@ -1,0 +1,162 @@
+"""Every error class, and how a refusal offers what would have been valid. The words are in the table of words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from difflib import get_close_matches
+from itertools import islice
+from pathlib import Path
+
+from planes.words import Lang, Phrase, Told
+from planes.words.spelling import latin
+
+_GREEK = {"α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "epsilon", "θ": "theta", "λ": "lambda",
+          "μ": "mu", "ρ": "rho", "τ": "tau", "φ": "phi", "ψ": "psi", "ω": "omega"}
+_MEANT = {"название": "title", "заголовок": "title", "примечание": "note", "параметры": "parameters",
+          "варианты": "variants", "стойка": "frame", "звенья": "links", "звено": "link", "сборка": "assembly",
+          "привод": "drive", "ведущее": "drive", "нагрузки": "loads", "нагрузка": "loads", "силы": "loads",
+          "сила": "force", "момент": "moment", "трение": "friction", "планы": "plans", "масштаб": "mu",
+          "найти": "find", "лист": "sheet", "векторы": "vectors", "уравнения": "equations", "точки": "points",
+          "точка": "point", "направляющие": "guides", "скользит": "slides", "масса": "mass", "инерция": "inertia",
+          "центр": "centre", "угол": "angle", "направление": "direction", "гравитация": "gravity"}
+"""Keys of a scene by the Russian words for them."""
+
+
+class PlanesError(Exception):
+    """Base of every refusal: one sentence with names, numbers, the place and what to do, told in either language.
+
+    ``str`` of it is English. Words given instead of a phrase are told as they are in both languages.
+    """
+
+    place = ""
+
+    def __init__(self, phrase: Told) -> None:
+        self.phrase = phrase
+        super().__init__(self.told())
+
+    def told(self, lang: Lang = "en") -> str:
+        """The place and the sentence in a language."""
+        return self.place + (self.phrase.told(lang) if isinstance(self.phrase, Phrase) else self.phrase)
+
+
+class SceneError(PlanesError, ValueError):
+    """The scene file says something that cannot be meant."""
+
+    def __init__(self, phrase: Told, file: str = "", line: int | None = None) -> None:
+        self.place = f"{file}:{line}: " if line else (f"{file}: " if file else "")
+        self.file, self.line = file, line
+        super().__init__(phrase)
+
+    @property
+    def sentence(self) -> str:
+        """The English sentence without the place."""
+        return str(self.phrase)
+
+
+@dataclass(frozen=True)
+class Doubt:
+    """Something a scene says that can be meant, but hardly is: a warning with its place."""
+
+    phrase: Phrase
+    file: str
+    line: int
+
+    def told(self, lang: Lang = "en") -> str:
+        """The place and the sentence in a language."""
+        return f"{self.file}:{self.line}: {self.phrase.told(lang)}"
+
+
+class StructureError(SceneError):
+    """The links and pairs do not make a mechanism this method can draw."""
+
+
+class EquationError(PlanesError, ValueError):
+    """A vector equation that cannot be drawn: a broken chain, or not exactly two unknowns."""
+
+
+class ProgramError(PlanesError, ValueError):
+    """A program of steps that does not hang together."""
+
+
+class PlanFailure(PlanesError, ArithmeticError):
+    """A construction that cannot be drawn in this position; ``reason`` is a key of the table of words."""
+
+    def __init__(self, reason: str, **numbers: object) -> None:
+        self.reason, self.numbers = reason, numbers
+        super().__init__(Phrase(reason, **numbers))
+
+    def sentence(self, lang: Lang = "en") -> str:
+        """What went wrong, in words of a language."""
+        return self.told(lang)
+
+
+class Contradiction(PlanesError, ArithmeticError):
+    """A drawing that contradicts itself: the fault is the program's, so nothing of it is given; ``reason`` is a key of
+    the table of words."""
+
+    def __init__(self, reason: str, **numbers: object) -> None:
+        self.reason = reason
+        super().__init__(Phrase(reason, **numbers))
+
+
+class ExpressionError(PlanesError, ValueError):
+    """An expression that has no value; ``parameter`` names the parameter it belongs to, if it is one."""
+
+    def __init__(self, phrase: Told, parameter: str = "") -> None:
+        super().__init__(phrase)
+        self.parameter = parameter
+
+
+def valid_names(given: str, names: list[str] | tuple[str, ...], what: str = "valid") -> Told:
+    """Words that name what would have been valid: "; valid: a, b; did you mean a?". ``what`` is their key."""
+    return Phrase(what, names=tuple(names), near=_near(given, names, 0.6)) if names else ""
+
+
+def _near(given: str, names: Iterable[str], cutoff: float) -> Told:
+    """Words with the name that is meant, if one is near, or looks the same in other letters."""
+    known = list(names)
+    meant = _MEANT.get(given.casefold(), _spelled(given))
+    if same := next((name for name in known if _spelled(name) == meant), None):
+        return Phrase("near_name", name=same)
+    if alike := next((name for name in known if latin(name) == latin(given)), None):
+        return Phrase("near_alike", name=alike)
+    found = get_close_matches(given, known, n=1, cutoff=cutoff)
+    return Phrase("near_name", name=found[0]) if found else ""
+
+
+def _spelled(name: str) -> str:
+    """The name with Greek letters spelled: phi_1 for φ_1."""
+    return "".join(_GREEK.get(letter, letter) for letter in name)
+
+
+def shown(text: str, limit: int = 60) -> str:
+    """A piece of somebody's file as it is quoted in a sentence: on one line, cut when long."""
+    short = text if len(text) <= limit else text[: limit - 1] + "…"
+    return '"' + "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in short) + '"'
+
+
+def choices(given: str, names: Iterable[str], limit: int = 40) -> Told:
+    """``valid_names`` for lists of any length, of names of any length: bounded in time and in words."""
+    known = [name for name in islice(names, 2000) if len(name) <= limit]
+    if not known:
+        return ""
+    near = _near(given[:limit], known, 0.5)
+    if len(known) <= limit:
+        return Phrase("valid", names=tuple(known), near=near)
+    meant = [str(near.parts["name"])] if isinstance(near, Phrase) else []
+    some = (*meant, *(name for name in known[:12] if name not in meant))
+    return Phrase("valid_some", names=some, near=near)
+
+
+@contextmanager
+def guarded(key: str, file: str | Path) -> Iterator[None]:
+    """Whatever a library breaks on while a file is read or worked on, as the sentence ``key`` about the file."""
+    try:
+        yield
+    except PlanesError:
+        raise
+    except Exception as error:  # on broken files libraries break in every way there is
+        why = str(error).partition("\n")[0][:80] or type(error).__name__
+        raise PlanesError(Phrase(key, file=str(file), why=why)) from None

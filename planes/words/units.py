@@ -1,0 +1,216 @@
+"""The scale μ of a plan in both conventions, the standard series, and printing quantities for people.
+
+Inside the program μ is always millimetres on paper per SI unit: m, m/s, m/s², N. On paper it is read and
+written either so ("30 mm/(m/s)") or upside down ("0.0333 (m/s)/mm"), in Latin or in Russian letters.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import Counter
+from decimal import Decimal
+from typing import Literal
+
+from planes.words import Phrase
+from planes.words.errors import PlanesError
+
+Convention = Literal["mm_per_unit", "unit_per_mm"]
+
+PLANS = ("position", "velocity", "acceleration", "force")
+"""The plans that have a μ; ``read_mu`` also takes "vectors", which is any of them."""
+
+SERIES = (1.0, 2.0, 2.5, 4.0, 5.0)
+
+UNIT = {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "force": "N", "vectors": "units"}
+_SIZES = {"m": 1.0, "mm": 0.001, "cm": 0.01, "km": 1000.0, "N": 1.0, "kN": 1000.0, "MN": 1e6}
+_LENGTHS = ("m", "mm", "cm", "km")
+_PER_MM = {
+    "en": {"position": "m", "velocity": "(m/s)", "acceleration": "(m/s²)", "force": "N", "vectors": "unit"},
+    "ru": {"position": "м", "velocity": "(м·с⁻¹)", "acceleration": "(м·с⁻²)", "force": "Н", "vectors": "ед."},
+}
+_MM = {"en": "mm", "ru": "мм"}
+_REDUCED = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0, 15.0, 20.0, 25.0, 40.0, 50.0, 75.0, 100.0, 200.0, 400.0, 500.0,
+            800.0, 1000.0, 2000.0, 5000.0, 10000.0, 20000.0, 25000.0, 50000.0)
+_ENLARGED = (2.0, 2.5, 4.0, 5.0, 10.0, 20.0, 40.0, 50.0)
+
+_LETTERS = str.maketrans({"м": "m", "с": "s", "Н": "N", "к": "k", "М": "M", "⋅": "·", "∙": "·", "*": "·",
+                          "−": "-", "⁻": "-", "¹": "1", "²": "2", "^": None})
+_NUMBER = re.compile(r"\s*([-+−]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][-+]?\d+)?|[-+−]?\.?(?:nan|inf)\b)\s*",
+                     re.ASCII | re.IGNORECASE)
+_SCALE = re.compile(r"\s*(\d+(?:\.\d*)?)\s*:\s*(\d+(?:\.\d*)?)\s*", re.ASCII)
+_TOKEN = re.compile(r"(mm|cm|km|kN|MN|m|s|N)(-?\d)?|([·/()])")
+
+
+class UnitError(PlanesError, ValueError):
+    """A scale or a unit that cannot be meant."""
+
+
+def read_mu(text: str, plan: str) -> float:
+    """Read μ of a plan as mm per SI unit, from either convention; ``plan`` "vectors" takes any unit."""
+    return _read(text, plan)[0]
+
+
+def plan_of_mu(text: str) -> str:
+    """The plan whose unit this μ is written in: "velocity" for "30 mm/(m/s)"."""
+    return _read(text, "vectors")[1]
+
+
+def fitting_units(plan: str) -> tuple[Phrase, ...]:
+    """Words that name the units μ of the plan may have: "mm/m or m/mm"."""
+    return tuple(Phrase(f"units_{p}") for p in (PLANS if plan == "vectors" else (plan,)))
+
+
+def _read(text: str, plan: str) -> tuple[float, str]:
+    if plan not in (*PLANS, "vectors"):
+        raise UnitError(Phrase("mu_no_plan", plan=plan, names=PLANS))
+    brief = text if len(text) <= 60 else text[:59] + "…"
+    if len(text) <= 60 and plan in ("position", "vectors") and (scale := _SCALE.fullmatch(text)):
+        return _checked(1000.0, float(scale[1]), float(scale[2]), brief), "position"
+    if len(text) <= 60 and _SCALE.fullmatch(text):
+        raise UnitError(Phrase("mu_scale", mu=brief, plan=Phrase(f"scale_{plan}"), units=fitting_units(plan)))
+    if len(text) > 60 or not (match := _NUMBER.match(text)):
+        raise UnitError(Phrase("mu_not_number", mu=brief, units=fitting_units(plan)))
+    number, unit = _number(match[1], brief), text[match.end() :]
+    found, size, inverse = _meaning(unit, plan, brief)
+    return (_checked(1.0, 1.0, number * size, brief) if inverse else _checked(1.0, number, size, brief)), found
+
+
+def _number(text: str, brief: str) -> float:
+    if "," in text:
+        raise UnitError(Phrase("mu_comma", mu=brief, number=brief.replace(",", ".")))
+    number = float(text.replace("−", "-").lstrip("-+.") if "n" in text.lower() else text.replace("−", "-"))
+    if not (math.isfinite(number) and number > 0.0):
+        raise UnitError(Phrase("mu_not_positive", mu=brief))
+    return number
+
+
+def _checked(unit: float, above: float, below: float, brief: str) -> float:
+    mu = unit * above / below if below else math.inf
+    if not (math.isfinite(mu) and mu > 0.0):
+        raise UnitError(Phrase("mu_not_positive", mu=brief))
+    return mu
+
+
+def _meaning(unit: str, plan: str, brief: str) -> tuple[str, float, bool]:
+    if not unit.strip():
+        raise UnitError(Phrase("mu_no_unit", mu=brief, units=fitting_units(plan)))
+    powers = _powers(unit)
+    meanings = _meanings() if powers is not None else {}
+    key = frozenset((powers or {}).items())
+    wanted = PLANS if plan == "vectors" else (plan,)
+    fits = [(p, *meanings[p, key]) for p in PLANS if (p, key) in meanings]
+    for fit in fits:
+        if fit[0] in wanted:
+            return fit
+    other = Phrase("mu_other", plan=Phrase(f"scale_{fits[0][0]}")) if fits else ""
+    raise UnitError(Phrase("mu_unit", mu=brief, unit=unit.strip(), other=other, units=fitting_units(plan)))
+
+
+def _meanings() -> dict[tuple[str, frozenset[tuple[str, int]]], tuple[float, bool]]:
+    table: dict[tuple[str, frozenset[tuple[str, int]]], tuple[float, bool]] = {}
+    for plan, time in (("position", 0), ("velocity", 1), ("acceleration", 2), ("force", 0)):
+        for name in ("N", "kN", "MN") if plan == "force" else _LENGTHS:
+            direct = Counter({"mm": 1, "s": time})
+            direct[name] -= 1
+            for inverse, sign in ((False, 1), (True, -1)):
+                key = frozenset((k, v * sign) for k, v in direct.items() if v)
+                table.setdefault((plan, key), (_SIZES[name], inverse))
+    return table
+
+
+def _powers(unit: str) -> dict[str, int] | None:
+    """Exponents of the base units in a product such as "mm/(m·s-2)"; None if it is not one."""
+    text = unit.replace("см", "cm").translate(_LETTERS)
+    text = re.sub(r"\s+", "", re.sub(r"(?<=\w)\s+(?=\w)", "·", text.strip()))
+    tokens = list(_TOKEN.finditer(text))
+    if "".join(t[0] for t in tokens) != text:
+        return None
+    total: Counter[str] = Counter()
+    signs, sign, ready = [1], 1, True
+    for token in tokens:
+        if token[1]:
+            if not ready:
+                return None
+            total[token[1]] += sign * int(token[2] or 1)
+            ready = False
+        elif token[0] in "·/":
+            if ready:
+                return None
+            sign, ready = (-signs[-1] if token[0] == "/" else signs[-1]), True
+        elif token[0] == "(" and ready:
+            signs.append(sign)
+        elif token[0] == ")" and not ready and len(signs) > 1:
+            signs.pop()
+        else:
+            return None
+    return None if ready or len(signs) > 1 else {k: v for k, v in total.items() if v}
+
+
+def mu_text(mu: float, plan: str, lang: str = "en", convention: Convention = "mm_per_unit") -> str:
+    """μ as it is written on a sheet: "30 mm/(m/s)", exact; "0.0333 (m/s)/mm", three digits if need be."""
+    unit, mm = _PER_MM[lang][plan], _MM[lang]
+    if convention == "mm_per_unit":
+        return f"{_exact(mu)} {mm}/{unit}"
+    value = 1.0 / mu
+    short = float(f"{value:.4g}")
+    return f"{_exact(short if math.isclose(short, value, rel_tol=1e-12) else float(f'{value:.3g}'))} {unit}/{mm}"
+
+
+def _exact(number: float) -> str:
+    text = repr(float(number))
+    if 1e-6 <= abs(number) < 1e12:
+        text = format(Decimal(text), "f")
+    return text.removesuffix(".0")
+
+
+def standard_mu(largest_si: float, fit_mm: float) -> float:
+    """The largest μ of the series 1; 2; 2.5; 4; 5 ·10ⁿ with ``largest_si`` not longer than ``fit_mm``."""
+    limit = _limit(largest_si, fit_mm)
+    if limit is None:
+        return 1.0
+    power = math.floor(math.log10(limit))
+    fits = (float(f"{m}e{n}") for n in (power - 1, power, power + 1) for m in SERIES)
+    return max(mu for mu in fits if mu <= limit * (1.0 + 1e-12))
+
+
+def standard_scale(largest_m: float, fit_mm: float) -> float:
+    """The largest scale of ГОСТ 2.302 (1:1, 1:2, 2.5:1 ...) that is a round number of mm per m and fits ``fit_mm``."""
+    limit = _limit(largest_m, fit_mm)
+    if limit is None:
+        return 1000.0
+    scales = [1000.0 / n for n in _REDUCED if 10000 % n == 0] + [1000.0 * n for n in _ENLARGED]
+    hundreds = math.floor(limit * (1.0 + 1e-12) / 1e5)
+    scales += [1e5 * hundreds] if hundreds else []
+    fits = [scale for scale in scales if scale <= limit * (1.0 + 1e-12)]
+    return max(fits) if fits else standard_mu(largest_m, fit_mm)
+
+
+def _limit(largest: float, fit_mm: float) -> float | None:
+    if not math.isfinite(largest) or largest == 0.0 or not (math.isfinite(fit_mm) and fit_mm > 0.0):
+        return None
+    limit = fit_mm / abs(largest)
+    return limit if 1e-300 < limit < 1e300 else None
+
+
+def quantity(value: float, unit: str = "", digits: int = 4, true_minus: bool = False) -> str:
+    """A number for people: ``digits`` significant ones, no exponent for ordinary sizes, then the unit."""
+    if not math.isfinite(value):
+        text = "—" if math.isnan(value) else ("∞" if value > 0 else "-∞")
+    else:
+        text = _rounded(value, digits)
+    text = text.replace("-", "−") if true_minus else text
+    return f"{text}{'' if unit in ('', '°') else ' '}{unit}"
+
+
+def _rounded(value: float, digits: int) -> str:
+    mantissa, exponent = f"{value:.{max(digits, 1) - 1}e}".split("e")
+    power = int(exponent)
+    if value == 0.0:
+        return "0"
+    if -5 < power < 7:
+        text = f"{value:.{max(digits - 1 - power, 0)}f}"
+        return text.rstrip("0").rstrip(".") if "." in text else text
+    raised = str(power).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
+    return f"{mantissa}·10{raised}"

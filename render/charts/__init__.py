@@ -1,0 +1,92 @@
+"""Charts: curves over an axis, as strokes. Colours stay apart in grey and for the colour-blind; each has its dashes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from matplotlib import rc_context
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, MultipleLocator
+
+from planes.words import Lang
+from render.charts.strokes import Picture, StrokeRenderer
+from render.paper.numbers import decimal
+
+MM = 72 / 25.4
+LOOKS = (
+    ("#000000", "-"),
+    ("#c1440e", "--"),
+    ("#1f5fa8", "-."),
+    ("#2f7d32", ":"),
+    ("#7a3b8f", (0, (8, 2))),
+    ("#777777", "-"),
+)
+STYLE: Any = {
+    "font.family": "DejaVu Sans", "font.size": 8.0, "axes.linewidth": 0.7, "lines.linewidth": 1.3, "axes.grid": True,
+    "grid.linewidth": 0.4, "grid.color": "#cccccc", "legend.frameon": False, "mathtext.fontset": "dejavusans",
+    "axes.unicode_minus": True, "path.simplify": False,
+}  # fmt: skip
+
+
+class CurveLike(Protocol):
+    @property
+    def x(self) -> Any: ...
+    @property
+    def y(self) -> Any: ...
+    @property
+    def label(self) -> str: ...
+    @property
+    def style(self) -> int: ...
+
+
+@dataclass(frozen=True)
+class Axes:
+    """What a chart says beside its curves."""
+
+    x: str
+    y: str
+    equal: bool = False
+    ticks: float = 0.0
+
+
+def chart(
+    curves: Sequence[CurveLike], axes: Axes, notes: Sequence[tuple[float, float, str]] = (),
+    size_mm: tuple[float, float] = (165.0, 72.0), lang: Lang = "ru",
+) -> Picture:  # fmt: skip
+    """Draw a chart."""
+    width, height = size_mm[0] * MM, size_mm[1] * MM
+    with rc_context(STYLE):
+        figure = Figure(figsize=(width / 72, height / 72), dpi=72, layout="constrained")
+        plot = figure.add_subplot()
+        for c in curves:
+            colour, dashes = LOOKS[c.style % len(LOOKS)]
+            plot.plot(c.x, c.y, color=colour, linestyle=dashes, label=c.label or None)
+        _frame(plot, curves, axes, lang)
+        for x, y, text in notes:
+            plot.plot([x], [y], "o", color="#000000", markersize=2.5)
+            plot.annotate(text, (x, y), (3, 3), textcoords="offset points", fontsize=7)
+        renderer = StrokeRenderer(width, height)
+        figure.draw(renderer)
+    return renderer.picture
+
+
+def _frame(plot: Any, curves: Sequence[CurveLike], axes: Axes, lang: Lang) -> None:
+    plot.set_xlabel(axes.x)
+    plot.set_ylabel(axes.y)
+    plot.axhline(0.0, color="#000000", linewidth=0.6, zorder=1)
+    if axes.equal:
+        plot.axvline(0.0, color="#000000", linewidth=0.6, zorder=1)
+        plot.margins(0.08)
+        plot.set_aspect("equal", adjustable="datalim")
+    else:
+        low, high = min(float(min(c.x)) for c in curves), max(float(max(c.x)) for c in curves)
+        plot.set_xlim(low, high)
+    if axes.ticks:
+        plot.xaxis.set_major_locator(MultipleLocator(axes.ticks))
+    told = FuncFormatter(lambda v, _: decimal(f"{v:.6g}", lang))
+    plot.xaxis.set_major_formatter(told)
+    plot.yaxis.set_major_formatter(told)
+    if any(c.label for c in curves):
+        plot.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=3.2)

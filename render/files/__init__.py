@@ -1,0 +1,1 @@
+"""Drawings written as files: SVG, PDF, PNG, DXF."""

@@ -1,0 +1,1 @@
+"""The paper and what lies on it: marks, pens, letters, symbols."""

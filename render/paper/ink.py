@@ -1,0 +1,115 @@
+"""From marks to what is drawn of them: polylines, polygons, order of layers; mm of the sheet, y up.
+
+Shared by the back-ends and by the label placing, so that all of them see the same ink.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+
+from render.paper.marks import Arc, Arrow, Hatch, Layer, Mark, Text
+from render.paper.style import LAYERS, fitted, head_size, pen
+
+Polyline = tuple[complex, ...]
+
+
+def checked(marks: Iterable[Mark], size_mm: tuple[float, float]) -> tuple[Mark, ...]:
+    """The marks, once all of their numbers and the size of the sheet in mm are found to be finite."""
+    if not all(0 < side < math.inf for side in size_mm):
+        sides = f"{size_mm[0]} × {size_mm[1]} mm"
+        raise ValueError(f"a sheet of {sides} cannot be drawn: both sides must be above 0")
+    marks = tuple(marks)
+    for number, mark in enumerate(marks, start=1):
+        bad = [value for value in _numbers(mark) if not cmath.isfinite(value)]
+        if bad:
+            name = getattr(mark, "name", "") or (mark.text if isinstance(mark, Text) else "")
+            called = f" {name!r}" if name else ""
+            raise ValueError(
+                f"mark {number}, {type(mark).__name__}{called} on layer {mark.layer!r}, holds {bad[0]}, "
+                "which is not a place on paper; the position it was drawn from has probably failed"
+            )
+    return marks
+
+
+def _numbers(mark: Mark) -> tuple[complex, ...]:
+    if isinstance(mark, Arc):
+        return (mark.centre, mark.radius, mark.start_deg, mark.end_deg)
+    if isinstance(mark, Arrow):
+        return (mark.start, mark.end)
+    if isinstance(mark, Text):
+        return (mark.place, mark.height, mark.turn_deg)
+    return (*mark.points, mark.angle_deg, mark.gap) if isinstance(mark, Hatch) else mark.points
+
+
+def by_layer(marks: Iterable[Mark]) -> list[tuple[Layer, list[Mark]]]:
+    """The marks layer by layer, from the lowest up; within a layer in the order given."""
+    layers: dict[Layer, list[Mark]] = {layer: [] for layer in LAYERS}
+    for mark in marks:
+        layers[mark.layer].append(mark)
+    return [(layer, held) for layer, held in layers.items() if held]
+
+
+def length_mm(points: Sequence[complex], closed: bool = False) -> float:
+    """Length of a polyline in mm."""
+    ends = (*points, points[0]) if closed else points
+    return sum(abs(b - a) for a, b in pairwise(ends))
+
+
+def is_circle(arc: Arc) -> bool:
+    """Whether the arc goes all the way round."""
+    return arc.end_deg - arc.start_deg >= 360 - 1e-9
+
+
+def flattened(arc: Arc, error_mm: float = 0.005) -> Polyline:
+    """The arc as a polyline through points of it, nowhere farther from it than ``error_mm``."""
+    sweep = math.radians(min(360.0, arc.end_deg - arc.start_deg))
+    most = 2 * math.acos(max(0.5, 1 - error_mm / arc.radius)) if arc.radius > error_mm else 1.0
+    count = max(2, math.ceil(abs(sweep) / most))
+    start = math.radians(arc.start_deg)
+    return tuple(arc.centre + cmath.rect(arc.radius, start + sweep * k / count) for k in range(count + 1))
+
+
+def arc_dashes(arc: Arc) -> tuple[float, ...]:
+    """The dash pattern of an arc in mm, fitted to its length."""
+    length = arc.radius * math.radians(arc.end_deg - arc.start_deg)
+    return fitted(pen(arc.style).pattern, length, is_circle(arc))
+
+
+def arrow_parts(arrow: Arrow) -> tuple[Polyline, Polyline]:
+    """The shaft (two points, ending inside the head) and the head (three points, or none if too short)."""
+    span = arrow.end - arrow.start
+    long, wide = head_size(abs(span), pen(arrow.style).width)
+    if not long:
+        return (arrow.start, arrow.end), ()
+    return (arrow.start, arrow.end - 0.8 * long * span / abs(span)), head(arrow.end, span, long, wide)
+
+
+def head(tip: complex, direction: complex, long: float, wide: float) -> Polyline:
+    """An arrowhead: tip and the two corners behind it, in mm."""
+    along = direction / abs(direction)
+    back = tip - long * along
+    return tip, back + 0.5j * wide * along, back - 0.5j * wide * along
+
+
+def hatch_strokes(hatch: Hatch) -> tuple[tuple[complex, complex], ...]:
+    """The strokes of a hatched region, in order across it; neighbouring regions continue each other."""
+    import shapely
+
+    if hatch.gap <= 0:
+        raise ValueError(f"hatching needs a gap above 0 mm between its strokes, not {hatch.gap}")
+    turn = cmath.rect(1, -math.radians(hatch.angle_deg))
+    level = [turn * z for z in hatch.points]
+    region = shapely.make_valid(shapely.Polygon([(z.real, z.imag) for z in level]))
+    x0, y0, x1, y1 = region.bounds
+    rows = range(math.floor(y0 / hatch.gap) + 1, math.ceil(y1 / hatch.gap))
+    rays = [shapely.LineString([(x0 - 1, k * hatch.gap), (x1 + 1, k * hatch.gap)]) for k in rows]
+    pieces = [
+        tuple(complex(x, y) / turn for x, y in sorted(part.coords)[:: len(part.coords) - 1])
+        for ray in rays
+        for part in shapely.get_parts(region.intersection(ray))
+        if part.geom_type == "LineString"
+    ]
+    return tuple((a, b) for a, b in sorted(pieces, key=lambda ab: ((ab[0] * turn).imag, (ab[0] * turn).real)))

@@ -1,0 +1,110 @@
+"""What a sheet is made of: lines, arcs, arrows, filled shapes and text, in millimetres of paper.
+
+A place is a complex number in mm from the lower left corner of the sheet, x to the right and y up. Every mark
+names its ``layer`` (what it means); how it looks is decided by ``style`` alone, so widths and letters are
+never scaled by a plan's μ. Back-ends know these six records and nothing else.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+from render.paper.faces import Face, current
+
+Layer = Literal[
+    "frame", "scheme", "axis", "plan", "construction", "result", "force", "text", "hatch", "dimension", "table"
+]
+Anchor = Literal["start", "middle", "end"]
+
+
+@dataclass(frozen=True)
+class Line:
+    """A polyline through ``points`` (two or more), open or closed, in the line type of its ``style``.
+
+    ``name`` says what a line is for where that cannot be seen ("leader").
+    """
+
+    points: tuple[complex, ...]
+    style: str = "thick"
+    layer: Layer = "scheme"
+    closed: bool = False
+    name: str = ""
+
+
+@dataclass(frozen=True)
+class Arc:
+    """A circular arc about ``centre`` from ``start_deg`` counter-clockwise to ``end_deg`` (360 apart: a circle).
+
+    ``fill`` "paper" paints the disc white first (a hinge), "ink" black, "none" leaves it open.
+    """
+
+    centre: complex
+    radius: float
+    start_deg: float = 0.0
+    end_deg: float = 360.0
+    style: str = "thick"
+    layer: Layer = "scheme"
+    fill: Literal["none", "paper", "ink"] = "none"
+
+
+@dataclass(frozen=True)
+class Arrow:
+    """A straight arrow; the head is a filled triangle at ``end``. ``name`` says what it shows ("v_CB")."""
+
+    start: complex
+    end: complex
+    style: str = "thick"
+    layer: Layer = "plan"
+    name: str = ""
+
+
+@dataclass(frozen=True)
+class Shape:
+    """A filled polygon."""
+
+    points: tuple[complex, ...]
+    layer: Layer = "scheme"
+    fill: Literal["ink", "paper"] = "ink"
+
+
+@dataclass(frozen=True)
+class Text:
+    """One line of text at its base line; ``text`` may hold _{…} and ^{…} for lower and upper indices.
+
+    ``height`` is the height of capitals in mm; ``turn_deg`` turns it about ``place``; ``face`` is what it is
+    lettered in.
+    """
+
+    text: str
+    place: complex
+    height: float = 3.5
+    anchor: Anchor = "start"
+    turn_deg: float = 0.0
+    layer: Layer = "text"
+    name: str = ""
+    face: Face = field(default_factory=current)
+
+
+@dataclass(frozen=True)
+class Hatch:
+    """A region filled with thin parallel strokes at ``angle_deg`` every ``gap`` mm."""
+
+    points: tuple[complex, ...]
+    angle_deg: float = 45.0
+    gap: float = 1.0
+    layer: Layer = "hatch"
+
+
+Mark = Line | Arc | Arrow | Shape | Text | Hatch
+
+
+def moved(mark: Mark, by: complex) -> Mark:
+    """The same mark ``by`` millimetres further on the paper."""
+    if isinstance(mark, Arrow):
+        return replace(mark, start=mark.start + by, end=mark.end + by)
+    if isinstance(mark, Arc):
+        return replace(mark, centre=mark.centre + by)
+    if isinstance(mark, Text):
+        return replace(mark, place=mark.place + by)
+    return replace(mark, points=tuple(p + by for p in mark.points))

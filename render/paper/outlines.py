@@ -1,0 +1,125 @@
+"""Text in the outlines of an installed font: measured and drawn from its own glyphs, without any font at the reader.
+
+The same contract as ``lettering``: a height is that of the capitals, ink begins at x = 0 on the base line, all in mm.
+A character the font lacks is taken from DejaVu Sans, which comes with matplotlib.
+"""
+
+from __future__ import annotations
+
+import io
+import logging
+import math
+import unicodedata
+from functools import cache, lru_cache
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+Line = tuple[complex, ...]
+
+_FLAT = 2e-3  # how far a flattened curve may be from it, over the height of capitals: 0.01 mm at 5 mm
+_NARROW = "\u2009\u202f\u2006\u200a"
+
+
+@lru_cache(maxsize=1)
+def dejavu() -> Path:
+    """The file of DejaVu Sans; it comes with matplotlib."""
+    spec = find_spec("matplotlib")
+    if spec is None or spec.origin is None:
+        raise FileNotFoundError("the font DejaVuSans.ttf is looked for in matplotlib; install matplotlib")
+    return Path(spec.origin).parent / "mpl-data" / "fonts" / "ttf" / "DejaVuSans.ttf"
+
+
+def tables(path: str) -> Any:
+    """The tables of a font's file (the first of a collection), read as they are asked for."""
+    from fontTools.ttLib import TTFont
+
+    logging.getLogger("fontTools").setLevel(logging.CRITICAL)  # what matters of a font is said in our own sentence
+    return TTFont(io.BytesIO(Path(path).read_bytes()), fontNumber=0, lazy=True)
+
+
+def family(path: str) -> str:
+    """What the font of a file is called."""
+    font = tables(path)
+    return str((font["name"].getBestFamilyName() if "name" in font else "") or Path(path).stem)
+
+
+class Font:
+    """An open font file: glyphs flattened to polylines, in heights of its capitals."""
+
+    def __init__(self, path: str) -> None:
+        font = tables(path)
+        self.map: dict[int, str] = font.getBestCmap() or {}
+        self.glyphs: Any = font.getGlyphSet()
+        self.unit = 1.0
+        tops = [z.imag for line in self.contours("H") for z in line] if self.has("H") else []
+        self.unit = max(tops, default=0.0) or 0.7 * float(font["head"].unitsPerEm)
+        self.contours.cache_clear()
+
+    def has(self, char: str) -> bool:
+        """Whether the font draws a character."""
+        return ord(char) in self.map
+
+    def advance(self, char: str) -> float:
+        """From a character to the next."""
+        return float(self.glyphs[self.map[ord(char)]].width) / self.unit
+
+    @cache  # noqa: B019  one font lives as long as the program
+    def contours(self, char: str) -> tuple[Line, ...]:
+        """Closed outlines of a character, the first point repeated at the end."""
+        from render.paper.font_pen import Flattened
+
+        pen = Flattened(self.glyphs, _FLAT * self.unit)
+        self.glyphs[self.map[ord(char)]].draw(pen)
+        return tuple(tuple([z / self.unit for z in line]) for line in pen.lines if len(line) > 2)
+
+
+@lru_cache(maxsize=16)
+def opened(path: str) -> Font:
+    """The font of a file; an error of fontTools or OSError where it is not one."""
+    return Font(path)
+
+
+@lru_cache(maxsize=4096)
+def _laid(text: str, path: str) -> tuple[float, tuple[Line, ...]]:
+    """Width of the ink and the outlines of a line of text, in heights of capitals."""
+    own, spare = opened(path), opened(str(dejavu()))
+    x, lines = 0.0, list[Line]()
+    for char in unicodedata.normalize("NFC", text).strip():
+        if unicodedata.category(char) == "Cf":
+            continue
+        if char.isspace():
+            x += blank(path) / (2 if char in _NARROW else 1)
+            continue
+        font = own if own.has(char) else spare
+        known = char if font.has(char) else "\ufffd"
+        lines += [tuple([z + x for z in line]) for line in font.contours(known)]
+        x += font.advance(known)
+    left = min((z.real for line in lines for z in line), default=0.0)
+    right = max((z.real for line in lines for z in line), default=0.0)
+    return right - left, tuple(tuple([z - left for z in line]) for line in lines)
+
+
+def blank(path: str) -> float:
+    """The width of a space over the height of capitals."""
+    font = opened(path)
+    return font.advance(" ") if font.has(" ") else 0.4
+
+
+def width(text: str, height_mm: float, path: str) -> float:
+    """Width in mm of the ink of a line of text."""
+    return _laid(text, path)[0] * height_mm
+
+
+def contours(text: str, height_mm: float, path: str) -> tuple[Line, ...]:
+    """Closed outlines of a line of text as polylines x + iy in mm, to be filled by the non-zero rule."""
+    if not 0 < height_mm < math.inf:
+        raise ValueError(f"letter height must be a positive number of mm, not {height_mm!r}")
+    return tuple(tuple([z * height_mm for z in line]) for line in _laid(text, path)[1])
+
+
+def missing(text: str, path: str) -> str:
+    """Characters of the text that neither the font nor its stand-in draws, each once, in order."""
+    fonts = opened(path), opened(str(dejavu()))
+    unknown = (c for c in text if not c.isspace() and not any(f.has(c) for f in fonts))
+    return "".join(dict.fromkeys(unknown))

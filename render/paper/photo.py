@@ -1,0 +1,100 @@
+"""A photograph beneath a drawing: its light made even, faded so that lines upon it can be read, cut to a field."""
+
+from __future__ import annotations
+
+import io
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from render.paper.marks import Mark, Shape
+
+Box = tuple[float, float, float, float]
+"""Left, bottom, right, top in mm."""
+
+FADED = 0.6  # how dark black ink is left
+CLEAN = 0.96  # what is as light as this beside its surroundings is clean paper
+SHADES = 40  # of grey: more are only noise
+SHADOW_PX = 12  # light changes slowly, ink does not
+DARK = 0.72  # of the paper's light: darker is a person's pencil, lighter a printed grid
+LEAST_PX = 8
+CELL_MM = 0.8
+NEAR_MM = 1.2  # of a line that is drawn anyway
+SHARPEST = 6.0  # pixels to a mm of paper
+QUALITY = 72
+
+
+@dataclass(frozen=True)
+class Photo:
+    """A picture file and where it lies."""
+
+    data: bytes
+    box: Box
+
+
+def moved(photo: Photo, reduction: float, shift: complex) -> Photo:
+    """The same, drawn 1 : ``reduction`` and moved."""
+    x0, y0, x1, y1 = (side / reduction for side in photo.box)
+    return Photo(photo.data, (x0 + shift.real, y0 + shift.imag, x1 + shift.real, y1 + shift.imag))
+
+
+def faded(photo: Photo, field: Box) -> Photo | None:
+    """What of it lies in a field, in pale grey on white; None where nothing does."""
+    from PIL import Image
+
+    x0, y0, x1, y1 = photo.box
+    whole = Image.open(io.BytesIO(photo.data)).convert("L")
+    kx, ky = whole.width / (x1 - x0), whole.height / (y1 - y0)
+    left, right = math.ceil(max(field[0] - x0, 0) * kx), math.floor(min(field[2] - x0, x1 - x0) * kx)
+    above, below = math.ceil(max(y1 - field[3], 0) * ky), math.floor(min(y1 - field[1], y1 - y0) * ky)
+    if right - left < LEAST_PX or below - above < LEAST_PX:
+        return None
+    box = (x0 + left / kx, y1 - below / ky, x0 + right / kx, y1 - above / ky)
+    cut = whole.crop((left, above, right, below))
+    most = round(SHARPEST * max(box[2] - box[0], box[3] - box[1]))
+    cut.thumbnail((most, most))
+    out = io.BytesIO()
+    Image.fromarray(_pale(cut)).save(out, format="JPEG", quality=QUALITY, optimize=True)
+    return Photo(out.getvalue(), box)
+
+
+def _lit(grey: Any) -> Any:
+    """The share of the paper's light at every pixel: 1 is clean paper, whatever lamp it lay under."""
+    import numpy as np
+    from PIL import ImageFilter
+
+    size = max(grey.width // SHADOW_PX, 1), max(grey.height // SHADOW_PX, 1)
+    paper = grey.resize(size).filter(ImageFilter.MaxFilter(5)).filter(ImageFilter.GaussianBlur(2)).resize(grey.size)
+    return np.minimum(np.asarray(grey, float) / np.maximum(np.asarray(paper, float), 16) / CLEAN, 1.0)
+
+
+def _pale(grey: Any) -> Any:
+    """Pixels in a few pale shades."""
+    import numpy as np
+
+    shade = np.round((1 - _lit(grey)) * SHADES) / SHADES
+    return (255 * (1 - FADED * shade)).astype(np.uint8)
+
+
+def ink_of(photo: Photo, lines: Sequence[tuple[complex, complex]]) -> Iterator[Mark]:
+    """Small areas where a faded picture is dark, a person's letters for instance; what runs along ``lines`` aside."""
+    import numpy as np
+    from PIL import Image, ImageFilter
+
+    grey = Image.open(io.BytesIO(photo.data)).convert("L")
+    x0, y0, x1, y1 = photo.box
+    size = max(round((x1 - x0) / CELL_MM), 1), max(round((y1 - y0) / CELL_MM), 1)
+    reach = max(round(grey.width / size[0]) | 1, 3)
+    darkest = np.asarray(grey.filter(ImageFilter.MinFilter(reach)).resize(size, Image.Resampling.NEAREST), float)
+    rows, columns = np.nonzero(1 - (255 - darkest) / 255 / FADED < DARK)
+    wide, high = (x1 - x0) / size[0], (y1 - y0) / size[1]
+    cells = x0 + (columns + 0.5) * wide + 1j * (y1 - (rows + 0.5) * high)
+    for a, b in lines:
+        along = (b - a) / abs(b - a) if a != b else 1 + 0j
+        local = (cells - a) * np.conj(along)
+        beside = (abs(local.imag) < NEAR_MM) & (local.real > -NEAR_MM) & (local.real < abs(b - a) + NEAR_MM)
+        cells = cells[~beside]
+    half = complex(wide, high) / 2
+    for z in cells.tolist():
+        yield Shape((z - half, z + half.conjugate(), z + half, z - half.conjugate()))

@@ -1,0 +1,130 @@
+"""How marks look: pens, letter heights and sizes of symbols, in mm of paper (ГОСТ 2.303, 2.304).
+
+Nothing here is ever scaled by a plan's μ.  A mark names its style; this table turns the name into a pen.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from render.paper.marks import Layer
+
+BLACK = "#000000"
+PAPER = "#ffffff"
+GREY = "#707070"
+
+
+@dataclass(frozen=True)
+class Pen:
+    """A line type: ``width`` in mm, ``pattern`` of dashes and gaps in mm (none: a solid line), colour."""
+
+    width: float
+    pattern: tuple[float, ...] = ()
+    colour: str = BLACK
+
+
+S = 0.6
+"""The thickness s of the main line in mm; every other width follows from it."""
+
+PENS: dict[str, Pen] = {
+    "thick": Pen(S),
+    "result": Pen(S),
+    "frame": Pen(S),
+    "thin": Pen(0.25),
+    "axis": Pen(0.25, (10.0, 1.4, 0.6, 1.4)),
+    "phantom": Pen(0.25, (10.0, 1.4, 0.6, 1.4, 0.6, 1.4)),
+    "dash": Pen(0.25, (4.0, 1.5)),
+    "construction": Pen(0.18, (), GREY),
+}
+
+REPORT_PENS: dict[str, Pen] = {
+    "own": Pen(0.4, (), "#163a70"),
+    "truth": Pen(0.3, (3.0, 1.5), "#1f7a3d"),
+    "next": Pen(0.25, (0.8, 0.8), "#a35c00"),
+    "wrong": Pen(0.5, (), "#b3201a"),
+    "follows": Pen(0.3, (), "#a35c00"),
+}
+"""Lines of the report of a checked drawing, in the colours of its page; each can be told without them too."""
+
+LAYERS: tuple[Layer, ...] = (
+    "construction",
+    "axis",
+    "hatch",
+    "table",
+    "dimension",
+    "frame",
+    "scheme",
+    "plan",
+    "force",
+    "result",
+    "text",
+)
+"""The layers from the lowest to the topmost: a paper-white disc hides only what lies beneath it."""
+
+CAPITALS = 0.729  # of the text behind the strokes (DejaVu Sans): height of capitals over the font size
+LETTERS: tuple[float, ...] = (2.5, 3.5, 5.0, 7.0)
+"""Letter heights of ГОСТ 2.304 in mm: small tables, tables and marks, names of points, headings."""
+
+LETTER_GAP = 0.2  # clear distance of letters over their height
+WORD_GAP = 0.6  # clear distance of words over their height
+INDEX_SIZE = 0.7  # height of an index over the letter height: 5 -> 3.5 -> 2.5
+INDEX_DROP = 0.32  # how far below the base line a lower index stands, over the letter height
+INDEX_RISE = 0.6  # how far above it an upper index stands, over the letter height
+INDEX_GAP = 0.12  # clear distance of an index from its base, over the letter height
+
+HEAD_LENGTH = 4.0  # mm, arrowhead on a thick line
+HEAD_WIDTH = 1.6
+THIN_HEAD_LENGTH = 3.0  # mm, arrowhead on a thin line
+THIN_HEAD_WIDTH = 1.0
+HEADLESS_MM = 1.2  # an arrow shorter than this has no head
+
+HINGE_MM = 1.5  # radius of a hinge
+DOT_MM = 0.8  # radius of a mass centre or a marked point
+BLOCK_MM = (11.0, 6.5)  # a slider, along and across its guide
+LEG_MM = 6.5  # from a fixed hinge down to its base line
+BASE_MM = 11.0  # length of that base line
+HATCH_MM = 2.2  # depth of the hatching under a base line
+HATCH_GAP_MM = 1.6  # between its strokes
+
+
+def pen(style: str) -> Pen:
+    """The pen of a style; an unknown name is an error that lists the known ones."""
+    found = PENS.get(style) or REPORT_PENS.get(style)
+    if found is None:
+        raise ValueError(f"there is no line style {style!r}; use one of {', '.join(PENS)}")
+    return found
+
+
+_WEIGHTS = (5, 9, 13, 15, 18, 20, 25, 30, 35, 40, 50, 53, 60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211)
+
+
+def weight(width: float) -> int:
+    """The line weight of a DXF nearest to a width in mm: in hundredths of a mm, of the values the format knows."""
+    return min(_WEIGHTS, key=lambda w: abs(w - 100 * width))
+
+
+def fitted(pattern: tuple[float, ...], length_mm: float, closed: bool = False) -> tuple[float, ...]:
+    """The pattern stretched so that a line of that length begins and ends with a whole dash.
+
+    A line too short for two dashes comes out solid, as small centre lines are drawn.
+    """
+    if not pattern:
+        return ()
+    period, ends = sum(pattern), 0.0 if closed else pattern[0]
+    count = round((length_mm - ends) / period)
+    if count < 1:
+        return ()
+    stretch = length_mm / (count * period + ends)
+    return tuple(part * stretch for part in pattern)
+
+
+def head_size(length_mm: float, width_mm: float) -> tuple[float, float]:
+    """Length and width in mm of the head of an arrow of that length and pen width; zeros: no head.
+
+    On a short arrow the head shrinks to half of it, so that a piece of the shaft is still seen.
+    """
+    if length_mm < HEADLESS_MM:
+        return 0.0, 0.0
+    long, wide = (HEAD_LENGTH, HEAD_WIDTH) if width_mm >= S else (THIN_HEAD_LENGTH, THIN_HEAD_WIDTH)
+    shrink = min(1.0, 0.5 * length_mm / long)
+    return long * shrink, max(wide * shrink, min(wide, 1.7 * width_mm))

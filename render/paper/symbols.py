@@ -1,0 +1,177 @@
+"""Signs of kinematic schemes (ГОСТ 2.770) as marks: sizes in mm of paper, angles in degrees, y up.
+
+A sign is a tuple of marks in drawing order.  Paper-filled ones (hinges, sliders) hide what was drawn
+before them; ``uncovered`` in ``cutting`` turns that into lines really cut.  So the order is:
+guides, sliders, bars, hinges; then a bar is seen up to the hinge within a slider, a guide only up to the
+slider.  Without a layer of their own the marks lie on "scheme", hatching on "hatch".
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Literal
+
+from render.paper.ink import head
+from render.paper.marks import Arc, Arrow, Hatch, Layer, Line, Mark, Shape
+from render.paper.style import BASE_MM, BLOCK_MM, DOT_MM, HATCH_GAP_MM, HATCH_MM, HINGE_MM, LEG_MM, head_size, pen
+
+Marks = tuple[Mark, ...]
+
+
+def unit(angle_deg: float) -> complex:
+    """The unit vector at an angle, exact at right angles."""
+    quarter, rest = divmod(angle_deg, 90)
+    if rest == 0:
+        return (1 + 0j, 1j, -1 + 0j, -1j)[int(quarter) % 4]
+    return cmath.rect(1, math.radians(angle_deg))
+
+
+def hinge(at: complex, radius: float = HINGE_MM) -> Marks:
+    """A turning pair: a circle of paper."""
+    return (Arc(at, radius, fill="paper"),)
+
+
+def hatching(at: complex, angle_deg: float, length: float, side: int = -1) -> Marks:
+    """Slanting strokes along a line centred at ``at``, on its right (``side`` −1) or left (+1)."""
+    along = unit(angle_deg)
+    count = max(2, round(length / HATCH_GAP_MM))
+    step = length / count
+    slant = HATCH_MM * (side * 1j - 1) * along
+    starts = [at + (-length / 2 + step * (k + 1)) * along for k in range(count)]
+    return tuple(Line((z, z + slant), "thin", "hatch") for z in starts)
+
+
+def base(at: complex, angle_deg: float = 0, length: float = BASE_MM, side: int = -1) -> Marks:
+    """A line of the frame centred at ``at``, hatched on its right (``side`` −1) or left (+1)."""
+    half = length / 2 * unit(angle_deg)
+    return (*hatching(at, angle_deg, length, side), Line((at - half, at + half)))
+
+
+def fixed_hinge(at: complex, angle_deg: float = 0, leg: float = LEG_MM, radius: float = HINGE_MM) -> Marks:
+    """A hinge on the frame: two legs from the circle to a hatched base; ``angle_deg`` is the base's."""
+    along = unit(angle_deg)
+    foot = at - 1j * along * leg
+    spread = 0.5 * leg
+    legs = []
+    for end in (foot - spread * along, foot + spread * along):
+        out = (end - at) / abs(end - at)
+        legs.append(Line((at + radius * out, end)))
+    return (*base(foot, angle_deg), *legs, *hinge(at, radius))
+
+
+def block(
+    at: complex, angle_deg: float = 0, hinged: bool = False, size: tuple[float, float] = BLOCK_MM
+) -> Marks:
+    """A slider centred on its guide; ``hinged`` puts a hinge in its middle at once."""
+    along = unit(angle_deg)
+    long, wide = size
+    corners = tuple(
+        at + (x * long + 1j * y * wide) / 2 * along for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+    )
+    return (Shape(corners, fill="paper"), Line(corners, closed=True), *(hinge(at) if hinged else ()))
+
+
+def frame_guide(
+    at: complex,
+    angle_deg: float,
+    behind: float,
+    ahead: float,
+    kind: Literal["line", "rail", "rails"] = "rail",
+    side: int = -1,
+    across: float = BLOCK_MM[1],
+) -> Marks:
+    """A guide of the frame past a slider at ``at``, from ``behind`` mm before it to ``ahead`` mm after.
+
+    "line": through the middle of the slider, hatched at both ends; "rail": along one long side of it, on
+    the right (``side`` −1) or left; "rails": along both.
+    """
+    along = unit(angle_deg)
+    middle, length = at + (ahead - behind) / 2 * along, behind + ahead
+    if kind == "line":
+        piece = min(8.0, length / 3)
+        ends = (at - (behind - piece / 2) * along, at + (ahead - piece / 2) * along)
+        hatched = [mark for end in ends for mark in hatching(end, angle_deg, piece, side)]
+        return (*hatched, Line((at - behind * along, at + ahead * along)))
+    sides = (side,) if kind == "rail" else (-1, 1)
+    return tuple(
+        mark for s in sides for mark in base(middle + s * 1j * across / 2 * along, angle_deg, length, s)
+    )
+
+
+def bar(*points: complex) -> Marks:
+    """A link as a thick line through its points."""
+    return (Line(tuple(points)),)
+
+
+def rod(at: complex, angle_deg: float, behind: float, ahead: float) -> Marks:
+    """A moving guide: the bar that passes through a slider at ``at``."""
+    along = unit(angle_deg)
+    return bar(at - behind * along, at + ahead * along)
+
+
+def plate(points: Sequence[complex], gap: float = 2.5) -> Marks:
+    """A rigid link with three or more hinges: a polygon, hatched thinly to show it is one piece."""
+    a, b = max(pairwise((*points, points[0])), key=lambda ends: abs(ends[1] - ends[0]))
+    slope = math.degrees(cmath.phase(b - a)) + 45
+    return (Hatch(tuple(points), slope, gap), Line(tuple(points), closed=True))
+
+
+def weld(at: complex, first_deg: float, second_deg: float, size: float = 3.0) -> Marks:
+    """The black corner between two bars that are one piece; directions are those of the bars from it."""
+    return (Shape((at, at + size * unit(first_deg), at + size * unit(second_deg))),)
+
+
+def dot(at: complex, radius: float = DOT_MM, layer: Layer = "scheme") -> Marks:
+    """A mass centre or a marked point."""
+    return (Arc(at, radius, style="thin", layer=layer, fill="ink"),)
+
+
+def tick(at: complex, angle_deg: float, size: float = 2.0, layer: Layer = "scheme") -> Marks:
+    """A short stroke across a line of that direction, where a point is laid off."""
+    half = 0.5j * size * unit(angle_deg)
+    return (Line((at - half, at + half), "thin", layer),)
+
+
+def turn_arrow(
+    centre: complex,
+    radius: float,
+    start_deg: float,
+    sweep_deg: float,
+    style: str = "thin",
+    layer: Layer = "scheme",
+) -> Marks:
+    """The sense of ω, ε or a moment: an arc with a head at its end, clockwise where ``sweep_deg`` < 0."""
+    length = radius * math.radians(abs(sweep_deg))
+    long, wide = head_size(length, pen(style).width)
+    tip = centre + radius * unit(start_deg + sweep_deg)
+    covered = math.copysign(math.degrees(2 * math.asin(min(1.0, long / 2 / radius))), sweep_deg)
+    back = centre + radius * unit(start_deg + sweep_deg - covered)
+    low, high = sorted((start_deg, start_deg + sweep_deg - 0.8 * covered))
+    arc = Arc(centre, radius, low, high, style, layer)
+    return (arc, Shape(head(tip, tip - back, long, wide), layer)) if long else (arc,)
+
+
+def angle_arc(centre: complex, radius: float, start_deg: float, end_deg: float, heads: int = 1) -> Marks:
+    """A dimension arc of an angle, counter-clockwise, with a head at its end (1), at both (2) or none."""
+    if heads == 0:
+        return (Arc(centre, radius, start_deg, end_deg, "thin", "dimension"),)
+    half = (start_deg + end_deg) / 2 if heads == 2 else start_deg
+    there = turn_arrow(centre, radius, half, end_deg - half, "thin", "dimension")
+    back = turn_arrow(centre, radius, half, start_deg - half, "thin", "dimension") if heads == 2 else ()
+    return (*back, *there)
+
+
+def force(
+    point: complex, angle_deg: float, length: float, at_tip: bool = False, name: str = "", clear: float = 0.0
+) -> Marks:
+    """A load in the direction ``angle_deg``, drawn from its point, or up to it where ``at_tip``.
+
+    Its near end stays ``clear`` mm away from the point: the radius of a hinge, if there is one.
+    """
+    way = unit(angle_deg)
+    if at_tip:
+        return (Arrow(point - length * way, point - clear * way, "thick", "force", name),)
+    return (Arrow(point + clear * way, point + length * way, "thick", "force", name),)

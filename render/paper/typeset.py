@@ -1,0 +1,206 @@
+"""A line of text with indices, laid out as pen strokes in mm of the sheet.
+
+``v_{CB}`` lowers, ``a^{n}`` raises; both after one base stand above each other: ``a_{CB}^{n}``.  Nothing
+else is markup: a bare ``_`` or ``^`` is drawn as it stands.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+
+from render.paper import lettering, outlines
+from render.paper.faces import Face, current
+from render.paper.marks import Text
+from render.paper.style import INDEX_DROP, INDEX_GAP, INDEX_RISE, INDEX_SIZE, LETTER_GAP, WORD_GAP
+
+Polyline = tuple[complex, ...]
+_INDEX = re.compile(r"([_^])\{([^{}]*)\}")
+_OPENED = re.compile(r"[_^]\{")
+
+
+@dataclass(frozen=True)
+class Run:
+    """A piece of plain text of one height: ``at`` from the left end of the text's base line, unturned, mm."""
+
+    text: str
+    at: complex
+    height: float
+    width: float
+
+
+@dataclass(frozen=True)
+class Laid:
+    """A laid-out text: ``strokes`` and ``box`` (the ink's four corners, counter-clockwise) in sheet mm.
+
+    ``pens`` holds the width of every stroke and ``width`` is the length of the ink, in mm; ``origin`` is the
+    left end of the base line on the sheet and ``turn_deg`` its direction.  In an installed font the strokes are
+    closed outlines with pens of no width, to be ``filled`` together by the non-zero rule.
+    """
+
+    strokes: tuple[Polyline, ...]
+    pens: tuple[float, ...]
+    box: Polyline
+    width: float
+    runs: tuple[Run, ...]
+    origin: complex
+    turn_deg: float
+    filled: bool = False
+
+    @property
+    def plain(self) -> str:
+        """The text without markup, as it is read aloud or searched for."""
+        return " ".join("".join(run.text for run in self.runs).split())
+
+    def by_pen(self) -> list[tuple[float, list[Polyline]]]:
+        """The strokes in groups of one pen width in mm: the letters, then the indices."""
+        groups: dict[float, list[Polyline]] = {}
+        for pen, stroke in zip(self.pens, self.strokes, strict=True):
+            groups.setdefault(pen, []).append(stroke)
+        return list(groups.items())
+
+
+@dataclass(frozen=True)
+class _Part:
+    base: str
+    lower: str = ""
+    upper: str = ""
+
+
+def layout(text: Text) -> Laid:
+    """Strokes, box and runs of a text mark after its anchor and its turn."""
+    runs, inked, (x0, y0, x1, y1) = _set(text.text, text.height, text.face)
+    shift = {"start": -x0, "middle": -(x0 + x1) / 2, "end": -x1}[text.anchor]
+    turn = cmath.rect(1, math.radians(text.turn_deg)) if text.turn_deg else 1 + 0j
+    origin = text.place + shift * turn
+    corners = (complex(x0, y0), complex(x1, y0), complex(x1, y1), complex(x0, y1))
+    return Laid(
+        strokes=tuple(tuple([origin + z * turn for z in line]) for _, line in inked),
+        pens=tuple(pen for pen, _ in inked),
+        box=tuple(origin + z * turn for z in corners),
+        width=x1 - x0,
+        runs=runs,
+        origin=origin,
+        turn_deg=text.turn_deg,
+        filled=bool(text.face.font),
+    )
+
+
+def extent(text: str, height_mm: float) -> tuple[float, float, float, float]:
+    """Bounds (x0, y0, x1, y1) in mm of the ink of a marked-up text from the left end of its base line."""
+    return _set(text, height_mm, current())[2]
+
+
+def over(text: str, height_mm: float, rise: float) -> tuple[float, float]:
+    """From where to where, in mm from the left end of the base line, a bar ``rise`` mm above a text runs."""
+    face = current()
+    lean = lettering.SLANT * min(rise, 0.7 * height_mm) if face.slanted else 0.0
+    return lean, lean + _width(text, height_mm, face)
+
+
+def plain(text: str) -> str:
+    """The text without the markup of its indices."""
+    return "".join(part.base + part.lower + part.upper for part in _parts(text))
+
+
+def _parts(text: str) -> list[_Part]:
+    """Bases, each with the indices that follow it."""
+    found: list[_Part] = []
+    rest = 0
+    for match in _INDEX.finditer(text):
+        between, kind, index = text[rest : match.start()], match[1], match[2]
+        last = found[-1] if found and not between else _Part(between)
+        filled = last.lower if kind == "_" else last.upper
+        if between or not found:
+            found.append(last)
+        elif filled:
+            found.append(_Part(""))
+        found[-1] = (
+            _Part(found[-1].base, index, found[-1].upper)
+            if kind == "_"
+            else _Part(found[-1].base, found[-1].lower, index)
+        )
+        rest = match.end()
+    if text[rest:]:
+        found.append(_Part(text[rest:]))
+    for part in found:
+        if _OPENED.search(part.base):
+            raise ValueError(f"in the text {text!r} an index opened with '_{{' or '^{{' is not closed")
+    return found
+
+
+def _blanks(text: str, face: Face) -> tuple[float, float]:
+    """Width over height of the blanks before and after the ink, which lettering leaves out."""
+    before = len(text) - len(text.lstrip())
+    after = len(text) - len(text.rstrip()) if text.strip() else 0
+    blank = outlines.blank(face.font) if face.font else WORD_GAP
+    return before * blank, after * blank
+
+
+def _width(text: str, height: float, face: Face) -> float:
+    """Width in mm of the ink of a run, were it upright."""
+    return outlines.width(text, height, face.font) if face.font else lettering.width(text, height)
+
+
+def _strokes(run: Run, face: Face) -> Iterator[tuple[float, Polyline]]:
+    """Pens and strokes of a run where it stands; a slanted one leans about the base line of the whole text."""
+    if not face.font:
+        lines = lettering.strokes(run.text, run.height, face.slanted)
+        for pen, line in zip(lettering.pens(run.text, run.height), lines, strict=True):
+            yield pen, tuple([run.at + z for z in line])
+        return
+    shear = lettering.SLANT if face.slanted else 0.0
+    for line in outlines.contours(run.text, run.height, face.font):
+        yield 0.0, tuple([run.at + complex(z.real + shear * z.imag, z.imag) for z in line])
+
+
+_Inked = tuple[tuple[float, Polyline], ...]
+
+
+@lru_cache(maxsize=4096)
+def _set(text: str, height: float, face: Face) -> tuple[tuple[Run, ...], _Inked, tuple[float, float, float, float]]:
+    """Runs, pens with their strokes and bounds of the ink, from the left end of the base line, unturned."""
+    if not 0 < height < math.inf:
+        raise ValueError(f"the text {text!r} needs a letter height above 0 mm, not {height}")
+    runs: list[Run] = []
+    x, gap = 0.0, 0.0
+    for part in _parts(text):
+        before, after = (height * blank for blank in _blanks(part.base, face))
+        x += before or gap
+        if part.base.strip():
+            runs.append(Run(part.base, complex(x, 0), height, _width(part.base, height, face)))
+            x += runs[-1].width
+        gap = after or LETTER_GAP * height
+        if part.lower or part.upper:
+            x = _indices(part, x + (after or (INDEX_GAP * height if runs else 0.0)), height, face, runs)
+            gap = LETTER_GAP * height
+    inked = tuple(stroke for run in runs for stroke in _strokes(run, face))
+    return tuple(runs), inked, _bounds(inked)
+
+
+def _indices(part: _Part, x: float, height: float, face: Face, runs: list[Run]) -> float:
+    """Set the indices of a base at x; the x where the wider of them ends. They lean with a slanted base."""
+    size, ends = INDEX_SIZE * height, [x]
+    for index, level in ((part.lower, -INDEX_DROP), (part.upper, INDEX_RISE)):
+        if index.strip():
+            lean = lettering.SLANT * level * height if face.slanted else 0.0
+            runs.append(Run(index, complex(x + lean, level * height), size, _width(index, size, face)))
+            ends.append(x + runs[-1].width)
+    return max(ends)
+
+
+def _bounds(inked: _Inked) -> tuple[float, float, float, float]:
+    """Bounds of the ink with half of its pen."""
+    edges = [(z, pen / 2) for pen, line in inked for z in line]
+    if not edges:
+        return 0.0, 0.0, 0.0, 0.0
+    return (
+        min(z.real - half for z, half in edges),
+        min(z.imag - half for z, half in edges),
+        max(z.real + half for z, half in edges),
+        max(z.imag + half for z, half in edges),
+    )

@@ -1,0 +1,179 @@
+"""A person's plan over the right one, the table of its steps and what was found in it: a sheet for printing."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from planes.words import Lang
+from render.labels import Label, place
+from render.paper.marks import Arc, Arrow, Line, Mark, Text, moved
+from render.paper.numbers import decimal
+from render.paper.photo import Box, Photo, faded, ink_of
+from render.paper.photo import moved as shifted
+from render.paper.typeset import extent
+from render.views.tables import Grid, folded
+
+Vector = tuple[complex, complex]
+Table = tuple[Sequence[str], Sequence[Sequence[str]]]  # head and rows
+LEFT, EDGE, GAP = 20.0, 5.0, 5.0  # margins of the sheet, mm, and the room between its parts
+SMALL, LETTER, TITLE = 2.5, 3.5, 5.0
+LINE, SMALL_LINE = 6.5, 4.6
+RING = {"wrong": 2.4, "follows": 1.6}
+LEAST_MM = 0.2  # a shorter vector is a point
+PENS = ("own", "truth", "next")
+REDUCTIONS = (1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 7.5, 10.0, 15.0, 20.0, 50.0, 100.0)
+
+
+@dataclass(frozen=True)
+class Overlay:
+    """What is drawn: places in mm from the pole, names as they are lettered, words in the sheet's language.
+
+    ``lines`` tells that the vectors are links of a scheme; ``next`` leads from a wrong mark to where the person's own
+    marks lead; ``photo`` is the person's own picture.
+    """
+
+    own: Sequence[Vector]
+    true: Sequence[Vector]
+    next: Sequence[Vector]
+    marks: Mapping[str, tuple[complex, str]]  # lettered name -> place and verdict
+    along: Mapping[str, Vector]  # lettered names of vectors
+    pole: str
+    title: str
+    sentence: str
+    tables: Sequence[Table]
+    legend: tuple[str, str, str]
+    reduced: str  # "drawn at 1 : {n}"
+    lines: bool = False
+    notes: Sequence[str] = ()
+    photo: Photo | None = None
+    lang: Lang = "ru"
+
+    @property
+    def bounds(self) -> tuple[complex, complex]:
+        """The corners of everything drawn; of a picture nobody could read, its own."""
+        ends = [z for v in (*self.own, *self.true, *self.next) for z in v]
+        if self.photo and not self.marks:
+            x0, y0, x1, y1 = self.photo.box
+            ends += [complex(x0, y0), complex(x1, y1)]
+        places = [z for z in (0j, *ends, *(z for z, _ in self.marks.values())) if math.isfinite(abs(z))]
+        xs, ys = [z.real for z in places], [z.imag for z in places]
+        return complex(min(xs), min(ys)), complex(max(xs), max(ys))
+
+
+@dataclass(frozen=True)
+class Fit:
+    """The part of the sheet the drawing has, how far it is reduced, and where its pole stands."""
+
+    field: Box
+    reduction: float
+    pole: complex
+
+    def at(self, z: complex) -> complex:
+        """A place of the drawing on the sheet."""
+        return z / self.reduction + self.pole
+
+
+def compose(size_mm: tuple[float, float], sheet: Overlay) -> tuple[list[Mark], Photo | None]:
+    """Marks of the sheet, and the picture under them: title and sentence on top, tables where they leave most room."""
+    w, h = size_mm
+    corners = (complex(LEFT, EDGE), complex(w - EDGE, EDGE), complex(w - EDGE, h - EDGE), complex(LEFT, h - EDGE))
+    out: list[Mark] = [Line(corners, "thick", "frame", True)]
+    said, top = _said(sheet, w, h)
+    tables, size = _tables(sheet)
+    x0, x1, low = LEFT + GAP, w - EDGE - GAP, EDGE + GAP + 2 * LINE
+    room = GAP if tables else 0.0
+    beside = fitted(sheet, (x0, low, x1 - size.real - room, top))
+    under = fitted(sheet, (x0, low + size.imag + room, x1, top))
+    chosen = under if under.reduction < beside.reduction else beside
+    corner = complex(x0, low + size.imag) if chosen is under else complex(x1 - size.real, top)
+    out += [*said, *(moved(m, corner) for m in tables), *_legend(sheet, complex(x0, EDGE + GAP))]
+    if chosen.reduction > 1:
+        text = sheet.reduced.format(n=decimal(f"{chosen.reduction:.3g}", sheet.lang))
+        out.append(Text(text, complex(x1, EDGE + GAP), LETTER, "end"))
+    photo = faded(shifted(sheet.photo, chosen.reduction, chosen.pole), chosen.field) if sheet.photo else None
+    return out + _drawing(sheet, chosen, photo), photo
+
+
+def _said(sheet: Overlay, w: float, h: float) -> tuple[list[Mark], float]:
+    """Title, sentence and notes, and how low they reach."""
+    left, top = LEFT + GAP, h - EDGE - GAP
+    out: list[Mark] = []
+    parts = [(sheet.sentence, LETTER, LINE), *((note, SMALL, SMALL_LINE) for note in sheet.notes)]
+    for text, letter, line in [(sheet.title, TITLE, 2 * TITLE), *parts]:
+        for words in wrapped(text, w - left - EDGE - GAP, letter):
+            out.append(Text(words, complex(left, top - letter), letter))
+            top -= line
+    return out, top - GAP / 2
+
+
+def _tables(sheet: Overlay) -> tuple[list[Mark], complex]:
+    """The tables one under another, their upper left corner at 0; width and height."""
+    out: list[Mark] = []
+    wide = low = 0.0
+    for head, rows in sheet.tables:
+        if not rows:
+            continue
+        drawn = Grid(SMALL).drawn(*folded(head, rows))
+        places = [z for m in drawn if isinstance(m, Line) for z in m.points]
+        start = low - GAP if out else 0.0
+        out += [moved(m, 1j * start) for m in drawn]
+        wide, low = max(wide, *(z.real for z in places)), start + min(z.imag for z in places)
+    return out, complex(wide, -low)
+
+
+def fitted(sheet: Overlay, field: Box) -> Fit:
+    """The plans in the middle of a field, as large as they are, or reduced to fit."""
+    x0, y0, x1, y1 = field
+    low, high = sheet.bounds
+    room = complex(max(x1 - x0 - 24, 10), max(y1 - y0 - 16, 10))  # letters stand about the drawing
+    if sheet.photo and not sheet.marks:
+        room = complex(max(x1 - x0, 10), max(y1 - y0, 10))
+    need = max((high - low).real / room.real, (high - low).imag / room.imag)
+    reduction = next((n for n in REDUCTIONS if n >= need - 1e-9), need)
+    return Fit(field, reduction, complex(x0 + x1, y0 + y1) / 2 - (low + high) / 2 / reduction)
+
+
+def _drawing(sheet: Overlay, fit: Fit, photo: Photo | None) -> list[Mark]:
+    """The plans: the person's own, the right one, and where it should have led."""
+    own, true, leads = ([(fit.at(a), fit.at(b)) for a, b in part] for part in (sheet.own, sheet.true, sheet.next))
+    marks = {n: (fit.at(z), v) for n, (z, v) in sheet.marks.items()}
+    drawn = [_stroke(sheet, a, b, "own") for a, b in own if abs(b - a) > LEAST_MM]
+    drawn += [_stroke(sheet, a, b, "truth") for a, b in true if abs(b - a) > LEAST_MM]
+    drawn += [Line(v, "next", "plan") for v in leads] + [Arc(b, 0.8, style="follows", layer="plan") for _, b in leads]
+    drawn += [Arc(z, RING[v], style=v, layer="result") for z, v in marks.values() if v in RING]
+    labels = [Label(n, z, LETTER, clear=RING.get(v, 0.5)) for n, (z, v) in marks.items() if n not in sheet.along]
+    labels += [Label(n, (fit.at(a), fit.at(b)), LETTER) for n, (a, b) in sheet.along.items() if abs(b - a) > LEAST_MM]
+    if (sheet.own or sheet.true) and not sheet.lines:  # a scheme has no pole
+        labels.append(Label(sheet.pole, fit.at(0j), LETTER, priority=1))
+    ink = [*drawn, *(ink_of(photo, [*own, *true]) if photo else ())]
+    return [*drawn, *place(labels, ink, fit.field).marks]
+
+
+def _stroke(sheet: Overlay, a: complex, b: complex, style: str) -> Mark:
+    return Line((a, b), style, "plan") if sheet.lines else Arrow(a, b, style, "plan")
+
+
+def _legend(sheet: Overlay, corner: complex) -> list[Mark]:
+    """What the kinds of lines mean."""
+    out: list[Mark] = []
+    for name, style, shown in zip(sheet.legend, PENS, (sheet.own, sheet.true, sheet.next), strict=True):
+        if shown:
+            out.append(Line((corner + LETTER * 0.5j, corner + 12 + LETTER * 0.5j), style, "text"))
+            out.append(Text(name, corner + 14, LETTER))
+            x0, _, x1, _ = extent(name, LETTER)
+            corner += 14 + x1 - x0 + 8
+    return out
+
+
+def wrapped(text: str, width: float, letter: float) -> list[str]:
+    """A sentence in lines no wider than so many mm."""
+    lines: list[str] = []
+    for word in text.split():
+        longer = f"{lines[-1]} {word}" if lines else word
+        if lines and extent(longer, letter)[2] <= width:
+            lines[-1] = longer
+        else:
+            lines.append(word)
+    return lines

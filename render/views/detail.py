@@ -1,0 +1,163 @@
+"""Details of a plan: what is too short to be read is circled, and drawn once more enlarged, with its own scale."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from render import labels
+from render.paper.marks import Arc, Arrow, Line, Mark, Shape, Text, moved
+from render.views import TITLE_GAP, bounds
+
+SHORT_MM = 3.0  # a vector shorter than this is drawn again
+TOGETHER_MM = 3.0  # short vectors nearer to each other than this are drawn in one detail
+ENLARGED = (2, 4, 5, 10, 20, 40, 50, 100)  # scales of ГОСТ 2.302
+RADIUS_MM = 16.0  # of the largest detail
+LEAST_MM = 1.6  # radius of the smallest circle on the plan
+AROUND = 1.35  # a detail reaches so many times as far as its vectors
+LETTER_MM = 5.0
+BESIDE_MM = 8.0
+LETTERS = "АБВГДЕЖИКЛМНПРСТУФ", "ABCDEFGHJKLMNPQRSTUV"
+LOOK_ALIKE = dict(zip("АВЕКМНРСТУ", "ABEKMHPCTY", strict=True))
+
+Ends = tuple[complex, complex]
+
+
+@dataclass(frozen=True)
+class Detail:
+    """A circle on the plan, how many times it is enlarged, and its letter."""
+
+    centre: complex
+    radius: float
+    times: int
+    letter: str
+
+    @property
+    def title(self) -> str:
+        """Letter and scale: А (10:1)."""
+        return f"{self.letter} ({self.times}:1)"
+
+    def circle(self) -> Arc:
+        """The circle on the plan."""
+        return Arc(self.centre, max(self.radius, LEAST_MM), style="thin", layer="dimension")
+
+    def named(self) -> labels.Label:
+        """The letter beside the circle."""
+        clear = max(self.radius, LEAST_MM) + 0.3
+        return labels.Label(self.letter, self.centre, LETTER_MM, clear=clear, name=self.title)
+
+    def enlarged(self, z: complex) -> complex:
+        """Where a place of the plan stands in the detail, whose centre is the origin."""
+        return self.times * (z - self.centre)
+
+    def holds(self, z: complex) -> bool:
+        """Whether a place is seen in the detail."""
+        return abs(z - self.centre) < 0.97 * self.radius
+
+    def seen(self, ends: Ends) -> Ends | None:
+        """The part of a straight stroke within the detail, enlarged; None if there is next to nothing."""
+        a, b = map(self.enlarged, ends)
+        reach, way = self.times * self.radius, (b - a) / abs(b - a)
+        foot = a - ((a * way.conjugate()).real) * way
+        if abs(foot) >= reach:
+            return None
+        half = (reach**2 - abs(foot) ** 2) ** 0.5
+        low = max((a * way.conjugate()).real, -half)
+        high = min((b * way.conjugate()).real, half)
+        return (foot + low * way, foot + high * way) if high - low > 1.0 else None
+
+    def drawn(self, marks: Iterable[Mark], named: Sequence[labels.Label]) -> tuple[Mark, ...]:
+        """The strokes of the plan within the circle, the labels of what is seen whole, and the title."""
+        reach = self.times * self.radius
+        ground: list[Mark] = [Arc(0j, reach, style="thin", layer="dimension")]
+        for mark in marks:
+            ground += self.part(mark)
+        ground.append(Text(self.title, complex(0, reach + TITLE_GAP), LETTER_MM, "middle", name=self.title))
+        return (*ground, *labels.place([self.label(x) for x in named if self.shows(x)], ground).marks)
+
+    def part(self, mark: Mark) -> list[Mark]:
+        """What is seen of one mark."""
+        if isinstance(mark, Arrow):
+            piece = self.seen((mark.start, mark.end))
+            if piece is None:
+                return []
+            if self.holds(mark.end):
+                return [Arrow(*piece, mark.style, mark.layer)]
+            return [Line(piece, mark.style, mark.layer)]
+        if isinstance(mark, Line) and len(mark.points) == 2:
+            piece = self.seen((mark.points[0], mark.points[1]))
+            return [Line(piece, mark.style, mark.layer)] if piece else []
+        if isinstance(mark, (Arc, Shape)) and self.holds(at := _middle(mark)):
+            return [moved(mark, self.enlarged(at) - at)]  # the pole's dot keeps its size
+        return []
+
+    def shows(self, label: labels.Label) -> bool:
+        """Whether what a label names is seen whole."""
+        return all(map(self.holds, label.at if isinstance(label.at, tuple) else (label.at,)))
+
+    def label(self, label: labels.Label) -> labels.Label:
+        """The label at its enlarged place."""
+        if isinstance(label.at, tuple):
+            at: complex | Ends = (self.enlarged(label.at[0]), self.enlarged(label.at[1]))
+        else:
+            at = self.enlarged(label.at)
+        return labels.Label(label.text, at, label.height, label.side, 0.7, label.priority, label.layer, label.name)
+
+
+def _middle(mark: Arc | Shape) -> complex:
+    return mark.centre if isinstance(mark, Arc) else sum(mark.points) / len(mark.points)
+
+
+def details(vectors: Iterable[Ends], letters: Sequence[str]) -> list[Detail]:
+    """The details of the vectors that are too short; neighbours share one."""
+    found = []
+    for points, letter in zip(_groups(vectors), letters, strict=False):
+        centre = complex(_mean(z.real for z in points), _mean(z.imag for z in points))
+        radius = AROUND * max(abs(z - centre) for z in points)
+        times = max((t for t in ENLARGED if t * radius <= RADIUS_MM), default=ENLARGED[0])
+        found.append(Detail(centre, radius, times, letter))
+    return found
+
+
+def count(vectors: Iterable[Ends]) -> int:
+    """How many details the vectors need."""
+    return len(_groups(vectors))
+
+
+def _groups(vectors: Iterable[Ends]) -> list[list[complex]]:
+    """The ends of short vectors, those of neighbours together."""
+    groups: list[list[complex]] = []
+    for ends in vectors:
+        if abs(ends[1] - ends[0]) < SHORT_MM:
+            near = [g for g in groups if any(abs(z - w) < TOGETHER_MM for z in g for w in ends)]
+            groups = [g for g in groups if g not in near]
+            groups.append([z for g in near for z in g] + list(ends))
+    return groups
+
+
+def _mean(values: Iterable[float]) -> float:
+    held = list(values)
+    return (min(held) + max(held)) / 2
+
+
+def letters(points: Iterable[str], russian: bool) -> list[str]:
+    """Letters for details: those that do not look like the name of a point."""
+    taken = {p[:1].upper() for p in points}
+    return [x for x in LETTERS[0 if russian else 1] if LOOK_ALIKE.get(x, x) not in taken]
+
+
+def beside(marks: tuple[Mark, ...], drawn: Sequence[tuple[Mark, ...]]) -> tuple[Mark, ...]:
+    """A plan with its details: in a row beneath it or in a column to its right, whichever takes less paper."""
+    if not drawn:
+        return marks
+    x0, y0, x1, y1 = bounds(marks)
+    boxes = [bounds(d) for d in drawn]
+    wide, high = [b[2] - b[0] + BESIDE_MM for b in boxes], [b[3] - b[1] + BESIDE_MM for b in boxes]
+    row = max(x1 - x0, sum(wide) - BESIDE_MM) * (y1 - y0 + max(high))
+    column = (x1 - x0 + max(wide)) * max(y1 - y0, sum(high) - BESIDE_MM)
+    found = list(marks)
+    x, y = ((x0 + x1 - sum(wide) + BESIDE_MM) / 2, y0 - BESIDE_MM) if row < column else (x1 + BESIDE_MM, y1)
+    for one, box, w, h in zip(drawn, boxes, wide, high, strict=True):
+        found += [moved(m, complex(x - box[0], y - box[3])) for m in one]
+        x, y = (x + w, y) if row < column else (x, y - h)
+    return tuple(found)
