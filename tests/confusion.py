@@ -1,6 +1,6 @@
 """Many drawings with one mistake or none, checked, and counted in a confusion table.
 
-`python tests/confusion.py [DRAWINGS OF EACH]` prints the table of all samples.
+`python -m tests.confusion [DRAWINGS OF EACH]` prints the table of all samples.
 """
 
 from __future__ import annotations
@@ -13,19 +13,16 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cache, partial
-from pathlib import Path
-
-import drawings
-import drawings_force
-import sample_oracle
-from drawings import NONE, SHAKY, Care, Hand, Mistake
 
 from planes.check.grading.bench import Asked, Bench, prepare
 from planes.check.grading.grading import grade, readable
 from planes.check.grading.paper import Paper, Spot
 from planes.scene import load
+from tests import sample_oracle
+from tests.helpers import ROOT, drawings, drawings_force
+from tests.helpers.drawings import NONE, SHAKY, Care, Hand, Mistake
 
-SAMPLES = Path(__file__).parents[1] / "samples"
+SAMPLES = ROOT / "samples"
 PAPER_MM = 500.0  # what leads off the paper is noticed by its maker
 
 

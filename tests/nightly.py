@@ -1,11 +1,11 @@
 """The long checks, run by hand: claims over a million random positions, masks over ten million, scenes of any shape,
 families of scenes on the way to a limit.
 
-    python tests/nightly.py claims --positions 1000000 --minutes 60
-    python tests/nightly.py written --positions 100000 --minutes 60
-    python tests/nightly.py masks --positions 10000000 --minutes 60
-    python tests/nightly.py scenes --positions 2000
-    python tests/nightly.py limits --positions 100000 --minutes 60
+    python -m tests.nightly claims --positions 1000000 --minutes 60
+    python -m tests.nightly written --positions 100000 --minutes 60
+    python -m tests.nightly masks --positions 10000000 --minutes 60
+    python -m tests.nightly scenes --positions 2000
+    python -m tests.nightly limits --positions 100000 --minutes 60
 
 Each prints what it counted when it is done or its minutes are over, and ends with 1 where anything was wrong.
 
@@ -30,12 +30,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from typing import Any
 
-import as_written
 import numpy as np
-from comparing import against, standing
-from mechanisms import KINDS, any_scene, make, shape_of, to_yaml
-from near_limits import FAMILIES, walk
-from oracle import NoSolution
 
 from planes.accuracy.digits import Digits
 from planes.batch import Cycle, fused
@@ -46,6 +41,11 @@ from planes.drafting.drawing import run
 from planes.plans import state
 from planes.scene import loads
 from planes.words.errors import PlanesError
+from tests.helpers import as_written
+from tests.helpers.comparing import against, standing
+from tests.helpers.mechanisms import KINDS, any_scene, make, shape_of, to_yaml
+from tests.helpers.near_limits import FAMILIES, walk
+from tests.helpers.oracle import NoSolution
 
 EACH, CLOSE, FEW, SEEN = 1000, 1e-6, 2, 200
 FULL = 40  # positions of one mechanism compared with its text

@@ -1,6 +1,6 @@
 """Drawings of all samples' plans as pictures on paper, each right or with one mistake, checked and counted.
 
-`python tests/picture_corpus.py [OF EACH PLAN AND KIND] [failures] [WORDS OF A SAMPLE OR PLAN]` prints the shares, the
+`python -m tests.picture_corpus [OF EACH PLAN AND KIND] [failures] [WORDS OF A SAMPLE OR PLAN]` prints the shares, the
 errors of the marks and the confusion table; Ctrl+C ends it early with what was counted. The generator shares the scene
 with the checker and the printed blank, and nothing else.
 """
@@ -17,17 +17,15 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import confusion
-import line_drawings
-import photographs
-from confusion import Easel, easels, motion, possible, size
-from drawings import Care, Hand, Mistake
-from line_drawings import Stroke
-from same_ink import alike_on_paper, same_ink, size_on_paper
-
 from planes.check import Outcome, check
 from planes.check.sight.photograph import blank_pole, paper_of_picture
 from planes.words.names import label_of
+from tests import confusion
+from tests.confusion import Easel, easels, motion, possible, size
+from tests.helpers import line_drawings, photographs
+from tests.helpers.drawings import Care, Hand, Mistake
+from tests.helpers.line_drawings import Stroke
+from tests.helpers.same_ink import alike_on_paper, same_ink, size_on_paper
 
 ROOM = (38.0, 288.0, 10.0, 200.0)  # of a blank: left, right, lower, upper, mm
 KINDS: dict[str, Callable[[random.Random], photographs.Camera]] = {

@@ -2,7 +2,7 @@
 
 `numeric` is a reader of its own for scene files (PyYAML's base loader and Python's own arithmetic), `truth` the
 independent solver started from a pose estimated by hand, `save` rewrites samples/expected/*.json of the scenes
-that no publication gives results for:  python tests/sample_oracle.py
+that no publication gives results for:  python -m tests.sample_oracle
 """
 
 from __future__ import annotations
@@ -10,13 +10,14 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator, Mapping
-from pathlib import Path
 from typing import Any
 
 import yaml
-from oracle import Pose, Solution, follow, reaction_key, solve
 
-SAMPLES = Path(__file__).parents[1] / "samples"
+from tests.helpers import ROOT
+from tests.helpers.oracle import Pose, Solution, follow, reaction_key, solve
+
+SAMPLES = ROOT / "samples"
 EXPECTED = SAMPLES / "expected"
 
 # Place of the origin (m) and turn (degrees) of every link, read off a sketch.

@@ -1,7 +1,7 @@
 """Sheets looked over mark by mark, before any backend: what overlaps, what leaves the field, what is not named.
 
-    python tests/sheets_run.py --samples --assignments --processes 2
-    python tests/sheets_run.py samples/kind-3-rpr.yaml --lang en --pictures FOLDER
+    python -m tests.sheets_run --samples --assignments --processes 2
+    python -m tests.sheets_run samples/kind-3-rpr.yaml --lang en --pictures FOLDER
 
 Run by hand it goes through every sample in twelve positions and sheets 1, 2 and the single page of all assignments,
 prints each fault in a line, then how full the sheets are, and ends with 1 where anything was wrong.
@@ -35,8 +35,8 @@ from render.paper.typeset import plain
 from render.sheet import Sheet
 from render.views.moments import MomentLines
 from render.views.tables import Tables
+from tests.helpers import ROOT
 
-ROOT = Path(__file__).parent.parent
 SAMPLES = sorted((ROOT / "samples").glob("*.yaml"))
 ASSIGNMENTS = sorted((ROOT / "samples" / "assignments").glob("*.yaml"))
 NUMBERS = (None, 1, 2)  # the single page, and the two sheets of a project

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import pytest
-from test_6_degenerate import chain
 
 from planes.diagrams.summary import summary
 from planes.diagrams.text import as_json
@@ -11,6 +10,7 @@ from planes.documents import sheet_of
 from planes.plans import state
 from planes.plans.structure import analyse
 from planes.scene import loads
+from tests.diagrams.test_degenerate import chain
 
 
 @pytest.mark.parametrize("links", [21, 51])

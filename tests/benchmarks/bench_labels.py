@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from test_8_labels import FIELD, scene
 
 from render.labels import place
+from tests.render.test_labels import FIELD, scene
 
 
 @pytest.mark.parametrize("count", [30, 100])

@@ -1,0 +1,106 @@
+"""On the way to a limit no number is wrong without a word: ``solve`` warns, a table leaves it out, or it is refused."""
+
+from __future__ import annotations
+
+import csv
+import random
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from planes.batch import Cycle, fused
+from planes.cli import main
+from planes.scene import loads
+from planes.solving import plans_of, solve
+from planes.solving.tables import report
+from tests.helpers.near_limits import FAMILIES, case, walk
+
+SLOT = """\
+planes: 1
+parameters: {r: 0.2, d: 0.2}
+frame: {points: {O: [0, 0], B: [d, 0]}}
+links:
+  1: {points: {O: 0, A: r}}
+  2: {points: {A: 0}, slides: BC}
+  3: {points: {B: 0, C: 0.5}, guides: {BC: {through: B, angle: 0}}}
+assembly: {BC: ahead}
+drive: {link: 1, phi: 60, omega: 10, epsilon: 3}
+"""
+FAINT = """\
+planes: 1
+frame: {points: {C: [-76465.1, -25981.4]}, guides: {g0: {through: [94942.6, -4617.5], angle: -113.9}}}
+links:
+  3: {points: {D: 0, B: -331866.8}}
+  1: {points: {A: 0, B: 76928.2, S1: {r: 77149.7, angle: -168.5}}, slides: g0, mass: 775641, inertia: 2.68e+17,
+      centre: S1}
+  2: {points: {C: 0, D: 185194.7}}
+assembly: {D: right}
+drive: {link: 1, s: 208781.2, velocity: 150773240.0, acceleration: -70990062700.0}
+loads: [{link: 3, point: B, force: 0.017, direction: 177.7}, {link: 2, point: C, force: 0.03, direction: 169.6}]
+"""
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_no_number_near_a_limit_is_wrong_without_a_word(family: str) -> None:
+    found = walk(family, 0, 20)
+    silent = {k: found[k] for k in ("invented", "unsaid", "arrays wrong", "compiled wrong")}
+    assert not any(silent.values()), silent
+    assert found["arrays left out"] <= 0.25 * found["arrays numbers"], "a table leaves out more than it must"
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_tables_by_arrays_and_compiled_leave_out_the_same(family: str) -> None:
+    if not fused.available():
+        pytest.skip("the compiler is not installed")
+    text, values = case(family, random.Random(7), 60)
+    c = Cycle(plans_of(loads(text))[0])
+    (one,), (two,) = (list(c.blocks(values, fast=fast)) for fast in (False, True))
+    assert (np.isnan(one.table) != np.isnan(two.table)).mean() < 0.02  # bounds on the very edge may fall to either side
+    assert ((one.codes != 0) == (two.codes != 0)).mean() > 0.95
+
+
+@pytest.mark.parametrize("value, warned", [(5.729577951308232e-05, True), (0.003, True), (1.0, False), (60.0, False)])
+def test_a_slotted_lever_near_its_pivot_says_what_it_does_not_know(value: float, warned: bool) -> None:
+    for lang, words in (("en", "epsilon_3, epsilon_2: rounding leaves"), ("ru", "меньше трёх верных цифр")):
+        said = solve(loads(SLOT), [value], None, lang).positions[0].results["warnings"]  # type: ignore[arg-type]
+        assert any(words in w for w in said) == warned
+
+
+def test_a_force_that_is_nothing_beside_others_is_warned_of() -> None:
+    (position,) = solve(loads(FAINT)).positions
+    assert position.results["reactions"]["F_10"]["force"] == [0.0, 0.0]
+    assert any("F_10: zero to within rounding, no digit of it is certain" in w for w in position.results["warnings"])
+    assert not solve(loads(FAINT + "find: [F_20]\n")).positions[0].results["warnings"]
+
+
+def test_the_drivers_own_rates_are_printed_beside_whatever_else(capsys: pytest.CaptureFixture[str]) -> None:
+    print(report(solve(loads(SLOT), [1e-12])))
+    row = next(line for line in capsys.readouterr().out.splitlines() if line.startswith("  1  "))
+    assert row.split() == ["1", "1·10⁻¹²", "10", "3"]
+
+
+def test_a_position_that_does_not_work_names_its_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scene = tmp_path / "slot.yaml"
+    scene.write_text(SLOT, encoding="utf-8")
+    assert main(["solve", str(scene), "--phi", "0"]) == 2
+    assert capsys.readouterr().err.startswith(f"{scene}: at φ = 0°: ")
+
+
+def test_a_table_file_leaves_out_what_has_no_digits(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scene, out = tmp_path / "slot.yaml", tmp_path / "t.csv"
+    scene.write_text(SLOT, encoding="utf-8")
+    assert main(["cycle", str(scene), "--phi", "0.003:60.003:20", "-o", str(out)]) == 0
+    assert "no correct digit is left in a_C_x, epsilon_3, epsilon_2" in capsys.readouterr().err
+    first, *others = csv.DictReader(out.read_text(encoding="utf-8").splitlines())
+    assert first["epsilon_3 [rad/s²]"] == "" and first["failed"] == "no_digits"
+    assert first["omega_3 [rad/s]"] and all(row["epsilon_3 [rad/s²]"] and not row["failed"] for row in others)
+
+
+@pytest.mark.parametrize("size", ["1e12", "-3e11"])
+def test_sizes_too_different_to_reckon_with_are_warned_of(size: str) -> None:
+    far = SLOT.replace("O: [0, 0], B: [d, 0]", f"O: [{size}, 0], B: [{size} + 0.1, 0]")
+    (position,) = solve(loads(far)).positions
+    assert any("less than three correct digits" in w for w in position.results["warnings"])
+    (block,) = Cycle(plans_of(loads(far))[0]).blocks([60.0, 70.0], fast=False)
+    assert np.isnan(block.table).any(axis=0).all() and block.codes.all()

@@ -1,0 +1,104 @@
+"""The way to a limit: where it is found, what every method is worth there, and that no other is better than ours."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from planes.accuracy.bench import Bench
+from planes.accuracy.limits import find
+from planes.accuracy.stability import Approach, approach
+from planes.batch import fused
+from planes.plans import Plans, state
+from planes.scene import load, loads
+from tests.helpers import ROOT
+from tests.solving.test_remedies import PARALLELOGRAM
+
+SAMPLES = ROOT / "samples"
+CRANK = """
+planes: 1
+frame: {points: {A: [0, 0]}}
+links: {1: {points: {A: 0, B: 0.1}}}
+drive: {link: 1, phi: 60, omega: 10}
+"""
+LIMITS = {  # sample: the given that moves, its value, which side works, what it is
+    "six-link": ("angle_x_1", 129.5273973697464, 1, "end"),
+    "sliding-driver": ("s", -0.1378775382679627, 1, "end"),
+    "kind-1-rrr": ("l_BC", 0.5641881330345845, -1, "end"),
+    "kind-2-rrp": ("l_BC", 0.06 + 0.015, 1, "end"),
+    "kind-3-rpr": ("l_AB", 0.28, -1, "change"),
+    "kind-4-prp": ("angle_x_1", 60.0, -1, "infinite"),
+    "kind-5-rpp": ("angle_∥slot", 0.0, 1, "infinite"),
+}
+OURS = ["method_scalar", "method_batch", *(["method_fused"] if fused.available() else [])]
+SHOWN = ["six-link", "kind-1-rrr", "kind-2-rrp", "kind-4-prp"]
+
+
+def plans(name: str) -> Plans:
+    mechanism = load(str(SAMPLES / f"{name}.yaml")).mechanism
+    assert mechanism
+    return state(mechanism)
+
+
+@cache
+def way(name: str) -> Approach:
+    found = approach(plans(name))
+    assert found
+    return found
+
+
+def ours(name: str) -> np.ndarray:
+    return np.max([way(name).errors[key] for key in OURS], axis=0)
+
+
+@pytest.mark.parametrize("name", list(LIMITS))
+def test_every_sample_comes_to_a_limit(name: str) -> None:
+    """By its drive; a crank that turns all round by an altered length, a yoke by the angle of its slot."""
+    limit = find(Bench(plans(name)))
+    given, value, side, kind = LIMITS[name]
+    assert limit and (limit.way.name, limit.side, limit.kind) == (given, side, kind)
+    assert float(limit.value) == pytest.approx(value, rel=1e-13, abs=1e-40)
+
+
+def test_a_parallelogram_comes_to_its_change_point() -> None:
+    mechanism = loads(PARALLELOGRAM).mechanism
+    assert mechanism
+    limit = find(Bench(state(mechanism)))
+    assert limit and limit.kind == "change" and float(limit.value) % 180 == pytest.approx(0, abs=1e-12)
+
+
+def test_a_bare_crank_comes_to_none() -> None:
+    mechanism = loads(CRANK).mechanism
+    assert mechanism
+    assert approach(state(mechanism)) is None
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_what_is_claimed_is_honest_all_the_way(name: str) -> None:
+    a = way(name)
+    assert a.distances[0] > 0.09 and a.distances[-1] < 1.01e-14 and (np.diff(a.distances) < 0).all()
+    assert (ours(name) <= a.claim).all() and np.median(a.claim / ours(name)) < 10
+    assert (np.diff(a.sharpness) < 0).all() and (a.errors["method_digits"] < 1e-15).all()
+
+
+@pytest.mark.parametrize("name", SHOWN)
+@pytest.mark.parametrize("other", ["method_newton", "method_differences", "method_single"])
+def test_no_other_way_to_reckon_is_better_anywhere(name: str, other: str) -> None:
+    """Where a crank's end, rounded, is all that is wrong, Newton's iteration has just that error too: there both are
+    alike, but for luck."""
+    found = way(name).errors[other]
+    told = np.isfinite(found)
+    assert told.sum() > 3 and (found[told] >= ours(name)[told] * (0.7 if other == "method_newton" else 1)).all()
+
+
+@pytest.mark.parametrize("name", SHOWN)
+@pytest.mark.parametrize("tool", ["pylinkage", "kinepy"])
+def test_no_other_tool_is_better_anywhere(name: str, tool: str) -> None:
+    pytest.importorskip(tool, reason=f"{tool} is among the extra [bench] only: pip install planes[bench]")
+    if tool == "pylinkage" and name in ("six-link", "kind-4-prp"):
+        pytest.skip("pylinkage has no group with a moving or a second guide")
+    found = way(name).errors[f"method_{tool}"]
+    told = np.isfinite(found)
+    assert told.sum() > 3 and (found[told] >= ours(name)[told]).all()

@@ -1,0 +1,368 @@
+"""Files of lines as other programs write them: one small plan in many spellings, and the corpus through SVG and DXF."""
+
+from __future__ import annotations
+
+import cmath
+import math
+import random
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from planes.check import Outcome, check
+from planes.check.reading.dxf import read_dxf
+from planes.check.reading.matching import paper_of
+from planes.check.reading.strokes import Sketch
+from planes.check.reading.svg import read_svg
+from tests import confusion
+from tests.check import test_check
+from tests.confusion import easels, possible
+from tests.helpers import drawings, line_drawings
+from tests.helpers.counting import at_most
+
+LINES = [(0j, 30 + 40j), (30 + 40j, 60 + 0j), (0j, 60 + 0j)]  # from the pole, mm, y up
+WORDS = ("p", "b", "c")
+HEAD = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" '
+PAGE = HEAD + 'width="200mm" height="100mm" viewBox="0 0 200 100">'
+
+
+def lines_of(sketch: Sketch) -> set[tuple[complex, complex]]:
+    """Strokes from the place of the lowest left end, to a hundredth of a millimetre, as their heads point."""
+    ways = sketch.ways or [1] * len(sketch.strokes)
+    found = [(a, b) if way >= 0 else (b, a) for (a, b), way in zip(sketch.strokes, ways, strict=True)]
+    corner = complex(min(z.real for s in found for z in s), min(z.imag for s in found for z in s))
+    return {tuple(complex(round((z - corner).real, 2) + 0.0, round((z - corner).imag, 2) + 0.0) for z in s)  # type: ignore[misc]
+            for s in found}  # fmt: skip
+
+
+def svg(tmp_path: Path, text: str) -> Sketch:
+    file = tmp_path / "t.svg"
+    file.write_text(text, encoding="utf-8")
+    return read_svg(file)
+
+
+SVGS = {
+    "millimetres, relative path": PAGE + '<path d="m20 90 30-40 30 40" '
+    'fill="none" stroke="#000"/><path d="M20,90H80" stroke="black" fill="none"/></svg>',
+    "inches": HEAD + 'width="10in" height="5in" viewBox="0 0 254 127"><g stroke="#000">'
+    '<line x1="20" y1="90" x2="50" y2="50"/>'
+    '<line x1="50" y1="50" x2="80" y2="90"/><line x1="20" y1="90" x2="80" y2="90"/></g></svg>',
+    "pixels without a box": HEAD + 'width="800" height="500">'
+    '<g transform="scale(3.7795275591)" style="stroke:#000;fill:none">'
+    '<polyline points="20,90 50,50 80,90"/><path d="M 20 90 L 80 90"/></g></svg>',
+    "nested layers of Inkscape": PAGE + '<g transform="translate(20,90)">'
+    '<g transform="matrix(0 -1 -1 0 0 0)"><g transform="rotate(180)" style="stroke:#000"><path d="M0,0 L-40,30 0,60"/>'
+    '</g><path style="stroke:#000" transform="scale(-2)" d="M0,0 0,30"/></g></g></svg>',
+    "skew and back": PAGE + '<g transform="skewX(30)">'
+    '<g transform="skewX(-30) translate(20 90)" stroke="#000"><path d="M0 0 30-40 60 0"/><path d="M0 0h60"/></g>'
+    '</g></svg>',
+    "a matrix that squeezes": PAGE + ''
+    '<g transform="matrix(2,0,0,.5,20,90)" stroke="#000"><path d="M0 0 15-80 30 0"/><path d="M0 0 30 0"/></g></svg>',
+    "symbols and uses": PAGE + '<defs><g id="v" stroke="#000">'
+    '<path d="M0 0 30-40"/></g></defs><use xlink:href="#v" x="20" y="90"/>'
+    '<use href="#v" transform="matrix(1 0 0 -1 50 50)"/>'
+    '<path stroke="#000" d="M20 90H80"/></svg>',
+    "classes of Illustrator": HEAD + 'viewBox="0 0 200 100" width="200mm" height="100mm">'
+    '<style>.a,.b{stroke:#231f20}.a{fill:none}'
+    '.c{display:none}</style><polyline class="a" points="20 90 50 50 80 90"/>'
+    '<line class="b" x1="20" y1="90" x2="80" y2="90"/>'
+    '<line class="c a" x1="0" y1="0" x2="99" y2="99"/></svg>',
+    "a picture in a picture": PAGE + '<svg x="10" y="10" width="190" '
+    'height="90" viewBox="0 0 380 180" stroke="#000"><path d="M20 160 80 80 140 160"/><path d="M20 160H140"/></svg>'
+    '</svg>',
+    "lines written as curves": PAGE + '<g stroke="#000" fill="none">'
+    '<path d="M20 90C30 76.6667 40 63.3333 50 50c10 13.3333 20 26.6667 30 40"/><path d="M20,90C40,90 60,90 80,90"/>'
+    '</g></svg>',
+    "hidden layers and ticks": PAGE + '<g stroke="#000">'
+    '<path d="M20 90 50 50 80 90"/><path d="M20 90H80"/><g style="display:none"><path d="M0 0 90 90"/></g>'
+    '<g visibility="hidden"><path d="M0 0 90 90"/></g><path d="M5 5 5.5 5"/><circle cx="9" cy="9" r="4"/></g></svg>',
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("written", SVGS.values(), ids=SVGS)
+def test_spellings_of_svg(written: str, tmp_path: Path) -> None:
+    assert {frozenset(s) for s in lines_of(svg(tmp_path, written))} == {frozenset(s) for s in LINES}
+
+
+ARROWS = {
+    "markers": '<g style="marker-end:url(#Arrow1Lend);stroke:#000"><path d="M20 90 50 50"/><path d="M50 50 80 90"/>'
+    '<path d="M20 90 80 90"/></g>',
+    "markers at the start": '<g stroke="#000" marker-start="url(#TriangleInL)"><path d="M50 50 20 90"/>'
+    '<path d="M80 90 50 50"/>'
+    '<path d="M80 90H20"/></g>',
+    "filled figures": '<g stroke="#000"><path d="M50 50 20 90"/><path d="M50 50 80 90"/><path d="M20 90H80"/></g>'
+    '<path fill="#000" stroke="none" d="M50 50 47.8 52 48.8 52.8z"/>'
+    '<path d="M80 90 78.8 87.3 77.8 88z" fill="red" stroke="red"/>'
+    '<polygon class="x" fill="#000" points="80,90 77,89.5 77,90.5"/>',
+    "curved figures": '<g stroke="#000"><path d="M50 50 20 90"/><path d="M50 50 80 90"/><path d="M20 90H80"/></g>'
+    '<path d="M50 50 47.8 52Q48.3 52.3 48.8 52.8L50 50z"/><path d="M80 90 78.8 87.3C78.4 87.5 78.1 87.7 77.8 88z"/>'
+    '<path d="M80,90 L77,89.5 Q77.5,90 77,90.5 z"/>',
+    "open heads": '<g stroke="#000"><path d="M50 50 20 90"/><path d="M50 50 80 90"/><path d="M80 90H20"/>'
+    '<path d="M47.5 51.6 50 50 49.2 52.9"/><path d="M79.2 87.1 80 90 77.5 88.4"/><path d="M77 89.2 80 90"/>'
+    '<path d="M80 90 77 90.8"/>'
+    "</g>",
+}
+
+
+@pytest.mark.parametrize("written", ARROWS.values(), ids=ARROWS)
+def test_arrowheads_say_which_way(written: str, tmp_path: Path) -> None:
+    found = svg(tmp_path, f"{PAGE}{written}</svg>")
+    assert all(found.ways) and lines_of(found) == set(LINES)
+
+
+def test_dimension_lines_are_no_vectors_and_dots_are_no_heads(tmp_path: Path) -> None:
+    found = svg(tmp_path, PAGE + '<g stroke="#000">'
+                '<path d="M20 90 50 50" marker-end="url(#DotM)"/><path d="M20 95H80" marker-start="url(#a)" '
+                'marker-end="url(#a)"/></g><text x="45" y="94">60</text></svg>')  # fmt: skip
+    assert len(found.strokes) == 1 and found.ways == [0]
+
+
+def test_a_short_vector_with_a_head_is_no_tick(tmp_path: Path) -> None:
+    found = svg(tmp_path, PAGE + '<g stroke="#000">'
+                '<path d="M20 90v-.6" marker-end="url(#a)"/><path d="M20 80v.6"/></g></svg>')  # fmt: skip
+    assert len(found.strokes) == 1
+
+
+def test_thousands_of_lines_with_heads_are_refused_in_a_moment(tmp_path: Path) -> None:
+    rng = random.Random(1)
+    ends = [(rng.uniform(0, 400), rng.uniform(0, 280), rng.uniform(0, 400), rng.uniform(0, 280)) for _ in range(10000)]
+    lines = "".join(f'<path d="M{a:.1f} {b:.1f} {c:.1f} {d:.1f}"/>' for a, b, c, d in ends)
+    words = "".join(f'<text x="{a:.0f}" y="{b:.0f}">{rng.choice("pbchl")}</text>' for a, b, _, _ in ends[:500])
+    found = svg(tmp_path, PAGE + f'<g stroke="#000" marker-end="url(#a)">{lines}</g>{words}</svg>')
+    bench = confusion.bench("six-link", "velocity")
+    polygon = confusion.bench("six-link", "force:2-3", False)
+    with at_most(30_000_000):
+        assert check(bench.asked, paper_of(found, bench)).verdict == "unreadable"
+        assert check(polygon.asked, paper_of(found, polygon)).verdict == "unreadable"
+
+
+def test_a_polygon_on_a_sheet_full_of_other_lines(tmp_path: Path) -> None:
+    """A frame, a title block, hatching and dimensions beside the polygon change nothing."""
+    easel = next(e for e in easels() if (e.sample, e.plan) == ("six-link", "force:2-3"))
+    bench, rng = confusion.bench("six-link", "force:2-3"), random.Random(1)
+    for mistake in (None, drawings.Mistake("inertia_along_acceleration", "I_2")):
+        strokes, words = test_check.sketch_of(easel, mistake)
+        text = line_drawings.inkscape(strokes, words, 200 + 150j)
+        hatch = "".join(f'<path d="M{x} 5l4 4"/>' for x in range(10, 400, 2))
+        block = "".join(f'<path d="M235 {y}h180"/>' for y in range(240, 290, 5)) + '<path d="M20 5h395v287h-395z"/>'
+        sizes = "".join(f'<path d="M{rng.uniform(30, 90):.1f} 260h20" marker-start="url(#a)" marker-end="url(#a)"/>'
+                        for _ in range(9))  # fmt: skip
+        file = tmp_path / "t.svg"
+        file.write_text(text.replace("</svg>", f'<g stroke="#000">{hatch}{block}{sizes}</g></svg>'), encoding="utf-8")
+        found = check(bench.asked, paper_of(read_svg(file), bench))
+        assert (found.verdict, found.mistake) == (("wrong", mistake.name) if mistake else ("right", None))
+
+
+def test_words_wherever_they_are_anchored(tmp_path: Path) -> None:
+    found = svg(tmp_path, PAGE + '<path stroke="#000" d="M0 0H50"/>'
+                '<text x="10" y="20" font-size="5"><tspan>n</tspan><tspan dy="1" font-size="3">CB</tspan></text>'
+                '<g transform="translate(60 20) rotate(90)">'
+                '<text style="font-size:5px;text-anchor:middle">b\'</text></g>'
+                "</svg>")  # fmt: skip
+    assert [w.text for w in found.words] == ["nCB", "b'"]
+    assert found.words[0].place == pytest.approx(10 - 20j, abs=0.01)
+    assert found.words[1].along == pytest.approx(-1j)
+
+
+def drawn(build: Callable[[Any, Any], None], tmp_path: Path, units: int = 4) -> Sketch:
+    """What is read from a DXF somebody built."""
+    import ezdxf
+
+    document = ezdxf.new("R2010", setup=True)
+    document.units = units
+    build(document, document.modelspace())
+    file = tmp_path / "t.dxf"
+    document.saveas(file)
+    return read_dxf(file)
+
+
+def plain(_: Any, space: Any) -> None:
+    for a, b in LINES:
+        space.add_line((a.real + 20, a.imag + 10), (b.real + 20, b.imag + 10))
+    space.add_circle((9, 9), 4)
+    space.add_arc((9, 9), 3, 0, 90)
+
+
+def old_polyline(_: Any, space: Any) -> None:
+    space.add_polyline2d([(20, 10), (50, 50), (80, 10)], close=True)
+
+
+def turned_block(document: Any, space: Any) -> None:
+    block = document.blocks.new("V")
+    block.add_line((0, 0), (5, 0))
+    for a, b in LINES:
+        size, angle = abs(b - a) / 5, math.degrees(cmath.phase(b - a))
+        space.add_blockref("V", (a.real + 20, a.imag + 10), {"xscale": size, "yscale": size, "rotation": angle})
+
+
+def mirrored_block(document: Any, space: Any) -> None:
+    block = document.blocks.new("P")
+    for a, b in LINES:
+        block.add_lwpolyline([(60 - a.real, a.imag), (60 - b.real, b.imag)])
+    space.add_blockref("P", (90, 10), {"xscale": -1})
+
+
+def array_of_blocks(document: Any, space: Any) -> None:
+    document.blocks.new("E").add_line((0, 0), (30, 40))
+    space.add_blockref("E", (20, 10))
+    space.add_line((50, 50), (80, 10))
+    document.blocks.new("H").add_line((0, 0), (60, 0))
+    document.blocks.new("I").add_blockref("H", (20, 10))
+    space.add_blockref("I", (0, 0))
+
+
+def dimensioned(document: Any, space: Any) -> None:
+    plain(document, space)
+    space.add_linear_dim(base=(50, 5), p1=(20, 10), p2=(80, 10)).render()
+    space.add_text("60", height=3).set_placement((48, 3))
+    document.layers.add("OFF").off()
+    space.add_line((0, 0), (99, 99), {"layer": "OFF"})
+
+
+def on_a_sheet(document: Any, _: Any) -> None:
+    plain(document, document.layout("Layout1"))
+
+
+DXFS = {f.__name__: f for f in (
+    plain, old_polyline, turned_block, mirrored_block, array_of_blocks, dimensioned, on_a_sheet)}
+
+
+@pytest.mark.parametrize("build", DXFS.values(), ids=DXFS)
+def test_spellings_of_dxf(build: Callable[[Any, Any], None], tmp_path: Path) -> None:
+    assert {frozenset(s) for s in lines_of(drawn(build, tmp_path))} == {frozenset(s) for s in LINES}
+
+
+def test_inches_of_dxf(tmp_path: Path) -> None:
+    def build(_: Any, space: Any) -> None:
+        for a, b in LINES:
+            space.add_line((a.real / 25.4, a.imag / 25.4), (b.real / 25.4, b.imag / 25.4))
+
+    assert {frozenset(s) for s in lines_of(drawn(build, tmp_path, 1))} == {frozenset(s) for s in LINES}
+
+
+def corners(a: complex, b: complex) -> list[tuple[float, float]]:
+    return [(z.real, z.imag) for z in line_drawings.head(a, b)]
+
+
+def solids(_: Any, space: Any) -> None:
+    for a, b in LINES:
+        space.add_line((b.real, b.imag), (a.real, a.imag))
+        tip, one, two = corners(a, b)
+        space.add_solid([one, two, tip, tip])
+
+
+def hatches(_: Any, space: Any) -> None:
+    for a, b in LINES:
+        space.add_line((b.real, b.imag), (a.real, a.imag))
+        space.add_hatch().paths.add_polyline_path(corners(a, b), is_closed=True)
+
+
+def narrowing(_: Any, space: Any) -> None:
+    for a, b in LINES:
+        neck = b - 3 * (b - a) / abs(b - a)
+        rows = [(a.real, a.imag, 0, 0), (neck.real, neck.imag, 1, 0), (b.real, b.imag, 0, 0)]
+        space.add_lwpolyline(rows, format="xyse")
+
+
+def leaders(_: Any, space: Any) -> None:
+    for a, b in LINES:
+        space.add_leader([(b.real, b.imag), (a.real, a.imag)])
+
+
+def hollow(_: Any, space: Any) -> None:
+    for a, b in LINES:
+        space.add_lwpolyline([(b.real, b.imag), (a.real, a.imag)])
+        space.add_lwpolyline(corners(a, b), close=True)
+
+
+def blocks_of_autocad(document: Any, space: Any) -> None:
+    from ezdxf.render.arrows import ARROWS as KNOWN
+
+    for a, b in LINES:
+        space.add_line((b.real, b.imag), (a.real, a.imag))
+        angle = math.degrees(cmath.phase(b - a))
+        space.add_arrow(KNOWN.closed_filled, insert=(b.real, b.imag), size=3, rotation=angle)
+
+
+HEADS = {f.__name__: f for f in (solids, hatches, narrowing, leaders, hollow, blocks_of_autocad)}
+
+
+@pytest.mark.parametrize("build", HEADS.values(), ids=HEADS)
+def test_heads_of_dxf(build: Callable[[Any, Any], None], tmp_path: Path) -> None:
+    found = drawn(build, tmp_path)
+    assert all(found.ways) and lines_of(found) == set(LINES)
+
+
+def read_back(program: test_check.Writer, easel: confusion.Easel, mistake: Any, file: Path) -> Outcome:
+    """A plan written by a program, read and checked."""
+    file.write_text(program(*test_check.sketch_of(easel, mistake), 200 + 150j), encoding="utf-8")
+    sketch = read_dxf(file) if file.suffix == ".dxf" else read_svg(file)
+    bench = confusion.bench(easel.sample, easel.plan)
+    return check(bench.asked, paper_of(sketch, bench))
+
+
+@pytest.mark.parametrize("program", [line_drawings.inkscape, line_drawings.illustrator, line_drawings.dxf])
+def test_right_plans_as_files(tmp_path: Path, program: test_check.Writer) -> None:
+    file = tmp_path / ("t.dxf" if program is line_drawings.dxf else "t.svg")
+    found = {f"{e.sample} {e.plan}": read_back(program, e, None, file).verdict for e in easels()}
+    assert len(found) >= 50
+    assert sum(v == "right" for v in found.values()) >= 0.98 * len(found), found
+
+
+def test_wrong_plans_as_files(tmp_path: Path) -> None:
+    """Three mistakes of each plan, one after another written by the three programs."""
+    rng, count, found, blamed, named = random.Random(7), 0, 0, 0, 0
+    programs = [line_drawings.inkscape, line_drawings.illustrator, line_drawings.dxf]
+    for easel in easels():
+        every = possible(easel)
+        for program, mistake in zip(programs, rng.sample(every, min(3, len(every))), strict=False):
+            file = tmp_path / ("t.dxf" if program is line_drawings.dxf else "t.svg")
+            out = read_back(program, easel, mistake, file)
+            told = out.mistake or "", out.first_wrong
+            same = told == (mistake.name.partition(":")[0], mistake.where) or told in confusion.alike(easel, mistake)
+            count += 1
+            found += out.verdict == "wrong"
+            blamed += same or out.first_wrong == mistake.where
+            named += same
+    print("wrong plans as files", count, "found", found, "blamed", blamed, "named", named)
+    assert found >= 0.97 * count and blamed >= 0.95 * count and named >= 0.90 * count
+
+
+@pytest.mark.parametrize("factor", [0.6, 1.7])
+def test_plans_of_another_size_as_files(tmp_path: Path, factor: float) -> None:
+    """The scale is the drawer's choice, and words tell it to the reader."""
+    right, count, file = 0, 0, tmp_path / "t.svg"
+    for easel in easels():
+        strokes, words = test_check.sketch_of(easel, None, 1, factor)
+        file.write_text(line_drawings.inkscape(strokes, words, 200 + 150j), encoding="utf-8")
+        bench = confusion.bench(easel.sample, easel.plan, False)
+        right += check(bench.asked, paper_of(read_svg(file), bench)).verdict == "right"
+        count += 1
+    print("factor", factor, right, count)
+    assert right >= 0.96 * count
+
+
+def test_lines_that_do_not_quite_meet(tmp_path: Path) -> None:
+    """Ends drawn by eye, 0.15 mm off each way, without snapping."""
+    rng, right, count, wrong, named, mistakes, file = random.Random(3), 0, 0, 0, 0, 0, tmp_path / "t.svg"
+    for easel in easels():
+        every = possible(easel)
+        for mistake in [None, *rng.sample(every, min(2, len(every)))]:
+            strokes, words = test_check.sketch_of(easel, mistake)
+            loose = [tuple(z + complex(rng.gauss(0, 0.15), rng.gauss(0, 0.15)) for z in s) for s in strokes]
+            file.write_text(line_drawings.inkscape(loose, words, 200 + 150j), encoding="utf-8")  # type: ignore[arg-type]
+            bench = confusion.bench(easel.sample, easel.plan)
+            found = check(bench.asked, paper_of(read_svg(file), bench))
+            if mistake is None:
+                right += found.verdict == "right"
+                count += 1
+            else:
+                mistakes += 1
+                wrong += found.verdict != "right"
+                told = found.mistake or "", found.first_wrong
+                same = told == (mistake.name.partition(":")[0], mistake.where)
+                named += same or told in confusion.alike(easel, mistake)
+    print("loose", right, count, "wrong", wrong, named, mistakes)
+    assert right >= 0.96 * count and wrong >= 0.95 * mistakes and named >= 0.88 * mistakes

@@ -1,0 +1,169 @@
+"""Sheets written by this program, given to its own check: right ones are right, with a step spoiled they are wrong."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy
+import pytest
+
+from planes.check import Outcome, check
+from planes.check.grading.bench import Asked, known_plans, prepare, variants_of
+from planes.check.grading.handwork import Hand, Variant
+from planes.check.grading.nudging import HAND
+from planes.check.reading.arrowheads import settle
+from planes.check.reading.dxf import read_dxf
+from planes.check.reading.parts import joined, parts, without_letters
+from planes.check.reading.pdf import read_pdf
+from planes.check.reading.strokes import Head, Nodes, Sketch, Words
+from planes.check.reading.svg import read_svg
+from planes.check.reading.whole_page import paper_on
+from planes.documents import _mechanism_views, rendered, sheet_of
+from planes.documents.sheets import Drawn
+from planes.scene import Scene, load
+from planes.solving import Position
+from planes.words.names import label_of, mu_of
+from render.paper.names import Naming
+from render.sheet import Sheet
+from render.sheet.composer import Composer
+from render.sheet.single import Page, page
+from render.sheet.sizes import Sizes
+from tests.helpers import ROOT
+
+SAMPLES = ROOT / "samples"
+READERS = {".svg": read_svg, ".dxf": read_dxf, ".pdf": read_pdf}
+FAR_MM = 5.0  # a mistake that moves its mark by less is no mistake worth drawing
+
+
+@cache
+def drawn(sample: str) -> tuple[Scene, Position]:
+    """A sample's position as a sheet of one view draws it."""
+    scene = load(str(SAMPLES / f"{sample}.yaml"))
+    return scene, Drawn(replace(scene, find=None), None, "ru").at(Sizes())
+
+
+def view(sample: str, plan: str, position: Position) -> Page:
+    """The page of one plan of a position."""
+    scene = drawn(sample)[0]
+    kind, _, links = plan.partition(":")
+    name = f"force-{links}" if links else plan if plan == "position" else f"{kind}-plan"
+    composer = Composer(scene, "ru")
+    return page(_mechanism_views(replace(scene, find=None), position, composer), name, composer)
+
+
+def checked(sample: str, plan: str, written: Page | Sheet, file: Path) -> Outcome:
+    """What the check says of a page written into a file."""
+    scene = drawn(sample)[0]
+    file.write_bytes(rendered(written, file.suffix, "ru"))
+    sketch = READERS[file.suffix](file)
+    assert sketch
+    asked = Asked(scene, plan, spelt=Naming("ru", scene.frame_number).vector)
+    return check(asked, paper_on(sketch, prepare(asked)))
+
+
+def spoiled(sample: str, plan: str, seed: int) -> tuple[Position, Variant] | None:
+    """The position with one mistake of the catalogue made in the plan, and all that follows from it."""
+    scene, position = drawn(sample)
+    bench = prepare(Asked(scene, plan, mu=position.scales[mu_of(plan)]))
+    hand = Hand(bench.program, {**bench.given, **position.scales}, HAND, {})
+    variants = list(variants_of(bench, hand, bench.said_mu))
+    random.Random(seed).shuffle(variants)
+    for variant in variants:
+        made = {n: numpy.ravel(v)[0].item() for n, v in hand.under(variant).items() if v is not None}
+        places = {m: made[m] for m in bench.marks if m in made}
+        blamed = next((m for m in places if label_of(m) == variant.blames), None)
+        if blamed and abs(made[blamed] - position.drawing[blamed]) > FAR_MM and max(map(abs, places.values())) < 400:
+            things = {**position.drawing.things, **{n: v for n, v in made.items() if n in position.drawing}}
+            return replace(position, drawing=replace(position.drawing, things=things)), variant
+    return None
+
+
+VIEWS = (
+    ("kind-1-rrr", "velocity", ".svg"), ("six-link", "velocity", ".pdf"), ("kind-4-prp", "velocity", ".dxf"),
+    ("kind-3-rpr", "acceleration", ".dxf"), ("six-link", "acceleration", ".svg"),
+    ("kind-2-rrp", "position", ".svg"), ("six-link", "position", ".pdf"), ("kind-5-rpp", "position", ".dxf"),
+    ("six-link", "force:2-3", ".dxf"), ("kind-5-rpp", "force:2-3", ".pdf"), ("kind-4-prp", "force:2-3", ".svg"),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("sample", "plan", "suffix"), VIEWS)
+def test_a_view_is_right_and_with_one_step_spoiled_wrong_there(
+    sample: str, plan: str, suffix: str, tmp_path: Path
+) -> None:
+    found = checked(sample, plan, view(sample, plan, drawn(sample)[1]), tmp_path / f"right{suffix}")
+    assert found.verdict == "right", found.sentence.told("en")
+    assert all(v == "right" for v in found.grading.verdicts.values()) or plan != "velocity"  # type: ignore[union-attr]
+    made = spoiled(sample, plan, 1)
+    assert made
+    found = checked(sample, plan, view(sample, plan, made[0]), tmp_path / f"wrong{suffix}")
+    assert (found.verdict, found.first_wrong) == ("wrong", made[1].blames), found.sentence.told("en")
+
+
+@pytest.mark.parametrize("suffix", READERS)
+def test_every_plan_of_a_whole_sheet_is_right(suffix: str, tmp_path: Path) -> None:
+    """Frame, title block, tables, equations and the other plans are not lines of the plan."""
+    position = drawn("kind-1-rrr")[1]
+    sheet = whole_sheet()
+    for plan in known_plans(position.plans):
+        found = checked("kind-1-rrr", plan, sheet, tmp_path / f"sheet{suffix}")
+        assert found.verdict == "right", (plan, found.sentence.told("en"))
+
+
+@cache
+def whole_sheet() -> Sheet:
+    """A sheet with everything on it."""
+    return sheet_of(drawn("kind-1-rrr")[0], None)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("sample", sorted(p.stem for p in SAMPLES.glob("*.yaml") if p.stem != "vectors"))
+@pytest.mark.parametrize("suffix", READERS)
+def test_every_view_of_every_sample(sample: str, suffix: str, tmp_path: Path) -> None:
+    position = drawn(sample)[1]
+    for plan in known_plans(position.plans):
+        marks = [m for m in position.drawing.things if m.startswith(f"{plan}:")]
+        if plan != "position" and all(abs(position.drawing[m]) < 1e-6 for m in marks):
+            continue  # there is nothing to draw
+        found = checked(sample, plan, view(sample, plan, position), tmp_path / f"t{suffix}")
+        assert found.verdict == "right", (plan, found.sentence.told("en"))
+
+
+def test_a_shaft_that_ends_within_its_head_reaches_the_tip() -> None:
+    """A construction line that begins at the tip does not take the head away."""
+    sketch = Sketch(strokes=[(0j, 20 + 0j), (23 + 0j, 35 + 0j)], heads=[Head(23 + 0j, 1 + 0j, 3.75)])
+    settle(sketch)
+    assert sketch.strokes[0] == (0j, 23 + 0j) and sketch.ways == [1, 0]
+
+
+def test_a_straight_polyline_with_a_middle_vertex_is_one_vector() -> None:
+    sketch = Sketch(strokes=[(0j, 20 + 0j), (20 + 0j, 40 + 0j)], heads=[Head(40 + 0j, 1 + 0j)])
+    settle(sketch)
+    assert sketch.strokes == [(0j, 40 + 0j)]
+
+
+def test_lines_that_run_on_move_no_node() -> None:
+    """Vectors meet at 30+40j; a line drawn on past it, and another that crosses near it, change nothing."""
+    strokes = [(0j, 30 + 40j), (60 + 0j, 30 + 40j), (0j, 30.6 + 40.8j), (29.7 + 45j, 29.7 + 10j)]
+    assert 30 + 40j in Nodes(strokes, 0.6, vectors=[0, 1]).places
+
+
+def test_letters_drawn_in_strokes_go_and_vectors_stay() -> None:
+    letter = [(1 + 1j, 2 + 4j), (2 + 4j, 3 + 1j)]
+    sketch = Sketch(strokes=[*letter, (-20 + 2j, 20 + 2j)], words=[Words("A", 0.5 + 0.5j, 4.0, 3.0)])
+    without_letters(sketch)
+    assert sketch.strokes == [(-20 + 2j, 20 + 2j)]
+
+
+def test_a_letter_and_its_indices_written_apart_are_one_name() -> None:
+    pieces = [Words("F", 0j, 5.0, 2.3), Words("21", 2.4 - 1.1j, 3.5, 2.8), Words("t", 2.4 + 2j, 3.5, 1.2),
+              Words("b", 30 + 0j, 5.0, 2.0), Words("′", 32.2 + 0j, 5.0, 0.6)]  # fmt: skip
+    assert [w.text for w in joined(pieces)] == ["F21t", "b′"]
+
+
+def test_what_stands_apart_on_a_page_is_another_part() -> None:
+    strokes = [(0j, 30 + 0j), (30 + 0j, 30 + 20j), (100 + 0j, 130 + 0j), (130 + 0j, 130 + 30j), (130 + 30j, 100 + 0j)]
+    found = parts(Sketch(strokes=strokes, words=[Words("b", 31 + 21j)]))
+    assert [len(p.strokes) for p in found] == [3, 2] and [len(p.words) for p in found] == [0, 1]

@@ -1,0 +1,111 @@
+"""Picture files of every kind, turned, see-through, cut short: read as they are seen, or refused in a sentence."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PIL import Image
+from reportlab.pdfgen.canvas import Canvas
+
+from planes.cli import main
+from planes.words.errors import PlanesError
+from tests import confusion
+
+cv2 = pytest.importorskip("cv2")
+import numpy as np  # noqa: E402
+
+from planes.check.sight.decoding import MOST_PAGE, load  # noqa: E402
+from tests import picture_corpus as corpus  # noqa: E402
+from tests.helpers import photographs  # noqa: E402
+
+SIX = str(confusion.SAMPLES / "six-link.yaml")
+
+
+@pytest.fixture(scope="module")
+def scan() -> Any:
+    """A right velocity plan on its blank, in grey."""
+    easel = next(e for e in confusion.easels() if (e.sample, e.plan) == ("six-link", "velocity"))
+    rng = random.Random(5)
+    drawn = corpus.drawn(easel, None, rng)
+    assert drawn is not None
+    page = photographs.sheet(drawn.strokes, drawn.words, corpus.pole_of(easel), photographs.SCAN, rng)
+    return photographs.shot(page, photographs.SCAN, rng)
+
+
+def see_through(grey: Any) -> Any:
+    """Black ink on nothing."""
+    out = np.zeros((*grey.shape, 4), np.uint8)
+    out[..., 3] = 255 - grey
+    return out
+
+
+def written(kind: str, grey: Any, file: Path) -> Path:
+    """The picture as a file of some kind."""
+    picture = Image.fromarray(grey)
+    match kind:
+        case "see-through":
+            cv2.imwrite(str(file := file.with_suffix(".png")), see_through(grey))
+        case "16-bit, see-through":
+            cv2.imwrite(str(file := file.with_suffix(".png")), see_through(grey).astype(np.uint16) * 257)
+        case "16-bit":
+            cv2.imwrite(str(file := file.with_suffix(".png")), grey.astype(np.uint16) * 257)
+        case "palette":
+            picture.convert("P").save(file := file.with_suffix(".png"))
+        case "CMYK":
+            picture.convert("RGB").convert("CMYK").save(file := file.with_suffix(".jpg"), quality=95)
+        case "turned in the camera":
+            told = Image.Exif()
+            told[0x0112] = 6
+            picture.rotate(90, expand=True).save(file := file.with_suffix(".jpg"), exif=told, quality=95)
+    return file
+
+
+@pytest.mark.parametrize("kind", ["see-through", "16-bit", "16-bit, see-through", "palette", "CMYK",
+                                  "turned in the camera"])  # fmt: skip
+def test_a_file_is_read_as_it_is_seen(kind: str, scan: Any, tmp_path: Path) -> None:
+    found = load(written(kind, scan, tmp_path / "p"))
+    assert found.shape == scan.shape and found.dtype == np.uint8
+    assert abs(found.astype(int) - scan).mean() < 4
+
+
+@pytest.mark.parametrize("turn", [90, 180, 270])
+def test_a_picture_lying_on_its_side(turn: int, scan: Any, tmp_path: Path) -> None:
+    file = tmp_path / "p.jpg"
+    Image.fromarray(scan).rotate(turn, expand=True).save(file)
+    assert main(["check", SIX, str(file), "--plan", "velocity"]) == 0
+
+
+def test_a_page_and_a_large_picture(scan: Any, tmp_path: Path) -> None:
+    Image.fromarray(scan).save(tmp_path / "p.pdf", resolution=200)
+    cv2.imwrite(str(tmp_path / "p.jpg"), cv2.resize(scan, (8000, 5657)))
+    for name in ("p.pdf", "p.jpg"):
+        assert main(["check", SIX, str(tmp_path / name), "--plan", "velocity"]) == 0
+
+
+def test_a_page_as_large_as_a_house_is_looked_at_from_afar(tmp_path: Path) -> None:
+    file = tmp_path / "p.pdf"
+    canvas = Canvas(str(file), pagesize=(14400, 14400))
+    canvas.line(0, 0, 14400, 14400)
+    canvas.save()
+    assert load(file).size <= 1.01 * MOST_PAGE
+
+
+@pytest.mark.parametrize("name", ["half.png", "half.jpg", "half.pdf", "start.png", "none.png", "text.jpg", "tiny.png"])
+def test_what_is_no_picture_is_refused_in_a_sentence(
+    name: str, scan: Any, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    file, whole = tmp_path / name, tmp_path / f"whole{Path(name).suffix}"
+    Image.fromarray(scan).save(whole)
+    data = whole.read_bytes()
+    file.write_bytes({"half": data[: len(data) // 2], "start": data[:20], "none": b"", "text": b"a letter",
+                      "tiny": cv2.imencode(".png", scan[:30, :30])[1].tobytes()}[file.stem])  # fmt: skip
+    assert main(["check", SIX, str(file), "--plan", "velocity", "--lang", "en"]) == 2
+    told = capfd.readouterr()
+    why = {"none": "the file is empty", "tiny": "the picture has only 30 × 30 pixels"}
+    said = why.get(file.stem, "the picture cannot be read: the file is cut, damaged or of another kind")
+    assert told.out == "" and told.err.startswith(f"{file}: {said}; ") and told.err.count("\n") == 1
+    with pytest.raises(PlanesError):
+        load(file)

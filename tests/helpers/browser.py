@@ -1,0 +1,49 @@
+"""A headless Chromium for the tests of pages: the system's, or the one Playwright has installed."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.helpers.counting import PATIENCE_MS
+
+FLAGS = [
+    "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+    "--disable-component-update", "--disable-sync",
+]  # fmt: skip
+NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome")
+
+
+@contextmanager
+def chromium(profile: Path, **looks: Any) -> Iterator[Any]:
+    """A browser with an empty profile. Without any the test is skipped, and says what to install."""
+    sync = pytest.importorskip("playwright.sync_api", reason="install the test extra: pip install -e '.[test]'")
+    with sync.sync_playwright() as tools:
+        own = Path(tools.chromium.executable_path)
+        system = next(filter(None, map(shutil.which, NAMES)), "")
+        found = os.environ.get("CHROMIUM") or (str(own) if own.exists() else system)
+        if not found:
+            pytest.skip("no Chromium here: apt-get install chromium, or playwright install --with-deps chromium")
+        context = tools.chromium.launch_persistent_context(
+            str(profile), executable_path=found, headless=True, args=FLAGS, timeout=PATIENCE_MS, **looks
+        )
+        context.set_default_timeout(PATIENCE_MS)
+        try:
+            yield context
+        finally:
+            context.close()
+
+
+def until(page: Any, condition: str) -> None:
+    """Wait for what an expression says; asked from outside, for a page evaluates no text within itself."""
+    for _ in range(2000):
+        if page.evaluate(condition):
+            return
+        page.wait_for_timeout(30)
+    pytest.fail(f"it has not come to {condition}")

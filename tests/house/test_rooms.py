@@ -1,0 +1,128 @@
+"""The house: six layers of rooms, who may import whom, read off the files; files and functions of readable length."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from tests.helpers import ROOT
+
+LAYERS = (  # a room imports from the layers above its own in this list, and from the rooms before it in its own
+    "words",
+    "geometry scene drafting plans batch solving",  # the engine; drafting knows no mechanism
+    "accuracy diagrams",  # many positions looked at
+    "check lesson course crank_slider",  # readers
+    "render",  # draws, computes no mechanics
+    "documents cli",
+)
+ROOMS = [room for layer in LAYERS for room in layer.split()]
+LAYER = {room: number for number, layer in enumerate(LAYERS) for room in layer.split()}
+FACE = ("planes", "planes.__main__")  # the public face and the command: they open every door, and no room imports them
+LONGEST_FILE = 250
+LONGEST_BODY = 25  # lines, of nine functions in ten
+
+
+def files(package: str) -> dict[str, Path]:
+    """Modules of a package by name."""
+    found = sorted((ROOT / package).rglob("*.py"))
+    return {".".join(f.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__"): f for f in found}
+
+
+MODULES = {**files("planes"), **files("render")}
+
+
+@cache
+def tree(path: Path) -> ast.Module:
+    return ast.parse(path.read_text(encoding="utf-8"))
+
+
+@cache
+def imports(module: str) -> frozenset[str]:
+    """The modules of both packages a module imports anywhere in its file."""
+    found: set[str] = set()
+    for node in ast.walk(tree(MODULES[module])):
+        if isinstance(node, ast.Import):
+            found |= {a.name for a in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            assert not node.level, f"{module}: relative import in line {node.lineno}"
+            whole = [f"{node.module}.{a.name}" for a in node.names]
+            found |= {name if name in MODULES else node.module or "" for name in whole}
+    return frozenset(found & set(MODULES)) - {module}
+
+
+def room_of(module: str) -> str:
+    """The room a module stands in."""
+    top, *rest = module.split(".")
+    return top if top == "render" else rest[0]
+
+
+def functions(path: Path) -> Iterator[tuple[str, int]]:
+    """Every function with the number of lines of its body, its docstring aside."""
+    for node in ast.walk(tree(path)):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            body = node.body[1:] if ast.get_docstring(node) else node.body
+            yield node.name, (body[-1].end_lineno or 0) - body[0].lineno + 1 if body else 0
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_a_room_imports_only_from_lower_layers_and_earlier_rooms(room: str) -> None:
+    for module in (m for m in MODULES if m not in FACE and room_of(m) == room):
+        for other in imports(module):
+            assert other not in FACE, f"{module} imports the public face"
+            there = room_of(other)
+            lower = LAYER[there] < LAYER[room] or (
+                LAYER[there] == LAYER[room] and ROOMS.index(there) <= ROOMS.index(room)
+            )
+            assert lower, f"{module} imports {other}: {there} stands above {room}"
+
+
+def test_every_module_stands_in_a_room() -> None:
+    assert {room_of(m) for m in MODULES if m not in FACE} == set(ROOMS)
+
+
+def test_there_are_no_circles_of_imports() -> None:
+    done: set[str] = set()
+
+    def visit(module: str, way: tuple[str, ...]) -> None:
+        assert module not in way, " -> ".join((*way, module))
+        if module not in done:
+            for other in imports(module):
+                visit(other, (*way, module))
+            done.add(module)
+
+    for module in MODULES:
+        visit(module, ())
+
+
+def test_the_engine_draws_without_heavy_libraries() -> None:
+    """One position needs neither numpy nor shapely nor matplotlib to be imported."""
+    program = (
+        "import sys\nfrom planes.scene import load\nfrom planes.solving import solve\n"
+        "solve(load('samples/six-link.yaml'))\n"
+        "print([m for m in ('numpy', 'shapely', 'matplotlib', 'reportlab') if m in sys.modules])\n"
+    )
+    found = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=True)
+    assert found.stdout == "[]\n"
+
+
+@pytest.mark.parametrize("module", MODULES)
+def test_a_file_can_be_read_in_one_sitting(module: str) -> None:
+    lines = MODULES[module].read_text(encoding="utf-8").count("\n")
+    assert lines <= LONGEST_FILE, f"{module} has {lines} lines"
+
+
+def test_nine_functions_in_ten_are_short() -> None:
+    lengths = sorted((n, f"{m}.{name}") for m, path in MODULES.items() for name, n in functions(path))
+    assert lengths[int(0.9 * len(lengths))][0] <= LONGEST_BODY
+    assert lengths[-1][0] <= 4 * LONGEST_BODY, lengths[-1]
+
+
+def test_every_module_says_what_it_is() -> None:
+    for module, path in MODULES.items():
+        assert ast.get_docstring(tree(path)), module

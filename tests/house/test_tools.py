@@ -1,0 +1,18 @@
+"""ruff and mypy --strict are clean, on the whole tree."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+from tests.helpers import ROOT
+
+
+@pytest.mark.parametrize(
+    "tool", [["ruff", "check", "."], ["mypy"]], ids=["ruff", "mypy"]
+)
+def test_tool_is_clean(tool: list[str]) -> None:
+    done = subprocess.run([sys.executable, "-m", *tool], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout[-4000:] + done.stderr[-2000:]

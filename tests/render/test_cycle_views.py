@@ -1,0 +1,82 @@
+"""Views of the whole cycle on sheets: asked diagrams and hodographs beside the rest, constructions as drawn."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from planes.diagrams.motion import constructed
+from planes.documents import sheet_of, view_of
+from planes.scene import load
+from render.paper.marks import Arc, Line, Text
+from render.paper.names import Naming
+from render.paper.numbers import scale, unit, with_unit
+from render.paper.typeset import plain
+from render.views.graphical import Graphical, cropped, smooth
+from render.views.hodograph import _pieces
+from tests.helpers import ROOT
+from tests.render.test_sheet import clashes
+
+SAMPLES = ROOT / "samples"
+ASKED = {
+    "assignment-12": {"diagrams": ["u_31", "aq_slide_5", "M_1", "F_21"], "hodographs": ["F_21", "v_D"]},
+    "sliding-driver": {"diagrams": "omegaq_3, Fb_1", "hodographs": "F_30"},
+}
+
+
+@pytest.mark.parametrize("name", ASKED)
+def test_asked_diagrams_and_hodographs_stand_on_sheet_1_without_an_overlap(name: str) -> None:
+    scene = load(SAMPLES / f"{name}.yaml")
+    found = sheet_of(replace(scene, sheet={**scene.sheet, **ASKED[name]}), None, "ru", 1)
+    assert clashes(found) == []
+    said = {plain(m.text) for m in found.marks if isinstance(m, Text)}
+    assert "Диаграммы за цикл" in said and any(t.startswith("Годограф F") for t in said)
+    asked = ASKED[name]["diagrams"]
+    assert sum(", μ" in t and not t.startswith(("Годограф", "Схема", "План")) for t in said) >= len(
+        asked if isinstance(asked, list) else asked.split(","))  # fmt: skip
+
+
+def test_a_construction_is_drawn_where_its_marks_are() -> None:
+    scene = load(SAMPLES / "assignment-12.yaml")
+    c = constructed(scene, 12)[0]
+    drawing = c.drawn()
+    marks = Graphical(c, drawing, Naming("ru")).drawn()
+    poles = [m for m in marks if isinstance(m, Text) and m.text == "P"]
+    assert len(poles) == 2
+    rays = [m for m in marks if isinstance(m, Line) and m.style == "construction" and m.points[0].real < -1]
+    assert len([r for r in rays if abs(r.points[1].real) < 1e-9]) == 24
+    dots = [m for m in marks if isinstance(m, Arc) and m.fill == "ink" and m.layer == "plan"]
+    place = drawing["diagram:s:3"]
+    assert any(abs(d.centre - place) < 1e-9 for d in dots)
+    exact = [m for m in marks if isinstance(m, Line) and m.style == "dash" and m.layer == "plan"]
+    assert [len(m.points) for m in exact] == [121, 121, 2]  # two exact curves and the legend's sample
+
+
+def test_the_french_curve_goes_through_its_points_and_is_cut_at_the_ends() -> None:
+    points = [complex(x, (x - 2) ** 3) for x in range(-2, 8)]
+    path = smooth(points)
+    assert all(min(abs(p - q) for q in path) < 1e-12 for p in points)
+    inside = cropped(path, 5.0)
+    assert (inside[0].real, inside[-1].real) == pytest.approx((0.0, 5.0))
+    assert max(abs(z.imag - (z.real - 2) ** 3) for z in inside) < 0.6
+
+
+def test_a_single_gap_in_a_hodograph_is_a_jump_and_a_wide_one_is_not() -> None:
+    path = (0j, 1j, None, 3j, 4j, None, None, 6j, 7j)
+    assert _pieces(path) == [([0j, 1j], False), ([1j, 3j], True), ([3j, 4j], False), ([6j, 7j], False)]
+
+
+@pytest.mark.parametrize("lang", ["ru", "en"])
+def test_the_self_aligning_variant_names_every_pair(lang: str) -> None:
+    found = view_of(load(SAMPLES / "six-link.yaml"), "self-aligning", None, lang)  # type: ignore[arg-type]
+    said = " ".join(plain(m.text) for m in found.marks if isinstance(m, Text))
+    short = ("1в", "2ц", "3с") if lang == "ru" else ("1R", "2C", "3S")
+    assert all(text in said for text in (*short, "W = 6n", "q = 0", "(5–6)", "(2–4)"))
+
+
+def test_a_unit_is_said_in_one_way_everywhere():
+    assert [unit(key, "ru") for key in ("°", "1", "", "kgm2", "1/m")] == ["°", "", "", "кг·м²", "1/м"]
+    told = [scale(20.0, key, "en") for key in ("m", "m/s²", "°", "1")]
+    assert told == ["20 mm/m", "20 mm/(m/s²)", "20 mm/°", "20 mm"]
+    assert (with_unit("u", "1", "en"), with_unit("v", "m/s", "ru")) == ("u", "v, м/с")

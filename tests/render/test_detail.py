@@ -1,0 +1,71 @@
+"""Details: every vector too short to be read is drawn once more, enlarged by a standard scale, with its name."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+import pytest
+
+from planes.documents import sheet_of
+from planes.scene import load
+from planes.solving import solve
+from render.paper.marks import Arc, Arrow, Text
+from render.paper.names import Naming
+from render.views.detail import ENLARGED, SHORT_MM, details, letters
+from render.views.plotted import of_position
+from render.views.polygon import SAME_MM, Polygon
+from tests.helpers import ROOT
+
+SAMPLES = {path.stem: path for path in sorted((ROOT / "samples").glob("*.yaml"))}
+
+
+CROWDED = {"assignment-12": None, "kind-5-rpp": None, "crank-slider": None, "kind-3-rpr": 2, "kind-4-prp": 2}
+
+
+@pytest.mark.parametrize(("name", "number"), list(CROWDED.items()))
+def test_every_short_vector_is_drawn_again_larger(name, number):
+    found = sheet_of(load(SAMPLES[name]), None, "ru", number)
+    titles = [m.text for m in found.marks if isinstance(m, Text) and re.fullmatch(r"\w \(\d+:1\)", m.text)]
+    assert len({t[0] for t in titles}) == len(titles)
+    said = [m.text for m in found.marks if isinstance(m, Text)]
+    assert all(said.count(title[0]) == 1 for title in titles)  # the letter on the plan itself
+    plans = [v for v, _, _ in found.views if v.key in ("velocity", "acceleration") or v.key.startswith("force")]
+    arrows = [a for v in plans for a in v.marks if isinstance(a, Arrow)]
+    short = [a for a in arrows if a.name and abs(a.end - a.start) < SHORT_MM - 1e-6]
+    assert short
+    for one in short:
+        span = one.end - one.start
+        times = [(a.end - a.start) / span for a in arrows if not a.name]
+        assert any(abs(t - k) < 1e-6 * k for t in times for k in ENLARGED), one.name
+
+
+@pytest.mark.parametrize("number", ["07", "25", "44"])
+def test_marks_that_a_detail_draws_apart_are_named_apart(number):
+    scene = replace(load(SAMPLES["six-link"].parent / "assignments" / f"{number}.yaml"), find=None)
+    position, naming = solve(scene).positions[0], Naming("ru")
+    for plan in ("velocity", "acceleration"):
+        polygon = Polygon(of_position(position), plan, naming)
+        polygon.drawn()
+        for one in details(polygon.places.values(), "ABCDEFG"):
+            named = [x for x in polygon.mark_labels(SAME_MM / one.times) if one.shows(x)]
+            for label in polygon.plotted.labels(plan):
+                z = polygon.mark(label)
+                held = [x for x in named if naming.mark(label, plan) in x.text.split(", ")]
+                if held:
+                    assert one.times * abs(held[0].at - z) <= SAME_MM
+        texts = {m.text for m in Polygon(of_position(position), plan, naming).drawn() if isinstance(m, Text)}
+        if (number, plan) == ("44", "acceleration"):
+            assert "n_{EK}" in texts
+
+
+def test_neighbours_share_a_detail():
+    found = details([(0j, 2 + 0j), (2 + 0j, 2 + 1j), (50j, 51j), (0j, 80 + 0j)], "AB")
+    assert [(d.centre, d.title) for d in found] == [(1 + 0.5j, "A (10:1)"), (50.5j, "B (20:1)")]
+    assert isinstance(found[0].circle(), Arc)
+    assert found[0].holds(2 + 0j) and not found[0].holds(4 + 0j)
+
+
+def test_a_detail_is_not_called_like_a_point():
+    assert letters(["A", "B", "C", "O", "S2"], True)[:3] == ["Б", "Г", "Д"]
+    assert letters(["A", "B", "C"], False)[:2] == ["D", "E"]

@@ -1,0 +1,277 @@
+"""DXF of whole sheets: no audit errors, millimetres, layers by meaning, blocks, and the same picture as the SVG."""
+
+from __future__ import annotations
+
+import io
+import os
+import subprocess
+import sys
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from planes.cli import main
+from planes.documents import draw_sheet, sheet_of
+from planes.scene import load
+from render.files import png
+from render.paper import form1, lettering, symbols
+from render.paper.cutting import uncovered
+from render.paper.ink import is_circle
+from render.paper.marks import Arc, Line, Text
+from render.paper.style import HINGE_MM, LAYERS, pen
+from render.paper.typeset import layout
+from tests.helpers import ROOT
+from tests.helpers.counting import at_most
+
+ezdxf = pytest.importorskip("ezdxf")
+dxf = pytest.importorskip("render.files.dxf")
+
+SAMPLES = {path.stem: path for path in sorted((ROOT / "samples").glob("*.yaml"))}
+
+
+@lru_cache(maxsize=8)
+def sheet(name, **settings):
+    scene = load(SAMPLES[name])
+    return sheet_of(replace(scene, sheet={**scene.sheet, **settings}), None)
+
+
+def read(sheet, **how):
+    return ezdxf.read(io.StringIO(dxf.write(sheet.marks, sheet.size, sheet.title, **how).decode()))
+
+
+def apart(document):
+    """All entities, blocks taken apart."""
+    from ezdxf.disassemble import recursive_decompose
+
+    return list(recursive_decompose(document.modelspace()))
+
+
+@pytest.mark.parametrize("name", ["six-link", "kind-1-rrr", "kind-4-prp", "vectors"])
+@pytest.mark.parametrize("text", ["text", "strokes"])
+def test_the_file_has_no_errors_and_is_in_millimetres(name, text):
+    document = read(sheet(name), text=text)
+    audit = document.audit()
+    assert not audit.errors
+    assert not audit.fixes
+    assert document.units == 4
+    assert tuple(document.header["$EXTMAX"])[:2] == document.header["$LIMMAX"] == sheet(name).size
+    used = {e.dxf.layer for e in document.modelspace()}
+    assert used <= {layer.upper() for layer in LAYERS} and {"FRAME", "TEXT"} <= used
+
+
+def test_places_agree_with_the_marks():
+    found = sheet("kind-1-rrr")
+    entities = apart(read(found))
+    marks = uncovered(found.marks)
+    lines = [complex(e.dxf.start.x, e.dxf.start.y) for e in entities if e.dxftype() == "LINE"]
+    straight = [m.points[0] for m in marks if isinstance(m, Line) and len(m.points) == 2]
+    for z in straight:
+        assert min(abs(at - z) for at in lines) < 0.05
+    circles = [(complex(*e.dxf.center.vec2), e.dxf.radius) for e in entities if e.dxftype() == "CIRCLE"]
+    for arc in (m for m in marks if isinstance(m, Arc) and is_circle(m)):
+        assert any(abs(c - arc.centre) < 0.05 and abs(r - arc.radius) < 0.05 for c, r in circles)
+
+
+def test_text_is_text_fitted_to_its_lettering():
+    found = sheet("kind-1-rrr")
+    space = read(found).modelspace()
+    texts = {(e.dxf.text, round(e.dxf.insert.x, 2), round(e.dxf.insert.y, 2)): e for e in space.query("TEXT")}
+    title = next(m for m in found.marks if isinstance(m, Text) and m.text.startswith("План скоростей"))
+    run = layout(title).runs[0]
+    place = layout(title).origin + run.at
+    entity = texts[run.text.strip(), round(place.real, 2), round(place.imag, 2)]
+    assert entity.dxf.height == run.height
+    assert abs(entity.dxf.align_point.x - entity.dxf.insert.x - run.width) < 1e-4
+
+
+def test_line_types_and_weights_are_those_of_the_layers_or_their_own():
+    document = read(sheet("kind-2-rrp"))
+    layers = {layer.dxf.name: layer.dxf for layer in document.layers}
+    assert (layers["SCHEME"].lineweight, layers["AXIS"].lineweight, layers["CONSTRUCTION"].lineweight) == (60, 25, 18)
+    assert layers["AXIS"].linetype == "AXIS"
+
+    def looks(e):
+        weight = e.dxf.lineweight if e.dxf.hasattr("lineweight") else layers[e.dxf.layer].lineweight
+        return e.dxf.layer, weight, e.dxf.get("linetype", layers[e.dxf.layer].linetype)
+
+    seen = {looks(e) for e in document.modelspace().query("LINE LWPOLYLINE")}
+    assert {("CONSTRUCTION", 18, "Continuous"), ("SCHEME", 60, "Continuous"), ("TABLE", 25, "Continuous")} <= seen
+    own = [e for e in document.modelspace().query("LINE") if e.dxf.hasattr("lineweight")]
+    assert own and all(e.dxf.lineweight != layers[e.dxf.layer].lineweight for e in own)
+
+
+def test_dashes_are_stretched_to_whole_ones_as_in_the_other_formats():
+    marks = [Line((10 + 10j, 70 + 10j), "axis", "axis"), Line((10 + 20j, 18 + 20j), "axis", "axis")]
+    long, short = ezdxf.read(io.StringIO(dxf.write(marks, (100, 100), "t").decode())).modelspace().query("LINE")
+    period = sum(pen("axis").pattern)
+    count = round((60 - 10) / period)
+    assert long.dxf.ltscale == pytest.approx(60 / (count * period + 10), abs=1e-5)
+    assert not long.dxf.hasattr("linetype")  # its layer's
+    assert short.dxf.linetype == "Continuous"
+
+
+def test_the_same_bytes_twice_and_a_file_by_its_suffix(tmp_path):
+    found = sheet("kind-2-rrp")
+    one = dxf.write(found.marks, found.size, found.title)
+    assert one == dxf.write(found.marks, found.size, found.title)
+    draw_sheet(load(SAMPLES["kind-2-rrp"]), None, str(tmp_path / "a.dxf"))
+    assert (tmp_path / "a.dxf").read_bytes() == one
+
+
+def test_the_same_bytes_whatever_python_makes_its_sets_of():
+    program = (
+        "import hashlib\nfrom planes.documents import sheet_of\nfrom planes.scene import load\nfrom render import dxf\n"
+        f"found = sheet_of(load({str(SAMPLES['kind-1-rrr'])!r}), None)\n"
+        "print(hashlib.sha256(dxf.write(found.marks, found.size, found.title)).hexdigest())\n"
+    )
+    run = [sys.executable, "-c", program]
+    seeds = ({**os.environ, "PYTHONHASHSEED": str(seed)} for seed in range(4))
+    told = {subprocess.run(run, env=e, capture_output=True, check=True).stdout for e in seeds}
+    assert len(told) == 1
+
+
+# blocks
+
+
+def test_hinges_supports_sliders_and_points_are_blocks():
+    found = sheet("six-link")
+    inserts = read(found).modelspace().query("INSERT")
+    names = [e.dxf.name for e in inserts]
+    hinges = [m for m in found.marks if isinstance(m, Arc) and m.fill == "paper" and abs(m.radius - HINGE_MM) < 1e-9]
+    assert names.count("HINGE") + names.count("SUPPORT") == len(hinges)
+    assert names.count("SUPPORT") == 2  # A and D
+    assert {"SLIDER", "POINT", "FORM_1"} <= set(names)
+
+
+@pytest.mark.parametrize("turn", [0.0, 37.0, 90.0, 270.0])
+def test_a_support_is_known_at_any_turn_and_one_that_is_cut_stays_lines(turn):
+    marks = symbols.fixed_hinge(50 + 50j, turn)
+    (insert,) = ezdxf.read(io.StringIO(dxf.write(marks, (100, 100), "t").decode())).modelspace()
+    assert (insert.dxf.name, tuple(insert.dxf.insert)[:2]) == ("SUPPORT", (50.0, 50.0))
+    assert (insert.dxf.rotation - turn + 180) % 360 - 180 == pytest.approx(0, abs=1e-6)
+    over = (*marks, *symbols.hinge(50 + 50j - 7j * symbols.unit(turn)))
+    space = ezdxf.read(io.StringIO(dxf.write(over, (100, 100), "t").decode())).modelspace()
+    assert [e.dxf.name for e in space.query("INSERT")] == ["HINGE", "HINGE"]
+    assert len(space.query("LINE")) > 5
+
+
+def test_the_cells_of_the_form_are_attributes_to_be_edited():
+    found = sheet("kind-2-rrp", student="Иванов И. И.", designation="ТММ.01.02.000", title="Длинное название механизма")
+    document = read(found)
+    (form,) = [e for e in document.modelspace().query("INSERT") if e.dxf.name == "FORM_1"]
+    values = {a.dxf.tag: a.dxf.text for a in form.attribs}
+    assert (values["STUDENT"], values["DESIGNATION"]) == ("Иванов И. И.", "ТММ.01.02.000")
+    assert values["DESIGNATION_TURNED"] == "ТММ.01.02.000" and values["TEACHER"] == ""
+    assert f"{values['TITLE']} {values['TITLE_LINE_2']}" == "Длинное название механизма"
+    assert {key.upper() for key in form1.cells(found.size)} <= set(values)
+    defined = {e.dxf.tag: e for e in document.blocks["FORM_1"].query("ATTDEF")}
+    assert set(defined) == set(values)
+    assert defined["STUDENT"].dxf.prompt == "разработал (11)"
+    for value in form.attribs:  # a value stands where its definition stands
+        assert value.get_placement()[1].isclose(defined[value.dxf.tag].get_placement()[1])
+    assert not [e for e in document.modelspace().query("TEXT") if e.dxf.layer == "FRAME"]
+
+
+# lettering
+
+
+def test_strokes_instead_of_texts_have_the_width_of_their_pen():
+    found = sheet("kind-1-rrr")
+    entities = apart(read(found, text="strokes"))
+    assert not [e for e in entities if e.dxftype() in ("TEXT", "ATTRIB")]
+    word = next(m for m in found.marks if isinstance(m, Text) and m.text.startswith("План скоростей"))
+    first = layout(word).strokes[0]
+    drawn = [e for e in entities if e.dxftype() == "LWPOLYLINE" and len(e) == len(first)]
+    near = [e for e in drawn if abs(complex(*e[0][:2]) - first[0]) < 1e-5]
+    assert [e.dxf.lineweight for e in near] == [50]  # a tenth of 5 mm
+
+
+def test_slanted_lettering_is_oblique():
+    document = read(sheet("kind-1-rrr", lettering="slanted"))
+    assert document.styles.get("GOST slanted").dxf.oblique == 15
+    texts = document.modelspace().query("TEXT")
+    assert {(e.dxf.oblique, e.dxf.style) for e in texts} == {(15.0, "GOST slanted")}
+    assert pytest.approx(np.tan(np.radians(15))) == lettering.SLANT
+
+
+def test_a_font_gives_its_own_style():
+    document = read(sheet("kind-1-rrr", font="DejaVu Sans"))
+    style = document.styles.get("DejaVu Sans")
+    assert style.dxf.font == "DejaVuSans.ttf"
+    assert style.get_extended_font_data()[0] == "DejaVu Sans"
+    assert {e.dxf.style for e in document.modelspace().query("TEXT")} == {"DejaVu Sans"}
+
+
+def test_the_command_takes_strokes(tmp_path):
+    path = tmp_path / "a.dxf"
+    assert main(["sheet", str(SAMPLES["kind-1-rrr"]), "--text", "strokes", "-o", str(path)]) == 0
+    assert not ezdxf.readfile(path).modelspace().query("TEXT")
+
+
+# the picture
+
+DPI = 127.0  # five pixels in a millimetre
+
+
+def picture(document, size):
+    """The ink of a DXF as ezdxf's own renderer draws it."""
+    import matplotlib.pyplot as plt
+    from ezdxf.addons.drawing import Frontend, RenderContext
+    from ezdxf.addons.drawing.config import BackgroundPolicy, Configuration
+    from ezdxf.addons.drawing.matplotlib import MatplotlibBackend
+
+    figure = plt.figure(figsize=(size[0] / 25.4, size[1] / 25.4))
+    axes = figure.add_axes((0, 0, 1, 1))
+    config = Configuration(
+        background_policy=BackgroundPolicy.WHITE, lineweight_scaling=72 / 25.4, min_lineweight=0.01
+    )
+    frontend = Frontend(RenderContext(document), MatplotlibBackend(axes), config)
+    frontend.draw_layout(document.modelspace(), finalize=False)
+    axes.set_axis_off()
+    axes.set_aspect("auto")
+    axes.set_xlim(0, size[0])
+    axes.set_ylim(0, size[1])
+    out = io.BytesIO()
+    figure.savefig(out, dpi=DPI)
+    plt.close(figure)
+    return inked(out.getvalue())
+
+
+def inked(data):
+    with Image.open(io.BytesIO(data)) as image:
+        return np.asarray(image.convert("L")) < 215
+
+
+@pytest.mark.parametrize(("name", "settings"), [
+    ("kind-1-rrr", {}), ("kind-2-rrp", {"lettering": "slanted"}), ("vectors", {"font": "DejaVu Serif"}),
+])  # fmt: skip
+def test_the_drawing_looks_as_the_sheet(name, settings):
+    """All ink of either within 0.45 mm of ink of the other, but for spikes at corners: the renderer mitres them."""
+    from scipy.ndimage import distance_transform_edt
+
+    found = sheet(name, **settings)
+    one = picture(read(found, text="strokes"), found.size)
+    other = inked(png.write(found.marks, found.size, found.title, dpi=DPI))
+    high, wide = (min(a, b) for a, b in zip(one.shape, other.shape, strict=True))
+    one, other = one[:high, :wide], other[:high, :wide]
+    mm = 25.4 / DPI
+    for a, b in ((one, other), (other, one)):
+        apart_mm = distance_transform_edt(~b)[a] * mm
+        assert np.mean(apart_mm > 0.45) < 0.003
+        assert apart_mm.max() < 2.0
+
+
+# cost
+
+
+@pytest.mark.parametrize("suffix", ["svg", "dxf"])
+def test_a_full_a1_sheet_is_drawn_within_so_many_calls(suffix, tmp_path):
+    text = SAMPLES["six-link"].read_text(encoding="utf-8")
+    (tmp_path / "a1.yaml").write_text(text + "\nsheet: {format: A1, positions: 12, designation: ТММ.01}\n", "utf-8")
+    drawn = tmp_path / f"a1.{suffix}"
+    with at_most(8_000_000):
+        assert main(["sheet", str(tmp_path / "a1.yaml"), "--sheet", "1", "-o", str(drawn)]) == 0
+    assert drawn.stat().st_size > 100_000

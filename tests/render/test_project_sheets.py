@@ -1,0 +1,120 @@
+"""Sheets 1 and 2 of a course project: their views, nothing overlapping, and what they say."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import pytest
+import shapely
+
+from planes.documents import draw_sheet, sheet_of
+from planes.scene import load
+from planes.solving import solve
+from planes.words.errors import PlanesError
+from render.paper import lettering
+from render.paper.marks import Arrow, Line, Text
+from render.paper.names import Naming
+from render.paper.typeset import plain
+from render.views.diagrams import pieces, unwound
+from render.views.many import Many, Numbered
+from render.views.scheme import Scheme
+from tests.helpers import ROOT
+from tests.render.test_sheet import clashes
+
+SAMPLES = sorted((ROOT / "samples").glob("*.yaml"))
+SCENES = {path.stem: scene for path in SAMPLES if (scene := load(path)).mechanism}
+ALL = {path.stem: path for path in [*SAMPLES, *(SAMPLES[0].parent / "assignments").glob("*.yaml")]}
+ALL.pop("vectors")
+NUMBERED = [(name, number) for name in SCENES for number in (1, 2)]
+
+
+@cache
+def sheet(name, number, value=None):
+    scene = replace(SCENES[name], sheet={**SCENES[name].sheet, "positions": 12.0})
+    return sheet_of(scene, None if value is None else [value], "ru", number)
+
+
+def words(sheet):
+    return {plain(m.text) for m in sheet.marks if isinstance(m, Text)}
+
+
+@pytest.mark.parametrize(("name", "number"), NUMBERED)
+def test_nothing_overlaps_and_every_letter_is_known(name, number):
+    found = sheet(name, number)
+    assert clashes(found) == []
+    assert lettering.missing("".join(words(found))) == ""
+
+
+@pytest.mark.parametrize(("name", "number"), NUMBERED)
+@pytest.mark.parametrize("value", [45.0, 200.0])
+def test_other_positions_do_not_overlap_either(name, number, value):
+    if SCENES[name].mechanism.drive.kind == "s":
+        return
+    try:
+        found = sheet(name, number, value)
+    except PlanesError as error:
+        assert "φ = " in str(error) or "μ" in str(error)
+        return
+    assert clashes(found) == []
+
+
+@pytest.mark.parametrize("name", list(SCENES))
+def test_sheet_1_shows_structure_plans_and_diagrams(name):
+    said = words(sheet(name, 1))
+    assert any(text.startswith("W = 3n") for text in said)
+    assert any(text.startswith("I(") for text in said)
+    assert "Исходные данные" in said
+    assert any(text.startswith("Диаграммы") for text in said)
+
+
+@pytest.mark.parametrize("name", list(SCENES))
+def test_sheet_2_shows_every_group_with_its_forces_and_the_lever(name):
+    found = sheet(name, 2)
+    said = words(found)
+    titles = [text for text in said if "с силами" in text]
+    m = SCENES[name].mechanism
+    assert len(titles) == (len(m.links) - 1) // 2 + 1
+    assert {"Реакции", "Уравновешивание и проверка"} <= said
+    assert any(text.startswith("Рычаг Жуковского") for text in said)
+    loads = {f"P_{x.link}" for x in m.loads if x.kind == "force"}
+    assert loads <= {a.name for a in found.marks if isinstance(a, Arrow)}
+
+
+def test_twelve_positions_are_numbered_from_an_extreme_one():
+    said = words(sheet("kind-2-rrp", 1))
+    assert {str(k) for k in range(12)} <= said
+    assert "φ0 = 56,69°" in said or any(text.startswith("φ0 = ") for text in said)
+    assert sum(isinstance(m, Line) and m.style == "dash" for m in sheet("kind-2-rrp", 1).marks) >= 2
+
+
+def test_the_title_block_numbers_the_sheets():
+    for number in (1, 2):
+        said = {m.name: m.text for m in sheet("six-link", number).marks if isinstance(m, Text)}
+        assert (said["cell sheet"], said["cell sheets"]) == (str(number), "2")
+
+
+def test_a_sheet_of_a_project_is_written_by_its_number(tmp_path):
+    draw_sheet(SCENES["kind-2-rrp"], None, str(tmp_path / "forces.svg"), "en", 2)
+    assert "Zhukovsky" in (tmp_path / "forces.svg").read_text(encoding="utf-8")
+
+
+def test_angles_are_unwound_and_gaps_split_a_curve():
+    assert unwound([170.0, -170.0, None, -150.0]) == (0.0, 20.0, None, 40.0)
+    assert pieces([0, 1, 2, 3, 4], [1.0, 2.0, None, 3.0, 4.0]) == [[(0, 1.0), (1, 2.0)], [(3, 3.0), (4, 4.0)]]
+
+
+@pytest.mark.parametrize("name", sorted(ALL))
+def test_a_link_in_a_thin_position_has_the_shape_of_the_scheme(name):
+    drawn = solve(replace(load(ALL[name]), find=None)).positions[0]
+    scheme = Scheme(drawn, Naming("en"))
+    for link in scheme.links:
+        scheme.link(link)
+    thick = [m for m in (*scheme.bars, *scheme.guides) if isinstance(m, Line)]
+    lines = [[*m.points, *m.points[: m.closed]] for m in thick]
+    inked = shapely.union_all([shapely.LineString([(z.real, z.imag) for z in line]) for line in lines]).buffer(0.05)
+    many = Many(drawn.plans, [Numbered("1", drawn.results)], [drawn.results], drawn.scales["mu_position"])
+    for one in many.marks():
+        if one.style == "construction":
+            line = [(z.real, z.imag) for z in (*one.points, *one.points[: one.closed])]
+            assert inked.covers(shapely.LineString(line)), line

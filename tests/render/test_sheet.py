@@ -1,0 +1,250 @@
+"""Whole sheets: nothing overlaps, nothing leaves the frame, every name is there, in every format and language."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+
+import pytest
+import shapely
+
+from planes.cli import main
+from planes.documents import draw_sheet, sheet_of
+from planes.scene import load, loads
+from planes.solving import solve
+from planes.words.errors import PlanesError
+from render.files import pdf, svg
+from render.labels.footprints import conflicts
+from render.paper import lettering
+from render.paper.marks import Arrow, Line, Text
+from render.paper.typeset import layout, plain
+from render.sheet.layout import GAP_MM, Field, pack
+from tests.helpers import ROOT
+from tests.helpers.scene_texts import SIX_LINK
+
+SAMPLES = sorted((ROOT / "samples").glob("*.yaml"))
+NAMES = [path.stem for path in SAMPLES]
+
+
+@lru_cache(maxsize=64)
+def sheet(name, lang="ru", value=None):
+    path = next(p for p in SAMPLES if p.stem == name)
+    return sheet_of(load(path), None if value is None else [value], lang)
+
+
+def texts(sheet):
+    return [m for m in sheet.marks if isinstance(m, Text)]
+
+
+def words(sheet):
+    return {plain(m.text) for m in texts(sheet)}
+
+
+def clashes(sheet):
+    """All but the bars over vectors, which lie within the boxes of their own letters, beside upper indices.
+
+    The form's own columns stand outside the frame, on the paper; everything else inside.
+    """
+    found = [str(c) for c in conflicts((), sheet.marks, (0.0, 0.0, *sheet.size))]
+    found += [str(c) for c in conflicts((), [m for m in sheet.marks if m.layer != "frame"], sheet.paper.field)]
+    return [c for c in found if " lies on 'line of text" not in c]
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("lang", ["ru", "en"])
+def test_nothing_overlaps_and_nothing_leaves_the_frame(name, lang):
+    assert clashes(sheet(name, lang)) == []
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_bars_and_underlines_cross_no_letter(name):
+    found = sheet(name)
+    rules = [m for m in found.marks if isinstance(m, Line) and m.layer == "text"]
+    lines = LineTree(rules)
+    for text in texts(found):
+        for stroke in layout(text).strokes:
+            assert not lines.hit(stroke), text
+
+
+class LineTree:
+    """Straight level lines, and whether a stroke crosses one."""
+
+    def __init__(self, rules):
+        self.tree = shapely.STRtree([shapely.LineString([(z.real, z.imag) for z in m.points]) for m in rules])
+
+    def hit(self, stroke):
+        shape = shapely.LineString([(z.real, z.imag) for z in stroke]) if len(stroke) > 1 else None
+        return shape is not None and len(self.tree.query(shape, predicate="intersects"))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_views_keep_their_distance(name):
+    found = sheet(name)
+    boxes = [(left, top - v.height, left + v.width, top) for v, left, top in found.views]
+    boxes += found.paper.taken
+    for k, a in enumerate(boxes):
+        for b in boxes[:k]:
+            apart = max(b[0] - a[2], a[0] - b[2], b[1] - a[3], a[1] - b[3])
+            assert apart > GAP_MM - 1e-6 or {a, b} == set(found.paper.taken)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_letter_has_a_glyph(name):
+    for lang in ("ru", "en"):
+        assert lettering.missing("".join(words(sheet(name, lang)))) == ""
+
+
+@pytest.mark.parametrize("name", [n for n in NAMES if n != "vectors"])
+def test_points_marks_forces_and_results_are_all_named(name):
+    scene = load(next(p for p in SAMPLES if p.stem == name))
+    position = solve(scene).positions[0]
+    said = words(sheet(name))
+    joined = " ".join(said)
+    for link in scene.mechanism.links.values():
+        assert set(link.points) <= said
+    moving = [p for p, r in position.results["points"].items() if math.hypot(*r["v"]) > 1e-6]
+    for point in moving:
+        assert any(point.lower() in text.split(", ") for text in said)
+    for force in position.plans.reactions:
+        assert force.replace("F_", "F").replace("0", scene.frame_number) in joined
+    assert {"Исходные данные", "Реакции"} <= said
+
+
+def test_titles_name_the_plan_and_its_scale():
+    said = words(sheet("six-link"))
+    assert "План скоростей, μv = 30 мм/(м·с⁻¹)" in said
+    assert "План ускорений, μa = 2 мм/(м·с⁻²)" in said
+    assert "Схема механизма, μl = 250 мм/м" in said
+    assert "Velocity plan, μv = 30 mm/(m/s)" in words(sheet("six-link", "en"))
+
+
+def test_marks_stand_where_they_were_drawn():
+    found = sheet("six-link")
+    position = solve(load(SAMPLES[NAMES.index("six-link")])).positions[0]
+    drawn = {m.name: m.end - m.start for m in found.marks if isinstance(m, Arrow)}
+    for name, start, end in (("v_B", "p", "b"), ("v_CB", "b", "c"), ("v_HL", "l", "h")):
+        segment = position.drawing[f"velocity:{end}"] - position.drawing[f"velocity:{start}"]
+        assert abs(drawn[name] - segment) < 1e-9
+
+
+def test_result_lines_are_thick_and_lines_of_action_thin():
+    found = sheet("six-link")
+    styles = {m.name: m.style for m in found.marks if isinstance(m, Arrow)}
+    assert styles["v_B"] == styles["F_21"] == "result"
+    assert styles["v_CB"] == styles["a_CB^n"] == styles["F_21^t"] == "thin"
+    assert any(isinstance(m, Line) and m.style == "construction" for m in found.marks)
+
+
+def test_underlines_count_what_is_known():
+    from planes.solving.vectors import solve_vectors
+    from render.sheet.composer import Naming
+    from render.views.formulas import Formulas
+    from render.views.plotted import of_vectors
+
+    marks = Formulas(of_vectors(solve_vectors(load(SAMPLES[NAMES.index("vectors")]))), Naming()).drawn(("vectors",))
+    at = {plain(m.text): m.place.real for m in marks if isinstance(m, Text) and m.name}
+    under = [m.points[0].real for m in marks if isinstance(m, Line) and m.points[0].imag < 0]
+    assert [sum(abs(x - at[n]) < 1e-9 for x in under) for n in ("vC", "vB", "vCB")] == [1, 2, 1]
+
+
+TURNING = [n for n in NAMES if n not in ("vectors", "sliding-driver")]
+POSITIONS = [(n, 30.0 * k) for n in TURNING for k in range(12) if not n.startswith("bntu") or k % 4 == 1]
+
+
+@pytest.mark.parametrize(("name", "value"), POSITIONS)
+def test_twelve_positions_have_no_clashes(name, value):
+    try:
+        found = sheet(name, "ru", value)
+    except PlanesError as error:
+        assert "φ = " in str(error) or "μ" in str(error)
+        return
+    assert clashes(found) == []
+
+
+@pytest.mark.parametrize("name", ["six-link", "kind-3-rpr", "vectors"])
+def test_the_same_bytes_twice(name):
+    path = SAMPLES[NAMES.index(name)]
+    one, two = sheet_of(load(path), None), sheet_of(load(path), None)
+    assert svg.write(one.marks, one.size, one.title) == svg.write(two.marks, two.size, two.title)
+    assert pdf.write(one.marks, one.size, one.title) == pdf.write(two.marks, two.size, two.title)
+
+
+def test_three_formats_open(tmp_path):
+    import xml.etree.ElementTree as ElementTree
+
+    import pypdfium2
+    from PIL import Image
+
+    scene = load(SAMPLES[NAMES.index("kind-2-rrp")])
+    for suffix in ("svg", "pdf", "png"):
+        draw_sheet(scene, None, str(tmp_path / f"sheet.{suffix}"))
+    root = ElementTree.parse(tmp_path / "sheet.svg").getroot()
+    wide, high = sheet("kind-2-rrp").size
+    assert (root.get("width"), root.get("height")) == (f"{wide:g}mm", f"{high:g}mm")
+    document = pypdfium2.PdfDocument(tmp_path / "sheet.pdf")
+    page = document[0].get_textpage()
+    text = page.get_text_range()
+    page.close()
+    document.close()
+    assert "План скоростей" in text
+    with Image.open(tmp_path / "sheet.png") as picture:
+        assert picture.size == pytest.approx((wide / 25.4 * 200, high / 25.4 * 200), abs=1.5)
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["sheet.pdf", "sheet.png", "sheet.svg"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["-o", "sheet.bmp"], ".svg"),
+        (["-o", "nowhere/sheet.svg"], "nowhere"),
+        (["-o", "sheet.svg", "--phi", "0:90:30"], "4"),
+    ],
+)
+def test_failures_are_one_sentence_and_leave_nothing(arguments, said, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["sheet", str(SAMPLES[NAMES.index("six-link")]), *arguments]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.count("\n") == 1
+    assert said in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_position_that_cannot_be_drawn_leaves_no_file(tmp_path, capsys):
+    target = tmp_path / "sheet.svg"
+    assert main(["sheet", str(SAMPLES[NAMES.index("six-link")]), "--phi", "0", "-o", str(target)]) == 2
+    assert "φ = 0°" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+def six_link(**sheet_settings):
+    text = SIX_LINK.replace("find:", "# find:").replace("friction:", "# friction:")
+    settings = ", ".join(f"{key}: {value}" for key, value in sheet_settings.items())
+    return loads(text + f"\nsheet: {{{settings}}}\n")
+
+
+def test_a_fixed_format_that_is_too_small_names_a_view_and_what_would_do():
+    with pytest.raises(PlanesError, match=r"A4.*План ускорений.*A2"):
+        sheet_of(six_link(format="A4"), None)
+    assert sheet_of(six_link(format="A1"), None).paper.name == "A1"
+    with pytest.raises(PlanesError, match="A7"):
+        sheet_of(six_link(format="A7"), None)
+
+
+def test_the_title_block_says_what_the_scene_says():
+    scene = six_link(student="Иванов И. И.", teacher="Петров П. П.", designation="ТММ.01.02.000", company="БНТУ")
+    said = words(sheet_of(scene, None))
+    assert {"Иванов И. И.", "Петров П. П.", "ТММ.01.02.000", "БНТУ", "Разраб.", "Масштаб"} <= said
+
+
+def test_reactions_and_scales_follow_the_settings():
+    said = words(sheet_of(six_link(reactions="from-on", mu_convention="unit_per_mm"), None))
+    assert any(text.startswith("План скоростей") and "(м·с⁻¹)/мм" in text for text in said)
+    assert "F12" in said
+
+
+def test_packing_keeps_clear_of_what_is_in_the_way():
+    found = pack([(50.0, 40.0)] * 4, Field((0.0, 0.0, 200.0, 120.0), [(100.0, 0.0, 200.0, 55.0)]))
+    assert found
+    assert all(s.y >= 55 + GAP_MM - 1e-9 or s.right <= 100 - GAP_MM + 1e-9 for s in found.spots)
+    assert pack([(150.0, 100.0)] * 2, Field((0.0, 0.0, 200.0, 120.0), [])) is None

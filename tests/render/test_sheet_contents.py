@@ -1,0 +1,150 @@
+"""What project sheets hold: given values, links apart, extreme positions, a sliding driver's stroke, room well used."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import pytest
+
+from planes.cli import main
+from planes.diagrams.driven import driven
+from planes.diagrams.turn import span_of
+from planes.documents import sheet_of
+from planes.documents.turning import turned_once
+from planes.scene import load, loads
+from planes.solving import plans_of, solve
+from render.paper.marks import Arrow, Line, Text
+from render.paper.names import Naming
+from render.paper.typeset import plain
+from render.sheet.composer import Composer
+from render.sheet.sizes import Sizes, grown
+from render.views.diagrams import Curve, cut_off
+from render.views.given import Given
+from tests.helpers import ROOT
+
+SAMPLES = ROOT / "samples"
+SLIDING, RPR, RRP = (load(SAMPLES / f"{name}.yaml") for name in ("sliding-driver", "kind-3-rpr", "kind-2-rrp"))
+
+
+@cache
+def sheet(name, number):
+    scene = load(SAMPLES / f"{name}.yaml")
+    return sheet_of(replace(scene, sheet={**scene.sheet, "positions": 12.0}), None, "ru", number)
+
+
+def words(sheet):
+    return {plain(m.text) for m in sheet.marks if isinstance(m, Text)}
+
+
+def given(scene, value=None):
+    position = solve(replace(scene, find=None), None if value is None else [value]).positions[0]
+    return {name: (number, unit) for name, number, unit in Given(position, Naming(), scene.parameters).rows()}
+
+
+def test_given_values_are_those_of_the_scene_each_once():
+    found = given(load(SAMPLES / "assignments" / "05.yaml"))
+    assert list(found)[:3] == ["φ_{1}", "ω_{1}", "ε_{1}"]
+    assert found["φ_{1}"] == ("60", "°") and found["J_{S2}"] == ("1,8", "кг·м²") and found["y_{E}"] == ("0,8", "м")
+    assert found["F_{3} = P_{3}"] == ("6000", "Н")
+    assert not {"J_{1}", "m_{1} = m_{1}", "l_{AS2}", "P_{3}"} & set(found)
+
+
+def test_numbers_without_a_name_are_listed_too_and_the_drive_is_where_it_stands():
+    found = given(RPR, 45.0)
+    assert found["φ_{1}"][0] == "45" and found["l_{AC}"][0] == "0,28" and found["l_{CS3}"][0] == "0,25"
+    assert found["m_{3}"] == ("12", "кг") and found["P_{3}"] == ("900", "Н") and found["g"][0] == "9,81"
+    assert "y_{C}" not in found  # it is -l_AC
+
+
+@pytest.mark.parametrize("name", ["kind-3-rpr", "assignments/12"])
+def test_inner_reactions_are_drawn_on_links_apart(name):
+    found = sheet(name, 2)
+    shown = [v for v, _, _ in found.views if v.key == "apart"]
+    plans = plans_of(load(SAMPLES / f"{name}.yaml"))[0]
+    assert len(shown) == len(plans.structure.groups)
+    for group, view in zip(reversed(plans.structure.groups), shown, strict=True):
+        arrows = {m.name for m in view.marks if isinstance(m, Arrow)}
+        one, other = group.links
+        assert {f"F_{one}{other}", f"F_{other}{one}"} <= arrows
+
+
+def test_both_extreme_positions_are_marked():
+    project = turned_once(RRP, plans_of(RRP)[0], Composer(RRP, "ru"), True)
+    extremes = [n.number for n in project.numbered if n.extreme]
+    assert extremes[0] == "0" and len(extremes) == 2
+    slider, slides = driven(plans_of(RRP)[0])
+    assert slides
+    speeds = [abs(n.result["slides"][slider]["v"]) for n in project.numbered if n.extreme]
+    fastest = max(abs(r["slides"][slider]["v"]) for r in project.turn if r)
+    assert max(speeds) < 1e-3 * fastest
+
+
+def test_a_sliding_driver_has_its_stroke():
+    span = span_of(plans_of(SLIDING)[0])
+    assert span.start < 0.15 < span.end and not span.whole
+    found = sheet("sliding-driver", 1)
+    said = words(found)
+    assert {str(k) for k in range(13)} <= said
+    assert any(text.startswith("Диаграммы") for text in said) and "s1" in said
+    assert any(text.startswith("s0 = ") and "мм/м" in text for text in said)
+    scheme = next(v for v, _, _ in found.views if v.key == "scheme")
+    assert sum(isinstance(m, Line) and m.layer == "construction" and m.style == "thin" for m in scheme.marks) >= 4
+
+
+def test_the_range_of_a_rocking_driver_ends_where_it_stops():
+    span = span_of(plans_of(load(SAMPLES / "six-link.yaml"))[0])
+    assert (span.start, span.end) == pytest.approx((129.5, 305.8), abs=0.1)
+
+
+def test_ends_of_a_range_are_cut_off_and_peaks_within_are_kept():
+    curve = Curve("ω", "rad/s", (90.0, 1.0, 2.0, 12.0, 2.0, 1.0, None, 50.0))
+    assert cut_off(curve).values == (None, 1.0, 2.0, 12.0, 2.0, 1.0, None, None)
+
+
+def test_moment_equations_are_never_left_out_silently(tmp_path, capsys):
+    scene = replace(RPR, sheet={"format": "A3"})
+    found = sheet_of(scene, None)
+    assert "Уравнения моментов" not in words(found)
+    (said,) = found.warnings
+    assert "A3" in said and "Уравнения моментов" in said and "A2" in said
+    assert "Уравнения моментов" in words(sheet_of(RPR, None))
+    path = tmp_path / "scene.yaml"
+    text = (SAMPLES / "kind-3-rpr.yaml").read_text(encoding="utf-8")
+    path.write_text(text + "sheet: {format: A3}\n", encoding="utf-8")
+    assert main(["sheet", str(path), "--lang", "ru", "-o", str(tmp_path / "sheet.svg")]) == 0
+    assert capsys.readouterr().err == said + "\n"
+
+
+def test_the_smallest_plan_grows_first_and_none_beyond_the_limit():
+    steps = []
+
+    def extents(sizes):
+        return {"velocity": 40.0 * sizes.of("velocity"), "force:1": 60.0 * sizes.of("force:1")}
+
+    def fits(sizes):
+        steps.append(dict(sizes.more))
+        return True
+
+    found = grown(Sizes(), extents, 100.0, fits)
+    assert steps[0] == {"velocity": 1.25}
+    assert 80 < extents(found)["velocity"] <= 100 and 80 < extents(found)["force:1"] <= 100
+    assert grown(Sizes(), extents, 100.0, lambda _: False) == Sizes()
+
+
+@pytest.mark.parametrize(("name", "number"), [("kind-3-rpr", 1), ("kind-3-rpr", 2), ("assignments/12", 1)])
+def test_the_field_is_well_filled(name, number):
+    from tests.sheets_run import empty, full
+
+    found = sheet(name, number)
+    assert full(found) > 0.6  # 0.46 at the least before plans grew
+    assert empty(found) < 0.1
+
+
+def test_round_scales_only():
+    text = (SAMPLES / "assignments" / "61.yaml").read_text(encoding="utf-8")
+    for size in (Sizes(), Sizes(1.25), Sizes(1.6)):
+        from planes.documents.sheets import Drawn
+
+        mu = Drawn(loads(text), None, "ru").at(size).scales["mu_position"]
+        assert f"{mu:.3g}" == f"{mu:g}"

@@ -1,0 +1,89 @@
+"""A seeded few of the sheets that ``sheets_run`` looks over: nothing overlaps, leaves the frame, or is missing."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+
+import pytest
+
+from planes.documents import sheet_of
+from render.labels import Label, place
+from render.paper.marks import Arc, Line, Mark, Text, moved
+from tests import sheets_run
+from tests.sheets_run import Job, clashes, crossings, jobs, leaders, look, omissions, scene_of, unlettered, untranslated
+
+SEED, COUNT = 5, 8
+SOME = random.Random(SEED).sample(jobs(True, True), COUNT)
+SOME += random.Random(SEED + 1).sample(jobs(True, True, lang="en"), COUNT // 2)
+SIX_LINK = next(p for p in sheets_run.SAMPLES if p.stem == "six-link")
+
+
+@pytest.mark.parametrize("job", SOME, ids=str)
+def test_a_sheet_has_no_fault(job: Job) -> None:
+    found = look(job)
+    assert found.faults == ()
+    refused = any(why in found.failed for why in ("φ = ", "s = ", "μ"))  # no such position, or no paper for a stated μ
+    assert refused or found.full > 0.4
+
+
+def test_the_looking_sees_what_is_wrong() -> None:
+    job = Job(SIX_LINK, 2)
+    sheet, scene = sheet_of(scene_of(job), None, "ru", 2), scene_of(job)
+    assert clashes(sheet) == omissions(scene, None, sheet, job) == []
+    name, at = next((m, k) for k, m in enumerate(sheet.marks) if isinstance(m, Text) and m.name == "C")
+    struck = replace(sheet, marks=(*sheet.marks, Line((name.place, name.place + 4 + 4j))))
+    assert any("'C' lies on 'line" in fault for fault in clashes(struck))
+    assert untranslated(sheet, "ru") == [] and any("'Реакции' is Russian" in f for f in untranslated(sheet, "en"))
+    raw = replace(sheet, marks=(*sheet.marks, Text("M omegaq_1", 100 + 100j)))
+    assert unlettered(sheet) == [] and len(unlettered(raw)) == 1
+    gone = replace(sheet, marks=tuple(moved(m, 400j) if k == at else m for k, m in enumerate(sheet.marks)))
+    assert any("sticks out" in fault for fault in clashes(gone))
+    unsaid = replace(sheet, marks=tuple(m for m in sheet.marks if not (isinstance(m, Text) and "21" in m.text)))
+    assert any("F_21" in fault for fault in omissions(scene, None, unsaid, job))
+
+
+def test_the_lever_of_a_mechanism_at_rest_is_lettered() -> None:
+    job = Job(next(p for p in sheets_run.SAMPLES if p.stem == "bntu-1"), 2)
+    sheet = sheet_of(scene_of(job), None, "ru", 2)
+    assert any("ω_{q1}" in m.text for m in sheet.marks if isinstance(m, Text))
+    assert unlettered(sheet) == []
+
+
+def boxed_in(centre: complex) -> list[Mark]:
+    """Circles about a point that leave no room beside it."""
+    return [Arc(centre, r, style="thin") for r in (2.0, 4.0, 6.0, 8.0, 10.0)]
+
+
+def test_leaders_cross_neither_letters_nor_each_other() -> None:
+    points = [50 + 50j, 54 + 50j, 52 + 53j, 50 + 55j]
+    marks = [m for z in points for m in boxed_in(z)]
+    placed = place([Label(name, z) for name, z in zip(("S_{2}", "B", "C_{3}", "12"), points, strict=True)], marks)
+    assert len(placed.leaders) >= 3
+    assert sheets_run._leaders_meet(list(placed.leaders)) == []
+    assert leaders(placed.marks) == list(placed.leaders)
+
+
+def test_a_leader_goes_where_it_crosses_least() -> None:
+    fence: list[Mark] = [Line((complex(40 + k, 20), complex(40 + k, 49)), "thin") for k in range(25)]
+    placed = place([Label("S_{2}", 50 + 52j)], [*boxed_in(50 + 52j), *fence])
+    (leader,) = placed.leaders
+    assert leader.points[0].imag > 52
+    assert len(crossings([*fence, leader])) == 0
+
+
+def test_a_thin_line_gives_way_where_there_is_no_room_beside_it() -> None:
+    from render.views.senses import parted
+
+    bars = [Line((complex(30, y), complex(70, y)), "construction", "construction") for y in range(30, 71, 3)]
+    placed = place([Label("B", 50 + 50j)], (), None, bars)
+    assert placed.leaders == ()
+    pieces = parted(bars, placed.texts)
+    assert len(pieces) > len(bars)
+    assert clear(placed.texts[0], pieces)
+
+
+def clear(text: Text, lines: object) -> bool:
+    from render.labels.footprints import conflicts
+
+    return conflicts([text], lines) == ()  # type: ignore[arg-type]

@@ -1,0 +1,103 @@
+"""One view on its own page: every view of every sample, cut to its ink, in each format; pictures for a notebook."""
+
+from __future__ import annotations
+
+import pytest
+
+from planes.cli import main
+from planes.documents import picture, view_of
+from planes.drafting.instruments import Pencil
+from planes.scene import load
+from planes.solving import solve
+from planes.words.errors import PlanesError
+from render.labels.footprints import conflicts
+from render.paper.marks import Line, Text
+from render.sheet.single import MARGIN_MM
+from render.sheet.traces import traced
+from render.views import bounds
+from tests.helpers import ROOT
+
+SAMPLES = {path.stem: path for path in sorted((ROOT / "samples").glob("*.yaml"))}
+
+
+def names(scene):
+    with pytest.raises(PlanesError) as refused:
+        view_of(scene, "?", None, "en")
+    return str(refused.value).partition("it has ")[2].split(", ")
+
+
+@pytest.mark.parametrize("name", list(SAMPLES))
+def test_every_view_is_cut_to_its_ink(name):
+    scene = load(SAMPLES[name])
+    for view in names(scene):
+        try:
+            found = view_of(scene, view)
+        except PlanesError as error:
+            assert "нечего чертить" in str(error)
+            continue
+        left, low, right, high = bounds(found.marks)
+        assert (left, low) == pytest.approx((MARGIN_MM, MARGIN_MM), abs=1e-6)
+        assert (found.size[0] - right, found.size[1] - high) == pytest.approx((MARGIN_MM, MARGIN_MM), abs=1e-6)
+        clashes = [str(c) for c in conflicts((), found.marks, (0, 0, *found.size))]
+        assert [c for c in clashes if " lies on 'line of text" not in c] == [], view
+
+
+def test_the_views_of_a_six_link_mechanism():
+    found = names(load(SAMPLES["six-link"]))
+    assert {"position", "velocity-plan", "acceleration-plan", "force-2-3", "group-4-5", "lever"} <= set(found)
+    assert names(load(SAMPLES["vectors"])) == ["vectors", "equations", "measured"]
+
+
+@pytest.mark.parametrize("suffix", ["svg", "pdf", "png", "dxf"])
+def test_a_view_is_written_in_every_format(suffix, tmp_path):
+    target = tmp_path / f"plan.{suffix}"
+    assert main(["sheet", str(SAMPLES["six-link"]), "--view", "velocity-plan", "-o", str(target), "--lang", "en"]) == 0
+    assert target.stat().st_size > 1000
+
+
+@pytest.mark.parametrize(("arguments", "said"), [(["--view", "plan"], "velocity-plan"), (["--phi", "0:90:30"], "4")])
+def test_an_unknown_view_is_one_sentence_and_no_file(arguments, said, tmp_path, capsys):
+    arguments = ["--view", "velocity-plan", *arguments]
+    assert main(["sheet", str(SAMPLES["six-link"]), *arguments, "-o", str(tmp_path / "x.svg"), "--lang", "en"]) == 2
+    error = capsys.readouterr().err
+    assert error.count("\n") == 1
+    assert said in error
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_scene_and_a_position_show_themselves_once_the_extension_is_loaded():
+    from types import SimpleNamespace
+
+    from planes.documents import notebook
+
+    told = {}
+    formatter = SimpleNamespace(for_type=told.__setitem__, pop=told.pop)
+    shell = SimpleNamespace(display_formatter=SimpleNamespace(formatters={"image/svg+xml": formatter}))
+    notebook.load_ipython_extension(shell)
+    scene = load(SAMPLES["kind-1-rrr"])
+    drawn = solve(scene).positions[0]
+    assert told[type(scene)](scene) == picture(scene)._repr_svg_()
+    assert told[type(drawn)](drawn).startswith("<svg ")
+    notebook.unload_ipython_extension(shell)
+    assert not told
+
+
+def test_a_notebook_shows_a_position_as_it_was_drawn():
+    scene = load(SAMPLES["six-link"])
+    drawn = solve(scene, None, Pencil(seed=3)).positions[0]
+    shown = picture(drawn, "velocity-plan")
+    assert shown._repr_svg_().startswith("<svg ")
+    assert shown.marks != picture(scene, "velocity-plan").marks
+    assert "<svg" in picture(load(SAMPLES["vectors"]))._repr_svg_()
+
+
+@pytest.mark.parametrize("name", ["six-link", "kind-4-prp", "sliding-driver"])
+def test_a_drawing_shows_itself_with_every_plan(name):
+    drawing = solve(load(SAMPLES[name])).positions[0].drawing
+    page = traced(drawing, "en")
+    written = {m.text for m in page.marks if isinstance(m, Text)}
+    assert {"position plan", "velocity plan", "acceleration plan"} <= written
+    ends = [z for m in page.marks if isinstance(m, Line) for z in m.points]
+    lengths = {round(abs(a - b), 6) for a in ends for b in ends}
+    assert round(abs(drawing["velocity:b"]), 6) in lengths  # in mm, as it was drawn
+    assert drawing._repr_svg_().startswith("<svg ")
