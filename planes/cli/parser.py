@@ -8,7 +8,7 @@ import os
 from typing import NoReturn
 
 from planes.words import Lang, say
-from planes.words.method import METHOD
+from planes.words.usage import USAGE
 
 
 def home_lang() -> Lang:
@@ -20,9 +20,8 @@ def home_lang() -> Lang:
 def at_home(text: str) -> str:
     """A text of the reader of options, its own words replaced piece by piece."""
     lang = home_lang()
-    for key in METHOD if lang != "en" else ():
-        if key.startswith("usage_"):
-            text = text.replace(say(key), say(key, lang))
+    for key in USAGE if lang != "en" else ():
+        text = text.replace(say(key), say(key, lang))
     return text
 
 

@@ -10,6 +10,7 @@ from typing import Literal
 
 from planes.words.check import CHECK
 from planes.words.course import COURSE
+from planes.words.course_summary import SUMMARY
 from planes.words.crank_slider import CRANK_SLIDER
 from planes.words.cycle import CYCLE
 from planes.words.diagrams import DIAGRAMS
@@ -19,6 +20,7 @@ from planes.words.scene import SCENE
 from planes.words.sheets import SHEETS
 from planes.words.system import in_russian
 from planes.words.text import TEXT
+from planes.words.usage import USAGE
 
 Lang = Literal["ru", "en"]
 
@@ -213,7 +215,10 @@ class Written:
 Told = Phrase | str
 """A phrase, or words that are the same in both languages: a name, a number, a key of the file."""
 
-TABLE = {**WORDS, **TEXT, **SCENE, **LINKS, **METHOD, **CRANK_SLIDER, **CHECK, **CYCLE, **DIAGRAMS, **COURSE, **SHEETS}
+TABLE = {
+    **WORDS, **TEXT, **SCENE, **LINKS, **METHOD, **CRANK_SLIDER, **CHECK, **CYCLE, **DIAGRAMS, **COURSE, **SUMMARY,
+    **SHEETS, **USAGE,
+}  # fmt: skip
 
 class _Teller(Formatter):
     def __init__(self, lang: Lang) -> None:

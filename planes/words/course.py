@@ -242,13 +242,4 @@ COURSE: dict[str, tuple[str, str]] = {
         "Наименьший угол, под которым на планах встречаются линии: {angle}°.",
         "The least angle at which lines of the plans meet: {angle}°.",
     ),
-    "sum_title": ("Сводная таблица", "Summary"),
-    "sum_student": ("Студент", "Student"),
-    "sum_group": ("Группа", "Group"),
-    "sum_assignment": ("Задание", "Assignment"),
-    "sum_variant": ("Вариант", "Variant"),
-    "sum_numbers": ("Числа", "Numbers"),
-    "sum_answers": ("Ответы", "Answers"),
-    "sum_fault": ("Ошибка", "Fault"),
-    "sum_own": ("свой", "own"),
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 import shapely
@@ -13,7 +13,7 @@ from render.labels.candidates import (
     FAR,
     NEAR,
     Candidates,
-    Named,
+    Lettered,
     beside,
     crossed,
     far_off,
@@ -22,7 +22,7 @@ from render.labels.candidates import (
     union,
 )
 from render.labels.footprints import Bounds, Ink
-from render.paper.marks import Layer, Line, Text
+from render.paper.marks import Line, Text
 from render.paper.typeset import extent
 
 HARD = 200.0  # cost of one overlap, more than all that is merely disliked together
@@ -39,21 +39,6 @@ PATIENCE = 1000  # how often labels are asked to make room for others, on one bo
 ENOUGH = 8  # crossings, or lines broken: more are hardly worse
 _SWEEPS = 8
 _GROWN = np.array([-1, -1, 1, 1]) * 0.3  # mm a leader keeps away from letters
-
-
-class Lettered(Named, Protocol):
-    """What a board needs to know of a label."""
-
-    @property
-    def text(self) -> str: ...
-    @property
-    def height(self) -> float: ...
-    @property
-    def priority(self) -> int: ...
-    @property
-    def layer(self) -> Layer: ...
-    @property
-    def name(self) -> str: ...
 
 
 class _Met:

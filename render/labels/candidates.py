@@ -14,6 +14,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from render.paper.marks import Layer
+
 NEAR = (0.9, 1.8, 3.2)
 """Distances in mm from a point or segment to its label's box."""
 
@@ -36,6 +38,21 @@ class Named(Protocol):
     def side(self) -> complex: ...
     @property
     def clear(self) -> float: ...
+
+
+class Lettered(Named, Protocol):
+    """What a board needs to know of a label."""
+
+    @property
+    def text(self) -> str: ...
+    @property
+    def height(self) -> float: ...
+    @property
+    def priority(self) -> int: ...
+    @property
+    def layer(self) -> Layer: ...
+    @property
+    def name(self) -> str: ...
 
 
 @dataclass(frozen=True)
