@@ -41,7 +41,7 @@ class Errors:
     def of(self, position: Position) -> dict[str, Any]:
         """The ± of a position's results, in the same nested shape (None: nothing can be claimed)."""
         self.cycle.given.update(position.scales)
-        rows = self.claims.bounds([position.value])[:, 0]
+        rows = self.claims.bounds([position.at])[:, 0]
         bounds = {c.name: float(x) for c, x in zip(self.cycle.columns, rows, strict=True)}
         out: dict[str, Any] = {}
         for path, columns in self.quantities.items():

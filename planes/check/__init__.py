@@ -35,6 +35,9 @@ class Outcome:
     unreadable: Phrase | None = None
     notes: list[Phrase] = field(default_factory=list)
 
+    def __repr__(self) -> str:
+        return f"<Outcome {self.verdict}: {self.sentence.told()}>"
+
     @property
     def verdict(self) -> str:
         """right, wrong or unreadable."""

@@ -13,12 +13,13 @@ from typing import Any
 
 from planes.cli.idle import check_needs, check_options
 from planes.cli.options import add_blank_options, add_check_options, add_course_options, add_cycle_options
-from planes.cli.parser import Parser, help_of, home_lang
+from planes.cli.parser import Parser, help_of
 from planes.cli.positions import add_positions, range_of, value_of, values_of
 from planes.scene import Scene, load
 from planes.scene.ranges import read_span
 from planes.words import Phrase
 from planes.words.errors import PlanesError
+from planes.words.home import home_lang
 
 
 def main(argv: Sequence[str] | None = None) -> int:

@@ -11,8 +11,7 @@ from pathlib import Path
 from planes.check import STATUS, Outcome, check
 from planes.check.grading.bench import Asked, prepare
 from planes.check.grading.nudging import HAND, cad
-from planes.check.grading.paper import Paper, read_table
-from planes.check.reading.strokes import Sketch
+from planes.check.handed_in import LINES, PICTURES, Known, read_paper
 from planes.check.report import heads, numbers_of, rows_of
 from planes.check.report.rows import as_json
 from planes.cli.classes import check_class
@@ -24,24 +23,20 @@ from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from planes.words.units import UnitError, read_mu
 
-LINES = (".svg", ".dxf", ".pdf")
-PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
-TABLES = (".csv", ".json", ".txt", ".tsv")
-MOST_SHOWN = 2000  # lines of a drawing shown in its report
 _PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?{0})\s*[,;]\s*([-+]?{0})\s*".format(r"(?:\d+\.?\d*|\.\d+)"))
 
 
 def run(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
     """Check, print, and give the exit status: 0 right, 1 wrong, 2 unreadable."""
     check_options(args, "check", _answer(args))
-    asked = ask(args, scene, value)
+    asked, known = ask(args, scene, value), known_of(args)
     if args.trace:
         return _trace(args, asked)
     if args.drawing is None:
         raise PlanesError(Phrase("check_no_drawing"))
     if Path(args.drawing).is_dir():
-        return check_class(args, asked, lambda file: read_paper(file, asked, args))
-    found = check(asked, read_paper(args.drawing, asked, args))
+        return check_class(args, asked, lambda file: read_paper(file, asked, known))
+    found = check(asked, read_paper(args.drawing, asked, known))
     if args.output:
         from planes.documents.check import write_report
 
@@ -86,7 +81,7 @@ def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:
         name, _, file = pair.partition("=")
         if not file:
             raise PlanesError(Phrase("check_option", option="--with", text=pair, form="velocity=FILE", hint=""))
-        others[name] = read_paper(file, asked, args)
+        others[name] = read_paper(file, asked, known_of(args))
     skill = HAND
     if args.work == "cad":
         skill = cad(_size(asked))
@@ -111,50 +106,10 @@ def _size(asked: Asked) -> float:
     return max(extent(draw(bench.program, bench.given), asked.plan), 10.0)
 
 
-def read_paper(file: str, asked: Asked, args: argparse.Namespace) -> Paper:
-    """What was handed in, by the suffix of its file."""
-    suffix = Path(file).suffix.lower()
-    if suffix in TABLES:
-        return read_table(file)
-    sketch = _lines(file, suffix, args)
-    if sketch is not None:
-        return _from_lines(file, sketch, asked, args)
-    if suffix in PICTURES:
-        from planes.check.sight.photograph import paper_of_picture
-
-        pole = place(args.pole, "--pole")[1] if args.pole else None
-        return paper_of_picture(file, prepare(asked), pole, dict(place(m, "--mark") for m in args.mark),
-                                args.format)  # fmt: skip
-    raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
-
-
-def _lines(file: str, suffix: str, args: argparse.Namespace) -> Sketch | None:
-    """The lines of a drawing of lines; of a PDF with pixels told, or that shows a picture, none."""
-    from planes.check.reading.dxf import read_dxf
-    from planes.check.reading.pdf import read_pdf
-    from planes.check.reading.svg import read_svg
-
-    if suffix == ".pdf":
-        return None if args.pole or args.format else read_pdf(file)
-    return {".svg": read_svg, ".dxf": read_dxf}[suffix](file) if suffix in LINES else None
-
-
-def _from_lines(file: str, sketch: Sketch, asked: Asked, args: argparse.Namespace) -> Paper:
-    """The marks of a drawing of lines; --pole and --mark are in its own units, y down."""
-    from planes.check.reading.matching import scaled
-    from planes.check.reading.whole_page import paper_on
-
-    bench = prepare(asked)
-    pole = sketch.mm(place(args.pole, "--pole")[1]) if args.pole else None
-    marks = dict(place(m, "--mark") for m in args.mark)
-    sketch, by = scaled(sketch, bench, pole, {n: sketch.mm(z) for n, z in marks.items()})
-    paper = paper_on(sketch, bench)
-    paper.scale_mark = by
-    origin = paper.spots[0].place if paper.spots else 0j  # the pole is read first
-    paper.strokes = [(a - origin, b - origin) for a, b in sketch.strokes[:MOST_SHOWN]] if paper.spots else []
-    if by:
-        paper.notes.append(Phrase("check_scale_vector", mark=by))
-    return paper
+def known_of(args: argparse.Namespace) -> Known:
+    """What the command line tells of the drawing."""
+    pole = place(args.pole, "--pole")[1] if args.pole else None
+    return Known(pole, dict(place(m, "--mark") for m in args.mark), args.format)
 
 
 def place(text: str, option: str) -> tuple[str, complex]:

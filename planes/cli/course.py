@@ -6,11 +6,11 @@ import argparse
 import sys
 from pathlib import Path
 
-from planes.cli.parser import home_lang
 from planes.course.crowd import crowd
 from planes.course.reading import read_course
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
+from planes.words.home import home_lang
 
 FOLDER = "out"
 

@@ -3,18 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import locale
-import os
 from typing import NoReturn
 
-from planes.words import Lang, say
+from planes.words import say
+from planes.words.home import home_lang
 from planes.words.usage import USAGE
-
-
-def home_lang() -> Lang:
-    """Russian where the system speaks Russian, Belarusian, Ukrainian or Kazakh; else English."""
-    said = next((os.environ[k] for k in ("LC_ALL", "LC_MESSAGES", "LANG") if os.environ.get(k)), "")
-    return "ru" if (said or locale.getlocale()[0] or "").lower().startswith(("ru", "be", "uk", "kk")) else "en"
 
 
 def at_home(text: str) -> str:

@@ -93,7 +93,7 @@ def work(scene: Scene, drawn: Position, lang: Lang) -> Iterator[str]:
     """What is to be done, as far as the mechanism asks for it."""
     plans = {name.partition(":")[0] for name in drawn.plans.drawn} | {"structure"}
     m, drive = drawn.plans.mechanism, drawn.plans.mechanism.drive
-    value = decimal(told(drawn.value, drive.kind, lang), lang)
+    value = decimal(told(drawn.at, drive.kind, lang), lang)
     value = f"⟨{'phi' if drive.kind == 'phi' else 's'}_{drive.link}⟩ = {value}"
     loaded = bool(m.loads) or any(link.mass or link.inertia for link in m.links.values())
     for key in _WORK:

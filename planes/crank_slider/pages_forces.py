@@ -33,7 +33,7 @@ def write_forces(w: Writer, c: Calculation) -> None:
     for phi in c.given.positions or (chosen(c),):
         scene, solved = drawn_at(w, c, float(c.motion.phi_deg[c.at(phi)]))
         plans = tuple(p for p in solved.plans.drawn if p.startswith("force"))
-        w.blocks.append(Drawn(w.figure("f_force", phi=float(solved.value)), scene, solved, plans, False))
+        w.blocks.append(Drawn(w.figure("f_force", phi=float(solved.at)), scene, solved, plans, False))
     _torque(w, c)
 
 

@@ -12,13 +12,14 @@ from planes.documents import sheets
 from planes.documents.graphs import constructions, views_beside
 from planes.documents.sheets import Drawn
 from planes.documents.turning import turned_once
-from planes.drafting.drawing import Drawing, painters
-from planes.scene import Reading, Scene
+from planes.drafting.drawing import Drawing
+from planes.scene import Scene
 from planes.scene.files import keep
 from planes.solving import Position
 from planes.solving.vectors import solve_vectors
 from planes.words import Lang, say
 from planes.words.errors import PlanesError
+from planes.words.home import home_lang
 from render.paper.faces import lettered
 from render.paper.fonts import face_of
 from render.sheet import Sheet
@@ -31,13 +32,13 @@ from render.views import stacked
 SUFFIXES = (".svg", ".pdf", ".png", ".dxf")
 
 
-def shown(drawing: Drawing) -> str | None:
-    """A drawing by itself as SVG: its plans with the lines they were found by."""
-    page_of = traced(drawing)
-    return page_of._repr_svg_() if page_of else None
-
-
-painters[:] = [shown]
+def shown(thing: Drawing | Scene | Position) -> str | None:
+    """What a notebook shows: a drawing with the lines it was found by, or a scheme; nothing if it cannot be drawn."""
+    try:
+        page = traced(thing) if isinstance(thing, Drawing) else picture(thing)
+    except PlanesError:
+        return None
+    return page._repr_svg_() if page else None
 
 
 def draw_sheet(
@@ -67,15 +68,15 @@ def draw_constructions(scene: Scene, sections: int, pole_mm: float | None, outpu
         write(page({both.key: lambda: both}, both.key, composer), Path(output), lang)
 
 
-def picture(drawn: Scene | Position, view: str | None = None, lang: Lang = "ru") -> Page:
+def picture(drawn: Scene | Position, view: str | None = None, lang: Lang | None = None) -> Page:
     """One view (the scheme, unless another is named) of a scene, or of a position solved before, for a notebook.
 
     A position is drawn as it is, by whatever instrument; what a scene says of its sheet is not known then.
     """
+    lang = lang or home_lang()
     if isinstance(drawn, Scene):
         return view_of(drawn, view, None, lang)
-    mechanism = drawn.plans.mechanism
-    scene = Scene("", {}, {}, Reading(), mechanism, {}, (), (), drawn.scales, None, None, {})
+    scene = Scene(mechanism=drawn.plans.mechanism, mu=drawn.scales)
     return _page(_mechanism_views(scene, drawn, Composer(scene, lang)), view, Composer(scene, lang))
 
 

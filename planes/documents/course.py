@@ -123,7 +123,7 @@ class Desk:
     def task(self) -> bytes:
         """The sheet of the task, its scheme drawn in another position."""
         plans = self.drawn.plans
-        other, fits = clearest(plans, self.drawn.value), {**FIT_MM, "position": FIGURE_MM}
+        other, fits = clearest(plans, self.drawn.at), {**FIT_MM, "position": FIGURE_MM}
         shown = position(self.scene, plans, None, other, None, self.order.lang, fits)
         blocks = list(task(self.scene, self.drawn, self.order.heads, self.order.used, self.order.lang))
         return self.set(blocks, shown)

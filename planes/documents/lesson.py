@@ -35,8 +35,12 @@ class Lesson:
     """A lesson that a notebook shows in its own frame."""
 
     scene: Scene
-    lang: Lang = "ru"
+    lang: Lang = "en"
     height: int = 900
+
+    def write(self, output: str) -> None:
+        """The page as a file; :class:`PlanesError`, and no file, if it cannot be."""
+        write_lesson(self.scene, output, self.lang)
 
     def _repr_html_(self) -> str:
         inner = html.escape(page(lesson_data(self.scene), self.lang), quote=True)

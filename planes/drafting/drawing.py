@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,18 +12,15 @@ from planes.drafting.program import Program
 from planes.drafting.proofs import TOLD_APART, Proof, Twofold
 from planes.words import Phrase
 from planes.words.errors import Contradiction, PlanFailure, ProgramError, valid_names
+from planes.words.pictures import Pictured
 from planes.words.things import called, plan_phrase
 
 NOWHERE = complex("nan+nanj")  # the mark of a drawing of many that could not be drawn
 SHAKEN = range(4)  # seeds of the blunter drawings
 
 
-painters: list[Callable[[Drawing], str | None]] = []
-"""How a drawing is shown in a notebook; the renderer says it, once it is there."""
-
-
 @dataclass
-class Drawing:
+class Drawing(Pictured):
     """What was drawn: everything by name, and the hand that drew it."""
 
     program: Program
@@ -39,10 +36,6 @@ class Drawing:
 
     def __contains__(self, name: object) -> bool:
         return name in self.things
-
-    def _repr_svg_(self) -> str | None:
-        """The picture a notebook shows, once ``planes.documents`` is imported: drawings know no pictures."""
-        return painters[-1](self) if painters else None
 
     @property
     def sharpness(self) -> dict[str, Any]:

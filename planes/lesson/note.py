@@ -100,7 +100,7 @@ class Note:
         title = self.scene.title.get(self.lang) or next(iter(self.scene.title.values()), "")
         yield Heading(f"{self.say('note')}. {title}" if title else self.say("note"), 0)
         yield Heading(self.say("note_given"))
-        where = told(self.position.value, drive.kind, self.lang)
+        where = told(self.position.at, drive.kind, self.lang)
         where = f"{'φ' if drive.kind == 'phi' else 's'} = {where.replace('.', ',') if self.lang == 'ru' else where}"
         yield Prose(self.say("note_task", title=title, drive=where))
         rows = []

@@ -121,6 +121,12 @@ class Reader:
             out["slides"][link] = {"guide": self.st.velocity_slides[link].guide, **found}
         return out
 
+    def read(self, quantity: Quantity) -> Any:
+        """One quantity: a number, [x, y], or what a sliding pair has; the length in SI of a segment of a plan."""
+        if quantity.path[0] != "plans":
+            return self._read(quantity.path)
+        return math.hypot(*self.vector(*quantity.needs))
+
     def _put(self, out: dict[str, Any], path: tuple[str, ...]) -> None:
         for key in path[:-1]:
             out = out.setdefault(key, {})

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
 from planes.scene import source
 from planes.scene.doubts import read_doubts
@@ -25,11 +26,13 @@ from planes.scene.settings import (
     read_variants,
     read_vector_mu,
     read_words,
+    with_numbers,
 )
 from planes.scene.source import Node, Table
 from planes.scene.vectors import VectorGiven, read_equations, read_vectors
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError, shown
+from planes.words.pictures import Pictured
 
 __all__ = ["Reading", "Scene", "VectorGiven", "load", "loads"]
 
@@ -45,17 +48,23 @@ _EXAMPLES = {
 }
 
 
+def _none() -> Mapping[Any, Any]:
+    return MappingProxyType({})
+
+
 @dataclass(frozen=True)
 class Reading:
     """What a scene was read with: for other parameters, or another variant, its file is read anew."""
 
     variant: str | None = None
     variants: tuple[str, ...] = ()
-    parameters: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+    parameters: Mapping[str, float] = field(default_factory=_none)
+    source: str = field(default="", compare=False)
+    changed: Mapping[str, float] = field(default_factory=_none, compare=False)
 
 
 @dataclass(frozen=True)
-class Scene:
+class Scene(Pictured):
     """All that a scene file says. Either ``mechanism`` is there, or ``vectors`` and ``equations`` are.
 
     ``mu`` is in mm per SI unit, None where the program chooses; its keys are the four plans, and "vectors" in
@@ -64,22 +73,22 @@ class Scene:
     so that it is not in the scene.
     """
 
-    file: str
-    title: Mapping[str, str]
-    note: Mapping[str, str]
-    reading: Reading
-    mechanism: Mechanism | None
-    vectors: Mapping[str, VectorGiven]
-    equations: tuple[str, ...]
-    equation_lines: tuple[int, ...]
-    mu: Mapping[str, float | None]
-    quantity: str | None
-    find: tuple[str, ...] | None
-    sheet: Mapping[str, object]
+    file: str = ""
+    title: Mapping[str, str] = field(default_factory=_none)
+    note: Mapping[str, str] = field(default_factory=_none)
+    reading: Reading = field(default_factory=Reading)
+    mechanism: Mechanism | None = None
+    vectors: Mapping[str, VectorGiven] = field(default_factory=_none)
+    equations: tuple[str, ...] = ()
+    equation_lines: tuple[int, ...] = ()
+    mu: Mapping[str, float | None] = field(default_factory=_none)
+    quantity: str | None = None
+    find: tuple[str, ...] | None = None
+    sheet: Mapping[str, object] = field(default_factory=_none)
     frame_number: str = "0"
-    where: Where = field(default_factory=lambda: MappingProxyType({}), compare=False, repr=False)
+    where: Where = field(default_factory=_none, compare=False, repr=False)
     crank_slider: Node | None = field(default=None, compare=False, repr=False)
-    missing: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
+    missing: Mapping[str, str] = field(default_factory=_none)
     doubts: tuple[Doubt, ...] = ()
 
     @property
@@ -97,25 +106,56 @@ class Scene:
         """The parameters it was read with."""
         return self.reading.parameters
 
+    def __repr__(self) -> str:
+        what = "vectors" if self.mechanism is None else f"links {', '.join(self.mechanism.links)}"
+        of = f", variant {self.variant}" if self.variant else ""
+        return f"<Scene {self.title.get('en') or self.file!r}: {what}{of}>"
 
-def load(path: str | Path, variant: str | None = None) -> Scene:
-    """Read a scene file; any refusal is a SceneError with file:line."""
-    return loads(source.read(path), str(path), variant)
+    @classmethod
+    def of(cls, mechanism: Mechanism, title: str = "", file: str = "") -> Scene:
+        """The scene of a mechanism built in Python; scales are chosen by the program."""
+        from planes.scene.writing import yaml_of
+
+        return loads(yaml_of(mechanism, title), file or "mechanism")
+
+    def with_parameters(self, **values: float) -> Scene:
+        """The same scene read again with other numbers for some parameters (SI, degrees).
+
+        Raises :class:`~planes.words.errors.SceneError` for a name that is no parameter of the scene.
+        """
+        return loads(self.reading.source, self.file, self.variant, **{**self.reading.changed, **values})
+
+    def to_yaml(self) -> str:
+        """The text of a scene file that says the same, in plain numbers."""
+        from planes.scene.writing import as_yaml
+
+        return as_yaml(self)
 
 
-def loads(text: str, file: str = "scene.yaml", variant: str | None = None) -> Scene:
-    """Read the text of a scene file."""
+def load(path: str | Path, variant: str | None = None, **parameters: float) -> Scene:
+    """Read a scene file, with other numbers for the ``parameters`` named (SI, degrees).
+
+    Raises :class:`~planes.words.errors.SceneError` with file and line for whatever cannot be meant, an unknown
+    parameter among them.
+    """
+    return loads(source.read(path), str(path), variant, **parameters)
+
+
+def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **parameters: float) -> Scene:
+    """Read the text of a scene file, as :func:`load` does."""
     table = source.parse(text, file)
     reader = Reader(file)
     _check_outline(reader, table)
     if variant is not None:
         variant = unicodedata.normalize("NFC", variant[:1000])
-    parameters, variants = reader.optional(table, "parameters"), reader.optional(table, "variants")
-    tables = read_variants(reader, variants, parameters)
+    given, variants = reader.optional(table, "parameters"), reader.optional(table, "variants")
+    tables = read_variants(reader, variants, given)
     chosen = choose(reader, tables, variant, table.lines.get("variants", 1))
-    reader.parameters = MappingProxyType(read_parameters(reader, parameters, chosen))
-    stated = {**_entries(parameters), **_entries(chosen)}
-    return _scene(reader, table, Reading(variant, tuple(tables), reader.parameters), stated)
+    changed = with_numbers(reader, given, chosen, parameters)
+    reader.parameters = MappingProxyType(read_parameters(reader, given, changed))
+    stated = {**_entries(given), **_entries(changed)}
+    reading = Reading(variant, tuple(tables), reader.parameters, text, MappingProxyType(parameters))
+    return _scene(reader, table, reading, stated)
 
 
 def _entries(node: Node | None) -> Mapping[str, Node]:
@@ -130,20 +170,21 @@ def _scene(reader: Reader, table: Table, reading: Reading, stated: Mapping[str, 
     equations, equation_lines = read_equations(reader, table.entries["equations"]) if of_vectors else ((), ())
     mu, (generic, quantity) = (read_plans(reader, reader.optional(table, "plans")),
                                read_vector_mu(reader, reader.optional(table, "mu")))
+
+    def words(key: str, node: Node | None) -> Mapping[str, str]:
+        return MappingProxyType(read_words(reader, node, key))
+
     return Scene(
-        reader.file, _frozen(read_words(reader, reader.optional(table, "title"), "title")),
-        _frozen(read_words(reader, _note(reader, table), "note")), reading,
+        reader.file, words("title", reader.optional(table, "title")), words("note", _note(reader, table)), reading,
         mechanism, MappingProxyType(vectors), equations, equation_lines,
-        MappingProxyType({**mu, "vectors": generic} if of_vectors else mu), quantity,
-        read_find(reader, reader.optional(table, "find")),
-        MappingProxyType(dict(read_sheet(reader, reader.optional(table, "sheet")))),
-        read_number_of_frame(reader, table.entries.get("frame")), where, reader.optional(table, "crank_slider"),
-        _frozen(read_words(reader, reader.optional(table, "missing"), "missing")),
-        tuple(read_doubts(reader.file, table, stated, mechanism)))
-
-
-def _frozen(words: dict[str, str]) -> Mapping[str, str]:
-    return MappingProxyType(words)
+        mu=MappingProxyType({**mu, "vectors": generic} if of_vectors else mu), quantity=quantity,
+        find=read_find(reader, reader.optional(table, "find")),
+        sheet=MappingProxyType(dict(read_sheet(reader, reader.optional(table, "sheet")))),
+        frame_number=read_number_of_frame(reader, table.entries.get("frame")), where=where,
+        crank_slider=reader.optional(table, "crank_slider"),
+        missing=words("missing", reader.optional(table, "missing")),
+        doubts=tuple(read_doubts(reader.file, table, stated, mechanism)),
+    )  # fmt: skip
 
 
 def _note(reader: Reader, table: Table) -> Node | None:

@@ -49,6 +49,18 @@ def read_parameters(reader: Reader, node: Node | None, chosen: Table | None) -> 
         raise reader.error(Phrase("about", what=what, why=error.phrase), entries[error.parameter]) from None
 
 
+def with_numbers(reader: Reader, node: Node | None, chosen: Table | None, numbers: Mapping[str, float]) -> Table:
+    """The chosen variant with numbers put in the place of parameters by whoever runs the program."""
+    known = node.entries if isinstance(node, Table) else {}
+    for name in numbers:
+        if name not in known:
+            valid = reader.offer(name, known, Phrase("parameters_all"))
+            raise reader.error(Phrase("parameter_unknown", name=shown(name), valid=valid), node or 1)
+    line = node.line if node else 1
+    given: dict[str, Node] = {name: Text(repr(float(value)), line) for name, value in numbers.items()}
+    return Table({**(chosen.entries if chosen else {}), **given}, line)
+
+
 def _check_parameter(reader: Reader, name: str, line: int) -> None:
     if name in RESERVED:
         raise reader.error(Phrase("reserved_parameter", name=name), line)

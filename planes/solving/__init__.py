@@ -18,19 +18,68 @@ from planes.solving.nearest import nearest
 from planes.solving.warned import warnings
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanFailure, SceneError
+from planes.words.pictures import Pictured
 
 TOLD = 20  # for how many failed positions the nearest working one is looked for
 
 
 @dataclass(frozen=True)
-class Position:
-    """One position drawn: the value of the drive, its plans and drawing, scales, and results for JSON."""
+class Position(Pictured):
+    """One position drawn: where the drive is (``at``: degrees, or m), its plans and drawing, scales, and results.
 
-    value: float
+    Everything by name: ``r``, ``v``, ``a`` of points are complex (x + iy in m, m/s, m/s²), ``omega`` and ``epsilon`` of
+    links in rad/s and rad/s²; :meth:`value` takes any name that ``find:`` takes.
+    """
+
+    at: float
     plans: Plans
     drawing: Drawing
     scales: Mapping[str, float]
     results: dict[str, Any]
+
+    @property
+    def r(self) -> dict[str, complex]:
+        """Places of points, m."""
+        return self._of_points("r")
+
+    @property
+    def v(self) -> dict[str, complex]:
+        """Velocities of points, m/s."""
+        return self._of_points("v")
+
+    @property
+    def a(self) -> dict[str, complex]:
+        """Accelerations of points, m/s²."""
+        return self._of_points("a")
+
+    def _of_points(self, letter: str) -> dict[str, complex]:
+        return {name: complex(*found[letter]) for name, found in self.results["points"].items() if letter in found}
+
+    @property
+    def omega(self) -> dict[str, float]:
+        """Angular velocities of links, rad/s, counter-clockwise positive."""
+        return {name: found["omega"] for name, found in self.results["links"].items() if "omega" in found}
+
+    @property
+    def epsilon(self) -> dict[str, float]:
+        """Angular accelerations of links, rad/s²."""
+        return {name: found["epsilon"] for name, found in self.results["links"].items() if "epsilon" in found}
+
+    def value(self, name: str) -> Any:
+        """A quantity by the name ``find:`` has for it: a number in SI, complex for a vector.
+
+        Raises :class:`SceneError` that names those there are.
+        """
+        (quantity,) = asked(self.plans, [name])
+        reader = Reader(self.plans, self.drawing, dict(self.scales))
+        found = reader.read(quantity)
+        found = found["force"] if isinstance(found, dict) else found
+        return complex(*found) if isinstance(found, list) else found
+
+    def __repr__(self) -> str:
+        drive = self.plans.mechanism.drive
+        unit = "°" if drive.kind == "phi" else " m"
+        return f"<Position {drive.kind} = {self.at:g}{unit}: {self.plans.structure.formula}>"
 
 
 @dataclass
@@ -43,6 +92,9 @@ class Solved:
     positions: list[Position] = field(default_factory=list)
     failed: list[dict[str, Any]] = field(default_factory=list)
     lang: Lang = "en"
+
+    def __repr__(self) -> str:
+        return f"<Solved: {len(self.positions)} positions, {len(self.failed)} failed>"
 
     def json(self) -> dict[str, Any]:
         """The object ``planes solve --json`` prints."""
@@ -63,11 +115,16 @@ def structure_json(s: Structure) -> dict[str, Any]:
     return {"W": s.W, "q": s.q, "formula": s.formula, "groups": groups}
 
 
-def plans_of(scene: Scene) -> tuple[Plans, list[Quantity] | None]:
-    """The plans of a scene, cut to what it asks for, and the quantities asked (None: all)."""
+def mechanism_plans(scene: Scene) -> Plans:
+    """All the plans of a scene's mechanism. :class:`SceneError` for a scene of vectors alone."""
     if scene.mechanism is None:
         raise SceneError(Phrase("vectors_alone"), scene.file, scene.where.get(("vectors",), 1))
-    plans = state(scene.mechanism, scene.file)
+    return state(scene.mechanism, scene.file)
+
+
+def plans_of(scene: Scene) -> tuple[Plans, list[Quantity] | None]:
+    """The plans of a scene, cut to what it asks for, and the quantities asked (None: all)."""
+    plans = mechanism_plans(scene)
     if scene.find is None:
         return plans, None
     wanted = asked(plans, scene.find, scene.file)

@@ -43,7 +43,7 @@ def remedy(solved: Solved, instrument: Instrument | None = None, lang: Lang = "e
         left += [] if between else [failure]
     solved.failed = left
     order = {value: k for k, value in enumerate(solved.values)}
-    solved.positions.sort(key=lambda p: order[p.value])
+    solved.positions.sort(key=lambda p: order[p.at])
 
 
 def rescaled(
@@ -61,7 +61,7 @@ def rescaled(
     if not large:
         return p
     fitting = replace(scene, mu={k: v for k, v in scene.mu.items() if k not in large})
-    again = position(fitting, plans, wanted, p.value, by, lang)
+    again = position(fitting, plans, wanted, p.at, by, lang)
     again.results["remedied"] = sorted(large)
     for kind, (plan, marks, angle, size) in large.items():
         said, now = (mu_text(x[mu_of(plan)], kind, lang) for x in (p.scales, again.scales))

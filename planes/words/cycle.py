@@ -68,6 +68,7 @@ CYCLE: dict[str, tuple[str, str]] = {
         "известных заранее величин {name} у этой программы нет{valid}",
         "nothing called {name} is given to this program{valid}",
     ),
+    "no_column": ("в таблице нет столбца {name}{valid}", "the table has no column {name}{valid}"),
     "cycle_suffix": (
         "{file}: такую таблицу записать нельзя; подходят {suffixes}",
         "{file}: no table can be written with this suffix; valid: {suffixes}",

@@ -175,6 +175,7 @@ SCENE: dict[str, tuple[str, str]] = {
         "вариант {name} меняет {key}, но такого параметра нет{valid}",
         "variant {name} overrides {key}, which is no parameter{valid}",
     ),
+    "parameter_unknown": ("параметра {name} в сцене нет{valid}", "{name} is no parameter of the scene{valid}"),
     "no_font": (
         "sheet.font: шрифт {name} не установлен{valid}; назовите установленный или файл .ttf, .otf",
         "sheet.font: no font {name} is installed{valid}; name an installed one or a file .ttf, .otf",

@@ -55,6 +55,9 @@ class Sheet:
         """Width and height in mm."""
         return self.paper.size
 
+    def __repr__(self) -> str:
+        return f"<Sheet {self.title!r}, {self.size[0]:g} × {self.size[1]:g} mm, {len(self.views)} views>"
+
     def _repr_svg_(self) -> str:
         """The picture a notebook shows."""
         return svg.inline(self.marks, self.size, self.title)

@@ -37,6 +37,9 @@ class Page:
     lang: str = "ru"
     warnings: tuple[str, ...] = ()
 
+    def __repr__(self) -> str:
+        return f"<Page {self.title!r}, {self.size[0]:.0f} × {self.size[1]:.0f} mm>"
+
     def _repr_svg_(self) -> str:
         """The picture a notebook shows."""
         return svg.inline(self.marks, self.size, self.title, self.lang)

@@ -59,7 +59,7 @@ class Given:
         n = self.naming.link(drive.link)
         turning, sliding = (("φ", "°"), ("ω", "rad/s"), ("ε", "rad/s²")), (("s", "m"), ("v", "m/s"), ("a", "m/s²"))
         letters = turning if drive.kind == "phi" else sliding
-        values = (self.position.value, drive.velocity, drive.acceleration)
+        values = (self.position.at, drive.velocity, drive.acceleration)
         return [Row(f"{letter}_{{{n}}}", v, unit, True) for (letter, unit), v in zip(letters, values, strict=True)]
 
     def named(self) -> Iterator[Row]:

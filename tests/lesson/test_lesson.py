@@ -132,7 +132,7 @@ def test_all_360_positions_are_within_a_tenth_of_a_millimetre_of_what_is_solved(
     plans, values = state(scene.mechanism), exported["drive"]["values"]
     mus = scales(plans, scene.mu)
     worst = positions = 0
-    solved = {p.value: p for p in solve(scene, values).positions}
+    solved = {p.at: p for p in solve(scene, values).positions}
     for i, value in enumerate(values):
         found = solved.get(value)
         assert (found is None) == (str(i) in exported["failed"])

@@ -65,21 +65,10 @@ def test_an_unknown_view_is_one_sentence_and_no_file(arguments, said, tmp_path, 
     assert not list(tmp_path.iterdir())
 
 
-def test_a_scene_and_a_position_show_themselves_once_the_extension_is_loaded():
-    from types import SimpleNamespace
-
-    from planes.documents import notebook
-
-    told = {}
-    formatter = SimpleNamespace(for_type=told.__setitem__, pop=told.pop)
-    shell = SimpleNamespace(display_formatter=SimpleNamespace(formatters={"image/svg+xml": formatter}))
-    notebook.load_ipython_extension(shell)
+def test_a_scene_and_a_position_show_themselves():
     scene = load(SAMPLES["kind-1-rrr"])
-    drawn = solve(scene).positions[0]
-    assert told[type(scene)](scene) == picture(scene)._repr_svg_()
-    assert told[type(drawn)](drawn).startswith("<svg ")
-    notebook.unload_ipython_extension(shell)
-    assert not told
+    assert scene._repr_svg_() == picture(scene)._repr_svg_()
+    assert solve(scene).positions[0]._repr_svg_().startswith("<svg ")
 
 
 def test_a_notebook_shows_a_position_as_it_was_drawn():

@@ -123,7 +123,7 @@ def test_six_link_moment_equation_about_the_inner_hinge() -> None:
 def test_six_link_assembles_between_two_angles() -> None:
     low, high = stored("six-link")["turn_deg"]
     tries = solve(scene("six-link"), [low - 0.01, low + 0.01, high - 0.01, high + 0.01])
-    assert [p.value for p in tries.positions] == [low + 0.01, high - 0.01]
+    assert [p.at for p in tries.positions] == [low + 0.01, high - 0.01]
     assert [f["phi_deg"] for f in tries.failed] == [low - 0.01, high + 0.01]
     assert all("mm" in f["error"] and "C" in f["error"] for f in tries.failed)
 
@@ -184,7 +184,7 @@ def test_twelve_positions_of_a_turn(name: str) -> None:
     step, start = (30.0, drive["phi"]) if "phi" in drive else (0.02, drive["s"] - 0.1)
     values = [start + step * i for i in range(12)]
     found = solve(scene(name), values)
-    drawn = {p.value: p.results for p in found.positions}
+    drawn = {p.at: p.results for p in found.positions}
     assert len(drawn) == {"six-link": 6}.get(name, 12), found.failed
     whole = name not in ("six-link", "kind-4-prp", "sliding-driver")
     solutions = turned(name, values) if whole else ((v, from_pose(name, v, r)) for v, r in drawn.items())

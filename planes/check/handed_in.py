@@ -1,0 +1,70 @@
+"""What was handed in, read by the suffix of its file: a table, a drawing of lines, or a picture."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from planes.check.grading.bench import Asked, prepare
+from planes.check.grading.paper import Paper, read_table
+from planes.check.reading.strokes import Sketch
+from planes.words import Phrase
+from planes.words.errors import PlanesError
+
+LINES = (".svg", ".dxf", ".pdf")
+PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
+TABLES = (".csv", ".json", ".txt", ".tsv")
+MOST_SHOWN = 2000  # lines of a drawing shown in its report
+
+
+@dataclass(frozen=True)
+class Known:
+    """What is told of a drawing: its pole, some marks (pixels, or its own units; y down), the format of its frame."""
+
+    pole: complex | None = None
+    marks: Mapping[str, complex] = field(default_factory=dict)
+    format: str | None = None
+
+
+def read_paper(file: str, asked: Asked, known: Known) -> Paper:
+    """The marks of a file. :class:`PlanesError` where it cannot be read."""
+    suffix = Path(file).suffix.lower()
+    if suffix in TABLES:
+        return read_table(file)
+    sketch = _lines(file, suffix, known)
+    if sketch is not None:
+        return _from_lines(sketch, asked, known)
+    if suffix in PICTURES:
+        from planes.check.sight.photograph import paper_of_picture
+
+        return paper_of_picture(file, prepare(asked), known.pole, dict(known.marks), known.format)
+    raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
+
+
+def _lines(file: str, suffix: str, known: Known) -> Sketch | None:
+    """The lines of a drawing of lines; of a PDF with pixels told, or that shows a picture, none."""
+    from planes.check.reading.dxf import read_dxf
+    from planes.check.reading.pdf import read_pdf
+    from planes.check.reading.svg import read_svg
+
+    if suffix == ".pdf":
+        return None if known.pole is not None or known.format else read_pdf(file)
+    return {".svg": read_svg, ".dxf": read_dxf}[suffix](file) if suffix in LINES else None
+
+
+def _from_lines(sketch: Sketch, asked: Asked, known: Known) -> Paper:
+    """The marks of a drawing of lines."""
+    from planes.check.reading.matching import scaled
+    from planes.check.reading.whole_page import paper_on
+
+    bench = prepare(asked)
+    pole = None if known.pole is None else sketch.mm(known.pole)
+    sketch, by = scaled(sketch, bench, pole, {n: sketch.mm(z) for n, z in known.marks.items()})
+    paper = paper_on(sketch, bench)
+    paper.scale_mark = by
+    origin = paper.spots[0].place if paper.spots else 0j  # the pole is read first
+    paper.strokes = [(a - origin, b - origin) for a, b in sketch.strokes[:MOST_SHOWN]] if paper.spots else []
+    if by:
+        paper.notes.append(Phrase("check_scale_vector", mark=by))
+    return paper

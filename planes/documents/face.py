@@ -1,0 +1,167 @@
+"""What ``import planes`` gives: a scene solved, turned, drawn and checked, as one would type it in a notebook."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from itertools import product
+from pathlib import Path
+from typing import Any, overload
+
+import numpy as np
+
+from planes.batch import Cycle
+from planes.batch.table import Table
+from planes.check import Outcome
+from planes.check import check as judge
+from planes.check.grading.bench import Asked
+from planes.check.handed_in import Known, read_paper
+from planes.documents import picture, sheet_of, view_of, write
+from planes.documents.lesson import Lesson
+from planes.drafting.instruments import Instrument
+from planes.plans.scales import kind_of
+from planes.scene import Scene
+from planes.solving import Position, Solved, mechanism_plans, plans_of, position
+from planes.solving import solve as solve_each
+from planes.words import Lang, Phrase
+from planes.words.errors import PlanesError
+from planes.words.home import home_lang
+from planes.words.units import UnitError, read_mu
+from render.sheet import Sheet
+from render.sheet.single import Page
+
+__all__ = ["check", "cycle", "lesson", "picture", "sheet", "solve"]
+
+Numbers = Iterable[float]
+
+
+@overload
+def solve(
+    scene: Scene, phi: float | None = None, *, s: float | None = None, instrument: Instrument | None = None
+) -> Position: ...
+@overload
+def solve(
+    scene: Scene, phi: Numbers | None = None, *, s: Numbers | None = None, instrument: Instrument | None = None
+) -> Solved: ...
+def solve(scene: Scene, phi: Any = None, *, s: Any = None, instrument: Instrument | None = None) -> Position | Solved:
+    """Draw and measure one position, or each of several.
+
+    ``phi`` (degrees; ``s``, in m, where the driver slides) is one value or an iterable of them; left out, it is the
+    scene's own. One value gives a :class:`Position`, or raises ``PlanFailure`` where it cannot be drawn; several give a
+    :class:`Solved`: its ``positions`` came out, ``failed`` says why the others did not.
+
+    >>> import planes
+    >>> scene = planes.load("samples/kind-1-rrr.yaml")
+    >>> here = planes.solve(scene, phi=60)
+    >>> round(abs(here.v["C"]), 4)  # m/s
+    1.2077
+    >>> [round(p.value("omega_2"), 3) for p in planes.solve(scene, range(0, 90, 30)).positions]  # rad/s
+    [-0.902, 0.684, 2.553]
+    """
+    at = _drive(scene, phi, s)
+    if isinstance(at, Iterable):
+        return solve_each(scene, [float(x) for x in at], instrument, home_lang())
+    plans, wanted = plans_of(scene)
+    value = plans.mechanism.drive.position if at is None else float(at)
+    return position(scene, plans, wanted, value, instrument, home_lang())
+
+
+def _drive(scene: Scene, phi: Any, s: Any) -> Any:
+    """The values of the drive asked for, of the kind the drive has."""
+    kind = mechanism_plans(scene).mechanism.drive.kind
+    asked = {"phi": phi, "s": s}
+    for option, value in asked.items():
+        if value is not None and option != kind:
+            raise PlanesError(
+                Phrase("option_misfit", option=option, file=scene.file, why=Phrase("driver_by", kind=kind))
+            )
+    return asked[kind]
+
+
+def cycle(
+    scene: Scene, names: Iterable[str] | None = None, phi: Any = None, *, s: Any = None, **parameters: Any
+) -> Table:
+    """Results for many positions, as arrays by name; ``names`` as in ``find:`` (None: everything).
+
+    ``phi`` (degrees; ``s``, in m, of a sliding driver) is an array of values, a whole turn by degrees if left out (of a
+    sliding driver: its own place). Every further keyword is a parameter of the scene with the values it takes, a
+    number or an array: each combination is run for all values of the drive. The table has a column for the drive and
+    one for each parameter.
+
+    >>> import planes
+    >>> scene = planes.load("samples/kind-1-rrr.yaml")
+    >>> table = planes.cycle(scene, ["v_C", "omega_2"], phi=range(0, 360, 90), l_CD=[0.3, 0.35])
+    >>> table
+    <Table of 8 positions: l_CD [SI], phi [°], v_C_x [m/s], v_C_y [m/s], omega_2 [rad/s]>
+    >>> table["v_C"].shape
+    (8,)
+    """
+    asked = list(names) if names is not None else None
+    values = _drive(scene, phi, s)
+    swept = {name: np.atleast_1d(np.asarray(v, float)) for name, v in parameters.items()}
+    tables = []
+    for numbers in product(*swept.values()):
+        given = dict(zip(swept, map(float, numbers), strict=True))
+        tables.append(_turned(scene.with_parameters(**given) if given else scene, asked, values, given))
+    return Table.joined(tables)
+
+
+def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str, float]) -> Table:
+    """The results of one set of parameters."""
+    plans = mechanism_plans(scene)
+    drive, run = plans.mechanism.drive, Cycle(plans, names)
+    if values is None:
+        values = np.arange(360.0) if drive.kind == "phi" else [drive.position]
+    blocks = list(run.blocks(np.atleast_1d(np.asarray(values if np.ndim(values) else list(values), float))))
+    at, table, codes = (np.concatenate(part, axis=-1) for part in zip(*blocks, strict=True))
+    columns = {name: np.full(len(at), number) for name, number in given.items()} | {drive.kind: at}
+    units = dict.fromkeys(given, "SI") | {drive.kind: "°" if drive.kind == "phi" else "m"}
+    columns |= {c.name: row for c, row in zip(run.columns, table, strict=True)}
+    reasons = np.array(["", *(r.key for r in run.reasons)], dtype=object)
+    return Table(columns, units | {c.name: c.unit for c in run.columns}, reasons[codes])
+
+
+def check(
+    scene: Scene, drawing: str | Path, plan: str, phi: float | None = None, *, s: float | None = None,
+    mu: str | None = None, pole: complex | None = None, marks: Mapping[str, complex] | None = None,
+) -> Outcome:  # fmt: skip
+    """Check a person's drawing of a plan ("position", "velocity", "acceleration", "force:2-3", "force:1").
+
+    ``drawing`` is a table (.csv), a drawing of lines (.svg, .dxf, .pdf) or a picture; ``mu`` its scale, as
+    "30 mm/(m/s)", where it is known; ``pole`` and ``marks`` are places in pixels or the drawing's own units, x + iy
+    with y down. The outcome has a ``verdict`` ("right", "wrong", "unreadable"), ``first_wrong``, ``mistake``,
+    ``sentence``.
+    Raises :class:`PlanesError` where the file cannot be opened or the scene has no such plan.
+    """
+    at, known_mu = _drive(scene, phi, s), None
+    if mu is not None:
+        try:
+            known_mu = read_mu(mu, kind_of(plan))
+        except UnitError as error:
+            raise PlanesError(str(error)) from None
+    asked = Asked(scene, plan, None if at is None else float(at), known_mu)
+    return judge(asked, read_paper(str(drawing), asked, Known(pole, marks or {})))
+
+
+def sheet(
+    scene: Scene, output: str | Path | None = None, phi: float | None = None, *, s: float | None = None,
+    number: int | None = None, view: str | None = None, lang: Lang | None = None,
+) -> Sheet | Page:  # fmt: skip
+    """The drawing sheet of one position, written to ``output`` if that is given (.svg, .pdf, .png, .dxf).
+
+    ``number`` 1 or 2 is that sheet of a course project, ``view`` one view alone; else everything stands on one sheet.
+    A notebook shows what is returned. Raises :class:`PlanesError` where it cannot be drawn or written.
+    """
+    lang, at = lang or home_lang(), _drive(scene, phi, s) if scene.mechanism else None
+    values = None if at is None else [float(at)]
+    drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
+    if output is not None:
+        write(drawn, Path(output), lang)
+    return drawn
+
+
+def lesson(scene: Scene, output: str | Path | None = None, lang: Lang | None = None) -> Lesson:
+    """The construction step by step, as a page that a notebook shows, written to ``output`` if that is given."""
+    page = Lesson(scene, lang or home_lang())
+    if output is not None:
+        page.write(str(output))
+    return page

@@ -1,0 +1,132 @@
+"""A scene written back as the file that says it: the same mechanism when it is read again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any
+
+import yaml
+
+from planes.scene.mechanism import Assembly, Drive, Guide, Link, Load, Mechanism, Slide
+from planes.scene.source import Items, Node, Table
+from planes.words import Phrase
+from planes.words.errors import SceneError
+from planes.words.units import mu_text
+
+if TYPE_CHECKING:
+    from planes.scene import Scene
+
+
+class _Lines(yaml.SafeDumper):
+    """Tables of tables on lines of their own, everything below them in one line."""
+
+
+_Lines.add_representer(float, lambda dumper, x: dumper.represent_scalar("tag:yaml.org,2002:float", repr(x)))
+_Lines.add_representer(complex, lambda dumper, z: dumper.represent_sequence("tag:yaml.org,2002:seq", [z.real, z.imag]))
+
+
+def as_yaml(scene: Scene) -> str:
+    """The text of a scene file: numbers in full, no expressions. :class:`SceneError` for a scene of vectors alone.
+
+    Words of the sheet, the scales and what is asked are kept; variants are not: their numbers are in.
+    """
+    if scene.mechanism is None:
+        raise SceneError(Phrase("vectors_alone"), scene.file, 1)
+    parts: dict[str, Any] = {"planes": 1, "title": dict(scene.title), "note": dict(scene.note)}
+    parts |= {"missing": dict(scene.missing), "parameters": dict(scene.parameters)}
+    parts |= dict(_mechanism(scene.mechanism)) | dict(_asked(scene))
+    if scene.frame_number != "0":
+        parts["frame"]["number"] = scene.frame_number
+    return "".join(_dumped(key, value) for key, value in parts.items() if _said(value))
+
+
+def yaml_of(mechanism: Mechanism, title: str = "") -> str:
+    """A mechanism alone as the text of a scene file."""
+    parts = {"planes": 1, "title": {"ru": title, "en": title}, **dict(_mechanism(mechanism))}
+    return "".join(_dumped(key, value) for key, value in parts.items() if _said(value))
+
+
+def _dumped(key: str, value: Any) -> str:
+    flow = None if isinstance(value, dict | list) else False
+    text: str = yaml.dump(
+        {key: value}, Dumper=_Lines, allow_unicode=True, sort_keys=False, width=110, default_flow_style=flow
+    )
+    return text
+
+
+def _said(value: Any) -> bool:
+    return value is not None and value != {} and value != [] and value != {"ru": "", "en": ""}
+
+
+def _mechanism(m: Mechanism) -> Iterator[tuple[str, Any]]:
+    yield "frame", _link(m.frame)
+    yield "links", {name: _link(link) for name, link in m.links.items()}
+    yield "assembly", {name: _assembly(a) for name, a in m.assembly.items()}
+    yield "drive", _drive(m.drive)
+    yield "loads", [_load(load) for load in m.loads]
+    yield "gravity", m.gravity
+    yield "friction", dict(m.friction)
+
+
+def _asked(scene: Scene) -> Iterator[tuple[str, Any]]:
+    yield "plans", {plan: {"mu": mu_text(mu, plan)} for plan, mu in scene.mu.items() if mu}
+    yield "find", None if scene.find is None else list(scene.find)
+    yield "sheet", dict(scene.sheet)
+    yield "crank_slider", None if scene.crank_slider is None else _as_written(scene.crank_slider)
+
+
+def _as_written(node: Node) -> Any:
+    """A part of the scene that is kept as it was written."""
+    if isinstance(node, Table):
+        return {key: _as_written(one) for key, one in node.entries.items()}
+    if isinstance(node, Items):
+        return [_as_written(one) for one in node.items]
+    for kind in (int, float) if node.plain else ():
+        with suppress(ValueError):
+            return kind(node.text)
+    return node.text
+
+
+def _link(link: Link) -> dict[str, Any]:
+    said = {
+        "points": {name: place if place.imag else place.real for name, place in link.points.items()}
+        if link.name != "0" else dict(link.points),
+        "guides": {name: _guide(guide) for name, guide in link.guides.items()},
+        "slides": None if link.slides is None else _slide(link.slides),
+        "centre": link.centre, "mass": link.mass, "inertia": link.inertia,
+    }  # fmt: skip
+    return {key: value for key, value in said.items() if _said(value)}
+
+
+def _guide(guide: Guide) -> dict[str, Any]:
+    if guide.origin_given:
+        form: dict[str, Any] = {"through": guide.through_point or guide.through, "angle": guide.angle_deg}
+    else:
+        form = {"x": guide.through.real} if guide.angle_deg == 90.0 else {"y": guide.through.imag}
+    return form | ({"mark": guide.mark} if guide.mark else {})
+
+
+def _slide(slide: Slide) -> Any:
+    more = {"angle": slide.angle_deg, "offset": slide.offset}
+    given = {key: value for key, value in more.items() if value is not None}
+    return {"guide": slide.guide, **given} if given else slide.guide
+
+
+def _assembly(a: Assembly) -> Any:
+    return a.order or {"near": a.near}
+
+
+def _drive(drive: Drive) -> dict[str, Any]:
+    names = ("phi", "omega", "epsilon") if drive.kind == "phi" else ("s", "velocity", "acceleration")
+    return {"link": drive.link, **dict(zip(names, (drive.position, drive.velocity, drive.acceleration), strict=True))}
+
+
+def _load(load: Load) -> dict[str, Any]:
+    said: dict[str, Any] = {"link": load.link, "point": load.point, load.kind: load.value}
+    if load.sense:
+        said[load.sense] = "motion"
+    elif load.direction_deg is not None:
+        turned = {"link": load.direction_link, "angle": load.direction_deg}
+        said["direction"] = turned if load.direction_link else load.direction_deg
+    return {key: value for key, value in said.items() if value is not None}

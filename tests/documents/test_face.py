@@ -1,0 +1,152 @@
+"""The public face: what a person types in a notebook, and that it costs nothing until it is used."""
+
+from __future__ import annotations
+
+import doctest
+import importlib
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+from types import MappingProxyType
+
+import numpy as np
+import pytest
+
+import planes
+from planes.scene.mechanism import Assembly, Drive, Link, Mechanism
+from tests.helpers import ROOT
+
+SAMPLES = sorted([*(ROOT / "samples").glob("*.yaml"), *(ROOT / "samples" / "assignments").glob("0*.yaml")])
+FOUR_BAR = ROOT / "samples" / "kind-1-rrr.yaml"
+
+
+@pytest.mark.parametrize("module", ["planes", "planes.documents.face"])
+def test_examples_of_the_docstrings(module: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    done = doctest.testmod(importlib.import_module(module), optionflags=doctest.ELLIPSIS)
+    assert done.attempted and not done.failed
+
+
+def test_every_public_name_is_there_and_has_its_words() -> None:
+    for name in planes.__all__:
+        assert getattr(planes, name).__doc__, name
+    assert set(planes.__all__) <= set(dir(planes))
+
+
+def test_nothing_is_imported_before_it_is_used() -> None:
+    program = (
+        "import sys, planes\n"
+        "before = [m for m in sys.modules if m.startswith(('planes.', 'render', 'numpy', 'yaml'))]\n"
+        "import planes.check.reading.svg\n"
+        "print(before, planes.check.__module__, planes.lesson.__module__)"
+    )
+    done = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=True)
+    assert done.stdout.split("\n")[0] == "[] planes.documents.face planes.documents.face"
+
+
+def test_a_position_is_read_by_name() -> None:
+    here = planes.solve(planes.load(FOUR_BAR), phi=150)
+    assert here.v["B"] == pytest.approx(complex(*here.results["points"]["B"]["v"]))
+    assert here.value("omega_2") == here.omega["2"] == here.results["links"]["2"]["omega"]
+    assert here.value("v_C") == here.v["C"] and here.value("a_C") == here.a["C"]
+    assert here.value("v_CB") == pytest.approx(abs(here.v["C"] - here.v["B"]))
+    with pytest.raises(planes.PlanesError, match="v_X"):
+        here.value("v_X")
+
+
+def test_parameters_by_keyword_and_again() -> None:
+    scene = planes.load(FOUR_BAR, l_CD=0.4).with_parameters(l_AB=0.11)
+    assert (scene.parameters["l_CD"], scene.parameters["l_AB"]) == (0.4, 0.11)
+    with pytest.raises(planes.PlanesError, match=r"kind-1-rrr\.yaml:\d+: \"l_DC\" is no parameter.*l_CD"):
+        planes.load(FOUR_BAR, l_DC=0.4)
+    with pytest.raises(planes.PlanesError, match="l_DC"):
+        planes.cycle(scene, ["v_C"], l_DC=[1.0])
+
+
+def test_a_sweep_agrees_with_single_positions() -> None:
+    scene = planes.load(FOUR_BAR)
+    table = planes.cycle(scene, ["v_C", "M_1"], phi=[20, 140, 260], l_BC=[0.36, 0.37])
+    for row in range(6):
+        one = planes.solve(scene.with_parameters(l_BC=table["l_BC"][row]), phi=float(table["phi"][row]))
+        assert table["v_C"][row] == pytest.approx(one.v["C"], rel=1e-12)
+        assert table["M_1"][row] == pytest.approx(one.value("M_1"), rel=1e-11)
+    with pytest.raises(planes.PlanesError, match="v_C_x"):
+        table["v_X"]
+
+
+def test_a_table_goes_to_pandas() -> None:
+    pandas = pytest.importorskip("pandas")
+    frame = planes.cycle(planes.load(FOUR_BAR), ["omega_2"], phi=[0, 90]).to_pandas()
+    assert isinstance(frame, pandas.DataFrame) and list(frame) == ["phi", "omega_2", "failed"]
+
+
+def test_what_fails_says_so() -> None:
+    scene = planes.load(ROOT / "samples" / "six-link.yaml")
+    table = planes.cycle(scene, ["v_C"], phi=[90, 150])
+    assert table.failed[0] and np.isnan(table["v_C_x"][0]) and not table.failed[1]
+    with pytest.raises(planes.PlanesError):
+        planes.solve(scene, phi=90)
+    assert len(planes.solve(scene, [90, 150]).failed) == 1
+    with pytest.raises(planes.PlanesError, match="--s"):
+        planes.solve(scene, s=0.1)
+
+
+def test_a_mechanism_built_in_python() -> None:
+    points = {"A": 0j, "D": 0.3 + 0j}
+    shapes = {"1": {"A": 0j, "B": 0.1}, "2": {"B": 0j, "C": 0.3}, "3": {"D": 0j, "C": 0.25}}
+    links = {name: Link(name, shape) for name, shape in shapes.items()}
+    built = Mechanism(Link("0", points), MappingProxyType(links), Drive("1", "phi", 60.0, 10.0),
+                      assembly={"C": Assembly("left")})
+    scene = planes.Scene.of(built, "four-bar")
+    assert abs(planes.solve(scene).v["B"]) == pytest.approx(1.0)
+    assert planes.loads(scene.to_yaml()).mechanism == scene.mechanism
+    with pytest.raises(planes.PlanesError, match="two ways"):
+        planes.solve(planes.Scene.of(replace(built, assembly={})))
+
+
+@pytest.mark.parametrize("path", SAMPLES, ids=lambda p: p.stem)
+def test_a_scene_written_as_yaml_is_the_same_scene(path: Path) -> None:
+    scene = planes.load(path)
+    if scene.mechanism is None:
+        with pytest.raises(planes.PlanesError):
+            scene.to_yaml()
+        return
+    again = planes.loads(scene.to_yaml())
+    for name in ("mechanism", "mu", "find", "title", "note", "missing", "sheet", "frame_number", "parameters"):
+        assert getattr(again, name) == getattr(scene, name), name
+
+
+def test_things_show_themselves_shortly() -> None:
+    scene = planes.load(FOUR_BAR)
+    here = planes.solve(scene)
+    things = [scene, here, planes.solve(scene, [0, 1]), planes.cycle(scene, phi=[0]), planes.picture(here)]
+    assert all(len(repr(thing)) < 200 for thing in things)
+    for thing in (scene, here, here.drawing, planes.picture(scene, "velocity-plan")):
+        assert (thing._repr_svg_() or "").startswith("<svg")
+
+
+def test_the_language_is_the_locales(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = planes.load(FOUR_BAR)
+    for locale, lang in (("ru_RU.UTF-8", "ru"), ("C", "en")):
+        monkeypatch.setenv("LC_ALL", locale)
+        assert planes.picture(scene).lang == lang
+        assert planes.lesson(scene).lang == lang
+
+
+def test_a_drawing_is_checked(tmp_path: Path) -> None:
+    scene = planes.load(FOUR_BAR)
+    planes.sheet(scene, tmp_path / "v.svg", view="velocity-plan", lang="en")
+    found = planes.check(scene, tmp_path / "v.svg", "velocity")
+    assert (found.verdict, found.first_wrong) == ("right", None) and "right" in repr(found)
+    assert planes.check(scene, tmp_path / "v.svg", "acceleration").verdict != "right"
+    with pytest.raises(planes.PlanesError, match="velocity"):
+        planes.check(scene, tmp_path / "v.svg", "speed")
+
+
+def test_a_sheet_is_written(tmp_path: Path) -> None:
+    scene = planes.load(FOUR_BAR)
+    drawn = planes.sheet(scene, tmp_path / "v.svg", view="velocity-plan", lang="en")
+    assert (tmp_path / "v.svg").read_text("utf-8").startswith("<?xml") and len(repr(drawn)) < 200
+    planes.lesson(scene, tmp_path / "lesson.html")
+    assert "<html" in (tmp_path / "lesson.html").read_text("utf-8")
