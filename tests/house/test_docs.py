@@ -1,0 +1,42 @@
+"""The pages of docs/ say what the program does: their scenes solve, their names are those of the tables."""
+
+from __future__ import annotations
+
+import json
+import re
+
+import pytest
+
+import planes
+from planes.scene import _COMMON, _MECHANISM, _VECTORS
+from planes.words import TABLE
+from tests.helpers import ROOT
+
+SCENE, JSON, CHECKING = ((ROOT / "docs" / f"{name}.md").read_text("utf-8") for name in ("scene", "json", "checking"))
+SCENES = re.findall(r"```yaml\n(.*?)```", SCENE, re.S)
+
+
+@pytest.mark.parametrize("text", SCENES, ids=["mechanism", "vectors"])
+def test_the_scenes_of_the_format_are_read(text: str) -> None:
+    scene = planes.loads(text)
+    if scene.mechanism:
+        assert planes.solve(scene).omega["2"] == pytest.approx(8.12247, abs=1e-5)
+
+
+def test_every_part_of_a_scene_is_described() -> None:
+    known = {*_COMMON, *_MECHANISM, *_VECTORS} - {"note", "text", "missing", "sheet", "crank_slider"}
+    assert not {key for key in known if not re.search(rf"\b{key}\b", SCENE)}
+
+
+def test_the_object_has_the_keys_that_are_printed() -> None:
+    told = json.loads(re.search(r"```json\n(.*?)```", JSON, re.S)[1])  # type: ignore[index]
+    solved = planes.solve(planes.load(ROOT / "samples" / "six-link.yaml"), [150.0]).json()
+    assert set(told) == set(solved)
+    assert set(told["positions"][0]) == set(solved["positions"][0])
+    assert set(told["positions"][0]["plans"]["velocity"]) == set(solved["positions"][0]["plans"]["velocity"])
+
+
+def test_every_mistake_has_its_name() -> None:
+    listed = CHECKING[CHECKING.index("- position:") : CHECKING.index("**Names of marks")]
+    told = set(re.findall(r"`([a-z0-9]+(?:_[a-z0-9]+)+)`", listed))
+    assert told == {key.removeprefix("mistake_") for key in TABLE if key.startswith("mistake_")}
