@@ -45,6 +45,8 @@ def test_a_change_point_is_carried_on_from_the_side_the_driver_comes() -> None:
     assert p.results["links"]["3"]["omega"] == pytest.approx(10)
     assert p.results["links"]["1"]["angle_deg"] == pytest.approx(180)
     assert p.results["points"]["C"]["r"] == pytest.approx([0.2, 0], abs=1e-3)
+    assert p.value("r_C") == p.r["C"] == complex(*p.results["points"]["C"]["r"])
+    assert p.value("phi_1") == p.results["links"]["1"]["angle_deg"]
     assert "carried on from 170° and 175°" in p.results["warnings"][0]
 
 
