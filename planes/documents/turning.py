@@ -71,8 +71,7 @@ class Motion:
         points = {p: (rows[f"r_{p}_x"] + 1j * rows[f"r_{p}_y"]).tolist() for p in self.plans.points}
         angles = {q.of: rows[q.name].tolist() for q in self.quantities if q.key == "angle_deg"}
         works = np.isfinite(sum(rows.values())).tolist()
-        one = lambda found, k: {name: row[k] for name, row in found.items()}  # noqa: E731
-        return [Placed(one(points, k), one(angles, k)) if ok else None for k, ok in enumerate(works)]
+        return [Placed(_at(points, k), _at(angles, k)) if ok else None for k, ok in enumerate(works)]
 
     def curves(self, rows: Rows) -> tuple[Curve, ...]:
         """Place, from its least, and rates of the driven link."""
@@ -92,6 +91,10 @@ class Motion:
         between = [(v, p) for v, p in zip(extreme, places, strict=True) if not _close(p)]
         primed = self.places(self.rows([v for v, _ in between])) if between else []
         return found + [Numbered(f"{int(p)}′", r, True) for (_, p), r in zip(between, primed, strict=True)]
+
+
+def _at(rows: Mapping[str, Sequence[Any]], k: int) -> dict[str, Any]:
+    return {name: row[k] for name, row in rows.items()}
 
 
 def _close(number: float) -> bool:

@@ -41,7 +41,7 @@ def test_errors_have_the_shape_of_results_and_hold(name: str) -> None:
     errors = leaves(p.results["errors"])
     found = {k: v for k, v in leaves(p.results).items() if k[0] not in ("phi_deg", "s", "warnings", "errors", "plans")}
     assert {k for k in found if k[-1] != "guide"} == {k for k in errors if k[0] != "plans"}
-    given = {**p.plans.given, **p.scales, p.plans.drive_given: p.value}
+    given = {**p.plans.given, **p.scales, p.plans.drive_given: p.at}
     reader = Exactly(p.plans, run(p.plans.program, given, Digits(50)), p.scales)
     truth = leaves(nested(map(reader.read, results_of(p.plans))))
     for way, error in errors.items():
