@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from planes.plans import Plans
 from planes.plans.loads import force_name
@@ -20,8 +19,7 @@ MOTION = ("points", "links", "slides")
 GROUPS = (*MOTION, "reactions")
 
 
-@dataclass(frozen=True)
-class Column:
+class Column(NamedTuple):
     """One number: a value by its name, or the ``part`` ("x", "y", "size") of the segment from ``start`` to ``end``.
 
     A value with ``beside`` (a normal force, then the marks of its plan) is empty where that force is nothing.
@@ -65,8 +63,7 @@ class Column:
         return abs(things[normal]) <= 1e-12 * largest / things[mu_of(plan_of(marks[0]))]
 
 
-@dataclass(frozen=True)
-class Quantity:
+class Quantity(NamedTuple):
     """One thing that can be asked for: the ``key`` ("v", "omega"; a segment's name) ``of`` a point, link, reaction or
     plan, and its columns: one of a number, two of a vector, four of a sliding pair's reaction."""
 
@@ -84,17 +81,16 @@ class Quantity:
     @property
     def needs(self) -> tuple[str, ...]:
         """The names of the program it is found from."""
-        return tuple(dict.fromkeys(n for c in self.columns for n in replace(c, beside=c.beside[:1]).needs))
+        return tuple(dict.fromkeys(n for c in self.columns for n in c._replace(beside=c.beside[:1]).needs))
 
     @property
     def whole(self) -> Column:
         """The one number a person writes down for it: of a vector, its size."""
         first = self.columns[0]
-        return replace(first, part="size") if first.part else first
+        return first._replace(part="size") if first.part else first
 
 
-@dataclass(frozen=True)
-class Measured:
+class Measured(NamedTuple):
     """What a quantity is found to be: a number for each of its columns, None for the arm of no normal force."""
 
     quantity: Quantity
@@ -147,15 +143,14 @@ def nested(found: Iterable[Measured], groups: Iterable[str] = ()) -> dict[str, A
 def catalogue(plans: Plans) -> dict[str, Quantity]:
     """Every quantity of a mechanism by the name a student writes: v_C, a_H, omega_2, F_21, M_1, v_CB…"""
     found: dict[str, Quantity] = {}
-    for part in (_of_points, _of_links, _of_slides, _of_reactions, _balancing, _segments):
-        for quantity in part(plans):
-            found.setdefault(quantity.name, quantity)
+    for quantity in (*_results(plans), *_segments(plans)):
+        found.setdefault(quantity.name, quantity)
     return found
 
 
 def results_of(plans: Plans, wanted: Iterable[Quantity] | None = None) -> list[Quantity]:
     """The quantities wanted (None: all) that are not bare segments of plans, each once."""
-    return once(q for q in (catalogue(plans).values() if wanted is None else wanted) if q.group != "plans")
+    return once(_results(plans) if wanted is None else (q for q in wanted if q.group != "plans"))
 
 
 def once(quantities: Iterable[Quantity]) -> list[Quantity]:
@@ -176,6 +171,11 @@ def asked(plans: Plans, find: Iterable[str], file: str = "") -> list[Quantity]:
             raise SceneError(Phrase("no_quantity", name=name, valid=choices(name, known)), file, line)
         chosen.append(known[name])
     return chosen
+
+
+def _results(plans: Plans) -> Iterator[Quantity]:
+    for part in (_of_points, _of_links, _of_slides, _of_reactions, _balancing):
+        yield from part(plans)
 
 
 def _vector(name: str, unit: str, ends: tuple[str, str] | None) -> tuple[Column, ...]:
