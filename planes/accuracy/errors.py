@@ -10,12 +10,13 @@ from typing import Any
 from planes.accuracy.spread import Spread
 from planes.batch import Cycle
 from planes.batch.claims import Claims
-from planes.batch.columns import Column, Ready, columns_of
+from planes.batch.columns import Ready
 from planes.drafting.draft import Segment
 from planes.drafting.instruments import Instrument, Pencil
 from planes.drafting.program import Program
 from planes.plans import Plans
-from planes.plans.measuring import Quantity, Reader, catalogue
+from planes.plans.measuring import Reader
+from planes.plans.quantities import Column, Measured, Quantity, nested, results_of
 from planes.solving import Position, Solved, plans_of
 from planes.solving.vectors import PLAN, VectorResults
 from planes.words.names import at, mu_of
@@ -28,12 +29,10 @@ class Errors:
     """The ± of results of one mechanism: a bound for an exact drawing, one standard deviation for a pencil's."""
 
     def __init__(self, plans: Plans, wanted: Iterable[Quantity] | None, position: Position, by: Instrument | None):
-        asked = catalogue(plans).values() if wanted is None else wanted
-        chosen = [q for q in asked if q.path[0] != "plans"]
-        self.quantities = {q.path: columns_of(plans, [q]) for q in chosen}
-        reader = Reader(plans, position.drawing, dict(position.scales))
+        self.quantities = results_of(plans, wanted)
+        reader = Reader(plans, position.drawing, position.scales)
         self.segments = {f"{p}:{k}": s for p in plans.drawn for k, s in reader.plan_segments(p).items()}
-        columns = {c.name: c for found in self.quantities.values() for c in found}
+        columns = {c.name: c for q in self.quantities for c in q.columns}
         columns |= {name: _length(name, s) for name, s in self.segments.items()}
         self.cycle = Cycle(plans, known=position.scales, columns=columns.values())
         self.ruler_mm, self.claims = _ruler_mm(by), _claims(self.cycle, by, plans.off)
@@ -43,12 +42,7 @@ class Errors:
         self.cycle.given.update(position.scales)
         rows = self.claims.bounds([position.at])[:, 0]
         bounds = {c.name: float(x) for c, x in zip(self.cycle.columns, rows, strict=True)}
-        out: dict[str, Any] = {}
-        for path, columns in self.quantities.items():
-            within = out
-            for key in path[:-1]:
-                within = within.setdefault(key, {})
-            within[path[-1]] = _shaped(columns, bounds)
+        out = nested(Measured(q, tuple(_finite(bounds[c.name]) for c in q.columns)) for q in self.quantities)
         drawn = position.results.get("plans", {})
         if drawn:
             out["plans"] = {p: {"segments": self._segments(p, drawn[p], position, bounds)} for p in drawn}
@@ -120,14 +114,6 @@ def _measured(bound: float, mu: float, ruler_mm: float) -> dict[str, float | Non
 
 def _length(name: str, s: Segment) -> Column:
     return Column(name, "", "", at(s.plan, s.start), at(s.plan, s.end), "size")
-
-
-def _shaped(columns: list[Column], bounds: Bounds) -> Any:
-    """A number for one column, [x, y] for two, a sliding pair's force, arm and moment for four."""
-    numbers = [_finite(bounds[c.name]) for c in columns]
-    if len(numbers) == 4:
-        return {"force": numbers[:2], "arm": numbers[2], "moment": numbers[3]}
-    return numbers if len(numbers) == 2 else numbers[0]
 
 
 def _finite(x: float) -> float | None:

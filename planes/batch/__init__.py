@@ -15,7 +15,7 @@ import numpy as np
 
 from planes.batch import fused
 from planes.batch.claims import Claims
-from planes.batch.columns import Column, columns_of
+from planes.batch.columns import columns_of
 from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
 from planes.drafting.clearness import clear, far_apart
 from planes.drafting.drawing import run
@@ -23,7 +23,7 @@ from planes.drafting.instruments import Exact, Instrument
 from planes.drafting.program import Program
 from planes.drafting.proofs import Twofold
 from planes.plans import Plans
-from planes.plans.measuring import asked
+from planes.plans.quantities import Column, asked
 from planes.plans.scales import unit_scales
 from planes.words import Phrase
 from planes.words.errors import ProgramError, choices

@@ -13,7 +13,7 @@ from planes.check.grading.grading import Grading, grade, readable
 from planes.check.grading.handwork import Hand, Taken, Variant
 from planes.check.grading.paper import Paper
 from planes.check.grading.slips import Figure
-from planes.plans.measuring import catalogue
+from planes.plans.quantities import catalogue
 from planes.plans.scales import kind_of
 from planes.words import Phrase, Written
 from planes.words.errors import PlanesError
@@ -236,7 +236,7 @@ def _segment_scales(bench: Bench, figures: list[Figure]) -> list[float]:
 def _results(out: Outcome) -> None:
     bench = out.bench
     known = catalogue(bench.plans)
-    figures, unknown = result_figures(bench.plans, known, out.paper.results)
+    figures, unknown = result_figures(known, out.paper.results)
     out.notes += [Phrase("check_unknown", names=", ".join(unknown))] if unknown else []
     if not figures:
         return

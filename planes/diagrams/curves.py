@@ -17,6 +17,7 @@ import numpy as np
 from planes.diagrams.driven import driven
 from planes.plans import Plans
 from planes.plans.loads import force_name
+from planes.plans.quantities import MOTION, results_of
 from planes.scene.mechanism import FRAME
 
 Sample = Mapping[str, Any]
@@ -168,15 +169,12 @@ def _rates(plans: Plans) -> Iterator[Curve]:
 
 
 def _forces(plans: Plans) -> Iterator[Curve]:
-    for r in plans.reactions.values():
-        yield from _vector(r.key, "N", "force", r.key)
-        if r.pair.kind == "P":
-            yield _scalar(f"{r.key}_arm", "m", "force", f"{r.key}_arm")
-            yield _scalar(f"{r.key}_moment", "N·m", "force", f"{r.key}_moment")
-    letter, unit = ("M", "N·m") if plans.mechanism.drive.kind == "phi" else ("Fb", "N")
-    for name in (letter, letter + "Z"):
-        key = f"{name}_{plans.mechanism.drive.link}"
-        yield _scalar(key, unit, "force", key)
+    for q in (q for q in results_of(plans) if q.group not in MOTION):
+        vector = len(q.columns) > 1
+        if vector:
+            yield from _vector(q.name, "N", "force", q.name)
+        for c in q.columns[2:] if vector else q.columns:
+            yield _scalar(c.name, c.unit, "force", c.name)
 
 
 def _turning(plans: Plans) -> list[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -57,7 +57,7 @@ def write_cycle(
     blocks, columns = table.blocks(span, fast=fast), table.columns
     if errors:
         blocks = table.beside(blocks)
-        columns = [*columns, *(replace(c, name=f"± {c.name}") for c in columns)]
+        columns = [*columns, *(c._replace(name=f"± {c.name}") for c in columns)]
     return _written(table, columns, table.reasons, blocks, len(span), output, lang)
 
 

@@ -38,7 +38,7 @@ def over_cycle(
     pieces, at = [(p, turn.sample(p)) for p in runs.pieces()], turn.sample(runs.read_stations())
     curves = tuple(_curve(c, pieces, naming) for c in turn.curves)
     found = tuple(
-        Hodograph(lettered_curve(a.name, naming), a.unit, _known(joined(pieces, a)[1]), _known(a.read(at)))
+        Hodograph(lettered_curve(a.name, naming), a.unit, known(joined(pieces, a)[1]), known(a.read(at)))
         for a in turn.arrows
     )
     return curves, found
@@ -54,11 +54,11 @@ def check_names(scene: Scene, plans: Plans | None) -> None:
         if names and plans:
             from planes.diagrams.curves import arrows_of, curves_of
 
-            known: Mapping[str, object] = curves_of(plans) if key == "diagrams" else arrows_of(plans)
+            there: Mapping[str, object] = curves_of(plans) if key == "diagrams" else arrows_of(plans)
             for n, name in enumerate(names):
-                if name not in known:
+                if name not in there:
                     line = scene.where.get(("sheet", key, str(n)), scene.where.get(("sheet", key)))
-                    why = Phrase("no_curve", name=name, file=f"sheet.{key}", valid=choices(name, known))
+                    why = Phrase("no_curve", name=name, file=f"sheet.{key}", valid=choices(name, there))
                     raise SceneError(why, scene.file, line)
 
 
@@ -79,10 +79,10 @@ def _curve(curve: Any, pieces: Sequence[tuple[Any, Any]], naming: Naming) -> Cur
     if curve.angular:
         values = unwound(values)
     name = lettered_curve(curve.name, naming)
-    return Curve(name.partition("_")[0], curve.unit, _known(values), name, _known(places))
+    return Curve(name.partition("_")[0], curve.unit, known(values), name, known(places))
 
 
-def _known(values: Any) -> tuple[Any, ...]:
+def known(values: Any) -> tuple[Any, ...]:
     """Plain numbers, None where there are none."""
     return tuple(None if v != v else v for v in values.tolist())
 

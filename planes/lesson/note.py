@@ -10,11 +10,11 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
-from typing import Any
 
 from planes.lesson import Frame, Teller, mu_said, value_of
 from planes.lesson.formulas import fill, number, unit
 from planes.plans.measuring import say_plan
+from planes.plans.quantities import Measured
 from planes.plans.scales import kind_of
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME
@@ -179,31 +179,31 @@ class Note:
 
     def results(self) -> Iterator[Block]:
         """Tables of what was found, and what must be known of it."""
-        r = self.position.results
+        p = self.position
         yield Heading(self.say("note_results"))
         v, a, w, e, n = (unit(x, self.lang) for x in ("v", "a", "omega", "epsilon", "F"))
         angle = self.say("angle")
         head: tuple[str, ...] = (self.say("point"), f"v, {v}", angle, f"a, {a}", angle)
-        rows = [(f"⟨{p}⟩", *self.vector(x.get("v")), *self.vector(x.get("a"))) for p, x in r.get("points", {}).items()]
+        rows = [(f"⟨{n}⟩", *self.vector(x.get("v")), *self.vector(x.get("a"))) for n, x in p.rows("points").items()]
         yield from self.table("note_points_table", head, rows)
         head = (self.say("link"), f"ω, {w}", f"ε, {e}")
-        shown = [(k, *(self.number(x.get(i)) for i in ("omega", "epsilon"))) for k, x in r.get("links", {}).items()]
+        shown = [(k, *(self.number(x.get(i)) for i in ("omega", "epsilon"))) for k, x in p.rows("links").items()]
         yield from self.table("note_links_table", head, [row for row in shown if row[0] != FRAME])
-        forces = [(k, x["force"] if isinstance(x, dict) else x) for k, x in r.get("reactions", {}).items()]
-        if any(any(abs(c) > NOISE for c in f) for _, f in forces):
+        forces = list(p.of("reactions").items())
+        if any(max(abs(f.vector.real), abs(f.vector.imag)) > NOISE for _, f in forces):
             head = (self.say("reaction"), f"|F|, {n}", angle)
             yield from self.table("note_reactions_table", head, [(f"⟨{k}⟩", *self.vector(f)) for k, f in forces])
-        for warning in r.get("warnings", []):
+        for warning in p.results["warnings"]:
             yield Prose(self.say("note_warning", text=warning.rstrip(".")))
 
-    def vector(self, xy: Any) -> tuple[str, str]:
+    def vector(self, found: Measured | None) -> tuple[str, str]:
         """Size and direction."""
-        if xy is None:
+        if found is None:
             return "—", "—"
-        z = complex(*xy)
+        z = found.vector
         if abs(z) <= 1e-9:
             return "0", "—"
         return number(abs(z), self.lang), number(round(math.degrees(cmath.phase(z)), 1), self.lang)
 
-    def number(self, size: float | None) -> str:
-        return "—" if size is None else number(0.0 if abs(size) <= 1e-9 else size, self.lang)
+    def number(self, found: Measured | None) -> str:
+        return "—" if found is None else number(0.0 if abs(found.number) <= 1e-9 else found.number, self.lang)

@@ -10,7 +10,8 @@ from typing import Any
 from planes.drafting.drawing import Drawing, proved, run
 from planes.drafting.instruments import PENCILS, Instrument, Pencil
 from planes.plans import Plans, sliced, state
-from planes.plans.measuring import Quantity, Reader, asked
+from planes.plans.measuring import Reader
+from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, results_of
 from planes.plans.scales import FIT_MM, scales
 from planes.plans.structure import Structure
 from planes.scene import Scene
@@ -25,7 +26,8 @@ TOLD = 20  # for how many failed positions the nearest working one is looked for
 
 @dataclass(frozen=True)
 class Position(Pictured):
-    """One position drawn: where the drive is (``at``: degrees, or m), its plans and drawing, scales, and results.
+    """One position drawn: where the drive is (``at``: degrees, or m), its plans, drawing and scales, what was found,
+    and ``results``: the same as the JSON has it, with what was measured on the plans and what is warned of.
 
     Everything by name: ``r``, ``v``, ``a`` of points are complex (x + iy in m, m/s, m/s²), ``omega`` and ``epsilon`` of
     links in rad/s and rad/s²; :meth:`value` takes any name that ``find:`` takes.
@@ -35,46 +37,62 @@ class Position(Pictured):
     plans: Plans
     drawing: Drawing
     scales: Mapping[str, float]
+    found: tuple[Measured, ...]
     results: dict[str, Any]
 
     @property
     def r(self) -> dict[str, complex]:
         """Places of points, m."""
-        return self._of_points("r")
+        return self._vectors("r")
 
     @property
     def v(self) -> dict[str, complex]:
         """Velocities of points, m/s."""
-        return self._of_points("v")
+        return self._vectors("v")
 
     @property
     def a(self) -> dict[str, complex]:
         """Accelerations of points, m/s²."""
-        return self._of_points("a")
+        return self._vectors("a")
 
-    def _of_points(self, letter: str) -> dict[str, complex]:
-        return {name: complex(*found[letter]) for name, found in self.results["points"].items() if letter in found}
+    def _vectors(self, letter: str) -> dict[str, complex]:
+        return {name: found.vector for name, found in self.of("points", letter).items()}
 
     @property
     def omega(self) -> dict[str, float]:
         """Angular velocities of links, rad/s, counter-clockwise positive."""
-        return {name: found["omega"] for name, found in self.results["links"].items() if "omega" in found}
+        return {name: found.number for name, found in self.of("links", "omega").items()}
 
     @property
     def epsilon(self) -> dict[str, float]:
         """Angular accelerations of links, rad/s²."""
-        return {name: found["epsilon"] for name, found in self.results["links"].items() if "epsilon" in found}
+        return {name: found.number for name, found in self.of("links", "epsilon").items()}
 
-    def value(self, name: str) -> Any:
+    def of(self, group: str, key: str = "") -> dict[str, Measured]:
+        """What was found of one kind ("points", "v"; "reactions"), by the name of the point, link or reaction."""
+        return {f.quantity.of: f for f in self.found if (f.quantity.group, f.quantity.key) == (group, key)}
+
+    def rows(self, group: str) -> dict[str, dict[str, Measured]]:
+        """What was found of every point, link or slide, by its name and the key."""
+        rows: dict[str, dict[str, Measured]] = {}
+        for f in self.found:
+            if f.quantity.group == group:
+                rows.setdefault(f.quantity.of, {})[f.quantity.key] = f
+        return rows
+
+    def number(self, group: str) -> float | None:
+        """A balancing load, where it was asked."""
+        return next((f.number for f in self.of(group).values()), None)
+
+    def value(self, name: str) -> float | complex:
         """A quantity by the name ``find:`` has for it: a number in SI, complex for a vector.
 
         Raises :class:`SceneError` that names those there are.
         """
         (quantity,) = asked(self.plans, [name])
-        reader = Reader(self.plans, self.drawing, dict(self.scales))
-        found = reader.read(quantity)
-        found = found["force"] if isinstance(found, dict) else found
-        return complex(*found) if isinstance(found, list) else found
+        known = (f for f in self.found if f.quantity.path == quantity.path)
+        found = next(known, None) or Reader(self.plans, self.drawing, self.scales).read(quantity)
+        return found.number if len(found.numbers) == 1 else found.vector
 
     def __repr__(self) -> str:
         drive = self.plans.mechanism.drive
@@ -176,14 +194,23 @@ def position(
     drawing = run(plans.program, given, instrument)
     proved(plans.program, given)  # a pencil's errors prove nothing: what he was to draw must hold
     reader = Reader(plans, drawing, mus)
-    results: dict[str, Any] = {key_of(plans): value, **reader.results(wanted)}
+    found = tuple(map(reader.read, results_of(plans, wanted)))
+    results = {key_of(plans): value, **as_json(plans, found, GROUPS if wanted is None else ())}
     names = None if wanted is None else {n for q in wanted for n in (q.name, q.path[-1])}
     errors = pencil_errors(plans, given, instrument, reader) if isinstance(instrument, Pencil) else None
     drawn = reader.plans(names, errors)
     if drawn or wanted is None:
         results["plans"] = drawn
     results["warnings"] = warnings(reader, wanted, given, lang)
-    return Position(value, plans, drawing, mus, results)
+    return Position(value, plans, drawing, mus, found, results)
+
+
+def as_json(plans: Plans, found: Iterable[Measured], groups: Iterable[str] = ()) -> dict[str, Any]:
+    """What was found as the JSON has it: of a slider its guide too."""
+    out = nested(found, groups)
+    for link, one in out.get("slides", {}).items():
+        out["slides"][link] = {"guide": plans.velocity_slides[link].guide, **one}
+    return out
 
 
 def pencil_errors(plans: Plans, given: Mapping[str, Any], pencil: Pencil, reader: Reader) -> dict[str, float]:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
 from planes.drafting.instruments import Instrument
 from planes.plans import Plans
-from planes.plans.measuring import BLUNT, Quantity, Reader, say_plan
+from planes.plans.measuring import BLUNT, Reader, say_plan
+from planes.plans.quantities import MOTION, Column, Measured, Quantity
 from planes.plans.scales import FIT_MM, extent, kind_of
 from planes.scene import Scene
-from planes.solving import Position, Solved, failed, key_of, plans_of, position, told
+from planes.solving import Position, Solved, as_json, failed, key_of, plans_of, position, told
 from planes.solving.nearest import trials
 from planes.words import Lang, say
 from planes.words.errors import PlanFailure
@@ -21,7 +22,6 @@ from planes.words.units import mu_text
 
 ASIDE_DEG, BESIDE_DEG = 5.0, 0.01
 LARGE = 2.0  # times its usual size on the paper: a plan that no longer fits
-MOTION = ("points", "links", "slides")
 APART = 0.25  # neighbours whose values lead elsewhere than this, relatively, tell nothing
 
 Draw = Callable[[float], Position]
@@ -51,7 +51,7 @@ def rescaled(
 ) -> Position:
     """The position with every stated μ left open whose plan is blunt and does not fit; the same if there is none."""
     large: dict[str, tuple[str, str, float, float]] = {}
-    reader = Reader(p.plans, p.drawing, dict(p.scales))
+    reader = Reader(p.plans, p.drawing, p.scales)
     for plan in p.plans.drawn:
         stated, size = scene.mu.get(kind_of(plan)), extent(p.drawing, plan)
         blunt = {label: s for label, s in reader.sharpness(plan).items() if s < BLUNT}
@@ -111,66 +111,52 @@ def interpolated(plans: Plans, draw: Draw, value: float, why: str, lang: Lang) -
     for key, ((one, first), (two, second), ends) in ways.items():
         try:
             a, b = draw(one), draw(two)
-            found = _blend(_values(a), _values(b), first, second)
-            beside = [_values(draw(v)) for v in ends]
+            found = _blend(a.found, b.found, first, second)
+            beside = [draw(v).found for v in ends]
         except PlanFailure:
             continue
-        steady = {k: v for k, v in found.items() if k in MOTION}
+        steady = tuple(f for f in found if f.quantity.group in MOTION)
         apart = max(_apart(steady, x) for x in beside)
         if apart <= APART:
             loose = max(_apart(found, x) for x in beside) > APART
             found, why = (steady, why + say("remedy_no_forces", lang)) if loose else (found, why)
             low, high = (told(v, drive.kind, lang) for v in (one, two))
             said = say(key, lang, why=why, low=low, high=high, apart=f"{100 * apart:.2g} %")
-            results = {key_of(plans): value, **found, "interpolated": [one, two], "warnings": [said]}
-            return Position(value, plans, b.drawing, b.scales, results)
+            empty = (k for k, v in a.results.items() if v == {} and (k in MOTION or not loose))
+            shaped = as_json(plans, found, empty)
+            results = {key_of(plans): value, **{k: shaped[k] for k in a.results if k in shaped}}
+            results |= {"interpolated": [one, two], "warnings": [said]}
+            return Position(value, plans, b.drawing, b.scales, found, results)
     return None
 
 
-def _values(p: Position) -> dict[str, Any]:
-    return {k: v for k, v in p.results.items() if k not in (key_of(p.plans), "plans", "warnings")}
+def _blend(a: Sequence[Measured], b: Sequence[Measured], one: float, two: float) -> tuple[Measured, ...]:
+    """Sums of all numbers found; angles go the short way round."""
+
+    def blended(c: Column, x: float | None, y: float | None) -> float | None:
+        if x is None or y is None:
+            return None
+        if c.unit == "°":
+            y = x + math.remainder(y - x, 360.0)
+            return math.remainder(one * x + two * y, 360.0)
+        return one * x + two * y
+
+    return tuple(Measured(x.quantity, tuple(map(blended, x.quantity.columns, x.numbers, y.numbers)))
+                 for x, y in zip(a, b, strict=True))  # fmt: skip
 
 
-def _blend(a: Any, b: Any, one: float, two: float, key: str = "") -> Any:
-    """Sums of all numbers of two results; angles go the short way round."""
-    if isinstance(a, dict):
-        return {k: _blend(v, b[k], one, two, k) for k, v in a.items()}
-    if isinstance(a, list):
-        return [_blend(x, y, one, two) for x, y in zip(a, b, strict=True)]
-    if isinstance(a, str) or a is None or b is None:
-        return a if isinstance(a, str) else None
-    if key == "angle_deg":
-        b = a + math.remainder(b - a, 360.0)
-        return math.remainder(one * a + two * b, 360.0)
-    return one * a + two * b
-
-
-def _apart(a: dict[str, Any], b: dict[str, Any]) -> float:
+def _apart(a: Sequence[Measured], b: Sequence[Measured]) -> float:
     """How far two results are apart: the largest difference relative to the largest number of its kind."""
     sizes: dict[str, float] = {}
     gaps: dict[str, float] = {}
-
-    def visit(x: Any, y: Any, kind: str) -> None:
-        if isinstance(x, dict):
-            for k, v in x.items():
-                visit(v, y[k], _kind(kind, k))
-        elif isinstance(x, list):
-            for one, two in zip(x, y, strict=True):
-                visit(one, two, kind)
-        elif isinstance(x, float | int) and isinstance(y, float | int):
-            gap = abs(math.remainder(x - y, 360.0)) if kind == "angle_deg" else abs(x - y)
-            sizes[kind] = max(sizes.get(kind, 0.0), 180.0 if kind == "angle_deg" else abs(y))
+    others = {f.quantity.path: f.numbers for f in b}
+    rows = [(f.quantity, zip(f.quantity.columns, f.numbers, others[f.quantity.path], strict=True)) for f in a]
+    for q, c, x, y in ((q, *row) for q, numbers in rows for row in numbers):
+        if x is not None and y is not None:
+            kind, turns = q.key or f"{q.group} {c.kind}", c.unit == "°"
+            gap = abs(math.remainder(x - y, 360.0)) if turns else abs(x - y)
+            sizes[kind] = max(sizes.get(kind, 0.0), 180.0 if turns else abs(y))
             gaps[kind] = max(gaps.get(kind, 0.0), gap)
-
-    visit(a, b, "")
     for slow, quick in (("epsilon", sizes.get("omega", 0.0) ** 2), ("coriolis", sizes.get("a", 0.0))):
         sizes[slow] = max(sizes.get(slow, 0.0), quick)
     return max((gap / sizes[kind] for kind, gap in gaps.items() if gap > 1e-9 * sizes[kind]), default=0.0)
-
-
-KINDS = ("r", "v", "a", "angle_deg", "omega", "epsilon", "coriolis", "reactions", "arm", "moment")
-
-
-def _kind(outer: str, key: str) -> str:
-    """The kind a number belongs to: the innermost key that names one."""
-    return key if key in KINDS or key.endswith(("_moment", "_force")) else outer

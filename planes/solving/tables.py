@@ -9,12 +9,15 @@ from typing import Any
 
 from planes.drafting.drawing import Drawing
 from planes.plans.measuring import say_plan
+from planes.plans.quantities import Measured
 from planes.plans.self_aligning import Aligned
 from planes.plans.structure import Structure
-from planes.solving import Solved, key_of
+from planes.solving import Position, Solved, key_of
 from planes.solving.vectors import VectorResults
 from planes.words import Lang, say
 from planes.words.units import UNIT, mu_text, plan_of_mu, quantity, read_mu
+
+Row = dict[str, Measured]
 
 
 def table(title: str, head: Iterable[str], rows: Iterable[Iterable[str]]) -> list[str]:
@@ -33,22 +36,25 @@ def report(solved: Solved, lang: Lang = "en") -> str:
     s = solved.plans.structure
     lines = [solved.scene.title.get(lang, ""), f"W = {s.W}, q = {s.q}, {s.formula}"]
     for p in solved.positions:
-        lines += _position(p.results, key_of(solved.plans), lang, solved.plans.mechanism.drive.link)
+        lines += _position(p, key_of(solved.plans), lang)
     if some := next((p for p in solved.positions if "errors" in p.results), None):
         lines += errors_told(True, some.drawing, lang)
     return "\n".join(line for i, line in enumerate(lines) if line or i) + "\n"
 
 
-def _position(r: dict[str, Any], key: str, lang: Lang, driver: str) -> list[str]:
-    head = f"φ = {r[key]:.10g}°" if key == "phi_deg" else f"s = {r[key]:.10g} {say('m', lang)}"
+def _position(p: Position, key: str, lang: Lang) -> list[str]:
+    r = p.results
+    head = f"φ = {p.at:.10g}°" if key == "phi_deg" else f"s = {p.at:.10g} {say('m', lang)}"
     lines = ["", f"— {head} —"]
     e: dict[str, Any] | None = r.get("errors")
-    lines += _points(r.get("points", {}), lang, e) + _links(r.get("links", {}), lang, e, driver)
-    lines += _slides(r.get("slides", {}), lang, e)
+    lines += _points(p.rows("points"), lang, e) + _links(p.rows("links"), lang, e, p.plans.mechanism.drive.link)
+    lines += _slides(p, lang, e)
     for name, plan in r.get("plans", {}).items():
         if name != "position" and any(s["mm"] for s in plan["segments"].values()):
             lines += _plan(name, plan, lang, e)
-    lines += _reactions(r.get("reactions", {}), lang, e) + _balance(r, lang)
+    forces = p.of("reactions")
+    if not forces or any(any(f.numbers[:2]) or f.moment for f in forces.values()):
+        lines += _reactions(forces, lang, e) + _balance(p, lang)
     return lines + [f"! {w}" for w in r["warnings"]]
 
 
@@ -59,17 +65,18 @@ def _number(value: float | None, beside: float = 0.0) -> str:
     return quantity(0.0 if abs(value) <= 1e-12 * beside else value)
 
 
-def _largest(things: Iterable[Any], key: str) -> float:
+def _largest(things: Iterable[Row], key: str) -> float:
     """The largest size of ``key`` among results."""
-    found = [t[key] for t in things if key in t]
-    return max((math.hypot(*v) if isinstance(v, list) else abs(v) for v in found), default=0.0)
+    found = [t[key].numbers for t in things if key in t]
+    return max((math.hypot(*(x for x in v if x is not None)) for v in found), default=0.0)
 
 
-def _vector(v: list[float] | None, beside: float = 0.0) -> tuple[str, str]:
+def _vector(found: Measured | None, beside: float = 0.0) -> tuple[str, str]:
     """Size and direction in degrees of a vector."""
-    if v is None:
-        return "", ""
-    z = complex(*v)
+    return ("", "") if found is None else _directed(found.vector, beside)
+
+
+def _directed(z: complex, beside: float) -> tuple[str, str]:
     if abs(z) <= 1e-12 * beside:
         return "0", "—"
     angle = round(math.degrees(cmath.phase(z)), 2)
@@ -90,11 +97,11 @@ def error_of(errors: dict[str, Any] | None, *path: str) -> list[str]:
     return [f"{size:.1e}" if size else "0"]
 
 
-def _points(points: dict[str, Any], lang: Lang, e: dict[str, Any] | None) -> list[str]:
+def _points(points: dict[str, Row], lang: Lang, e: dict[str, Any] | None) -> list[str]:
     far, fast, quick = (_largest(points.values(), key) for key in ("r", "v", "a"))
     rows = []
     for name, p in points.items():
-        x, y = (_number(c, far) for c in p["r"]) if "r" in p else ("", "")
+        x, y = (_number(c, far) for c in p["r"].numbers) if "r" in p else ("", "")
         r, v, a = (error_of(e, "points", name, letter) for letter in "rva")
         rows.append([name, x, y, *r, *_vector(p.get("v"), fast), *v, *_vector(p.get("a"), quick), *a])
     m, speed, rate = say("m", lang), say("m/s", lang), say("m/s²", lang)
@@ -108,7 +115,7 @@ def pm(errors: dict[str, Any] | None) -> list[str]:
     return [] if errors is None else ["±"]
 
 
-def _links(links: dict[str, Any], lang: Lang, e: dict[str, Any] | None, driver: str) -> list[str]:
+def _links(links: dict[str, Row], lang: Lang, e: dict[str, Any] | None, driver: str) -> list[str]:
     """Rates of the driver are given: beside whatever else, they are no nothing."""
     keys = ("angle_deg", "omega", "epsilon")
     spin = _largest(links.values(), "omega")
@@ -116,27 +123,28 @@ def _links(links: dict[str, Any], lang: Lang, e: dict[str, Any] | None, driver: 
     rows = []
     for n, v in links.items():
         most = dict.fromkeys(keys, 0.0) if n == driver else beside
-        cells = ([_number(v[k], most[k]) if k in v else "", *error_of(e, "links", n, k)] for k in keys)
+        cells = ([_number(v[k].number, most[k]) if k in v else "", *error_of(e, "links", n, k)] for k in keys)
         rows.append([n, *(c for cell in cells for c in cell)])
     head = ["", "φ, °", *pm(e), f"ω, {say('rad/s', lang)}", *pm(e), f"ε, {say('rad/s²', lang)}", *pm(e)]
     return table(say("links", lang), head, rows)
 
 
-def _slides(slides: dict[str, Any], lang: Lang, e: dict[str, Any] | None) -> list[str]:
-    rows, fast, quick = [], _largest(slides.values(), "v"), _largest(slides.values(), "a")
+def _slides(p: Position, lang: Lang, e: dict[str, Any] | None) -> list[str]:
+    slides, rows = p.rows("slides"), []
+    fast, quick = _largest(slides.values(), "v"), _largest(slides.values(), "a")
     for n, v in slides.items():
         numbers: list[str] = []
         for k, most in (("v", fast), ("a", quick)):
-            numbers += [_number(v[k], most) if k in v else "", *error_of(e, "slides", n, k)]
+            numbers += [_number(v[k].number, most) if k in v else "", *error_of(e, "slides", n, k)]
         turn = [_vector(v.get("coriolis"), quick)[0], *error_of(e, "slides", n, "coriolis")]
-        rows.append([n, str(v.get("guide", "")), *numbers, *turn])
+        rows.append([n, p.plans.velocity_slides[n].guide, *numbers, *turn])
     rate, o = say("m/s²", lang), pm(e)
     head = ["", say("guide", lang), f"v, {say('m/s', lang)}", *o, f"a, {rate}", *o, f"aᵏ, {rate}", *o]
     return table(say("slides", lang), head, rows)
 
 
 def _plan(name: str, plan: dict[str, Any], lang: Lang, e: dict[str, Any] | None) -> list[str]:
-    most = _largest(plan["segments"].values(), "value")
+    most = max((abs(s["value"]) for s in plan["segments"].values()), default=0.0)
     rows = []
     for key, s in plan["segments"].items():
         mm, value = (error_of(e, "plans", name, "segments", key, what) for what in ("mm", "value"))
@@ -153,38 +161,27 @@ def say_mu(text: str, lang: Lang) -> str:
     return mu_text(read_mu(text, plan), plan, lang)
 
 
-def _reactions(reactions: dict[str, Any], lang: Lang, e: dict[str, Any] | None) -> list[str]:
-    forces = {name: r["force"] if isinstance(r, dict) else r for name, r in reactions.items()}
-    most = max((math.hypot(*f) for f in forces.values()), default=0.0)
+def _reactions(reactions: dict[str, Measured], lang: Lang, e: dict[str, Any] | None) -> list[str]:
+    most = max((math.hypot(r.vector.real, r.vector.imag) for r in reactions.values()), default=0.0)
     rows, o = [], [""] * len(pm(e))
     for name, r in reactions.items():
-        slides = isinstance(r, dict)
-        force = error_of(e, "reactions", name, *(["force"] if slides else []))
+        force = error_of(e, "reactions", name, *(["force"] if r.slides else []))
         more = ["", *o, "", *o]
-        if slides:
+        if r.slides:
             arm, moment = (error_of(e, "reactions", name, key) for key in ("arm", "moment"))
-            more = [_number(r["arm"], 1.0), *arm, _number(r["moment"], most), *moment]
-        rows.append([name, *(_number(c, most) for c in forces[name]), *_vector(forces[name], most), *force, *more])
-    if not any(map(_pressed, reactions.values())):
-        return []
+            more = [_number(r.arm, 1.0), *arm, _number(r.moment, most), *moment]
+        rows.append([name, *(_number(c, most) for c in r.numbers[:2]), *_vector(r, most), *force, *more])
     n, reach, couple = say("N", lang), f"{say('arm', lang)}, {say('m', lang)}", f"M, {say('N·m', lang)}"
     o = pm(e)
     head = ["", f"x, {n}", f"y, {n}", f"|F|, {n}", "∠°", *o, reach, *o, couple, *o]
     return table(say("reactions", lang), head, rows)
 
 
-def _pressed(r: Any) -> bool:
-    """Whether there is anything in a reaction."""
-    return any(r["force"]) or bool(r["moment"]) if isinstance(r, dict) else any(r)
-
-
-def _balance(r: dict[str, Any], lang: Lang) -> list[str]:
+def _balance(p: Position, lang: Lang) -> list[str]:
     lines: list[str] = []
-    if "reactions" in r and not any(map(_pressed, r["reactions"].values())):
-        return lines
     for what, unit in (("moment", "N·m"), ("force", "N")):
-        found, check = r.get(f"balancing_{what}"), r.get(f"zhukovsky_{what}")
-        own, other = (error_of(r.get("errors"), f"{by}_{what}") for by in ("balancing", "zhukovsky"))
+        found, check = p.number(f"balancing_{what}"), p.number(f"zhukovsky_{what}")
+        own, other = (error_of(p.results.get("errors"), f"{by}_{what}") for by in ("balancing", "zhukovsky"))
         if found is not None:
             number = " ± ".join([_number(found), *own])
             lines.append(f"{say(f'balancing_{what}', lang)}: {number} {say(unit, lang)}")
@@ -231,7 +228,7 @@ def vector_report(results: VectorResults, lang: Lang = "en") -> str:
     most = max(map(abs, found.values()))
     rows = []
     for n, v in found.items():
-        read, angle = results.segment(n), _vector([v.real, v.imag], most)[1]
+        read, angle = results.segment(n), _directed(v, most)[1]
         mm = [f"{read['mm']:.2f}", *error_of(e, "plans", "vectors", "segments", n, "mm")]
         rows.append([n, _number(read["value"], most), angle, *error_of(e, "vectors", n), *mm])
     head = ["", say(UNIT[results.quantity], lang), "∠°", *pm(e), say("mm", lang), *pm(e)]

@@ -7,7 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from planes.drafting.clearness import clear, far_apart
-from planes.plans.measuring import BLUNT, Quantity, Reader, say_plan
+from planes.plans.measuring import BLUNT, Reader, say_plan
+from planes.plans.quantities import Quantity
 from planes.words import Lang, say
 from planes.words.names import plan_of
 
@@ -44,7 +45,7 @@ def _faint(reader: Reader) -> Iterator[str]:
         for point, marks in reader.st.points.items():
             mark = marks.velocity if letter == "v" else marks.acceleration
             if mark in reader.drawing:
-                sizes[point] = abs(reader.number(mark))
+                sizes[point] = abs(reader.drawing[mark])
         limit = NOTHING * max(sizes.values(), default=0.0) / min([1.0, *reader.sharpness(plan).values()])
         yield from (f"{letter}_{point}" for point, size in sizes.items() if 0 < size <= limit)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from planes.solving import Position
 from planes.words import say
@@ -17,7 +16,7 @@ from render.sheet.sizes import Sizes
 from render.views import View, beside, stacked, view
 from render.views.diagrams import SECTIONS, Curve, Diagrams, section_mm
 from render.views.hodograph import Hodograph, hodograph_view
-from render.views.many import Many, Numbered
+from render.views.many import Many, Numbered, Placed
 from render.views.plotted import of_position
 from render.views.scheme import Scheme
 
@@ -25,12 +24,12 @@ from render.views.scheme import Scheme
 @dataclass
 class Project:
     """Both sheets of a scene. ``values`` are the driver's places over its range (``whole``: a turn) and ``turn`` the
-    results there; ``numbered`` are the positions of the scheme; ``curves`` and ``loops`` are the diagrams and
-    hodographs that the scene asks for."""
+    places there; ``numbered`` are the positions of the scheme; ``curves`` and ``loops`` are the diagrams (of the
+    driven link, if the scene asks for no others) and hodographs."""
 
     composer: Composer
     values: Sequence[float] = ()
-    turn: Sequence[dict[str, Any] | None] = ()
+    turn: Sequence[Placed | None] = ()
     numbered: Sequence[Numbered] = ()
     whole: bool = True
     curves: Sequence[Curve] = ()
@@ -122,7 +121,7 @@ class Project:
         if sum(r is not None for r in self.turn) < 3:
             return None
         c, section = self.composer, section_mm(size)
-        found = Diagrams(position.plans, self.values, self.turn, c.naming, self.curves, section, self.whole)
+        found = Diagrams(position.plans, self.values, self.curves, c.naming, section, self.whole)
         return c.once(("diagrams", section), lambda: view("diagrams", found.title, found.drawn(), figure=True))
 
     def hodographs(self) -> View | None:

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 from planes.diagrams.driven import driven
 from planes.plans import Plans
@@ -42,56 +40,21 @@ def section_mm(size: float) -> float:
     return max(w for w in WIDTHS_MM if w <= max(1.0, size) * WIDTHS_MM[0] + 1e-9)
 
 
-def curves(plans: Plans, results: Sequence[dict[str, Any] | None]) -> tuple[Curve, Curve, Curve]:
-    """The three curves of the driven link; its place counts from its least."""
-    link, slides = driven(plans)
-    if not slides:
-        angle, omega, epsilon = (read(results, "links", link, k) for k in ("angle_deg", "omega", "epsilon"))
-        return Curve("φ", "°", unwound(angle)), Curve("ω", "rad/s", omega), Curve("ε", "rad/s²", epsilon)
-    guide = plans.mechanism.guide(plans.mechanism.links[link].slides.guide)  # type: ignore[union-attr]
-    along = complex(math.cos(math.radians(guide.angle_deg)), math.sin(math.radians(guide.angle_deg)))
-    point = plans.mechanism.links[link].first_point
-    places = [None if r is None else (complex(*r["points"][point]["r"]) * along.conjugate()).real for r in results]
-    least = min((p for p in places if p is not None), default=0.0)
-    shifted = tuple(None if p is None else p - least for p in places)
-    v, a = (read(results, "slides", link, k) for k in ("v", "a"))
-    return Curve("s", "m", shifted), Curve("v", "m/s", v), Curve("a", "m/s²", a)
-
-
-def read(results: Sequence[dict[str, Any] | None], kind: str, link: str, key: str) -> tuple[float | None, ...]:
-    """One quantity of a link in every position."""
-    return tuple(None if r is None else float(r[kind][link][key]) for r in results)
-
-
-def unwound(angles: Sequence[float | None]) -> tuple[float | None, ...]:
-    """Angles without jumps of a full turn, counted from their least."""
-    found: list[float | None] = []
-    last: float | None = None
-    for angle in angles:
-        if angle is not None and last is not None:
-            angle -= FULL * round((angle - last) / FULL)
-        found.append(angle)
-        last = angle if angle is not None else last
-    least = min((a for a in found if a is not None), default=0.0)
-    return tuple(None if a is None else a - least for a in found)
-
-
 @dataclass(frozen=True)
 class Diagrams:
     """Diagrams one beneath the other over the driver's range: three of the driven link, or those asked for."""
 
     plans: Plans
     angles: Sequence[float]
-    results: Sequence[dict[str, Any] | None]
+    curves: Sequence[Curve]
     naming: Naming
-    asked: Sequence[Curve] = ()
     section: float = WIDTHS_MM[0]
     whole: bool = True
 
     @property
     def title(self) -> str:
         """What they show."""
-        if self.asked:
+        if any(curve.name for curve in self.curves):
             return say("diagrams_asked", self.naming.lang)
         link, slides = driven(self.plans)
         key = "diagrams_slider" if slides else "diagrams_link"
@@ -101,7 +64,7 @@ class Diagrams:
         """Axes, curves, numbers of positions and scales."""
         marks: list[Mark] = []
         zero, lowest = 0.0, 0.0
-        for curve in self.asked or curves(self.plans, self.results):
+        for curve in self.curves:
             curve = curve if self.whole else cut_off(curve)
             known = [v for v in curve.values if v is not None]
             mu = standard_mu(max(map(abs, known), default=0.0), TALL * self.section)

@@ -65,18 +65,19 @@ class Loading:
 
     def whole_reactions(self) -> None:
         """Every reaction on these links from outside of them, whole, where its line of action passes."""
+        results = self.position.of("reactions")
         for key, found in self.position.plans.reactions.items():
-            pair, result = found.pair, self.position.results.get("reactions", {}).get(key)
+            pair, result = found.pair, results.get(key)
             inside = [x for x in (pair.link, pair.other) if x in self.links]
             if result is None or len(inside) != 1:
                 continue
             turned = inside[0] != pair.link
-            force = complex(*(result["force"] if isinstance(result, dict) else result)) * (-1 if turned else 1)
+            force = result.vector * (-1 if turned else 1)
             name = self.reversed(key) if turned else key
             if self.big(abs(force)):
                 self.force(name, self.seat(key), force / abs(force), from_outside=True)
-            elif isinstance(result, dict) and self.arm(key) is None and abs(result["moment"]) > NOTHING:
-                self.couple(f"MR_{name}", inside[0], result["moment"] * (-1 if turned else 1), 0)
+            elif self.arm(key) is None and abs(result.moment) > NOTHING:
+                self.couple(f"MR_{name}", inside[0], result.moment * (-1 if turned else 1), 0)
 
     def arm(self, key: str) -> float | None:
         """The arm of a slider's reaction, m; None where there is none to speak of."""

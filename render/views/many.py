@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from statistics import median
-from typing import Any
 
 from planes.plans import Plans
 from planes.scene.mechanism import FRAME, Link
@@ -23,11 +22,19 @@ NEAR = 1.8  # and so many times where it grows beyond that: the positions farthe
 
 
 @dataclass(frozen=True)
+class Placed:
+    """A mechanism in one position: where its points are, in m, and how its links are turned, in degrees."""
+
+    points: Mapping[str, complex]
+    angles: Mapping[str, float]
+
+
+@dataclass(frozen=True)
 class Numbered:
-    """One of many positions: its number, its results (None where the mechanism does not work), whether an extreme."""
+    """One of many positions: its number, where it is (None where the mechanism does not work), whether an extreme."""
 
     number: str
-    result: dict[str, Any] | None
+    result: Placed | None
     extreme: bool = False
 
 
@@ -37,12 +44,12 @@ class Many:
 
     plans: Plans
     numbered: Sequence[Numbered]
-    turn: Sequence[dict[str, Any] | None]
+    turn: Sequence[Placed | None]
     mu: float
 
-    def place(self, result: dict[str, Any], point: str) -> complex:
+    def place(self, result: Placed, point: str) -> complex:
         """Where a point stands in a position, on paper."""
-        return complex(*result["points"][point]["r"]) * self.mu
+        return result.points[point] * self.mu
 
     @cached_property
     def reach(self) -> float:
@@ -59,14 +66,14 @@ class Many:
         first, last = self.turn[0], self.turn[-1]
         if not first or not last:
             return False
-        return all(abs(self.place(first, p) - self.place(last, p)) < 0.1 for p in first["points"])
+        return all(abs(self.place(first, p) - self.place(last, p)) < 0.1 for p in first.points)
 
-    def size(self, result: dict[str, Any]) -> float:
+    def size(self, result: Placed) -> float:
         """The largest distance of a point from the driver's pair, on paper."""
         centre = self.place(result, self.plans.mechanism.links[self.plans.mechanism.drive.link].first_point)
-        return max(abs(self.place(result, p) - centre) for p in result["points"])
+        return max(abs(self.place(result, p) - centre) for p in result.points)
 
-    def near(self, result: dict[str, Any] | None) -> bool:
+    def near(self, result: Placed | None) -> bool:
         """Whether a position is there and on the paper."""
         return result is not None and self.size(result) <= self.reach
 
@@ -81,7 +88,7 @@ class Many:
                         found.append(Line(tuple(outline), style, "construction", len(outline) > 2))
         return found + self.paths()
 
-    def outlines(self, link: Link, result: dict[str, Any]) -> list[list[complex]]:
+    def outlines(self, link: Link, result: Placed) -> list[list[complex]]:
         """The bar or plate of a link, as the scheme shows it, and the rods of its guides as far as their sliders."""
         hinged = {p for x in self.links if x is not link for p in x.points}
         joints = [self.place(result, p) for p in link.points if p in hinged or p != link.centre]
@@ -103,18 +110,18 @@ class Many:
         """All links, the frame too."""
         return [self.plans.mechanism.frame, *self.plans.mechanism.links.values()]
 
-    def line(self, guide: str, result: dict[str, Any]) -> tuple[complex, complex]:
+    def line(self, guide: str, result: Placed) -> tuple[complex, complex]:
         """A point of a guide's line and its direction."""
         mechanism = self.plans.mechanism
         owner, given = mechanism.link(mechanism.owner(guide)), mechanism.guide(guide)
         along = cmath.exp(1j * math.radians(given.angle_deg))
         if owner is mechanism.frame:
             return given.through * self.mu, along
-        turn = cmath.exp(1j * math.radians(result["links"][owner.name]["angle_deg"]))
+        turn = cmath.exp(1j * math.radians(result.angles[owner.name]))
         first = owner.first_point
         return self.place(result, first) + (given.through - owner.points[first]) * turn * self.mu, along * turn
 
-    def foot(self, slider: Link, guide: str, result: dict[str, Any]) -> complex:
+    def foot(self, slider: Link, guide: str, result: Placed) -> complex:
         """Where a slider's first point is dropped on its guide."""
         through, along = self.line(guide, result)
         return through + ((self.place(result, slider.first_point) - through) * along.conjugate()).real * along

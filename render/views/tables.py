@@ -178,10 +178,10 @@ class Tables:
     def links(self) -> View | None:
         """ω and ε of every link with their senses."""
         rows = []
-        found = self.position.results.get("links", {})
+        found = self.position.rows("links")
         for name in (x for x in self.position.plans.mechanism.links if x in found):
             r = found[name]
-            cells = [self.turning(r[k]) if k in r else "" for k in ("omega", "epsilon")]
+            cells = [self.turning(r[k].number) if k in r else "" for k in ("omega", "epsilon")]
             if any(cells):
                 rows.append([self.naming.link(name), *cells])
         head = [self.say("column_link"), f"ω, {self.say('rad/s')}", f"ε, {self.say('rad/s²')}"]
@@ -195,10 +195,10 @@ class Tables:
     def reactions(self) -> View | None:
         """Magnitude and direction of every reaction, and a slider's arm."""
         rows, armed = [], False
-        for name, r in self.position.results.get("reactions", {}).items():
-            force = complex(*(r["force"] if isinstance(r, dict) else r))
+        for name, r in self.position.of("reactions").items():
+            force = r.vector
             angle = self.number(math.degrees(cmath.phase(force))) if force else "—"
-            arm = self.number(r["arm"]) if isinstance(r, dict) else ""
+            arm = self.number(r.arm) if r.slides else ""
             armed |= arm not in ("", "0")
             rows.append([self.naming.vector(name), self.number(abs(force)), angle, arm])
         head = ["", self.say("N"), self.say("angle"), self.say("column_arm")]
@@ -209,9 +209,9 @@ class Tables:
 
     def check(self) -> View | None:
         """The balancing moment (or force), Zhukovsky's, and the difference in per cent."""
-        r, rows = self.position.results, []
+        p, rows = self.position, []
         for what, unit in (("moment", "N·m"), ("force", "N")):
-            found, check = r.get(f"balancing_{what}"), r.get(f"zhukovsky_{what}")
+            found, check = p.number(f"balancing_{what}"), p.number(f"zhukovsky_{what}")
             name = self.naming.balancing(what == "moment")
             if found is not None:
                 rows.append([self.say("by_force_plan"), f"{name}, {self.say(unit)}", self.number(found)])

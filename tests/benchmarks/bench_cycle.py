@@ -14,7 +14,7 @@ from conftest import SAMPLES, SCENES, angles, plans
 
 from planes.batch import Cycle
 from planes.drafting.drawing import run
-from planes.plans.measuring import catalogue
+from planes.plans.quantities import MOTION, catalogue
 from planes.scene import load
 from planes.scene.ranges import Span
 from planes.solving import solve
@@ -22,7 +22,6 @@ from planes.solving import solve
 rivals = pytest.importorskip("rivals")
 COUNTS = (360, 100_000)
 LENGTHS = (10**3, 10**4, 10**5, 10**6, 10**7)
-MOTION = ("points", "links", "slides")
 
 
 def timed(benchmark, group: str, what: str, positions: int, work) -> None:
@@ -38,7 +37,7 @@ def through(cycle: Cycle, values, fast: bool) -> None:
 
 def asked(name: str, forces: bool) -> list[str]:
     known = catalogue(plans(name))
-    return [n for n, q in known.items() if q.path[0] in MOTION or (forces and q.path[0] != "plans")]
+    return [n for n, q in known.items() if q.group in MOTION or (forces and q.group != "plans")]
 
 
 @pytest.mark.parametrize("who", ["fused", "hand-written kernel", "arrays", "pylinkage", "kinepy"])

@@ -17,7 +17,7 @@ from planes.drafting.program import Program
 from planes.drafting.steps import Aim, Carry, Cross, LayOff, Put, Step, Through, Turn
 from planes.drafting.steps.reckoning import Calculate, Measure, Product, Protractor
 from planes.plans import Plans, sliced, state
-from planes.plans.measuring import asked
+from planes.plans.quantities import asked
 from planes.scene import loads
 from planes.words.errors import ProgramError
 from tests.helpers.mechanisms import KINDS, make, mechanisms, to_yaml

@@ -18,7 +18,8 @@ from planes.lesson.data import lesson_data
 from planes.lesson.formulas import fill
 from planes.lesson.note import Figure, Heading, Note, Prose, Table
 from planes.plans import state
-from planes.plans.measuring import Reader, catalogue
+from planes.plans.measuring import Reader
+from planes.plans.quantities import catalogue
 from planes.plans.scales import scales
 from planes.scene import load
 from planes.solving import solve
@@ -116,13 +117,12 @@ def test_the_numbers_of_sentences_are_those_that_are_solved(path: Path) -> None:
     for name in needed(frames):
         plain = name.strip("|‖")
         quantity = known.get(plain)
-        if quantity is None or quantity.path[0] == "plans":
+        if quantity is None or quantity.group == "plans":
             continue
-        answer = reader._read(quantity.path)
-        answer = answer["force"] if isinstance(answer, dict) else answer
-        size = abs(complex(*answer)) if isinstance(answer, list) else answer
+        answer = reader.read(quantity)
+        size = answer.number if len(answer.numbers) == 1 else abs(answer.vector)
         own = float(value_of(name, teller, drawing))
-        assert (abs(own) if isinstance(answer, list) else own) == pytest.approx(size, rel=1e-9, abs=1e-9), name
+        assert (own if len(answer.numbers) == 1 else abs(own)) == pytest.approx(size, rel=1e-9, abs=1e-9), name
         compared += 1
     assert compared
 

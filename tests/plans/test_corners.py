@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from planes.drafting.instruments import Pencil
-from planes.plans.measuring import catalogue
+from planes.plans.quantities import catalogue
 from planes.scene import loads
 from planes.solving import plans_of, solve
 from planes.words.errors import SceneError

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from functools import cache
 
+import numpy as np
 import pytest
 import shapely
 
+from planes.diagrams.turn import unwound
 from planes.documents import draw_sheet, sheet_of
+from planes.documents.graphs import known
 from planes.scene import load
 from planes.solving import solve
 from planes.words.errors import PlanesError
@@ -16,8 +20,8 @@ from render.paper import lettering
 from render.paper.marks import Arrow, Line, Text
 from render.paper.names import Naming
 from render.paper.typeset import plain
-from render.views.diagrams import pieces, unwound
-from render.views.many import Many, Numbered
+from render.views.diagrams import pieces
+from render.views.many import Many, Numbered, Placed
 from render.views.scheme import Scheme
 from tests.helpers import ROOT
 from tests.render.test_sheet import clashes
@@ -100,7 +104,8 @@ def test_a_sheet_of_a_project_is_written_by_its_number(tmp_path):
 
 
 def test_angles_are_unwound_and_gaps_split_a_curve():
-    assert unwound([170.0, -170.0, None, -150.0]) == (0.0, 20.0, None, 40.0)
+    angles = unwound([170.0, -170.0, math.nan, -150.0])
+    assert known(angles - np.nanmin(angles)) == (0.0, 20.0, None, 40.0)
     assert pieces([0, 1, 2, 3, 4], [1.0, 2.0, None, 3.0, 4.0]) == [[(0, 1.0), (1, 2.0)], [(3, 3.0), (4, 4.0)]]
 
 
@@ -113,7 +118,8 @@ def test_a_link_in_a_thin_position_has_the_shape_of_the_scheme(name):
     thick = [m for m in (*scheme.bars, *scheme.guides) if isinstance(m, Line)]
     lines = [[*m.points, *m.points[: m.closed]] for m in thick]
     inked = shapely.union_all([shapely.LineString([(z.real, z.imag) for z in line]) for line in lines]).buffer(0.05)
-    many = Many(drawn.plans, [Numbered("1", drawn.results)], [drawn.results], drawn.scales["mu_position"])
+    here = Placed(drawn.r, {name: f.number for name, f in drawn.of("links", "angle_deg").items()})
+    many = Many(drawn.plans, [Numbered("1", here)], [here], drawn.scales["mu_position"])
     for one in many.marks():
         if one.style == "construction":
             line = [(z.real, z.imag) for z in (*one.points, *one.points[: one.closed])]

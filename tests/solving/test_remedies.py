@@ -45,6 +45,8 @@ def test_a_change_point_is_carried_on_from_the_side_the_driver_comes() -> None:
     assert p.results["links"]["3"]["omega"] == pytest.approx(10)
     assert p.results["links"]["1"]["angle_deg"] == pytest.approx(180)
     assert p.results["points"]["C"]["r"] == pytest.approx([0.2, 0], abs=1e-3)
+    assert p.value("r_C") == p.r["C"] == complex(*p.results["points"]["C"]["r"])
+    assert p.value("phi_1") == p.results["links"]["1"]["angle_deg"]
     assert "carried on from 170° and 175°" in p.results["warnings"][0]
 
 
@@ -52,9 +54,9 @@ def test_a_change_point_is_carried_on_from_the_side_the_driver_comes() -> None:
 def test_positions_stay_in_the_order_they_were_asked_in(values: list[float]) -> None:
     solved = solve(loads(PARALLELOGRAM), values)
     failed = [f["phi_deg"] for f in solved.failed]
-    assert failed and [p.value for p in solved.positions] == [v for v in values if v not in failed]
+    assert failed and [p.at for p in solved.positions] == [v for v in values if v not in failed]
     remedy(solved)
-    assert [p.value for p in solved.positions] == [p.results["phi_deg"] for p in solved.positions] == values
+    assert [p.at for p in solved.positions] == [p.results["phi_deg"] for p in solved.positions] == values
 
 
 def test_beyond_a_limit_of_assembly_nothing_is_made_up() -> None:

@@ -11,7 +11,7 @@ from planes.check.grading.handwork import Hand, Variant
 from planes.check.grading.judging import MARGIN
 from planes.check.grading.slips import SHARE, Figure, Scored, Things, first_of, number_mistake
 from planes.plans import Plans
-from planes.plans.measuring import Quantity
+from planes.plans.quantities import Quantity
 from planes.words.names import POLE, at, mu_of, plan_of
 from planes.words.spelling import Names
 
@@ -31,9 +31,9 @@ class Account:
         return next((s for s in self.scored if s.verdict == "wrong"), None)
 
 
-def result_figures(plans: Plans, known: Mapping[str, Quantity], written: Iterable[tuple[str, float, str]]) -> tuple[
-    list[Figure], list[str]
-]:  # fmt: skip
+def result_figures(
+    known: Mapping[str, Quantity], written: Iterable[tuple[str, float, str]]
+) -> tuple[list[Figure], list[str]]:
     """Figures of a table of results, and the names that mean nothing here."""
     names, found, unknown = Names(known, poles=False), [], []
     for text, value, unit in written:
@@ -41,30 +41,15 @@ def result_figures(plans: Plans, known: Mapping[str, Quantity], written: Iterabl
         if name is None:
             unknown.append(text)
             continue
-        found.append(_figure(plans, name, known[name], value * unit_factor(unit)))
+        found.append(_figure(name, known[name], value * unit_factor(unit)))
     return found, unknown
 
 
-def _figure(plans: Plans, name: str, q: Quantity, value: float) -> Figure:
+def _figure(name: str, q: Quantity, value: float) -> Figure:
     """How a quantity of the catalogue is read off a drawing."""
-    if q.path[0] == "points":
-        mark = q.needs[-1]
-        return Figure(name, value, _length(at(plan_of(mark), POLE), mark), False, plan_of(mark))
-    if q.path[0] == "plans":
-        return Figure(name, value, _length(*q.needs[-2:]), False, q.path[1])
-    if q.path[0] == "reactions":
-        r = plans.reactions[q.path[1]]
-        return Figure(name, value, _length(r.start, r.end), False, r.plan)
-    if q.path[-1] == "coriolis" and len(q.needs) >= 2:
-        return Figure(name, value, _length(*q.needs[-2:]), False, "acceleration")
-    one = q.needs[0] if q.needs else ""
-    plan = {"omega": "velocity", "epsilon": "acceleration"}.get(q.path[-1], "")
-    return Figure(name, value, lambda things: things[one] if one else 0.0, True, plan, one)
-
-
-def _length(start: str, end: str) -> Callable[[Things], Any]:
-    mu = mu_of(plan_of(start))
-    return lambda things: abs(things[end] - things[start]) / things[mu]
+    one = q.whole
+    plan = plan_of(one.end) if one.part else {"omega": "velocity", "epsilon": "acceleration"}.get(q.key, "")
+    return Figure(name, value, lambda things: one.take(things, None), not one.part, plan, one.value)
 
 
 def segment_figures(plans: Plans, plan: str, labels: Sequence[str], written: Iterable[tuple[str, float]]) -> tuple[

@@ -1,0 +1,241 @@
+"""What can be asked of a mechanism: quantities by name, their numbers, and how each is taken from what is drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any, NamedTuple
+
+from planes.plans import Plans
+from planes.plans.loads import force_name
+from planes.plans.reactions import Reaction
+from planes.plans.scales import kind_of
+from planes.scene.mechanism import FRAME
+from planes.words import Phrase
+from planes.words.errors import SceneError, choices
+from planes.words.names import POLE, at, mu_of, plan_of
+from planes.words.units import UNIT
+
+MOTION = ("points", "links", "slides")
+GROUPS = (*MOTION, "reactions")
+
+
+class Column(NamedTuple):
+    """One number: a value by its name, or the ``part`` ("x", "y", "size") of the segment from ``start`` to ``end``.
+
+    A value with ``beside`` (a normal force, then the marks of its plan) is empty where that force is nothing.
+    """
+
+    name: str
+    unit: str
+    value: str = ""
+    start: str = ""
+    end: str = ""
+    part: str = ""
+    beside: tuple[str, ...] = ()
+
+    @property
+    def kind(self) -> str:
+        """What it is weighed against: numbers of its unit; an arm, by itself and those like it."""
+        return "arm" if self.beside else self.unit
+
+    @property
+    def needs(self) -> tuple[str, ...]:
+        """The names of the program the column is taken from."""
+        return tuple(n for n in (self.value, self.start, self.end, *self.beside) if n)
+
+    def take(self, things: Mapping[str, Any], ar: Any) -> Any:
+        """The column's number (or numbers) from the things drawn."""
+        if self.part:
+            mu = things[mu_of(plan_of(self.start))]
+            segment = things[self.end] - things[self.start]
+            size = {"x": lambda: segment.real, "y": lambda: segment.imag, "size": lambda: abs(segment)}[self.part]()
+            return size / mu
+        if not self.value:
+            return 0.0
+        return ar.where(self.empty(things, ar), float("nan"), things[self.value]) if self.beside else things[self.value]
+
+    def empty(self, things: Mapping[str, Any], ar: Any) -> Any:
+        """Where the normal force is nothing beside the largest of its plan's marks that are drawn."""
+        normal, *marks = (n for n in self.beside if n in things)
+        largest: Any = 0.0
+        for mark in marks:
+            largest = ar.maximum(largest, abs(things[mark]))
+        return abs(things[normal]) <= 1e-12 * largest / things[mu_of(plan_of(marks[0]))]
+
+
+class Quantity(NamedTuple):
+    """One thing that can be asked for: the ``key`` ("v", "omega"; a segment's name) ``of`` a point, link, reaction or
+    plan, and its columns: one of a number, two of a vector, four of a sliding pair's reaction."""
+
+    name: str
+    columns: tuple[Column, ...]
+    group: str
+    of: str = ""
+    key: str = ""
+
+    @property
+    def path(self) -> tuple[str, ...]:
+        """Its place in the JSON."""
+        return tuple(x for x in (self.group, self.of, self.key) if x)
+
+    @property
+    def needs(self) -> tuple[str, ...]:
+        """The names of the program it is found from."""
+        return tuple(dict.fromkeys(n for c in self.columns for n in c._replace(beside=c.beside[:1]).needs))
+
+    @property
+    def whole(self) -> Column:
+        """The one number a person writes down for it: of a vector, its size."""
+        first = self.columns[0]
+        return first._replace(part="size") if first.part else first
+
+
+class Measured(NamedTuple):
+    """What a quantity is found to be: a number for each of its columns, None for the arm of no normal force."""
+
+    quantity: Quantity
+    numbers: tuple[float | None, ...]
+
+    @property
+    def number(self) -> float:
+        """A plain number; of a slider's reaction or another vector, its part along x."""
+        return self.numbers[0]  # type: ignore[return-value]  # only an arm may be empty
+
+    @property
+    def vector(self) -> complex:
+        """A vector, or a reaction's force."""
+        return complex(*self.numbers[:2])  # type: ignore[arg-type]
+
+    @property
+    def slides(self) -> bool:
+        """Whether this is a sliding pair's reaction: it has an arm and a couple beside its force."""
+        return len(self.numbers) > 2
+
+    @property
+    def arm(self) -> float | None:
+        """The arm of a sliding pair's force about the foot of the slider's first point."""
+        return self.numbers[2] if self.slides else None
+
+    @property
+    def moment(self) -> float:
+        """The couple about that foot; in a hinge there is none."""
+        return (self.numbers[3] or 0.0) if self.slides else 0.0
+
+    def json(self) -> Any:
+        """A number, [x, y], or a sliding pair's force, arm and moment."""
+        if self.slides:
+            return {"force": list(self.numbers[:2]), "arm": self.numbers[2], "moment": self.numbers[3]}
+        return list(self.numbers) if len(self.numbers) == 2 else self.numbers[0]
+
+
+def nested(found: Iterable[Measured], groups: Iterable[str] = ()) -> dict[str, Any]:
+    """What was found in the shape of the JSON, its ``groups`` there even if they are empty."""
+    out: dict[str, Any] = {group: {} for group in groups}
+    for one in found:
+        *outer, last = one.quantity.path
+        within = out
+        for key in outer:
+            within = within.setdefault(key, {})
+        within[last] = one.json()
+    return out
+
+
+def catalogue(plans: Plans) -> dict[str, Quantity]:
+    """Every quantity of a mechanism by the name a student writes: v_C, a_H, omega_2, F_21, M_1, v_CB…"""
+    found: dict[str, Quantity] = {}
+    for quantity in (*_results(plans), *_segments(plans)):
+        found.setdefault(quantity.name, quantity)
+    return found
+
+
+def results_of(plans: Plans, wanted: Iterable[Quantity] | None = None) -> list[Quantity]:
+    """The quantities wanted (None: all) that are not bare segments of plans, each once."""
+    return once(_results(plans) if wanted is None else (q for q in wanted if q.group != "plans"))
+
+
+def once(quantities: Iterable[Quantity]) -> list[Quantity]:
+    """Each of the quantities once, by the first of its names."""
+    found: dict[tuple[str, ...], Quantity] = {}
+    for q in quantities:
+        found.setdefault(q.path, q)
+    return list(found.values())
+
+
+def asked(plans: Plans, find: Iterable[str], file: str = "") -> list[Quantity]:
+    """The quantities named in ``find:``. :class:`SceneError` names those that would have been valid."""
+    known = catalogue(plans)
+    chosen = []
+    for name in find:
+        if name not in known:
+            line = plans.mechanism.where.get(("find",))
+            raise SceneError(Phrase("no_quantity", name=name, valid=choices(name, known)), file, line)
+        chosen.append(known[name])
+    return chosen
+
+
+def _results(plans: Plans) -> Iterator[Quantity]:
+    for part in (_of_points, _of_links, _of_slides, _of_reactions, _balancing):
+        yield from part(plans)
+
+
+def _vector(name: str, unit: str, ends: tuple[str, str] | None) -> tuple[Column, ...]:
+    """Both parts of a segment; of none, zeros."""
+    start, end = ends or ("", "")
+    return tuple(Column(f"{name}_{part}", unit, "", start, end, part if ends else "") for part in "xy")
+
+
+def _of_points(plans: Plans) -> Iterator[Quantity]:
+    for point, m in plans.points.items():
+        for letter, unit, mark in (("r", "m", m.position), ("v", "m/s", m.velocity), ("a", "m/s²", m.acceleration)):
+            name = f"{letter}_{point}"
+            yield Quantity(name, _vector(name, unit, (at(plan_of(mark), POLE), mark)), "points", point, letter)
+
+
+def _of_links(plans: Plans) -> Iterator[Quantity]:
+    units = {"angle_deg": "°", "omega": "rad/s", "epsilon": "rad/s²"}
+    for link, v in plans.links.items():
+        for (key, unit), value in zip(units.items(), (v.angle, v.omega, v.epsilon), strict=True):
+            name = f"{'phi' if key == 'angle_deg' else key}_{link}"
+            if link != FRAME:
+                yield Quantity(name, (Column(name, unit, value),), "links", link, key)
+
+
+def _of_slides(plans: Plans) -> Iterator[Quantity]:
+    for link, rate in plans.velocity_slides.items():
+        quick = plans.acceleration_slides[link]
+        for key, unit, value in (("v", "m/s", rate.value), ("a", "m/s²", quick.value)):
+            name = f"{key}_slide_{link}"
+            yield Quantity(name, (Column(name, unit, value),), "slides", link, key)
+        name = f"coriolis_{link}"
+        yield Quantity(name, _vector(name, "m/s²", quick.coriolis), "slides", link, "coriolis")
+
+
+def _of_reactions(plans: Plans) -> Iterator[Quantity]:
+    for key, r in plans.reactions.items():
+        columns = _reaction(plans, r)
+        for name in (key, force_name(r.pair.other, r.pair.link)):
+            yield Quantity(name, columns, "reactions", key)
+
+
+def _reaction(plans: Plans, r: Reaction) -> tuple[Column, ...]:
+    force = _vector(r.key, "N", (r.start, r.end))
+    if r.pair.kind == "R":
+        return force
+    marks = tuple(s.makes for s in plans.program.steps if s.makes.startswith(r.plan + ":"))
+    arm = Column(f"{r.key}_arm", "m", r.arm, beside=(r.normal, *marks))
+    return (*force, arm, Column(f"{r.key}_moment", "N·m", r.moment))
+
+
+def _balancing(plans: Plans) -> Iterator[Quantity]:
+    drive = plans.mechanism.drive
+    what, letter, unit = ("moment", "M", "N·m") if drive.kind == "phi" else ("force", "Fb", "N")
+    for by, sign, value in (("balancing", "", plans.balancing), ("zhukovsky", "Z", plans.zhukovsky)):
+        for name in (f"{letter}{sign}_{drive.link}", f"{by}_{what}"):
+            yield Quantity(name, (Column(name, unit, value),), f"{by}_{what}")
+
+
+def _segments(plans: Plans) -> Iterator[Quantity]:
+    for s in plans.segments:
+        if s.plan != "motion" and s.start != s.end and not {"°", "⊥"} & set(s.name):
+            size = Column(s.name, UNIT[kind_of(s.plan)], "", at(s.plan, s.start), at(s.plan, s.end), "size")
+            yield Quantity(s.name, (size,), "plans", s.plan, s.name)
