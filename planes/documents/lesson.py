@@ -85,7 +85,7 @@ def placed(scene: Scene, values: list[float] | None, lang: Lang) -> Position:
         return position(scene, plans, None, value, None, lang)
     except PlanFailure as failure:
         said = failed(failure, value, plans.mechanism.drive.kind, None, lang)
-        raise PlanesError(f"{scene.file}: {said}") from None
+        raise SceneError(said, scene.file) from None
 
 
 def figures(blocks: list[Block], composer: Composer, drawn: Position) -> dict[str, View]:

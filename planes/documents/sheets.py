@@ -16,7 +16,7 @@ from planes.solving import Position, failed, plans_of, position
 from planes.solving.nearest import nearest
 from planes.solving.vectors import solve_vectors
 from planes.words import Lang, say
-from planes.words.errors import PlanesError, PlanFailure
+from planes.words.errors import PlanesError, PlanFailure, SceneError
 from render.sheet import Contents, Sheet, compose
 from render.sheet.composer import Composer
 from render.sheet.project import Project
@@ -100,7 +100,7 @@ class Drawn:
             near = nearest(plans, self.value)
             kind = plans.mechanism.drive.kind
             said = failed(failure, self.value, kind, near, self.lang)
-            raise PlanesError(f"{self.scene.file}: {said}") from None
+            raise SceneError(said, self.scene.file) from None
 
     def extents(self, sizes: Sizes, shown: Callable[[str], bool]) -> dict[str, float]:
         """The size in mm of the plans that are shown and whose μ is open."""

@@ -33,6 +33,7 @@ from planes.scene.vectors import VectorGiven, read_equations, read_vectors
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError, shown
 from planes.words.pictures import Pictured
+from planes.words.units import mu_text
 
 __all__ = ["Reading", "Scene", "VectorGiven", "load", "loads"]
 
@@ -114,9 +115,9 @@ class Scene(Pictured):
     @classmethod
     def of(cls, mechanism: Mechanism, title: str = "", file: str = "") -> Scene:
         """The scene of a mechanism built in Python; scales are chosen by the program."""
-        from planes.scene.writing import yaml_of
+        from planes.scene.writing import as_yaml
 
-        return loads(yaml_of(mechanism, title), file or "mechanism")
+        return loads(as_yaml(mechanism, {"title": {"ru": title, "en": title}}, {}), file or "mechanism")
 
     def with_parameters(self, **values: float) -> Scene:
         """The same scene read again with other numbers for some parameters (SI, degrees).
@@ -126,10 +127,19 @@ class Scene(Pictured):
         return loads(self.reading.source, self.file, self.variant, **{**self.reading.changed, **values})
 
     def to_yaml(self) -> str:
-        """The text of a scene file that says the same, in plain numbers."""
+        """The text of a scene file that says the same, in plain numbers: variants are not kept, their numbers are in.
+
+        Raises :class:`~planes.words.errors.SceneError` for a scene of vectors alone.
+        """
         from planes.scene.writing import as_yaml
 
-        return as_yaml(self)
+        if self.mechanism is None:
+            raise SceneError(Phrase("vectors_alone"), self.file, 1)
+        words = {key: dict(getattr(self, key)) for key in ("title", "note", "missing", "parameters")}
+        plans = {plan: {"mu": mu_text(mu, plan)} for plan, mu in self.mu.items() if mu}
+        find = None if self.find is None else list(self.find)
+        asked = {"plans": plans, "find": find, "sheet": dict(self.sheet), "crank_slider": self.crank_slider}
+        return as_yaml(self.mechanism, words, asked, self.frame_number)
 
 
 def load(path: str | Path, variant: str | None = None, **parameters: float) -> Scene:

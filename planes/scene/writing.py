@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import yaml
 
 from planes.scene.mechanism import Assembly, Drive, Guide, Link, Load, Mechanism, Slide
-from planes.scene.source import Items, Node, Table
-from planes.words import Phrase
-from planes.words.errors import SceneError
-from planes.words.units import mu_text
-
-if TYPE_CHECKING:
-    from planes.scene import Scene
+from planes.scene.source import Items, Table, Text
 
 
 class _Lines(yaml.SafeDumper):
@@ -26,25 +20,15 @@ _Lines.add_representer(float, lambda dumper, x: dumper.represent_scalar("tag:yam
 _Lines.add_representer(complex, lambda dumper, z: dumper.represent_sequence("tag:yaml.org,2002:seq", [z.real, z.imag]))
 
 
-def as_yaml(scene: Scene) -> str:
-    """The text of a scene file: numbers in full, no expressions. :class:`SceneError` for a scene of vectors alone.
+def as_yaml(mechanism: Mechanism, words: Mapping[str, Any], asked: Mapping[str, Any], frame_number: str = "0") -> str:
+    """The text of a scene file: numbers in full, no expressions; ``words`` and what is ``asked`` as the file has them.
 
-    Words of the sheet, the scales and what is asked are kept; variants are not: their numbers are in.
+    Parts that say nothing are left out; a part that was kept as it was written is written so again.
     """
-    if scene.mechanism is None:
-        raise SceneError(Phrase("vectors_alone"), scene.file, 1)
-    parts: dict[str, Any] = {"planes": 1, "title": dict(scene.title), "note": dict(scene.note)}
-    parts |= {"missing": dict(scene.missing), "parameters": dict(scene.parameters)}
-    parts |= dict(_mechanism(scene.mechanism)) | dict(_asked(scene))
-    if scene.frame_number != "0":
-        parts["frame"]["number"] = scene.frame_number
-    return "".join(_dumped(key, value) for key, value in parts.items() if _said(value))
-
-
-def yaml_of(mechanism: Mechanism, title: str = "") -> str:
-    """A mechanism alone as the text of a scene file."""
-    parts = {"planes": 1, "title": {"ru": title, "en": title}, **dict(_mechanism(mechanism))}
-    return "".join(_dumped(key, value) for key, value in parts.items() if _said(value))
+    parts: dict[str, Any] = {"planes": 1, **words, **dict(_mechanism(mechanism)), **asked}
+    if frame_number != "0":
+        parts["frame"]["number"] = frame_number
+    return "".join(_dumped(key, _as_written(value)) for key, value in parts.items() if _said(value))
 
 
 def _dumped(key: str, value: Any) -> str:
@@ -69,19 +53,14 @@ def _mechanism(m: Mechanism) -> Iterator[tuple[str, Any]]:
     yield "friction", dict(m.friction)
 
 
-def _asked(scene: Scene) -> Iterator[tuple[str, Any]]:
-    yield "plans", {plan: {"mu": mu_text(mu, plan)} for plan, mu in scene.mu.items() if mu}
-    yield "find", None if scene.find is None else list(scene.find)
-    yield "sheet", dict(scene.sheet)
-    yield "crank_slider", None if scene.crank_slider is None else _as_written(scene.crank_slider)
-
-
-def _as_written(node: Node) -> Any:
-    """A part of the scene that is kept as it was written."""
+def _as_written(node: Any) -> Any:
+    """A part of the scene that is kept as it was written; anything else as it is."""
     if isinstance(node, Table):
         return {key: _as_written(one) for key, one in node.entries.items()}
     if isinstance(node, Items):
         return [_as_written(one) for one in node.items]
+    if not isinstance(node, Text):
+        return node
     for kind in (int, float) if node.plain else ():
         with suppress(ValueError):
             return kind(node.text)
