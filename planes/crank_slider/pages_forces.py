@@ -9,8 +9,9 @@ import numpy as np
 from planes.crank_slider.calculation import Calculation
 from planes.crank_slider.kinematics import swing
 from planes.crank_slider.misprints import printed
-from planes.crank_slider.pages import Curve, Drawn, Note, Writer
+from planes.crank_slider.pages import Writer
 from planes.crank_slider.pages_kinematics import chosen, drawn_at
+from planes.solving.document import Curve, Drawn
 
 KN = 1e-3
 
@@ -32,8 +33,8 @@ def write_forces(w: Writer, c: Calculation) -> None:
     w.head("h_fplans")
     for phi in c.given.positions or (chosen(c),):
         scene, solved = drawn_at(w, c, float(c.motion.phi_deg[c.at(phi)]))
-        plans = tuple(p for p in solved.plans.drawn if p.startswith("force"))
-        w.blocks.append(Drawn(w.figure("f_force", phi=float(solved.at)), scene, solved, plans, False))
+        plans = tuple((p,) for p in solved.plans.drawn if p.startswith("force"))
+        w.figure("f_force", Drawn(scene, solved, plans, True), phi=float(solved.at))
     _torque(w, c)
 
 
@@ -184,13 +185,13 @@ def _polar(w: Writer, c: Calculation) -> None:
     f, phi = c.forces, c.motion.phi_deg
     every = max(1, round(30 / c.given.step_deg))
     far = float(np.max(np.abs(f.on_pin))) * KN
-    notes: list[Note] = []
+    notes: list[tuple[float, float, str]] = []
     kept: list[complex] = []
     for i in range(0, len(phi) - 1, every):
         at = complex(-f.K[i] * KN, f.T[i] * KN)
         clear = all(abs(at - other) > 0.1 * far for other in kept)
         kept += [at] if clear else []
-        notes.append(Note(at.real, at.imag, f"{phi[i]:g}°" if clear else ""))
+        notes.append((at.real, at.imag, f"{phi[i]:g}°" if clear else ""))
     curve = Curve(-f.K * KN, f.T * KN, "", 0)
     w.chart("f_polar", "x_out", "y_T", [curve], notes=tuple(notes), equal=True, height_mm=95)
 

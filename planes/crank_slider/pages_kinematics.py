@@ -10,9 +10,10 @@ import numpy as np
 from planes.crank_slider.calculation import Calculation
 from planes.crank_slider.engine import loaded
 from planes.crank_slider.kinematics import swing, text_acceleration
-from planes.crank_slider.pages import Curve, Drawn, Writer
+from planes.crank_slider.pages import Writer
 from planes.scene import Scene
 from planes.solving import Position, plans_of, position
+from planes.solving.document import Curve, Drawn
 
 FITS = {"position": 110.0, "velocity": 58.0, "acceleration": 58.0, "force": 78.0, "motion": 58.0}
 """How large a plan may be in the report, mm."""
@@ -35,7 +36,7 @@ def write_given(w: Writer, c: Calculation) -> None:
         told.append((w.say("g_uneven"), "δ; n", f"{w.number(g.speed.unevenness)}; {w.number(g.speed.waves)}"))
     w.table("t_given", [w.say("c_what"), w.say("c_sign"), w.say("c_value")], told)
     scene, solved = drawn_at(w, c, chosen(c))
-    w.blocks.append(Drawn(w.figure("f_scheme", phi=chosen(c)), scene, solved, ("scheme",), False))
+    w.figure("f_scheme", Drawn(scene, solved, (("scheme",),), True), phi=chosen(c))
 
 
 def chosen(c: Calculation) -> float:
@@ -71,7 +72,8 @@ def write_kinematics(w: Writer, c: Calculation) -> None:
     _plane(w, c)
     w.head("h_plans")
     scene, solved = drawn_at(w, c, chosen(c))
-    w.blocks.append(Drawn(w.figure("f_kinplans", phi=chosen(c)), scene, solved, ("velocity", "acceleration")))
+    plans = tuple((p, f"equations {p}") for p in ("velocity", "acceleration"))
+    w.figure("f_kinplans", Drawn(scene, solved, plans, True), phi=chosen(c))
     _results(w, c)
 
 

@@ -10,8 +10,7 @@ import re
 from collections.abc import Callable
 
 from planes.drafting.steps.reckoning import Calculate, Product
-from planes.words import Lang, decimal
-from planes.words.lesson import tell
+from planes.words import Lang, decimal, say
 from planes.words.units import quantity
 
 SLOT = re.compile(r"⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧")
@@ -71,7 +70,7 @@ def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:
         if how == "mm":
             return millimetres(size * read(mu), lang)
         if how == "s":
-            return tell("ccw" if size > 0 else "cw" if size < 0 else "still", lang)
+            return say("lesson_ccw" if size > 0 else "lesson_cw" if size < 0 else "lesson_still", lang)
         shown = number(size, lang)
         return f"({shown})" if how == "b" and shown.startswith("−") else shown
 

@@ -5,22 +5,33 @@ Labels and the failures of constructions stand here, the refusals of scenes in t
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterable
 from string import Formatter
-from typing import Literal
+from typing import Any, Literal
 
 from planes.words.check import CHECK
 from planes.words.course import COURSE
 from planes.words.course_summary import SUMMARY
 from planes.words.crank_slider import CRANK_SLIDER
+from planes.words.crank_slider_balance import BALANCE
+from planes.words.crank_slider_forces import FORCES
+from planes.words.crank_slider_report import GENERAL, KINEMATICS
+from planes.words.crank_slider_rod import ROD
+from planes.words.crank_slider_strength import STRENGTH
 from planes.words.cycle import CYCLE
 from planes.words.diagrams import DIAGRAMS
+from planes.words.lesson import LESSON
 from planes.words.links import LINKS
 from planes.words.method import METHOD
+from planes.words.note import NOTE
+from planes.words.pages import PAGES
 from planes.words.scene import SCENE
 from planes.words.sheets import SHEETS
 from planes.words.system import in_russian
 from planes.words.text import TEXT
 from planes.words.usage import USAGE
+from planes.words.why import WHY
 
 Lang = Literal["ru", "en"]
 
@@ -217,12 +228,19 @@ Told = Phrase | str
 
 TABLE = {
     **WORDS, **TEXT, **SCENE, **LINKS, **METHOD, **CRANK_SLIDER, **CHECK, **CYCLE, **DIAGRAMS, **COURSE, **SUMMARY,
-    **SHEETS, **USAGE,
+    **SHEETS, **USAGE, **NOTE, **LESSON, **WHY,
+    **GENERAL, **KINEMATICS, **FORCES, **BALANCE, **STRENGTH, **ROD, **PAGES,
 }  # fmt: skip
+
+_INDEX = re.compile(r"([_^])\{([^{}]*)\}")  # _{…} and ^{…} in a sentence are indices, not places
+
 
 class _Teller(Formatter):
     def __init__(self, lang: Lang) -> None:
         self.lang = lang
+
+    def parse(self, format_string: Any) -> Iterable[Any]:
+        return super().parse(_INDEX.sub(r"\1{{\2}}", format_string))
 
     def format_field(self, value: object, format_spec: str) -> str:
         if isinstance(value, Phrase | Written):
