@@ -189,7 +189,7 @@ def unsolved(turn: Turn, values: Any, lang: Lang) -> list[str]:
         try:
             run(plans.program, {**given, plans.drive_given: value})
         except PlanFailure as failure:
-            found.append(failed(failure, value, plans.mechanism.drive.kind, nearest(plans, value), lang))
+            found.append(failed(failure, value, plans.mechanism.drive.kind, nearest(plans, value)).told(lang))
     return found
 
 

@@ -74,8 +74,7 @@ def placed(scene: Scene, values: list[float] | None, lang: Lang) -> Position:
     try:
         return position(scene, plans, None, value, None, lang)
     except PlanFailure as failure:
-        said = failed(failure, value, plans.mechanism.drive.kind, None, lang)
-        raise PlanesError(f"{scene.file}: {said}") from None
+        raise SceneError(failed(failure, value, plans.mechanism.drive.kind), scene.file) from None
 
 
 @contextmanager

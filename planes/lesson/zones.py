@@ -72,5 +72,5 @@ def reasons(
             run(plans.program, {**given, plans.drive_given: values[index]})
         except PlanFailure as failure:
             kind = plans.mechanism.drive.kind
-            found[str(index)] = {lang: failed(failure, values[index], kind, None, lang) for lang in LANGS}
+            found[str(index)] = {lang: failed(failure, values[index], kind).told(lang) for lang in LANGS}
     return found

@@ -180,7 +180,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "units": ("ед.", "units"),
     "in_m": ("{value} м", "{value} m"),
     "nearest": ("; ближайшее рабочее положение: {name} = {value}", "; the nearest that works: {name} = {value}"),
-    "at": ("при {name} = {value}: ", "at {name} = {value}: "),
+    "at": ("при {name} = {value}: {why}{nearest}", "at {name} = {value}: {why}{nearest}"),
 }
 
 
@@ -232,15 +232,14 @@ TABLE = {
     **GENERAL, **KINEMATICS, **FORCES, **BALANCE, **STRENGTH, **ROD, **PAGES,
 }  # fmt: skip
 
-_INDEX = re.compile(r"([_^])\{([^{}]*)\}")  # _{…} and ^{…} in a sentence are indices, not places
-
-
 class _Teller(Formatter):
+    index = re.compile(r"([_^])\{([^{}]*)\}")  # _{…} and ^{…} in a sentence are no places to fill
+
     def __init__(self, lang: Lang) -> None:
         self.lang = lang
 
     def parse(self, format_string: Any) -> Iterable[Any]:
-        return super().parse(_INDEX.sub(r"\1{{\2}}", format_string))
+        return super().parse(self.index.sub(r"\1{{\2}}", format_string))
 
     def format_field(self, value: object, format_spec: str) -> str:
         if isinstance(value, Phrase | Written):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from html import escape
 
 from planes.solving.document import Block, Figure, Formula, Heading, Paragraph, Table
 from render.page import web_page
@@ -60,7 +61,7 @@ class _Page:
                 why = f'<p class="why">{self.text(block.why, block.plan)}</p>' if block.why else ""
                 return f"<p{kind}>{count}{self.text(block.text, block.plan)}</p>{why}"
             case Formula(tex, number):
-                tail = f'<span class="number">({number})</span>' if number else ""
+                tail = f'<span class="number">({escape(number)})</span>' if number else ""
                 parts = "".join(formula(t, 12.5).svg(plain(t)) for t in tex.split(r"\quad"))
                 return f'<div class="formula"><span class="parts">{parts}</span>{tail}</div>'
             case Table(caption, rows):
@@ -70,7 +71,8 @@ class _Page:
 
     def heading(self, heading: Heading) -> str:
         """The title with the list of contents, a chapter, which the list links to, or a section."""
-        text, tag = self.text(heading.text), f"h{heading.level + 1}"
+        text = self.text(heading.text) if heading.level else escape(heading.text)  # the title is anybody's
+        tag = f"h{heading.level + 1}"
         if heading.level == 1:
             place = next(n for n, one in enumerate(self.chapters, 1) if one is heading)
             return f'<{tag} id="c{place}">{text}</{tag}>'

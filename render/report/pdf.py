@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import re
 from collections.abc import Sequence
+from html import escape
 from typing import Any
 
 from reportlab.lib.styles import ParagraphStyle
@@ -103,7 +104,7 @@ class _Setter:
         """What a block becomes."""
         match block:
             case Heading(text, level):
-                return [Words(self.text(text), self.heads[level])]
+                return [Words(self.text(text) if level else escape(text), self.heads[level])]
             case Paragraph():
                 return self.paragraph(block)
             case Formula(tex, number):

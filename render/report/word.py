@@ -44,7 +44,7 @@ class _Writer:
         """One block at the end of the paper."""
         match block:
             case Heading(text, level):
-                self.runs(self.paper.add_heading("", level), text)
+                self.runs(self.paper.add_heading("" if level else text, level), text if level else "")
             case Paragraph():
                 style = "Intense Quote" if block.mistake else None
                 count = f"{block.number}. " if block.number else ""
