@@ -19,12 +19,8 @@ SUBSCRIPTS: dict[str, tuple[str, str]] = {
 }  # fmt: skip
 """Subscripts of formulas, written §cw§, in both languages."""
 
-UNITS: dict[str, tuple[str, str]] = {
-    "m/s^2": ("м/с²", "m/s²"), "m/s": ("м/с", "m/s"), "rad/s^2": ("рад/с²", "rad/s²"), "rad/s": ("рад/с", "rad/s"),
-    "MPa": ("МПа", "MPa"), "Nm": ("Н·м", "N·m"), "N": ("Н", "N"), "kgm2": ("кг·м²", "kg·m²"), "kg": ("кг", "kg"),
-    "J": ("Дж", "J"), "m": ("м", "m"), "kW": ("кВт", "kW"),
-}  # fmt: skip
-"""Units of formulas, written [kW], in both languages."""
+UNITS = ("m/s²", "m/s", "rad/s²", "rad/s", "MPa", "N·m", "N", "kgm2", "kg", "J", "m", "kW")
+"""Units of formulas, written [kW]."""
 
 
 @dataclass
@@ -69,8 +65,8 @@ class Writer:
         """A formula; ``§key§`` in it is a subscript of the table."""
         for key, pair in SUBSCRIPTS.items():
             tex = tex.replace(f"§{key}§", f"\\mathrm{{{pair[0 if self.lang == 'ru' else 1]}}}")
-        for unit, pair in UNITS.items():
-            tex = tex.replace(f"[{unit}]", f"\\ \\mathrm{{{pair[0 if self.lang == 'ru' else 1]}}}")
+        for unit in UNITS:
+            tex = tex.replace(f"[{unit}]", f"\\ \\mathrm{{{say(unit, self.lang)}}}")
         tex = tex.replace(r"\frac", r"\dfrac").replace(r"\tan", r"\,\mathrm{tg}\," if self.lang == "ru" else r"\,\tan ")
         tex = re.sub(r"\\(sin|cos)(?=[^a-z]|$)", r"\\,\\\1\\,", tex).replace(r"\,^", "^")
         self.blocks.append(Formula(tex, number))

@@ -17,6 +17,7 @@ from planes.scene import Scene
 from planes.scene.mechanism import FRAME
 from planes.solving import Position, told
 from planes.solving.document import Block, Drawn, Figure, Heading, Paragraph, Table
+from planes.solving.tables import difference_percent
 from planes.words import Lang, say
 from planes.words.names import mu_of
 
@@ -134,8 +135,7 @@ class Note:
         """The balancing load two ways."""
         plans, drawing = self.position.plans, self.position.drawing
         found, check = float(drawing[plans.balancing]), float(drawing[plans.zhukovsky])
-        largest = max(abs(found), abs(check))
-        percent = 100 * abs(found - check) / largest if largest else 0.0
+        percent = difference_percent(found, check)
         names = {"found": number(found, self.lang), "check": number(check, self.lang)}
         shown = number(percent if percent > 1e-6 else 0.0, self.lang, 2)
         yield Paragraph(self.say("note_difference", **names, unit=unit(plans.balancing, self.lang), percent=shown))
