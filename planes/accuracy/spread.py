@@ -35,11 +35,6 @@ class Spread:
         return np.hstack(pieces) if pieces else np.empty((len(self.cycle.columns), 0))
 
 
-def pencil_spread(cycle: Ready, pencil: Pencil, mus: Mapping[str, float], values: Any) -> Any:
-    """Standard deviations of every column at these scales."""
-    return Spread(cycle, pencil, mus).bounds(values)
-
-
 def _spread(drawn: Trace, given: Mapping[str, Any], count: int) -> Any:
     order = drawn.tape.needed(list(drawn.outputs))
     found = read(drawn.tape, order, given)

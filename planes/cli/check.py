@@ -21,7 +21,7 @@ from planes.scene import Scene
 from planes.solving.tables import table
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
-from planes.words.units import UnitError, read_mu
+from planes.words.units import read_mu
 
 _PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?{0})\s*[,;]\s*([-+]?{0})\s*".format(r"(?:\d+\.?\d*|\.\d+)"))
 
@@ -73,9 +73,7 @@ def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:
     """The question of the command line."""
     from planes.documents.check import spelling
 
-    plan = args.plan
-    mu = _mu(args.mu, plan)
-    asked = Asked(scene, plan, value, mu, spelt=spelling(scene, args.lang))
+    asked = Asked(scene, args.plan, value, _mu(args), spelt=spelling(scene, args.lang))
     others = {}
     for pair in args.others:
         name, _, file = pair.partition("=")
@@ -88,13 +86,8 @@ def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:
     return replace(asked, skill=skill, others=others)
 
 
-def _mu(text: str | None, plan: str) -> float | None:
-    if text is None:
-        return None
-    try:
-        return read_mu(text, kind_of(plan))
-    except UnitError as error:
-        raise PlanesError(str(error)) from None
+def _mu(args: argparse.Namespace) -> float | None:
+    return None if args.mu is None else read_mu(args.mu, kind_of(args.plan))
 
 
 def _size(asked: Asked) -> float:
@@ -134,5 +127,5 @@ def write_blank(args: argparse.Namespace, scene: Scene, value: float | None) -> 
     """``planes blank``: a sheet to draw a plan on."""
     from planes.documents.check import write_blank as write
 
-    write(Asked(scene, args.plan, value, _mu(args.mu, args.plan)), args.output, args.lang)
+    write(Asked(scene, args.plan, value, _mu(args)), args.output, args.lang)
     return 0

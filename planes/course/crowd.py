@@ -20,7 +20,7 @@ from planes.words.errors import PlanesError
 Each = Callable[[Callable[[Any], Any], Sequence[Any]], Iterator[tuple[int, Any]]]
 """Does a function to each of many things: yields (which, what came of it) as they are done."""
 
-READY = ("planes.documents.course", "render.report.note_pdf", "reportlab.platypus", "numpy", "shapely")
+READY = ("planes.documents.course", "render.report.pdf", "reportlab.platypus", "numpy", "shapely")
 """What workers are made with: imported once."""
 SECONDS = 10  # to find a scheduler
 

@@ -8,11 +8,12 @@ from typing import Any
 
 from planes.drafting.draft import Segment
 from planes.lesson.formulas import number, unit
-from planes.lesson.note import Block, Figure, Heading, Note, Prose, Table
+from planes.lesson.note import Note
 from planes.plans.measuring import say_plan
 from planes.scene import Scene
 from planes.scene.mechanism import Load, Mechanism
 from planes.solving import Position, told
+from planes.solving.document import Block, Drawn, Figure, Heading, Paragraph, Table
 from planes.solving.tables import say_mu
 from planes.words import Lang, decimal, say
 from planes.words.names import POLE, label_of
@@ -23,17 +24,19 @@ ACROSS = 3  # numbers to a line
 _WORK = ("structure", "position", "velocity", "acceleration", "force", "lever")
 
 
-def task(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[str], lang: Lang) -> Iterator[Block]:
-    """The sheet of a task: whose it is (``heads``), the scheme, the numbers, the loads, and what is to be done."""
+def task(
+    scene: Scene, drawn: Position, shown: Position, heads: Sequence[str], used: Sequence[str], lang: Lang
+) -> Iterator[Block]:
+    """The sheet of a task: whose it is (``heads``), the scheme as ``shown``, the numbers, the loads, what is to do."""
     yield Heading(heads[0], 0)
-    yield from (Prose(line) for line in heads[1:] if line)
-    yield Figure("scheme", say("task_scheme", lang))
+    yield from (Paragraph(line) for line in heads[1:] if line)
+    yield Figure(Drawn(scene, shown, (("scheme",),)), say("task_scheme", lang))
     yield given(scene, drawn, used, lang)
     if lines := list(conditions(drawn.plans.mechanism, lang)):
         yield Heading(say("task_conditions", lang))
-        yield from map(Prose, lines)
+        yield from map(Paragraph, lines)
     yield Heading(say("task_todo", lang))
-    yield from (Prose(line, number=k) for k, line in enumerate(work(scene, drawn, lang), 1))
+    yield from (Paragraph(line, number=k) for k, line in enumerate(work(scene, drawn, lang), 1))
 
 
 def given(scene: Scene, drawn: Position, used: Sequence[str], lang: Lang) -> Block:
@@ -106,7 +109,7 @@ def work(scene: Scene, drawn: Position, lang: Lang) -> Iterator[str]:
 def answers(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[str], lang: Lang) -> Iterator[Block]:
     """The key: the numbers, what every plan measures, the results."""
     yield Heading(say("key_title", lang, title=heads[0]), 0)
-    yield from (Prose(line) for line in heads[1:] if line)
+    yield from (Paragraph(line) for line in heads[1:] if line)
     yield given(scene, drawn, used, lang)
     note = Note(scene, drawn, lang)
     yield from note.structure()
@@ -118,7 +121,7 @@ def answers(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[
         if name != "position" and (table := segments(drawn, name, plan, lang)):
             yield table
     if worst := worst_crossing(drawn, lang):
-        yield Prose(worst)
+        yield Paragraph(worst)
 
 
 def segments(drawn: Position, name: str, plan: Mapping[str, Any], lang: Lang) -> Table | None:

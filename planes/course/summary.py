@@ -10,8 +10,8 @@ from planes.course.giving import Share
 from planes.course.papers import lettered, unit_of
 from planes.course.settling import Answer, main_answers
 from planes.lesson.formulas import number
-from planes.lesson.note import Block, Heading, Prose, Table
 from planes.scene import loads
+from planes.solving.document import Block, Heading, Paragraph, Table
 from planes.words import Lang, say
 from planes.words.spreadsheet import as_csv as csv_of
 
@@ -95,7 +95,7 @@ def as_blocks(rows: Sequence[Row], title: str, lang: Lang) -> Iterator[Block]:
         units = (f"⟨{n}⟩, {say(u, lang)}" for n, u in answers)
         found = (tuple(_told(row.found.get(k), lang) for k in answers) for row in own)
         yield from _table("sum_answers", (*heads, *units), whose, found, lang)
-        yield from (Prose(f"{row.share.student.name}: {row.fault}") for row in lines if row.fault)
+        yield from (Paragraph(f"{row.share.student.name}: {row.fault}") for row in lines if row.fault)
 
 
 def _told(value: float | None, lang: Lang) -> str:

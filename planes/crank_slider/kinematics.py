@@ -74,15 +74,6 @@ def as_plane_motion(shape: Shape, m: Motion) -> Way:
     return Way(r_of, {"A": v_a, "B": v_b, "C": v_c}, a_of, -turning, tangent_b / l)
 
 
-def centre_speed(shape: Shape, m: Motion) -> Array:
-    """|v_C| by (7), the distance to the instant centre times ω_AB, written without dividing by cos φ."""
-    beta, c = swing(shape, m.phi), shape.c
-    ap = shape.l * np.cos(beta)  # AP·cos φ
-    cos = np.cos(m.phi)
-    square = (c * cos) ** 2 + ap**2 - 2 * c * cos * ap * np.cos(beta + m.phi)
-    return np.abs(m.omega) * shape.r / ap * np.sqrt(np.maximum(square, 0.0))
-
-
 def text_acceleration(shape: Shape, m: Motion) -> Array:
     """a_B by the text's (3) as printed, without the terms with ε: how wrong it is when ω varies."""
     still = Motion(m.phi_deg, m.omega, np.zeros_like(m.epsilon), m.gas)

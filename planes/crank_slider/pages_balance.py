@@ -6,7 +6,8 @@ import numpy as np
 
 from planes.crank_slider.balance import Balance
 from planes.crank_slider.calculation import Calculation
-from planes.crank_slider.pages import Curve, Writer
+from planes.crank_slider.pages import Writer
+from planes.solving.document import Curve
 
 KN = 1e-3
 

@@ -9,8 +9,9 @@ import numpy as np
 from planes.crank_slider.calculation import Calculation
 from planes.crank_slider.kinematics import swing
 from planes.crank_slider.misprints import printed
-from planes.crank_slider.pages import Curve, Drawn, Note, Writer
+from planes.crank_slider.pages import Writer
 from planes.crank_slider.pages_kinematics import chosen, drawn_at
+from planes.solving.document import Curve, Drawn
 
 KN = 1e-3
 
@@ -32,8 +33,8 @@ def write_forces(w: Writer, c: Calculation) -> None:
     w.head("h_fplans")
     for phi in c.given.positions or (chosen(c),):
         scene, solved = drawn_at(w, c, float(c.motion.phi_deg[c.at(phi)]))
-        plans = tuple(p for p in solved.plans.drawn if p.startswith("force"))
-        w.blocks.append(Drawn(w.figure("f_force", phi=float(solved.at)), scene, solved, plans, False))
+        plans = tuple((p,) for p in solved.plans.drawn if p.startswith("force"))
+        w.figure("f_force", Drawn(scene, solved, plans, True), phi=float(solved.at))
     _torque(w, c)
 
 
@@ -85,7 +86,7 @@ def _inertia(w: Writer, c: Calculation) -> None:
               rf"\Phi_C=m_2a_C={t(s.m2)}\cdot{t(abs(a_c))}={t(s.m2 * abs(a_c))}[N],", "17, 18")  # fmt: skip
     w.formula(
         rf"M_{{AB}}^\Phi=J_C|\varepsilon_{{AB}}|={t(s.j2)}\cdot{t(abs(p.epsilon[k]))}="
-        rf"{t(s.j2 * abs(p.epsilon[k]))}[Nm]",
+        rf"{t(s.j2 * abs(p.epsilon[k]))}[N·m]",
         "19",
     )
     w.mistake("m_20", printed=printed(s, c.motion, p, c.forces, k).J_C, true=s.j2)
@@ -122,7 +123,7 @@ def _equation_numbers(w: Writer, c: Calculation) -> None:
     w.text("k_at", phi=phi, omega=float(c.motion.omega[k]), eps=float(c.motion.epsilon[k]))
     w.formula(
         rf"M_A=-{t(s.m2)}\left[{t(arm.real)}({t(a_c.imag)}+{t(s.g)})-{t(arm.imag, bracket=True)}\cdot"
-        rf"{t(a_c.real, bracket=True)}\right]-{t(s.j2)}\cdot{t(float(p.epsilon[k]), bracket=True)}={t(moment)}[Nm]"
+        rf"{t(a_c.real, bracket=True)}\right]-{t(s.j2)}\cdot{t(float(p.epsilon[k]), bracket=True)}={t(moment)}[N·m]"
     )
     sense = -1 if float(f.rubbing[k]) > 0 else 1
     rub = rf"{'+' if sense > 0 else '-'}{t(s.f)}\cdot{t(abs(push))}" if s.f and float(f.rubbing[k]) else ""
@@ -184,13 +185,13 @@ def _polar(w: Writer, c: Calculation) -> None:
     f, phi = c.forces, c.motion.phi_deg
     every = max(1, round(30 / c.given.step_deg))
     far = float(np.max(np.abs(f.on_pin))) * KN
-    notes: list[Note] = []
+    notes: list[tuple[float, float, str]] = []
     kept: list[complex] = []
     for i in range(0, len(phi) - 1, every):
         at = complex(-f.K[i] * KN, f.T[i] * KN)
         clear = all(abs(at - other) > 0.1 * far for other in kept)
         kept += [at] if clear else []
-        notes.append(Note(at.real, at.imag, f"{phi[i]:g}°" if clear else ""))
+        notes.append((at.real, at.imag, f"{phi[i]:g}°" if clear else ""))
     curve = Curve(-f.K * KN, f.T * KN, "", 0)
     w.chart("f_polar", "x_out", "y_T", [curve], notes=tuple(notes), equal=True, height_mm=95)
 
@@ -204,8 +205,8 @@ def _torque(w: Writer, c: Calculation) -> None:
               rf"A_§gas§+A_§fr§={t(d.gas + d.friction)}[J]")  # fmt: skip
     cycle = len(c.given.indicator.names)
     w.formula(
-        rf"M_§m§=\frac{{A}}{{{cycle}\pi}}=\frac{{{t(d.torque)}}}{{{cycle}\pi}}={t(d.mean)}[Nm],\quad"
-        rf"M_§max§={t(d.largest)}[Nm],\quad M_§min§={t(d.smallest)}[Nm],\quad "
+        rf"M_§m§=\frac{{A}}{{{cycle}\pi}}=\frac{{{t(d.torque)}}}{{{cycle}\pi}}={t(d.mean)}[N·m],\quad"
+        rf"M_§max§={t(d.largest)}[N·m],\quad M_§min§={t(d.smallest)}[N·m],\quad "
         rf"N_e=M_§m§\omega={t(d.power * 1e-3)}[kW]"
     )
     if d.mean < 0:

@@ -10,9 +10,10 @@ import numpy as np
 from planes.crank_slider.calculation import Calculation
 from planes.crank_slider.engine import loaded
 from planes.crank_slider.kinematics import swing, text_acceleration
-from planes.crank_slider.pages import Curve, Drawn, Writer
+from planes.crank_slider.pages import Writer
 from planes.scene import Scene
 from planes.solving import Position, plans_of, position
+from planes.solving.document import Curve, Drawn
 
 FITS = {"position": 110.0, "velocity": 58.0, "acceleration": 58.0, "force": 78.0, "motion": 58.0}
 """How large a plan may be in the report, mm."""
@@ -24,10 +25,10 @@ def write_given(w: Writer, c: Calculation) -> None:
     w.text("lead")
     w.head("h_given", 1)
     rows = [
-        ("g_r", "r", s.r, "u_m"), ("g_l", "l", s.l, "u_m"), ("g_c", "AC", s.c, "u_m"), ("g_lambda", "λ", s.ratio, ""),
-        ("g_omega", "ω", s.omega, "u_rads"), ("g_m1", "m_{1}", s.m1, "u_kg"), ("g_m2", "m_{2}", s.m2, "u_kg"),
-        ("g_m3", "m_{3}", s.m3, "u_kg"), ("g_j2", "J_{C}", s.j2, "u_kgm2"), ("g_f", "f", s.f, ""),
-        ("g_d", "D", g.bore, "u_m"), ("g_p0", "p_{0}", g.ambient / 1e6, "u_MPa"),
+        ("g_r", "r", s.r, "m"), ("g_l", "l", s.l, "m"), ("g_c", "AC", s.c, "m"), ("g_lambda", "λ", s.ratio, ""),
+        ("g_omega", "ω", s.omega, "rad/s"), ("g_m1", "m_{1}", s.m1, "kg"), ("g_m2", "m_{2}", s.m2, "kg"),
+        ("g_m3", "m_{3}", s.m3, "kg"), ("g_j2", "J_{C}", s.j2, "kgm2"), ("g_f", "f", s.f, ""),
+        ("g_d", "D", g.bore, "m"), ("g_p0", "p_{0}", g.ambient / 1e6, "MPa"),
         ("g_strokes", "", float(len(g.indicator.names)), ""),
     ]  # fmt: skip
     told = [(w.say(k), sign, f"{w.number(v)} {w.say(u) if u else ''}".strip()) for k, sign, v, u in rows]
@@ -35,7 +36,7 @@ def write_given(w: Writer, c: Calculation) -> None:
         told.append((w.say("g_uneven"), "δ; n", f"{w.number(g.speed.unevenness)}; {w.number(g.speed.waves)}"))
     w.table("t_given", [w.say("c_what"), w.say("c_sign"), w.say("c_value")], told)
     scene, solved = drawn_at(w, c, chosen(c))
-    w.blocks.append(Drawn(w.figure("f_scheme", phi=chosen(c)), scene, solved, ("scheme",), False))
+    w.figure("f_scheme", Drawn(scene, solved, (("scheme",),), True), phi=chosen(c))
 
 
 def chosen(c: Calculation) -> float:
@@ -71,7 +72,8 @@ def write_kinematics(w: Writer, c: Calculation) -> None:
     _plane(w, c)
     w.head("h_plans")
     scene, solved = drawn_at(w, c, chosen(c))
-    w.blocks.append(Drawn(w.figure("f_kinplans", phi=chosen(c)), scene, solved, ("velocity", "acceleration")))
+    plans = tuple((p, f"equations {p}") for p in ("velocity", "acceleration"))
+    w.figure("f_kinplans", Drawn(scene, solved, plans, True), phi=chosen(c))
     _results(w, c)
 
 
@@ -123,15 +125,15 @@ def _numbers(w: Writer, c: Calculation, k: int) -> None:
     w.formula(rf"a_B=-{t(omega)}^2\left[{t(s.r)}\cos{angle}+"
               rf"\frac{{{t(s.r)}^2\cos{t(2 * phi)}\degree}}{{{t(root)}}}+"
               rf"\frac{{{t(s.r)}^4\sin^2{angle}\cos^2{angle}}}{{{t(root)}^3}}\right]"
-              + ("-" if e else f"={a_b}[m/s^2]"))  # fmt: skip
+              + ("-" if e else f"={a_b}[m/s²]"))  # fmt: skip
     if e:
         w.formula(rf"-{t(e, bracket=True)}\left[{t(s.r)}\sin{angle}+"
                   rf"\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}"
-                  rf"\right]={a_b}[m/s^2]")  # fmt: skip
+                  rf"\right]={a_b}[m/s²]")  # fmt: skip
     w.formula(rf"v_C=\sqrt{{v_{{xC}}^2+v_{{yC}}^2}}=\sqrt{{{t(p.v['C'][k].real, bracket=True)}^2+"
               rf"{t(p.v['C'][k].imag, bracket=True)}^2}}={t(abs(p.v['C'][k]))}[m/s],\quad"
               rf"a_C=\sqrt{{{t(p.a['C'][k].real, bracket=True)}^2+{t(p.a['C'][k].imag, bracket=True)}^2}}="
-              rf"{t(abs(p.a['C'][k]))}[m/s^2]")  # fmt: skip
+              rf"{t(abs(p.a['C'][k]))}[m/s²]")  # fmt: skip
 
 
 def _plane(w: Writer, c: Calculation) -> None:
@@ -162,9 +164,9 @@ def _plane(w: Writer, c: Calculation) -> None:
     w.formula(rf"|v_B|={t(omega)}\cdot{t(s.r)}\,\frac{{|\sin{t(phi + beta)}\degree|}}{{"
               rf"\cos{t(beta, bracket=True)}\degree}}="
               rf"{t(abs(c.plane.v['B'][k]))}[m/s],\quad a_{{BA}}^n={t(turning, bracket=True)}^2\cdot{t(s.l)}="
-              rf"{t(turning**2 * s.l)}[m/s^2]")  # fmt: skip
-    w.formula(rf"a_{{BA}}^\tau={t(tangent)}[m/s^2],\quad \varepsilon_{{AB}}=\frac{{a_{{BA}}^\tau}}{{l}}="
-              rf"{t(tangent / s.l)}[rad/s^2],\quad a_B={t(-c.plane.a['B'][k].real)}[m/s^2]")  # fmt: skip
+              rf"{t(turning**2 * s.l)}[m/s²]")  # fmt: skip
+    w.formula(rf"a_{{BA}}^\tau={t(tangent)}[m/s²],\quad \varepsilon_{{AB}}=\frac{{a_{{BA}}^\tau}}{{l}}="
+              rf"{t(tangent / s.l)}[rad/s²],\quad a_B={t(-c.plane.a['B'][k].real)}[m/s²]")  # fmt: skip
 
 
 def _results(w: Writer, c: Calculation) -> None:

@@ -26,7 +26,7 @@ def _rod(w: Writer, c: Calculation, r: RodStrength, of: Shank) -> None:
               rf"{t(r.sigma_c)}[MPa],\quad"
               rf"\sigma_§tens§=\frac{{{t(r.pulled)}}}{{{t(of.area * 1e6)}}}={t(r.sigma_p)}[MPa]")  # fmt: skip
     w.text("s_whip", phi=r.bending_deg)
-    w.formula(rf"M_§b§={t(r.bending)}[Nm],\quad\sigma_§b§=\frac{{M_§b§}}{{W}}="
+    w.formula(rf"M_§b§={t(r.bending)}[N·m],\quad\sigma_§b§=\frac{{M_§b§}}{{W}}="
               rf"\frac{{{t(r.bending * 1e3)}}}{{{t(of.modulus * 1e9)}}}="
               rf"{t(r.sigma_b)}[MPa]")  # fmt: skip
     w.text("s_rod_sum", phi=r.sigma_deg)
@@ -49,7 +49,7 @@ def _pin(w: Writer, c: Calculation, p: PinStrength, of: PistonPin) -> None:
     w.text("s_pin", force=p.force, phi=p.force_deg)
     w.formula(
         rf"M=\frac{{P}}{{2}}\left(\frac{{l_p+2b}}{{6}}-\frac{{l_§bush§}}{{4}}\right)=\frac{{{t(p.force)}}}{{2}}\left("
-        rf"\frac{{{t(of.length)}+2\cdot{t(of.gap)}}}{{6}}-\frac{{{t(of.bush)}}}{{4}}\right)={t(p.moment)}[Nm]"
+        rf"\frac{{{t(of.length)}+2\cdot{t(of.gap)}}}{{6}}-\frac{{{t(of.bush)}}}{{4}}\right)={t(p.moment)}[N·m]"
     )
     w.text("s_pin_stress", ratio=ratio)
     w.formula(rf"\sigma=\frac{{32M}}{{\pi d^3(1-\alpha^4)}}="

@@ -6,8 +6,9 @@ import numpy as np
 
 from planes.crank_slider.calculation import Calculation
 from planes.crank_slider.given import Shaft
-from planes.crank_slider.pages import Chart, Curve, Sketch, Writer
+from planes.crank_slider.pages import Writer
 from planes.crank_slider.shaft import Section, Supports, along
+from planes.solving.document import Chart, Curve, Sketch
 
 CASES = ("I", "II")
 
@@ -50,11 +51,9 @@ def _bearings(w: Writer, c: Calculation, shaft: Shaft, s: Supports) -> None:
     weights = c.given.counterweights
     cw = "пр" if w.lang == "ru" else "cw"
     labels = {"load": "N_{c1}, P_{t1}", "web": "Φ", "weight_0": f"Φ_{{1{cw}}}", "weight_1": f"Φ_{{2{cw}}}"}
-    title = w.figure("f_sketch", a=shaft.left, b=shaft.right)
     radius = weights.radius if weights else c.given.shape.r
-    w.blocks.append(
-        Sketch(title, shaft.span, shaft.span - shaft.pin_from_b, shaft.webs, c.given.shape.r, radius, labels)
-    )
+    sketch = Sketch(shaft.span, shaft.span - shaft.pin_from_b, shaft.webs, c.given.shape.r, radius, labels)
+    w.figure("f_sketch", sketch, a=shaft.left, b=shaft.right)
     w.formula(rf"\Phi=\frac{{1}}{{2}}(m_{{k1}}r+m_{{k2}}\rho)\,\omega^2={t(s.web)}[N],\quad"
               rf"\Phi_1=m_1R_§cw§\,\omega^2={t(s.left_weight)}[N],\quad\Phi_2={t(s.right_weight)}[N]")  # fmt: skip
     w.text("s_reactions")
@@ -87,8 +86,7 @@ def _case(w: Writer, c: Calculation, shaft: Shaft, s: Supports, name: str, k: in
         Curve(d.x, d.y, w.say("l_My"), 1),
         Curve(d.x, d.torque, w.say("l_Mx"), 2),
     )
-    title = w.figure("f_moments", case=name)
-    w.blocks.append(Chart(title, w.say("x_shaft"), w.say("y_Nm"), curves, height_mm=58))
+    w.figure("f_moments", Chart(w.say("x_shaft"), w.say("y_Nm"), curves, height_mm=58), case=name)
 
 
 def _static(w: Writer, c: Calculation) -> None:

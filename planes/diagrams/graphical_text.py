@@ -12,11 +12,10 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.instruments import Exact, Pencil
 from planes.solving.tables import table
 from planes.words import Lang, say
-from planes.words.units import quantity
+from planes.words.units import RATES, quantity
 
 PENCILS = 400
 LETTERS = {True: ("s", "v", "a"), False: ("φ", "ω", "ε")}
-UNITS = {True: ("m", "m/s", "m/s²"), False: ("rad", "rad/s", "rad/s²")}
 
 
 @dataclass(frozen=True)
@@ -50,7 +49,7 @@ def readings(c: Construction, pencil: Pencil | None = None) -> list[Reading]:
 
 def scales(c: Construction, lang: Lang) -> list[str]:
     """The scales of the diagrams, each with the formula it follows from; μ in mm per unit."""
-    letters, units, mm = LETTERS[c.motion.slides], UNITS[c.motion.slides], say("mm", lang)
+    letters, units, mm = LETTERS[c.motion.slides], RATES[c.motion.slides], say("mm", lang)
     lines = [f"μ_t = {quantity(c.mu_t)} {mm}/{say('s', lang)}"]
     previous: Stage | None = None
     for stage in c.stages:
@@ -72,7 +71,7 @@ def as_json(constructions: list[Construction]) -> dict[str, Any]:
     """The constructions as plain things: scales, poles, and every point with what was found and what is exact, SI."""
     return {"planes": 1, "constructions": [{
         "kind": c.kind, "link": c.motion.link, "mu_t": c.mu_t, "diagrams": [{
-            "quantity": LETTERS[c.motion.slides][r.stage.rank], "unit": UNITS[c.motion.slides][r.stage.rank],
+            "quantity": LETTERS[c.motion.slides][r.stage.rank], "unit": RATES[c.motion.slides][r.stage.rank],
             "mu": r.stage.mu, "pole_mm": r.stage.pole_mm, "given": r.stage.given, "points": [
                 {"point": label, "phi_deg": _angle(c, half), "found": found, "exact": exact, "pencil": spread}
                 for (half, label), found, exact, spread in zip(r.stage.points, r.found, r.exact, r.pencil, strict=True)
@@ -95,7 +94,7 @@ def report(constructions: list[Construction], lang: Lang) -> str:
 
 def _reading(c: Construction, r: Reading, lang: Lang) -> list[str]:
     rank, slides = r.stage.rank, c.motion.slides
-    unit = say(UNITS[slides][rank], lang)
+    unit = say(RATES[slides][rank], lang)
     head = [say("graphical_point", lang), "φ1, °", say("graphical_found", lang), say("graphical_exact", lang), "Δ, %",
             say("graphical_pencil", lang)]  # fmt: skip
     size = max(map(abs, r.exact)) or 1.0

@@ -18,7 +18,7 @@ from planes.solving.nearest import nearest
 from planes.solving.tables import table
 from planes.words import Lang, say
 from planes.words.errors import PlanFailure
-from planes.words.units import quantity
+from planes.words.units import RATES, quantity
 
 GROUPS = ("place", "analogue", "rate", "force")
 DECIMALS = 5  # of a listing
@@ -50,7 +50,7 @@ def drive_name(s: Summary) -> str:
 def _drive(s: Summary, lang: Lang) -> str:
     drive = s.plans.mechanism.drive
     v, a = ("ω", "ε") if drive.kind == "phi" else ("v", "a")
-    units = ("rad/s", "rad/s²") if drive.kind == "phi" else ("m/s", "m/s²")
+    units = RATES[drive.kind != "phi"][1:]
     shown = [f"{quantity(x)} {say(u, lang)}" for x, u in zip((drive.velocity, drive.acceleration), units, strict=True)]
     first, last = (told(float(x), drive.kind, lang) for x in (s.grid.places[0], s.grid.places[-1]))
     return say("cycle_range", lang, name=drive_name(s), first=first, last=last, velocity=v + drive.link, v=shown[0],
@@ -189,7 +189,7 @@ def unsolved(turn: Turn, values: Any, lang: Lang) -> list[str]:
         try:
             run(plans.program, {**given, plans.drive_given: value})
         except PlanFailure as failure:
-            found.append(failed(failure, value, plans.mechanism.drive.kind, nearest(plans, value), lang))
+            found.append(failed(failure, value, plans.mechanism.drive.kind, nearest(plans, value)).told(lang))
     return found
 
 

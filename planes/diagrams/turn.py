@@ -19,6 +19,7 @@ from planes.diagrams.working import FULL, Span
 from planes.plans import Plans
 from planes.words import Phrase
 from planes.words.errors import PlanesError, choices
+from planes.words.units import RATES
 
 FLIP = 90.0  # degrees a link cannot turn by from one place to the next
 ROUNDING = 1e-13  # what is left of numbers that cancel, beside them
@@ -154,7 +155,7 @@ class Grid:
             if np.isfinite(y).any():
                 found[curve.unit] = max(found.get(curve.unit, 0.0), float(np.nanmedian(y)))
         if drive.kind == "phi":
-            for unit, rate in (("rad/s", "rad/s²"), ("m/s", "m/s²")):
+            for _, unit, rate in RATES.values():
                 found[rate] = max(found.get(rate, 0.0), found.get(unit, 0.0) * abs(drive.velocity))
         return found
 

@@ -17,7 +17,7 @@ from planes.scene import Scene
 from planes.scene.files import keep
 from planes.solving import Position
 from planes.solving.vectors import solve_vectors
-from planes.words import Lang, say
+from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.home import home_lang
 from render.paper.faces import lettered
@@ -54,7 +54,7 @@ def draw_sheet(
     """
     path = Path(output)
     if path.suffix.lower() not in SUFFIXES:
-        raise PlanesError(say("bad_suffix", lang, file=output, known=", ".join(SUFFIXES)))
+        raise PlanesError(Phrase("bad_suffix", file=output, known=SUFFIXES))
     drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
     write(drawn, path, lang, text)
     return drawn.warnings
@@ -126,7 +126,7 @@ def rendered(sheet: Sheet | Page, suffix: str, lang: Lang, text: str = "text") -
 
             return pdf.write(sheet.marks, sheet.size, sheet.title, lang=lang)
         case ".dxf":
-            found: bytes = _dxf(lang).write(sheet.marks, sheet.size, sheet.title, lang=lang, text=text)
+            found: bytes = _dxf().write(sheet.marks, sheet.size, sheet.title, lang=lang, text=text)
             return found
         case _:
             from render.files import png
@@ -134,10 +134,10 @@ def rendered(sheet: Sheet | Page, suffix: str, lang: Lang, text: str = "text") -
             return png.write(sheet.marks, sheet.size, sheet.title)
 
 
-def _dxf(lang: Lang) -> Any:
+def _dxf() -> Any:
     """The writer of DXF, if ezdxf is installed."""
     if find_spec("ezdxf") is None:
-        raise PlanesError(say("needs_ezdxf", lang))
+        raise PlanesError(Phrase("needs_ezdxf"))
     from render.files import dxf
 
     return dxf

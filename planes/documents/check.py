@@ -20,7 +20,7 @@ from planes.check.sight.photograph import blank_pole
 from planes.plans.measuring import say_plan
 from planes.plans.scales import kind_of
 from planes.scene import Scene
-from planes.scene.files import save
+from planes.scene.files import keep, sayable
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from planes.words.names import POLE
@@ -59,15 +59,13 @@ def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Any], str]:
 def _write(marks: list[Any], title: str, output: str, lang: Lang, under: Photo | None = None) -> None:
     suffix = Path(output).suffix.lower()
     writers = {".svg": svg.write, ".pdf": pdf.write}
-    try:
+    with sayable(output):
         if suffix in writers:
             writers[suffix](marks, SHEET_MM, title, output, lang=lang, under=under)
         elif suffix == ".png":
             png.write(marks, SHEET_MM, title, output, under=under)
         else:
             raise PlanesError(Phrase("check_output", file=output))
-    except OSError as error:
-        raise PlanesError(Phrase("cannot_write", file=output, reason=error.strerror or str(error))) from None
 
 
 def write_trace(asked: Asked, output: str, lang: Lang) -> None:
@@ -93,10 +91,8 @@ def write_class(group: Group, output: str, lang: Lang) -> None:
     """The drawings of a class as a page; into a folder, with the report of each beside it."""
     target = Path(output)
     if not target.suffix:
-        try:
+        with sayable(output):
             target.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise PlanesError(Phrase("cannot_write", file=output, reason=error.strerror or str(error))) from None
         for one in group.all:
             if one.found:
                 one.report = f"{one.file}.html"
@@ -124,10 +120,7 @@ def _unmarked(one: Checked, lang: Lang) -> str:
 
 def write_text(text: str, output: str) -> None:
     """A file of text, whole or not at all, or a sentence why not."""
-    try:
-        save(text.encode(), output)
-    except OSError as error:
-        raise PlanesError(Phrase("cannot_write", file=output, reason=error.strerror or str(error))) from None
+    keep(text.encode(), output)
 
 
 def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:

@@ -181,11 +181,11 @@ class Conductor:
 
     def summary(self, given: Sequence[Share], settled: dict[Share, Settled]) -> list[str]:
         """The teacher's table, as CSV and as a page."""
-        from render.report import note_html
+        from render.report import rendered
 
         rows = [Row.of(s, settled[s].scene, settled[s].key, settled[s].fault) for s in given]
         title = self.course.title.get(self.lang, "")
-        html = note_html.write(list(as_blocks(rows, title, self.lang)), {}, Naming(self.lang))
+        html = rendered(list(as_blocks(rows, title, self.lang)), ".html", Naming(self.lang))
         made = {"teacher/summary.csv": as_csv(rows, self.lang).encode(), "teacher/summary.html": html}
         for name, data in made.items():
             if not self.ledger.fresh(name, digest(data)):

@@ -16,16 +16,17 @@ from planes.course.settling import slip
 from planes.course.showing import clearest
 from planes.documents import rendered, sheet_of
 from planes.documents.check import blank_marks
-from planes.documents.lesson import figures, note, placed, set_note
+from planes.documents.lesson import note, placed
 from planes.lesson.data import lesson_data
-from planes.lesson.note import Block
 from planes.plans.scales import FIT_MM
 from planes.scene import Scene, loads
 from planes.solving import Position, position
+from planes.solving.document import Block
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from render.files import pdf
 from render.page.lesson_page import page
+from render.report import rendered as rendered_document
 from render.sheet import Sheet
 from render.sheet.composer import Composer
 
@@ -125,17 +126,16 @@ class Desk:
         plans = self.drawn.plans
         other, fits = clearest(plans, self.drawn.at), {**FIT_MM, "position": FIGURE_MM}
         shown = position(self.scene, plans, None, other, None, self.order.lang, fits)
-        blocks = list(task(self.scene, self.drawn, self.order.heads, self.order.used, self.order.lang))
-        return self.set(blocks, shown)
+        blocks = list(task(self.scene, self.drawn, shown, self.order.heads, self.order.used, self.order.lang))
+        return self.set(blocks)
 
     def key(self) -> bytes:
         """The answers to be read."""
         return self.set(list(answers(self.scene, self.drawn, self.order.heads, self.order.used, self.order.lang)))
 
-    def set(self, blocks: list[Block], shown: Position | None = None) -> bytes:
+    def set(self, blocks: list[Block]) -> bytes:
         """Blocks as a PDF."""
-        composer = Composer(self.scene, self.order.lang)
-        return set_note(blocks, figures(blocks, composer, shown or self.drawn), composer.naming, ".pdf")
+        return rendered_document(blocks, ".pdf", Composer(self.scene, self.order.lang).naming)
 
     def blank(self) -> bytes:
         """A page for each plan."""

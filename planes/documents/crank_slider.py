@@ -13,16 +13,16 @@ from planes.crank_slider.pages_forces import worked
 from planes.crank_slider.pages_kinematics import scene_at
 from planes.crank_slider.report import document, summary
 from planes.scene import Scene
-from planes.scene.files import save, sayable
+from planes.scene.files import keep
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
-
-SUFFIXES = (".html", ".htm", ".pdf", ".json")
+from render import report
+from render.sheet.composer import Composer
 
 
 def run(scene: Scene, args: Namespace, lang: Lang) -> int:
     """Calculate; write the report and the sheet if files are named; print the object or the summary."""
-    if args.output and Path(args.output).suffix.lower() not in SUFFIXES:
+    if args.output and Path(args.output).suffix.lower() not in (*report.SUFFIXES, ".json"):
         raise PlanesError(Phrase("cs_suffix", file=args.output))
     found = calculate(scene)
     if args.output:
@@ -49,10 +49,8 @@ def _sheet(found: Calculation, path: str, phi: float | None, lang: Lang) -> None
 
 
 def _write(found: Calculation, path: Path, lang: Lang) -> None:
-    from render import report
-
-    with sayable(path):
-        if path.suffix.lower() == ".json":
-            save((json.dumps(as_json(found), ensure_ascii=False, allow_nan=False) + "\n").encode(), path)
-        else:
-            report.write(document(found, lang), path)
+    suffix = path.suffix.lower()
+    if suffix == ".json":
+        keep((json.dumps(as_json(found), ensure_ascii=False, allow_nan=False) + "\n").encode(), path)
+    else:
+        keep(report.rendered(document(found, lang), suffix, Composer(found.scene, lang).naming), path)

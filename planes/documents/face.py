@@ -25,7 +25,7 @@ from planes.solving import solve as solve_each
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.home import home_lang
-from planes.words.units import UnitError, read_mu
+from planes.words.units import read_mu
 from render.sheet import Sheet
 from render.sheet.single import Page
 
@@ -132,12 +132,7 @@ def check(
     ``sentence``.
     Raises :class:`PlanesError` where the file cannot be opened or the scene has no such plan.
     """
-    at, known_mu = _drive(scene, phi, s), None
-    if mu is not None:
-        try:
-            known_mu = read_mu(mu, kind_of(plan))
-        except UnitError as error:
-            raise PlanesError(str(error)) from None
+    at, known_mu = _drive(scene, phi, s), None if mu is None else read_mu(mu, kind_of(plan))
     asked = Asked(scene, plan, None if at is None else float(at), known_mu)
     return judge(asked, read_paper(str(drawing), asked, Known(pole, marks or {})))
 

@@ -15,7 +15,7 @@ from planes.scene import Scene
 from planes.solving import Position, failed, plans_of, position
 from planes.solving.nearest import nearest
 from planes.solving.vectors import solve_vectors
-from planes.words import Lang, say
+from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from render.sheet import Contents, Sheet, compose
 from render.sheet.composer import Composer
@@ -80,7 +80,7 @@ class Drawn:
         """The value of the drive a sheet is drawn for."""
         chosen = [self.stated[0].mechanism.drive.position] if self.values is None else list(self.values)
         if len(chosen) != 1:
-            raise PlanesError(say("one_position", self.lang, count=len(chosen)))
+            raise PlanesError(Phrase("one_position", count=len(chosen)))
         return chosen[0]
 
     def at(self, sizes: Sizes) -> Position:
@@ -97,9 +97,7 @@ class Drawn:
         try:
             return position(self.scene, plans, wanted, self.value, None, self.lang, fits)
         except PlanFailure as failure:
-            near = nearest(plans, self.value)
-            kind = plans.mechanism.drive.kind
-            said = failed(failure, self.value, kind, near, self.lang)
+            said = failed(failure, self.value, plans.mechanism.drive.kind, nearest(plans, self.value))
             raise SceneError(said, self.scene.file) from None
 
     def extents(self, sizes: Sizes, shown: Callable[[str], bool]) -> dict[str, float]:

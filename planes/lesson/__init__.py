@@ -20,8 +20,7 @@ from planes.lesson.moments import moment_words
 from planes.lesson.steps import StepWords, lettered, whole
 from planes.plans import Plans
 from planes.plans.scales import kind_of
-from planes.words import Lang, decimal
-from planes.words.lesson import tell, why
+from planes.words import Lang, decimal, say
 from planes.words.names import POLE, at, label_of, mu_of, plan_of
 from planes.words.units import mu_text
 
@@ -113,8 +112,8 @@ class Teller:
         for lang in LANGS:
             kind = "velocity" if plan == "lever" else kind_of(plan)
             here = {k: v(lang) if callable(v) else v for k, v in names.items()}
-            said[lang] = tell(key, lang, **{**here, "mu": mu_said(self.scales[mu_of(plan)], kind, lang)})
-            told[lang] = reason(lang) if callable(reason) else why(reason or key, lang)
+            said[lang] = say(f"lesson_{key}", lang, **{**here, "mu": mu_said(self.scales[mu_of(plan)], kind, lang)})
+            told[lang] = reason(lang) if callable(reason) else say(f"why_{reason or key}", lang)
         return Frame(key, plan, makes, uses, index, terms, said, told, moments)
 
     def equation_of(self, plan: str, makes: tuple[str, ...]) -> tuple[int | None, tuple[str, ...]]:
@@ -178,7 +177,7 @@ class Teller:
         read = f"‖{name}‖"
         self.spans[read] = (span[0], span[1], mu_of(plan))
         names = {"mm": paper(read, mu_of(plan)), "mu": number(self.scales[mu_of(plan)], lang), "value": value(read)}
-        return tell("reading", lang, name=name, unit=unit(name, lang), **names)
+        return say("lesson_reading", lang, name=name, unit=unit(name, lang), **names)
 
     def closing(self, plan: str) -> list[Frame]:
         """The reactions read off a force plan that has closed."""

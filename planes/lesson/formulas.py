@@ -10,26 +10,23 @@ import re
 from collections.abc import Callable
 
 from planes.drafting.steps.reckoning import Calculate, Product
-from planes.words import Lang, decimal
-from planes.words.lesson import tell
+from planes.words import Lang, decimal, say
 from planes.words.units import quantity
 
 SLOT = re.compile(r"⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧")
 UNITS = (
     ("omega", "rad/s"), ("epsilon", "rad/s²"), ("v", "m/s"), ("vq", "m/s"), ("a", "m/s²"), ("l", "m"), ("h", "m"),
-    ("e", "m"), ("r", "m"), ("arm", "m"), ("m", "kg"), ("J", "kg·m²"), ("g", "m/s²"), ("G", "N"), ("I", "N"),
+    ("e", "m"), ("r", "m"), ("arm", "m"), ("m", "kg"), ("J", "kgm2"), ("g", "m/s²"), ("G", "N"), ("I", "N"),
     ("P", "N"), ("F", "N"), ("N", "N"), ("T", "N"), ("M", "N·m"), ("MI", "N·m"), ("MR", "N·m"), ("MP", "N·m"),
     ("MZ", "N·m"), ("FZ", "N"), ("Fb", "N"), ("s", "m"),
 )  # fmt: skip
-_RU = {"rad/s": "рад/с", "rad/s²": "рад/с²", "m/s": "м/с", "m/s²": "м/с²", "m": "м", "kg": "кг", "kg·m²": "кг·м²",
-       "N": "Н", "N·m": "Н·м", "mm": "мм"}  # fmt: skip
 _OWN = re.compile(r"^[|‖]|[|‖]$")
 
 
 def unit(name: str, lang: Lang) -> str:
     """The SI unit of a value by its name, as the language writes it."""
     found = dict(UNITS).get(_OWN.sub("", name).partition("_")[0], "")
-    return _RU.get(found, "") if lang == "ru" else found
+    return say(found, lang) if found else ""
 
 
 def value(name: str) -> str:
@@ -71,7 +68,7 @@ def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:
         if how == "mm":
             return millimetres(size * read(mu), lang)
         if how == "s":
-            return tell("ccw" if size > 0 else "cw" if size < 0 else "still", lang)
+            return say("lesson_ccw" if size > 0 else "lesson_cw" if size < 0 else "lesson_still", lang)
         shown = number(size, lang)
         return f"({shown})" if how == "b" and shown.startswith("−") else shown
 

@@ -8,8 +8,7 @@ from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps.reckoning import Calculate
 from planes.lesson.formulas import sides, unit, value
-from planes.words import Lang
-from planes.words.lesson import tell
+from planes.words import Lang, say
 
 NOISE = 1e-9  # of the largest term: nothing
 
@@ -73,6 +72,6 @@ def _named(m: Moments, step: Calculate) -> dict[str, str]:
 
 def _links(m: Moments, lang: Lang) -> str:
     if m.links == ("lever",):
-        return tell("lever_of", lang)
-    return tell("link" if len(m.links) == 1 else "links", lang, links=", ".join(m.links))
+        return say("lesson_lever_of", lang)
+    return say("lesson_link" if len(m.links) == 1 else "lesson_links", lang, links=", ".join(m.links))
 

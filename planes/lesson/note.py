@@ -1,7 +1,4 @@
-"""The explanatory note: the frames of a lesson as prose, with tables and places for figures, in the usual order.
-
-A note is a list of blocks; names of vectors and values stand in ⟨…⟩. How it looks, and the figures, are not its matter.
-"""
+"""The explanatory note: the frames of a lesson as prose, with tables and figures, in the usual order."""
 
 from __future__ import annotations
 
@@ -19,48 +16,12 @@ from planes.plans.scales import kind_of
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME
 from planes.solving import Position, told
-from planes.words import Lang
+from planes.solving.document import Block, Drawn, Figure, Heading, Paragraph, Table
+from planes.solving.tables import difference_percent
+from planes.words import Lang, say
 from planes.words.names import mu_of
-from planes.words.note import note_said
 
 NOISE = 1e-12
-
-
-@dataclass(frozen=True)
-class Heading:
-    """A heading; level 0 is the note's own title."""
-
-    text: str
-    level: int = 1
-
-
-@dataclass(frozen=True)
-class Prose:
-    """A paragraph; ``why`` is set apart as the reason of what it says; ``plan`` is where its marks stand."""
-
-    text: str
-    why: str = ""
-    number: int = 0
-    plan: str = ""
-
-
-@dataclass(frozen=True)
-class Figure:
-    """A place for a figure: "scheme", a plan, or "equations …" of a plan."""
-
-    key: str
-    caption: str = ""
-
-
-@dataclass(frozen=True)
-class Table:
-    """A table with its caption; the first row is the head."""
-
-    caption: str
-    rows: tuple[tuple[str, ...], ...]
-
-
-Block = Heading | Prose | Figure | Table
 
 
 @dataclass
@@ -82,7 +43,7 @@ class Note:
         return [*self.opening(), *self.structure(), *self.plans(), *self.results()]
 
     def say(self, key: str, **names: object) -> str:
-        return note_said(key, self.lang, **names)
+        return say(key, self.lang, **names)
 
     def table(self, key: str, head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> Iterator[Block]:
         """A numbered table, unless it is empty."""
@@ -92,7 +53,10 @@ class Note:
 
     def figure(self, key: str, title: str) -> Figure:
         self.figures += 1
-        return Figure(key, self.say("note_figure", number=self.figures, title=title))
+        return Figure(self.drawn(key), self.say("note_figure", number=self.figures, title=title))
+
+    def drawn(self, key: str) -> Drawn:
+        return Drawn(self.scene, self.position, ((key,),))
 
     def opening(self) -> Iterator[Block]:
         """Title, task and given numbers."""
@@ -102,24 +66,24 @@ class Note:
         yield Heading(self.say("note_given"))
         where = told(self.position.at, drive.kind, self.lang)
         where = f"{'φ' if drive.kind == 'phi' else 's'} = {where.replace('.', ',') if self.lang == 'ru' else where}"
-        yield Prose(self.say("note_task", title=title, drive=where))
+        yield Paragraph(self.say("note_task", title=title, drive=where))
         rows = []
         for name, size in plans.given.items():
             letter = name.partition("_")[0]
             shown = letter in ("l", "e", "m", "J", "g", "omega", "epsilon", "f") or name.endswith("_given")
             if shown and not isinstance(size, complex) and "°" not in name:
                 rows.append((f"⟨{name}⟩", number(float(size), self.lang), unit(name, self.lang)))
-        head = (self.say("quantity"), self.say("value"), self.say("unit"))
+        head = (self.say("quantity"), self.say("value"), self.say("note_unit"))
         yield from self.table("note_given_table", head, rows)
 
     def structure(self) -> Iterator[Block]:
         """Degree of freedom, groups, formula."""
         s, m = self.position.plans.structure, self.position.plans.mechanism
         yield Heading(self.say("note_structure"))
-        yield Prose(self.say("note_freedom", n=len(m.links), p=len(s.pairs), W=s.W, q=s.q))
+        yield Paragraph(self.say("note_freedom", n=len(m.links), p=len(s.pairs), W=s.W, q=s.q))
         for g in s.groups:
-            yield Prose(self.say("note_group_kind", links=", ".join(g.links), kind=g.kind, name=g.name))
-        yield Prose(self.say("note_formula", formula=s.formula.replace("->", "→")))
+            yield Paragraph(self.say("note_group_kind", links=", ".join(g.links), kind=g.kind, name=g.name))
+        yield Paragraph(self.say("note_formula", formula=s.formula.replace("->", "→")))
 
     def plans(self) -> Iterator[Block]:
         """Every plan with its equations, its steps in words, and its figure."""
@@ -128,7 +92,7 @@ class Note:
             held = [f for _, f in frames]
             yield Heading(self.heading(plan))
             if plan not in ("position", "lever"):
-                yield Figure(f"equations {plan}")
+                yield Figure(self.drawn(f"equations {plan}"))
             for frame in held:
                 seen += 1
                 yield self.prose(frame, seen)
@@ -137,7 +101,7 @@ class Note:
             else:
                 yield from self.compared()
         if not any(f.plan.startswith("force") for f in self.frames):
-            yield Prose(self.say("note_no_forces"))
+            yield Paragraph(self.say("note_no_forces"))
 
     def placed(self) -> list[tuple[str, Frame]]:
         """Frames with the plan they are told under: a moment equation under the plan it serves."""
@@ -160,33 +124,32 @@ class Note:
             return self.say("note_scheme", mu=mu)
         return self.say("note_plan", plan=say_plan(plan, self.lang), mu=mu)
 
-    def prose(self, frame: Frame, index: int) -> Prose:
+    def prose(self, frame: Frame, index: int) -> Paragraph:
         """A frame as a paragraph."""
         read = lambda name: float(value_of(name, self.teller, self.position.drawing))  # noqa: E731
         why = frame.why[self.lang] if frame.why[self.lang] not in self.given else ""
         self.given.add(why)
-        return Prose(fill(frame.said[self.lang], read, self.lang), why, index, frame.plan)
+        return Paragraph(fill(frame.said[self.lang], read, self.lang), why, index, frame.plan)
 
     def compared(self) -> Iterator[Block]:
         """The balancing load two ways."""
         plans, drawing = self.position.plans, self.position.drawing
         found, check = float(drawing[plans.balancing]), float(drawing[plans.zhukovsky])
-        largest = max(abs(found), abs(check))
-        percent = 100 * abs(found - check) / largest if largest else 0.0
+        percent = difference_percent(found, check)
         names = {"found": number(found, self.lang), "check": number(check, self.lang)}
         shown = number(percent if percent > 1e-6 else 0.0, self.lang, 2)
-        yield Prose(self.say("note_difference", **names, unit=unit(plans.balancing, self.lang), percent=shown))
+        yield Paragraph(self.say("note_difference", **names, unit=unit(plans.balancing, self.lang), percent=shown))
 
     def results(self) -> Iterator[Block]:
         """Tables of what was found, and what must be known of it."""
         p = self.position
         yield Heading(self.say("note_results"))
         v, a, w, e, n = (unit(x, self.lang) for x in ("v", "a", "omega", "epsilon", "F"))
-        angle = self.say("angle")
-        head: tuple[str, ...] = (self.say("point"), f"v, {v}", angle, f"a, {a}", angle)
+        angle = self.say("note_angle")
+        head: tuple[str, ...] = (self.say("note_point"), f"v, {v}", angle, f"a, {a}", angle)
         rows = [(f"⟨{n}⟩", *self.vector(x.get("v")), *self.vector(x.get("a"))) for n, x in p.rows("points").items()]
         yield from self.table("note_points_table", head, rows)
-        head = (self.say("link"), f"ω, {w}", f"ε, {e}")
+        head = (self.say("note_link"), f"ω, {w}", f"ε, {e}")
         shown = [(k, *(self.number(x.get(i)) for i in ("omega", "epsilon"))) for k, x in p.rows("links").items()]
         yield from self.table("note_links_table", head, [row for row in shown if row[0] != FRAME])
         forces = list(p.of("reactions").items())
@@ -194,7 +157,7 @@ class Note:
             head = (self.say("reaction"), f"|F|, {n}", angle)
             yield from self.table("note_reactions_table", head, [(f"⟨{k}⟩", *self.vector(f)) for k, f in forces])
         for warning in p.results["warnings"]:
-            yield Prose(self.say("note_warning", text=warning.rstrip(".")))
+            yield Paragraph(self.say("note_warning", text=warning.rstrip(".")))
 
     def vector(self, found: Measured | None) -> tuple[str, str]:
         """Size and direction."""

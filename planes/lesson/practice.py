@@ -29,7 +29,6 @@ from planes.plans import Plans
 from planes.plans.scales import kind_of
 from planes.words import Lang, say
 from planes.words.errors import PlanesError
-from planes.words.lesson import tell
 from planes.words.names import mu_of, plan_of
 
 Said = dict[Lang, str]
@@ -163,7 +162,7 @@ class Practice:
         mu, found = float(self.given[step.mu]), []
         for mistake, slip in (("value_for_mm", length / mu), ("value_over_mu", length / mu / mu)):
             if abs(slip / length - 1) > SAME_LENGTH and slip > LEAST_MM:
-                said = {lang: tell(mistake, lang, mark=f"⟨{lettered(step.makes)}⟩") for lang in LANGS}
+                said = {lang: say(f"lesson_{mistake}", lang, mark=f"⟨{lettered(step.makes)}⟩") for lang in LANGS}
                 found.append({"mm": slip, "mistake": mistake, "said": said})
         return found
 

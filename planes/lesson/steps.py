@@ -14,8 +14,7 @@ from planes.drafting.steps.reckoning import Calculate, Choose, Measure
 from planes.lesson.formulas import formula, number, paper, sense, unit, value
 from planes.plans import Plans
 from planes.plans.scales import kind_of
-from planes.words import Lang
-from planes.words.lesson import tell, why
+from planes.words import Lang, say
 from planes.words.names import label_of, plan_of, written
 
 Words = tuple[str, Any, dict[str, Any]]  # the key of the sentence, of the reason (or the reason), names
@@ -37,19 +36,19 @@ def way(direction: str, lang: Lang) -> str:
     """How a vector is laid off, in words."""
     direction = written(direction)
     if m := _TOWARDS.match(direction):
-        return tell("way_towards", lang, one=m[1], other=m[2])
+        return say("lesson_way_towards", lang, one=m[1], other=m[2])
     if m := _MOVING.match(direction):
         vector = m[2].replace("vq_", "v_")
-        return tell("way_against" if m[1] == "-" else "way_with", lang, vector=vector)
+        return say("lesson_way_against" if m[1] == "-" else "lesson_way_with", lang, vector=vector)
     if direction == "↓":
-        return tell("way_down", lang)
+        return say("lesson_way_down", lang)
     if direction.startswith("∠"):
-        return tell("way_given", lang)
+        return say("lesson_way_given", lang)
     if direction.startswith("⊥"):
-        return tell("way_across", lang, line=line_of(direction))
+        return say("lesson_way_across", lang, line=line_of(direction))
     if direction.startswith(("→", "x_")):
-        return tell("way_own", lang)
-    return tell("way_along", lang, line=line_of(direction))
+        return say("lesson_way_own", lang)
+    return say("lesson_way_along", lang, line=line_of(direction))
 
 
 def action(direction: str) -> str:
@@ -116,7 +115,7 @@ class StepWords:
             "one": step.like[0], "two": step.like[1], "from": step.of[0], "own": step.of[1],
         }  # fmt: skip
         names = {k: lettered(m) for k, m in marks.items()}
-        reason = "similar" if key == "image" else lambda lang: why(key, lang, **names)
+        reason = "similar" if key == "image" else lambda lang: say(f"why_{key}", lang, **names)
         return key, reason, names
 
     def corners(self, step: s.Similar) -> Iterator[str]:
@@ -188,7 +187,7 @@ def whole(equation: Equation, name: str) -> str:
 def _reason(term: Term, name: str, kind: str, lang: Lang) -> str:
     direction = term.direction or ""
     across = direction.startswith("⊥")
-    return why(f"{'across' if across else 'along'}_{kind}", lang, name=name, line=line_of(direction))
+    return say(f"why_{'across' if across else 'along'}_{kind}", lang, name=name, line=line_of(direction))
 
 
 def _kind_of_vector(label: str, kind: str, source: Calculate) -> str:

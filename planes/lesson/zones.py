@@ -11,9 +11,8 @@ from planes.lesson import LANGS
 from planes.plans import Plans
 from planes.plans.measuring import BLUNT, say_plan
 from planes.solving import failed
-from planes.words import decimal
+from planes.words import decimal, say
 from planes.words.errors import PlanFailure
-from planes.words.lesson import tell
 from planes.words.names import label_of, plan_of
 
 
@@ -41,10 +40,11 @@ def zones(plans: Plans, cycle: Drawing, values: list[float]) -> list[dict[str, A
 
 def _zone(plans: Plans, first: int, last: int, kind: str, table: Any) -> dict[str, Any]:
     if kind == "bad":
-        return {"from": first, "to": last, "kind": "bad", "said": {lang: tell("zone_bad", lang) for lang in LANGS}}
+        said = {lang: say("lesson_zone_bad", lang) for lang in LANGS}
+        return {"from": first, "to": last, "kind": "bad", "said": said}
     angle = math.degrees(math.asin(float(table[:, first : last + 1].min())))
     said = {
-        lang: tell("zone_blunt", lang, mark=_mark(kind), plan=say_plan(plan_of(kind) or "position", lang),
+        lang: say("lesson_zone_blunt", lang, mark=_mark(kind), plan=say_plan(plan_of(kind) or "position", lang),
                    angle=decimal(f"{angle:.2g}", lang))
         for lang in LANGS
     }  # fmt: skip
@@ -72,5 +72,5 @@ def reasons(
             run(plans.program, {**given, plans.drive_given: values[index]})
         except PlanFailure as failure:
             kind = plans.mechanism.drive.kind
-            found[str(index)] = {lang: failed(failure, values[index], kind, None, lang) for lang in LANGS}
+            found[str(index)] = {lang: failed(failure, values[index], kind).told(lang) for lang in LANGS}
     return found

@@ -17,7 +17,7 @@ from planes.plans.structure import Structure
 from planes.scene import Scene
 from planes.solving.nearest import nearest
 from planes.solving.warned import warnings
-from planes.words import Lang, Phrase, say
+from planes.words import Lang, Phrase, Told
 from planes.words.errors import PlanFailure, SceneError
 from planes.words.pictures import Pictured
 
@@ -161,21 +161,27 @@ def solve(
             solved.positions.append(position(scene, plans, wanted, value, instrument, lang))
         except PlanFailure as failure:
             near = nearest(plans, value) if len(solved.failed) < TOLD else None
-            solved.failed.append({key_of(plans): value, "error": failed(failure, value, drive.kind, near, lang)})
+            solved.failed.append({key_of(plans): value, "error": failed(failure, value, drive.kind, near).told(lang)})
     return solved
 
 
-def failed(failure: PlanFailure, value: float, kind: str, near: float | None, lang: Lang) -> str:
+def failed(failure: PlanFailure, value: float, kind: str, near: float | None = None) -> Phrase:
     """The sentence of a position that did not come out, with the nearest one that does."""
     name = "φ" if kind == "phi" else "s"
-    sentence = say("at", lang, name=name, value=told(value, kind, lang)) + failure.sentence(lang)
-    return sentence + (say("nearest", lang, name=name, value=told(near, kind, lang, True)) if near is not None else "")
+    there = Phrase("nearest", name=name, value=_place(near, kind, True)) if near is not None else ""
+    return Phrase("at", name=name, value=_place(value, kind), why=failure.phrase, nearest=there)
 
 
-def told(value: float, kind: str, lang: Lang, exact: bool = False) -> str:
-    """A value of the drive in words, with ten digits or ``exact``, so that it can be typed again."""
+def told(value: float, kind: str, lang: Lang) -> str:
+    """A value of the drive in words, so that it can be typed again."""
+    place = _place(value, kind)
+    return place.told(lang) if isinstance(place, Phrase) else place
+
+
+def _place(value: float, kind: str, exact: bool = False) -> Told:
+    """A value of the drive, with ten digits or ``exact``."""
     number = repr(value).removesuffix(".0") if exact else f"{value:.10g}"
-    return f"{number}°" if kind == "phi" else say("in_m", lang, value=number)
+    return f"{number}°" if kind == "phi" else Phrase("in_m", value=number)
 
 
 def key_of(plans: Plans) -> str:

@@ -86,7 +86,7 @@ def for_sheet(scene: Scene, values: list[float] | None, lang: Lang) -> tuple[Sce
         if near is None:
             return scene, values, []
         there, kind = near.results["interpolated"][1], plans.mechanism.drive.kind
-        why = failed(failure, asked[0], kind, None, lang)
+        why = failed(failure, asked[0], kind)
         return scene, [there], [say("remedy_beside", lang, why=why, there=told(there, kind, lang))]
     kinds = p.results.get("remedied", [])
     said = p.results["warnings"][len(p.results["warnings"]) - len(kinds) :]

@@ -150,7 +150,7 @@ def _plan(name: str, plan: dict[str, Any], lang: Lang, e: dict[str, Any] | None)
         mm, value = (error_of(e, "plans", name, "segments", key, what) for what in ("mm", "value"))
         rows.append([s["name"], key, f"{s['mm']:.2f}", *mm, _number(s["value"], most), *value])
     kind = name.partition(":")[0]
-    unit = say({"velocity": "m/s", "acceleration": "m/s²", "force": "N"}[kind], lang)
+    unit = say(UNIT[kind], lang)
     title = f"{say_plan(name, lang)}, μ = {say_mu(plan['mu'], lang)}"
     return table(title, ["", say("segment", lang), say("mm", lang), *pm(e), unit, *pm(e)], rows)
 

@@ -165,7 +165,7 @@ CRANK_SLIDER: dict[str, tuple[str, str]] = {
         "--phi {value:g}: the cycle goes from {low:g}° to {high:g}°",
     ),
     "cs_suffix": (
-        "{file}: отчёт пишется в .html, .pdf или .json",
-        "{file}: the report is written as .html, .pdf or .json",
+        "{file}: отчёт пишется в .html, .pdf, .docx или .json",
+        "{file}: the report is written as .html, .pdf, .docx or .json",
     ),
 }

@@ -68,8 +68,8 @@ FORCES: dict[str, tuple[str, str]] = {
         "the rod at B; T and K act on the crank pin: T along its motion, K towards the shaft's axis.",
     ),
     "s_friction": (
-        "Трение f|N| направлено против скорости; знак N выбран тот, при котором уравнение выполняется.",
-        "Friction f|N| opposes the velocity; the sign of N is the one that satisfies the equation.",
+        "Трение f∣N∣ направлено против скорости; знак N выбран тот, при котором уравнение выполняется.",
+        "Friction f∣N∣ opposes the velocity; the sign of N is the one that satisfies the equation.",
     ),
     "m_22": (
         "В (22) сумма моментов относительно O не содержит момента на кривошипе, без которого вал не в равновесии; "

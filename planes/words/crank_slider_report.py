@@ -1,6 +1,7 @@
 """Words of the report: given data and kinematics. Key to Russian and English."""
 
 GENERAL: dict[str, tuple[str, str]] = {
+    "kW": ("кВт", "kW"), "MPa": ("МПа", "MPa"), "J": ("Дж", "J"),
     "table": ("Таблица", "Table"),
     "figure": ("Рисунок", "Figure"),
     "lead": (
@@ -33,13 +34,6 @@ GENERAL: dict[str, tuple[str, str]] = {
     "g_p0": ("давление под поршнем", "pressure behind the piston"),
     "g_strokes": ("тактов в цикле", "strokes in a cycle"),
     "f_scheme": ("Схема механизма при φ = {phi}°", "Scheme of the mechanism at φ = {phi}°"),
-    "u_m": ("м", "m"),
-    "u_kW": ("кВт", "kW"),
-    "u_kg": ("кг", "kg"),
-    "u_Nm": ("Н·м", "N·m"),
-    "u_MPa": ("МПа", "MPa"),
-    "u_rads": ("рад/с", "rad/s"),
-    "u_kgm2": ("кг·м²", "kg·m²"),
 }
 
 KINEMATICS: dict[str, tuple[str, str]] = {

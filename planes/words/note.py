@@ -43,20 +43,16 @@ NOTE: dict[str, tuple[str, str]] = {
         "Масс и нагрузок в задании нет, поэтому силовой расчёт не выполняется.",
         "The assignment gives neither masses nor loads, so there is no calculation of forces.",
     ),
-    "note_why": ("{said} {why}", "{said} {why}"),
     "note_given_table": ("Размеры, движение, массы и нагрузки", "Dimensions, motion, masses and loads"),
     "note_points_table": ("Скорости и ускорения точек", "Velocities and accelerations of points"),
     "note_links_table": ("Угловые скорости и ускорения звеньев", "Angular velocities and accelerations of links"),
     "note_reactions_table": ("Реакции в кинематических парах", "Reactions in the pairs"),
     "note_scheme": ("схема механизма, μ = {mu}", "the scheme of the mechanism, μ = {mu}"),
     "note_plan": ("{plan}, μ = {mu}", "{plan}, μ = {mu}"),
-    "quantity": ("Величина", "Quantity"),
-    "value": ("Значение", "Value"),
-    "unit": ("Единица", "Unit"),
-    "point": ("Точка", "Point"),
-    "link": ("Звено", "Link"),
-    "angle": ("угол, °", "angle, °"),
-    "sense": ("Направление", "Sense"),
+    "note_unit": ("Единица", "Unit"),
+    "note_point": ("Точка", "Point"),
+    "note_link": ("Звено", "Link"),
+    "note_angle": ("угол, °", "angle, °"),
     "reaction": ("Реакция", "Reaction"),
     "note_suffix": (
         "{file}: записка пишется в .html, .pdf или .docx", "{file}: a note is written as .html, .pdf or .docx",
@@ -71,9 +67,3 @@ NOTE: dict[str, tuple[str, str]] = {
         ".docx needs the package python-docx: pip install python-docx; or ask for .html or .pdf",
     ),
 }  # fmt: skip
-
-
-def note_said(key: str, lang: str, **names: object) -> str:
-    """A sentence of the note with its names."""
-    text = NOTE[key][0 if lang == "ru" else 1]
-    return text.format(**names) if names else text

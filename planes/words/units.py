@@ -23,6 +23,8 @@ PLANS = ("position", "velocity", "acceleration", "force")
 SERIES = (1.0, 2.0, 2.5, 4.0, 5.0)
 
 UNIT = {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "force": "N", "vectors": "units"}
+RATES = {False: ("rad", "rad/s", "rad/s²"), True: ("m", "m/s", "m/s²")}
+"""Units of a link's place and its rates: of one that turns, and of one that slides."""
 _SIZES = {"m": 1.0, "mm": 0.001, "cm": 0.01, "km": 1000.0, "N": 1.0, "kN": 1000.0, "MN": 1e6}
 _LENGTHS = ("m", "mm", "cm", "km")
 _PER_MM = {

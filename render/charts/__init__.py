@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, MultipleLocator
 
+from planes.solving.document import Chart
 from planes.words import Lang
 from render.charts.strokes import Picture, StrokeRenderer
 from render.paper.numbers import decimal
@@ -30,41 +29,17 @@ STYLE: Any = {
 }  # fmt: skip
 
 
-class CurveLike(Protocol):
-    @property
-    def x(self) -> Any: ...
-    @property
-    def y(self) -> Any: ...
-    @property
-    def label(self) -> str: ...
-    @property
-    def style(self) -> int: ...
-
-
-@dataclass(frozen=True)
-class Axes:
-    """What a chart says beside its curves."""
-
-    x: str
-    y: str
-    equal: bool = False
-    ticks: float = 0.0
-
-
-def chart(
-    curves: Sequence[CurveLike], axes: Axes, notes: Sequence[tuple[float, float, str]] = (),
-    size_mm: tuple[float, float] = (165.0, 72.0), lang: Lang = "ru",
-) -> Picture:  # fmt: skip
+def chart(shown: Chart, width_mm: float, lang: Lang) -> Picture:
     """Draw a chart."""
-    width, height = size_mm[0] * MM, size_mm[1] * MM
+    width, height = width_mm * MM, shown.height_mm * MM
     with rc_context(STYLE):
         figure = Figure(figsize=(width / 72, height / 72), dpi=72, layout="constrained")
         plot = figure.add_subplot()
-        for c in curves:
+        for c in shown.curves:
             colour, dashes = LOOKS[c.style % len(LOOKS)]
             plot.plot(c.x, c.y, color=colour, linestyle=dashes, label=c.label or None)
-        _frame(plot, curves, axes, lang)
-        for x, y, text in notes:
+        _frame(plot, shown, lang)
+        for x, y, text in shown.notes:
             plot.plot([x], [y], "o", color="#000000", markersize=2.5)
             plot.annotate(text, (x, y), (3, 3), textcoords="offset points", fontsize=7)
         renderer = StrokeRenderer(width, height)
@@ -72,7 +47,7 @@ def chart(
     return renderer.picture
 
 
-def _frame(plot: Any, curves: Sequence[CurveLike], axes: Axes, lang: Lang) -> None:
+def _frame(plot: Any, axes: Chart, lang: Lang) -> None:
     plot.set_xlabel(axes.x)
     plot.set_ylabel(axes.y)
     plot.axhline(0.0, color="#000000", linewidth=0.6, zorder=1)
@@ -81,12 +56,12 @@ def _frame(plot: Any, curves: Sequence[CurveLike], axes: Axes, lang: Lang) -> No
         plot.margins(0.08)
         plot.set_aspect("equal", adjustable="datalim")
     else:
-        low, high = min(float(min(c.x)) for c in curves), max(float(max(c.x)) for c in curves)
+        low, high = min(float(min(c.x)) for c in axes.curves), max(float(max(c.x)) for c in axes.curves)
         plot.set_xlim(low, high)
     if axes.ticks:
         plot.xaxis.set_major_locator(MultipleLocator(axes.ticks))
     told = FuncFormatter(lambda v, _: decimal(f"{v:.6g}", lang))
     plot.xaxis.set_major_formatter(told)
     plot.yaxis.set_major_formatter(told)
-    if any(c.label for c in curves):
+    if any(c.label for c in axes.curves):
         plot.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=3.2)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from html import escape
 from typing import Any
 
 from matplotlib.backend_bases import RendererBase
@@ -37,12 +38,12 @@ class Picture:
     strokes: list[Stroke] = field(default_factory=list)
     depth: float = 0.0
 
-    def svg(self, label: str, scale: float = 1.0, css: str = "") -> str:
+    def svg(self, label: str) -> str:
         """An inline SVG element; ``label`` is read aloud in its place."""
         body = "".join(_element(s, self.height) for s in self.strokes)
-        size = f'width="{self.width * scale:.1f}pt" height="{self.height * scale:.1f}pt"'
+        size = f'width="{self.width:.1f}pt" height="{self.height:.1f}pt"'
         box = f'viewBox="0 0 {self.width:.2f} {self.height:.2f}"'
-        return f'<svg {size} {box} role="img" aria-label="{escaped(label)}"{css}>{body}</svg>'
+        return f'<svg {size} {box} role="img" aria-label="{escape(label)}">{body}</svg>'
 
     def draw(self, canvas: Any) -> None:
         """Draw on a reportlab canvas, the lower left corner in its origin."""
@@ -58,11 +59,6 @@ class Picture:
                 canvas.setFillColor(s.fill)
             canvas.drawPath(path, stroke=int(bool(s.line)), fill=int(bool(s.fill)))
         canvas.setDash()
-
-
-def escaped(text: str) -> str:
-    """Text safe within HTML, attributes too."""
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace('"', "&quot;")
 
 
 def _element(s: Stroke, height: float) -> str:

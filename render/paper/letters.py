@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from html import escape
 
 from render.paper.names import Naming, lettered
 
@@ -23,15 +24,19 @@ class Piece:
 
 
 def pieces(text: str, naming: Naming, plan: str = "") -> Iterator[Piece]:
-    """The runs of a sentence."""
-    end = 0
-    for match in _NAME.finditer(text):
-        if match.start() > end:
-            yield Piece(text[end : match.start()])
-        yield from _split(_named(match[1], naming, plan))
-        end = match.end()
-    if end < len(text):
-        yield Piece(text[end:])
+    """The runs of a sentence; _{…} and ^{…} in it are indices too."""
+    for k, part in enumerate(_NAME.split(text)):
+        yield from _split(_named(part, naming, plan) if k % 2 else part, bool(k % 2))
+
+
+def tagged(text: str, naming: Naming, plan: str = "") -> str:
+    """The sentence in tags, as HTML and reportlab know them: names in italics, indices lowered and raised."""
+    found = ""
+    for piece in pieces(text, naming, plan):
+        inner = escape(piece.text)
+        inner = f"<{piece.shift}>{inner}</{piece.shift}>" if piece.shift else inner
+        found += f"<i>{inner}</i>" if piece.name else inner
+    return found
 
 
 def _named(name: str, naming: Naming, plan: str) -> str:
@@ -51,12 +56,12 @@ def _named(name: str, naming: Naming, plan: str) -> str:
     return naming.vector(_PARTS.sub(r"\1^\2", plain))
 
 
-def _split(text: str) -> Iterator[Piece]:
+def _split(text: str, name: bool) -> Iterator[Piece]:
     end = 0
     for match in _PIECE.finditer(text):
         if match.start() > end:
-            yield Piece(text[end : match.start()], "", True)
-        yield Piece(match[2], "sub" if match[1] == "_" else "sup", True)
+            yield Piece(text[end : match.start()], "", name)
+        yield Piece(match[2], "sub" if match[1] == "_" else "sup", name)
         end = match.end()
     if end < len(text):
-        yield Piece(text[end:], "", True)
+        yield Piece(text[end:], "", name)

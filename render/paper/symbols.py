@@ -119,11 +119,6 @@ def plate(points: Sequence[complex], gap: float = 2.5) -> Marks:
     return (Hatch(tuple(points), slope, gap), Line(tuple(points), closed=True))
 
 
-def weld(at: complex, first_deg: float, second_deg: float, size: float = 3.0) -> Marks:
-    """The black corner between two bars that are one piece; directions are those of the bars from it."""
-    return (Shape((at, at + size * unit(first_deg), at + size * unit(second_deg))),)
-
-
 def dot(at: complex, radius: float = DOT_MM, layer: Layer = "scheme") -> Marks:
     """A mass centre or a marked point."""
     return (Arc(at, radius, style="thin", layer=layer, fill="ink"),)
@@ -152,16 +147,6 @@ def turn_arrow(
     low, high = sorted((start_deg, start_deg + sweep_deg - 0.8 * covered))
     arc = Arc(centre, radius, low, high, style, layer)
     return (arc, Shape(head(tip, tip - back, long, wide), layer)) if long else (arc,)
-
-
-def angle_arc(centre: complex, radius: float, start_deg: float, end_deg: float, heads: int = 1) -> Marks:
-    """A dimension arc of an angle, counter-clockwise, with a head at its end (1), at both (2) or none."""
-    if heads == 0:
-        return (Arc(centre, radius, start_deg, end_deg, "thin", "dimension"),)
-    half = (start_deg + end_deg) / 2 if heads == 2 else start_deg
-    there = turn_arrow(centre, radius, half, end_deg - half, "thin", "dimension")
-    back = turn_arrow(centre, radius, half, start_deg - half, "thin", "dimension") if heads == 2 else ()
-    return (*back, *there)
 
 
 def force(

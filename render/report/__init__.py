@@ -1,20 +1,24 @@
-"""Reports: a document of headings, formulas, tables and figures as one HTML page, or as a PDF."""
+"""Documents: blocks as one HTML page, as a PDF, or as a Word document."""
 
 from __future__ import annotations
 
-from pathlib import Path
+from collections.abc import Sequence
+from importlib import import_module
 
-from planes.crank_slider.pages import Document
-from planes.scene.files import save
+from planes.solving.document import Block
+from planes.words import Phrase
+from planes.words.errors import PlanesError
+from render.paper.names import Naming
+
+SUFFIXES = {".html": "html", ".htm": "html", ".pdf": "pdf", ".docx": "word"}
 
 
-def write(document: Document, path: str | Path) -> None:
-    """The document as a file, a PDF or, with any other suffix, a page."""
-    if Path(path).suffix.lower() == ".pdf":
-        from render.report import pdf as paper
-
-        save(paper.write(document), path)
-    else:
-        from render.report import html as page
-
-        save(page.write(document), path)
+def rendered(blocks: Sequence[Block], suffix: str, naming: Naming) -> bytes:
+    """The contents of the file; the same blocks give the same bytes of a page and of a PDF."""
+    try:
+        found: bytes = import_module(f"render.report.{SUFFIXES[suffix]}").write(blocks, naming)
+    except ModuleNotFoundError as error:
+        if error.name != "docx":
+            raise
+        raise PlanesError(Phrase("no_docx")) from None
+    return found

@@ -2,67 +2,119 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+import io
+import re
+from dataclasses import dataclass, field
+from typing import Any
 
-from planes.crank_slider.pages import Chart, Drawn, Sketch
+from planes.solving.document import Chart, Drawn, Figure, Sketch
 from planes.words import Lang
 from render import charts
 from render.charts.strokes import Picture
+from render.files import png, svg
+from render.files.pdf import POINTS_PER_MM, draw_marks
 from render.paper.marks import Anchor, Arc, Arrow, Line, Mark, Text
 from render.sheet.composer import Composer
 from render.views import View, bounds, stacked, view
-from render.views.plotted import of_position
+from render.views.plotted import Plotted, of_position
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme
 
 WIDTH_MM = 170.0
 GAP_MM = 8.0
+LETTER_MM = {True: 3.5, False: 2.5}  # of equations that stand alone, and of those beneath their plan
+DPI = 220
 
 
 @dataclass(frozen=True)
-class Figure:
-    """Marks in mm on a paper of their own size."""
+class Marked:
+    """Marks in mm on a paper of their own size; like a :class:`Picture` it knows its points and draws itself."""
 
     marks: tuple[Mark, ...]
     size: tuple[float, float]
 
+    @property
+    def width(self) -> float:
+        """Points."""
+        return POINTS_PER_MM * self.size[0]
 
-def shown(block: Chart | Drawn | Sketch, lang: Lang) -> tuple[Sequence[Picture | Figure], str]:
-    """What a block shows, and the title beneath."""
-    match block:
-        case Chart():
-            return [chart(block, lang)], block.title
-        case Drawn():
-            return drawn(block, lang)
-        case Sketch():
-            return [sketch(block)], block.title
+    @property
+    def height(self) -> float:
+        """Points."""
+        return POINTS_PER_MM * self.size[1]
 
+    def svg(self, label: str) -> str:
+        """Inline SVG; groups lose their ids, for a page may hold many drawings."""
+        text = svg.write(self.marks, self.size, label).decode()
+        return re.sub(r' (id|xml:lang|lang)="[^"]*"', "", re.sub(r"^<\?xml[^>]*>\s*", "", text)).strip()
 
-def chart(block: Chart, lang: Lang) -> Picture:
-    """A chart of the report."""
-    notes = [(n.x, n.y, n.text) for n in block.notes]
-    axes = charts.Axes(block.x, block.y, block.equal, block.ticks)
-    return charts.chart(block.curves, axes, notes, (WIDTH_MM, block.height_mm), lang)
-
-
-def drawn(block: Drawn, lang: Lang) -> tuple[list[Figure], str]:
-    """The plans of one position, side by side where they fit, and their title with every μ."""
-    composer, plotted = Composer(block.scene, lang), of_position(block.position)
-    views, names = [], []
-    for name in block.views:
-        if name == "scheme":
-            marks = Scheme(block.position, composer.naming).drawn()
-            names.append(composer.mu(plotted, "position"))
-        else:
-            marks = Polygon(plotted, name, composer.naming, counted=composer.details).drawn()
-            names.append(f"{composer.plan_name(name).lower()}, {composer.mu(plotted, name)}")
-        said = composer.formulas(plotted, (name,), 2.5, "") if block.equations and name != "scheme" else None
-        views.append(stacked(name, [v for v in (view(name, "", marks), said) if v]))
-    return rows(views), f"{block.title}: {'; '.join(names)}"
+    def draw(self, canvas: Any) -> None:
+        """Draw on a reportlab canvas, the lower left corner in its origin."""
+        canvas.scale(POINTS_PER_MM, POINTS_PER_MM)
+        draw_marks(canvas, self.marks)
 
 
-def rows(views: list[View]) -> list[Figure]:
+Shown = Picture | Marked
+
+
+def raster(picture: Shown) -> bytes:
+    """A picture as a PNG file."""
+    from reportlab.pdfgen.canvas import Canvas
+
+    data = io.BytesIO()
+    canvas = Canvas(data, (picture.width, picture.height), invariant=1)
+    picture.draw(canvas)
+    canvas.save()
+    return png.from_pdf(data.getvalue(), DPI)
+
+
+@dataclass
+class Studio:
+    """Draws the figures of one document."""
+
+    lang: Lang
+    composers: dict[int, Composer] = field(default_factory=dict)  # by the scene
+
+    def shown(self, figure: Figure) -> tuple[list[Shown], str]:
+        """The pictures of a figure, none where there is nothing to be seen, and what stands beneath."""
+        match figure.of:
+            case Chart() as chart:
+                return [charts.chart(chart, WIDTH_MM, self.lang)], figure.caption
+            case Sketch() as shaft:
+                return [sketch(shaft)], figure.caption
+            case Drawn() as drawn:
+                return self.drawn(drawn, figure.caption)
+
+    def drawn(self, block: Drawn, caption: str) -> tuple[list[Shown], str]:
+        """The views of one position, side by side where they fit; a caption with every μ if it is asked for."""
+        composer = self.composers.setdefault(id(block.scene), Composer(block.scene, self.lang))
+        plotted = of_position(block.position)
+        stacks = [[v for name in names if (v := _view(name, block, composer, plotted, len(names) == 1))]
+                  for names in block.views]  # fmt: skip
+        views = [stacked(held[0].key, held) if held[1:] else held[0] for held in stacks if held]
+        if block.scales:
+            caption += ": " + "; ".join(_scaled(names[0], composer, plotted) for names in block.views)
+        return rows(views), caption
+
+
+def _view(name: str, block: Drawn, composer: Composer, plotted: Plotted, alone: bool) -> View | None:
+    kind, _, plan = name.partition(" ")
+    if plan:
+        return composer.formulas(plotted, (plan,), LETTER_MM[alone], "")
+    if kind == "scheme":
+        return view(name, "", Scheme(block.position, composer.naming).drawn())
+    if plotted.still(name):
+        return None
+    return view(name, "", Polygon(plotted, name, composer.naming, counted=composer.details).drawn())
+
+
+def _scaled(name: str, composer: Composer, plotted: Plotted) -> str:
+    """A view's name with its μ, which no line breaks."""
+    mu = composer.mu(plotted, "position" if name == "scheme" else name).replace(" ", "\u00a0")
+    return mu if name == "scheme" else f"{composer.plan_name(name).lower()}, {mu}"
+
+
+def rows(views: list[View]) -> list[Shown]:
     """Views set in rows of the page's width."""
     found: list[list[View]] = []
     for v in views:
@@ -73,17 +125,17 @@ def rows(views: list[View]) -> list[Figure]:
     return [_row(row) for row in found]
 
 
-def _row(views: list[View]) -> Figure:
+def _row(views: list[View]) -> Marked:
     height = max(v.height for v in views) + 4
     marks: list[Mark] = []
     left = 2.0
     for v in views:
         marks += v.placed(left, height - 2)
         left += v.width + GAP_MM
-    return Figure(tuple(marks), (left - GAP_MM + 2, height))
+    return Marked(tuple(marks), (left - GAP_MM + 2, height))
 
 
-def sketch(block: Sketch) -> Figure:
+def sketch(block: Sketch) -> Marked:
     """The crankshaft as a broken bar: bearings, webs, pin, counterweights, lengths."""
     scale = 105.0 / block.span
     left, right = scale * block.webs, scale * (block.span - block.webs)
@@ -104,7 +156,7 @@ def sketch(block: Sketch) -> Figure:
     marks += [*_size(pin, end, low - 9, "n"), *_size(0, end, low - 18, "L")]
     box = bounds(marks)
     by = View("shaft", "", tuple(marks), box)
-    return Figure(by.placed(2, by.height + 2), (by.width + 4, by.height + 4))
+    return Marked(by.placed(2, by.height + 2), (by.width + 4, by.height + 4))
 
 
 def _loads(block: Sketch, left: float, right: float, pin: float, up: float, down: float) -> list[Mark]:

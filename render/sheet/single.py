@@ -8,7 +8,7 @@ from types import MappingProxyType
 
 from planes.solving import Position
 from planes.solving.vectors import PLAN, VectorResults
-from planes.words import say
+from planes.words import Phrase, say
 from planes.words.errors import PlanesError
 from render.files import svg
 from render.paper.marks import Mark
@@ -48,10 +48,10 @@ class Page:
 def page(makers: Makers, name: str, composer: Composer) -> Page:
     """The page of one view; a view that does not exist, or is empty, is a sentence."""
     if name not in makers:
-        raise PlanesError(say("bad_view", composer.lang, view=name, known=", ".join(makers)))
+        raise PlanesError(Phrase("bad_view", view=name, known=tuple(makers)))
     one = makers[name]()
     if one is None:
-        raise PlanesError(say("empty_view", composer.lang, view=name))
+        raise PlanesError(Phrase("empty_view", view=name))
     marks = one.placed(MARGIN_MM, MARGIN_MM + one.height)
     title = composer.scene.title.get(composer.lang, "")
     size = (one.width + 2 * MARGIN_MM, one.height + 2 * MARGIN_MM)

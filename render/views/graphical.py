@@ -12,6 +12,7 @@ from planes.diagrams.stages import Stage
 from planes.drafting.drawing import Drawing
 from planes.words import say
 from planes.words.names import at
+from planes.words.units import RATES
 from render.paper.marks import Arc, Arrow, Line, Mark, Text
 from render.paper.names import Naming
 from render.paper.numbers import number, scale
@@ -95,7 +96,7 @@ class Graphical:
         """The quantity and its scale, with the formula it follows from."""
         c, lang = self.construction, self.naming.lang
         letters = ("s", "v", "a") if c.motion.slides else ("φ", "ω", "ε")
-        units = ("m", "m/s", "m/s²") if c.motion.slides else ("rad", "rad/s", "rad/s²")
+        units = RATES[c.motion.slides]
         own = letters[stage.rank]
         text = f"{own}_{{{self.naming.link(c.motion.link)}}};  μ_{{{own}}} = "
         if k:

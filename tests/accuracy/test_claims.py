@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from planes.accuracy.digits import Digits
-from planes.accuracy.spread import pencil_spread
+from planes.accuracy.spread import Spread
 from planes.accuracy.stability import approach
 from planes.batch import Cycle, fused
 from planes.batch.claims import Claims
@@ -239,7 +239,7 @@ def test_spread_of_a_pencil_is_that_of_many_draughtsmen(name: str) -> None:
     mus = scales(c.plans, {}, {})
     position = c.plans.mechanism.drive.position
     pencil, many = Pencil(point_mm=0.03, ray_deg=0.03, ruler_mm=0.05), 3000
-    carried = pencil_spread(c, pencil, mus, np.array([position]))[:, 0]
+    carried = Spread(c, pencil, mus).bounds(np.array([position]))[:, 0]
     given = {**c.given, **mus, c.plans.drive_given: np.full(many, position)}
     drawing = run(c.program, given, pencil)
     for column, spread in zip(c.columns, carried, strict=True):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import re
 from pathlib import Path
@@ -72,7 +73,7 @@ def test_other_scenes_are_told_what_is_missing(tmp_path, capsys):
     assert (
         main(["crank-slider", str(samples / "crank-slider.yaml"), "-o", str(tmp_path / "x.doc"), "--lang", "en"]) == 2
     )
-    assert ".html, .pdf or .json" in capsys.readouterr().err
+    assert ".html, .pdf, .docx or .json" in capsys.readouterr().err
 
 
 def write(tmp_path: Path, text: str, suffix: str, lang: str = "ru") -> bytes:
@@ -146,3 +147,24 @@ def test_what_the_sheet_leaves_out_is_said(tmp_path, capsys, monkeypatch):
     (tmp_path / "scene.yaml").write_text(SAMPLE, encoding="utf-8")
     assert main(["crank-slider", str(tmp_path / "scene.yaml"), "--sheet", "sheet.svg", "--lang", "en"]) == 0
     assert capsys.readouterr().err == "no room on A4\n"
+
+
+def test_a_report_is_a_word_document_too(tmp_path):
+    docx = pytest.importorskip("docx", reason="python-docx is not installed")
+    text = two_stroke()
+    data = write(tmp_path, text[: text.index("  # коленчатый вал на опорах")], ".docx", "en")
+    paper = docx.Document(io.BytesIO(data))
+    heads = [p.text for p in paper.paragraphs if p.style.name.startswith("Heading")]
+    page = write(tmp_path, text[: text.index("  # коленчатый вал на опорах")], ".html", "en").decode()
+    assert heads == re.findall(r"<h[23][^>]*>([^<]*)</h[23]>", page)
+    assert len(paper.tables) == page.count("<table>")
+    assert len(paper.inline_shapes) >= page.count('<div class="formula">') + page.count("<figure>")
+
+
+@pytest.mark.parametrize("lang, words", [("ru", "числ"), ("en", "number")])
+def test_a_scale_that_is_no_number_is_refused_in_the_language_asked_for(capsys, lang, words):
+    scene = str(ROOT / "samples" / "six-link.yaml")
+    drawing = str(ROOT / "samples" / "none.csv")
+    assert main(["check", scene, drawing, "--plan", "velocity", "--mu", "abc", "--lang", lang]) == 2
+    found = capsys.readouterr().err
+    assert re.search(words, found) and bool(re.search("[а-я]", found)) == (lang == "ru")

@@ -13,7 +13,7 @@ from scipy.interpolate import PchipInterpolator
 from planes.crank_slider.engine import Motion
 from planes.crank_slider.forces import balance, classical, replaced
 from planes.crank_slider.indicator import monotone
-from planes.crank_slider.kinematics import as_plane_motion, as_points, centre_speed
+from planes.crank_slider.kinematics import as_plane_motion, as_points, swing
 from planes.crank_slider.misprints import printed
 from planes.crank_slider.shape import Shape
 from tests.helpers.crank_slider_scenes import SAMPLE, calculated, changed, two_stroke
@@ -78,6 +78,15 @@ def test_motion_is_the_derivative_of_the_coordinates(phi):
         assert way.a["C"][0].imag == pytest.approx(float(mpmath.diff(y_c, 0, 2)), rel=1e-12)
         assert way.omega[0] == pytest.approx(float(-mpmath.diff(beta, 0)), rel=1e-12)
         assert way.epsilon[0] == pytest.approx(float(-mpmath.diff(beta, 0, 2)), rel=1e-12)
+
+
+def centre_speed(shape, m):
+    """|v_C| by (7), the distance to the instant centre times ω_AB, written without dividing by cos φ."""
+    beta, c = swing(shape, m.phi), shape.c
+    ap = shape.l * np.cos(beta)  # AP·cos φ
+    cos = np.cos(m.phi)
+    square = (c * cos) ** 2 + ap**2 - 2 * c * cos * ap * np.cos(beta + m.phi)
+    return np.abs(m.omega) * shape.r / ap * np.sqrt(np.maximum(square, 0.0))
 
 
 def test_the_instant_centre_gives_the_speed_of_c_even_across_the_guide():

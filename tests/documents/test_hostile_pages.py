@@ -15,16 +15,14 @@ from planes.check.grading.paper import read_table
 from planes.check.report import page_data
 from planes.check.report.tracing_paper import tracing_data
 from planes.cli import main
-from planes.crank_slider.pages import Document, Heading, Paragraph, TableBlock
 from planes.documents.check import PAGE_WORDS, TRACE_WORDS
-from planes.lesson import note
 from planes.lesson.data import lesson_data
 from planes.scene import load
+from planes.solving import document
 from planes.words import say
 from render.page import check_page, class_page, lesson_page, trace_page, web_page
 from render.paper.names import Naming
-from render.report import html as report
-from render.report import note_html
+from render.report import rendered
 from tests.helpers import ROOT
 from tests.helpers.browser import chromium
 
@@ -76,16 +74,17 @@ def pages(told: dict[str, dict[str, Any]], name: str) -> dict[str, str]:
     page_words = {k: say(f"check_page_{k}", "en") for k in PAGE_WORDS}
     checked = {**told["report"], "title": name, "sentence": name, "notes": [name], "command": name,
                "numbers": [["right", name, name, name, name]]}  # fmt: skip
-    blocks = [note.Heading(name, 0), note.Heading(name), note.Prose(name, name), note.Table(name, ((name,), (name,)))]
-    document = Document(name, "en", (Heading(name, 1), Paragraph(name), TableBlock(name, [name], [[name]])))
+    table = document.Table(name, ((name,), (name,)))
+    blocks = [document.Heading(name, 0), *(document.Heading(name, k) for k in (1, 2)), table,
+              document.Paragraph(name, name), document.Paragraph(name, mistake=True), document.Formula("x", name),
+              document.Figure(document.Chart("x", "y", (document.Curve([0, 1], [0, 1]),)), name)]  # fmt: skip
     return {
         "lesson": lesson_page.page({**told["lesson"], "title": {"ru": name, "en": name}}, "en"),
         "trace": trace_page.page({**told["trace"], "title": name, "command": name}, trace_words, "en"),
         "report": check_page.page(checked, page_words, "en"),
         "class": class_page.page(name, [(name, 1)], [(name, [(name, name)])], [name, name],
                                  [("wrong", name, [name, name])], {"common": name}, "en"),
-        "note": note_html.write(blocks, {}, Naming("en")).decode(),
-        "crank-slider": report.write(document).decode(),
+        "note": rendered(blocks, ".html", Naming("en")).decode(),
     }  # fmt: skip
 
 

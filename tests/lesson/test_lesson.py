@@ -11,22 +11,25 @@ from pathlib import Path
 import pytest
 
 from planes import cli
-from planes.documents.lesson import Lesson, figures, placed, set_note
+from planes.documents.lesson import Lesson, placed
 from planes.drafting.drawing import run
 from planes.lesson import LANGS, Teller, needed, value_of
 from planes.lesson.data import lesson_data
 from planes.lesson.formulas import fill
-from planes.lesson.note import Figure, Heading, Note, Prose, Table
+from planes.lesson.note import Note
 from planes.plans import state
 from planes.plans.measuring import Reader
 from planes.plans.quantities import catalogue
 from planes.plans.scales import scales
 from planes.scene import load
 from planes.solving import solve
+from planes.solving.document import Figure, Heading, Paragraph, Table
 from planes.words.errors import PlanesError, SceneError
 from planes.words.names import at
 from render.page.lesson_page import page
 from render.paper.marks import Line
+from render.report import rendered
+from render.report.figures import Studio
 from render.sheet.composer import Composer
 from render.views.plotted import of_position
 from tests.helpers import ROOT
@@ -277,13 +280,13 @@ def test_a_note_stands_in_the_usual_order(path: Path, lang) -> None:
     scene = load(str(path))
     blocks = Note(scene, placed(scene, None, lang), lang).blocks()
     kinds = [type(b) for b in blocks]
-    assert isinstance(blocks[0], Heading) and blocks[0].level == 0 and {Heading, Prose, Figure, Table} == set(kinds)
-    numbers = [b.number for b in blocks if isinstance(b, Prose) and b.number]
+    assert isinstance(blocks[0], Heading) and blocks[0].level == 0 and {Heading, Paragraph, Figure, Table} == set(kinds)
+    numbers = [b.number for b in blocks if isinstance(b, Paragraph) and b.number]
     assert numbers == list(range(1, len(numbers) + 1))
     captions = [re.match(r"\D+(\d+)", b.caption)[1] for b in blocks if isinstance(b, Figure) and b.caption]
     assert captions == [str(k + 1) for k in range(len(captions))]
     assert all(len(row) == len(b.rows[0]) for b in blocks if isinstance(b, Table) for row in b.rows)
-    assert not any("⟦" in b.text or "nan" in b.text for b in blocks if isinstance(b, Prose))
+    assert not any("⟦" in b.text or "nan" in b.text for b in blocks if isinstance(b, Paragraph))
 
 
 @pytest.mark.parametrize("suffix", [".html", ".pdf", ".docx"])
@@ -325,10 +328,10 @@ def test_a_note_is_refused_in_a_sentence(tmp_path: Path, capsys) -> None:
 def test_the_note_has_every_figure_it_speaks_of() -> None:
     scene = load(str(SIX))
     drawn = placed(scene, None, "en")
-    blocks, composer = Note(scene, drawn, "en").blocks(), Composer(scene, "en")
-    views = figures(blocks, composer, drawn)
-    keys = [b.key for b in blocks if isinstance(b, Figure)]
-    assert set(views) == set(keys) and "scheme" in keys and "force:2-3" in keys
-    text = set_note(blocks, views, composer.naming, ".html").decode()
+    blocks, naming = Note(scene, drawn, "en").blocks(), Composer(scene, "en").naming
+    keys = [b.of.views[0][0] for b in blocks if isinstance(b, Figure)]
+    assert all(Studio("en").shown(b)[0] for b in blocks if isinstance(b, Figure))
+    assert "scheme" in keys and "force:2-3" in keys
+    text = rendered(blocks, ".html", naming).decode()
     assert text.count("<svg") == len(keys) and "<i>v</i><i><sub>CB</sub></i>" in text
     assert json.dumps(text) and at("position", "C") not in text

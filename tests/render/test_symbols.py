@@ -9,7 +9,6 @@ import pytest
 from render.paper.cutting import cut, uncovered
 from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
 from render.paper.symbols import (
-    angle_arc,
     bar,
     base,
     block,
@@ -24,7 +23,6 @@ from render.paper.symbols import (
     tick,
     turn_arrow,
     unit,
-    weld,
 )
 
 
@@ -96,12 +94,10 @@ def test_small_signs() -> None:
     assert through.points == (-5, 7)
     hatch, outline = plate((0j, 10 + 0j, 5j))
     assert isinstance(hatch, Hatch) and isinstance(outline, Line) and outline.closed
-    assert weld(0j, 0, 90, 3) == (Shape((0j, 3 + 0j, 3j)),)
     assert dot(0j)[0].fill == "ink"  # type: ignore[union-attr]
     assert tick(0j, 0, 2)[0].points == (-1j, 1j)  # type: ignore[union-attr]
     assert force(1j, 0, 5, clear=1) == (Arrow(1 + 1j, 5 + 1j, "thick", "force"),)
     assert force(1j, 0, 5, at_tip=True, clear=1) == (Arrow(-5 + 1j, -1 + 1j, "thick", "force"),)
-    assert len(angle_arc(0j, 10, 0, 60, 0)) == 1 and len(angle_arc(0j, 10, 0, 60, 2)) == 4
     assert len(base(0j)) > 4
 
 

@@ -1,0 +1,113 @@
+"""What a document is made of, whatever file it becomes: headings, paragraphs, formulas, tables, figures.
+
+In every text _{…} and ^{…} are indices, ⟨…⟩ the name of a vector or a value. How it looks is not its matter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from planes.scene import Scene
+from planes.solving import Position
+
+
+@dataclass(frozen=True)
+class Heading:
+    """A heading; level 0 is the document's own title."""
+
+    text: str
+    level: int = 1
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    """``why`` is set apart as the reason of what it says; ``plan`` is where its marks stand.
+
+    ``mistake``: it says where a source text is wrong.
+    """
+
+    text: str
+    why: str = ""
+    number: int = 0
+    plan: str = ""
+    mistake: bool = False
+
+
+@dataclass(frozen=True)
+class Formula:
+    """A line of mathematics (mathtext), its number in the source text."""
+
+    tex: str
+    number: str = ""
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table with its caption; the first row is the head."""
+
+    caption: str
+    rows: tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True)
+class Curve:
+    """``style`` is the number of its look (colour and dashes); ``label`` "" keeps it out of the legend."""
+
+    x: Any
+    y: Any
+    label: str = ""
+    style: int = 0
+
+
+@dataclass(frozen=True)
+class Chart:
+    """Curves over x. ``equal``: both axes to one scale; ``ticks``: spacing of the marks on x, 0 for the usual.
+
+    ``notes`` are words beside points: x, y and the word.
+    """
+
+    x: str
+    y: str
+    curves: tuple[Curve, ...]
+    notes: tuple[tuple[float, float, str], ...] = ()
+    equal: bool = False
+    ticks: float = 0.0
+    height_mm: float = 62.0
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """Views of one position, side by side where they fit, those of one tuple beneath each other.
+
+    A view is "scheme", a plan, or "equations …" of a plan; ``scales``: the caption goes on with every plan and its μ.
+    """
+
+    scene: Scene
+    position: Position
+    views: tuple[tuple[str, ...], ...]
+    scales: bool = False
+
+
+@dataclass(frozen=True)
+class Sketch:
+    """The crankshaft on its bearings; numbers in metres."""
+
+    span: float
+    pin: float
+    webs: float
+    r: float
+    radius: float
+    labels: Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A chart, drawn views or a sketch, with what stands beneath."""
+
+    of: Chart | Drawn | Sketch
+    caption: str = ""
+
+
+Block = Heading | Paragraph | Formula | Table | Figure
