@@ -61,6 +61,7 @@ def test_an_empty_blank_on_paper_is_unreadable(tmp_path: Path, suffix: str) -> N
         assert main(["check", scene, file, "--plan", plan]) == 2
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("size", SIZES)
 def test_marks_put_anywhere_are_never_right(size: float) -> None:
     rng = random.Random(size)
@@ -72,6 +73,7 @@ def test_marks_put_anywhere_are_never_right(size: float) -> None:
             assert check(bench.asked, Paper("t", [Spot("p", 0j), *spots])).verdict != "right", (bench.asked, spots)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("size", SIZES)
 def test_scribbles_are_never_right(size: float) -> None:
     rng = random.Random(size)

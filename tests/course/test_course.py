@@ -234,6 +234,7 @@ def test_draw_numbers_takes_the_first_that_works() -> None:
 # scenes
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("path", sorted((SAMPLES / "assignments").glob("*.yaml"))[::4], ids=lambda p: p.stem)
 def test_a_scene_written_anew_is_the_same(path: Path) -> None:
     text = path.read_text("utf-8")
@@ -243,6 +244,7 @@ def test_a_scene_written_anew_is_the_same(path: Path) -> None:
     assert again.title == scene.title and again.note == scene.note and again.missing == scene.missing
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("path", sorted(SAMPLES.glob("*.yaml")), ids=lambda p: p.stem)
 def test_every_sample_written_anew_is_the_same(path: Path) -> None:
     text = path.read_text("utf-8")

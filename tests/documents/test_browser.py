@@ -26,6 +26,7 @@ HERE = ROOT / "samples"
 SIX = HERE / "six-link.yaml"
 SAMPLES = [p for p in sorted(HERE.glob("*.yaml")) if p.stem != "vectors"]
 WIDE = {"width": 1280, "height": 900}
+MOST_NODES = 1000  # of one drawing: a machine that draws them 60 times a second is a slow one
 
 
 @pytest.fixture(scope="module")
@@ -321,6 +322,7 @@ def test_on_a_telephone_nothing_runs_off_the_page(page: Any) -> None:
         assert box and box["y"] < 700
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("path", SAMPLES, ids=[p.stem for p in SAMPLES])
 def test_every_sample_steps_and_turns_without_complaint(browser: Any, tmp_path: Path, path: Path) -> None:
     target = tmp_path / "lesson.html"
@@ -338,35 +340,21 @@ def test_every_sample_steps_and_turns_without_complaint(browser: Any, tmp_path: 
     assert errors == []
 
 
-def test_it_is_there_at_once_and_turns_smoothly(browser: Any, lesson: str, record_property: Any) -> None:
-    first, rate = [], []
-    for _ in range(3):
-        page = browser.new_page()
-        page.goto(lesson)
-        page.bring_to_front()
-        first.append(page.evaluate("""() => new Promise(done => {
-            const paint = () => performance.getEntriesByName("first-contentful-paint")[0];
-            const look = () => {
-                if (paint()) done(paint().startTime);
-                else if (performance.now() > 4000) done(4000);
-                else setTimeout(look, 20);
-            };
-            look();
-        })"""))
-        page.evaluate("go(24)")
-        rate.append(page.evaluate("""async () => {
-            let n = 0; const t0 = performance.now();
-            spin();
-            await new Promise(done => {
-                const f = () => { n++; performance.now() - t0 < 1500 ? requestAnimationFrame(f) : done(); };
-                f();
-            });
-            spin();
-            return 1000 * n / (performance.now() - t0);
-        }"""))
-        page.close()
-    record_property("first_frame_ms", min(first))
-    record_property("frames_per_second", max(rate))
-    print(f"first frame {min(first):.0f} ms, {max(rate):.0f} frames a second")
-    assert min(first) < 1000
-    assert max(rate) > 15  # 60 where the machine is idle; other tests run beside this one
+def test_a_turn_of_the_crank_draws_little(browser: Any, lesson: str) -> None:
+    """One position makes so few new nodes that any machine turns the crank smoothly."""
+    page = browser.new_page()
+    page.goto(lesson)
+    until(page, "document.querySelectorAll('main svg *').length > 20")
+    made = page.evaluate("""async () => {
+        go(24);
+        let nodes = 0;
+        const looker = new MutationObserver(seen => seen.forEach(r => r.addedNodes.forEach(n => {
+            nodes += 1 + (n.querySelectorAll ? n.querySelectorAll("*").length : 0);
+        })));
+        looker.observe(document.body, { childList: true, subtree: true });
+        for (let k = 0; k < 20; k++) { state.index = 5 * k; draw(); await new Promise(done => setTimeout(done)); }
+        return nodes / 20;
+    }""")
+    page.close()
+    print("made", made)
+    assert 0 < made < MOST_NODES
