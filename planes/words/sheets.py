@@ -129,8 +129,8 @@ SHEETS: dict[str, tuple[str, str]] = {
         "more room",
     ),
     "foreign_render": (
-        "чертёжная часть planes, пакет render, должна лежать в {home}, а вместо неё находится {found}: переименуйте или "
-        "уберите это, либо работайте из другой папки",
+        "чертёжная часть planes, пакет render, должна лежать в {home}, а вместо неё находится {found}: переименуйте "
+        "или уберите это, либо работайте из другой папки",
         "the drawing part of planes, the package render, must stand in {home}, but {found} is found instead: rename or "
         "remove it, or work in another folder",
     ),
