@@ -76,7 +76,7 @@ def test_claims_are_honest_and_close_for_random_mechanisms(friction: bool) -> No
     assert np.median(np.concatenate(found)) < 10
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [500016, 83, 93, 5000004, 69])
 def test_claims_are_honest_where_little_is_left_to_know(seed: int) -> None:
     """Beside a limit speeds grow past all bounds: a force's direction is then nothing but error, a slow thing is called
@@ -87,6 +87,7 @@ def test_claims_are_honest_where_little_is_left_to_know(seed: int) -> None:
     assert ratios(c, near[:128] if len(near) else rng.uniform(0, 360, 100)).size
 
 
+@pytest.mark.slow
 def test_nothing_is_claimed_of_what_is_all_error() -> None:
     """An arm is a moment over a force: where the force is less than its own error, there is nothing to claim."""
     c = random_cycle(500016, sliding=False)

@@ -52,6 +52,7 @@ def test_an_empty_blank_is_unreadable(tmp_path: Path) -> None:
         assert check(bench.asked, paper_of(read_svg(file), bench)).verdict == "unreadable", bench.asked
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("suffix", ["pdf", "png"])
 def test_an_empty_blank_on_paper_is_unreadable(tmp_path: Path, suffix: str) -> None:
     pytest.importorskip("cv2")
