@@ -222,6 +222,7 @@ def test_a_coarse_grid_gives_the_same_extremes_as_a_fine_one() -> None:
             assert one.place == pytest.approx(two.place, abs=1e-4), name
 
 
+@pytest.mark.slow
 def test_limits_of_assembly_are_found_and_what_grows_there_is_said() -> None:
     text = ROCKER.replace("B: 0.1}", "B: 0.5}")
     found = summed(text)

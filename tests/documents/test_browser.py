@@ -112,6 +112,7 @@ def test_what_is_shown_at_any_position_is_what_is_solved(page: Any, index: int) 
         assert abs(complex(x, y) - complex(*drawn.results["points"][point][letter]) * mus[f"mu_{plan}"]) < 0.1
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ["six-link", "kind-3-rpr", "sliding-driver"])
 def test_every_sentence_at_other_positions_has_the_numbers_reckoned_there(
     browser: Any, tmp_path: Path, name: str
@@ -322,7 +323,7 @@ def test_on_a_telephone_nothing_runs_off_the_page(page: Any) -> None:
         assert box and box["y"] < 700
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("path", SAMPLES, ids=[p.stem for p in SAMPLES])
 def test_every_sample_steps_and_turns_without_complaint(browser: Any, tmp_path: Path, path: Path) -> None:
     target = tmp_path / "lesson.html"

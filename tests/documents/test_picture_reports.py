@@ -171,6 +171,7 @@ def test_marks_of_a_picture_nobody_could_read_are_named_by_hand(browser: Any, tm
     assert errors == []
 
 
+@pytest.mark.slow
 def test_the_pole_of_a_picture_is_put_where_it_is(browser: Any, tmp_path: Path) -> None:
     """Another plan on a sheet without corner marks: nobody knows the pole, it waits at the corner and is moved."""
     one, picture, target = corpus_easel("acceleration"), tmp_path / "p.png", tmp_path / "report.html"

@@ -114,7 +114,7 @@ SETTINGS = [
 ]  # fmt: skip
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("settings", SETTINGS, ids=str)
 @pytest.mark.parametrize("name", ["kind-2-rrp", "kind-3-rpr", "vectors"])
 def test_nothing_overlaps_in_any_face(name, settings):

@@ -39,7 +39,7 @@ def words(sheet):
     return {plain(m.text) for m in sheet.marks if isinstance(m, Text)}
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("name", "number"), NUMBERED)
 def test_nothing_overlaps_and_every_letter_is_known(name, number):
     found = sheet(name, number)

@@ -156,7 +156,7 @@ TURNING = [n for n in NAMES if n not in ("vectors", "sliding-driver")]
 POSITIONS = [(n, 30.0 * k) for n in TURNING for k in range(12) if not n.startswith("bntu") or k % 4 == 1]
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("name", "value"), POSITIONS)
 def test_twelve_positions_have_no_clashes(name, value):
     try:

@@ -105,7 +105,7 @@ def independent(d: Drawn, scene: Mapping[str, Any]) -> Solution:
     return solve_independently(scene, guess)
 
 
-@pytest.mark.few(6)
+@pytest.mark.few(4)
 @pytest.mark.parametrize("path", FILES, ids=[p.stem for p in FILES])
 def test_all_variants_against_the_independent_solver(path: Path) -> None:
     """Both balancing moments, closing of all polygons, power, and every number."""
