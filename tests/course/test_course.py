@@ -197,6 +197,7 @@ def test_numbers_are_ones_own_whoever_else_is_there(folder: Make) -> None:
     assert settle(question_again).scene not in told[1].values()
 
 
+@pytest.mark.slow
 def test_where_no_numbers_will_do_it_is_said_why(folder: Make, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(numbers, "TRIES", 100)
     course = read_course(folder("course: 1\nvariants: drawn\nsharpness: 89\ndraw: {l_BC: 1 %}\n", scenes=("03",)))
