@@ -55,6 +55,7 @@ def _json(thing: object) -> str:
 
 def _parser() -> argparse.ArgumentParser:
     parser = Parser(prog="planes", description=help_of("help_planes"))
+    parser.add_argument("--version", action="version", version=f"planes {sys.modules['planes'].__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     solve = _command(commands, "solve", _solve, help_of("help_solve"))
     add_positions(solve)

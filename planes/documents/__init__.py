@@ -8,7 +8,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from planes.documents import sheets
+from planes.documents import ours, sheets  # noqa: F401  (ours, before anything of render)
 from planes.documents.graphs import constructions, views_beside
 from planes.documents.sheets import Drawn
 from planes.documents.turning import turned_once

@@ -128,6 +128,12 @@ SHEETS: dict[str, tuple[str, str]] = {
         "the view “{view}”: the labels {names} found no free place and lie on something; a larger μ of this view gives "
         "more room",
     ),
+    "foreign_render": (
+        "чертёжная часть planes, пакет render, должна лежать в {home}, а вместо неё находится {found}: переименуйте "
+        "или уберите это, либо работайте из другой папки",
+        "the drawing part of planes, the package render, must stand in {home}, but {found} is found instead: rename or "
+        "remove it, or work in another folder",
+    ),
     "bad_suffix": (
         "{file}: файл листа должен оканчиваться на {known}",
         "{file}: the file of a sheet must end in {known}",

@@ -7,6 +7,7 @@ USAGE: dict[str, tuple[str, str]] = {
     "usage_given": ("что указать:", "positional arguments:"),
     "usage_options": ("ключи:", "options:"),
     "usage_help": ("показать эту справку", "show this help message and exit"),
+    "usage_version": ("показать номер версии", "show program's version number and exit"),
     "usage_error": (": ошибка: ", ": error: "),
     "usage_missing": ("не указано: ", "the following arguments are required: "),
     "usage_unknown": ("лишнее в команде: ", "unrecognized arguments: "),

@@ -64,6 +64,7 @@ def test_claims_are_honest_and_close_for_every_kind() -> None:
     assert np.median(np.concatenate(found)) < 10
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("friction", [False, True])
 def test_claims_are_honest_and_close_for_random_mechanisms(friction: bool) -> None:
     found = []
@@ -75,6 +76,7 @@ def test_claims_are_honest_and_close_for_random_mechanisms(friction: bool) -> No
     assert np.median(np.concatenate(found)) < 10
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [500016, 83, 93, 5000004, 69])
 def test_claims_are_honest_where_little_is_left_to_know(seed: int) -> None:
     """Beside a limit speeds grow past all bounds: a force's direction is then nothing but error, a slow thing is called
@@ -85,6 +87,7 @@ def test_claims_are_honest_where_little_is_left_to_know(seed: int) -> None:
     assert ratios(c, near[:128] if len(near) else rng.uniform(0, 360, 100)).size
 
 
+@pytest.mark.slow
 def test_nothing_is_claimed_of_what_is_all_error() -> None:
     """An arm is a moment over a force: where the force is less than its own error, there is nothing to claim."""
     c = random_cycle(500016, sliding=False)
@@ -144,6 +147,7 @@ def test_a_long_table_is_written_with_its_claims(tmp_path: Path, capsys: pytest.
     assert "give -o" in capsys.readouterr().err
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", [4, 15, 21, 36])
 def test_the_long_truth_is_that_of_fifty_digits(seed: int) -> None:
     """At random, and nearer to a limit than a millionth of a radian."""
@@ -202,6 +206,7 @@ def test_no_operation_loses_more_than_it_is_said_to() -> None:
         assert 0.3 < math.sqrt(3 * np.mean(squares[op])) / USUAL.get(op, 1.0) < 1.06, op
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("op", ["mul", "inv", "sqrt", "hypot", "sin", "cos", "atan2", "abs", "max", "min"])
 def test_no_operation_is_more_bent_than_it_is_said_to_be(op: str) -> None:
     """f(a + d) - f(a) - slope·d, wherever within its reach d falls: tried where slopes are good and where they fail."""
@@ -221,6 +226,7 @@ def test_no_operation_is_more_bent_than_it_is_said_to_be(op: str) -> None:
         assert np.median(lost[np.all(small, axis=0)] / np.abs(z[np.all(small, axis=0)])) < 1e-5
 
 
+@pytest.mark.slow
 def test_claims_hold_on_the_way_to_a_dead_point() -> None:
     mechanism = load(str(SAMPLES / "six-link.yaml")).mechanism
     assert mechanism
@@ -233,6 +239,7 @@ def test_claims_hold_on_the_way_to_a_dead_point() -> None:
     assert (way.claim[way.distances > 1e-6] < 1e-8).all()
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", KIND_SAMPLES)
 def test_spread_of_a_pencil_is_that_of_many_draughtsmen(name: str) -> None:
     c = cycle_of(name)

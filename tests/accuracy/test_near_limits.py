@@ -41,6 +41,7 @@ loads: [{link: 3, point: B, force: 0.017, direction: 177.7}, {link: 2, point: C,
 """
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("family", FAMILIES)
 def test_no_number_near_a_limit_is_wrong_without_a_word(family: str) -> None:
     found = walk(family, 0, 20)
@@ -49,6 +50,7 @@ def test_no_number_near_a_limit_is_wrong_without_a_word(family: str) -> None:
     assert found["arrays left out"] <= 0.25 * found["arrays numbers"], "a table leaves out more than it must"
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("family", FAMILIES)
 def test_tables_by_arrays_and_compiled_leave_out_the_same(family: str) -> None:
     if not fused.available():

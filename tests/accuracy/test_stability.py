@@ -75,6 +75,7 @@ def test_a_bare_crank_comes_to_none() -> None:
     assert approach(state(mechanism)) is None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SHOWN)
 def test_what_is_claimed_is_honest_all_the_way(name: str) -> None:
     a = way(name)
@@ -83,6 +84,7 @@ def test_what_is_claimed_is_honest_all_the_way(name: str) -> None:
     assert (np.diff(a.sharpness) < 0).all() and (a.errors["method_digits"] < 1e-15).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SHOWN)
 @pytest.mark.parametrize("other", ["method_newton", "method_differences", "method_single"])
 def test_no_other_way_to_reckon_is_better_anywhere(name: str, other: str) -> None:

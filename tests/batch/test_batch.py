@@ -65,6 +65,7 @@ def values_for(rng: random.Random, plans: Plans, reach: float) -> list[float]:
     return [at, *(at + rng.uniform(-reach, reach) for _ in range(7))]
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("friction", [False, True])
 @pytest.mark.parametrize("kind", KINDS)
 def test_an_array_draws_what_one_draws(kind: str, friction: bool) -> None:

@@ -46,6 +46,7 @@ def whole(c: Cycle, values: Any, **how: Any) -> tuple[Any, Any]:
 needs_compiler = pytest.mark.skipif(not fused.available(), reason="the extra planes[fast] is not installed")
 
 
+@pytest.mark.few(3)
 @needs_compiler
 @pytest.mark.parametrize("name", NAMES)
 def test_compiled_loop_and_arrays_agree(name: str) -> None:
@@ -89,6 +90,7 @@ def test_other_givens_may_move_with_the_drive(fast: bool) -> None:
         assert table[:, k] == pytest.approx(alone[:, 0], rel=1e-13)
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("name", NAMES)
 def test_numbers_are_those_of_single_drawings(name: str) -> None:
     p = plans(name)

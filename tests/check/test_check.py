@@ -201,6 +201,7 @@ def test_another_drawing_is_unreadable() -> None:
         check(asked("speed"), paper)
 
 
+@pytest.mark.slow
 def test_confusion_table(capsys: pytest.CaptureFixture[str]) -> None:
     """All samples' velocity, acceleration and force plans, drawn with a pencil, right or with one mistake each."""
     found = run_all(1, Care())
@@ -214,6 +215,7 @@ def test_confusion_table(capsys: pytest.CaptureFixture[str]) -> None:
     assert found.innocent_blamed <= 0.02 * found.innocent
 
 
+@pytest.mark.slow
 def test_confusion_table_without_mu(capsys: pytest.CaptureFixture[str]) -> None:
     """The same with the scale for the checker to find, but for mistakes that only draw the plan larger."""
     found = run_all(1, Care(), list(easels())[::2], told=False)
@@ -257,6 +259,7 @@ def test_noise_is_never_right(seed: int, tmp_path: Path) -> None:
     assert check(b.asked, paper_of(read_svg(file), b)).verdict == "unreadable"
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("what", ["empty", "noise", "face", "text", "blank"])
 def test_pictures_of_something_else(what: str, tmp_path: Path) -> None:
     cv2 = pytest.importorskip("cv2")

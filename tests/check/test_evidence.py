@@ -52,6 +52,7 @@ def test_an_empty_blank_is_unreadable(tmp_path: Path) -> None:
         assert check(bench.asked, paper_of(read_svg(file), bench)).verdict == "unreadable", bench.asked
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("suffix", ["pdf", "png"])
 def test_an_empty_blank_on_paper_is_unreadable(tmp_path: Path, suffix: str) -> None:
     pytest.importorskip("cv2")
@@ -61,6 +62,7 @@ def test_an_empty_blank_on_paper_is_unreadable(tmp_path: Path, suffix: str) -> N
         assert main(["check", scene, file, "--plan", plan]) == 2
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("size", SIZES)
 def test_marks_put_anywhere_are_never_right(size: float) -> None:
     rng = random.Random(size)
@@ -72,6 +74,7 @@ def test_marks_put_anywhere_are_never_right(size: float) -> None:
             assert check(bench.asked, Paper("t", [Spot("p", 0j), *spots])).verdict != "right", (bench.asked, spots)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("size", SIZES)
 def test_scribbles_are_never_right(size: float) -> None:
     rng = random.Random(size)

@@ -81,6 +81,7 @@ def test_right_drawings_of_a_shaky_hand_are_seldom_refused() -> None:
     assert len(refused) == 8 * 50 and sum(refused) <= 0.02 * len(refused)
 
 
+@pytest.mark.slow
 def test_confusion_table_of_a_shaky_hand(capsys: pytest.CaptureFixture[str]) -> None:
     found = run_all(1, SHAKY)
     with capsys.disabled():

@@ -89,6 +89,7 @@ VIEWS = (
 )  # fmt: skip
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize(("sample", "plan", "suffix"), VIEWS)
 def test_a_view_is_right_and_with_one_step_spoiled_wrong_there(
     sample: str, plan: str, suffix: str, tmp_path: Path
@@ -102,6 +103,7 @@ def test_a_view_is_right_and_with_one_step_spoiled_wrong_there(
     assert (found.verdict, found.first_wrong) == ("wrong", made[1].blames), found.sentence.told("en")
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("suffix", READERS)
 def test_every_plan_of_a_whole_sheet_is_right(suffix: str, tmp_path: Path) -> None:
     """Frame, title block, tables, equations and the other plans are not lines of the plan."""

@@ -63,6 +63,7 @@ def written(kind: str, grey: Any, file: Path) -> Path:
     return file
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("kind", ["see-through", "16-bit", "16-bit, see-through", "palette", "CMYK",
                                   "turned in the camera"])  # fmt: skip
 def test_a_file_is_read_as_it_is_seen(kind: str, scan: Any, tmp_path: Path) -> None:
@@ -71,6 +72,7 @@ def test_a_file_is_read_as_it_is_seen(kind: str, scan: Any, tmp_path: Path) -> N
     assert abs(found.astype(int) - scan).mean() < 4
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("turn", [90, 180, 270])
 def test_a_picture_lying_on_its_side(turn: int, scan: Any, tmp_path: Path) -> None:
     file = tmp_path / "p.jpg"

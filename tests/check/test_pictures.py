@@ -59,6 +59,7 @@ def looked(
     return drawn, corpus.looked_at(one, file)[0]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("camera", "most"), [(SCAN, 0.3), (PHONE, 0.6)], ids=["scan", "phone"])
 def test_marks_are_read_where_they_were_put(camera: Camera, most: float, tmp_path: Path) -> None:
     errors, count = [], 0
@@ -72,6 +73,7 @@ def test_marks_are_read_where_they_were_put(camera: Camera, most: float, tmp_pat
     assert errors[len(errors) // 2] < 0.1 and errors[int(0.95 * len(errors))] < most
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("camera", [SCAN, PHONE], ids=["scan", "phone"])
 def test_force_polygons_are_read_in_any_order(camera: Camera, tmp_path: Path) -> None:
     for sample, plan in FORCES:
@@ -80,6 +82,7 @@ def test_force_polygons_are_read_in_any_order(camera: Camera, tmp_path: Path) ->
         assert {s.name for s in found.paper.spots} >= set(drawn.marks), (sample, plan)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("camera", [
     replace(SCAN, dpi=150, grid="millimetre", erased=3), replace(SCAN, dpi=300, grid="square", turn_deg=2),
     replace(PHONE, grid="square", erased=3, shade=0.45), replace(SCAN, wobble_mm=0.2, noise=6, quality=50),
@@ -90,6 +93,7 @@ def test_any_paper(camera: Camera, tmp_path: Path) -> None:
         assert looked(easel(sample, plan), camera, tmp_path)[1].verdict == "right"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("plan", ["velocity", "acceleration", "force:4-5"])
 def test_lines_drawn_beyond_their_crossings(plan: str, tmp_path: Path) -> None:
     """Thin lines of construction go on past the marks; a polygon that cannot surely be told from them is not judged."""
@@ -107,6 +111,7 @@ def test_lines_drawn_beyond_their_crossings(plan: str, tmp_path: Path) -> None:
     assert found.verdict in (("right", "unreadable") if plan.startswith("force") else ("right",))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("plan", "mistake"), [
     ("velocity", Mistake("omega1_reversed", "b")), ("velocity", Mistake("along_link", "c")),
     ("acceleration", Mistake("normal_outward", "n_CB")), ("acceleration", Mistake("coriolis_half", "k_HL")),
@@ -144,6 +149,7 @@ def test_the_frame_tells_the_format() -> None:
             assert ratio == pytest.approx((size[0] - 25) / (size[1] - 10), rel=0.002)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("size", "camera"), [
     ("A4", SCAN), ("A3", replace(SCAN, dpi=150)), ("A3", replace(PHONE, dpi=150)),
 ], ids=["A4", "A3", "A3 photo"])  # fmt: skip
@@ -184,6 +190,7 @@ def photo_of(what: str) -> Any:
     return cv2.resize(small, (1300, 900), interpolation=cv2.INTER_CUBIC).astype(np.uint8)  # a landscape, say
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("plan", ["velocity", "force:2-3"])
 @pytest.mark.parametrize("what", ["empty sheet", "10 000 lines", "hatching", "landscape"])
 def test_what_is_no_plan_is_said_to_be_none(
@@ -202,6 +209,7 @@ def test_what_is_no_plan_is_said_to_be_none(
         assert len(told.err.strip().splitlines()) == 1
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("plan", ["velocity", "acceleration"])
 def test_another_scene_is_unreadable(plan: str, tmp_path: Path) -> None:
     asked = Asked(confusion.bench("six-link", plan).asked.scene, plan, mu=confusion.bench("six-link", plan).said_mu)
@@ -259,6 +267,7 @@ def coloured(easel_: Easel, camera: Camera, inks: tuple[float, float, float], fi
     return drawn
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("lens", "curl_mm"), [(-0.08, 0), (-0.03, 0), (0.08, 0), (0, 4), (0.05, -3)])
 def test_a_lens_that_bends_and_paper_that_curls_are_told_by_the_frame(
     lens: float, curl_mm: float, tmp_path: Path
@@ -286,6 +295,7 @@ def test_pixels_of_a_bent_picture_are_found_on_the_sheet() -> None:
     assert abs(flat.place(complex(seen.real * k, (SHEET_MM[1] - seen.imag) * k)) - place) < 0.3
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("inks", [(0.2, 1.2, 2.2), (0.5, 2.9, 3.8), (3.9, 2.9, 0.4)],
                          ids=["blue", "dark blue", "dark orange"])  # fmt: skip
 @pytest.mark.parametrize("camera", [SCAN, PHONE], ids=["scan", "phone"])
@@ -307,6 +317,7 @@ def test_what_is_drawn_in_colour_does_not_fade() -> None:
     assert np.array_equal(plainest(cv2, colour), cv2.cvtColor(colour, cv2.COLOR_BGR2GRAY))
 
 
+@pytest.mark.slow
 def test_a_small_corpus() -> None:
     """Shares of right drawings accepted and of mistakes found, blamed and named; ``picture_corpus`` counts them all."""
     whole = corpus.Count()

@@ -16,6 +16,7 @@ from tests.check.test_pictures import easel, looked
 from tests.helpers.photographs import PHONE, SCAN, Camera
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("sample", ["bntu-1", "bntu-2"])
 @pytest.mark.parametrize("camera", [SCAN, PHONE], ids=["scan", "phone"])
 def test_a_vector_that_goes_back_past_the_pole(sample: str, camera: Camera, tmp_path: Path) -> None:
@@ -42,6 +43,7 @@ def test_a_head_upon_another_vector(tmp_path: Path) -> None:
         assert abs(spots["s1"] - spots["p"] - drawn.marks["s1"]) < 0.5
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("camera", [SCAN, PHONE], ids=["scan", "phone"])
 def test_letters_that_touch_the_printed_cross(camera: Camera, tmp_path: Path) -> None:
     one, rng, file = easel("kind-3-rpr", "force:1"), random.Random(4), tmp_path / "p.jpg"

@@ -97,6 +97,7 @@ def test_a_students_scene_is_what_the_other_commands_take(whole: Path, capsys: p
     assert "Уравновешивающий момент" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_killed_half_way_and_gone_on(whole: Path, tmp_path: Path) -> None:
     """SIGKILL: nothing half-written under its own name, no worker left behind, what was done kept; and two processes,
     twice begun, make the bytes that one made undisturbed."""

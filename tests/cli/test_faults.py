@@ -56,6 +56,7 @@ def small_disk(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
         subprocess.run(["umount", str(at)], check=True)
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize(("argv", "name"), BIG, ids=[name for _, name in BIG])
 def test_a_full_disk_is_a_sentence_and_leaves_what_was_there(small_disk: Path, argv: list[str], name: str) -> None:
     target = small_disk / name
@@ -66,6 +67,7 @@ def test_a_full_disk_is_a_sentence_and_leaves_what_was_there(small_disk: Path, a
     target.unlink()
 
 
+@pytest.mark.few(1)
 @POSIX
 @pytest.mark.parametrize(("argv", "name"), BIG[:4], ids=[name for _, name in BIG[:4]])
 def test_a_limit_of_a_files_size_is_a_sentence(tmp_path: Path, argv: list[str], name: str) -> None:
@@ -77,6 +79,7 @@ def test_a_limit_of_a_files_size_is_a_sentence(tmp_path: Path, argv: list[str], 
     assert target.read_bytes() == OLD and [p.name for p in tmp_path.iterdir()] == [name]
 
 
+@pytest.mark.few(2)
 @POSIX
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
 @pytest.mark.parametrize("suffix", ["csv", "npz"])

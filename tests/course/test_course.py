@@ -197,6 +197,7 @@ def test_numbers_are_ones_own_whoever_else_is_there(folder: Make) -> None:
     assert settle(question_again).scene not in told[1].values()
 
 
+@pytest.mark.slow
 def test_where_no_numbers_will_do_it_is_said_why(folder: Make, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(numbers, "TRIES", 100)
     course = read_course(folder("course: 1\nvariants: drawn\nsharpness: 89\ndraw: {l_BC: 1 %}\n", scenes=("03",)))
@@ -234,6 +235,7 @@ def test_draw_numbers_takes_the_first_that_works() -> None:
 # scenes
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("path", sorted((SAMPLES / "assignments").glob("*.yaml"))[::4], ids=lambda p: p.stem)
 def test_a_scene_written_anew_is_the_same(path: Path) -> None:
     text = path.read_text("utf-8")
@@ -243,6 +245,7 @@ def test_a_scene_written_anew_is_the_same(path: Path) -> None:
     assert again.title == scene.title and again.note == scene.note and again.missing == scene.missing
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("path", sorted(SAMPLES.glob("*.yaml")), ids=lambda p: p.stem)
 def test_every_sample_written_anew_is_the_same(path: Path) -> None:
     text = path.read_text("utf-8")

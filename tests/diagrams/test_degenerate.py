@@ -117,6 +117,7 @@ def zeroed(names: tuple[str, ...]) -> Iterator[tuple[str, str, str]]:
 CASES = list(zeroed(("kind-1-rrr", "kind-3-rpr", "kind-5-rpp", "sliding-driver")))
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize(("name", "length", "text"), CASES, ids=[f"{n} {x}" for n, x, _ in CASES])
 def test_a_length_of_zero_gives_numbers_or_one_sentence(
     name: str, length: str, text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -145,6 +146,7 @@ def test_one_such_scene_does_not_stop_the_others(tmp_path: Path, capsys: pytest.
 # cost
 
 
+@pytest.mark.slow
 def test_a_cycle_of_many_links_holds_little_memory() -> None:
     sizes = []
     for dyads in (5, 10):
@@ -166,6 +168,7 @@ def test_structure_takes_work_as_links_squared() -> None:
     assert counts[1] < 4.5 * counts[0]
 
 
+@pytest.mark.slow
 def test_a_sheet_of_many_links_ends(tmp_path: Path) -> None:
     file = tmp_path / "chain.yaml"
     file.write_text(chain(7), encoding="utf-8")

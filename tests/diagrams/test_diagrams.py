@@ -92,6 +92,7 @@ def test_analogues_of_a_crank_slider_are_its_closed_forms() -> None:
     assert read["vq_S2_x"] == pytest.approx((ahead - along) / step, abs=1e-6)
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("seed", range(8))
 def test_analogues_are_what_the_independent_solver_finds_for_a_unit_drive(seed: int) -> None:
     rng = random.Random(seed)
@@ -123,6 +124,7 @@ def test_analogues_are_what_the_independent_solver_finds_for_a_unit_drive(seed: 
         assert abs(mine - exact) <= 1e-10 * sizes[sort], sort
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", ["six-link", "assignment-12", "kind-3-rpr", "kind-5-rpp", "sliding-driver"])
 def test_velocities_and_accelerations_follow_from_the_analogues(name: str) -> None:
     """v = v_q·ω₁ and a = a_q·ω₁² + v_q·ε₁, everywhere and for everything that moves."""
@@ -220,6 +222,7 @@ def test_a_coarse_grid_gives_the_same_extremes_as_a_fine_one() -> None:
             assert one.place == pytest.approx(two.place, abs=1e-4), name
 
 
+@pytest.mark.slow
 def test_limits_of_assembly_are_found_and_what_grows_there_is_said() -> None:
     text = ROCKER.replace("B: 0.1}", "B: 0.5}")
     found = summed(text)
@@ -235,6 +238,7 @@ def test_limits_of_assembly_are_found_and_what_grows_there_is_said() -> None:
     json.dumps(plain, allow_nan=False)
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("seed", range(10))
 def test_a_driver_can_go_as_far_as_every_step_can_be_drawn(seed: int) -> None:
     rng = random.Random(seed)
@@ -249,6 +253,7 @@ def test_a_driver_can_go_as_far_as_every_step_can_be_drawn(seed: int) -> None:
         assert span.whole or (drive.kind == "s" and abs(end - far) < beside) or not works(end + way * beside)
 
 
+@pytest.mark.slow
 def test_nothing_is_told_of_where_the_mechanism_does_not_assemble() -> None:
     found = summed((SAMPLES / "assignments" / "66.yaml").read_text(encoding="utf-8"))
     ((low, high),) = found.ranges
@@ -281,6 +286,7 @@ def test_a_double_crank_has_no_extreme_position() -> None:
     assert "полный оборот" in report(summed(text), "ru")
 
 
+@pytest.mark.slow
 def test_a_rod_that_passes_through_its_pin_turns_over_and_has_no_time_ratio() -> None:
     text = (SAMPLES / "assignments" / "57.yaml").read_text(encoding="utf-8")
     found = summed(text)

@@ -26,6 +26,7 @@ HERE = ROOT / "samples"
 SIX = HERE / "six-link.yaml"
 SAMPLES = [p for p in sorted(HERE.glob("*.yaml")) if p.stem != "vectors"]
 WIDE = {"width": 1280, "height": 900}
+MOST_CHANGES = 300  # of the page by one drawing of the six links: what is drawn stays, and only what moves is set
 
 
 @pytest.fixture(scope="module")
@@ -111,6 +112,7 @@ def test_what_is_shown_at_any_position_is_what_is_solved(page: Any, index: int) 
         assert abs(complex(x, y) - complex(*drawn.results["points"][point][letter]) * mus[f"mu_{plan}"]) < 0.1
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ["six-link", "kind-3-rpr", "sliding-driver"])
 def test_every_sentence_at_other_positions_has_the_numbers_reckoned_there(
     browser: Any, tmp_path: Path, name: str
@@ -321,6 +323,7 @@ def test_on_a_telephone_nothing_runs_off_the_page(page: Any) -> None:
         assert box and box["y"] < 700
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("path", SAMPLES, ids=[p.stem for p in SAMPLES])
 def test_every_sample_steps_and_turns_without_complaint(browser: Any, tmp_path: Path, path: Path) -> None:
     target = tmp_path / "lesson.html"
@@ -338,35 +341,17 @@ def test_every_sample_steps_and_turns_without_complaint(browser: Any, tmp_path: 
     assert errors == []
 
 
-def test_it_is_there_at_once_and_turns_smoothly(browser: Any, lesson: str, record_property: Any) -> None:
-    first, rate = [], []
-    for _ in range(3):
-        page = browser.new_page()
-        page.goto(lesson)
-        page.bring_to_front()
-        first.append(page.evaluate("""() => new Promise(done => {
-            const paint = () => performance.getEntriesByName("first-contentful-paint")[0];
-            const look = () => {
-                if (paint()) done(paint().startTime);
-                else if (performance.now() > 4000) done(4000);
-                else setTimeout(look, 20);
-            };
-            look();
-        })"""))
-        page.evaluate("go(24)")
-        rate.append(page.evaluate("""async () => {
-            let n = 0; const t0 = performance.now();
-            spin();
-            await new Promise(done => {
-                const f = () => { n++; performance.now() - t0 < 1500 ? requestAnimationFrame(f) : done(); };
-                f();
-            });
-            spin();
-            return 1000 * n / (performance.now() - t0);
-        }"""))
-        page.close()
-    record_property("first_frame_ms", min(first))
-    record_property("frames_per_second", max(rate))
-    print(f"first frame {min(first):.0f} ms, {max(rate):.0f} frames a second")
-    assert min(first) < 1000
-    assert max(rate) > 15  # 60 where the machine is idle; other tests run beside this one
+def test_a_turn_of_the_crank_draws_little(browser: Any, lesson: str) -> None:
+    """One position makes so few new nodes and attributes that any machine turns the crank smoothly."""
+    page = browser.new_page()
+    page.goto(lesson)
+    made = page.evaluate("""async () => {
+        go(24);
+        let work = 0;
+        const looker = new MutationObserver(seen => seen.forEach(r => { work += r.addedNodes.length || 1; }));
+        looker.observe(document.body, { childList: true, subtree: true, attributes: true });
+        for (let k = 0; k < 20; k++) { state.index = 5 * k; draw(); await new Promise(done => setTimeout(done)); }
+        return work / 20;
+    }""")
+    page.close()
+    assert 0 < made < MOST_CHANGES

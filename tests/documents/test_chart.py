@@ -61,6 +61,7 @@ def test_where_nothing_leads_to_a_limit_the_chart_says_so(
     assert out.exists() and any("no limit: neither the drive" in text for text in said)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     ("name", "words"),
     [

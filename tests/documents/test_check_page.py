@@ -87,6 +87,7 @@ def same(page: Any, found: Outcome) -> None:
         assert free == pytest.approx(grading.free[mark].reach(grading.judgement.limit), rel=0.05)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("sample", "plan", "mistake"), CASES)
 def test_the_page_judges_as_the_program_does(
     browser: Any, tmp_path: Path, sample: str, plan: str, mistake: Mistake | None
@@ -99,6 +100,7 @@ def test_the_page_judges_as_the_program_does(
     assert errors == []
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("sample", "plan", "mistake"), CASES)
 def test_moved_marks_are_judged_anew_and_their_table_is_judged_alike(
     browser: Any, tmp_path: Path, sample: str, plan: str, mistake: Mistake | None

@@ -108,6 +108,7 @@ def visit(browser: Any, file: Path, kind: str) -> tuple[list[str], str]:
     return wrong, title
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("name", NAMES)
 def test_a_hostile_name_is_letters_in_every_page(
     browser: Any, told: dict[str, dict[str, Any]], tmp_path: Path, name: str
@@ -164,6 +165,7 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     return {**out, "course lesson": place / "lesson.html", "summary": course / "out/teacher/summary.html"}
 
 
+@pytest.mark.slow
 def test_pages_of_the_commands_with_hostile_names(browser: Any, written: dict[str, Path]) -> None:
     for kind, file in written.items():
         wrong, title = visit(browser, file, kind.removeprefix("course "))

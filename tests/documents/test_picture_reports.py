@@ -66,6 +66,7 @@ def darkest(photo: Photo, at: complex, across: complex) -> float:
     return float((dark * steps).sum() / dark.sum())
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("plan", ["velocity", "force:2-3"])
 def test_the_picture_lies_beneath_the_person_s_own_plan(plan: str, tmp_path: Path) -> None:
     """Each line of the person's own plan is drawn on the pencil's, in whatever order the forces are."""
@@ -85,6 +86,7 @@ def test_the_picture_lies_beneath_the_person_s_own_plan(plan: str, tmp_path: Pat
     assert conflicts(names, [m for m in marks if not isinstance(m, Text)]) == ()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("suffix", [".pdf", ".svg", ".png"])
 def test_printed_reports_carry_the_picture(
     suffix: str, scan: tuple[Path, corpus.Drawn, complex], tmp_path: Path
@@ -169,6 +171,7 @@ def test_marks_of_a_picture_nobody_could_read_are_named_by_hand(browser: Any, tm
     assert errors == []
 
 
+@pytest.mark.slow
 def test_the_pole_of_a_picture_is_put_where_it_is(browser: Any, tmp_path: Path) -> None:
     """Another plan on a sheet without corner marks: nobody knows the pole, it waits at the corner and is moved."""
     one, picture, target = corpus_easel("acceleration"), tmp_path / "p.png", tmp_path / "report.html"

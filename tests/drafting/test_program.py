@@ -190,7 +190,8 @@ def test_a_program_depends_on_structure_alone(text: str, changes: dict[str, str]
     assert set(one.given) == set(two.given) and dict(one.given) != dict(two.given)
 
 
-@settings(max_examples=60, derandomize=True, deadline=None, database=None)
+@pytest.mark.slow
+@settings(max_examples=60)
 @given(mechanisms(most=3, friction=True))
 def test_changed_numbers_leave_a_random_program_the_same(case: Any) -> None:
     """Every length 10 % longer, other rates, masses, loads and coefficients: the same steps."""

@@ -20,7 +20,7 @@ from planes.geometry.arithmetic import Many, One
 
 EPS = 2.0**-52
 ONE, MANY = One(), Many()
-SETTINGS = settings(max_examples=200, derandomize=True, deadline=None, database=None)
+SETTINGS = settings(max_examples=200)
 SPAN = st.floats(-1000, 1000).map(lambda x: round(x, 6) + 0.0)
 PLACE = st.builds(complex, SPAN, SPAN)
 ANGLE = st.floats(-360, 360)

@@ -145,7 +145,7 @@ def differences(d: Drawn, truth: Mapping[str, Number]) -> dict[str, float]:
         got, size = found[name].value, scale[want.sort] or 1.0
         error = abs(got - want.value) / size
         if want.sort == "angle":
-            error = abs(math.remainder(got - want.value, 360)) / size
+            error = abs(math.remainder((got - want.value).real, 360)) / size
             assert -180 < got.real <= 180
         if want.sort == "arm":  # as good as the normal force it is divided by
             normal = abs(d.number(d.plans.reactions[name.removeprefix("arm_")].normal))

@@ -292,7 +292,8 @@ class Drawer:
 
     @property
     def pending(self) -> dict[str, float]:
-        return self.__dict__.setdefault("_pending", {})
+        found: dict[str, float] = self.__dict__.setdefault("_pending", {})
+        return found
 
     def laid(self, force: Force, vector: complex | None) -> Any:
         """A vector as it is laid off: with the errors of what it was reckoned from and of the hand."""

@@ -51,7 +51,7 @@ def labels(marks: Mapping[str, complex], rng: random.Random, height: float = 3.5
         for k in range(12):
             u = out_ / abs(out_) * complex(math.cos(k * math.pi / 6), math.sin(k * math.pi / 6))
             corner = z + u * (1.5 + height / 2) + complex(u.real, 0) * width / 2 - complex(width, height) / 2
-            near = sum(abs(corner - c) < height + 2 for _, c in out)
+            near = float(sum(abs(corner - c) < height + 2 for _, c in out))
             middle = corner + complex(width, height) / 2
             near += sum(abs(middle - w) < height for n, w in marks.items() if n != name) + 0.05 * k
             if near < worst:
@@ -152,9 +152,9 @@ def illustrator(strokes: list[Stroke], words: list[tuple[str, complex]], origin:
 def dxf(strokes: list[Stroke], words: list[tuple[str, complex]], origin: complex, blocks: bool = True) -> str:
     """Half of the lines in a block inside a block, the rest as polylines; heads solid or as the line's own narrowing
     end; texts as TEXT and MTEXT."""
-    import ezdxf
+    from ezdxf.filemanagement import new
 
-    document = ezdxf.new("R2010")
+    document = new("R2010")
     document.units = 4
     space = document.modelspace()
     inner = document.blocks.new("INNER")

@@ -6,23 +6,25 @@
 from __future__ import annotations
 
 import difflib
+from collections.abc import Iterable
 
-from render.paper.marks import Arc, Arrow, Hatch, Line, Shape, Text
+from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
+from render.sheet import Sheet
 from tests.helpers import ROOT
 
 GOLDEN = ROOT / "tests" / "golden"
 SHOWN = 40  # lines of a difference
 
 
-def place(z):
+def place(z: complex) -> str:
     return f"({z.real + 0.0:.2f} {z.imag + 0.0:.2f})".replace("-0.00", "0.00")
 
 
-def places(points):
+def places(points: Iterable[complex]) -> str:
     return " ".join(map(place, points))
 
 
-def line(mark):
+def line(mark: Mark) -> str:
     """One mark: layer, kind, places in mm, looks, words."""
     match mark:
         case Line():
@@ -42,14 +44,14 @@ def line(mark):
     return f"{mark.layer:12} {told}".rstrip()
 
 
-def listing(sheet):
+def listing(sheet: Sheet) -> str:
     """The size, the views with their upper left corners, and all marks in the order they are drawn."""
     head = ["size {:.2f} x {:.2f}".format(*sheet.size)]
     head += [f"view {v.key} at {place(complex(left, top))}" for v, left, top in sheet.views]
     return "\n".join([*head, *map(line, sheet.marks)]) + "\n"
 
 
-def difference(kept, found):
+def difference(kept: str, found: str) -> str:
     """What is gone (-) and what is new (+), with the first lines only where there are many."""
     lines = [
         text

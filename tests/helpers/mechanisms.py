@@ -126,8 +126,8 @@ class Builder:
     def slide(self, slider: Body, owner: Body, u: float) -> str:
         """Write a guide of direction `u` on `owner` and let `slider` slide on it; the guide's name."""
         rng, along, first = self.rng, cmath.rect(1.0, u), next(iter(slider.points.values()))
-        for name, (body, place, way) in self.lines.items() if self.every else ():
-            if body is owner and way == u:  # another slider on a guide that is there
+        for name, (body, place, turn) in self.lines.items() if self.every else ():
+            if body is owner and turn == u:  # another slider on a guide that is there
                 self.write_slide(slider, name, u, ((first - place) * along.conjugate()).imag)
                 return name
         angle = wrapped(u - owner.turn)
@@ -432,7 +432,7 @@ def any_scene(seed: int) -> tuple[Case, str]:
     rng = random.Random(f"any {seed}")
     kinds = rng.choices(KINDS, (1, 2, 1, 2, 2), k=rng.choice((0, 1, 1, 2, 2, 2, 3, 3, 4)))
     rubs = rng.random() < 0.3  # only what is loaded can rub
-    how = {"friction": rubs, "rest": rng.random() < 0.1, "loads": rubs or rng.random() < 0.9}
+    how: dict[str, Any] = {"friction": rubs, "rest": rng.random() < 0.1, "loads": rubs or rng.random() < 0.9}
     ill = 1e-3 if kinds and rng.random() < 0.15 else 1.0
     case = make(rng, kinds, every=True, ill=ill, size=10.0 ** rng.choice((-3, 0, 0, 0, 2)), **how)
     return case, expressed(rng, case.scene) if rng.random() < 0.5 else to_yaml(case.scene)

@@ -131,8 +131,9 @@ class Page:
             for number, z in enumerate(centres(self.size)):
                 self.square(number, z)
         self.line([20 + 5j, w - 5 + 5j, complex(w - 5, h - 5), complex(20, h - 5), 20 + 5j], PRINT, 0.25)
-        for d in (2 + 0j, 2j) if pole is not None else ():
-            self.line([pole - d, pole + d], PRINT, 0.25)
+        if pole is not None:
+            for d in (2 + 0j, 2j):
+                self.line([pole - d, pole + d], PRINT, 0.25)
 
 
 def sheet(strokes: list[Stroke], words: list[tuple[str, complex]], pole: complex, camera: Camera,

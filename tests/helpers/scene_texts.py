@@ -42,6 +42,6 @@ mu: 30 mm/(m/s)
 """
 
 
-def changed(old, new, text=SIX_LINK):
+def changed(old: str, new: str, text: str = SIX_LINK) -> str:
     assert old in text
     return text.replace(old, new, 1)

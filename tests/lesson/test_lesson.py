@@ -59,6 +59,7 @@ def told(path: Path):
     return teller, teller.frames(), drawing
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("path", SAMPLES, ids=NAMES)
 def test_every_mark_of_every_frame_is_exported(path: Path) -> None:
     exported = data(path)
@@ -73,6 +74,7 @@ def test_every_mark_of_every_frame_is_exported(path: Path) -> None:
         assert task["mark"] in drawn
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("path", SAMPLES, ids=NAMES)
 def test_every_frame_says_what_and_why_in_both_languages(path: Path) -> None:
     teller, frames, drawing = told(path)
@@ -86,6 +88,7 @@ def test_every_frame_says_what_and_why_in_both_languages(path: Path) -> None:
         assert set(re.findall("⟨[^⟩]*⟩", frame.said["ru"])) == set(re.findall("⟨[^⟩]*⟩", frame.said["en"]))
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("path", SAMPLES, ids=NAMES)
 def test_every_formula_comes_to_the_value_it_states(path: Path) -> None:
     teller, frames, drawing = told(path)
@@ -112,6 +115,7 @@ def reckoned(text: str) -> float:
     return float(eval(text))
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("path", SAMPLES, ids=NAMES)
 def test_the_numbers_of_sentences_are_those_that_are_solved(path: Path) -> None:
     teller, frames, drawing = told(path)
@@ -167,6 +171,7 @@ def built(names: list[str], plan: str, drawing) -> complex:
     return mark[start] + (mark[second] - mark[first]) * (spot[own] - spot[from_]) / (spot[two] - spot[one])
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("path", DRAWN, ids=[p.stem for p in DRAWN])
 def test_similarity_is_told_as_it_is_drawn(path: Path) -> None:
     _, frames, drawing = told(path)
@@ -185,6 +190,7 @@ def test_the_sheet_draws_no_triangle_where_similarity_is_carried() -> None:
     assert sides == [tuple(drawn.drawing[f"velocity:{k}"] for k in ends) for ends in (("b", "s2"), ("b", "e"))]
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("path", SAMPLES, ids=NAMES)
 def test_a_page_is_whole_small_and_loads_nothing(path: Path) -> None:
     for lang in LANGS:
@@ -194,6 +200,7 @@ def test_a_page_is_whole_small_and_loads_nothing(path: Path) -> None:
         assert "{" + "css}" not in text and "NaN" not in text.split('id="data">')[1].split("</script>")[0]
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("path", SAMPLES, ids=NAMES)
 def test_wrong_answers_of_the_practice_are_wrong_and_have_names(path: Path) -> None:
     exported = data(path)
@@ -215,6 +222,7 @@ RATIOS = {"force_doubled": 2, "coriolis_half": 0.5, "mass_for_weight": 1 / 9.81}
 )
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("path", SAMPLES, ids=NAMES)
 def test_a_wrong_length_is_what_its_explanation_says(path: Path) -> None:
     exported = data(path)
@@ -274,6 +282,7 @@ def test_a_lesson_whose_own_position_fails_is_refused() -> None:
         lesson_data(loads(text, "s.yaml"))
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("path", SAMPLES, ids=NAMES)
 @pytest.mark.parametrize("lang", LANGS)
 def test_a_note_stands_in_the_usual_order(path: Path, lang) -> None:

@@ -7,7 +7,7 @@ from collections import Counter
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from tests.helpers.comparing import against, closing_mm, measured_closing_mm, power, standing
@@ -25,13 +25,7 @@ OPTIONS: dict[str, dict[str, Any]] = {
     "friction at rest": {"friction": True, "rest": True},
     "sliding friction": {"friction": True, "sliding": True, "ill": 1e-2},
 }
-FEW = settings(
-    max_examples=60,
-    derandomize=True,
-    deadline=None,
-    database=None,
-    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
-)
+FEW = settings(max_examples=60)
 
 
 def examine(case: Case, text: str | None = None) -> None:
@@ -46,6 +40,7 @@ def examine(case: Case, text: str | None = None) -> None:
         assert measured_closing_mm(drawn) <= 1e-9
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("options", OPTIONS.values(), ids=OPTIONS.keys())
 def test_chains_of_up_to_three_groups(options: dict[str, Any]) -> None:
     @FEW

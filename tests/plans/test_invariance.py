@@ -10,20 +10,14 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from tests.helpers.comparing import Drawn, Number, closing_mm, differences, draw, numbers, standing
 from tests.helpers.mechanisms import Case, mechanisms
 from tests.helpers.oracle import place
 
-FEW = settings(
-    max_examples=40,
-    derandomize=True,
-    deadline=None,
-    database=None,
-    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
-)
+FEW = settings(max_examples=40)
 CASES = mechanisms(most=3)
 RUBBED = mechanisms(most=3, friction=True)
 

@@ -115,7 +115,7 @@ def test_relative_acceleration_of_a_slider_is_made_of_three_parts() -> None:
             assert near(sum(terms), found, max(map(abs, [found, *terms])), 1e-10)
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=60, suppress_health_check=list(HealthCheck))
 @given(mechanisms(limit=1e5))
 def test_power_and_equilibrium(case: Case) -> None:
     total, largest = power_balance(case.solution)

@@ -245,6 +245,7 @@ def inked(data):
         return np.asarray(image.convert("L")) < 215
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("name", "settings"), [
     ("kind-1-rrr", {}), ("kind-2-rrp", {"lettering": "slanted"}), ("vectors", {"font": "DejaVu Serif"}),
 ])  # fmt: skip
@@ -267,6 +268,7 @@ def test_the_drawing_looks_as_the_sheet(name, settings):
 # cost
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("suffix", ["svg", "dxf"])
 def test_a_full_a1_sheet_is_drawn_within_so_many_calls(suffix, tmp_path):
     text = SAMPLES["six-link"].read_text(encoding="utf-8")

@@ -114,6 +114,7 @@ SETTINGS = [
 ]  # fmt: skip
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("settings", SETTINGS, ids=str)
 @pytest.mark.parametrize("name", ["kind-2-rrp", "kind-3-rpr", "vectors"])
 def test_nothing_overlaps_in_any_face(name, settings):
@@ -123,6 +124,7 @@ def test_nothing_overlaps_in_any_face(name, settings):
     assert clashes(found) == []
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("settings", SETTINGS, ids=str)
 def test_the_formats_draw_the_same_letters_in_the_same_places(settings):
     found = sheet("kind-2-rrp", **settings)
@@ -133,6 +135,7 @@ def test_the_formats_draw_the_same_letters_in_the_same_places(settings):
     assert agree([z for _, z in texts], starts)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("settings", SETTINGS, ids=str)
 def test_text_is_found_again(settings):
     found = sheet("kind-1-rrr", **settings)

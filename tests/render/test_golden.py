@@ -160,6 +160,7 @@ def set_by(entity):
 ALIKE = ["six-link", "kind-2-rrp", "kind-4-prp", "vectors"]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ALIKE)
 def test_svg_has_everything_where_the_marks_are(name):
     found = sheet(name)
@@ -170,6 +171,7 @@ def test_svg_has_everything_where_the_marks_are(name):
     assert agree([laid.origin for laid in wanted if laid.runs], [z for _, z in texts])
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ALIKE)
 def test_pdf_has_everything_where_the_marks_are(name):
     found = sheet(name)
@@ -178,6 +180,7 @@ def test_pdf_has_everything_where_the_marks_are(name):
     assert agree([layout(m).origin for m in found.marks if isinstance(m, Text) and layout(m).plain], starts)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ALIKE)
 def test_dxf_has_everything_where_the_marks_are(name):
     found = sheet(name)

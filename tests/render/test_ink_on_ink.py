@@ -91,6 +91,7 @@ def unsaid(drawn: Sheet | Page) -> list[str]:
     return [t for t in ink_on_ink(rendered(drawn, ".svg", "ru")) if not any(t in w for w in drawn.warnings)]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("path", SOME, ids=[p.stem for p in SOME])
 def test_no_ink_on_ink_on_a_written_sheet(path: Path) -> None:
     assert ink_on_ink(rendered(sheet_of(load(path), None, "ru"), ".svg", "ru")) == []
@@ -102,6 +103,7 @@ def random_scene(seed: int) -> Scene:
     return replace(loads(to_yaml(make(rng, rng.choices(KINDS, k=2), friction=seed % 3 == 0).scene)), find=None)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_no_ink_on_ink_unsaid_on_random_mechanisms(seed: int) -> None:
     drawn = 0

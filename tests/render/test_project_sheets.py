@@ -43,6 +43,7 @@ def words(sheet):
     return {plain(m.text) for m in sheet.marks if isinstance(m, Text)}
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("name", "number"), NUMBERED)
 def test_nothing_overlaps_and_every_letter_is_known(name, number):
     found = sheet(name, number)
@@ -50,6 +51,7 @@ def test_nothing_overlaps_and_every_letter_is_known(name, number):
     assert lettering.missing("".join(words(found))) == ""
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("name", "number"), NUMBERED)
 @pytest.mark.parametrize("value", [45.0, 200.0])
 def test_other_positions_do_not_overlap_either(name, number, value):
@@ -63,6 +65,7 @@ def test_other_positions_do_not_overlap_either(name, number, value):
     assert clashes(found) == []
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", list(SCENES))
 def test_sheet_1_shows_structure_plans_and_diagrams(name):
     said = words(sheet(name, 1))
@@ -72,6 +75,7 @@ def test_sheet_1_shows_structure_plans_and_diagrams(name):
     assert any(text.startswith("Диаграммы") for text in said)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", list(SCENES))
 def test_sheet_2_shows_every_group_with_its_forces_and_the_lever(name):
     found = sheet(name, 2)
@@ -109,6 +113,7 @@ def test_angles_are_unwound_and_gaps_split_a_curve():
     assert pieces([0, 1, 2, 3, 4], [1.0, 2.0, None, 3.0, 4.0]) == [[(0, 1.0), (1, 2.0)], [(3, 3.0), (4, 4.0)]]
 
 
+@pytest.mark.few(8)
 @pytest.mark.parametrize("name", sorted(ALL))
 def test_a_link_in_a_thin_position_has_the_shape_of_the_scheme(name):
     drawn = solve(replace(load(ALL[name]), find=None)).positions[0]

@@ -50,12 +50,14 @@ def clashes(sheet):
     return [c for c in found if " lies on 'line of text" not in c]
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("lang", ["ru", "en"])
 def test_nothing_overlaps_and_nothing_leaves_the_frame(name, lang):
     assert clashes(sheet(name, lang)) == []
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", NAMES)
 def test_bars_and_underlines_cross_no_letter(name):
     found = sheet(name)
@@ -77,6 +79,7 @@ class LineTree:
         return shape is not None and len(self.tree.query(shape, predicate="intersects"))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", NAMES)
 def test_views_keep_their_distance(name):
     found = sheet(name)
@@ -88,12 +91,14 @@ def test_views_keep_their_distance(name):
             assert apart > GAP_MM - 1e-6 or {a, b} == set(found.paper.taken)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", NAMES)
 def test_every_letter_has_a_glyph(name):
     for lang in ("ru", "en"):
         assert lettering.missing("".join(words(sheet(name, lang)))) == ""
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", [n for n in NAMES if n != "vectors"])
 def test_points_marks_forces_and_results_are_all_named(name):
     scene = load(next(p for p in SAMPLES if p.stem == name))
@@ -151,6 +156,7 @@ TURNING = [n for n in NAMES if n not in ("vectors", "sliding-driver")]
 POSITIONS = [(n, 30.0 * k) for n in TURNING for k in range(12) if not n.startswith("bntu") or k % 4 == 1]
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("name", "value"), POSITIONS)
 def test_twelve_positions_have_no_clashes(name, value):
     try:
@@ -161,6 +167,7 @@ def test_twelve_positions_have_no_clashes(name, value):
     assert clashes(found) == []
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ["six-link", "kind-3-rpr", "vectors"])
 def test_the_same_bytes_twice(name):
     path = SAMPLES[NAMES.index(name)]

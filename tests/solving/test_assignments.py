@@ -105,6 +105,7 @@ def independent(d: Drawn, scene: Mapping[str, Any]) -> Solution:
     return solve_independently(scene, guess)
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("path", FILES, ids=[p.stem for p in FILES])
 def test_all_variants_against_the_independent_solver(path: Path) -> None:
     """Both balancing moments, closing of all polygons, power, and every number."""
@@ -122,6 +123,7 @@ def test_all_variants_against_the_independent_solver(path: Path) -> None:
         assert not wrong, (where, wrong)
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("path", FILES, ids=[p.stem for p in FILES])
 def test_the_table_of_all_positions_lists_what_is_not_in_full(path: Path) -> None:
     lines = lines_of((str(path), "en", None))

@@ -1,0 +1,32 @@
+"""Every run draws the same random scenes, and none is refused for what a busy machine takes to draw it.
+
+``@pytest.mark.few(n)`` leaves a test with many cases n of them, evenly chosen; the others are slow.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+import pytest
+from hypothesis import HealthCheck, settings
+
+settings.register_profile(
+    "planes", derandomize=True, deadline=None,
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
+)  # fmt: skip
+settings.load_profile("planes")
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Before tests are chosen by their marks."""
+    cases: dict[str, list[pytest.Item]] = defaultdict(list)
+    for item in items:
+        if item.get_closest_marker("few"):
+            cases[item.nodeid.partition("[")[0]].append(item)
+    for every in cases.values():
+        mark = every[0].get_closest_marker("few")
+        number, last = mark.args[0] if mark else 0, len(every) - 1
+        kept = {round((k + 0.5) * last / number) for k in range(number)}
+        for one in (item for k, item in enumerate(every) if k not in kept):
+            one.add_marker("slow")
