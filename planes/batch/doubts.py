@@ -21,7 +21,7 @@ def doubts(
     asked = {q.path: q for q in (catalogue(plans).values() if wanted is None else wanted) if q.path[0] != "plans"}
     own = {q: columns_of(plans, [q]) for q in asked.values()}
     cycle = Cycle(plans, known=known, columns=[c for columns in own.values() for c in columns])
-    table = np.array([[c.take(drawing.things, drawing.hand.ar)] for c in cycle.columns], float)
+    table = np.array([[c.take(drawing.things, drawing.tool.ar)] for c in cycle.columns], float)
     bounds = cycle.claims.bounds([cycle.given[plans.drive_given]])
     doubtful, rough, none = iter(cycle.claims.doubtful(table, bounds)[:, 0].tolist()), [], []
     eaten = iter(((np.abs(table) <= bounds) & (bounds > 0))[:, 0].tolist())

@@ -203,11 +203,11 @@ class Reader:
 
     def segment(self, s: Segment, bluntest: float, error_mm: float | None = None) -> dict[str, Any]:
         """One segment as measured with the instrument, on a plan whose bluntest crossing has this sharpness."""
-        hand, mu = self.drawing.hand, self.scales[mu_of(s.plan)]
+        tool, mu = self.drawing.tool, self.scales[mu_of(s.plan)]
         start, end = self.number(at(s.plan, s.start)), self.number(at(s.plan, s.end))
-        length = self.finite(hand.read(abs(end - start)), s.name)
+        length = self.finite(tool.read(abs(end - start)), s.name)
         if error_mm is None:
-            error_mm = 8 * hand.ar.eps * (abs(start) + abs(end)) / bluntest
+            error_mm = 8 * tool.ar.eps * (abs(start) + abs(end)) / bluntest
         return {
             "mm": float(length), "value": float(length / mu), "unit": UNIT[kind_of(s.plan)],
             "error_mm": float(error_mm), "name": s.name,

@@ -11,8 +11,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
-from planes.drafting.instruments import Hand
 from planes.drafting.steps import Step
+from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Many, Point, Real
 
 _COLUMNS = {"mark": 8, "value": 2, "direction": 1}  # errors a step of the kind may make: marks, rays, readings
@@ -59,7 +59,7 @@ class Columns:
         return columns
 
 
-class Nudged(Hand):
+class Nudged(Tool):
     """The tool: makes each error in its own column."""
 
     def __init__(self, skill: Skill, columns: Columns) -> None:
