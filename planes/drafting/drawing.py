@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from types import MappingProxyType
 from typing import Any
 
 from planes.drafting.instruments import Exact, Instrument, Shaken
@@ -18,10 +17,9 @@ from planes.words.errors import Contradiction, PlanFailure, ProgramError, valid_
 from planes.words.pictures import Pictured
 from planes.words.things import called, plan_phrase
 
-NOWHERE = complex("nan+nanj")  # the mark of a drawing of many that could not be drawn
 SHAKEN = range(4)  # seeds of the blunter drawings
 Instead = Mapping[str, Sequence[Step]]  # steps in the place of the one that makes the name; the last makes it too
-NOTHING: Instead = MappingProxyType({})
+NOTHING: Instead = {}
 
 
 @dataclass
@@ -95,22 +93,14 @@ def reached(
 def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead = NOTHING) -> dict[str, Any]:
     """Draw steps one after another into ``things``, in the place of some those of ``instead``; what each has made.
 
-    What goes on from a step is what the tool keeps of it. Of many drawings, those in which a step fails are NaN.
+    What is drawn on from is what the tool leaves in ``things``; of many drawings, those in which a step fails are NaN.
     """
     name, made = "", {}
     try:
         with tool.quiet():
             for step in steps:
                 name = step.makes
-                tool.begin(name)
-                for one in instead.get(name, (step,)):
-                    before = len(tool.failures)
-                    thing = tool.draw(one, things)
-                    for _, _, ok, _ in tool.failures[before:]:
-                        thing = tool.ar.where(ok, thing, math.nan if one.kind == "value" else NOWHERE)
-                    things[one.makes] = thing
-                made[name] = thing
-                things[name] = tool.keep(step, thing, things)
+                made[name] = tool.make(step, instead.get(name) or (step,), things)
     except (OverflowError, ZeroDivisionError):  # numbers so far apart that no double holds them
         raise PlanFailure("no_digits", makes=called(name)) from None
     return made
@@ -155,10 +145,7 @@ def _doubt(program: Program, given: Mapping[str, Any], proof: Proof, gap: Any) -
 
 def _mask(drawing: Drawing, proof: Proof, ok: Any) -> None:
     """Of many drawings, nothing is left of those a proof refuses."""
-    import numpy
-
-    if not ok.all():
-        drawing.tool.require(ok, proof, proof.reason)
-        for name in drawing.program.made:
-            thing = drawing.things[name]
-            drawing.things[name] = numpy.where(ok, thing, NOWHERE if numpy.iscomplexobj(thing) else numpy.nan)
+    tool, before = drawing.tool, len(drawing.tool.failures)
+    tool.require(ok, proof, proof.reason)
+    for step in drawing.program.steps:
+        drawing.things[step.makes] = tool.masked(drawing.things[step.makes], step, before)

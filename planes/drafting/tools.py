@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field, fields
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.words import Told
 from planes.words.errors import PlanFailure
 from planes.words.things import called, called_line
 
+if TYPE_CHECKING:
+    from planes.drafting.steps.base import Step
+
+NOWHERE = complex("nan+nanj")  # the mark of a drawing of many that could not be drawn
 Env = dict[Any, Any]  # name -> mark (mm), direction, or value (SI)
 
 
@@ -34,16 +40,26 @@ class Tool:
         """A given number or place as the instrument's own."""
         return value
 
-    def begin(self, name: str) -> None:
-        """The step that makes ``name`` is drawn next."""
+    def make(self, step: Step, way: Sequence[Step], things: Env) -> Any:
+        """Draw a step by those of ``way`` into ``things``; what it has made, whatever is left there instead."""
+        thing = None
+        for one in way:
+            before = len(self.failures)
+            thing = self.draw(one, things)
+            if self.failures:
+                thing = self.masked(thing, one, before)
+            things[one.makes] = thing
+        return thing
 
-    def draw(self, step: Any, things: Env) -> Any:
-        """What a step makes."""
+    def draw(self, step: Step, things: Env) -> Any:
+        """The thing itself."""
         return step.draw(things, self)
 
-    def keep(self, step: Any, made: Any, things: Env) -> Any:
-        """What the next steps start from: what was made, or what stands on the paper instead."""
-        return made
+    def masked(self, thing: Any, step: Step, before: int) -> Any:
+        """What a step made of many drawings, NaN in those that failed since there were ``before`` failures."""
+        for _, _, ok, _ in self.failures[before:]:
+            thing = self.ar.where(ok, thing, math.nan if step.kind == "value" else NOWHERE)
+        return thing
 
     def quiet(self) -> AbstractContextManager[Any]:
         """Where arrays say nothing of numbers that are none: masks tell of them."""

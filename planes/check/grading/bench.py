@@ -113,8 +113,10 @@ class _Snapping(Tool):
 
     snap: Callable[[Step, Any], Any] = lambda _, made: made
 
-    def keep(self, step: Step, made: Any, things: Env) -> Any:
-        return self.snap(step, made)
+    def make(self, step: Step, way: Sequence[Step], things: Env) -> Any:
+        made = super().make(step, way, things)
+        things[step.makes] = self.snap(step, made)
+        return made
 
 
 def redrawn(bench: Bench, variant: Variant | None, snap: Callable[[Step, Any], Any]) -> dict[str, Any] | None:

@@ -124,8 +124,11 @@ class Person(Tool):
         lies = sign * replace(step, along=None).draw(things, self)
         return lies if own is True else self.ar.where(own, lies, step.draw(things, self))
 
-    def keep(self, step: Step, made: Any, things: Env) -> Any:
-        return self.own.get(step.makes, made)
+    def make(self, step: Step, way: Sequence[Step], things: Env) -> Any:
+        made = super().make(step, way, things)
+        if step.makes in self.own:
+            things[step.makes] = self.ar.where(self.is_read(step.makes), self.own[step.makes], made)
+        return made
 
 
 class _Marking(Person, Nudged):

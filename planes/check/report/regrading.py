@@ -19,8 +19,7 @@ from planes.check.grading.grading import Grading
 from planes.check.grading.handwork import Person, Variant
 from planes.check.grading.nudging import Skill
 from planes.drafting.drawing import draw_steps
-from planes.drafting.steps import Same, Step
-from planes.drafting.tools import Env
+from planes.drafting.steps import Same
 
 Things = dict[str, Any]
 SURELY_MM = 0.2  # how surely a person places a mark on the screen
@@ -62,10 +61,6 @@ class _Marking(Person, TracingTool):
         if mark in self.late:
             return Num(self.tape, self.tape.leaf("given", f"{mark}?")) > 0.5
         return super().is_read(mark)
-
-    def keep(self, step: Step, made: Any, things: Env) -> Any:
-        own = self.own.get(step.makes)
-        return made if own is None else self.ar.where(self.is_read(step.makes), own, made)
 
 
 class _Desk:
