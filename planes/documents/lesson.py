@@ -11,12 +11,12 @@ from pathlib import Path
 
 from planes.lesson.data import lesson_data
 from planes.lesson.note import Block, Figure, Note
-from planes.plans import state
+from planes.plans import mechanism_plans
 from planes.scene import Scene
 from planes.scene.files import keep
 from planes.solving import Position, failed, position
-from planes.words import Lang, Phrase
-from planes.words.errors import PlanesError, PlanFailure, SceneError
+from planes.words import Lang
+from planes.words.errors import PlanesError, PlanFailure
 from planes.words.note import note_said
 from render.page.lesson_page import page
 from render.paper.names import Naming
@@ -75,9 +75,7 @@ def note(scene: Scene, values: list[float] | None, suffix: str, lang: Lang) -> b
 
 def placed(scene: Scene, values: list[float] | None, lang: Lang) -> Position:
     """The position the note is about, all of it drawn."""
-    if scene.mechanism is None:
-        raise SceneError(Phrase("vectors_alone"), scene.file, 1)
-    plans = state(scene.mechanism, scene.file)
+    plans = mechanism_plans(scene)
     if values and len(values) != 1:
         raise PlanesError(note_said("note_one", lang, count=len(values)))
     value = values[0] if values else plans.mechanism.drive.position

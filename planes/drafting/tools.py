@@ -6,17 +6,15 @@ import math
 from collections.abc import Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field, fields
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.words import Told
 from planes.words.errors import PlanFailure
 from planes.words.things import called, called_line
 
-if TYPE_CHECKING:
-    from planes.drafting.steps.base import Step
-
 NOWHERE = complex("nan+nanj")  # the mark of a drawing of many that could not be drawn
+Step = Any  # of planes.drafting.steps: a step knows the tool that draws it
 Env = dict[Any, Any]  # name -> mark (mm), direction, or value (SI)
 
 

@@ -18,7 +18,7 @@ from planes.drafting.program import Program
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import One
-from planes.plans import Plans, state
+from planes.plans import Plans, mechanism_plans
 from planes.plans.scales import kind_of, scales
 from planes.scene import Scene
 from planes.words import Phrase
@@ -69,7 +69,7 @@ def prepare(asked: Asked) -> Bench:
     """The program of the plan, its marks and its stated scale. Errors name the plans there are."""
     if asked.scene.mechanism is None:
         raise PlanesError(Phrase("check_vectors", file=asked.scene.file))
-    plans = state(asked.scene.mechanism, asked.scene.file)
+    plans = mechanism_plans(asked.scene)
     known = known_plans(plans)
     if asked.plan not in known:
         raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=valid_names(asked.plan, known)))
