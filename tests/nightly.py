@@ -235,12 +235,12 @@ def _beside_digits(c: Cycle, value: float, true: list[Any], claimed: Any, count:
         single = run(c.program, {**c.given, c.plans.drive_given: value})
     except PlanesError:
         return
-    ar = drawing.hand.ar
+    ar = drawing.tool.ar
     mpf = ar.mp.mpf  # type: ignore[attr-defined]
     for column, (high, low), bound in zip(c.columns, true, claimed, strict=True):
         exact = column.take(drawing.things, ar)
         strays = float(abs(exact - mpf(float(high)) - mpf(float(low))))
-        wrong = float(abs(exact - mpf(float(column.take(single.things, single.hand.ar)))))
+        wrong = float(abs(exact - mpf(float(column.take(single.things, single.tool.ar)))))
         known = math.isfinite(strays) and math.isfinite(bound)
         count.update(sampled=known, strays=known and strays > bound / 100 + FINE * abs(high))
         count.update(single=known, single_wrong=known and wrong > bound)

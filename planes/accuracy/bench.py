@@ -61,7 +61,7 @@ class Bench:
 
     def taken(self, drawing: Drawing) -> list[Any]:
         """The columns of one drawing."""
-        return [c.take(drawing.things, drawing.hand.ar) for c in self.cycle.columns]
+        return [c.take(drawing.things, drawing.tool.ar) for c in self.cycle.columns]
 
     def drawn(self, value: Any, instrument: Any = None, k: int = 0) -> Drawing:
         """One position drawn by itself; ``k`` is its place among those of ``known``."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
-from planes.drafting.instruments import Hand
+from planes.drafting.tools import Tool
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
@@ -71,7 +71,7 @@ def _arithmetic(digits: int) -> Long:
     return Long(digits)
 
 
-class _LongHand(Hand):
+class _LongTool(Tool):
     """Draws with long numbers: what is given is taken over exactly."""
 
     def given(self, value: Any) -> Any:
@@ -86,8 +86,8 @@ class Digits:
 
     digits: int = 50
 
-    def tool(self, many: bool) -> Hand:
+    def tool(self, many: bool) -> Tool:
         if many:
             raise PlanesError(Phrase("digits_one"))
         fine = 10.0 ** (3 - self.digits)
-        return _LongHand(_arithmetic(self.digits), slack=fine, flat=fine, still=10 * fine)
+        return _LongTool(_arithmetic(self.digits), slack=fine, flat=fine, still=10 * fine)

@@ -17,7 +17,7 @@ from planes.drafting.program import Program
 from planes.plans import Plans
 from planes.plans.measuring import Reader
 from planes.plans.quantities import Column, Measured, Quantity, nested, results_of
-from planes.solving import Position, Solved, plans_of
+from planes.solving import Position, Solved
 from planes.solving.vectors import PLAN, VectorResults
 from planes.words.names import at, mu_of
 
@@ -61,8 +61,7 @@ def add_errors(solved: Solved, instrument: Instrument | None = None) -> None:
     drawn = [p for p in solved.positions if "interpolated" not in p.results]
     if not drawn:
         return
-    plans, wanted = plans_of(solved.scene)
-    errors = Errors(plans, wanted, drawn[0], instrument)
+    errors = Errors(solved.plans, solved.wanted, drawn[0], instrument)
     for position in drawn:
         found = position.results["errors"] = errors.of(position)
         for plan, segments in found.get("plans", {}).items():

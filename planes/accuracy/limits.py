@@ -87,7 +87,7 @@ class Way:
 
     def _open(self, drawing: Drawing) -> Any:
         """The least sharpness, or how slow the quickest point still is against the drive, if that is less."""
-        ar, drive = drawing.hand.ar, self.bench.plans.mechanism.drive
+        ar, drive = drawing.tool.ar, self.bench.plans.mechanism.drive
         found: Any = 1.0
         for sharp in drawing.sharpness.values():
             found = ar.minimum(found, sharp)
@@ -100,7 +100,7 @@ class Way:
         top: Any = 0.0
         for kind, x in zip(self.bench.letters, self.bench.taken(drawing), strict=True):
             if kind == letter:
-                top = drawing.hand.ar.maximum(top, abs(x))
+                top = drawing.tool.ar.maximum(top, abs(x))
         return top
 
     def far(self, value: Any) -> bool:

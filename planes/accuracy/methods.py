@@ -125,7 +125,7 @@ def _try(bench: Bench, given: dict[str, Any], pencil: Pencil) -> None:
 def _ruled(column: Any, drawing: Drawing, mus: dict[str, float], ruler: float) -> Any:
     """A column as read off with the ruler."""
     mu = mus["mu_" + plan_of(column.start)]
-    size = np.broadcast_to(column.take(drawing.things, drawing.hand.ar), drawing.hand.shape) * mu
+    size = np.broadcast_to(column.take(drawing.things, drawing.tool.ar), drawing.tool.shape) * mu
     return np.round(size / ruler) * ruler / mu
 
 

@@ -151,12 +151,12 @@ class Cycle:
         table = np.empty((len(self.columns), count))
         with np.errstate(all="ignore"):
             for row, column in zip(table, self.columns, strict=True):
-                row[:] = column.take(drawing.things, drawing.hand.ar)
+                row[:] = column.take(drawing.things, drawing.tool.ar)
         numbered = {(r, makes): k for k, (r, makes, _) in enumerate(self.trace.requires, 1)}
         whole = np.array([not c.beside for c in self.columns])
-        codes = np.where(clear(self.program, drawing.things, drawing.hand), 0, numbered.get((UNCLEAR, ""), 0))
+        codes = np.where(clear(self.program, drawing.things, drawing.tool), 0, numbered.get((UNCLEAR, ""), 0))
         codes = np.where(np.isfinite(table[whole].sum(axis=0)), codes, numbered.get(("no_digits", ""), 0))
-        for reason, step, ok, _ in reversed(drawing.hand.failures):
+        for reason, step, ok, _ in reversed(drawing.tool.failures):
             codes = np.where(ok, codes, numbered[reason, getattr(step, "makes", "")])
         return table, codes.astype(np.int16) if codes.any() else None
 

@@ -19,7 +19,7 @@ def doubts(
     none is."""
     asked = results_of(plans, wanted)
     cycle = Cycle(plans, known=known, columns=[c for q in asked for c in q.columns])
-    table = np.array([[c.take(drawing.things, drawing.hand.ar)] for c in cycle.columns], float)
+    table = np.array([[c.take(drawing.things, drawing.tool.ar)] for c in cycle.columns], float)
     bounds = cycle.claims.bounds([cycle.given[plans.drive_given]])
     doubtful, rough, none = iter(cycle.claims.doubtful(table, bounds)[:, 0].tolist()), [], []
     eaten = iter(((np.abs(table) <= bounds) & (bounds > 0))[:, 0].tolist())

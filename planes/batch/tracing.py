@@ -10,9 +10,10 @@ from typing import Any
 from planes.batch.symbols import Num, Test, Vec, number, place_of
 from planes.batch.tape import Tape
 from planes.drafting.clearness import clear
-from planes.drafting.instruments import Hand
+from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
 from planes.drafting.proofs import TOLD_APART, Twofold
+from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import One
 
 UNCLEAR = "unclear"
@@ -95,7 +96,7 @@ class Source:
 
 
 @dataclass
-class TracingHand(Hand):
+class TracingTool(Tool):
     """Draws on a tape. With ``errors`` (point mm, ray rad, ruler mm) every mark, ray and reading has its own."""
 
     tape: Tape = field(default_factory=Tape)
@@ -157,27 +158,22 @@ def trace(
     """
     tape = Tape()
     ar = Recording()
-    hand = TracingHand(ar, True, tape=tape, errors=errors, doubt_mm=errors[0] if errors else 0.0)
+    tool = TracingTool(ar, True, tape=tape, errors=errors, doubt_mm=errors[0] if errors else 0.0)
     if fine is not None:
-        hand.slack, hand.flat, hand.still = fine, fine, 10 * fine
+        tool.slack, tool.flat, tool.still = fine, fine, 10 * fine
     things: dict[str, Any] = {n: known[n] if n in known else _given(tape, n, given[n]) for n in given}
-    for step in program.steps:
-        before = len(hand.failures)
-        made = step.draw(things, hand)
-        for _, _, ok, _ in hand.failures[before:]:
-            made = hand.ar.where(ok, made, complex("nan+nanj") if isinstance(made, Vec | complex) else math.nan)
-        things[step.makes] = made
-    taken = [take(things, hand.ar) for take in takes]
+    draw_steps(program.steps, things, tool)
+    taken = [take(things, tool.ar) for take in takes]
     outputs = tuple(place_of(tape, x) for x in taken)
     if must:
         for proof in program.proofs:
             if isinstance(proof, Twofold):  # a loop only suspects: arrays find out
-                gap, size = proof.gap(things, hand.ar)
-                hand.require(gap <= TOLD_APART * size, proof, proof.reason)
-        hand.require(_finite(tape, [x for x, m in zip(taken, must, strict=True) if m]), None, "no_digits")
-        hand.require(clear(program, things, hand), None, UNCLEAR)
-    requires = tuple((r, str(getattr(s, "makes", "")), place_of(tape, ok)) for r, s, ok, _ in hand.failures)
-    return Trace(tape, outputs, requires, tuple(hand.sources), tuple(ar.turns))
+                gap, size = proof.gap(things, tool.ar)
+                tool.require(gap <= TOLD_APART * size, proof, proof.reason)
+        tool.require(_finite(tape, [x for x, m in zip(taken, must, strict=True) if m]), None, "no_digits")
+        tool.require(clear(program, things, tool), None, UNCLEAR)
+    requires = tuple((r, str(getattr(s, "makes", "")), place_of(tape, ok)) for r, s, ok, _ in tool.failures)
+    return Trace(tape, outputs, requires, tuple(tool.sources), tuple(ar.turns))
 
 
 def _finite(tape: Tape, numbers: list[Any]) -> Any:

@@ -138,7 +138,7 @@ def _solve(args: argparse.Namespace) -> int:
 
 
 def _structure(args: argparse.Namespace) -> int:
-    from planes.plans import state
+    from planes.plans import mechanism_plans
     from planes.plans.alignment import aligned
     from planes.plans.structure import analyse
     from planes.solving import structure_json
@@ -149,7 +149,7 @@ def _structure(args: argparse.Namespace) -> int:
         raise PlanesError(Phrase("no_structure", file=args.scene))
     found = analyse(scene.mechanism, scene.file)
     try:
-        variant = aligned(state(scene.mechanism, scene.file), scene.file)
+        variant = aligned(mechanism_plans(scene), scene.file)
     except PlanesError as error:  # the structure is known all the same
         print(error.told(args.lang), file=sys.stderr)
         variant = None

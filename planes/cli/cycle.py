@@ -96,10 +96,9 @@ def _table(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
     if args.show is None:
         return write_cycle(scene, span, args.output, args.lang, fast, args.errors)
     from planes.diagrams.turn import turn_of
-    from planes.plans import state
+    from planes.plans import mechanism_plans
 
-    assert scene.mechanism
-    turn = turn_of(state(scene.mechanism, scene.file), _names(args), file=scene.file)
+    turn = turn_of(mechanism_plans(scene), _names(args), file=scene.file)
     return write_curves(turn, span, args.output, args.lang)
 
 
@@ -108,13 +107,13 @@ def _listing(
 ) -> int:
     from planes.diagrams.text import listed_json, listing, unsolved
     from planes.diagrams.turn import turn_of
-    from planes.plans import state
+    from planes.plans import mechanism_plans
 
-    assert scene.mechanism
-    chosen = span or Span(scene.mechanism.drive.position, 0.0, 1)
+    plans = mechanism_plans(scene)
+    chosen = span or Span(plans.mechanism.drive.position, 0.0, 1)
     if chosen.count > LISTED:
         raise PlanesError(Phrase("listing_long", count=chosen.count, most=LISTED))
-    turn = turn_of(state(scene.mechanism, scene.file), _names(args), file=scene.file)
+    turn = turn_of(plans, _names(args), file=scene.file)
     refused = unsolved(turn, chosen[:], args.lang)
     print(*refused, sep="\n", end="\n" if refused else "", file=sys.stderr)
     if len(refused) == chosen.count:
@@ -129,13 +128,12 @@ def _summary(args: argparse.Namespace, scene: Scene, span: Span | None, as_json:
     from planes.diagrams.text import report
     from planes.diagrams.turn import reach
     from planes.diagrams.working import FULL
-    from planes.plans import state
+    from planes.plans import mechanism_plans
 
-    assert scene.mechanism
-    plans = state(scene.mechanism, scene.file)
+    plans = mechanism_plans(scene)
     if span is not None:
         ends = span.start, span.start + span.step * (span.count - 1)
-    elif scene.mechanism.drive.kind == "phi":
+    elif plans.mechanism.drive.kind == "phi":
         ends = 0.0, FULL
     else:
         ends = reach(plans)

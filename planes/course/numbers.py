@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 from planes.course import Choice
 from planes.drafting.drawing import run
-from planes.plans import Plans, state
+from planes.plans import Plans, mechanism_plans
 from planes.plans.scales import unit_scales
 from planes.scene import Scene
 from planes.scene.source import Table, Text
@@ -136,8 +136,7 @@ def draw_numbers(
 
 def _fault(scene: Scene, least_deg: float) -> str | None:
     """What is wrong with a scene as a student's: nothing, or that it does not assemble, or meets too bluntly."""
-    assert scene.mechanism
-    plans = state(scene.mechanism, scene.file)
+    plans = mechanism_plans(scene)
     if plans.mechanism.drive.kind == "phi":
         found = turn(plans)
         if found.failed:

@@ -14,7 +14,7 @@ from planes.batch import Block, Cycle, Reason
 from planes.batch.streams import Heading, opened
 from planes.diagrams.turn import Turn
 from planes.drafting.drawing import run
-from planes.plans import Plans, state
+from planes.plans import Plans, mechanism_plans
 from planes.scene import Scene
 from planes.scene.ranges import Span
 from planes.solving import told
@@ -51,7 +51,7 @@ def write_cycle(
     """Write the table, with ``errors`` the ± of every result after the results; the exit status."""
     if scene.mechanism is None:
         raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
-    plans = state(scene.mechanism, scene.file)
+    plans = mechanism_plans(scene)
     table = Cycle(plans, scene.find)
     span = values or whole(plans)
     blocks, columns = table.blocks(span, fast=fast), table.columns

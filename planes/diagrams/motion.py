@@ -14,7 +14,7 @@ from planes.diagrams.graphical import Construction, differentiated, integrated
 from planes.diagrams.stages import Motion
 from planes.diagrams.turn import Grid, Turn, grid, span_of, turn_of, unwound
 from planes.diagrams.working import FULL
-from planes.plans import Plans, state
+from planes.plans import Plans, mechanism_plans
 from planes.scene import Scene
 from planes.words import Phrase
 from planes.words.errors import PlanesError
@@ -94,8 +94,7 @@ def _apart(one: float, two: float, g: Grid) -> float:
 
 def constructed(scene: Scene, sections: int, pole_mm: float | None = None) -> list[Construction]:
     """Both graphical constructions of the driven link's motion."""
-    assert scene.mechanism
     if pole_mm is not None and not 1.0 <= pole_mm <= 500.0:
         raise PlanesError(Phrase("graphical_pole", pole=pole_mm))
-    motion = motion_of(state(scene.mechanism, scene.file), sections, scene.file)
+    motion = motion_of(mechanism_plans(scene), sections, scene.file)
     return [differentiated(motion, pole_mm), integrated(motion, pole_mm)]

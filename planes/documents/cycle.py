@@ -13,7 +13,7 @@ from planes.diagrams.extremes import Extreme, extremes
 from planes.diagrams.runs import Runs
 from planes.diagrams.turn import Grid, Turn, grid, turn_of
 from planes.diagrams.working import FULL
-from planes.plans import Plans, state
+from planes.plans import Plans, mechanism_plans
 from planes.scene import Scene
 from planes.scene.files import sayable
 from planes.scene.ranges import Span
@@ -28,10 +28,9 @@ def draw_cycle(
     paths: Sequence[str] | None, lang: Lang,
 ) -> None:  # fmt: skip
     """Draw the diagrams into a file by its suffix; what is asked for is found before the file is touched."""
-    assert scene.mechanism
     if span is not None and span.count < 2:
         raise PlanesError(Phrase("cycle_one_place", file=scene.file))
-    plans = state(scene.mechanism, scene.file)
+    plans = mechanism_plans(scene)
     panels = [name.split("+") for name in (show if show is not None else default_curves(plans, hodographs, paths))]
     loops = [*(hodographs or ()), *(f"r_{p.removeprefix('r_')}" for p in paths or ())]
     turned = Turned(scene, plans, span, [n for names in panels for n in names], loops)

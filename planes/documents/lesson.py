@@ -11,7 +11,7 @@ from pathlib import Path
 
 from planes.lesson.data import lesson_data
 from planes.lesson.note import Note
-from planes.plans import state
+from planes.plans import mechanism_plans
 from planes.scene import Scene
 from planes.scene.files import keep
 from planes.solving import Position, failed, position
@@ -65,9 +65,7 @@ def note(scene: Scene, values: list[float] | None, suffix: str, lang: Lang) -> b
 
 def placed(scene: Scene, values: list[float] | None, lang: Lang) -> Position:
     """The position the note is about, all of it drawn."""
-    if scene.mechanism is None:
-        raise SceneError(Phrase("vectors_alone"), scene.file, 1)
-    plans = state(scene.mechanism, scene.file)
+    plans = mechanism_plans(scene)
     if values and len(values) != 1:
         raise PlanesError(Phrase("note_one", count=len(values)))
     value = values[0] if values else plans.mechanism.drive.position

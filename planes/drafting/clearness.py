@@ -9,9 +9,9 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from planes.drafting.instruments import Hand
 from planes.drafting.program import Program
 from planes.drafting.steps import Through, Touch
+from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Real, Truth
 from planes.words.names import plan_of
 
@@ -22,10 +22,10 @@ FAR = 1e6  # lengths as many times longer than the shortest: digits go where no 
 _AGAIN = ("velocity", "motion", "acceleration", "lever")  # plans whose lines are those of the scheme
 
 
-def clear(program: Program, things: Mapping[str, Any], hand: Hand) -> Truth:
+def clear(program: Program, things: Mapping[str, Any], tool: Tool) -> Truth:
     """Whether a drawing is clear: of one position, of many, or on a tape."""
-    ar, scheme, forces = hand.ar, 1.0, 1.0
-    for name, sharpness in hand.sharpness.items():
+    ar, scheme, forces = tool.ar, 1.0, 1.0
+    for name, sharpness in tool.sharpness.items():
         plan = plan_of(name).partition(":")[0]
         if plan == "force" and name not in program.trials:
             forces = ar.minimum(forces, sharpness)

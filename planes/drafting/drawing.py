@@ -3,29 +3,32 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
-from planes.drafting.instruments import Exact, Hand, Instrument, Shaken
+from planes.drafting.instruments import Exact, Instrument, Shaken
 from planes.drafting.program import Program
 from planes.drafting.proofs import TOLD_APART, Proof, Twofold
+from planes.drafting.steps.base import Step
+from planes.drafting.tools import Env, Tool
 from planes.words import Phrase
 from planes.words.errors import Contradiction, PlanFailure, ProgramError, valid_names
 from planes.words.pictures import Pictured
 from planes.words.things import called, plan_phrase
 
-NOWHERE = complex("nan+nanj")  # the mark of a drawing of many that could not be drawn
 SHAKEN = range(4)  # seeds of the blunter drawings
+Instead = Mapping[str, Sequence[Step]]  # steps in the place of the one that makes the name; the last makes it too
+NOTHING: Instead = {}
 
 
 @dataclass
 class Drawing(Pictured):
-    """What was drawn: everything by name, and the hand that drew it."""
+    """What was drawn: everything by name, and the tool that drew it."""
 
     program: Program
     things: dict[str, Any]
-    hand: Hand
+    tool: Tool
 
     def __getitem__(self, name: str) -> Any:
         try:
@@ -40,12 +43,12 @@ class Drawing(Pictured):
     @property
     def sharpness(self) -> dict[str, Any]:
         """How sharply lines met at each crossed mark: the sine of the angle."""
-        return self.hand.sharpness
+        return self.tool.sharpness
 
     def failed(self) -> Any:
         """Of many drawings, which failed: a mask (None when every one came out)."""
         mask = None
-        for _, _, ok, _ in self.hand.failures:
+        for _, _, ok, _ in self.tool.failures:
             mask = ~ok if mask is None else mask | ~ok
         return mask
 
@@ -57,26 +60,50 @@ def run(program: Program, given: Mapping[str, Any], instrument: Instrument | Non
     :class:`Contradiction` where its two balancing loads differ;
     of many, those that cannot are NaN and named by :meth:`Drawing.failed`.
     """
+    drawing, failure = reached(program, given, instrument)
+    if failure:
+        raise failure
+    return drawing
+
+
+def reached(
+    program: Program, given: Mapping[str, Any], instrument: Instrument | None = None
+) -> tuple[Drawing, PlanFailure | None]:
+    """A drawing as far as it goes, and why it goes no further."""
     missing = [n for n in program.givens if n not in given]
     if missing:
         raise ProgramError(Phrase("give_first", names=tuple(missing)))
-    things = dict(given)
-    shapes = [v.shape for v in things.values() if hasattr(v, "shape") and v.shape]
-    many = bool(shapes)
-    hand = (instrument or Exact()).tool(many)
-    things = {name: hand.given(value) for name, value in things.items()}
-    if many:
+    by = instrument or Exact()
+    shapes = [v.shape for v in given.values() if hasattr(v, "shape") and v.shape]
+    tool = by.tool(bool(shapes))
+    if shapes:
         import numpy
 
-        hand.shape = numpy.broadcast_shapes(*shapes)
-    if many:
-        _run_many(program, things, hand)
-    else:
-        _run_one(program, things, hand)
-    drawing = Drawing(program, things, hand)
-    if isinstance(instrument or Exact(), Exact):
+        tool.shape = numpy.broadcast_shapes(*shapes)
+    drawing = Drawing(program, {name: tool.given(value) for name, value in given.items()}, tool)
+    try:
+        draw_steps(program.steps, drawing.things, tool)
+    except PlanFailure as failure:
+        return replace(drawing, program=Program(tuple(s for s in program.steps if s.makes in drawing))), failure
+    if isinstance(by, Exact):
         _prove(drawing, given, [p for p in program.proofs if isinstance(p, Twofold)])
-    return drawing
+    return drawing, None
+
+
+def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead = NOTHING) -> dict[str, Any]:
+    """Draw steps one after another into ``things``, in the place of some those of ``instead``; what each has made.
+
+    What is drawn on from is what the tool leaves in ``things``; of many drawings, those in which a step fails are NaN.
+    """
+    name, made = "", {}
+    try:
+        with tool.quiet():
+            for step in steps:
+                name = step.makes
+                made[name] = tool.make(step, instead.get(name) or (step,), things)
+    except (OverflowError, ZeroDivisionError):  # numbers so far apart that no double holds them
+        raise PlanFailure("no_digits", makes=called(name)) from None
+    return made
 
 
 def proved(program: Program, given: Mapping[str, Any]) -> None:
@@ -90,14 +117,14 @@ def proved(program: Program, given: Mapping[str, Any]) -> None:
 
 def _prove(drawing: Drawing, given: Mapping[str, Any], proofs: Sequence[Proof]) -> None:
     """Refuse, or mask, what is apart by more than a drawing a thousand times blunter can tell."""
-    hand = drawing.hand
+    tool = drawing.tool
     for proof in proofs:
-        gap, size = proof.gap(drawing.things, hand.ar)
+        gap, size = proof.gap(drawing.things, tool.ar)
         wrong = gap > TOLD_APART * size
-        if not (wrong.any() if hand.many else wrong):
+        if not (wrong.any() if tool.many else wrong):
             continue
         wrong = wrong & (gap > _doubt(drawing.program, given, proof, gap))
-        if hand.many:
+        if tool.many:
             _mask(drawing, proof, ~wrong)
         elif wrong:
             numbers = proof.numbers(drawing.things, (gap, size))
@@ -112,38 +139,13 @@ def _doubt(program: Program, given: Mapping[str, Any], proof: Proof, gap: Any) -
             drawing = run(program, given, Shaken(seed))
         except PlanFailure:
             return math.inf
-        most = drawing.hand.ar.maximum(most, abs(proof.gap(drawing.things, drawing.hand.ar)[0] - gap))
+        most = drawing.tool.ar.maximum(most, abs(proof.gap(drawing.things, drawing.tool.ar)[0] - gap))
     return most
 
 
 def _mask(drawing: Drawing, proof: Proof, ok: Any) -> None:
     """Of many drawings, nothing is left of those a proof refuses."""
-    import numpy
-
-    if not ok.all():
-        drawing.hand.require(ok, proof, proof.reason)
-        for name in drawing.program.made:
-            thing = drawing.things[name]
-            drawing.things[name] = numpy.where(ok, thing, NOWHERE if numpy.iscomplexobj(thing) else numpy.nan)
-
-
-def _run_one(program: Program, things: dict[str, Any], hand: Hand) -> None:
-    name = ""
-    try:
-        for step in program.steps:
-            name = step.makes
-            things[name] = step.draw(things, hand)
-    except (OverflowError, ZeroDivisionError):  # numbers so far apart that no double holds them
-        raise PlanFailure("no_digits", makes=called(name)) from None
-
-
-def _run_many(program: Program, things: dict[str, Any], hand: Hand) -> None:
-    import numpy
-
-    with numpy.errstate(all="ignore"):
-        for step in program.steps:
-            before = len(hand.failures)
-            made = step.draw(things, hand)
-            for _, _, ok, _ in hand.failures[before:]:
-                made = numpy.where(ok, made, NOWHERE if numpy.iscomplexobj(made) else numpy.nan)
-            things[step.makes] = made
+    tool, before = drawing.tool, len(drawing.tool.failures)
+    tool.require(ok, proof, proof.reason)
+    for step in drawing.program.steps:
+        drawing.things[step.makes] = tool.masked(drawing.things[step.makes], step, before)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -56,6 +56,19 @@ class Program:
     def trials(self) -> frozenset[str]:
         """Marks that are only suppositions (friction): nothing is read off them but which came true."""
         return frozenset(s.makes for s in self.steps if isinstance(s, Cross) and s.supposed)
+
+    def touched(
+        self, changed: Iterable[str], instead: Container[str] = (), fixed: Container[str] = ()
+    ) -> tuple[Step, ...]:
+        """The steps drawn anew when what is given as ``changed`` changes, or other steps are drawn ``instead`` of some;
+        what is ``fixed`` stays, whatever leads to it."""
+        dirty, found = set(changed), []
+        for step in self.steps:
+            if step.makes in instead or any(name in dirty for name, _ in step.reads()):
+                found.append(step)
+                if step.makes not in fixed:
+                    dirty.add(step.makes)
+        return tuple(found)
 
     def sliced(self, wanted: Iterable[str]) -> Program:
         """The program without the steps that lead to none of the wanted names; it proves what it still draws."""

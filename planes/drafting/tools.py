@@ -1,44 +1,107 @@
-"""What a step asks of the instrument that draws it."""
+"""The instrument at work: what a step asks of it, and what the runner does."""
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+import math
+from collections.abc import Sequence
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass, field, fields
+from typing import Any
 
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
+from planes.words import Told
+from planes.words.errors import PlanFailure
+from planes.words.things import called, called_line
 
+NOWHERE = complex("nan+nanj")  # the mark of a drawing of many that could not be drawn
+Step = Any  # of planes.drafting.steps: a step knows the tool that draws it
 Env = dict[Any, Any]  # name -> mark (mm), direction, or value (SI)
 
 
-class Tool(Protocol):
-    """An instrument at work on one drawing (or on an array of drawings)."""
+@dataclass
+class Tool:
+    """An instrument at work on one drawing, or on an array of ``many``: it marks exactly, remembers how sharply lines
+    met, and raises (one) or masks (many) what cannot be drawn."""
 
     ar: Arithmetic
-    slack: float  # relative: arcs that miss by less are taken to touch
-    flat: float  # sharpness at or below which two lines count as parallel
-    still: float  # relative: a speed at or below this is a standstill
-    doubt_mm: float  # marks no farther apart than this may be one mark
-    sharpness: dict[str, Real]
+    many: bool = False
+    slack: float = 4e-15  # relative: arcs that miss by less are taken to touch
+    flat: float = 2e-15  # sharpness at or below which two lines count as parallel
+    still: float = 2e-14  # relative: a speed at or below this is a standstill
+    doubt_mm: float = 0.0  # marks no farther apart than this may be one mark
+    shape: tuple[int, ...] = ()  # of what is drawn at once; () for one
+    sharpness: dict[str, Real] = field(default_factory=dict)
+    notes: list[tuple[str, object, Truth]] = field(default_factory=list)
+    failures: list[tuple[str, object, Truth, dict[str, Real]]] = field(default_factory=list)
+
+    def given(self, value: Any) -> Any:
+        """A given number or place as the instrument's own."""
+        return value
+
+    def make(self, step: Step, way: Sequence[Step], things: Env) -> Any:
+        """Draw a step by those of ``way`` into ``things``; what it has made, whatever is left there instead."""
+        thing = None
+        for one in way:
+            before = len(self.failures)
+            thing = self.draw(one, things)
+            if self.failures:
+                thing = self.masked(thing, one, before)
+            things[one.makes] = thing
+        return thing
+
+    def draw(self, step: Step, things: Env) -> Any:
+        """The thing itself."""
+        return step.draw(things, self)
+
+    def masked(self, thing: Any, step: Step, before: int) -> Any:
+        """What a step made of many drawings, NaN in those that failed since there were ``before`` failures."""
+        for _, _, ok, _ in self.failures[before:]:
+            thing = self.ar.where(ok, thing, math.nan if step.kind == "value" else NOWHERE)
+        return thing
+
+    def quiet(self) -> AbstractContextManager[Any]:
+        """Where arrays say nothing of numbers that are none: masks tell of them."""
+        if not self.many:
+            return nullcontext()
+        import numpy
+
+        return numpy.errstate(all="ignore")
 
     def mark(self, place: Point) -> Point:
         """A mark made on the paper: exact, or off by a pencil's width."""
-        ...
+        return place
 
     def ray(self, direction: Point) -> Point:
         """A direction carried to where it is needed."""
-        ...
+        return direction
 
     def read(self, length_mm: Real) -> Real:
         """A length read off the ruler."""
-        ...
+        return length_mm
 
     def sharpen(self, name: str, sharpness: Real) -> None:
         """Remember how sharply the lines met at a mark."""
-        ...
+        self.sharpness[name] = sharpness
 
     def require(self, ok: Truth, step: object, reason: str, **numbers: Real) -> None:
         """Fail where ``ok`` is false: one position raises, many are masked with their reason."""
-        ...
+        if not self.many:
+            if not ok:
+                raise PlanFailure(reason, **names_of(step), **{k: float(abs(v)) for k, v in numbers.items()})
+        elif not ok.all() if hasattr(ok, "all") else not ok:
+            self.failures.append((reason, step, ok, numbers))
 
     def note(self, ok: Truth, step: object, reason: str) -> None:
         """Warn where ``ok`` is false."""
-        ...
+        if not (ok.all() if hasattr(ok, "all") else ok):
+            self.notes.append((reason, step, ok))
+
+
+def names_of(step: Any) -> dict[str, Told]:
+    """The names a sentence about the step may use; ``line`` and ``other_line`` are what it crosses."""
+    named = {f.name: value for f in fields(step) if isinstance(value := getattr(step, f.name), str)}
+    found = {name: called(value) for name, value in named.items()}
+    for line, along, start in (("line", "along", "start"), ("other_line", "across", "other")):
+        if along in named and start in named:
+            found[line] = called_line(named[along], named[start])
+    return found

@@ -18,7 +18,7 @@ from planes.lesson.practice import Practice, told_values
 from planes.lesson.scheme import arms, feet, related, scheme
 from planes.lesson.steps import action, whole
 from planes.lesson.zones import reasons, zones
-from planes.plans import Plans, state
+from planes.plans import Plans, mechanism_plans
 from planes.plans.measuring import say_plan
 from planes.plans.scales import kind_of, scales
 from planes.scene import Scene
@@ -32,9 +32,7 @@ Progress = Callable[[int, int], None]
 
 def lesson_data(scene: Scene, progress: Progress | None = None) -> dict[str, Any]:
     """The lesson of a scene. :class:`SceneError` where there is no mechanism or its own position fails."""
-    if scene.mechanism is None:
-        raise SceneError(Phrase("vectors_alone"), scene.file, 1)
-    plans = state(scene.mechanism, scene.file)
+    plans = mechanism_plans(scene)
     try:
         mus = scales(plans, scene.mu)
         given = {**plans.given, **mus}

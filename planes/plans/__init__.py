@@ -21,6 +21,7 @@ from planes.plans.proving import proofs_of
 from planes.plans.reactions import Reaction, Statics
 from planes.plans.statics import draw_forces
 from planes.plans.structure import Structure, analyse
+from planes.scene import Scene
 from planes.scene.mechanism import FRAME, Law, Mechanism
 from planes.words import Phrase
 from planes.words.errors import ProgramError, SceneError
@@ -106,6 +107,18 @@ def state(mechanism: Mechanism, file: str = "") -> Plans:
     except ProgramError as error:
         raise SceneError(error.phrase, file, mechanism.where.get(("links",))) from None
     proved(plans.program, {**plans.given, **{mu_of(plan): 1.0 for plan in plans.drawn}})
+    return plans
+
+
+def mechanism_plans(scene: Scene) -> Plans:
+    """All the plans of a scene's mechanism, stated once and kept with it: neither changes. :class:`SceneError` for a
+    scene of vectors alone."""
+    if scene.mechanism is None:
+        raise SceneError(Phrase("vectors_alone"), scene.file, scene.where.get(("vectors",), 1))
+    kept = vars(scene.mechanism)
+    if "plans" not in kept:
+        kept["plans"] = state(scene.mechanism, scene.file)
+    plans: Plans = kept["plans"]
     return plans
 
 

@@ -37,7 +37,7 @@ class Reader:
 
     def column(self, c: Column) -> float | None:
         """One number; none where it is the arm of no force."""
-        things, ar = self.drawing.things, self.drawing.hand.ar
+        things, ar = self.drawing.things, self.drawing.tool.ar
         return None if c.beside and c.empty(things, ar) else self.finite(c.take(things, ar), c.value or c.end)
 
     def plan_segments(self, plan: str, names: set[str] | None = None) -> dict[str, Segment]:
@@ -78,11 +78,11 @@ class Reader:
 
     def segment(self, s: Segment, bluntest: float, error_mm: float | None = None) -> dict[str, Any]:
         """One segment as measured with the instrument, on a plan whose bluntest crossing has this sharpness."""
-        hand, mu = self.drawing.hand, self.scales[mu_of(s.plan)]
+        tool, mu = self.drawing.tool, self.scales[mu_of(s.plan)]
         start, end = (self.drawing[at(s.plan, end)] for end in (s.start, s.end))
-        length = self.finite(hand.read(abs(end - start)), s.name)
+        length = self.finite(tool.read(abs(end - start)), s.name)
         if error_mm is None:
-            error_mm = 8 * hand.ar.eps * (abs(start) + abs(end)) / bluntest
+            error_mm = 8 * tool.ar.eps * (abs(start) + abs(end)) / bluntest
         return {
             "mm": float(length), "value": float(length / mu), "unit": UNIT[kind_of(s.plan)],
             "error_mm": float(error_mm), "name": s.name,

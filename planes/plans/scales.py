@@ -4,14 +4,9 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Mapping
-from contextlib import suppress
-from typing import Any
 
-from planes.drafting.drawing import Drawing, run
-from planes.drafting.instruments import Exact
-from planes.drafting.program import Program
+from planes.drafting.drawing import Drawing, reached, run
 from planes.plans import Plans
-from planes.words.errors import PlanFailure
 from planes.words.names import POLE, label_of, mu_of, plan_of
 from planes.words.units import standard_mu, standard_scale
 
@@ -53,19 +48,6 @@ def scales(
     if "lever" in plans.drawn:
         chosen[mu_of("lever")] = chosen[mu_of("motion" if plans.at_rest else "velocity")]
     return chosen
-
-
-def reached(program: Program, given: Mapping[str, Any]) -> tuple[Drawing, PlanFailure | None]:
-    """A drawing as far as it goes, and why it goes no further."""
-    try:
-        return run(program, given), None
-    except PlanFailure as failure:
-        things, hand, steps = dict(given), Exact().tool(False), []
-        with suppress(PlanFailure):
-            for step in program.steps:
-                things[step.makes] = step.draw(things, hand)
-                steps.append(step)
-        return Drawing(Program(tuple(steps)), things, hand), failure
 
 
 def extent(drawing: Drawing, plan: str) -> float:

@@ -9,7 +9,7 @@ from typing import Any
 
 from planes.drafting.drawing import Drawing, proved, run
 from planes.drafting.instruments import PENCILS, Instrument, Pencil
-from planes.plans import Plans, sliced, state
+from planes.plans import Plans, mechanism_plans, sliced
 from planes.plans.measuring import Reader
 from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, results_of
 from planes.plans.scales import FIT_MM, scales
@@ -18,7 +18,7 @@ from planes.scene import Scene
 from planes.solving.nearest import nearest
 from planes.solving.warned import warnings
 from planes.words import Lang, Phrase, Told
-from planes.words.errors import PlanFailure, SceneError
+from planes.words.errors import PlanFailure
 from planes.words.pictures import Pictured
 
 TOLD = 20  # for how many failed positions the nearest working one is looked for
@@ -106,6 +106,7 @@ class Solved:
 
     scene: Scene
     plans: Plans
+    wanted: list[Quantity] | None  # what the scene asks for, None for all
     values: list[float] = field(default_factory=list)
     positions: list[Position] = field(default_factory=list)
     failed: list[dict[str, Any]] = field(default_factory=list)
@@ -133,13 +134,6 @@ def structure_json(s: Structure) -> dict[str, Any]:
     return {"W": s.W, "q": s.q, "formula": s.formula, "groups": groups}
 
 
-def mechanism_plans(scene: Scene) -> Plans:
-    """All the plans of a scene's mechanism. :class:`SceneError` for a scene of vectors alone."""
-    if scene.mechanism is None:
-        raise SceneError(Phrase("vectors_alone"), scene.file, scene.where.get(("vectors",), 1))
-    return state(scene.mechanism, scene.file)
-
-
 def plans_of(scene: Scene) -> tuple[Plans, list[Quantity] | None]:
     """The plans of a scene, cut to what it asks for, and the quantities asked (None: all)."""
     plans = mechanism_plans(scene)
@@ -155,7 +149,7 @@ def solve(
     """Draw and measure every asked position. :class:`SceneError` where the scene itself cannot be meant."""
     plans, wanted = plans_of(scene)
     drive = plans.mechanism.drive
-    solved = Solved(scene, plans, [drive.position] if values is None else list(values), lang=lang)
+    solved = Solved(scene, plans, wanted, [drive.position] if values is None else list(values), lang=lang)
     for value in solved.values:
         try:
             solved.positions.append(position(scene, plans, wanted, value, instrument, lang))

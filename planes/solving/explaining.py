@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from planes.drafting.program import Program
 from planes.drafting.steps.base import Step
-from planes.plans import state
+from planes.plans import mechanism_plans
 from planes.scene import Scene
 from planes.solving import plans_of
 from planes.solving.vectors import program_of, stated
@@ -26,7 +26,7 @@ def _programs(scene: Scene) -> tuple[Program, Program]:
     if scene.mechanism is None:
         plan, spans = stated(scene)
         return program_of(plan, plan.spans), program_of(plan, spans)
-    return state(scene.mechanism, scene.file).program, plans_of(scene)[0].program
+    return mechanism_plans(scene).program, plans_of(scene)[0].program
 
 
 def _listed(steps: tuple[Step, ...], lang: Lang) -> list[str]:

@@ -70,7 +70,7 @@ class _Side:
         given = {**self.plans.given, **unit_scales(self.plans)}
         drawing = run(self.plans.program, {**given, self.plans.drive_given: self.value + self.side * offsets})
         found = numpy.zeros(len(offsets))
-        for _, _, ok, numbers in drawing.hand.failures:
+        for _, _, ok, numbers in drawing.tool.failures:
             miss = numbers.get("miss_mm", math.inf)
             miss = numpy.where(numpy.isfinite(miss), numpy.maximum(miss, LEAST), math.inf)
             found = numpy.where((found == 0) & ~ok, miss, found)

@@ -29,7 +29,7 @@ Draw = Callable[[float], Position]
 
 def remedy(solved: Solved, instrument: Instrument | None = None, lang: Lang = "en") -> None:
     """Put right what can be: positions at stated scales too large for blunt crossings, and those that failed."""
-    plans, wanted = plans_of(solved.scene)
+    plans, wanted = solved.plans, solved.wanted
     solved.positions = [rescaled(solved.scene, plans, wanted, p, instrument, lang) for p in solved.positions]
 
     def draw(value: float) -> Position:

@@ -239,4 +239,4 @@ def vector_report(results: VectorResults, lang: Lang = "en") -> str:
 
 def errors_told(errors: object, drawing: Drawing, lang: Lang) -> list[str]:
     """What the ± are, where there are any."""
-    return ["", say("errors_pencil" if drawing.hand.doubt_mm > 0 else "errors_bound", lang)] if errors else []
+    return ["", say("errors_pencil" if drawing.tool.doubt_mm > 0 else "errors_bound", lang)] if errors else []

@@ -50,8 +50,8 @@ class VectorResults:
     def segment(self, name: str) -> dict[str, Any]:
         """The vector as it is measured on the plan."""
         start, end = (self.drawing[mark] for mark in self.spans[name])
-        mm, blunt = self.drawing.hand.read(abs(end - start)), min([1.0, *self.drawing.sharpness.values()])
-        error = self.scatter_mm.get(name, 8 * self.drawing.hand.ar.eps * (abs(start) + abs(end)) / blunt)
+        mm, blunt = self.drawing.tool.read(abs(end - start)), min([1.0, *self.drawing.sharpness.values()])
+        error = self.scatter_mm.get(name, 8 * self.drawing.tool.ar.eps * (abs(start) + abs(end)) / blunt)
         if self.errors:
             error = self.errors["plans"][PLAN]["segments"][name]["mm"] or error
         return {"mm": float(mm), "value": float(mm / self.mu), "unit": UNIT[self.quantity], "error_mm": float(error),

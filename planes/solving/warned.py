@@ -19,7 +19,7 @@ def warnings(reader: Reader, wanted: Sequence[Quantity] | None, given: Mapping[s
     """The sentences, those of a kind together."""
     blunt = _blunt(reader, lang).items()
     said = [say("blunt", lang, makes=", ".join(marks), angle_deg=angle) for angle, marks in blunt]
-    for reason, step, _ in reader.drawing.hand.notes:
+    for reason, step, _ in reader.drawing.tool.notes:
         said.append(say(reason, lang, makes=str(getattr(step, "makes", "")).partition("_")[2]))
     rough, none = _doubts(reader, wanted, given)
     if faint := [*_faint(reader), *none]:
@@ -56,10 +56,10 @@ def _doubts(
     """Results of an exact drawing with less than three digits, and reactions with none; the running bound is asked only
     where there is something in doubt."""
     drawn = reader.drawing
-    if drawn.hand.doubt_mm:
+    if drawn.tool.doubt_mm:
         return [], []
     small = _small(reader)
-    if not small and clear(drawn.program, drawn.things, drawn.hand) and not far_apart(reader.st.given):
+    if not small and clear(drawn.program, drawn.things, drawn.tool) and not far_apart(reader.st.given):
         return [], []
     from planes.batch.doubts import doubts
 

@@ -107,7 +107,7 @@ def test_claims_hold_for_every_way_to_draw() -> None:
     bounds, true = Claims(c).bounds(values[:6]), truth(c, values[:6])
     for k, value in enumerate(values[:6]):
         drawing = run(c.program, {**c.given, c.plans.drive_given: float(value)})
-        single = np.array([column.take(drawing.things, drawing.hand.ar) for column in c.columns], float)
+        single = np.array([column.take(drawing.things, drawing.tool.ar) for column in c.columns], float)
         assert not (errors(single[:, None], [(x[0][k : k + 1], x[1][k : k + 1]) for x in true]) > bounds[:, [k]]).any()
 
 
@@ -158,9 +158,9 @@ def test_the_long_truth_is_that_of_fifty_digits(seed: int) -> None:
     assert len(near)
     for k, value in enumerate(near):
         drawing = run(c.program, {**c.given, c.plans.drive_given: float(value)}, Digits(50))
-        mpf = drawing.hand.ar.mp.mpf  # type: ignore[attr-defined]
+        mpf = drawing.tool.ar.mp.mpf  # type: ignore[attr-defined]
         for row, (column, claim) in enumerate(zip(c.columns, Claims(c).bounds(near[k : k + 1])[:, 0], strict=True)):
-            exact = column.take(drawing.things, drawing.hand.ar)
+            exact = column.take(drawing.things, drawing.tool.ar)
             strays = float(abs(exact - mpf(float(true[row][0][k])) - mpf(float(true[row][1][k]))))
             assert strays <= 1e-8 * claim + 1e-28 * abs(float(exact)), column.name
 
@@ -250,7 +250,7 @@ def test_spread_of_a_pencil_is_that_of_many_draughtsmen(name: str) -> None:
     given = {**c.given, **mus, c.plans.drive_given: np.full(many, position)}
     drawing = run(c.program, given, pencil)
     for column, spread in zip(c.columns, carried, strict=True):
-        seen = np.std(np.broadcast_to(column.take(drawing.things, drawing.hand.ar), (many,)))
+        seen = np.std(np.broadcast_to(column.take(drawing.things, drawing.tool.ar), (many,)))
         if np.isfinite(seen) and seen > 1e-12:
             assert spread == pytest.approx(seen, rel=0.25), column.name
 

@@ -46,7 +46,7 @@ def test_fifty_digits_agree_with_thirty_and_with_doubles(name: str) -> None:
     for column in columns_of(p):
         if column.beside or not column.needs:
             continue
-        short, long, longest = (column.take(d.things, d.hand.ar) for d in (double, thirty, fifty))
+        short, long, longest = (column.take(d.things, d.tool.ar) for d in (double, thirty, fifty))
         size = abs(longest) + 1e-3
         assert abs(long - longest) < 1e-24 * size, column.name
         assert abs(short - longest) < 1e-10 * size, column.name

@@ -54,8 +54,8 @@ def plan_sizes(b: Bench, one: Drawing) -> dict[str, float]:
 
 def first_reason(many: Drawing, i: int) -> str | None:
     """Why the drawing of that index could not go on."""
-    for reason, _, ok, _ in many.hand.failures:
-        if not np.broadcast_to(ok, many.hand.shape)[i]:
+    for reason, _, ok, _ in many.tool.failures:
+        if not np.broadcast_to(ok, many.tool.shape)[i]:
             return reason
     return None
 

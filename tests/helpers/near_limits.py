@@ -122,7 +122,7 @@ def truth(c: Cycle, value: float) -> Any:
         drawing = run(c.program, {**c.given, c.plans.drive_given: value}, Digits(DIGITS))
     except PlanFailure:
         return None
-    return np.array([float(x.take(drawing.things, drawing.hand.ar)) for x in c.columns])
+    return np.array([float(x.take(drawing.things, drawing.tool.ar)) for x in c.columns])
 
 
 def worst(c: Cycle, row: Any, true: Any) -> float:
@@ -156,7 +156,7 @@ def walk(family: str, seed: int, count: int) -> Counter[str]:
             continue
         tally.update(refused=not solved.positions)
         for p in solved.positions:
-            row = np.array([x.take(p.drawing.things, p.drawing.hand.ar) for x in c.columns], float)
+            row = np.array([x.take(p.drawing.things, p.drawing.tool.ar) for x in c.columns], float)
             wrong = bool(worst(c, row, true) > WRONG)
             tally.update(wrong=wrong, unsaid=wrong and not p.results["warnings"], warned=bool(p.results["warnings"]))
         for way, block in tables.items():

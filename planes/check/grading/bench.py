@@ -13,8 +13,12 @@ from planes.check.grading.mistakes_position import position_variants
 from planes.check.grading.nudging import HAND, Skill
 from planes.check.grading.paper import Paper
 from planes.check.grading.ways import Ways
+from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
-from planes.plans import Plans, state
+from planes.drafting.steps import Step
+from planes.drafting.tools import Env, Tool
+from planes.geometry.arithmetic import One
+from planes.plans import Plans, mechanism_plans
 from planes.plans.scales import kind_of, scales
 from planes.scene import Scene
 from planes.words import Phrase
@@ -65,7 +69,7 @@ def prepare(asked: Asked) -> Bench:
     """The program of the plan, its marks and its stated scale. Errors name the plans there are."""
     if asked.scene.mechanism is None:
         raise PlanesError(Phrase("check_vectors", file=asked.scene.file))
-    plans = state(asked.scene.mechanism, asked.scene.file)
+    plans = mechanism_plans(asked.scene)
     known = known_plans(plans)
     if asked.plan not in known:
         raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=valid_names(asked.plan, known)))
@@ -101,3 +105,25 @@ def variants_of(bench: Bench, hand: Hand, mu: float) -> Sequence[Variant]:
         case "force":
             return list(force_variants(ways))
     return list(motion_variants(ways))
+
+
+@dataclass
+class _Snapping(Tool):
+    """Draws exactly, but goes on from where things are on the picture."""
+
+    snap: Callable[[Step, Any], Any] = lambda _, made: made
+
+    def make(self, step: Step, way: Sequence[Step], things: Env) -> Any:
+        made = super().make(step, way, things)
+        things[step.makes] = self.snap(step, made)
+        return made
+
+
+def redrawn(bench: Bench, variant: Variant | None, snap: Callable[[Step, Any], Any]) -> dict[str, Any] | None:
+    """The program drawn exactly, every thing passed through ``snap``; None where that cannot be drawn."""
+    things = {**bench.given, **(variant.givens if variant else {})}
+    try:
+        draw_steps(bench.program.steps, things, _Snapping(One(), snap=snap), variant.swaps if variant else {})
+    except PlanesError:
+        return None
+    return things

@@ -7,15 +7,18 @@ one early mistake is blamed once. A variant of some steps (a mistake supposed) r
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 from planes.check.grading.nudging import Columns, Nudged, Skill
+from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
 from planes.drafting.steps import Aim, Same, Step, Turn
 from planes.drafting.steps.reckoning import Measure
+from planes.drafting.tools import Env, Tool
 from planes.words import Written
+from planes.words.names import POLE, label_of, plan_of
 
 LEAST_MM = 0.1  # no mark on paper is surer than this
 
@@ -82,10 +85,57 @@ class Variant:
     weight: float = 1.0
     about: Mapping[str, str | Written] = field(default_factory=dict)  # names for the sentence
 
+    def drawn(
+        self, program: Program, things: Mapping[str, Any], tool: Tool, fixed: Container[str]
+    ) -> dict[str, Any]:
+        """What the steps it touches make of things drawn without it; marks that are ``fixed`` stay where they are."""
+        steps = program.touched(self.givens, self.swaps, fixed)
+        return draw_steps(steps, {**things, **self.givens}, tool, self.swaps)
+
 
 def by_protractor(step: Step, given: Mapping[str, Any]) -> bool:
     """Whether a direction is drawn at an angle that no set square has."""
     return isinstance(step, Aim | Turn) and step.angle is not None and float(given.get(step.angle, 0.0)) % 90 != 0
+
+
+class Person(Tool):
+    """How a person draws, with whatever numbers: marks that were ``read`` are looked up, not drawn; what has an angle
+    no set square has is drawn by the protractor; his own segment is measured as it lies, only its sign is by the
+    direction."""
+
+    own: dict[str, Any]  # his marks, with the errors of reading them
+    values: Mapping[str, Any]  # what was given
+
+    def is_read(self, mark: str) -> Any:
+        """Whether a mark is the person's own (the pole is)."""
+        return mark in self.own or (label_of(mark) == POLE and any(plan_of(m) == plan_of(mark) for m in self.own))
+
+    def sure(self, thing: Any) -> Any:
+        """A thing without the errors of hand and ruler."""
+        return thing
+
+    def draw(self, step: Step, things: Env) -> Any:
+        own = isinstance(step, Measure) and bool(step.along) and self.is_read(step.start) & self.is_read(step.end)
+        if not isinstance(step, Measure) or own is False:
+            made = step.draw(things, self)
+            return self.ray(made) if by_protractor(step, self.values) else made
+        way, along = self.sure(things[step.end] - things[step.start]), self.sure(things[step.along])
+        sign = self.ar.where(way.real * along.real + way.imag * along.imag < 0, -1.0, 1.0)
+        lies = sign * replace(step, along=None).draw(things, self)
+        return lies if own is True else self.ar.where(own, lies, step.draw(things, self))
+
+    def make(self, step: Step, way: Sequence[Step], things: Env) -> Any:
+        made = super().make(step, way, things)
+        if step.makes in self.own:
+            things[step.makes] = self.ar.where(self.is_read(step.makes), self.own[step.makes], made)
+        return made
+
+
+class _Marking(Person, Nudged):
+    """A person at work, each error in its own column."""
+
+    def sure(self, thing: Any) -> Any:
+        return self.spread(thing + 0j)[0]
 
 
 class Hand:
@@ -98,51 +148,17 @@ class Hand:
         self.program, self.taken = program, taken
         self.given, self.unsure = {n: given[n] for n in program.givens}, unsure or {}
         columns = Columns.of(program.steps, [*taken, *self.unsure])
-        self.tool = Nudged(skill, columns)
+        self.tool = _Marking(skill, columns)
+        laid = {step.makes for step in program.steps if isinstance(step, Same)}
+        errors = {n: max(t.error_mm, skill.point_mm) if n in laid else t.error_mm for n, t in taken.items()}
+        self.tool.own = {n: self.tool.taken(n, t.place, errors[n]) for n, t in taken.items()}
+        self.tool.values = self.given
         self.things: dict[str, Any] = dict(self.given)
         for name, share in self.unsure.items():  # a given that is itself only estimated: its relative error
             value = self.tool.spread(float(self.things[name]))
             value[columns.start[f"read {name}"]] *= 1 + share
             self.things[name] = value
-        self.made: dict[str, Any] = {}
-        self._each(lambda step: (step,), program.steps, self.things, self.made)
-
-    def _each(
-        self, way: Callable[[Step], tuple[Step, ...]], steps: Sequence[Step], things: dict[str, Any],
-        made: dict[str, Any],
-    ) -> None:  # fmt: skip
-        import numpy
-
-        with numpy.errstate(all="ignore"):
-            for step in steps:
-                failures = len(self.tool.failures)
-                self.tool.begin(step.makes)
-                done: Any = None
-                for one in way(step):
-                    done = things[one.makes] = self._draw(one, things)
-                for _, _, ok, _ in self.tool.failures[failures:]:
-                    done = numpy.where(ok, done, numpy.nan)
-                made[step.makes] = done
-                if step.makes in self.taken:
-                    mark = self.taken[step.makes]
-                    error = max(mark.error_mm, self.tool.skill.point_mm) if isinstance(step, Same) else mark.error_mm
-                    done = self.tool.taken(step.makes, mark.place, error)
-                things[step.makes] = done
-
-    def _draw(self, step: Step, things: dict[str, Any]) -> Any:
-        """A step's drawing; a person's own segment is measured as it lies, only its sign is by the direction."""
-        if isinstance(step, Measure) and step.along and self._own(step.start) and self._own(step.end):
-            way = self.tool.spread(things[step.end] - things[step.start] + 0j)[0]
-            along = self.tool.spread(things[step.along] + 0j)[0]
-            sign = -1.0 if (way * along.conjugate()).real < 0 else 1.0
-            return sign * replace(step, along=None).draw(things, self.tool)
-        made = step.draw(things, self.tool)
-        return self.tool.ray(made) if by_protractor(step, self.given) else made
-
-    def _own(self, mark: str) -> bool:
-        """Whether a mark is a person's own (the pole is)."""
-        plan, _, label = mark.rpartition(":")
-        return mark in self.taken or (label == "p" and any(m.startswith(plan + ":") for m in self.taken))
+        self.made = draw_steps(program.steps, self.things, self.tool)
 
     def misses(self, marks: Sequence[str], made: Mapping[str, Any] | None = None) -> dict[str, Miss]:
         """What each of the marks misses by, for the steps as they are (or as ``made`` by a variant)."""
@@ -174,13 +190,4 @@ class Hand:
 
     def under(self, variant: Variant) -> dict[str, Any]:
         """What the steps touched by a variant make of the person's marks, everything else unchanged."""
-        things = {**self.things, **variant.givens}
-        dirty = set(variant.givens)
-        made: dict[str, Any] = {}
-        for step in self.program.steps:
-            if step.makes in variant.swaps or any(name in dirty for name, _ in step.reads()):
-                steps = variant.swaps.get(step.makes, (step,))
-                self._each(lambda _, steps=steps: steps, (step,), things, made)  # type: ignore[misc]
-                if step.makes not in self.taken:
-                    dirty.add(step.makes)
-        return made
+        return variant.drawn(self.program, self.things, self.tool, self.taken)

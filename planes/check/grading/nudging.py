@@ -7,12 +7,12 @@ deviation. So the differences of a run's columns are its first-order derivatives
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from planes.drafting.instruments import Hand
 from planes.drafting.steps import Step
+from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Many, Point, Real
 
 _COLUMNS = {"mark": 8, "value": 2, "direction": 1}  # errors a step of the kind may make: marks, rays, readings
@@ -59,17 +59,18 @@ class Columns:
         return columns
 
 
-class Nudged(Hand):
+class Nudged(Tool):
     """The tool: makes each error in its own column."""
 
     def __init__(self, skill: Skill, columns: Columns) -> None:
         super().__init__(Many(), True)
         self.skill, self.columns, self.at, self.end = skill, columns, 0, 0
 
-    def begin(self, name: str) -> None:
-        """From now on the errors are those of the step that makes ``name``."""
-        self.at = self.columns.start.get(name, 0)
+    def make(self, step: Step, way: Sequence[Step], things: Env) -> Any:
+        """The errors of every step of the way are those of the one it makes."""
+        self.at = self.columns.start.get(step.makes, 0)
         self.end = self.at + 8 if self.at else 0
+        return super().make(step, way, things)
 
     def spread(self, value: Any) -> Any:
         """The value as an array of all columns, to be nudged."""

@@ -8,19 +8,18 @@ mechanics: values give the misses, slopes with respect to the sources their tole
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Container, Iterable, Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 from planes.batch.symbols import Num, Vec, place_of
 from planes.batch.tape import Tape
-from planes.batch.tracing import Recording, Source, TracingHand
+from planes.batch.tracing import Recording, Source, TracingTool
 from planes.check.grading.grading import Grading
-from planes.check.grading.handwork import Variant, by_protractor
+from planes.check.grading.handwork import Person, Variant
 from planes.check.grading.nudging import Skill
-from planes.drafting.steps import Same, Step
-from planes.drafting.steps.reckoning import Measure
-from planes.words.names import POLE, label_of, plan_of
+from planes.drafting.drawing import draw_steps
+from planes.drafting.steps import Same
 
 Things = dict[str, Any]
 SURELY_MM = 0.2  # how surely a person places a mark on the screen
@@ -45,91 +44,59 @@ class _Plain(Recording):
         return (r + s) * (r + s) - (way.real * way.real + way.imag * way.imag)
 
 
+@dataclass
+class _Marking(Person, TracingTool):
+    """A person at work on a tape; marks that may yet be read are looked up only if they are."""
+
+    late: Container[str] = ()
+
+    def source(self, size: float) -> Num:
+        """A new error."""
+        place = self.tape.leaf("source", len(self.sources))
+        self.sources.append(Source(place, size))
+        return Num(self.tape, place)
+
+    def is_read(self, mark: str) -> Any:
+        """Whether a mark is a person's own: known now, or by a number of the tape."""
+        if mark in self.late:
+            return Num(self.tape, self.tape.leaf("given", f"{mark}?")) > 0.5
+        return super().is_read(mark)
+
+
 class _Desk:
-    """Draws a person's program on a tape; marks that may yet be read are looked up only if they are."""
+    """Draws a person's program on a tape."""
 
     def __init__(self, grading: Grading) -> None:
         hand = grading.hand
         skill: Skill = hand.tool.skill
         errors = (skill.point_mm, math.radians(skill.ray_deg), skill.ruler_mm)
-        self.program, self.taken, self.given = hand.program, hand.taken, hand.given
-        self.late = [m for m in grading.marks if m not in hand.taken]
+        late = [m for m in grading.marks if m not in hand.taken]
+        self.program, self.taken = hand.program, hand.taken
         self.tape = Tape()
-        self.tool = TracingHand(_Plain(), True, tape=self.tape, errors=errors)
-        self.own = {mark: self._read(mark) for mark in (*hand.taken, *self.late) if mark in hand.program.made}
-        self.made: Things = {}
+        self.tool = _Marking(_Plain(), True, tape=self.tape, errors=errors, late=late)
+        self.own = {mark: self._read(mark) for mark in (*hand.taken, *late) if mark in hand.program.made}
+        self.tool.own, self.tool.values = self.own, hand.given
         self.things: Things = dict(hand.given)
         for name, share in hand.unsure.items():
-            self.things[name] = self.things[name] * (1 + self._source(share))
-        self._each(((s, (s,)) for s in self.program.steps), self.things, self.made)
-
-    def _source(self, size: float) -> Num:
-        place = self.tape.leaf("source", len(self.tool.sources))
-        self.tool.sources.append(Source(place, size))
-        return Num(self.tape, place)
+            self.things[name] = self.things[name] * (1 + self.tool.source(share))
+        self.made = draw_steps(self.program.steps, self.things, self.tool)
 
     def _read(self, mark: str) -> Vec:
         """Where a mark was read, with the error of reading."""
         error = self.taken[mark].error_mm if mark in self.taken else SURELY_MM
         step = next(s for s in self.program.steps if s.makes == mark)
         error = max(error, self.tool.errors[0]) if isinstance(step, Same) and self.tool.errors else error
-        x, y = (Num(self.tape, self.tape.leaf("given", f"{mark}.{axis}")) + self._source(error) for axis in "xy")
+        x, y = (Num(self.tape, self.tape.leaf("given", f"{mark}.{axis}")) + self.tool.source(error) for axis in "xy")
         return Vec(x, y)
-
-    def _is_read(self, mark: str) -> Any:
-        """Whether a mark is a person's own: known now, or by a number of the tape (the pole is)."""
-        label = label_of(mark)
-        if mark in self.taken or (label == POLE and any(plan_of(m) == plan_of(mark) for m in self.own)):
-            return True
-        return Num(self.tape, self.tape.leaf("given", f"{mark}?")) > 0.5 if mark in self.late else False
-
-    def _each(self, ways: Iterable[tuple[Step, tuple[Step, ...]]], things: Things, made: Things) -> None:
-        for step, way in ways:
-            done: Any = None
-            for one in way:
-                failures = len(self.tool.failures)
-                done = self._draw(one, things)
-                for _, _, ok, _ in self.tool.failures[failures:]:
-                    done = self.tool.ar.where(ok, done, complex("nan+nanj") if _point(done) else math.nan)
-                things[one.makes] = done
-            made[step.makes] = done
-            if step.makes in self.own:
-                done = self.tool.ar.where(self._is_read(step.makes), self.own[step.makes], done)
-            things[step.makes] = done
-
-    def _draw(self, step: Step, things: Things) -> Any:
-        """As the hand draws: a person's own segment is measured as it lies, only its sign is by the direction."""
-        made = step.draw(things, self.tool)
-        if by_protractor(step, self.given):
-            return self.tool.ray(made)
-        if not (isinstance(step, Measure) and step.along):
-            return made
-        own = self._is_read(step.start) & self._is_read(step.end)
-        if own is False:
-            return made
-        way, along = things[step.end] - things[step.start], things[step.along]
-        sign = self.tool.ar.where(way.real * along.real + way.imag * along.imag < 0, -1.0, 1.0)
-        return self.tool.ar.where(own, sign * replace(step, along=None).draw(things, self.tool), made)
 
     def under(self, variant: Variant) -> Things:
         """What the steps touched by a mistake make of the person's marks."""
-        things, made = {**self.things, **variant.givens}, Things()
-        dirty = set(variant.givens)
-        for step in self.program.steps:
-            if step.makes in variant.swaps or any(name in dirty for name, _ in step.reads()):
-                self._each([(step, variant.swaps.get(step.makes, (step,)))], things, made)
-                if step.makes not in self.taken:
-                    dirty.add(step.makes)
-        return made
+        return variant.drawn(self.program, self.things, self.tool, self.taken)
 
     def misses(self, marks: Iterable[str], made: Mapping[str, Any]) -> dict[str, tuple[int, int]]:
         """Places of what each mark misses by."""
         off = {m: self.own[m] - made[m] for m in marks if m in made}
         return {m: (place_of(self.tape, z.real), place_of(self.tape, z.imag)) for m, z in off.items()}
-
-
-def _point(thing: Any) -> bool:
-    return isinstance(thing, Vec | complex)
 
 
 def retrace(grading: Grading, variants: Iterable[Variant]) -> Retraced:

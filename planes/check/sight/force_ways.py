@@ -7,10 +7,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from planes.check.grading.bench import Bench, variants_of
+from planes.check.grading.bench import Bench, redrawn, variants_of
 from planes.check.grading.handwork import Hand, Miss, Variant
 from planes.check.grading.polygons import Side
-from planes.check.sight.motion_seen import redrawn
 from planes.check.sight.prices import slip
 from planes.drafting.steps import Cross, Step
 from planes.words.names import POLE, at, label_of, plan_of

@@ -9,14 +9,14 @@ the drawing is right is judged afterwards, from the places.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import reduce
 from operator import or_
 from types import MappingProxyType
 from typing import Any
 
-from planes.check.grading.bench import Bench, variants_of
+from planes.check.grading.bench import Bench, redrawn, variants_of
 from planes.check.grading.handwork import Hand, Miss, Taken, Variant
 from planes.check.grading.judging import LEFT_OUT
 from planes.check.grading.paper import Spot
@@ -36,9 +36,7 @@ from planes.check.sight.prices import (
 )
 from planes.check.sight.ways_of_ink import Ways
 from planes.drafting.drawing import run
-from planes.drafting.instruments import Exact
 from planes.drafting.steps import Step
-from planes.words.errors import PlanesError
 from planes.words.names import POLE, at, label_of, plan_of
 
 NEARLY, CLOSE = 3.0, 12.0  # how much dearer a place may be, and a whole way, to be looked at again
@@ -181,22 +179,6 @@ class Search:
 
 def _starts(step: Step) -> list[str]:
     return [getattr(step, k) for k in ("start", "other", "end") if isinstance(getattr(step, k, None), str)]
-
-
-def redrawn(bench: Bench, variant: Variant | None, snap: Callable[[Step, Any], Any]) -> dict[str, Any] | None:
-    """The program drawn exactly, every thing passed through ``snap``; None where that cannot be drawn."""
-    things: dict[str, Any] = {**bench.given, **(variant.givens if variant else {})}
-    tool = Exact().tool(False)
-    swaps = variant.swaps if variant else {}
-    try:
-        for step in bench.program.steps:
-            made: Any = None
-            for one in swaps.get(step.makes, (step,)):
-                made = things[one.makes] = one.draw(things, tool)
-            things[step.makes] = snap(step, made)
-    except (PlanesError, ZeroDivisionError, OverflowError):
-        return None
-    return things
 
 
 def ends_of(bench: Bench) -> list[tuple[str, str]]:
