@@ -15,7 +15,7 @@ from typing import Any
 from planes.check.grading.bench import Bench
 from planes.check.grading.grading import grade, readable
 from planes.check.grading.paper import Paper, Spot
-from planes.check.reading.chains import NEAR_MM, true_vectors
+from planes.check.reading.chains import true_vectors
 from planes.check.reading.lone_vectors import arrows_of, others
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import SHORT_MM, Sketch, Stroke
@@ -29,7 +29,8 @@ from planes.words.spelling import Names
 REACH_MM = 1.5  # a hand's mark is no farther from where it should be; grading tells whether it is near enough
 SHARE = 0.015  # of a vector's length, by which it may be off besides
 FARTHEST_MM = 2 * NEAR_WORD_MM  # where marks crowd their names stand farther off
-EXCHANGED_MM = 6.0  # two words must stand nearer to each other's marks by so much to be exchanged
+EXCHANGED_MM, VECTORS_MM = 6.0, 3.0  # two words so much nearer to each other's marks, or vectors, are exchanged
+UPON_MM = 1.0  # of two vectors upon each other no distance tells which name is whose
 
 
 def marks_as_planned(sketch: Sketch, bench: Bench, near: Candidates, poles: Iterable[complex]) -> Paper:
@@ -49,14 +50,16 @@ def marks_as_planned(sketch: Sketch, bench: Bench, near: Candidates, poles: Iter
         far = min(w.distance(z) for n, w in words if n == name)
         return far if far <= FARTHEST_MM else math.inf
 
-    for pole in poles if tips else ():
+    starts = [z for z, _ in arrows]
+    most = sorted(starts, key=lambda z: -sum(abs(z - w) < SHORT_MM for w in starts))[:1]  # most vectors begin there
+    for pole in (*poles, *most) if tips else ():
         found = {n: _nearest(pole + z, [pole, *tips]) for n, z in truth.items()}
         ends = [pole, *found.values()]
         there = all(abs(found[n] - pole - z) <= REACH_MM for n, z in truth.items())
         if there and all(abs(_nearest(z, ends) - z) <= REACH_MM for arrow in arrows for z in arrow):
             spots = [Spot(n, z, sketch.error_mm) for n, z in {POLE: pole, **found}.items()]
             paper = Paper(sketch.file, spots, whole=False)
-            if _named(found, near.keys() & truth, word) and _right(bench, paper):
+            if _named(found, near.keys() & truth, word) and is_right(bench, paper):
                 return paper
     return Paper(sketch.file, whole=False)
 
@@ -80,7 +83,7 @@ def vectors_as_planned(sketch: Sketch, bench: Bench) -> Paper:
     rows: dict[str, Stroke] = {}
     for name, true in sorted(sides.items(), key=lambda side: -abs(side[1])):
         like = [s for s in (*arrows, *bare) if _alike(s, true)]
-        like = [s for s in like if s not in rows.values()] or [s for s in like if 0 < word(name, s) <= NEAR_MM]
+        like = [s for s in like if s not in rows.values()] or [s for s in like if 0 < word(name, s) <= NEAR_WORD_MM]
         if like:
             rows[name] = min(like, key=lambda s: (word(name, s), abs(s[1] - s[0] - true)))
         elif abs(true) > SHORT_MM:
@@ -89,7 +92,8 @@ def vectors_as_planned(sketch: Sketch, bench: Bench) -> Paper:
     over = any(not _alike(s, t) and not _alike(s[::-1], t) for s in arrows for t in [_like(s, known)])
     spots = [Spot(n, z, sketch.error_mm) for name, (a, b) in rows.items() for n, z in ((POLE, a), (name, b))]
     paper = Paper(sketch.file, spots, whole=len(rows) == len(sides))
-    return paper if not over and _named(rows, rows, word) and _right(bench, paper) else nothing
+    over = over or any(max(abs(a - d), abs(b - c)) < UPON_MM for (a, b), (c, d) in combinations(rows.values(), 2))
+    return paper if not over and _named(rows, rows, word, VECTORS_MM) and is_right(bench, paper) else nothing
 
 
 def _alike(stroke: Stroke, true: complex) -> bool:
@@ -103,15 +107,17 @@ def _like(stroke: Stroke, known: Sequence[complex]) -> complex:
     return min(known, key=lambda t: min(abs(v - t), abs(v + t)))
 
 
-def _named(found: Mapping[str, Any], words: Iterable[str], word: Callable[[str, Any], float]) -> bool:
+def _named(
+    found: Mapping[str, Any], words: Iterable[str], word: Callable[[str, Any], float], nearer: float = EXCHANGED_MM
+) -> bool:  # fmt: skip
     """Whether the word of all that have one is beside it, and no two are exchanged; ``word`` tells how far it is."""
     own = {n: word(n, found[n]) for n in words}
     return all(map(math.isfinite, own.values())) and not any(
-        word(one, found[two]) + word(two, found[one]) + EXCHANGED_MM < own[one] + own[two]
+        word(one, found[two]) + word(two, found[one]) + nearer < own[one] + own[two]
         for one, two in combinations(own, 2))  # fmt: skip
 
 
-def _right(bench: Bench, paper: Paper) -> bool:
+def is_right(bench: Bench, paper: Paper) -> bool:
     """Whether a paper is right."""
     try:
         found = grade(bench, paper)

@@ -12,8 +12,8 @@ from dataclasses import dataclass, field, replace
 from planes.check.grading.bench import Bench, variants_of
 from planes.check.grading.handwork import Hand, Taken
 from planes.check.grading.paper import Paper, Spot
-from planes.check.reading.as_planned import marks_as_planned, vectors_as_planned
-from planes.check.reading.chains import MOST_LINES, force_chain
+from planes.check.reading.as_planned import is_right, marks_as_planned, vectors_as_planned
+from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
 from planes.check.reading.lone_vectors import lone_vectors
 from planes.check.reading.sizing import sized
 from planes.check.reading.strokes import LOOSE_MM, Nodes, Sketch, Words, covered, headed, hinged
@@ -83,6 +83,11 @@ def _polygon(sketch: Sketch, nodes: Nodes, bench: Bench, paper: Paper) -> Paper:
         rows, every = lone_vectors(sketch, bench)
         if every or 2 * sum(not spot.name.startswith("?") for spot in paper.spots[1:]) <= len(rows):
             paper.spots, paper.whole = rows, every
+    names = bench.written(true_vectors(bench))
+    told = headed(sketch) or any((names.find(w.text) or POLE) != POLE for w in sketch.words)
+    if paper.spots and not told and not is_right(bench, paper):  # any figure of lines would do
+        paper.spots = []
+        paper.notes.append(Phrase("check_force_unsure"))
     return paper
 
 

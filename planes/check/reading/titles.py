@@ -38,7 +38,9 @@ def _titles(words: Sequence[Words]) -> Iterator[Words]:
         goes_on = (w for w in words if w.text.startswith("=") and abs(w.place.imag - end.imag) < word.height / 2
                    and abs(w.place.real - end.real) < GAP * word.height)  # fmt: skip
         more = None if "=" in word.text else next(goes_on, None)
-        yield replace(word, text=f"{word.text} {more.text}", width=more.width + (more.place - word.place).real) if more else word
+        if more is not None:
+            word = replace(word, text=word.text + more.text, width=more.width + (more.place - word.place).real)
+        yield word
 
 
 def _read(text: str, kind: str) -> float | None:
