@@ -146,6 +146,7 @@ def _plan_words(plan: str) -> tuple[str, dict[str, object]]:
 def check(asked: Asked, paper: Paper) -> Outcome:
     """Check one paper. :class:`PlanesError` where the scene or the question is wrong."""
     bench = prepare(asked)
+    bench = bench.at(paper.mu, told=True) if paper.mu and not asked.mu else bench
     out = Outcome(bench, paper, notes=list(paper.notes))
     try:
         _look(out)

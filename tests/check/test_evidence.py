@@ -12,6 +12,7 @@ import pytest
 from planes.check import check
 from planes.check.grading.bench import Asked, Bench, known_plans, prepare
 from planes.check.grading.paper import Paper, Spot
+from planes.check.handed_in import Known, read_paper
 from planes.check.reading.matching import paper_of
 from planes.check.reading.strokes import Sketch, Words
 from planes.check.reading.svg import read_svg
@@ -50,6 +51,20 @@ def test_an_empty_blank_is_unreadable(tmp_path: Path) -> None:
         file = tmp_path / "blank.svg"
         write_blank(bench.asked, str(file), "en")
         assert check(bench.asked, paper_of(read_svg(file), bench)).verdict == "unreadable", bench.asked
+
+
+FILES = sorted(p for p in (*SAMPLES.glob("*.yaml"), *SAMPLES.glob("assignments/*.yaml")) if p.stem != "vectors")
+BLANKS = [pytest.param(p, marks=() if p.stem in ("01", "24", "six-link") else pytest.mark.slow) for p in FILES]
+
+
+@pytest.mark.parametrize("sample", BLANKS, ids=lambda p: p.stem)
+def test_an_empty_blank_of_every_sample_is_unreadable(sample: Path, tmp_path: Path) -> None:
+    scene, file = load(sample), str(tmp_path / "blank.svg")
+    assert scene.mechanism
+    for plan in known_plans(state(scene.mechanism, scene.file)):
+        asked = Asked(scene, plan)
+        write_blank(asked, file, "ru")
+        assert check(asked, read_paper(file, asked, Known())).verdict == "unreadable", plan
 
 
 @pytest.mark.few(1)

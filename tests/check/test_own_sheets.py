@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -35,6 +36,8 @@ from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"
 READERS = {".svg": read_svg, ".dxf": read_dxf, ".pdf": read_pdf}
+SCENES = sorted(p.stem for p in SAMPLES.glob("*.yaml") if p.stem != "vectors")
+ASSIGNMENTS = sorted(f"assignments/{p.stem}" for p in (SAMPLES / "assignments").glob("*.yaml"))
 FAR_MM = 5.0  # a mistake that moves its mark by less is no mistake worth drawing
 
 
@@ -103,6 +106,51 @@ def test_a_view_is_right_and_with_one_step_spoiled_wrong_there(
     assert (found.verdict, found.first_wrong) == ("wrong", made[1].blames), found.sentence.told("en")
 
 
+CROWDED = (
+    ("01", "acceleration", ".svg"), ("33", "acceleration", ".dxf"), ("38", "velocity", ".pdf"),
+    ("38", "position", ".svg"), ("42", "acceleration", ".svg"), ("44", "acceleration", ".pdf"),
+    ("58", "velocity", ".dxf"), ("12", "force:4-5", ".dxf"), ("43", "force:2-3", ".svg"), ("02", "force:4-5", ".pdf"),
+)  # fmt: skip
+
+
+@pytest.mark.few(3)
+@pytest.mark.parametrize(("number", "plan", "suffix"), CROWDED)
+def test_where_marks_crowd_a_word_nearer_to_another_mark_misleads_nobody(
+    number: str, plan: str, suffix: str, tmp_path: Path
+) -> None:
+    sample = f"assignments/{number}"
+    found = checked(sample, plan, view(sample, plan, drawn(sample)[1]), tmp_path / f"view{suffix}")
+    assert found.verdict == "right", found.sentence.told("en")
+
+
+@pytest.mark.parametrize(("plan", "suffix"), [("velocity", ".svg"), ("acceleration", ".dxf"), ("force:1", ".pdf")])
+def test_a_plan_at_another_scale_than_its_title_says_is_not_right(plan: str, suffix: str, tmp_path: Path) -> None:
+    """A force plan with its only force doubled looks like one at another scale; its title tells them apart."""
+    sample, file = "crank-slider", tmp_path / f"view{suffix}"
+    scene, position = drawn(sample)
+    file.write_bytes(rendered(view(sample, plan, position), suffix, "ru"))
+    asked = Asked(scene, plan, spelt=Naming("ru", scene.frame_number).vector)
+    found = {}
+    for said in ("", "1"):  # in front of the number: another scale
+        sketch = READERS[suffix](file)
+        assert sketch
+        sketch.words = [replace(w, text=re.sub(r"= (?=\d)", f"= {said}", w.text)) for w in sketch.words]
+        found[said] = check(asked, paper_on(sketch, prepare(asked)))
+    assert found[""].verdict == "right" and found["1"].verdict != "right", found["1"].sentence.told("en")
+
+
+SHEETS = (("crank-slider", None, "acceleration", ".dxf"), ("kind-4-prp", 2, "force:2-3", ".svg"))
+
+
+@pytest.mark.parametrize(("sample", "number", "plan", "suffix"), SHEETS)
+def test_a_plan_of_a_crowded_sheet_is_right(
+    sample: str, number: int | None, plan: str, suffix: str, tmp_path: Path
+) -> None:
+    sheet = sheet_of(drawn(sample)[0], None, number=number)
+    found = checked(sample, plan, sheet, tmp_path / f"sheet{suffix}")
+    assert found.verdict == "right", found.sentence.told("en")
+
+
 @pytest.mark.few(1)
 @pytest.mark.parametrize("suffix", READERS)
 def test_every_plan_of_a_whole_sheet_is_right(suffix: str, tmp_path: Path) -> None:
@@ -121,7 +169,7 @@ def whole_sheet() -> Sheet:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("sample", sorted(p.stem for p in SAMPLES.glob("*.yaml") if p.stem != "vectors"))
+@pytest.mark.parametrize("sample", [*SCENES, *ASSIGNMENTS])
 @pytest.mark.parametrize("suffix", READERS)
 def test_every_view_of_every_sample(sample: str, suffix: str, tmp_path: Path) -> None:
     position = drawn(sample)[1]
@@ -131,6 +179,30 @@ def test_every_view_of_every_sample(sample: str, suffix: str, tmp_path: Path) ->
             continue  # there is nothing to draw
         found = checked(sample, plan, view(sample, plan, position), tmp_path / f"t{suffix}")
         assert found.verdict == "right", (plan, found.sentence.told("en"))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", [None, 1, 2])
+@pytest.mark.parametrize("sample", [*SCENES, *ASSIGNMENTS])
+def test_every_plan_of_every_sheet_is_right(sample: str, number: int | None, tmp_path: Path) -> None:
+    scene, position = drawn(sample)
+    sheet = sheet_of(scene, None, number=number)
+    for plan in known_plans(position.plans):
+        marks = [m for m in position.drawing.things if m.startswith(f"{plan}:")]
+        elsewhere = number and (number == 2) != plan.startswith("force")
+        if elsewhere or all(abs(position.drawing[m]) < 1e-6 for m in marks):
+            continue  # it is not on the sheet
+        found = checked(sample, plan, sheet, tmp_path / "sheet.svg")
+        assert found.verdict == "right", (plan, found.sentence.told("en"))
+
+
+def test_two_vectors_from_one_place_are_no_open_head() -> None:
+    """Short shafts that spread alike from the pole, each with its own head, stay vectors."""
+    shafts = [(0j, 5 + 1j), (0j, 5 - 1j)]
+    heads = [Head(b + 2 * b / abs(b), b / abs(b), 4.0) for _, b in shafts]
+    sketch = Sketch(strokes=[*shafts, (0j, -30 + 0j)], heads=heads)
+    settle(sketch)
+    assert sketch.strokes == [(0j, heads[0].tip), (0j, heads[1].tip), (0j, -30 + 0j)] and sketch.ways == [1, 1, 0]
 
 
 def test_a_shaft_that_ends_within_its_head_reaches_the_tip() -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from planes.check.grading.handwork import Hand, Variant
@@ -54,6 +54,11 @@ class Bench:
     def written(self, vectors: Iterable[str]) -> Names:
         """Names of vectors of a force plan as sheets of the scene letter them, and as the program does."""
         return Names(vectors, spelt=lambda name: self.asked.spelt(_parted(name)))
+
+    def at(self, mu: float, told: bool = False) -> Bench:
+        """The same at another scale; ``told``, if no other is to be thought of."""
+        asked = replace(self.asked, mu=mu) if told else self.asked
+        return replace(self, asked=asked, given={**self.given, mu_of(asked.plan): mu}, said_mu=mu)
 
     def ways(self) -> Ways:
         """The steps a mistake may change."""

@@ -50,6 +50,7 @@ class Paper:
     segments: list[tuple[str, float]] = field(default_factory=list)
     results: list[tuple[str, float, str]] = field(default_factory=list)
     scale_mark: str | None = None  # the vector the picture's scale was taken from
+    mu: float | None = None  # the scale its title says
     whole: bool = True
     picture: bytes = b""  # the flat picture, for the report
     box: tuple[float, float, float, float] | None = None  # where it lies: left, bottom, right, top, mm from the pole

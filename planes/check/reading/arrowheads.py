@@ -52,7 +52,9 @@ def _apex(corners: Sequence[complex]) -> complex | None:
 
 def settle(sketch: Sketch) -> None:
     """Open heads become heads; each goes to its stroke; short strokes that have none, and dimension lines, go."""
-    for head, wings in _open(sketch.strokes):
+    shafts = given(sketch.strokes, sketch.heads)[0] if sketch.heads else []
+    free = [s for k, s in enumerate(sketch.strokes) if not (shafts and shafts[k])]
+    for head, wings in _open(sketch.strokes, free):
         sketch.strokes = [s for s in sketch.strokes if s not in wings]
         sketch.heads.append(head)
     strokes = sketch.strokes + sketch.short
@@ -130,9 +132,9 @@ def _candidates(strokes: Sequence[Stroke], head: Head) -> list[tuple[float, int,
     return found
 
 
-def _open(strokes: Sequence[Stroke]) -> list[tuple[Head, tuple[Stroke, Stroke]]]:
-    """Pairs of short strokes that spread alike from the end of a longer one."""
-    short = [s for s in strokes if abs(s[1] - s[0]) <= LARGEST_MM]
+def _open(strokes: Sequence[Stroke], free: Sequence[Stroke]) -> list[tuple[Head, tuple[Stroke, Stroke]]]:
+    """Pairs of short strokes, of those ``free``, that spread alike from the end of a longer one."""
+    short = [s for s in free if abs(s[1] - s[0]) <= LARGEST_MM]
     found = []
     if len(short) > 400:
         return []

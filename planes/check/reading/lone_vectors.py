@@ -27,7 +27,7 @@ Costs = list[dict[str, float]]
 
 def lone_vectors(sketch: Sketch, bench: Bench) -> tuple[list[Spot], bool]:
     """The plan's vectors, each as a row of its own, and whether nothing can have been overlooked."""
-    arrows = [s if sketch.ways[k] > 0 else s[::-1] for k in headed(sketch) if (s := sketch.strokes[k])]
+    arrows = arrows_of(sketch)
     bare = [s for stroke in sketch.strokes if abs(stroke[1] - stroke[0]) < HEADLESS_MM and stroke not in arrows
             and stroke[::-1] not in arrows for s in (stroke, stroke[::-1])]  # fmt: skip
     sides = true_vectors(bench)
@@ -36,6 +36,11 @@ def lone_vectors(sketch: Sketch, bench: Bench) -> tuple[list[Spot], bool]:
     spots = [Spot(n, z, sketch.error_mm) for name, a, b in rows for n, z in ((POLE, a), (name or "", b))]
     seen = all(n in names for n, v in sides.items() if abs(v) < HEADLESS_MM)
     return spots, bool(arrows) and all(names[: len(arrows)]) and seen
+
+
+def arrows_of(sketch: Sketch) -> list[Stroke]:
+    """Strokes with arrowheads, each towards its head."""
+    return [s if sketch.ways[k] > 0 else s[::-1] for k in headed(sketch) if (s := sketch.strokes[k])]
 
 
 def _named(

@@ -12,7 +12,8 @@ from dataclasses import dataclass, field, replace
 from planes.check.grading.bench import Bench, variants_of
 from planes.check.grading.handwork import Hand, Taken
 from planes.check.grading.paper import Paper, Spot
-from planes.check.reading.chains import MOST_LINES, force_chain
+from planes.check.reading.as_planned import is_right, marks_as_planned, vectors_as_planned
+from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
 from planes.check.reading.lone_vectors import lone_vectors
 from planes.check.reading.sizing import sized
 from planes.check.reading.strokes import LOOSE_MM, Nodes, Sketch, Words, covered, headed, hinged
@@ -56,7 +57,8 @@ def paper_of(sketch: Sketch, bench: Bench, pole: complex | None = None) -> Paper
         near = {n: {i: far for i, far in held.items() if i < first} or held for n, held in near.items()}
     bench = sized(bench, sketch, nodes, near)
     if kind_of(bench.asked.plan) == "force":
-        return _polygon(sketch, nodes, bench, paper)
+        found = vectors_as_planned(sketch, bench)
+        return found if found.spots else _polygon(sketch, nodes, bench, paper)
     if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):
         paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))
         return paper
@@ -64,6 +66,10 @@ def paper_of(sketch: Sketch, bench: Bench, pole: complex | None = None) -> Paper
     origin = pole if pole is not None else find(nodes, bench, near)
     if origin is None:
         return paper
+    poles = dict.fromkeys([origin, *(nodes.places[i] for i in near.get(POLE, ()))])
+    found = marks_as_planned(sketch, bench, near, poles)
+    if found.spots:
+        return found
     places = _marks(bench, sketch, nodes, origin, near)
     paper.spots = [Spot(POLE, origin, sketch.error_mm)]
     paper.spots += [Spot(n, places[n], sketch.error_mm) for n in labels if n in places]
@@ -77,6 +83,11 @@ def _polygon(sketch: Sketch, nodes: Nodes, bench: Bench, paper: Paper) -> Paper:
         rows, every = lone_vectors(sketch, bench)
         if every or 2 * sum(not spot.name.startswith("?") for spot in paper.spots[1:]) <= len(rows):
             paper.spots, paper.whole = rows, every
+    names = bench.written(true_vectors(bench))
+    told = headed(sketch) or any((names.find(w.text) or POLE) != POLE for w in sketch.words)
+    if paper.spots and not told and not is_right(bench, paper):  # any figure of lines would do
+        paper.spots = []
+        paper.notes.append(Phrase("check_force_unsure"))
     return paper
 
 

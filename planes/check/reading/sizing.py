@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import statistics
 from collections.abc import Mapping
-from dataclasses import replace
 from itertools import combinations
 
 from planes.check.grading.bench import Bench
@@ -13,7 +12,7 @@ from planes.check.reading.chains import true_vectors
 from planes.check.reading.strokes import Nodes, Sketch
 from planes.drafting.drawing import run
 from planes.plans.scales import kind_of
-from planes.words.names import POLE, label_of, mu_of
+from planes.words.names import POLE, label_of
 
 LEAST_MM = 4.0  # shorter vectors tell little about the scale
 SAME = math.log(1.05)  # the stated scale, as far as words can tell
@@ -29,8 +28,7 @@ def sized(bench: Bench, sketch: Sketch, nodes: Nodes, near: Mapping[str, Mapping
     ratio = _agreed(_of_vectors(bench, sketch) if force else _of_marks(bench, nodes, near))
     if abs(ratio) < SAME:
         return bench
-    mu = bench.said_mu * math.exp(ratio)
-    return replace(bench, given={**bench.given, mu_of(bench.asked.plan): mu}, said_mu=mu)
+    return bench.at(bench.said_mu * math.exp(ratio))
 
 
 def _of_marks(bench: Bench, nodes: Nodes, near: Mapping[str, Mapping[int, float]]) -> list[float]:

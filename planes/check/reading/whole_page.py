@@ -11,6 +11,7 @@ from planes.check.reading.chains import true_vectors
 from planes.check.reading.matching import paper_of
 from planes.check.reading.parts import parts
 from planes.check.reading.strokes import Sketch
+from planes.check.reading.titles import mu_over
 from planes.plans.scales import kind_of
 from planes.words.errors import PlanesError
 from planes.words.names import POLE, label_of
@@ -33,14 +34,21 @@ def paper_on(sketch: Sketch, bench: Bench) -> Paper:
 
     likely = sorted(found, key=named, reverse=True)[:MOST]
     likely = [p for p in likely if 2 * named(p) >= named(likely[0])]
-    if len(likely) < 2:
-        return paper_of(likely[0] if likely else sketch, bench)
-    papers = [(paper_of(replace(part), bench), named(part)) for part in likely]
-    return max(papers, key=lambda p: _worth(bench, p[0]) + NAMED * p[1])[0]
+    papers = [(_paper_of(replace(part), bench, sketch), named(part)) for part in likely or [sketch]]
+    return max(papers, key=lambda p: _worth(bench, p[0]) + NAMED * p[1])[0] if len(papers) > 1 else papers[0][0]
+
+
+def _paper_of(part: Sketch, bench: Bench, page: Sketch) -> Paper:
+    """The marks of a plan on a part of a page, at the scale its title says."""
+    mu = None if bench.asked.mu else mu_over(page.words, part, kind_of(bench.asked.plan))
+    paper = paper_of(part, bench.at(mu, told=True) if mu else bench)
+    paper.mu = mu
+    return paper
 
 
 def _worth(bench: Bench, paper: Paper) -> float:
     """How many marks of a paper are where their steps lead, less those that are not."""
+    bench = bench.at(paper.mu, told=True) if paper.mu else bench
     try:
         found = grade(bench, paper) if paper.spots else None
     except PlanesError:

@@ -1,0 +1,126 @@
+"""The right plan looked for first: where every mark has its arrowhead and its word and no arrow is over, it is drawn.
+
+Names crowd where marks do, and the word nearest to a mark may be its neighbour's. So before a mark is thought to be
+elsewhere, the drawing is held against the plan as it should be.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+from itertools import combinations
+from typing import Any
+
+from planes.check.grading.bench import Bench
+from planes.check.grading.grading import grade, readable
+from planes.check.grading.paper import Paper, Spot
+from planes.check.reading.chains import true_vectors
+from planes.check.reading.lone_vectors import arrows_of, others
+from planes.check.reading.parts import NEAR_WORD_MM
+from planes.check.reading.strokes import SHORT_MM, Sketch, Stroke
+from planes.check.reading.words_near import LEADER_MM, Candidates
+from planes.drafting.drawing import run
+from planes.plans.scales import kind_of
+from planes.words.errors import PlanesError
+from planes.words.names import POLE, label_of
+from planes.words.spelling import Names
+
+REACH_MM = 1.5  # a hand's mark is no farther from where it should be; grading tells whether it is near enough
+SHARE = 0.015  # of a vector's length, by which it may be off besides
+FARTHEST_MM = 2 * NEAR_WORD_MM  # where marks crowd their names stand farther off
+EXCHANGED_MM, VECTORS_MM = 6.0, 3.0  # two words so much nearer to each other's marks, or vectors, are exchanged
+UPON_MM = 1.0  # of two vectors upon each other no distance tells which name is whose
+
+
+def marks_as_planned(sketch: Sketch, bench: Bench, near: Candidates, poles: Iterable[complex]) -> Paper:
+    """The marks of a motion plan or a scheme; none where it is not drawn whole and rightly."""
+    truth = {label_of(m): complex(run(bench.program, bench.given)[m]) for m in bench.marks}
+    scheme = kind_of(bench.asked.plan) == "position"
+    arrows = [] if scheme else arrows_of(sketch)
+    tips = [z for z, _ in sketch.rounds] if scheme else [z for arrow in arrows for z in arrow]
+    names = Names(truth)
+    words = [(n, w) for w in sketch.words if (n := names.find(w.text)) in truth]
+    plain = [way for k, s in enumerate(sketch.strokes) if not sketch.ways or not sketch.ways[k] for way in (s, s[::-1])]
+    plain = [(a, b) for a, b in plain if all(abs(a - z) > SHORT_MM for z in tips)]  # no leader begins at a mark
+    words += [(n, replace(w, place=b, height=0.1, width=0.1)) for n, w in words for a, b in plain
+              if w.distance(a) < LEADER_MM]  # fmt: skip
+
+    def word(name: str, z: complex) -> float:
+        far = min(w.distance(z) for n, w in words if n == name)
+        return far if far <= FARTHEST_MM else math.inf
+
+    starts = [z for z, _ in arrows]
+    most = sorted(starts, key=lambda z: -sum(abs(z - w) < SHORT_MM for w in starts))[:1]  # most vectors begin there
+    for pole in (*poles, *most) if tips else ():
+        found = {n: _nearest(pole + z, [pole, *tips]) for n, z in truth.items()}
+        ends = [pole, *found.values()]
+        there = all(abs(found[n] - pole - z) <= REACH_MM for n, z in truth.items())
+        if there and all(abs(_nearest(z, ends) - z) <= REACH_MM for arrow in arrows for z in arrow):
+            spots = [Spot(n, z, sketch.error_mm) for n, z in {POLE: pole, **found}.items()]
+            paper = Paper(sketch.file, spots, whole=False)
+            if _named(found, near.keys() & truth, word) and is_right(bench, paper):
+                return paper
+    return Paper(sketch.file, whole=False)
+
+
+def _nearest(z: complex, places: Sequence[complex]) -> complex:
+    return min(places, key=lambda w: abs(w - z))
+
+
+def vectors_as_planned(sketch: Sketch, bench: Bench) -> Paper:
+    """The vectors of a force plan, each a row of its own; none where one is not drawn, or an arrow is over."""
+    sides, nothing = true_vectors(bench), Paper(sketch.file, whole=False)
+    arrows, spelt = arrows_of(sketch), bench.written(sides)
+    words = [(spelt.find(w.text), w) for w in sketch.words]
+
+    def word(name: str, stroke: Stroke) -> float:
+        a, b = stroke
+        far = min((w.distance(a + (b - a) * t / 8) for n, w in words if n == name for t in range(1, 8)), default=0.0)
+        return far if far <= FARTHEST_MM else math.inf
+
+    bare = [way for s in (*sketch.strokes, *sketch.short) for way in (s, s[::-1]) if abs(s[1] - s[0]) < 2 * REACH_MM]
+    rows: dict[str, Stroke] = {}
+    for name, true in sorted(sides.items(), key=lambda side: -abs(side[1])):
+        like = [s for s in (*arrows, *bare) if _alike(s, true)]
+        like = [s for s in like if s not in rows.values()] or [s for s in like if 0 < word(name, s) <= NEAR_WORD_MM]
+        if like:
+            rows[name] = min(like, key=lambda s: (word(name, s), abs(s[1] - s[0] - true)))
+        elif abs(true) > SHORT_MM:
+            return nothing
+    known = [*sides.values(), *others(bench).values()]
+    over = any(not _alike(s, t) and not _alike(s[::-1], t) for s in arrows for t in [_like(s, known)])
+    spots = [Spot(n, z, sketch.error_mm) for name, (a, b) in rows.items() for n, z in ((POLE, a), (name, b))]
+    paper = Paper(sketch.file, spots, whole=len(rows) == len(sides))
+    over = over or any(max(abs(a - d), abs(b - c)) < UPON_MM for (a, b), (c, d) in combinations(rows.values(), 2))
+    return paper if not over and _named(rows, rows, word, VECTORS_MM) and is_right(bench, paper) else nothing
+
+
+def _alike(stroke: Stroke, true: complex) -> bool:
+    """Whether a stroke may be a vector."""
+    return abs(stroke[1] - stroke[0] - true) <= min(REACH_MM + SHARE * abs(true), 0.5 * abs(true) + 0.1)
+
+
+def _like(stroke: Stroke, known: Sequence[complex]) -> complex:
+    """The vector a stroke is most like, drawn either way."""
+    v = stroke[1] - stroke[0]
+    return min(known, key=lambda t: min(abs(v - t), abs(v + t)))
+
+
+def _named(
+    found: Mapping[str, Any], words: Iterable[str], word: Callable[[str, Any], float], nearer: float = EXCHANGED_MM
+) -> bool:  # fmt: skip
+    """Whether the word of all that have one is beside it, and no two are exchanged; ``word`` tells how far it is."""
+    own = {n: word(n, found[n]) for n in words}
+    return all(map(math.isfinite, own.values())) and not any(
+        word(one, found[two]) + word(two, found[one]) + nearer < own[one] + own[two]
+        for one, two in combinations(own, 2))  # fmt: skip
+
+
+def is_right(bench: Bench, paper: Paper) -> bool:
+    """Whether a paper is right."""
+    try:
+        found = grade(bench, paper)
+    except PlanesError:
+        return False
+    return found is not None and not found.strays and readable(found) is None
