@@ -57,8 +57,9 @@ class Teller:
         self.made = {step.makes: step for step in drawing.program.steps}
         self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
         self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured for the lesson alone
-        marks = [x for x in drawing.program.steps if x.kind == "mark" and x.makes[-1] not in "+-"]
-        self.ends = {shown_on(x): x.makes for x in marks if x.makes.startswith("force")}  # the last mark of each
+        self.trials = drawing.program.trials
+        marks = [x for x in drawing.program.steps if x.kind == "mark" and x.makes not in self.trials]
+        self.ends = {shown_on(x): x.makes for x in marks if kind_of(shown_on(x)) == "force"}  # the last mark of each
         self.still = {p for p in ("velocity", "acceleration") if p in plans.drawn and self.stands(p)}
 
     def frames(self) -> list[Frame]:
@@ -69,7 +70,7 @@ class Teller:
         for step in self.drawing.program.steps:
             if step.kind == "value" and self.tells(step):
                 readings.append(step)
-            if step in put or step.makes.endswith(("+", "-")) or not self.shown(step):
+            if step in put or step.makes in self.trials or not self.shown(step):
                 continue
             found += self.readings(readings, found)
             readings = []
@@ -129,7 +130,8 @@ class Teller:
 
     def mark(self, step: s.Step) -> Frame:
         """The frame of one mark, or of a tangent."""
-        uses = tuple(dict.fromkeys(name for name, kind in step.reads() if kind == "mark" and shown_mark(name)))
+        read = dict.fromkeys(name for name, kind in step.reads() if kind == "mark" and name not in self.trials)
+        uses = tuple(name for name in read if plan_of(name) != "motion")
         names = {f: lettered(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
         words = StepWords(self.plans, self.drawing, self.made)
         key, reason, more = words.of(step)
@@ -205,11 +207,6 @@ class Teller:
 def shown_on(step: s.Step) -> str:
     """The plan a mark stands on (a tangent's, the scheme)."""
     return plan_of(step.makes) or "position"
-
-
-def shown_mark(name: str) -> bool:
-    """Whether a mark stands on a plan that is shown: no trial of friction, no plan of a unit drive."""
-    return name[-1] not in "+-" and not name.startswith("motion:")
 
 
 def mu_said(mu: float, kind: str, lang: Lang) -> str:

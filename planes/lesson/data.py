@@ -24,7 +24,7 @@ from planes.plans.scales import kind_of, scales
 from planes.scene import Scene
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, SceneError
-from planes.words.names import at, label_of, mu_of
+from planes.words.names import at, mu_of, plan_of
 
 POSITIONS = 360
 Progress = Callable[[int, int], None]
@@ -77,9 +77,8 @@ def _values(plans: Plans) -> tuple[list[float], int]:
         start = drive.position % 1.0
         values = [start + i for i in range(POSITIONS)]
         return values, int(drive.position - start) % POSITIONS
-    reach = max((abs(v) for k, v in plans.given.items() if k.startswith("l_")), default=1.0)
     half = POSITIONS // 2
-    return [drive.position + reach * (i - half) / half for i in range(POSITIONS + 1)], half
+    return [drive.position + plans.reach * (i - half) / half for i in range(POSITIONS + 1)], half
 
 
 def _cycle(plans: Plans, given: Mapping[str, Any], values: list[float]) -> Drawing:
@@ -200,8 +199,8 @@ def _turn(plans: Plans, cycle: Drawing, count: int) -> dict[str, Any]:
 
     marks: dict[str, Any] = {}
     for step in cycle.program.steps:
-        shown = step.kind == "mark" and not label_of(step.makes).endswith(("+", "-"))
-        if shown and not step.makes.startswith("motion:"):
+        trial = step.makes in cycle.program.trials
+        if step.kind == "mark" and not trial and plan_of(step.makes) != "motion":
             marks[step.makes] = cycle[step.makes]
     marks |= feet(plans, cycle)
     angles = {d: numpy.degrees(numpy.angle(cycle[d])) for d in _directions(plans, cycle)}

@@ -11,7 +11,7 @@ from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate, Drop
 from planes.plans import Plans
 from planes.scene.mechanism import FRAME
-from planes.words.names import at
+from planes.words.names import at, plan_of
 
 SPREAD = (8, 92)  # per cent of the positions by which the length of a rod is judged
 
@@ -80,7 +80,7 @@ def _forces(m: Moments, steps: dict[str, Step]) -> list[dict[str, Any]]:
 
 
 def _foot(arm: str, drop: Drop) -> str:
-    return f"{drop.point.rpartition(':')[0]}:⊥{arm}"
+    return at(plan_of(drop.point), f"⊥{arm}")
 
 
 def _unknown(plans: Plans, m: Moments, steps: dict[str, Step]) -> list[dict[str, Any]]:
@@ -102,7 +102,7 @@ def feet(plans: Plans, cycle: Drawing) -> dict[str, Any]:
 
     found = {}
     for step in plans.program.steps:
-        if isinstance(step, Drop) and step.makes in cycle and not step.point.startswith("motion:"):
+        if isinstance(step, Drop) and step.makes in cycle and plan_of(step.point) != "motion":
             way = numpy.real((cycle[step.about] - cycle[step.point]) * numpy.conj(cycle[step.along]))
             found[_foot(step.makes, step)] = cycle[step.point] + way * cycle[step.along]
     return found

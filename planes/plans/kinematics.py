@@ -12,7 +12,7 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Carry, Image, Same
 from planes.plans.bodies import SCHEME, Bodies, Body, Spot
 from planes.plans.legs import Leg, legs_of
-from planes.plans.written import distance, ratio
+from planes.plans.written import ratio
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, at
 
@@ -201,7 +201,7 @@ def swing(r: Rates, body: Body, spot: Spot) -> None:
     d, centre = r.b.draft, body.carrier
     ray = d.ray(SCHEME, centre.place, spot.place)
     across = d.square(f"⊥{ray}", ray)
-    length = _distance(r.b, body, spot)
+    length = r.b.distance(body.link, centre, spot)
     start, end, total = r.label(centre.name), r.label(spot.name), r.letter + spot.name
     own = start == POLE
     name = total if own else total + centre.name
@@ -223,15 +223,6 @@ def swing(r: Rates, body: Body, spot: Spot) -> None:
         Term(f"{name}^t", middle, end, length=tangential, direction=across, action=across),
     )
     d.draw(Equation(r.plan, (chain, ()), total))
-
-
-def _distance(b: Bodies, body: Body, spot: Spot) -> str:
-    """The distance of a spot of a link from its carrier: given if both are its points, else taken off the scheme."""
-    points, (one, two) = body.link.points, (body.carrier, spot)
-    name = f"l_{one.place}{two.place}"
-    if one.name in points and two.name in points:
-        return b.draft.give(name, *distance(points[one.name], points[two.name]))
-    return b.draft.measure(name, at(SCHEME, one.place), at(SCHEME, two.place))
 
 
 def turned_copy(b: Bodies, plan: str, of: str, mark: str) -> str:

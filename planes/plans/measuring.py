@@ -61,8 +61,9 @@ def catalogue(st: Plans) -> dict[str, Quantity]:
     for name in (f"{letter}Z_{driver}", f"zhukovsky_{what}"):
         add(name, (f"zhukovsky_{what}",), st.zhukovsky)
     for s in st.segments:
-        if s.plan != "motion" and s.start != s.end and not {"°", "⊥"} & set(s.name):
-            add(s.name, ("plans", s.plan, s.name), at(s.plan, s.start), at(s.plan, s.end))
+        ends = at(s.plan, s.start), at(s.plan, s.end)
+        if s.plan != "motion" and s.start != s.end and not any(n in st.means and st.means[n].helper for n in ends):
+            add(s.name, ("plans", s.plan, s.name), *ends)
     return found
 
 

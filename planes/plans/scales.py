@@ -70,9 +70,8 @@ def reached(program: Program, given: Mapping[str, Any]) -> tuple[Drawing, PlanFa
 
 def extent(drawing: Drawing, plan: str) -> float:
     """The larger side of the box around a plan's marks, in SI when drawn at unit scale."""
-    made = [s.makes for s in drawing.program.steps if s.kind == "mark" and s.makes not in drawing.program.trials]
-    own = [m for m in made if plan_of(m) == plan and "°" not in m and label_of(m) != POLE]
-    marks = [drawing[m] for m in own]
+    made = [s for s in drawing.program.steps if s.kind == "mark" and not s.loose]
+    marks = [drawing[s.makes] for s in made if plan_of(s.makes) == plan and label_of(s.makes) != POLE]
     if plan != "position":
         marks.append(0j)
     marks = [m for m in marks if cmath.isfinite(m)]

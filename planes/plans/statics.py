@@ -18,7 +18,6 @@ from planes.plans.loads import Couple, Force, force_name
 from planes.plans.primary import DriverForces
 from planes.plans.reactions import Reaction, Statics
 from planes.plans.structure import Group, Pair
-from planes.plans.written import distance
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, at
 
@@ -131,8 +130,7 @@ class _GroupForces:
             length, sign = d.measure(f"l_{about}{pair.point}", at(SCHEME, about), at(SCHEME, pair.point)), -1.0
         else:
             about, links, ray = g.inner.point, (link,), d.ray(SCHEME, pair.point, g.inner.point)
-            points = self.b.mechanism.links[link].points
-            length, sign = d.give(f"l_{pair.point}{about}", *distance(points[pair.point], points[about])), 1.0
+            length, sign = self.b.length(self.b.mechanism.links[link], pair.point, about), 1.0
         forces = [f for x in links for f in self.loads[x]]
         couples = [c for x in links for c in self.couples[x]]
         products, shown = self.s.moment_terms(at(SCHEME, about), forces, couples, sign, length)

@@ -1,10 +1,33 @@
-"""How things of a program are named: a mark by its plan and its label there, the scale of a plan, the pole."""
+"""How things of a program are named, and what a name means: a mark by its plan and its label there, a plan by its kind
+and its links, the scale of a plan, the pole. Whoever makes a name says what it means; nobody else takes it apart."""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
 
 POLE = "p"
 AGAIN = "~"
 """Ends the name of a direction that is drawn a second time, from other marks: to people it is the same line."""
+Quantity = Literal["guide", "foot", "trial", "length", "angle", "force", "couple", "rate"]
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """What a name stands for: a quantity ``of`` a thing, ``about`` another, that belongs to a ``link``.
+
+    Of marks "guide" is the place of a guide or a place beside it, "foot" stands on it, "trial" is a supposition.
+    """
+
+    quantity: Quantity
+    of: str = ""
+    about: str = ""
+    link: str = ""
+
+    @property
+    def helper(self) -> bool:
+        """Whether it is a mark that is drawn and never asked of anybody."""
+        return self.quantity in ("guide", "foot", "trial")
 
 
 def at(plan: str, label: str) -> str:

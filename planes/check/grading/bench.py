@@ -86,10 +86,8 @@ def known_plans(plans: Plans) -> list[str]:
 
 def marks_of(plans: Plans, plan: str) -> list[str]:
     """The marks of a plan that a person draws, in order of drawing."""
-    own = [s.makes for s in plans.program.steps if s.kind == "mark" and plan_of(s.makes) == plan]
-    labels = [label_of(m) for m in own]
-    return [m for m, label in zip(own, labels, strict=True)
-            if label != POLE and not set(label) & set("°⊥~") and label[-1] not in "+-"]  # fmt: skip
+    own = [s.makes for s in plans.program.steps if s.kind == "mark" and plan_of(s.makes) == plan and not s.helper]
+    return [m for m in own if label_of(m) != POLE]
 
 
 def variants_of(bench: Bench, hand: Hand, mu: float) -> Sequence[Variant]:
