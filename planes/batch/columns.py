@@ -9,7 +9,7 @@ from typing import Any, Protocol
 from planes.drafting.program import Program
 from planes.plans import Plans
 from planes.plans.measuring import Quantity, catalogue
-from planes.words.names import POLE, at, mu_of, plan_of
+from planes.words.names import POLE, at, kind_of, mu_of, plan_of
 
 UNITS = {
     "r": "m", "v": "m/s", "a": "m/s²", "angle_deg": "°", "omega": "rad/s", "epsilon": "rad/s²", "coriolis": "m/s²",
@@ -109,7 +109,7 @@ def _columns(plans: Plans, q: Quantity) -> list[Column]:
         case ("reactions", key):
             return _reaction(plans, key)
         case ("plans", plan, _):
-            return [Column(q.name, UNITS[plan.partition(":")[0]], "", q.needs[0], q.needs[1], "size")]
+            return [Column(q.name, UNITS[kind_of(plan)], "", q.needs[0], q.needs[1], "size")]
     return [Column(q.name, UNITS[q.path[0].rpartition("_")[2]], q.needs[0])]
 
 
@@ -121,7 +121,7 @@ def _reaction(plans: Plans, key: str) -> list[Column]:
     r = plans.reactions[key]
     found = _vector(key, "N", r.start, r.end)
     if r.pair.kind == "P":
-        marks = tuple(s.makes for s in plans.program.steps if s.makes.startswith(r.plan + ":"))
+        marks = tuple(s.makes for s in plans.program.steps if plan_of(s.makes) == r.plan)
         found.append(Column(f"{key}_arm", "m", r.arm, beside=(r.normal, *marks)))
         found.append(Column(f"{key}_moment", "N·m", r.moment))
     return found

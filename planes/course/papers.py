@@ -15,7 +15,7 @@ from planes.scene.mechanism import Load, Mechanism
 from planes.solving import Position, told
 from planes.solving.tables import say_mu
 from planes.words import Lang, decimal, say
-from planes.words.names import POLE, label_of
+from planes.words.names import POLE, kind_of, label_of
 
 _ANGLES = {"alpha": "α", "beta": "β", "gamma": "γ"}
 NOISE_MM = 1e-6  # a segment shorter than this is nothing
@@ -91,7 +91,7 @@ def _load(load: Load, lang: Lang) -> str:
 
 def work(scene: Scene, drawn: Position, lang: Lang) -> Iterator[str]:
     """What is to be done, as far as the mechanism asks for it."""
-    plans = {name.partition(":")[0] for name in drawn.plans.drawn} | {"structure"}
+    plans = {kind_of(name) for name in drawn.plans.drawn} | {"structure"}
     m, drive = drawn.plans.mechanism, drawn.plans.mechanism.drive
     value = decimal(told(drawn.at, drive.kind, lang), lang)
     value = f"⟨{'phi' if drive.kind == 'phi' else 's'}_{drive.link}⟩ = {value}"

@@ -11,6 +11,7 @@ from planes.crank_slider.kinematics import swing
 from planes.crank_slider.misprints import printed
 from planes.crank_slider.pages import Curve, Drawn, Note, Writer
 from planes.crank_slider.pages_kinematics import chosen, drawn_at
+from planes.words.names import kind_of
 
 KN = 1e-3
 
@@ -32,7 +33,7 @@ def write_forces(w: Writer, c: Calculation) -> None:
     w.head("h_fplans")
     for phi in c.given.positions or (chosen(c),):
         scene, solved = drawn_at(w, c, float(c.motion.phi_deg[c.at(phi)]))
-        plans = tuple(p for p in solved.plans.drawn if p.startswith("force"))
+        plans = tuple(p for p in solved.plans.drawn if kind_of(p) == "force")
         w.blocks.append(Drawn(w.figure("f_force", phi=float(solved.at)), scene, solved, plans, False))
     _torque(w, c)
 

@@ -18,12 +18,11 @@ from planes.check.report.shown import leads, shown_plans
 from planes.check.report.tracing_paper import tracing_data
 from planes.check.sight.photograph import blank_pole
 from planes.plans.measuring import say_plan
-from planes.plans.scales import kind_of
 from planes.scene import Scene
 from planes.scene.files import save
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
-from planes.words.names import POLE
+from planes.words.names import POLE, kind_of
 from planes.words.units import mu_text
 from render.files import pdf, png, svg
 from render.page import check_page, class_page, trace_page

@@ -10,13 +10,14 @@ from typing import Any
 from planes.documents.graphs import check_names
 from planes.documents.turning import turned_once
 from planes.plans import Plans
-from planes.plans.scales import FIT_MM, extent, kind_of
+from planes.plans.scales import FIT_MM, extent
 from planes.scene import Scene
 from planes.solving import Position, failed, plans_of, position
 from planes.solving.nearest import nearest
 from planes.solving.vectors import solve_vectors
 from planes.words import Lang, say
 from planes.words.errors import PlanesError, PlanFailure
+from planes.words.names import kind_of
 from render.sheet import Contents, Sheet, compose
 from render.sheet.composer import Composer
 from render.sheet.project import Project

@@ -19,10 +19,9 @@ from planes.lesson.formulas import SLOT, number, paper, unit, value
 from planes.lesson.moments import moment_words
 from planes.lesson.steps import StepWords, lettered, whole
 from planes.plans import Plans
-from planes.plans.scales import kind_of
 from planes.words import Lang, decimal
 from planes.words.lesson import tell, why
-from planes.words.names import POLE, at, label_of, mu_of, plan_of
+from planes.words.names import POLE, at, force_plan, kind_of, label_of, mu_of, plan_of
 from planes.words.units import mu_text
 
 LANGS: tuple[Lang, ...] = ("ru", "en")
@@ -185,7 +184,7 @@ class Teller:
     def closing(self, plan: str) -> list[Frame]:
         """The reactions read off a force plan that has closed."""
         names = [r.key for r in self.plans.reactions.values() if r.plan == plan and self.span(r.key, plan)]
-        if self.plans.balancing.startswith("Fb_") and plan == f"force:{self.plans.mechanism.drive.link}":
+        if self.plans.balancing.startswith("Fb_") and plan == force_plan(self.plans.mechanism.drive.link):
             names.append(self.plans.balancing)
         names = list(dict.fromkeys(names))
         told = lambda lang: "; ".join(self.reading(n, plan, lang) for n in names)  # noqa: E731

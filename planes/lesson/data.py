@@ -20,11 +20,11 @@ from planes.lesson.steps import action, whole
 from planes.lesson.zones import reasons, zones
 from planes.plans import Plans, state
 from planes.plans.measuring import say_plan
-from planes.plans.scales import kind_of, scales
+from planes.plans.scales import scales
 from planes.scene import Scene
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, SceneError
-from planes.words.names import at, mu_of, plan_of
+from planes.words.names import at, kind_of, mu_of, plan_of
 
 POSITIONS = 360
 Progress = Callable[[int, int], None]

@@ -13,10 +13,9 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.reckoning import Calculate, Choose, Measure
 from planes.lesson.formulas import formula, number, paper, sense, unit, value
 from planes.plans import Plans
-from planes.plans.scales import kind_of
 from planes.words import Lang
 from planes.words.lesson import tell, why
-from planes.words.names import label_of, plan_of, written
+from planes.words.names import kind_of, label_of, plan_of, written
 
 Words = tuple[str, Any, dict[str, Any]]  # the key of the sentence, of the reason (or the reason), names
 _TOWARDS = re.compile(r"^(\w+)→(\w+)$")

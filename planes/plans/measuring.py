@@ -11,11 +11,11 @@ from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
 from planes.plans import Plans
 from planes.plans.loads import force_name
-from planes.plans.scales import kind_of
 from planes.scene.mechanism import FRAME
-from planes.words import Lang, Phrase, say
+from planes.words import Lang, Phrase
 from planes.words.errors import PlanFailure, SceneError, choices
-from planes.words.names import POLE, at, label_of, mu_of, plan_of
+from planes.words.names import POLE, at, kind_of, label_of, mu_of, plan_of
+from planes.words.things import plan_phrase
 from planes.words.units import UNIT, mu_text
 
 BLUNT = math.sin(math.radians(15))
@@ -161,7 +161,7 @@ class Reader:
         force = self.vector(r.start, r.end)
         if r.pair.kind == "R":
             return force
-        largest = max(abs(self.number(s.makes)) for s in self.drawing.program.steps if s.makes.startswith(r.plan + ":"))
+        largest = max(abs(self.number(s.makes)) for s in self.drawing.program.steps if plan_of(s.makes) == r.plan)
         nothing = abs(self.value(r.normal)) <= 1e-12 * largest / self.scales[mu_of(r.plan)]
         arm = None if nothing else self.value(r.arm)
         return {"force": force, "arm": arm, "moment": self.value(r.moment)}
@@ -230,5 +230,4 @@ def _many(value: Any) -> bool:
 
 def say_plan(plan: str, lang: Lang) -> str:
     """The name of a plan in words."""
-    kind, _, links = plan.partition(":")
-    return say(f"plan_{kind}", lang, links=links.replace("-", ", "))
+    return plan_phrase(plan).told(lang)

@@ -12,16 +12,11 @@ from planes.drafting.instruments import Exact
 from planes.drafting.program import Program
 from planes.plans import Plans
 from planes.words.errors import PlanFailure
-from planes.words.names import POLE, label_of, mu_of, plan_of
+from planes.words.names import POLE, kind_of, label_of, mu_of, plan_of
 from planes.words.units import standard_mu, standard_scale
 
 FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 110.0, "motion": 100.0}
 """How large a plan may be on the paper when nothing else is said."""
-
-
-def kind_of(plan: str) -> str:
-    """The kind of a plan: "force" of "force:2-3"."""
-    return plan.partition(":")[0]
 
 
 def unit_scales(plans: Plans) -> dict[str, float]:

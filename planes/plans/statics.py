@@ -19,7 +19,7 @@ from planes.plans.primary import DriverForces
 from planes.plans.reactions import Reaction, Statics
 from planes.plans.structure import Group, Pair
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE, at
+from planes.words.names import POLE, at, force_plan
 
 
 def draw_forces(statics: Statics) -> None:
@@ -34,7 +34,7 @@ class _GroupForces:
 
     def __init__(self, statics: Statics, group: Group) -> None:
         self.s, self.g, self.b, self.d = statics, group, statics.b, statics.b.draft
-        self.plan = f"force:{'-'.join(group.links)}"
+        self.plan = force_plan(*group.links)
         self.loads = {x: list(statics.acting.forces[x]) for x in group.links}
         self.couples = {x: list(statics.acting.couples[x]) for x in group.links}
 

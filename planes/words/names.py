@@ -45,6 +45,21 @@ def plan_of(mark: str) -> str:
     return mark.rpartition(":")[0]
 
 
+def kind_of(plan: str) -> str:
+    """The kind of a plan, or of the plan a mark is on: "force" of "force:2-3"."""
+    return plan.partition(":")[0]
+
+
+def links_of(plan: str) -> tuple[str, ...]:
+    """The links whose equilibrium a force plan is: 2 and 3 of "force:2-3"."""
+    return tuple(plan.partition(":")[2].split("-"))
+
+
+def force_plan(*links: str) -> str:
+    """The force plan of a group, or of the driver."""
+    return at("force", "-".join(links))
+
+
 def written(direction: str) -> str:
     """A direction as people write it."""
     return direction.rstrip(AGAIN).replace("⊥∥", "⊥")

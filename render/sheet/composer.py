@@ -6,12 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-from planes.plans.scales import kind_of
 from planes.scene import Scene
 from planes.solving import Position
 from planes.solving.vectors import PLAN, VectorResults
 from planes.words import Lang, say
-from planes.words.names import mu_of
+from planes.words.names import kind_of, links_of, mu_of
 from planes.words.units import mu_text
 from render.paper.names import Naming
 from render.paper.numbers import decimal
@@ -109,11 +108,10 @@ class Composer:
 
     def plan_name(self, plan: str) -> str:
         """The name of a plan in its title."""
-        kind, _, links = plan.partition(":")
-        if kind != "force":
-            return say(kind, self.lang)
-        numbers = "–".join(self.naming.link(x) for x in links.split("-"))
-        return say("force_group" if "-" in links else "force_driver", self.lang, links=numbers)
+        if kind_of(plan) != "force":
+            return say(plan, self.lang)
+        numbers = [self.naming.link(x) for x in links_of(plan)]
+        return say("force_group" if len(numbers) > 1 else "force_driver", self.lang, links="–".join(numbers))
 
     def formulas(self, plotted: Plotted, plans: tuple[str, ...], letter: float, title: str) -> View | None:
         """The vector equations of some plans."""
@@ -139,4 +137,4 @@ def drawn_plans(plotted: Plotted, position: Position) -> list[str]:
     """The plans that are shown: of rates if anything moves, and all of forces."""
     plans = position.plans.drawn
     rates = [p for p in plans if p in ("velocity", "acceleration") and not plotted.still(p)]
-    return rates + [p for p in plans if p.startswith("force") and not plotted.still(p)]
+    return rates + [p for p in plans if kind_of(p) == "force" and not plotted.still(p)]

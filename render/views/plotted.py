@@ -10,7 +10,7 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation
 from planes.solving import Position
 from planes.solving.vectors import PLAN, VectorResults
-from planes.words.names import at, label_of, mu_of, plan_of
+from planes.words.names import at, kind_of, label_of, mu_of, plan_of
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class Plotted:
 
     def kind(self, plan: str) -> str:
         """The kind of a plan, which tells the unit of its vectors."""
-        return self.quantity or plan.partition(":")[0]
+        return self.quantity or kind_of(plan)
 
     def still(self, plan: str) -> bool:
         """Whether every mark of the plan stands in its pole: there is nothing to draw."""

@@ -8,11 +8,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from planes.drafting.draft import Segment
-from planes.plans.scales import kind_of
 from planes.solving import Position
 from planes.solving.vectors import VectorResults
 from planes.words import say
-from planes.words.names import POLE, label_of
+from planes.words.names import POLE, kind_of, label_of
 from planes.words.units import UNIT
 from render.paper import symbols
 from render.paper.ink import head as ink_head

@@ -15,11 +15,11 @@ from planes.check.grading.paper import Paper
 from planes.check.grading.ways import Ways
 from planes.drafting.program import Program
 from planes.plans import Plans, state
-from planes.plans.scales import kind_of, scales
+from planes.plans.scales import scales
 from planes.scene import Scene
 from planes.words import Phrase
 from planes.words.errors import PlanesError, valid_names
-from planes.words.names import POLE, label_of, mu_of, plan_of
+from planes.words.names import POLE, kind_of, label_of, mu_of, plan_of
 from planes.words.spelling import Names
 
 

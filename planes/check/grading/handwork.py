@@ -16,6 +16,7 @@ from planes.drafting.program import Program
 from planes.drafting.steps import Aim, Same, Step, Turn
 from planes.drafting.steps.reckoning import Measure
 from planes.words import Written
+from planes.words.names import POLE, label_of, plan_of
 
 LEAST_MM = 0.1  # no mark on paper is surer than this
 
@@ -141,8 +142,7 @@ class Hand:
 
     def _own(self, mark: str) -> bool:
         """Whether a mark is a person's own (the pole is)."""
-        plan, _, label = mark.rpartition(":")
-        return mark in self.taken or (label == "p" and any(m.startswith(plan + ":") for m in self.taken))
+        return mark in self.taken or (label_of(mark) == POLE and any(plan_of(m) == plan_of(mark) for m in self.taken))
 
     def misses(self, marks: Sequence[str], made: Mapping[str, Any] | None = None) -> dict[str, Miss]:
         """What each of the marks misses by, for the steps as they are (or as ``made`` by a variant)."""

@@ -11,7 +11,7 @@ from planes.check.grading.ways import Ways
 from planes.drafting.steps import Carry, Cross, Image, LayOff, Read, Same, Similar, Step
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.drafting.tools import Env, Tool
-from planes.words.names import POLE, at, label_of, mu_of
+from planes.words.names import POLE, at, label_of, mu_of, plan_of
 
 
 def motion_variants(w: Ways) -> Iterator[Variant]:
@@ -190,11 +190,11 @@ def _normal(w: Ways, step: LayOff) -> Iterator[Variant]:
 def _velocities(w: Ways, step: LayOff, but: str) -> Iterator[tuple[str, tuple[Step, ...]]]:
     """Other speeds of the velocity plan, with the step that reads each where none does yet."""
     for name, made in w.steps.items():
-        plain = isinstance(made, Measure) and made.start.startswith("velocity:") and "slide" not in name
+        plain = isinstance(made, Measure) and plan_of(made.start) == "velocity" and "slide" not in name
         if name != but and name.startswith("v_") and plain and w.before(name, step):
             yield name, ()
     for name, made in w.steps.items():
-        if made.kind == "mark" and name.startswith("velocity:") and label_of(name) != POLE and w.before(name, step):
+        if made.kind == "mark" and plan_of(name) == "velocity" and label_of(name) != POLE and w.before(name, step):
             tag = f"{step.makes} v_{label_of(name).upper()}"
             yield tag, (Measure(tag, at("velocity", POLE), name, None, mu_of("velocity")),)
 

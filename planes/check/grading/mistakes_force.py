@@ -9,7 +9,7 @@ from planes.check.grading.handwork import Variant
 from planes.check.grading.ways import Ways
 from planes.drafting.steps import Cross, LayOff, Same, Step, Through
 from planes.drafting.steps.reckoning import Calculate, Drop, Lean, Measure, Product
-from planes.words.names import label_of
+from planes.words.names import label_of, plan_of
 
 
 def force_variants(w: Ways) -> Iterator[Variant]:
@@ -155,7 +155,7 @@ def _reaction(w: Ways, step: Cross) -> Iterator[Variant]:
 def _links(w: Ways, step: Cross) -> list[str]:
     """Directions of links on the scheme."""
     own = (step.along, step.across)
-    rays = [s for s in w.program.steps if isinstance(s, Through) and s.start.startswith("position:")]
+    rays = [s for s in w.program.steps if isinstance(s, Through) and plan_of(s.start) == "position"]
     return [s.makes for s in rays if s.makes not in own]
 
 

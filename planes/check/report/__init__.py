@@ -32,9 +32,9 @@ from planes.check.report.rows import mark_rows, result_rows
 from planes.check.report.shown import own_marks, own_order, shown_plans, vectors
 from planes.check.sight.photograph import blank_pole
 from planes.plans.measuring import say_plan
-from planes.plans.scales import extent, kind_of
+from planes.plans.scales import extent
 from planes.words import Lang, Phrase, Written, decimal, say
-from planes.words.names import POLE, label_of, plan_of
+from planes.words.names import POLE, kind_of, label_of, plan_of
 from planes.words.units import mu_text
 
 Pair = list[float]

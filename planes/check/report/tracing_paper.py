@@ -11,9 +11,8 @@ from planes.check.grading.polygons import sides_of
 from planes.check.report.shown import vectors
 from planes.drafting.drawing import run
 from planes.plans.measuring import say_plan
-from planes.plans.scales import kind_of
 from planes.words import Lang
-from planes.words.names import POLE, label_of
+from planes.words.names import POLE, kind_of, label_of
 from planes.words.units import mu_text
 
 
