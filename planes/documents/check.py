@@ -17,6 +17,7 @@ from planes.check.report.rows import as_json, mark_rows
 from planes.check.report.shown import leads, shown_plans
 from planes.check.report.tracing_paper import tracing_data
 from planes.check.sight.photograph import blank_pole
+from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
 from planes.scene import Scene
 from planes.scene.files import save
@@ -170,16 +171,12 @@ def _tables(found: Outcome, name: Callable[[str], str], naming: Naming) -> list[
 
 
 def _naming(found: Outcome, lang: Lang) -> Naming:
-    return _naming_of(found.bench.asked.scene, lang)
-
-
-def _naming_of(scene: Scene, lang: Lang) -> Naming:
-    return Naming(lang, scene.frame_number, scene.sheet.get("reactions") == "from-on")
+    return Naming(lang, **lettering(found.bench.asked.scene, found.bench.plans))
 
 
 def spelling(scene: Scene, lang: Lang) -> Callable[[str], str]:
     """How the sheets of a scene letter the vectors of its force plans."""
-    return _naming_of(scene, lang).vector
+    return Naming(lang, **lettering(scene)).vector
 
 
 def _upper(name: str) -> str:

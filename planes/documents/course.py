@@ -135,7 +135,7 @@ class Desk:
 
     def set(self, blocks: list[Block], shown: Position | None = None) -> bytes:
         """Blocks as a PDF."""
-        composer = Composer(self.scene, self.order.lang)
+        composer = Composer(self.scene, self.order.lang, self.drawn.plans)
         return set_note(blocks, figures(blocks, composer, shown or self.drawn), composer.naming, ".pdf")
 
     def blank(self) -> bytes:

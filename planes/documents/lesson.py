@@ -69,7 +69,7 @@ def note(scene: Scene, values: list[float] | None, suffix: str, lang: Lang) -> b
     """The contents of a note's file."""
     drawn = placed(scene, values, lang)
     blocks = Note(scene, drawn, lang).blocks()
-    composer = Composer(scene, lang)
+    composer = Composer(scene, lang, drawn.plans)
     return set_note(blocks, figures(blocks, composer, drawn), composer.naming, suffix)
 
 

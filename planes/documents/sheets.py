@@ -27,13 +27,13 @@ from render.views import View
 
 def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", number: int | None = None) -> Sheet:
     """The composed sheet of one position, or of vectors alone; ``number`` is that of a sheet of a project."""
-    composer = Composer(scene, lang)
     if scene.mechanism is None:
         check_names(scene, None)
-        found = solve_vectors(scene)
+        found, composer = solve_vectors(scene), Composer(scene, lang)
         return compose(scene, Contents(lambda _, *how: (composer.vector_views(found, *how), [])), lang)
     drawn = Drawn(replace(scene, find=None) if number else scene, values, lang)
     check_names(scene, drawn.stated[0])
+    composer = Composer(scene, lang, drawn.stated[0])
     if number:
         return _numbered(drawn, composer, number)
 

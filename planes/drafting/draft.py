@@ -57,7 +57,7 @@ class Draft:
     def __init__(self) -> None:
         self.steps: dict[str, Step] = {}
         self.given: dict[str, Any] = {}
-        self.means: dict[str, Meaning] = {}  # of givens
+        self.means: dict[str, Meaning] = {}  # of givens and vectors
         self.off: dict[str, float] = {}  # how far reckoned givens may be from what the scene's decimals make of them
         self.equations: list[Equation] = []
         self.moments: list[Moments] = []

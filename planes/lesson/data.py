@@ -15,10 +15,11 @@ from planes.drafting.steps.reckoning import Choose
 from planes.lesson import LANGS, Teller, mu_said, needed, value_of
 from planes.lesson.formulas import unit
 from planes.lesson.practice import Practice, told_values
-from planes.lesson.scheme import arms, feet, related, scheme
+from planes.lesson.scheme import arms, feet, pivots, related, scheme
 from planes.lesson.steps import action, whole
 from planes.lesson.zones import reasons, zones
 from planes.plans import Plans, state
+from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
 from planes.plans.scales import scales
 from planes.scene import Scene
@@ -49,10 +50,10 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> dict[str, Any
     return {
         "title": dict(scene.title),
         "formula": plans.structure.formula.replace("->", "→"),
-        "frame": scene.frame_number,
+        "lettering": lettering(scene, plans),
         "drive": {"symbol": "φ" if plans.mechanism.drive.kind == "phi" else "s", "values": values, "at": index},
         "mus": mus,
-        "plans": [_plan(p, mus) for p in plans.drawn if p != "motion"],
+        "plans": [_plan(plans, p, mus) for p in plans.drawn if p != "motion"],
         "segments": _segments(plans, drawing),
         "traces": _traces(drawing),
         "scheme": scheme(plans, cycle),
@@ -87,10 +88,13 @@ def _cycle(plans: Plans, given: Mapping[str, Any], values: list[float]) -> Drawi
     return run(plans.program, {**given, **plans.at(numpy.array(values))})
 
 
-def _plan(plan: str, mus: Mapping[str, float]) -> dict[str, Any]:
+def _plan(plans: Plans, plan: str, mus: Mapping[str, float]) -> dict[str, Any]:
+    """A plan with its scale, its title and the letters of the fixed points of the scheme that stand in its pole."""
     kind = "velocity" if plan == "lever" else kind_of(plan)
     mu = {lang: mu_said(mus[mu_of(plan)], kind, lang) for lang in LANGS}
-    return {"key": plan, "mu": mu, "title": {lang: _capital(say_plan(plan, lang)) for lang in LANGS}}
+    prime = {"velocity": "", "acceleration": "'"}.get(plan)
+    fixed = [] if prime is None else [p.lower() + prime for p in pivots(plans.mechanism)]
+    return {"key": plan, "mu": mu, "title": {lang: _capital(say_plan(plan, lang)) for lang in LANGS}, "fixed": fixed}
 
 
 def _capital(text: str) -> str:
@@ -202,10 +206,12 @@ def _turn(plans: Plans, cycle: Drawing, count: int) -> dict[str, Any]:
         trial = step.makes in cycle.program.trials
         if step.kind == "mark" and not trial and plan_of(step.makes) != "motion":
             marks[step.makes] = cycle[step.makes]
-    marks |= feet(plans, cycle)
+    own = feet(plans, cycle)
+    marks |= own
     angles = {d: numpy.degrees(numpy.angle(cycle[d])) for d in _directions(plans, cycle)}
     return {
         "marks": {n: [column(numpy.real(z)), column(numpy.imag(z))] for n, z in marks.items()},
+        "helpers": [*(n for n in marks if n in plans.means and plans.means[n].helper), *own],
         "turned": {n: column(a) for n, a in angles.items()},
     }
 

@@ -14,7 +14,7 @@ from planes.plans.bodies import SCHEME, Bodies, Body, Spot
 from planes.plans.legs import Leg, legs_of
 from planes.plans.written import ratio
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE, at
+from planes.words.names import POLE, Meaning, at
 
 
 @dataclass(frozen=True)
@@ -88,6 +88,9 @@ class Rates:
         name = leg.known.name if leg.known.name != POLE else leg.symbol.removeprefix(leg.new.name)
         start = Term(self.letter + name, POLE, known, drawn=True, action="=0" if known == POLE else "")
         relative = self.letter + leg.symbol
+        if known == POLE and leg.pair:  # the point of the frame under the slider has no name of its own
+            grounded = Meaning("rate", leg.new.name, link=FRAME)
+            self.b.draft.means |= dict.fromkeys((self.letter + name, relative), grounded)
         if not self.quick:
             return start, Term(relative, known, new, direction=leg.along, action=leg.along)
         if leg.pair is None:

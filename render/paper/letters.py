@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from typing import Any, get_args
 
+from planes.words import Lang
 from render.paper.names import Naming, lettered
 
-_NAME = re.compile(r"⟨([^⟩]*)⟩")
+NAME = re.compile(r"⟨([^⟩]*)⟩")
 _PIECE = re.compile(r"([_^])\{([^}]*)\}")
 _PARTS = re.compile(r"^(F_.*\d)([tn])$")
 
@@ -25,13 +27,21 @@ class Piece:
 def pieces(text: str, naming: Naming, plan: str = "") -> Iterator[Piece]:
     """The runs of a sentence."""
     end = 0
-    for match in _NAME.finditer(text):
+    for match in NAME.finditer(text):
         if match.start() > end:
             yield Piece(text[end : match.start()])
         yield from _split(_named(match[1], naming, plan))
         end = match.end()
     if end < len(text):
         yield Piece(text[end:])
+
+
+def written(names: Iterable[str], lettering: Mapping[str, Any]) -> dict[str, dict[str, list[tuple[str, str]]]]:
+    """Names for a page's script, in both languages: pieces of text, each lowered ("sub"), raised or neither."""
+    namings, names = [Naming(lang, **lettering) for lang in get_args(Lang)], dict.fromkeys(names)
+    pole = {"acceleration:p": [("π", "")]}
+    return {n.lang: pole | {name: [(p.text, p.shift) for p in _split(_named(name, n, ""))] for name in names}
+            for n in namings}  # fmt: skip
 
 
 def _named(name: str, naming: Naming, plan: str) -> str:

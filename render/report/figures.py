@@ -48,7 +48,7 @@ def chart(block: Chart, lang: Lang) -> Picture:
 
 def drawn(block: Drawn, lang: Lang) -> tuple[list[Figure], str]:
     """The plans of one position, side by side where they fit, and their title with every μ."""
-    composer, plotted = Composer(block.scene, lang), of_position(block.position)
+    composer, plotted = Composer(block.scene, lang, block.position.plans), of_position(block.position)
     views, names = [], []
     for name in block.views:
         if name == "scheme":

@@ -6,6 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
+from planes.plans import Plans
+from planes.plans.lettering import lettering
 from planes.scene import Scene
 from planes.solving import Position
 from planes.solving.vectors import PLAN, VectorResults
@@ -32,14 +34,14 @@ class Composer:
 
     scene: Scene
     lang: Lang
+    stated: Plans | None = None  # of a mechanism: what its names mean
     made: dict[tuple[object, ...], View | None] = field(default_factory=dict)
     details: dict[tuple[str, float], int] = field(default_factory=dict)  # how many a plan has at its μ
 
     @property
     def naming(self) -> Naming:
         """How this sheet names things."""
-        driver = self.scene.mechanism.drive.link if self.scene.mechanism else ""
-        return Naming(self.lang, self.scene.frame_number, self.scene.sheet.get("reactions") == "from-on", driver)
+        return Naming(self.lang, **lettering(self.scene, self.stated))
 
     def once(self, key: tuple[object, ...], make: Callable[[], View | None]) -> View | None:
         """The view of that key, made the first time it is asked for."""
