@@ -15,7 +15,7 @@ from planes.scene.mechanism import Load, Mechanism
 from planes.solving import Position, told
 from planes.solving.tables import say_mu
 from planes.words import Lang, decimal, say
-from planes.words.names import POLE, kind_of, label_of
+from planes.words.names import POLE, at, kind_of, label_of
 
 _ANGLES = {"alpha": "α", "beta": "β", "gamma": "γ"}
 NOISE_MM = 1e-6  # a segment shorter than this is nothing
@@ -137,12 +137,13 @@ def segments(drawn: Position, name: str, plan: Mapping[str, Any], lang: Lang) ->
 
 def _vector(drawn: Position, s: Segment) -> str:
     """The name of a segment: a whole vector of rates from the pole by its point."""
-    label = s.end.rstrip("'")
-    if s.plan not in ("velocity", "acceleration") or s.start != POLE or label.startswith(("n_", "k_")):
+    corner = at(s.plan, s.end) in drawn.drawing.program.corners
+    if s.plan not in ("velocity", "acceleration") or s.start != POLE or corner:
         return s.name
     marks = ((m.velocity if s.plan == "velocity" else m.acceleration, p) for p, m in drawn.plans.points.items())
     points = {label_of(mark): point for mark, point in marks}
-    return f"{s.plan[0]}_{points.get(s.end, label.upper())}"
+    point = points.get(s.end) or s.end.rstrip("'").upper()
+    return f"{s.plan[0]}_{point}"
 
 
 def _mm(size: float, lang: Lang) -> str:

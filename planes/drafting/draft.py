@@ -140,9 +140,9 @@ class Draft:
         """A segment read off its plan, in SI."""
         return self.step(Measure(name, start, end, along, mu_of(plan_of(start))))
 
-    def arm(self, name: str, point: str, along: str, about: str) -> str:
+    def arm(self, name: str, point: str, along: str, about: str, means: Meaning | None = None) -> str:
         """The arm of a line of action about a mark, in SI."""
-        return self.step(Drop(name, point, along, about, mu_of(plan_of(point))))
+        return self.step(Drop(name, point, along, about, mu_of(plan_of(point)), means=means))
 
     def product(self, name: str, coefficient: float = 1.0, **factors: int) -> str:
         """One product of powers of values, e.g. v²/l."""
@@ -192,7 +192,8 @@ class Draft:
     def lay(self, plan: str, term: Term, start: str | None = None) -> str:
         """Lay a known vector off (or find it drawn already); the mark it ends at."""
         if not term.drawn and term.length and term.direction:
-            return self.lay_off(plan, term.end, start or at(plan, term.start), term.direction, term.length)
+            place = start or at(plan, term.start)
+            return self.lay_off(plan, term.end, place, term.direction, term.length, term.means)
         return at(plan, term.end)
 
     def _meet(self, equation: Equation, ends: list[str], open_terms: list[list[Term]]) -> None:

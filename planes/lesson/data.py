@@ -108,6 +108,7 @@ def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
     for s in plans.segments:
         if s.start != s.end and s.plan not in ("position", "motion") and at(s.plan, s.end) in drawing:
             new: dict[str, Any] = {"plan": s.plan, "start": s.start, "end": s.end, "names": []}
+            new["corner"] = at(s.plan, s.end) in drawing.program.corners
             names = found.setdefault((s.plan, s.start, s.end), new)["names"]
             name = named.get(s.name, s.name)
             names += [name] * (name not in names)
@@ -211,7 +212,7 @@ def _turn(plans: Plans, cycle: Drawing, count: int) -> dict[str, Any]:
     angles = {d: numpy.degrees(numpy.angle(cycle[d])) for d in _directions(plans, cycle)}
     return {
         "marks": {n: [column(numpy.real(z)), column(numpy.imag(z))] for n, z in marks.items()},
-        "helpers": [*(n for n in marks if n in plans.means and plans.means[n].helper), *own],
+        "helpers": [*(n for n in marks if n in plans.helpers), *own],
         "turned": {n: column(a) for n, a in angles.items()},
     }
 

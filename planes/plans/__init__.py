@@ -24,7 +24,7 @@ from planes.plans.structure import Structure, analyse
 from planes.scene.mechanism import FRAME, Law, Mechanism
 from planes.words import Phrase
 from planes.words.errors import ProgramError, SceneError
-from planes.words.names import Meaning, at, mu_of, plan_of
+from planes.words.names import HELPERS, Meaning, at, mu_of, plan_of
 
 
 @dataclass(frozen=True)
@@ -88,6 +88,11 @@ class Plans:
                 if name in reads and name not in known:
                     raise error
         return {self.drive_given: value}
+
+    @property
+    def helpers(self) -> frozenset[str]:
+        """Marks that are drawn and never asked of anybody."""
+        return frozenset(n for n, m in self.means.items() if m.quantity in HELPERS)
 
     @property
     def lengths(self) -> dict[str, float]:

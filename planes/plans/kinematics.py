@@ -99,11 +99,11 @@ class Rates:
             part, value, along = "k", self.coriolis(leg), self.b.draft.square(f"⊥{leg.along}", leg.along)
         else:
             return start, Term(relative, known, new, direction=leg.along, action=leg.along)
-        middle = f"{part}_{leg.symbol}"
+        middle, means = f"{part}_{leg.symbol}", Meaning("coriolis" if leg.pair else "normal", leg.symbol)
         rest = "t" if leg.pair is None else "r"
         return (
             start,
-            Term(f"{relative}^{part}", known, middle, length=value, direction=along, action=along or ""),
+            Term(f"{relative}^{part}", known, middle, length=value, direction=along, action=along or "", means=means),
             Term(f"{relative}^{rest}", middle, new, direction=leg.along, action=leg.along),
         )
 
@@ -222,7 +222,7 @@ def swing(r: Rates, body: Body, spot: Spot) -> None:
     middle = "n_" + name.removeprefix(r.letter)
     chain = (
         *base,
-        Term(f"{name}^n", start, middle, length=normal, direction=inwards, action=inwards),
+        Term(f"{name}^n", start, middle, length=normal, direction=inwards, action=inwards, means=Meaning("normal")),
         Term(f"{name}^t", middle, end, length=tangential, direction=across, action=across),
     )
     d.draw(Equation(r.plan, (chain, ()), total))

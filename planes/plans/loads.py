@@ -8,7 +8,7 @@ from planes.drafting.steps.reckoning import Sense, SenseOf
 from planes.plans.bodies import SCHEME, Bodies, Spot
 from planes.plans.kinematics import Rates
 from planes.scene.mechanism import FRAME, Link, Load
-from planes.words.names import POLE, at
+from planes.words.names import POLE, Meaning, Quantity, at
 
 
 @dataclass(frozen=True)
@@ -20,7 +20,13 @@ class Force:
     size: str
     along: str
     point: str
+    quantity: Quantity
     spot: Spot | None = None
+
+    @property
+    def means(self) -> Meaning:
+        """What its mark on a force plan stands for."""
+        return Meaning(self.quantity, self.name, link=self.link)
 
 
 @dataclass(frozen=True)
@@ -71,10 +77,10 @@ class Acting:
         gravity, mass = d.give("g", self.b.mechanism.gravity), d.give(f"m_{link.name}", link.mass)
         size = d.product(f"G_{link.name}", **{mass: 1, gravity: 1})
         down = d.aim("↓", -90.0)
-        self._add(Force(f"G_{link.name}", link.name, size, down, *self._centre(link)))
+        self._add(Force(f"G_{link.name}", link.name, size, down, *self._centre(link, "weight")))
 
-    def _centre(self, link: Link) -> tuple[str, Spot]:
-        return at(SCHEME, link.mass_centre), Spot(link.mass_centre, link.mass_centre)
+    def _centre(self, link: Link, quantity: Quantity) -> tuple[str, Quantity, Spot]:
+        return at(SCHEME, link.mass_centre), quantity, Spot(link.mass_centre, link.mass_centre)
 
     def _inertia(self, link: Link) -> None:
         d, rates = self.b.draft, self.accelerations
@@ -90,7 +96,7 @@ class Acting:
         rate = d.measure(f"a_{link.mass_centre}", pole, mark)
         size = d.product(f"I_{link.name}", **{d.give(f"m_{link.name}", link.mass): 1, rate: 1})
         back = d.through(f"-a_{link.mass_centre}", mark, pole)
-        self._add(Force(f"I_{link.name}", link.name, size, back, *self._centre(link)))
+        self._add(Force(f"I_{link.name}", link.name, size, back, *self._centre(link, "inertia")))
 
     def _force(self, load: Load, suffix: str) -> str:
         d, point = self.b.draft, load.point or ""
@@ -108,7 +114,7 @@ class Acting:
         else:
             along = d.aim(f"∠{name}", load.direction_deg or 0.0)
             size = d.product(name, **{size: 1})
-        self._add(Force(name, load.link, size, along, at(SCHEME, point), Spot(point, point)))
+        self._add(Force(name, load.link, size, along, at(SCHEME, point), "load", Spot(point, point)))
         return size
 
     def _axis(self, link: str) -> str:

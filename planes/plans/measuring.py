@@ -62,7 +62,7 @@ def catalogue(st: Plans) -> dict[str, Quantity]:
         add(name, (f"zhukovsky_{what}",), st.zhukovsky)
     for s in st.segments:
         ends = at(s.plan, s.start), at(s.plan, s.end)
-        if s.plan != "motion" and s.start != s.end and not any(n in st.means and st.means[n].helper for n in ends):
+        if s.plan != "motion" and s.start != s.end and not any(n in st.helpers for n in ends):
             add(s.name, ("plans", s.plan, s.name), *ends)
     return found
 

@@ -28,7 +28,7 @@ class DriverForces:
         self.d.pole(self.plan)
         start, terms = POLE, []
         for f in self.forces:
-            terms.append(Term(f.name, start, f.name, f.size, f.along, f.along))
+            terms.append(Term(f.name, start, f.name, f.size, f.along, f.along, means=f.means))
             start = f.name
         for term in terms:
             self.d.lay(self.plan, term)

@@ -96,7 +96,7 @@ class _GroupForces:
         terms = []
         for f in forces:
             end = f.name.replace("^", "")
-            terms.append(Term(f.name, start, end, f.size, f.along, f.along))
+            terms.append(Term(f.name, start, end, f.size, f.along, f.along, means=f.means))
             start = end
         return tuple(terms)
 
@@ -137,7 +137,7 @@ class _GroupForces:
         name = force_name(link, pair.mate(link)) + "^t"
         d.total(name, products)
         d.moments.append(Moments(about, links, shown, name, length))
-        return [Force(name, link, name, d.square(f"⊥{ray}", ray), at(SCHEME, pair.point))]
+        return [Force(name, link, name, d.square(f"⊥{ray}", ray), at(SCHEME, pair.point), "tangential")]
 
     def read(self, head_end: str, e_a: str, tail_start: str, x: str) -> None:
         """Reactions of the three pairs as segments, the couples of the sliding ones, and hand them on."""

@@ -9,25 +9,25 @@ from typing import Literal
 POLE = "p"
 AGAIN = "~"
 """Ends the name of a direction that is drawn a second time, from other marks: to people it is the same line."""
-Quantity = Literal["guide", "foot", "trial", "length", "angle", "force", "couple", "rate"]
+Quantity = Literal["guide", "foot", "trial", "normal", "coriolis", "weight", "inertia", "load",
+                   "tangential", "reaction", "arm", "length", "angle", "rate"]  # fmt: skip
+
+HELPERS = ("guide", "foot", "trial")
+"""Marks that are drawn and never asked of anybody."""
 
 
 @dataclass(frozen=True)
 class Meaning:
     """What a name stands for: a quantity ``of`` a thing, ``about`` another, that belongs to a ``link``.
 
-    Of marks "guide" is the place of a guide or a place beside it, "foot" stands on it, "trial" is a supposition.
+    Of marks "guide" is the place of a guide or a place beside it, "foot" stands on it, "trial" is a supposition; at a
+    "normal" or a "coriolis" ends that part of a vector.
     """
 
     quantity: Quantity
     of: str = ""
     about: str = ""
     link: str = ""
-
-    @property
-    def helper(self) -> bool:
-        """Whether it is a mark that is drawn and never asked of anybody."""
-        return self.quantity in ("guide", "foot", "trial")
 
 
 def at(plan: str, label: str) -> str:

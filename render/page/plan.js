@@ -47,7 +47,7 @@ class Plan extends Figure {
   segment(s, there, lit, force, names) {
     let a = there(`${s.plan}:${s.start}`), b = there(`${s.plan}:${s.end}`);
     if (!a || !b) return;
-    const whole = force ? s.names.some(n => !n.includes("^")) : s.start === "p" && !/^[nk]_/.test(s.end);
+    const whole = force ? s.names.some(n => !n.includes("^")) : s.start === "p" && !s.corner;
     const on = s.names.some(n => lit.has(n));
     if (force) [a, b] = this.aside(a, b);
     this.arrow(a, b, (whole ? "result" : "part") + (on ? " lit" : ""), s.names.join(" "));

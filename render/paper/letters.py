@@ -54,7 +54,7 @@ def _named(name: str, naming: Naming, plan: str) -> str:
         return f"{letter[0]}_{{{index}}}^{{{'Ж' if naming.lang == 'ru' else 'Z'}}}"
     if letter == "MR":
         return f"M({naming.vector(index)})"
-    if "'" in plain or plain == "p" or (letter in ("n", "k") and index):
+    if "'" in plain or plain == "p":
         return naming.mark(plain, plan)
     if not index:
         return lettered(plain)

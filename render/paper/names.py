@@ -38,9 +38,6 @@ class Naming:
         if label == "p":
             return "π" if plan == "acceleration" else "p"
         primes, label = len(label) - len(label.rstrip("'′")), label.rstrip("'′")
-        letter, _, index = label.partition("_")
-        if index and letter in ("n", "k"):
-            return f"{letter}_{{{index}}}"
         return lettered(label) + PRIME * primes
 
     def vector(self, name: str) -> str:

@@ -123,7 +123,7 @@ def _normals(w: Ways, start: str, end: str) -> Iterator[str]:
     """Ends of normal parts laid off from ``start`` on the way to ``end``."""
     meets = w.steps.get(end)
     for step in w.own:
-        normal = isinstance(step, LayOff) and label_of(step.makes).startswith("n_") and step.start == start
+        normal = step.quantity == "normal" and isinstance(step, LayOff) and step.start == start
         if normal and isinstance(meets, Cross) and step.makes in (meets.start, meets.other):
             yield step.makes
 
@@ -158,10 +158,9 @@ class Mirror(Step):
 
 
 def _laid_quick(w: Ways, step: LayOff) -> Iterator[Variant]:
-    label = label_of(step.makes)
-    if label.startswith("n_"):
+    if step.quantity == "normal":
         yield from _normal(w, step)
-    elif label.startswith("k_"):
+    elif step.quantity == "coriolis":
         yield from _coriolis(w, step)
     elif line := w.link_line(step.along):
         yield w.variant("tangential_along_link", step, replace(step, along=line), about={"line": line})

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar, Literal
 
 from planes.drafting.tools import Env, Tool
-from planes.words.names import Meaning
+from planes.words.names import HELPERS, Meaning
 
 Kind = Literal["mark", "direction", "value", "place"]
 Read = tuple[str, Kind]
@@ -26,14 +26,19 @@ class Step:
     kind: ClassVar[Kind] = "mark"
 
     @property
+    def quantity(self) -> str:
+        """What kind of thing the name stands for, "" where its maker does not say."""
+        return self.means.quantity if self.means else ""
+
+    @property
     def helper(self) -> bool:
         """Whether it draws a mark that nobody is asked for."""
-        return self.means is not None and self.means.helper
+        return self.quantity in HELPERS
 
     @property
     def loose(self) -> bool:
         """Whether it draws a mark that may lie anywhere, a guide's place or a trial: no part of what a plan shows."""
-        return self.means is not None and self.means.quantity in ("guide", "trial")
+        return self.quantity in ("guide", "trial")
 
     def reads(self) -> tuple[Read, ...]:
         """Names of what the step needs, each with its kind."""
