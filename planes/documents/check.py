@@ -23,7 +23,7 @@ from planes.scene import Scene
 from planes.scene.files import save
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
-from planes.words.names import POLE, kind_of
+from planes.words.names import POLE, kind_of, parted
 from planes.words.units import mu_text
 from render.files import pdf, png, svg
 from render.page import check_page, class_page, trace_page
@@ -136,7 +136,7 @@ def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:
     verdicts = {r["mark"]: r["verdict"] for r in mark_rows(found)}
 
     def name(label: str) -> str:
-        return naming.vector(_upper(label)) if kind == "force" and label != POLE else naming.mark(label, kind)
+        return naming.vector(parted(label)) if kind == "force" and label != POLE else naming.mark(label, kind)
 
     first, said = found.first_wrong or "", found.sentence.told(lang)
     told = name(first) if first in verdicts else naming.vector(first)
@@ -177,8 +177,3 @@ def _naming(found: Outcome, lang: Lang) -> Naming:
 def spelling(scene: Scene, lang: Lang) -> Callable[[str], str]:
     """How the sheets of a scene letter the vectors of its force plans."""
     return Naming(lang, **lettering(scene)).vector
-
-
-def _upper(name: str) -> str:
-    """F_21t as the vector it is, F_21^t."""
-    return f"{name[:-1]}^{name[-1]}" if name.startswith("F_") and name[-1] in "tn" else name

@@ -31,12 +31,14 @@ class Force:
 
 @dataclass(frozen=True)
 class Couple:
-    """A couple on ``link``: the name of its value (N·m, counter-clockwise positive), times ``sign``."""
+    """A couple on ``link``: the name of its value (N·m, counter-clockwise positive), times ``sign``; ``handed`` over by
+    a sliding pair, or from outside."""
 
     name: str
     link: str
     value: str
     sign: int = 1
+    handed: bool = False
 
 
 def force_name(on: str, by: str) -> str:
@@ -101,7 +103,7 @@ class Acting:
     def _force(self, load: Load, suffix: str) -> str:
         d, point = self.b.draft, load.point or ""
         name = f"P_{load.link}{suffix}"
-        size = d.give(f"{name}_given", load.value)
+        size = d.give(f"{name}_given", load.value, means=Meaning("load", name, link=load.link))
         if load.sense:
             ends = at(self.motion.plan, POLE), self.motion.mark(point)
             moving = d.step(Sense(f"moves_{point}", *ends, None, tuple(self.motion.driven)))
@@ -124,7 +126,7 @@ class Acting:
         d, link = self.b.draft, load.link
         letter = "MP" if link == self.b.mechanism.drive.link else "M"
         name = f"{letter}_{link}{suffix}"
-        value = d.give(f"{name}_given", load.value)
+        value = d.give(f"{name}_given", load.value, means=Meaning("couple", name, link=link))
         if not load.sense:
             self.couples[link].append(Couple(name, link, d.product(name, **{value: 1})))
             return name

@@ -83,7 +83,7 @@ def _balanced(s: Statics) -> Iterator[Proof]:
     drive = s.b.mechanism.drive
     for link in s.b.mechanism.links:
         forces = [(f.size, f.along, f.point) for f in s.acting.forces[link] if f.spot]
-        couples = [(c.value, c.sign) for c in s.acting.couples[link] if not c.name.startswith("MR_")]
+        couples = [(c.value, c.sign) for c in s.acting.couples[link] if not c.handed]
         sides = []
         for r in s.reactions.values():
             if r.pair.joins(link):

@@ -94,4 +94,4 @@ class Statics:
         self.acting.forces[to].append(self.as_force(r, to))
         if r.moment:
             sign = 1 if to == r.pair.link else -1
-            self.acting.couples[to].append(Couple(f"{r.moment}", to, r.moment, sign))
+            self.acting.couples[to].append(Couple(r.moment, to, r.moment, sign, True))

@@ -165,7 +165,7 @@ class _GroupForces:
             pushed = s.as_force(seated, g.last)
             sign = 1 if seated.pair.link == g.last else -1
             if g.last_outer.kind == "P":
-                couples = [*self.couples[g.last], Couple(seated.moment, g.last, seated.moment, sign)]
+                couples = [*self.couples[g.last], Couple(seated.moment, g.last, seated.moment, sign, True)]
                 s.seat(found["last"], g.last, about, [*self.loads[g.last], pushed], couples)
             return
         for which, pair, link in (("first", g.first_outer, g.first), ("last", g.last_outer, g.last)):

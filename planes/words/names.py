@@ -3,13 +3,14 @@ and its links, the scale of a plan, the pole. Whoever makes a name says what it 
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import Literal
 
 POLE = "p"
 AGAIN = "~"
 """Ends the name of a direction that is drawn a second time, from other marks: to people it is the same line."""
-Quantity = Literal["guide", "foot", "trial", "normal", "coriolis", "weight", "inertia", "load",
+Quantity = Literal["guide", "foot", "trial", "normal", "coriolis", "weight", "inertia", "load", "couple",
                    "tangential", "reaction", "arm", "length", "angle", "rate"]  # fmt: skip
 
 HELPERS = ("guide", "foot", "trial")
@@ -63,6 +64,11 @@ def force_plan(*links: str) -> str:
 def written(direction: str) -> str:
     """A direction as people write it."""
     return direction.rstrip(AGAIN).replace("⊥∥", "⊥")
+
+
+def parted(label: str) -> str:
+    """A mark of a force plan as the part of a vector that ends there: F_21t, F_21^t."""
+    return re.sub(r"^(F_[^^]*)([tn])$", r"\1^\2", label)
 
 
 def mu_of(plan: str) -> str:

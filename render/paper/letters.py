@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from typing import Any, get_args
 
 from planes.words import Lang
+from planes.words.names import parted
 from render.paper.names import Naming, lettered
 
 NAME = re.compile(r"⟨([^⟩]*)⟩")
 _PIECE = re.compile(r"([_^])\{([^}]*)\}")
-_PARTS = re.compile(r"^(F_.*\d)([tn])$")
 
 
 @dataclass(frozen=True)
@@ -50,15 +50,11 @@ def _named(name: str, naming: Naming, plan: str) -> str:
     letter, _, index = plain.partition("_")
     if letter in ("h", "H") and index:
         return naming.arm(index.partition("^")[0].rpartition("_")[0] if letter == "h" else index, plain)
-    if letter in ("MZ", "FZ"):
-        return f"{letter[0]}_{{{index}}}^{{{'Ж' if naming.lang == 'ru' else 'Z'}}}"
-    if letter == "MR":
-        return f"M({naming.vector(index)})"
     if "'" in plain or plain == "p":
         return naming.mark(plain, plan)
     if not index:
         return lettered(plain)
-    return naming.vector(_PARTS.sub(r"\1^\2", plain))
+    return naming.vector(parted(plain))
 
 
 def _split(text: str) -> Iterator[Piece]:

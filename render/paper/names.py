@@ -44,6 +44,10 @@ class Naming:
         """A vector or a value: v_CB, a_HL^k, F_21^t, G_2, I_2, P_5, omega_2, M_3, l_AB, omegaq_2 of a unit drive."""
         base, _, part = name.partition("^")
         letter, _, index = base.partition("_")
+        if letter == "MR":
+            return f"M({self.vector(index)})"
+        if letter in ("MZ", "FZ"):
+            letter, part = letter[0], "Ж" if self.lang == "ru" else "Z"
         letter, analogue = rate_of(letter)
         if letter in ("F", "R") and index:
             index = self.reaction(index)

@@ -19,7 +19,7 @@ from planes.plans.scales import scales
 from planes.scene import Scene
 from planes.words import Phrase
 from planes.words.errors import PlanesError, valid_names
-from planes.words.names import POLE, kind_of, label_of, mu_of, plan_of
+from planes.words.names import POLE, kind_of, label_of, mu_of, parted, plan_of
 from planes.words.spelling import Names
 
 
@@ -49,16 +49,11 @@ class Bench:
 
     def written(self, vectors: Iterable[str]) -> Names:
         """Names of vectors of a force plan as sheets of the scene letter them, and as the program does."""
-        return Names(vectors, spelt=lambda name: self.asked.spelt(_parted(name)))
+        return Names(vectors, spelt=lambda name: self.asked.spelt(parted(name)))
 
     def ways(self) -> Ways:
         """The steps a mistake may change."""
         return Ways(self.plans, self.program, self.asked.plan)
-
-
-def _parted(name: str) -> str:
-    """F_21t as the part of a vector it is, F_21^t."""
-    return f"{name[:-1]}^{name[-1]}" if name.startswith("F_") and name[-1] in "tn" else name
 
 
 def prepare(asked: Asked) -> Bench:
