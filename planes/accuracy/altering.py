@@ -18,8 +18,8 @@ def altered(plans: Plans, name: str, value: float) -> Plans:
 
 def changed(one: Plans, two: Plans) -> list[str]:
     """The givens in which two mechanisms of the same structure differ."""
-    far = lambda n, v: n not in one.given or abs(v - one.given[n]) > 1e-12 * max(1.0, abs(v))  # noqa: E731
-    return [n for n, v in two.given.items() if far(n, v)]
+    old = one.given
+    return [n for n, v in two.given.items() if n not in old or abs(v - old[n]) > 1e-12 * max(1.0, abs(v))]
 
 
 def alterable(plans: Plans, names: Iterable[str]) -> list[str]:
