@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 from planes.plans import Plans, state
 from planes.plans.assembly import WORDS_OF_KIND
 from planes.scene.mechanism import Assembly, Link, Mechanism
-
-LENGTH, ANGLE = "l_", "angle_∥"  # how the names of such givens begin
 
 
 def altered(plans: Plans, name: str, value: float) -> Plans:
@@ -19,31 +18,32 @@ def altered(plans: Plans, name: str, value: float) -> Plans:
 
 def changed(one: Plans, two: Plans) -> list[str]:
     """The givens in which two mechanisms of the same structure differ."""
-    return [n for n, v in two.given.items() if abs(v - one.given[n]) > 1e-12 * max(1.0, abs(v))]
+    old = one.given
+    return [n for n, v in two.given.items() if n not in old or abs(v - old[n]) > 1e-12 * max(1.0, abs(v))]
 
 
-def alterable(plans: Plans, names: list[str]) -> list[str]:
-    """Those of the names that can be altered, with nothing but other lengths and angles following."""
+def alterable(plans: Plans, names: Iterable[str]) -> list[str]:
+    """Those of the names that can be altered, with nothing but other lengths of links and angles of guides following:
+    the givens whose makers say what they mean."""
     found = []
-    for name in names:
+    means = {n: m for n, m in plans.means.items() if m.quantity in ("length", "angle")}
+    for name in (n for n in names if n in means):
         value = float(plans.given[name])
-        follow = changed(plans, altered(plans, name, value * 1.01 if name.startswith(LENGTH) else value + 1.0))
-        if name in follow and all(n.startswith((LENGTH, ANGLE)) for n in follow):
+        follow = changed(plans, altered(plans, name, value * 1.01 if means[name].quantity == "length" else value + 1.0))
+        if name in follow and all(n in means for n in follow):
             found.append(name)
     return found
 
 
 def _link(plans: Plans, name: str, value: float) -> Link:
-    """The link it is a part of, altered; the frame as it is, if none is known to be."""
-    for link in (plans.mechanism.frame, *plans.mechanism.links.values()):
-        guide = link.guides.get(name.removeprefix(ANGLE))
-        if guide and name.startswith(ANGLE):
-            return replace(link, guides={**link.guides, guide.name: replace(guide, angle_deg=value)})
-        for one, start in link.points.items():
-            for two, end in link.points.items():
-                if name == f"{LENGTH}{one}{two}" and abs(end - start) == plans.given[name]:
-                    return _stretched(link, start, value / abs(end - start))
-    return plans.mechanism.frame
+    """The link it is a part of, altered; as it is where a length ends at no point of it but beside a guide."""
+    means = plans.means[name]
+    link = plans.mechanism.link(means.link)
+    if means.quantity == "angle":
+        return replace(link, guides={**link.guides, means.of: replace(link.guides[means.of], angle_deg=value)})
+    if means.about not in link.points:
+        return link
+    return _stretched(link, link.points[means.of], value / plans.given[name])
 
 
 def _stretched(link: Link, start: complex, times: float) -> Link:

@@ -46,15 +46,10 @@ class Bench:
         return self.variants[k] if self.variants else self.plans
 
     @cached_property
-    def reach(self) -> float:
-        """The largest length given, m."""
-        return max((abs(v) for k, v in self.plans.given.items() if k.startswith("l_")), default=1.0)
-
-    @cached_property
     def working(self) -> Any:
         """Values of the drive, over a turn or around a slider's place, at which everything can be drawn."""
-        drive = self.plans.mechanism.drive
-        values = np.arange(360.0) if drive.kind == "phi" else drive.position + np.linspace(-0.1, 0.1, 360) * self.reach
+        drive, near = self.plans.mechanism.drive, np.linspace(-0.1, 0.1, 360)
+        values = np.arange(360.0) if drive.kind == "phi" else drive.position + near * self.plans.reach
         codes = np.hstack([b.codes for b in self.cycle.blocks(values, fast=False)])
         good = values[codes == 0]
         return good[np.linspace(0, len(good) - 1, min(FEW, len(good))).astype(int)] if len(good) else good
@@ -121,7 +116,7 @@ class Bench:
         """Velocities and accelerations from differences of exact places over a step (rad, or of the reach)."""
         drive = self.plans.mechanism.drive
         places = Cycle(self.plans, [f"r_{p}" for p in self.points], self.cycle.moved)
-        width, unit = (step, math.degrees(step)) if drive.kind == "phi" else (step * self.reach,) * 2
+        width, unit = (step, math.degrees(step)) if drive.kind == "phi" else (step * self.plans.reach,) * 2
 
         def at(value: Any) -> Any:
             return np.hstack([b.table for b in places.blocks(value, fast=False, bare=True)])

@@ -13,7 +13,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from planes.accuracy.altering import ANGLE, LENGTH, alterable
+from planes.accuracy.altering import alterable
 from planes.accuracy.bench import Bench
 from planes.accuracy.digits import Digits
 from planes.drafting.drawing import Drawing, run
@@ -42,7 +42,7 @@ class Way:
     def unit(self) -> Literal["rad", "m", "1"]:
         """What distances are in; "1": of a length, relative to itself."""
         if self.held is not None:
-            return "1" if self.name.startswith(LENGTH) else "rad"
+            return "1" if self.name in self.bench.plans.lengths else "rad"
         return "rad" if self.bench.plans.mechanism.drive.kind == "phi" else "m"
 
     @property
@@ -56,7 +56,7 @@ class Way:
         if self.unit == "1":
             return self.here * np.exp(np.linspace(-1, 1, 601) * math.log(WIDEST))
         if self.unit == "m":
-            return self.here + np.linspace(-3, 3, 1201) * self.bench.reach
+            return self.here + np.linspace(-3, 3, 1201) * self.bench.plans.reach
         return self.here + np.linspace(-180, 180, 721) / (1 if self.held is None else 2)
 
     def away(self, value: Any) -> float:
@@ -91,7 +91,7 @@ class Way:
         found: Any = 1.0
         for sharp in drawing.sharpness.values():
             found = ar.minimum(found, sharp)
-        slow = QUICK * abs(drive.velocity) * (self.bench.reach if drive.kind == "phi" else 1.0)
+        slow = QUICK * abs(drive.velocity) * (self.bench.plans.reach if drive.kind == "phi" else 1.0)
         if slow:
             found = ar.minimum(found, slow / (slow + self._largest(drawing, "v")))
         return found
@@ -105,7 +105,7 @@ class Way:
 
     def far(self, value: Any) -> bool:
         """Whether a point is far beyond the mechanism's reach."""
-        return bool(self._largest(self.draw(value, FINE), "r") > FAR * self.bench.reach)
+        return bool(self._largest(self.draw(value, FINE), "r") > FAR * self.bench.plans.reach)
 
 
 @dataclass(frozen=True)
@@ -129,7 +129,7 @@ def find(bench: Bench) -> Limit | None:
     if along:
         return along
     held = bluntest(bench)
-    names = alterable(bench.plans, [n for n in bench.cycle.program.givens if n.startswith((LENGTH, ANGLE))])
+    names = alterable(bench.plans, bench.cycle.program.givens)
     found = [next(_limits(Way(bench, name, held)), None) for name in names]
     return min((x for x in found if x), key=lambda x: x.way.away(x.value), default=None)
 

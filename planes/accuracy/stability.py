@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from planes.accuracy.altering import LENGTH, alterable, altered, changed
+from planes.accuracy.altering import alterable, altered, changed
 from planes.accuracy.bench import Bench, Work
 from planes.accuracy.digits import Digits
 from planes.accuracy.limits import Limit, Way, find, like
@@ -82,7 +82,7 @@ def _beside(way: Way) -> Iterator[Iterator[Way]]:
         yield (replace(way, held=held + ASIDE * ((k + 1) // 2) * (-1) ** k) for k in range(1, CROWD))
         return
     plans = way.bench.plans
-    for name in alterable(plans, [n for n in way.bench.cycle.program.givens if n.startswith(LENGTH)]):
+    for name in alterable(plans, (n for n in way.bench.cycle.program.givens if n in plans.lengths)):
         longer = [plans.given[name] * (1 + LONGER * k) for k in range(1, CROWD)]
         yield (Way(Bench(altered(plans, name, length)), way.name) for length in longer)
 

@@ -14,10 +14,10 @@ from planes.check.grading.handwork import Hand, Taken, Variant
 from planes.check.grading.paper import Paper
 from planes.check.grading.slips import Figure
 from planes.plans.quantities import catalogue
-from planes.plans.scales import kind_of
 from planes.words import Phrase, Written
 from planes.words.errors import PlanesError
-from planes.words.names import label_of, mu_of
+from planes.words.names import kind_of, label_of, mu_of
+from planes.words.things import plan_phrase
 from planes.words.units import mu_text
 
 STATUS = {"right": 0, "wrong": 1, "unreadable": 2}
@@ -101,8 +101,7 @@ class Outcome:
     @property
     def when_right(self) -> Phrase:
         """What is said of a right drawing of the plan."""
-        key, parts = _plan_words(self.bench.asked.plan)
-        return Phrase("check_right", plan=Phrase(key, **parts))
+        return Phrase("check_right", plan=plan_phrase(self.bench.asked.plan))
 
     @property
     def unseen(self) -> list[str]:
@@ -112,8 +111,7 @@ class Outcome:
     @property
     def when_right_as_seen(self) -> Phrase:
         """What is said of a drawing that is right where it was seen."""
-        key, parts = _plan_words(self.bench.asked.plan)
-        return Phrase("check_right_as_seen", plan=Phrase(key, **parts), names=", ".join(self.unseen))
+        return Phrase("check_right_as_seen", plan=plan_phrase(self.bench.asked.plan), names=", ".join(self.unseen))
 
     def _about(self, first: str) -> dict[str, object]:
         """Names for the sentence of the mistake."""
@@ -136,11 +134,6 @@ class Outcome:
         s = table.first_wrong if table else None
         given, true = (s.figure.given, s.true) if s else (0.0, 0.0)
         return Phrase("check_number_unclear", mark=first, given=Written(f"{given:.4g}"), true=Written(f"{true:.4g}"))
-
-
-def _plan_words(plan: str) -> tuple[str, dict[str, object]]:
-    kind, _, links = plan.partition(":")
-    return f"plan_{kind}", {"links": links.replace("-", ", ")}
 
 
 def check(asked: Asked, paper: Paper) -> Outcome:

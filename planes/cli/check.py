@@ -16,11 +16,11 @@ from planes.check.report import heads, numbers_of, rows_of
 from planes.check.report.rows import as_json
 from planes.cli.classes import check_class
 from planes.cli.idle import check_options
-from planes.plans.scales import kind_of
 from planes.scene import Scene
 from planes.solving.tables import table
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
+from planes.words.names import kind_of
 from planes.words.units import read_mu
 
 _PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?{0})\s*[,;]\s*([-+]?{0})\s*".format(r"(?:\d+\.?\d*|\.\d+)"))

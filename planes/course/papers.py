@@ -16,7 +16,7 @@ from planes.solving import Position, told
 from planes.solving.document import Block, Drawn, Figure, Heading, Paragraph, Table
 from planes.solving.tables import say_mu
 from planes.words import Lang, decimal, say
-from planes.words.names import POLE, label_of
+from planes.words.names import POLE, at, kind_of, label_of
 
 _ANGLES = {"alpha": "α", "beta": "β", "gamma": "γ"}
 NOISE_MM = 1e-6  # a segment shorter than this is nothing
@@ -94,7 +94,7 @@ def _load(load: Load, lang: Lang) -> str:
 
 def work(scene: Scene, drawn: Position, lang: Lang) -> Iterator[str]:
     """What is to be done, as far as the mechanism asks for it."""
-    plans = {name.partition(":")[0] for name in drawn.plans.drawn} | {"structure"}
+    plans = {kind_of(name) for name in drawn.plans.drawn} | {"structure"}
     m, drive = drawn.plans.mechanism, drawn.plans.mechanism.drive
     value = decimal(told(drawn.at, drive.kind, lang), lang)
     value = f"⟨{'phi' if drive.kind == 'phi' else 's'}_{drive.link}⟩ = {value}"
@@ -140,12 +140,13 @@ def segments(drawn: Position, name: str, plan: Mapping[str, Any], lang: Lang) ->
 
 def _vector(drawn: Position, s: Segment) -> str:
     """The name of a segment: a whole vector of rates from the pole by its point."""
-    label = s.end.rstrip("'")
-    if s.plan not in ("velocity", "acceleration") or s.start != POLE or label.startswith(("n_", "k_")):
+    corner = at(s.plan, s.end) in drawn.drawing.program.corners
+    if s.plan not in ("velocity", "acceleration") or s.start != POLE or corner:
         return s.name
     marks = ((m.velocity if s.plan == "velocity" else m.acceleration, p) for p, m in drawn.plans.points.items())
     points = {label_of(mark): point for mark, point in marks}
-    return f"{s.plan[0]}_{points.get(s.end, label.upper())}"
+    point = points.get(s.end) or s.end.rstrip("'").upper()
+    return f"{s.plan[0]}_{point}"
 
 
 def _mm(size: float, lang: Lang) -> str:

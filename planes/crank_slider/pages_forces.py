@@ -12,6 +12,7 @@ from planes.crank_slider.misprints import printed
 from planes.crank_slider.pages import Writer
 from planes.crank_slider.pages_kinematics import chosen, drawn_at
 from planes.solving.document import Curve, Drawn
+from planes.words.names import kind_of
 
 KN = 1e-3
 
@@ -33,7 +34,7 @@ def write_forces(w: Writer, c: Calculation) -> None:
     w.head("h_fplans")
     for phi in c.given.positions or (chosen(c),):
         scene, solved = drawn_at(w, c, float(c.motion.phi_deg[c.at(phi)]))
-        plans = tuple((p,) for p in solved.plans.drawn if p.startswith("force"))
+        plans = tuple((p,) for p in solved.plans.drawn if kind_of(p) == "force")
         w.figure("f_force", Drawn(scene, solved, plans, True), phi=float(solved.at))
     _torque(w, c)
 

@@ -231,9 +231,7 @@ def reach(plans: Plans) -> tuple[float, float]:
     drive = plans.mechanism.drive
     if drive.kind == "phi":
         return drive.position, drive.position + FULL
-    lengths = (abs(v) for k, v in plans.given.items() if k.startswith("l_") and isinstance(v, float))
-    far = 2 * max(lengths, default=1.0)
-    return drive.position - far, drive.position + far
+    return drive.position - 2 * plans.reach, drive.position + 2 * plans.reach
 
 
 def span_of(plans: Plans) -> Span:

@@ -77,7 +77,8 @@ def picture(drawn: Scene | Position, view: str | None = None, lang: Lang | None 
     if isinstance(drawn, Scene):
         return view_of(drawn, view, None, lang)
     scene = Scene(mechanism=drawn.plans.mechanism, mu=drawn.scales)
-    return _page(_mechanism_views(scene, drawn, Composer(scene, lang)), view, Composer(scene, lang))
+    composer = Composer(scene, lang, drawn.plans)
+    return _page(_mechanism_views(scene, drawn, composer), view, composer)
 
 
 def view_of(scene: Scene, view: str | None, values: Iterable[float] | None = None, lang: Lang = "ru") -> Page:
@@ -87,10 +88,11 @@ def view_of(scene: Scene, view: str | None, values: Iterable[float] | None = Non
 
 
 def _view_of(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> Page:
-    composer = Composer(scene, lang)
     if scene.mechanism is None:
+        composer = Composer(scene, lang)
         return _page(of_scene_of_vectors(solve_vectors(scene), composer), view, composer)
     drawn = Drawn(replace(scene, find=None), values, lang)
+    composer = Composer(scene, lang, drawn.stated[0])
     return _page(_mechanism_views(drawn.scene, drawn.at(Sizes()), composer), view, composer)
 
 

@@ -67,7 +67,7 @@ def axis(limit: Limit, lang: Lang) -> str:
         return say(f"chart_distance_{kind}", lang, value=value)
     letter, held = ("φ", math.remainder(way.held, 360)) if kind == "phi" else ("s", way.held)
     drive = f"{letter} = {told(held, kind, lang)}".replace("-", "−")
-    key, name = ("length", way.name) if way.unit == "1" else ("angle", way.name.removeprefix("angle_∥"))
+    key, name = ("length", way.name) if way.unit == "1" else ("angle", way.bench.plans.means[way.name].of)
     return say(f"chart_distance_{key}", lang, name=name, value=value, here=f"{way.here:.6g}", drive=drive)
 
 

@@ -17,13 +17,13 @@ from planes.check.report.rows import as_json, mark_rows
 from planes.check.report.shown import leads, shown_plans
 from planes.check.report.tracing_paper import tracing_data
 from planes.check.sight.photograph import blank_pole
+from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
-from planes.plans.scales import kind_of
 from planes.scene import Scene
 from planes.scene.files import keep, sayable
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
-from planes.words.names import POLE
+from planes.words.names import POLE, kind_of, parted
 from planes.words.units import mu_text
 from render.files import pdf, png, svg
 from render.page import check_page, class_page, trace_page
@@ -129,7 +129,7 @@ def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:
     verdicts = {r["mark"]: r["verdict"] for r in mark_rows(found)}
 
     def name(label: str) -> str:
-        return naming.vector(_upper(label)) if kind == "force" and label != POLE else naming.mark(label, kind)
+        return naming.vector(parted(label)) if kind == "force" and label != POLE else naming.mark(label, kind)
 
     first, said = found.first_wrong or "", found.sentence.told(lang)
     told = name(first) if first in verdicts else naming.vector(first)
@@ -164,18 +164,9 @@ def _tables(found: Outcome, name: Callable[[str], str], naming: Naming) -> list[
 
 
 def _naming(found: Outcome, lang: Lang) -> Naming:
-    return _naming_of(found.bench.asked.scene, lang)
-
-
-def _naming_of(scene: Scene, lang: Lang) -> Naming:
-    return Naming(lang, scene.frame_number, scene.sheet.get("reactions") == "from-on")
+    return Naming(lang, **lettering(found.bench.asked.scene, found.bench.plans))
 
 
 def spelling(scene: Scene, lang: Lang) -> Callable[[str], str]:
     """How the sheets of a scene letter the vectors of its force plans."""
-    return _naming_of(scene, lang).vector
-
-
-def _upper(name: str) -> str:
-    """F_21t as the vector it is, F_21^t."""
-    return f"{name[:-1]}^{name[-1]}" if name.startswith("F_") and name[-1] in "tn" else name
+    return Naming(lang, **lettering(scene)).vector

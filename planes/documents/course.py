@@ -24,6 +24,7 @@ from planes.solving import Position, position
 from planes.solving.document import Block
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
+from planes.words.names import kind_of
 from render.files import pdf
 from render.page.lesson_page import page
 from render.report import rendered as rendered_document
@@ -135,11 +136,11 @@ class Desk:
 
     def set(self, blocks: list[Block]) -> bytes:
         """Blocks as a PDF."""
-        return rendered_document(blocks, ".pdf", Composer(self.scene, self.order.lang).naming)
+        return rendered_document(blocks, ".pdf", Composer(self.scene, self.order.lang, self.drawn.plans).naming)
 
     def blank(self) -> bytes:
         """A page for each plan."""
-        plans = [p for p in self.drawn.plans.drawn if p.partition(":")[0] in self.order.plans]
+        plans = [p for p in self.drawn.plans.drawn if kind_of(p) in self.order.plans]
         pages = [blank_marks(Asked(self.scene, plan), self.order.lang, self.order.heads[-1]) for plan in plans]
         title = pages[0][1] if pages else ""
         return pdf.write_pages([(marks, SHEET_MM) for marks, _ in pages], title, lang=self.order.lang)

@@ -14,6 +14,7 @@ from planes.diagrams.runs import Runs
 from planes.diagrams.turn import Grid, Turn, grid, turn_of
 from planes.diagrams.working import FULL
 from planes.plans import Plans, mechanism_plans
+from planes.plans.lettering import lettering
 from planes.scene import Scene
 from planes.scene.files import sayable
 from planes.scene.ranges import Span
@@ -34,7 +35,7 @@ def draw_cycle(
     panels = [name.split("+") for name in (show if show is not None else default_curves(plans, hodographs, paths))]
     loops = [*(hodographs or ()), *(f"r_{p.removeprefix('r_')}" for p in paths or ())]
     turned = Turned(scene, plans, span, [n for names in panels for n in names], loops)
-    naming = Naming(lang, scene.frame_number, scene.sheet.get("reactions") == "from-on", plans.mechanism.drive.link)
+    naming = Naming(lang, **lettering(scene, plans))
     title = scene.title.get(lang, "")
     with sayable(output):
         draw(Path(output), title, [turned.panel(names) for names in panels], [turned.loop(n) for n in loops],

@@ -19,13 +19,13 @@ from planes.documents import picture, sheet_of, view_of, write
 from planes.documents.lesson import Lesson
 from planes.drafting.instruments import Instrument
 from planes.plans import mechanism_plans
-from planes.plans.scales import kind_of
 from planes.scene import Scene
 from planes.solving import Position, Solved, plans_of, position
 from planes.solving import solve as solve_each
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.home import home_lang
+from planes.words.names import kind_of
 from planes.words.units import read_mu
 from render.sheet import Sheet
 from render.sheet.single import Page

@@ -60,7 +60,7 @@ def write_note(scene: Scene, values: list[float] | None, output: str, lang: Lang
 def note(scene: Scene, values: list[float] | None, suffix: str, lang: Lang) -> bytes:
     """The contents of a note's file."""
     drawn = placed(scene, values, lang)
-    return rendered(Note(scene, drawn, lang).blocks(), suffix, Composer(scene, lang).naming)
+    return rendered(Note(scene, drawn, lang).blocks(), suffix, Composer(scene, lang, drawn.plans).naming)
 
 
 def placed(scene: Scene, values: list[float] | None, lang: Lang) -> Position:

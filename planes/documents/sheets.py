@@ -10,13 +10,14 @@ from typing import Any
 from planes.documents.graphs import check_names
 from planes.documents.turning import turned_once
 from planes.plans import Plans
-from planes.plans.scales import FIT_MM, extent, kind_of
+from planes.plans.scales import FIT_MM, extent
 from planes.scene import Scene
 from planes.solving import Position, failed, plans_of, position
 from planes.solving.nearest import nearest
 from planes.solving.vectors import solve_vectors
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
+from planes.words.names import kind_of
 from render.sheet import Contents, Sheet, compose
 from render.sheet.composer import Composer
 from render.sheet.project import Project
@@ -26,13 +27,13 @@ from render.views import View
 
 def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", number: int | None = None) -> Sheet:
     """The composed sheet of one position, or of vectors alone; ``number`` is that of a sheet of a project."""
-    composer = Composer(scene, lang)
     if scene.mechanism is None:
         check_names(scene, None)
-        found = solve_vectors(scene)
+        found, composer = solve_vectors(scene), Composer(scene, lang)
         return compose(scene, Contents(lambda _, *how: (composer.vector_views(found, *how), [])), lang)
     drawn = Drawn(replace(scene, find=None) if number else scene, values, lang)
     check_names(scene, drawn.stated[0])
+    composer = Composer(scene, lang, drawn.stated[0])
     if number:
         return _numbered(drawn, composer, number)
 

@@ -13,7 +13,7 @@ from planes.drafting.program import Program
 from planes.drafting.steps import Through, Touch
 from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Real, Truth
-from planes.words.names import plan_of
+from planes.words.names import kind_of, plan_of
 
 BLUNT, CLEAR = 0.1, 0.01
 """A sharpness of ``BLUNT`` takes nothing away; all together may leave no less than ``CLEAR`` of it. An acceleration
@@ -26,7 +26,7 @@ def clear(program: Program, things: Mapping[str, Any], tool: Tool) -> Truth:
     """Whether a drawing is clear: of one position, of many, or on a tape."""
     ar, scheme, forces = tool.ar, 1.0, 1.0
     for name, sharpness in tool.sharpness.items():
-        plan = plan_of(name).partition(":")[0]
+        plan = kind_of(plan_of(name))
         if plan == "force" and name not in program.trials:
             forces = ar.minimum(forces, sharpness)
         elif plan not in (*_AGAIN, "force"):

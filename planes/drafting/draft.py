@@ -15,7 +15,7 @@ from planes.drafting.steps.reckoning import Calculate, Drop, Measure, Product
 from planes.scene.mechanism import Law
 from planes.words import Phrase, Told
 from planes.words.errors import ProgramError
-from planes.words.names import AGAIN, POLE, at, mu_of, plan_of
+from planes.words.names import AGAIN, POLE, Meaning, at, mu_of, plan_of
 from planes.words.things import called, plan_phrase
 
 _READ_BY_NAME = ("v_", "vq_", "omega", "epsilon")  # values other modules find by their names
@@ -57,6 +57,7 @@ class Draft:
     def __init__(self) -> None:
         self.steps: dict[str, Step] = {}
         self.given: dict[str, Any] = {}
+        self.means: dict[str, Meaning] = {}  # of givens and vectors
         self.off: dict[str, float] = {}  # how far reckoned givens may be from what the scene's decimals make of them
         self.equations: list[Equation] = []
         self.moments: list[Moments] = []
@@ -64,11 +65,13 @@ class Draft:
         self.laws: dict[str, Law] = {}  # givens that hold where the drive stands in the file alone
         self.rays: dict[tuple[str, str, str], str] = {}  # (plan, label, label) -> direction
 
-    def give(self, name: str, value: Any, off: float = 0.0) -> str:
+    def give(self, name: str, value: Any, off: float = 0.0, means: Meaning | None = None) -> str:
         """State a given value (SI, degrees, ±1) or place (complex, m); a name taken by another is primed. What is
         reckoned of the scene's numbers may be ``off``."""
         while name in self.steps or self.given.setdefault(name, value) != value:
             name += "′"
+        if means:
+            self.means.setdefault(name, means)
         self.off[name] = max(off, self.off.get(name, 0.0))
         return name
 
@@ -99,14 +102,14 @@ class Draft:
         """The pole of a plan."""
         return self.step(Put(at(plan, POLE)))
 
-    def put(self, plan: str, label: str, place: complex) -> str:
+    def put(self, plan: str, label: str, place: complex, means: Meaning | None = None) -> str:
         """A mark at a given place of the scheme (m), off as one is that was written by radius and angle."""
         off = 2.0**-50 * abs(place) if place.real and place.imag else 0.0
-        return self.step(Put(at(plan, label), self.give(f"place_{label}", place, off), mu_of(plan)))
+        return self.step(Put(at(plan, label), self.give(f"place_{label}", place, off), mu_of(plan), means=means))
 
-    def aim(self, name: str, angle_deg: float) -> str:
+    def aim(self, name: str, angle_deg: float, means: Meaning | None = None) -> str:
         """A direction at a given angle."""
-        return self.step(Aim(name, self.give(f"angle_{name}", angle_deg)))
+        return self.step(Aim(name, self.give(f"angle_{name}", angle_deg, means=means)))
 
     def through(self, name: str, start: str, end: str) -> str:
         """The direction from mark to mark."""
@@ -116,25 +119,30 @@ class Draft:
         """A direction turned by right angles with the set square."""
         return self.step(Turn(name, of, quarter))
 
-    def turn(self, name: str, of: str, angle_deg: float, off: float = 0.0) -> str:
+    def turn(self, name: str, of: str, angle_deg: float, off: float = 0.0, means: Meaning | None = None) -> str:
         """A direction turned by a given angle."""
-        return self.step(Turn(name, of, 0, self.give(f"angle_{name}", angle_deg, off)))
+        return self.step(Turn(name, of, 0, self.give(f"angle_{name}", angle_deg, off, means)))
 
-    def lay_off(self, plan: str, label: str, start: str, along: str, length: str) -> str:
+    def lay_off(
+        self, plan: str, label: str, start: str, along: str, length: str, means: Meaning | None = None
+    ) -> str:
         """A length (SI value by name) laid off from a mark."""
-        return self.step(LayOff(at(plan, label), start, along, length, mu_of(plan)))
+        return self.step(LayOff(at(plan, label), start, along, length, mu_of(plan), means=means))
 
-    def similar(self, plan: str, label: str, start: str, end: str, ratio: tuple[str, complex, float]) -> str:
+    def similar(
+        self, plan: str, label: str, start: str, end: str, ratio: tuple[str, complex, float],
+        means: Meaning | None = None,
+    ) -> str:  # fmt: skip
         """A mark by similarity (or proportional division) on a segment of the plan; ``ratio`` as it is given."""
-        return self.step(Similar(at(plan, label), start, end, self.give(*ratio)))
+        return self.step(Similar(at(plan, label), start, end, self.give(*ratio), means=means))
 
     def measure(self, name: str, start: str, end: str, along: str | None = None) -> str:
         """A segment read off its plan, in SI."""
         return self.step(Measure(name, start, end, along, mu_of(plan_of(start))))
 
-    def arm(self, name: str, point: str, along: str, about: str) -> str:
+    def arm(self, name: str, point: str, along: str, about: str, means: Meaning | None = None) -> str:
         """The arm of a line of action about a mark, in SI."""
-        return self.step(Drop(name, point, along, about, mu_of(plan_of(point))))
+        return self.step(Drop(name, point, along, about, mu_of(plan_of(point)), means=means))
 
     def product(self, name: str, coefficient: float = 1.0, **factors: int) -> str:
         """One product of powers of values, e.g. v²/l."""
@@ -184,7 +192,8 @@ class Draft:
     def lay(self, plan: str, term: Term, start: str | None = None) -> str:
         """Lay a known vector off (or find it drawn already); the mark it ends at."""
         if not term.drawn and term.length and term.direction:
-            return self.lay_off(plan, term.end, start or at(plan, term.start), term.direction, term.length)
+            place = start or at(plan, term.start)
+            return self.lay_off(plan, term.end, place, term.direction, term.length, term.means)
         return at(plan, term.end)
 
     def _meet(self, equation: Equation, ends: list[str], open_terms: list[list[Term]]) -> None:

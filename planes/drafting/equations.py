@@ -6,12 +6,13 @@ vector of which one of the two is known (Chace, 1963; Bauman conventions of the 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Literal
 
 from planes.words import Phrase
 from planes.words.errors import EquationError
+from planes.words.names import Meaning
 
 EquationKind = Literal["close", "cross", "arc", "arcs"]
 
@@ -33,6 +34,7 @@ class Term:
     action: str = ""
     drawn: bool = False
     sign: int = 1
+    means: Meaning | None = field(default=None, compare=False, repr=False)  # what the mark is that it ends at
 
     @property
     def known(self) -> int:

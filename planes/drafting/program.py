@@ -70,6 +70,11 @@ class Program:
                     dirty.add(step.makes)
         return tuple(found)
 
+    @cached_property
+    def corners(self) -> frozenset[str]:
+        """Marks where a part of a vector ends, the normal or the Coriolis one: no point of a link."""
+        return frozenset(s.makes for s in self.steps if s.quantity in ("normal", "coriolis"))
+
     def sliced(self, wanted: Iterable[str]) -> Program:
         """The program without the steps that lead to none of the wanted names; it proves what it still draws."""
         needed = set(wanted)

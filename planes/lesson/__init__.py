@@ -19,9 +19,8 @@ from planes.lesson.formulas import SLOT, number, paper, unit, value
 from planes.lesson.moments import moment_words
 from planes.lesson.steps import StepWords, lettered, whole
 from planes.plans import Plans
-from planes.plans.scales import kind_of
 from planes.words import Lang, decimal, say
-from planes.words.names import POLE, at, label_of, mu_of, plan_of
+from planes.words.names import POLE, at, force_plan, kind_of, label_of, mu_of, plan_of
 from planes.words.units import mu_text
 
 LANGS: tuple[Lang, ...] = ("ru", "en")
@@ -56,8 +55,9 @@ class Teller:
         self.made = {step.makes: step for step in drawing.program.steps}
         self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
         self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured for the lesson alone
-        marks = [x for x in drawing.program.steps if x.kind == "mark" and x.makes[-1] not in "+-"]
-        self.ends = {shown_on(x): x.makes for x in marks if x.makes.startswith("force")}  # the last mark of each
+        self.trials = drawing.program.trials
+        marks = [x for x in drawing.program.steps if x.kind == "mark" and x.makes not in self.trials]
+        self.ends = {shown_on(x): x.makes for x in marks if kind_of(shown_on(x)) == "force"}  # the last mark of each
         self.still = {p for p in ("velocity", "acceleration") if p in plans.drawn and self.stands(p)}
 
     def frames(self) -> list[Frame]:
@@ -68,7 +68,7 @@ class Teller:
         for step in self.drawing.program.steps:
             if step.kind == "value" and self.tells(step):
                 readings.append(step)
-            if step in put or step.makes.endswith(("+", "-")) or not self.shown(step):
+            if step in put or step.makes in self.trials or not self.shown(step):
                 continue
             found += self.readings(readings, found)
             readings = []
@@ -128,7 +128,8 @@ class Teller:
 
     def mark(self, step: s.Step) -> Frame:
         """The frame of one mark, or of a tangent."""
-        uses = tuple(dict.fromkeys(name for name, kind in step.reads() if kind == "mark" and shown_mark(name)))
+        read = dict.fromkeys(name for name, kind in step.reads() if kind == "mark" and name not in self.trials)
+        uses = tuple(name for name in read if plan_of(name) != "motion")
         names = {f: lettered(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
         words = StepWords(self.plans, self.drawing, self.made)
         key, reason, more = words.of(step)
@@ -182,7 +183,7 @@ class Teller:
     def closing(self, plan: str) -> list[Frame]:
         """The reactions read off a force plan that has closed."""
         names = [r.key for r in self.plans.reactions.values() if r.plan == plan and self.span(r.key, plan)]
-        if self.plans.balancing.startswith("Fb_") and plan == f"force:{self.plans.mechanism.drive.link}":
+        if self.plans.balancing.startswith("Fb_") and plan == force_plan(self.plans.mechanism.drive.link):
             names.append(self.plans.balancing)
         names = list(dict.fromkeys(names))
         told = lambda lang: "; ".join(self.reading(n, plan, lang) for n in names)  # noqa: E731
@@ -204,11 +205,6 @@ class Teller:
 def shown_on(step: s.Step) -> str:
     """The plan a mark stands on (a tangent's, the scheme)."""
     return plan_of(step.makes) or "position"
-
-
-def shown_mark(name: str) -> bool:
-    """Whether a mark stands on a plan that is shown: no trial of friction, no plan of a unit drive."""
-    return name[-1] not in "+-" and not name.startswith("motion:")
 
 
 def mu_said(mu: float, kind: str, lang: Lang) -> str:

@@ -15,16 +15,17 @@ from planes.drafting.steps.reckoning import Choose
 from planes.lesson import LANGS, Teller, mu_said, needed, value_of
 from planes.lesson.formulas import unit
 from planes.lesson.practice import Practice, told_values
-from planes.lesson.scheme import arms, feet, related, scheme
+from planes.lesson.scheme import arms, feet, pivots, related, scheme
 from planes.lesson.steps import action, whole
 from planes.lesson.zones import reasons, zones
 from planes.plans import Plans, mechanism_plans
+from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
-from planes.plans.scales import kind_of, scales
+from planes.plans.scales import scales
 from planes.scene import Scene
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, SceneError
-from planes.words.names import at, label_of, mu_of
+from planes.words.names import at, kind_of, mu_of, plan_of
 
 POSITIONS = 360
 Progress = Callable[[int, int], None]
@@ -47,10 +48,10 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> dict[str, Any
     return {
         "title": dict(scene.title),
         "formula": plans.structure.formula.replace("->", "→"),
-        "frame": scene.frame_number,
+        "lettering": lettering(scene, plans),
         "drive": {"symbol": "φ" if plans.mechanism.drive.kind == "phi" else "s", "values": values, "at": index},
         "mus": mus,
-        "plans": [_plan(p, mus) for p in plans.drawn if p != "motion"],
+        "plans": [_plan(plans, p, mus) for p in plans.drawn if p != "motion"],
         "segments": _segments(plans, drawing),
         "traces": _traces(drawing),
         "scheme": scheme(plans, cycle),
@@ -75,9 +76,8 @@ def _values(plans: Plans) -> tuple[list[float], int]:
         start = drive.position % 1.0
         values = [start + i for i in range(POSITIONS)]
         return values, int(drive.position - start) % POSITIONS
-    reach = max((abs(v) for k, v in plans.given.items() if k.startswith("l_")), default=1.0)
     half = POSITIONS // 2
-    return [drive.position + reach * (i - half) / half for i in range(POSITIONS + 1)], half
+    return [drive.position + plans.reach * (i - half) / half for i in range(POSITIONS + 1)], half
 
 
 def _cycle(plans: Plans, given: Mapping[str, Any], values: list[float]) -> Drawing:
@@ -86,10 +86,13 @@ def _cycle(plans: Plans, given: Mapping[str, Any], values: list[float]) -> Drawi
     return run(plans.program, {**given, **plans.at(numpy.array(values))})
 
 
-def _plan(plan: str, mus: Mapping[str, float]) -> dict[str, Any]:
+def _plan(plans: Plans, plan: str, mus: Mapping[str, float]) -> dict[str, Any]:
+    """A plan with its scale, its title and the letters of the fixed points of the scheme that stand in its pole."""
     kind = "velocity" if plan == "lever" else kind_of(plan)
     mu = {lang: mu_said(mus[mu_of(plan)], kind, lang) for lang in LANGS}
-    return {"key": plan, "mu": mu, "title": {lang: _capital(say_plan(plan, lang)) for lang in LANGS}}
+    prime = {"velocity": "", "acceleration": "'"}.get(plan)
+    fixed = [] if prime is None else [p.lower() + prime for p in pivots(plans.mechanism)]
+    return {"key": plan, "mu": mu, "title": {lang: _capital(say_plan(plan, lang)) for lang in LANGS}, "fixed": fixed}
 
 
 def _capital(text: str) -> str:
@@ -103,6 +106,7 @@ def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
     for s in plans.segments:
         if s.start != s.end and s.plan not in ("position", "motion") and at(s.plan, s.end) in drawing:
             new: dict[str, Any] = {"plan": s.plan, "start": s.start, "end": s.end, "names": []}
+            new["corner"] = at(s.plan, s.end) in drawing.program.corners
             names = found.setdefault((s.plan, s.start, s.end), new)["names"]
             name = named.get(s.name, s.name)
             names += [name] * (name not in names)
@@ -198,13 +202,15 @@ def _turn(plans: Plans, cycle: Drawing, count: int) -> dict[str, Any]:
 
     marks: dict[str, Any] = {}
     for step in cycle.program.steps:
-        shown = step.kind == "mark" and not label_of(step.makes).endswith(("+", "-"))
-        if shown and not step.makes.startswith("motion:"):
+        trial = step.makes in cycle.program.trials
+        if step.kind == "mark" and not trial and plan_of(step.makes) != "motion":
             marks[step.makes] = cycle[step.makes]
-    marks |= feet(plans, cycle)
+    own = feet(plans, cycle)
+    marks |= own
     angles = {d: numpy.degrees(numpy.angle(cycle[d])) for d in _directions(plans, cycle)}
     return {
         "marks": {n: [column(numpy.real(z)), column(numpy.imag(z))] for n, z in marks.items()},
+        "helpers": [*(n for n in marks if n in plans.helpers), *own],
         "turned": {n: column(a) for n, a in angles.items()},
     }
 

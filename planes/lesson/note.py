@@ -12,14 +12,13 @@ from planes.lesson import Frame, Teller, mu_said, value_of
 from planes.lesson.formulas import fill, number, unit
 from planes.plans.measuring import say_plan
 from planes.plans.quantities import Measured
-from planes.plans.scales import kind_of
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME
 from planes.solving import Position, told
 from planes.solving.document import Block, Drawn, Figure, Heading, Paragraph, Table
 from planes.solving.tables import difference_percent
 from planes.words import Lang, say
-from planes.words.names import mu_of
+from planes.words.names import kind_of, links_of, mu_of
 
 NOISE = 1e-12
 
@@ -100,7 +99,7 @@ class Note:
                 yield self.figure("scheme" if plan == "position" else plan, self.caption(plan))
             else:
                 yield from self.compared()
-        if not any(f.plan.startswith("force") for f in self.frames):
+        if not any(kind_of(f.plan) == "force" for f in self.frames):
             yield Paragraph(self.say("note_no_forces"))
 
     def placed(self) -> list[tuple[str, Frame]]:
@@ -112,11 +111,10 @@ class Note:
         return found
 
     def heading(self, plan: str) -> str:
-        kind, _, links = plan.partition(":")
-        if kind != "force":
-            return self.say(f"note_{kind}")
-        key = "note_group" if "-" in links else "note_driver"
-        return self.say(key, links=links.replace("-", ", "))
+        if kind_of(plan) != "force":
+            return self.say(f"note_{plan}")
+        links = links_of(plan)
+        return self.say("note_group" if len(links) > 1 else "note_driver", links=", ".join(links))
 
     def caption(self, plan: str) -> str:
         mu = mu_said(self.position.scales[mu_of(plan)], kind_of(plan), self.lang)

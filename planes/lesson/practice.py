@@ -26,10 +26,9 @@ from planes.lesson import LANGS, Frame
 from planes.lesson.formulas import slots
 from planes.lesson.steps import action, lettered, line_of
 from planes.plans import Plans
-from planes.plans.scales import kind_of
 from planes.words import Lang, say
 from planes.words.errors import PlanesError
-from planes.words.names import mu_of, plan_of
+from planes.words.names import kind_of, mu_of, plan_of
 
 Said = dict[Lang, str]
 APART_MM = 2.5  # a wrong place nearer than this to the right one cannot be told from it

@@ -10,8 +10,8 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate, Drop
 from planes.plans import Plans
-from planes.scene.mechanism import FRAME
-from planes.words.names import at
+from planes.scene.mechanism import FRAME, Mechanism
+from planes.words.names import at, plan_of
 
 SPREAD = (8, 92)  # per cent of the positions by which the length of a rod is judged
 
@@ -36,8 +36,13 @@ def scheme(plans: Plans, cycle: Drawing) -> dict[str, Any]:
         for g in link.guides.values()
         if at("position", g.through_point or f"°{g.name}") in cycle
     ]  # fmt: skip
-    pivots = [at("position", p) for p in m.frame.points if any(p in x.points for x in m.links.values())]
-    return {"links": links, "guides": guides, "pivots": pivots, "driver": m.drive.link, "frame": FRAME}
+    fixed = [at("position", p) for p in pivots(m)]
+    return {"links": links, "guides": guides, "pivots": fixed, "driver": m.drive.link, "frame": FRAME}
+
+
+def pivots(m: Mechanism) -> list[str]:
+    """The fixed points that belong to a moving link too."""
+    return [p for p in m.frame.points if any(p in x.points for x in m.links.values())]
 
 
 def _reach(plans: Plans, cycle: Drawing, guide: str, mark: str) -> list[float]:
@@ -80,7 +85,7 @@ def _forces(m: Moments, steps: dict[str, Step]) -> list[dict[str, Any]]:
 
 
 def _foot(arm: str, drop: Drop) -> str:
-    return f"{drop.point.rpartition(':')[0]}:⊥{arm}"
+    return at(plan_of(drop.point), f"⊥{arm}")
 
 
 def _unknown(plans: Plans, m: Moments, steps: dict[str, Step]) -> list[dict[str, Any]]:
@@ -102,7 +107,7 @@ def feet(plans: Plans, cycle: Drawing) -> dict[str, Any]:
 
     found = {}
     for step in plans.program.steps:
-        if isinstance(step, Drop) and step.makes in cycle and not step.point.startswith("motion:"):
+        if isinstance(step, Drop) and step.makes in cycle and plan_of(step.point) != "motion":
             way = numpy.real((cycle[step.about] - cycle[step.point]) * numpy.conj(cycle[step.along]))
             found[_foot(step.makes, step)] = cycle[step.point] + way * cycle[step.along]
     return found

@@ -13,9 +13,8 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.reckoning import Calculate, Choose, Measure
 from planes.lesson.formulas import formula, number, paper, sense, unit, value
 from planes.plans import Plans
-from planes.plans.scales import kind_of
 from planes.words import Lang, say
-from planes.words.names import label_of, plan_of, written
+from planes.words.names import kind_of, label_of, plan_of, written
 
 Words = tuple[str, Any, dict[str, Any]]  # the key of the sentence, of the reason (or the reason), names
 _TOWARDS = re.compile(r"^(\w+)→(\w+)$")
@@ -141,7 +140,7 @@ class StepWords:
 
     def lay_off(self, step: s.LayOff) -> Words:
         """A known vector: with the formula of its length where it was calculated."""
-        label, kind = label_of(step.makes), kind_of(step.makes)
+        kind = kind_of(step.makes)
         mm = paper(step.length, step.mu)
         named = {"mm": mm, "way": lambda lang: way(step.along, lang), "action": action(step.along)}
         source = self.made.get(step.length)
@@ -155,11 +154,11 @@ class StepWords:
             return key, reason, {**shown, "length": step.length, "unit": lambda lang: unit("l", lang)}
         if any(m.unknown == step.length for m in self.plans.moments):
             return "found", "found", shown
-        if label.startswith("P_"):
+        if step.quantity == "load":
             return "load", "load", shown
         if isinstance(source, Calculate):
             told = {**named, "formula": lambda lang: formula(source, lang)}
-            return "lay_off", _kind_of_vector(label, kind, source), told
+            return "lay_off", _kind_of_vector(step, kind, source), told
         if isinstance(source, Measure):
             return "carried", "carried", shown
         return "given", "slide_v", shown
@@ -190,13 +189,13 @@ def _reason(term: Term, name: str, kind: str, lang: Lang) -> str:
     return say(f"why_{'across' if across else 'along'}_{kind}", lang, name=name, line=line_of(direction))
 
 
-def _kind_of_vector(label: str, kind: str, source: Calculate) -> str:
+def _kind_of_vector(step: s.LayOff, kind: str, source: Calculate) -> str:
     """Which reason a calculated vector has."""
     if kind == "force":
-        return {"G": "weight", "I": "inertia"}.get(label.partition("_")[0], "load")
+        return step.quantity if step.quantity in ("weight", "inertia") else "load"
     if kind == "velocity":
         return "driver_v"
-    if label.startswith("n_"):
+    if step.quantity == "normal":
         turning = any(n.startswith("omega_") for n, _ in source.terms[0].factors)
         return "normal_w" if turning else "normal"
-    return "coriolis" if label.startswith("k_") else "tangential"
+    return "coriolis" if step.quantity == "coriolis" else "tangential"

@@ -23,7 +23,7 @@ def zones(plans: Plans, cycle: Drawing, values: list[float]) -> list[dict[str, A
     count = len(values)
     bad = cycle.failed()
     bad = numpy.zeros(count, bool) if bad is None else numpy.broadcast_to(bad, (count,))
-    names = [n for n in cycle.sharpness if n[-1] not in "+-" and not n.startswith("motion:")]
+    names = [n for n in cycle.sharpness if n not in cycle.program.trials and plan_of(n) != "motion"]
     rows = [numpy.broadcast_to(cycle.sharpness[n], (count,)) for n in names]
     table = numpy.nan_to_num(numpy.array(rows), nan=1.0) if rows else numpy.ones((1, count))
     worst = table.argmin(axis=0)

@@ -25,7 +25,7 @@ from planes.scene import Scene
 from planes.scene.mechanism import FRAME, Law, Mechanism
 from planes.words import Phrase
 from planes.words.errors import ProgramError, SceneError
-from planes.words.names import at, mu_of, plan_of
+from planes.words.names import HELPERS, Meaning, at, mu_of, plan_of
 
 
 @dataclass(frozen=True)
@@ -67,6 +67,7 @@ class Plans:
     acting: Acting
     at_rest: bool
     laws: Mapping[str, SceneError]
+    means: Mapping[str, Meaning]  # of the names whose makers say so
     off: Mapping[str, float]  # how far off givens may be that are reckoned of the scene's numbers
 
     @property
@@ -88,6 +89,21 @@ class Plans:
                 if name in reads and name not in known:
                     raise error
         return {self.drive_given: value}
+
+    @property
+    def helpers(self) -> frozenset[str]:
+        """Marks that are drawn and never asked of anybody."""
+        return frozenset(n for n, m in self.means.items() if m.quantity in HELPERS)
+
+    @property
+    def lengths(self) -> dict[str, float]:
+        """The given lengths of the links, m, by name."""
+        return {n: abs(v) for n, v in self.given.items() if n in self.means and self.means[n].quantity == "length"}
+
+    @property
+    def reach(self) -> float:
+        """The longest of them; 1 m where there is none."""
+        return max(self.lengths.values(), default=1.0)
 
     @property
     def drawn(self) -> tuple[str, ...]:
@@ -147,7 +163,8 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
         mechanism, structure, Program(tuple(draft.steps.values()), proofs), draft.given, tuple(draft.equations),
         tuple(draft.moments), tuple(dict.fromkeys(draft.segments)), points, links, velocity.slides,
         acceleration.slides, statics.reactions, statics.balancing, zhukovsky, acting, at_rest,
-        {name: _frozen(mechanism, law, file) for name, law in draft.laws.items()}, draft.off,
+        {name: _frozen(mechanism, law, file) for name, law in draft.laws.items()},
+        {**draft.means, **{s.makes: s.means for s in draft.steps.values() if s.means}}, draft.off,
     )  # fmt: skip
 
 

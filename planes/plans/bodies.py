@@ -8,7 +8,7 @@ from planes.drafting.draft import Draft
 from planes.plans.structure import Group, Pair, Structure
 from planes.plans.written import HALF, Off, angle_deg, distance, height, ratio
 from planes.scene.mechanism import FRAME, Link, Mechanism
-from planes.words.names import POLE, at
+from planes.words.names import POLE, Meaning, at
 
 SCHEME = "position"
 
@@ -69,16 +69,27 @@ class Bodies:
                 self._place_point(body, name, body.link.points[name])
         self.known[body.link.name] = body
 
-    def _place_point(self, body: Body, label: str, p: complex) -> str:
+    def _place_point(self, body: Body, label: str, p: complex, means: Meaning | None = None) -> str:
         points, d = body.link.points, self.draft
         if body.rigid and body.ref:
             q, r = (points[s.place] for s in body.ref)
             q_mark, r_mark = (at(SCHEME, s.place) for s in body.ref)
-            return d.similar(SCHEME, label, q_mark, r_mark, (f"ratio_{label}_{body.link.name}", *ratio(p, q, r)))
+            return d.similar(SCHEME, label, q_mark, r_mark, (f"ratio_{label}_{body.link.name}", *ratio(p, q, r)), means)
         base = body.base.place
         ray = d.turn(f"{base}{label}", body.axis, *angle_deg(points[base], p))
         d.rays[SCHEME, base, label] = ray
-        return d.lay_off(SCHEME, label, at(SCHEME, base), ray, d.give(f"l_{base}{label}", *distance(points[base], p)))
+        return d.lay_off(SCHEME, label, at(SCHEME, base), ray, self.length(body.link, base, label, p), means)
+
+    def length(self, link: Link, one: str, two: str, end: complex | None = None) -> str:
+        """The given distance of two points of a link; ``end`` is the place of the second if it is none of them."""
+        apart = distance(link.points[one], link.points[two] if end is None else end)
+        return self.draft.give(f"l_{one}{two}", *apart, Meaning("length", one, two, link.name))
+
+    def distance(self, link: Link, one: Spot, two: Spot) -> str:
+        """The distance of two spots of a link: given if both are its points, else taken off the scheme."""
+        if one.name in link.points and two.name in link.points:
+            return self.length(link, one.place, two.place)
+        return self.draft.measure(f"l_{one.place}{two.place}", at(SCHEME, one.place), at(SCHEME, two.place))
 
     def line(self, pair: Pair, known: str) -> tuple[str, str]:
         """The line of a sliding pair as the solved link ``known`` carries it: a mark on it and its direction."""
@@ -91,16 +102,17 @@ class Bodies:
         guide = body.link.guides[name]
         label = guide.through_point or f"°{name}"
         if not self.draft.has(SCHEME, label):
+            means = Meaning("guide", name)
             if body.link.name == FRAME:
-                return self.draft.put(SCHEME, label, guide.through)
-            return self._place_point(body, label, guide.through)
+                return self.draft.put(SCHEME, label, guide.through, means)
+            return self._place_point(body, label, guide.through, means)
         return at(SCHEME, label)
 
     def _guide_direction(self, body: Body, name: str) -> str:
-        angle = body.link.guides[name].angle_deg
+        angle, means = body.link.guides[name].angle_deg, Meaning("angle", name, link=body.link.name)
         if body.link.name == FRAME:
-            return self.draft.aim(f"∥{name}", angle)
-        return self.draft.turn(f"∥{name}", body.axis, angle)
+            return self.draft.aim(f"∥{name}", angle, means)
+        return self.draft.turn(f"∥{name}", body.axis, angle, means=means)
 
     def _slide_angle(self, pair: Pair) -> float:
         slides = self.mechanism.link(pair.link).slides
@@ -116,7 +128,8 @@ class Bodies:
         """The direction of the pair's guide from the x axis of ``link``, one of the pair."""
         if link == pair.link:
             return self.draft.turn(f"∥{pair.guide}", axis, -self._slide_angle(pair))
-        return self.draft.turn(f"∥{pair.guide}", axis, self.mechanism.guide(pair.guide).angle_deg)
+        angle, means = self.mechanism.guide(pair.guide).angle_deg, Meaning("angle", pair.guide, link=link)
+        return self.draft.turn(f"∥{pair.guide}", axis, angle, means=means)
 
     def offset(self, pair: Pair, link: str, point: str) -> Off | None:
         """How far a point of ``link`` lies to the left of the pair's line (m), and how far off that may be; None: on it
@@ -135,12 +148,12 @@ class Bodies:
         found = height(body.points[point], body.points[body.first_point], -(slides.angle_deg or 0.0))
         return difference(found, (-(slides.offset or 0.0), 0.0))
 
-    def shifted(self, label: str, start: str, direction: str, by: Off | None) -> str:
-        """A mark ``by`` metres to the left of a line through ``start`` (the mark itself when that is nothing)."""
+    def shifted(self, label: str, means: Meaning, start: str, direction: str, by: Off | None) -> str:
+        """A helping mark ``by`` metres to the left of a line through ``start`` (that itself when it is nothing)."""
         if by is None:
             return start
         normal = self.draft.square(f"⊥{direction}", direction)
-        return self.draft.lay_off(SCHEME, label, start, normal, self.draft.give(f"e_{label}", *by))
+        return self.draft.lay_off(SCHEME, label, start, normal, self.draft.give(f"e_{label}", *by), means)
 
     def foot(self, pair: Pair) -> str:
         """The foot of the slider's first point on the guide line."""
@@ -150,7 +163,8 @@ class Bodies:
         if offset is None:
             return first
         direction = self.draft.turn(f"∥{pair.guide}", body.axis, -self._slide_angle(pair))
-        return self.shifted(f"{body.link.first_point}⊥{pair.guide}", first, direction, difference((0.0, 0.0), offset))
+        label, means = f"{body.link.first_point}⊥{pair.guide}", Meaning("foot", pair.guide, body.link.first_point)
+        return self.shifted(label, means, first, direction, difference((0.0, 0.0), offset))
 
 
 def difference(a: Off | None, b: Off | None) -> Off | None:

@@ -14,7 +14,7 @@ from planes.drafting.steps import Cross
 from planes.drafting.steps.reckoning import Choose, Lean, Sense, Trial
 from planes.plans.loads import Acting, force_name
 from planes.plans.structure import Pair
-from planes.words.names import at, mu_of
+from planes.words.names import Meaning, at, mu_of
 
 
 def sliding_sense(acting: Acting, pair: Pair) -> str:
@@ -38,7 +38,7 @@ def meet_with_friction(acting: Acting, plan: str, lines: list[Term], x: str, pai
         mark = at(plan, f"{x}{tag}")
         starts = [at(plan, t.start) for t in lines]
         along = [leaning.get(t.name, t.direction or "") for t in lines]
-        d.step(Cross(mark, starts[0], along[0], starts[1], along[1], supposed=True))
+        d.step(Cross(mark, starts[0], along[0], starts[1], along[1], supposed=True, means=Meaning("trial")))
         pushes = tuple(_push(acting, plan, t, p, mark, tag) for t, p in rubbing)
         trials.append(Trial(mark, pushes, signs))
     d.step(Choose(at(plan, x), tuple(trials), at(plan, lines[0].start), mu_of(plan)))

@@ -12,9 +12,9 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Carry, Image, Same
 from planes.plans.bodies import SCHEME, Bodies, Body, Spot
 from planes.plans.legs import Leg, legs_of
-from planes.plans.written import distance, ratio
+from planes.plans.written import ratio
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE, at
+from planes.words.names import POLE, Meaning, at
 
 
 @dataclass(frozen=True)
@@ -88,6 +88,9 @@ class Rates:
         name = leg.known.name if leg.known.name != POLE else leg.symbol.removeprefix(leg.new.name)
         start = Term(self.letter + name, POLE, known, drawn=True, action="=0" if known == POLE else "")
         relative = self.letter + leg.symbol
+        if known == POLE and leg.pair:  # the point of the frame under the slider has no name of its own
+            grounded = Meaning("rate", leg.new.name, link=FRAME)
+            self.b.draft.means |= dict.fromkeys((self.letter + name, relative), grounded)
         if not self.quick:
             return start, Term(relative, known, new, direction=leg.along, action=leg.along)
         if leg.pair is None:
@@ -96,11 +99,11 @@ class Rates:
             part, value, along = "k", self.coriolis(leg), self.b.draft.square(f"⊥{leg.along}", leg.along)
         else:
             return start, Term(relative, known, new, direction=leg.along, action=leg.along)
-        middle = f"{part}_{leg.symbol}"
+        middle, means = f"{part}_{leg.symbol}", Meaning("coriolis" if leg.pair else "normal", leg.symbol)
         rest = "t" if leg.pair is None else "r"
         return (
             start,
-            Term(f"{relative}^{part}", known, middle, length=value, direction=along, action=along or ""),
+            Term(f"{relative}^{part}", known, middle, length=value, direction=along, action=along or "", means=means),
             Term(f"{relative}^{rest}", middle, new, direction=leg.along, action=leg.along),
         )
 
@@ -201,7 +204,7 @@ def swing(r: Rates, body: Body, spot: Spot) -> None:
     d, centre = r.b.draft, body.carrier
     ray = d.ray(SCHEME, centre.place, spot.place)
     across = d.square(f"⊥{ray}", ray)
-    length = _distance(r.b, body, spot)
+    length = r.b.distance(body.link, centre, spot)
     start, end, total = r.label(centre.name), r.label(spot.name), r.letter + spot.name
     own = start == POLE
     name = total if own else total + centre.name
@@ -219,19 +222,10 @@ def swing(r: Rates, body: Body, spot: Spot) -> None:
     middle = "n_" + name.removeprefix(r.letter)
     chain = (
         *base,
-        Term(f"{name}^n", start, middle, length=normal, direction=inwards, action=inwards),
+        Term(f"{name}^n", start, middle, length=normal, direction=inwards, action=inwards, means=Meaning("normal")),
         Term(f"{name}^t", middle, end, length=tangential, direction=across, action=across),
     )
     d.draw(Equation(r.plan, (chain, ()), total))
-
-
-def _distance(b: Bodies, body: Body, spot: Spot) -> str:
-    """The distance of a spot of a link from its carrier: given if both are its points, else taken off the scheme."""
-    points, (one, two) = body.link.points, (body.carrier, spot)
-    name = f"l_{one.place}{two.place}"
-    if one.name in points and two.name in points:
-        return b.draft.give(name, *distance(points[one.name], points[two.name]))
-    return b.draft.measure(name, at(SCHEME, one.place), at(SCHEME, two.place))
 
 
 def turned_copy(b: Bodies, plan: str, of: str, mark: str) -> str:

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from planes.plans.bodies import SCHEME, Bodies, Spot
 from planes.plans.positions import moving_name
 from planes.plans.structure import Group, Pair
-from planes.plans.written import distance
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE
 
@@ -59,13 +58,10 @@ def _outer_leg(b: Bodies, pair: Pair, link: str, new: Spot) -> Leg:
 def _pivot(b: Bodies, pair: Pair, link: str, new: Spot) -> Leg:
     pivot, d = pair.point, b.draft
     ray = d.ray(SCHEME, pivot, new.place)
-    points = b.mechanism.link(link).points
-    if new.name in points:
-        length = d.give(f"l_{pivot}{new.place}", *distance(points[pivot], points[new.name]))
-    else:
-        length = d.measure(f"l_{pivot}{new.place}", f"{SCHEME}:{pivot}", f"{SCHEME}:{new.place}")
+    known = Spot(pivot, pivot)
+    length = b.distance(b.mechanism.link(link), known, new)
     return Leg(
-        new, Spot(pivot, pivot), pair.mate(link), f"{new.name}{pivot}", d.square(f"⊥{ray}", ray),
+        new, known, pair.mate(link), f"{new.name}{pivot}", d.square(f"⊥{ray}", ray),
         length=length, towards=d.square(f"{new.place}→{pivot}", ray, 2), turns=link,
     )  # fmt: skip
 

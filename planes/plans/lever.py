@@ -29,7 +29,7 @@ def draw_lever(s: Statics) -> str:
     for link, couples in acting.couples.items():
         root = b.known[link].root
         for couple in couples:
-            if root != FRAME and not couple.name.startswith("MR_"):
+            if root != FRAME and not couple.handed:
                 spin = acting.motion.spin(root)
                 products.append(Product(-1.0, ((couple.value, 1), (spin, 1), (rate, -1))))
                 shown.append((couple.name, spin))

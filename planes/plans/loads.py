@@ -8,7 +8,7 @@ from planes.drafting.steps.reckoning import Sense, SenseOf
 from planes.plans.bodies import SCHEME, Bodies, Spot
 from planes.plans.kinematics import Rates
 from planes.scene.mechanism import FRAME, Link, Load
-from planes.words.names import POLE, at
+from planes.words.names import POLE, Meaning, Quantity, at
 
 
 @dataclass(frozen=True)
@@ -20,17 +20,25 @@ class Force:
     size: str
     along: str
     point: str
+    quantity: Quantity
     spot: Spot | None = None
+
+    @property
+    def means(self) -> Meaning:
+        """What its mark on a force plan stands for."""
+        return Meaning(self.quantity, self.name, link=self.link)
 
 
 @dataclass(frozen=True)
 class Couple:
-    """A couple on ``link``: the name of its value (N·m, counter-clockwise positive), times ``sign``."""
+    """A couple on ``link``: the name of its value (N·m, counter-clockwise positive), times ``sign``; ``handed`` over by
+    a sliding pair, or from outside."""
 
     name: str
     link: str
     value: str
     sign: int = 1
+    handed: bool = False
 
 
 def force_name(on: str, by: str) -> str:
@@ -71,10 +79,10 @@ class Acting:
         gravity, mass = d.give("g", self.b.mechanism.gravity), d.give(f"m_{link.name}", link.mass)
         size = d.product(f"G_{link.name}", **{mass: 1, gravity: 1})
         down = d.aim("↓", -90.0)
-        self._add(Force(f"G_{link.name}", link.name, size, down, *self._centre(link)))
+        self._add(Force(f"G_{link.name}", link.name, size, down, *self._centre(link, "weight")))
 
-    def _centre(self, link: Link) -> tuple[str, Spot]:
-        return at(SCHEME, link.mass_centre), Spot(link.mass_centre, link.mass_centre)
+    def _centre(self, link: Link, quantity: Quantity) -> tuple[str, Quantity, Spot]:
+        return at(SCHEME, link.mass_centre), quantity, Spot(link.mass_centre, link.mass_centre)
 
     def _inertia(self, link: Link) -> None:
         d, rates = self.b.draft, self.accelerations
@@ -90,12 +98,12 @@ class Acting:
         rate = d.measure(f"a_{link.mass_centre}", pole, mark)
         size = d.product(f"I_{link.name}", **{d.give(f"m_{link.name}", link.mass): 1, rate: 1})
         back = d.through(f"-a_{link.mass_centre}", mark, pole)
-        self._add(Force(f"I_{link.name}", link.name, size, back, *self._centre(link)))
+        self._add(Force(f"I_{link.name}", link.name, size, back, *self._centre(link, "inertia")))
 
     def _force(self, load: Load, suffix: str) -> str:
         d, point = self.b.draft, load.point or ""
         name = f"P_{load.link}{suffix}"
-        size = d.give(f"{name}_given", load.value)
+        size = d.give(f"{name}_given", load.value, means=Meaning("load", name, link=load.link))
         if load.sense:
             ends = at(self.motion.plan, POLE), self.motion.mark(point)
             moving = d.step(Sense(f"moves_{point}", *ends, None, tuple(self.motion.driven)))
@@ -108,7 +116,7 @@ class Acting:
         else:
             along = d.aim(f"∠{name}", load.direction_deg or 0.0)
             size = d.product(name, **{size: 1})
-        self._add(Force(name, load.link, size, along, at(SCHEME, point), Spot(point, point)))
+        self._add(Force(name, load.link, size, along, at(SCHEME, point), "load", Spot(point, point)))
         return size
 
     def _axis(self, link: str) -> str:
@@ -118,7 +126,7 @@ class Acting:
         d, link = self.b.draft, load.link
         letter = "MP" if link == self.b.mechanism.drive.link else "M"
         name = f"{letter}_{link}{suffix}"
-        value = d.give(f"{name}_given", load.value)
+        value = d.give(f"{name}_given", load.value, means=Meaning("couple", name, link=link))
         if not load.sense:
             self.couples[link].append(Couple(name, link, d.product(name, **{value: 1})))
             return name

@@ -10,10 +10,10 @@ from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
 from planes.plans import Plans
 from planes.plans.quantities import Column, Measured, Quantity
-from planes.plans.scales import kind_of
-from planes.words import Lang, say
+from planes.words import Lang
 from planes.words.errors import PlanFailure
-from planes.words.names import at, label_of, mu_of, plan_of
+from planes.words.names import at, kind_of, label_of, mu_of, plan_of
+from planes.words.things import plan_phrase
 from planes.words.units import UNIT, mu_text
 
 BLUNT = math.sin(math.radians(15))
@@ -100,5 +100,4 @@ class Reader:
 
 def say_plan(plan: str, lang: Lang) -> str:
     """The name of a plan in words."""
-    kind, _, links = plan.partition(":")
-    return say(f"plan_{kind}", lang, links=links.replace("-", ", "))
+    return plan_phrase(plan).told(lang)

@@ -6,11 +6,11 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Touch
 from planes.plans.bodies import SCHEME, Bodies, Body, Spot, difference
 from planes.plans.structure import Group, Pair
-from planes.plans.written import angle_deg, distance
+from planes.plans.written import angle_deg
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import POLE, at, label_of
+from planes.words.names import POLE, Meaning, at, label_of
 
 APART = 1e-9  # relative: two points of a link nearer than this are at one place, and say nothing of its turning
 
@@ -40,7 +40,8 @@ def _place_driver(b: Bodies) -> None:
         return
     mark, direction = b.line(pair, FRAME)
     first = link.first_point
-    start = b.shifted(f"{first}°s", mark, direction, b.offset(pair, link.name, first))
+    counted = Meaning("guide", pair.guide, first)
+    start = b.shifted(f"{first}°s", counted, mark, direction, b.offset(pair, link.name, first))
     b.draft.lay_off(SCHEME, first, start, direction, b.draft.give("s", drive.position))
     axis = b.axis_along(pair, link.name, direction)
     b.place_points(Body(link, Spot(first, first), axis, FRAME))
@@ -71,15 +72,11 @@ def _ray(name: str, start: str, direction: str) -> tuple[Term, Term]:
     )
 
 
-def _length(b: Bodies, link: str, one: str, two: str) -> str:
-    points = b.mechanism.link(link).points
-    return b.draft.give(f"l_{one}{two}", *distance(points[one], points[two]))
-
-
 def _on_line(b: Bodies, pair: Pair, link: str, point: str) -> tuple[str, str]:
     """Label of a mark, and direction, of the line that a point of ``link`` runs along in a solved pair."""
     mark, direction = b.line(pair, pair.mate(link))
-    shifted = b.shifted(f"{point}°{pair.guide}", mark, direction, b.offset(pair, link, point))
+    beside = Meaning("guide", pair.guide, point)
+    shifted = b.shifted(f"{point}°{pair.guide}", beside, mark, direction, b.offset(pair, link, point))
     return label_of(shifted), direction
 
 
@@ -106,8 +103,8 @@ def _rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
 def _place_rrr(b: Bodies, g: Group) -> None:
     one, two, hinge = g.first_outer.point, g.last_outer.point, g.inner.point
     chains = (
-        _radius(hinge, one, _length(b, g.first, one, hinge)),
-        _radius(hinge, two, _length(b, g.last, two, hinge)),
+        _radius(hinge, one, b.length(b.mechanism.link(g.first), one, hinge)),
+        _radius(hinge, two, b.length(b.mechanism.link(g.last), two, hinge)),
     )
     b.draft.draw(Equation(SCHEME, chains, f"r_{hinge}", _side(b, hinge, g)))
     b.place_points(_rigid_body(b, g.first, one, hinge))
@@ -117,7 +114,7 @@ def _place_rrr(b: Bodies, g: Group) -> None:
 def _place_rrp(b: Bodies, g: Group) -> None:
     one, hinge = g.first_outer.point, g.inner.point
     start, direction = _on_line(b, g.last_outer, g.last, hinge)
-    chains = (_radius(hinge, one, _length(b, g.first, one, hinge)), _ray(hinge, start, direction))
+    chains = (_radius(hinge, one, b.length(b.mechanism.link(g.first), one, hinge)), _ray(hinge, start, direction))
     b.draft.draw(Equation(SCHEME, chains, f"r_{hinge}", _side(b, hinge, g)))
     b.place_points(_rigid_body(b, g.first, one, hinge))
     _place_slider(b, g.last_outer, g.last, hinge, direction)
@@ -175,7 +172,8 @@ def _place_rpp(b: Bodies, g: Group) -> None:
     axis = b.axis_along(g.last_outer, g.last, direction)
     inner = b.direction_from(g.inner, g.last, axis)
     apart = difference(b.offset(g.inner, g.last, point), b.offset(g.inner, g.first, hinge))
-    shifted = label_of(b.shifted(f"{point}°{g.inner.guide}", at(SCHEME, hinge), inner, apart))
+    beside = Meaning("guide", g.inner.guide, point)
+    shifted = label_of(b.shifted(f"{point}°{g.inner.guide}", beside, at(SCHEME, hinge), inner, apart))
     chains = _ray(point, start, direction), _ray(point, shifted, inner)
     b.draft.draw(Equation(SCHEME, chains, f"r_{point}"))
     root = b.known[g.last_outer.mate(g.last)].root

@@ -9,7 +9,7 @@ from planes.plans.friction import meet_with_friction
 from planes.plans.loads import force_name
 from planes.plans.reactions import Statics
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE, at
+from planes.words.names import POLE, at, force_plan
 
 
 class DriverForces:
@@ -19,7 +19,7 @@ class DriverForces:
         self.s, self.b, self.d = statics, statics.b, statics.b.draft
         self.link = self.b.mechanism.drive.link
         self.pair = self.b.structure.drive_pair
-        self.plan = f"force:{self.link}"
+        self.plan = force_plan(self.link)
         self.forces = statics.acting.forces[self.link]
         self.couples = statics.acting.couples[self.link]
 
@@ -28,7 +28,7 @@ class DriverForces:
         self.d.pole(self.plan)
         start, terms = POLE, []
         for f in self.forces:
-            terms.append(Term(f.name, start, f.name, f.size, f.along, f.along))
+            terms.append(Term(f.name, start, f.name, f.size, f.along, f.along, means=f.means))
             start = f.name
         for term in terms:
             self.d.lay(self.plan, term)

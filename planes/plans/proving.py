@@ -15,7 +15,7 @@ from planes.plans.bodies import SCHEME
 from planes.plans.kinematics import Rates
 from planes.plans.reactions import Statics
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE, at
+from planes.words.names import POLE, at, force_plan
 
 RATES = ("velocity", "acceleration")
 
@@ -83,7 +83,7 @@ def _balanced(s: Statics) -> Iterator[Proof]:
     drive = s.b.mechanism.drive
     for link in s.b.mechanism.links:
         forces = [(f.size, f.along, f.point) for f in s.acting.forces[link] if f.spot]
-        couples = [(c.value, c.sign) for c in s.acting.couples[link] if not c.name.startswith("MR_")]
+        couples = [(c.value, c.sign) for c in s.acting.couples[link] if not c.handed]
         sides = []
         for r in s.reactions.values():
             if r.pair.joins(link):
@@ -95,11 +95,11 @@ def _balanced(s: Statics) -> Iterator[Proof]:
             pair = s.b.structure.drive_pair
             forces.append((s.balancing, f"∥{pair.guide}", s.b.foot(pair)))
         groups = [g.links for g in s.b.structure.groups if link in g.links]
-        plan = f"force:{'-'.join(groups[0]) if groups else link}"
+        plan = force_plan(*(groups[0] if groups else (link,)))
         yield Balanced(plan, link, tuple(forces), tuple(sides), tuple(couples))
 
 
 def _twofold(s: Statics, lever: str) -> Proof:
     made = (s.b.draft.steps[name] for name in (s.balancing, lever))
     terms = tuple(t for step in made if isinstance(step, Calculate) for t in step.terms)
-    return Twofold(f"force:{s.b.mechanism.drive.link}", s.balancing, s.balancing, lever, terms)
+    return Twofold(force_plan(s.b.mechanism.drive.link), s.balancing, s.balancing, lever, terms)

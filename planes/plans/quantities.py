@@ -8,11 +8,10 @@ from typing import Any, NamedTuple
 from planes.plans import Plans
 from planes.plans.loads import force_name
 from planes.plans.reactions import Reaction
-from planes.plans.scales import kind_of
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase
 from planes.words.errors import SceneError, choices
-from planes.words.names import POLE, at, mu_of, plan_of
+from planes.words.names import POLE, at, kind_of, mu_of, plan_of
 from planes.words.units import UNIT
 
 MOTION = ("points", "links", "slides")

@@ -9,7 +9,7 @@ from planes.drafting.steps.reckoning import Product
 from planes.plans.bodies import SCHEME, Bodies
 from planes.plans.loads import Acting, Couple, Force, force_name
 from planes.plans.structure import Pair
-from planes.words.names import at, label_of
+from planes.words.names import Meaning, at, label_of
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,8 @@ class Statics:
         for f in forces:
             if f.point == about:
                 continue
-            arm = d.arm(self.arm_name(f.name, label_of(about)), f.point, f.along, about)
+            name, means = self.arm_name(f.name, label_of(about)), Meaning("arm", f.name, about, f.link)
+            arm = d.arm(name, f.point, f.along, about, means)
             products.append(Product(sign, ((f.size, 1), (arm, 1), *tail)))
             shown.append((f.name, arm))
         for c in couples:
@@ -74,7 +75,7 @@ class Statics:
         size = d.measure(f"|{r.key}|", r.start, r.end)
         along = d.through(f"→{name}", *ends)
         point = at(SCHEME, r.pair.point) if r.pair.kind == "R" else self.b.foot(r.pair)
-        return Force(name, on, size, along, point)
+        return Force(name, on, size, along, point, "reaction")
 
     def seat(self, r: Reaction, link: str, about: str, forces: list[Force], couples: list[Couple]) -> Reaction:
         """Find the couple and the arm of a sliding pair's reaction from the moments on ``link`` about a mark."""
@@ -93,4 +94,4 @@ class Statics:
         self.acting.forces[to].append(self.as_force(r, to))
         if r.moment:
             sign = 1 if to == r.pair.link else -1
-            self.acting.couples[to].append(Couple(f"{r.moment}", to, r.moment, sign))
+            self.acting.couples[to].append(Couple(r.moment, to, r.moment, sign, True))

@@ -7,16 +7,11 @@ from collections.abc import Mapping
 
 from planes.drafting.drawing import Drawing, reached, run
 from planes.plans import Plans
-from planes.words.names import POLE, label_of, mu_of, plan_of
+from planes.words.names import POLE, kind_of, label_of, mu_of, plan_of
 from planes.words.units import standard_mu, standard_scale
 
 FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 110.0, "motion": 100.0}
 """How large a plan may be on the paper when nothing else is said."""
-
-
-def kind_of(plan: str) -> str:
-    """The kind of a plan: "force" of "force:2-3"."""
-    return plan.partition(":")[0]
 
 
 def unit_scales(plans: Plans) -> dict[str, float]:
@@ -52,9 +47,8 @@ def scales(
 
 def extent(drawing: Drawing, plan: str) -> float:
     """The larger side of the box around a plan's marks, in SI when drawn at unit scale."""
-    made = [s.makes for s in drawing.program.steps if s.kind == "mark" and s.makes not in drawing.program.trials]
-    own = [m for m in made if plan_of(m) == plan and "°" not in m and label_of(m) != POLE]
-    marks = [drawing[m] for m in own]
+    made = [s for s in drawing.program.steps if s.kind == "mark" and not s.loose]
+    marks = [drawing[s.makes] for s in made if plan_of(s.makes) == plan and label_of(s.makes) != POLE]
     if plan != "position":
         marks.append(0j)
     marks = [m for m in marks if cmath.isfinite(m)]

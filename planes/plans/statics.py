@@ -18,9 +18,8 @@ from planes.plans.loads import Couple, Force, force_name
 from planes.plans.primary import DriverForces
 from planes.plans.reactions import Reaction, Statics
 from planes.plans.structure import Group, Pair
-from planes.plans.written import distance
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE, at
+from planes.words.names import POLE, at, force_plan
 
 
 def draw_forces(statics: Statics) -> None:
@@ -35,7 +34,7 @@ class _GroupForces:
 
     def __init__(self, statics: Statics, group: Group) -> None:
         self.s, self.g, self.b, self.d = statics, group, statics.b, statics.b.draft
-        self.plan = f"force:{'-'.join(group.links)}"
+        self.plan = force_plan(*group.links)
         self.loads = {x: list(statics.acting.forces[x]) for x in group.links}
         self.couples = {x: list(statics.acting.couples[x]) for x in group.links}
 
@@ -97,7 +96,7 @@ class _GroupForces:
         terms = []
         for f in forces:
             end = f.name.replace("^", "")
-            terms.append(Term(f.name, start, end, f.size, f.along, f.along))
+            terms.append(Term(f.name, start, end, f.size, f.along, f.along, means=f.means))
             start = end
         return tuple(terms)
 
@@ -131,15 +130,14 @@ class _GroupForces:
             length, sign = d.measure(f"l_{about}{pair.point}", at(SCHEME, about), at(SCHEME, pair.point)), -1.0
         else:
             about, links, ray = g.inner.point, (link,), d.ray(SCHEME, pair.point, g.inner.point)
-            points = self.b.mechanism.links[link].points
-            length, sign = d.give(f"l_{pair.point}{about}", *distance(points[pair.point], points[about])), 1.0
+            length, sign = self.b.length(self.b.mechanism.links[link], pair.point, about), 1.0
         forces = [f for x in links for f in self.loads[x]]
         couples = [c for x in links for c in self.couples[x]]
         products, shown = self.s.moment_terms(at(SCHEME, about), forces, couples, sign, length)
         name = force_name(link, pair.mate(link)) + "^t"
         d.total(name, products)
         d.moments.append(Moments(about, links, shown, name, length))
-        return [Force(name, link, name, d.square(f"⊥{ray}", ray), at(SCHEME, pair.point))]
+        return [Force(name, link, name, d.square(f"⊥{ray}", ray), at(SCHEME, pair.point), "tangential")]
 
     def read(self, head_end: str, e_a: str, tail_start: str, x: str) -> None:
         """Reactions of the three pairs as segments, the couples of the sliding ones, and hand them on."""
@@ -167,7 +165,7 @@ class _GroupForces:
             pushed = s.as_force(seated, g.last)
             sign = 1 if seated.pair.link == g.last else -1
             if g.last_outer.kind == "P":
-                couples = [*self.couples[g.last], Couple(seated.moment, g.last, seated.moment, sign)]
+                couples = [*self.couples[g.last], Couple(seated.moment, g.last, seated.moment, sign, True)]
                 s.seat(found["last"], g.last, about, [*self.loads[g.last], pushed], couples)
             return
         for which, pair, link in (("first", g.first_outer, g.first), ("last", g.last_outer, g.last)):

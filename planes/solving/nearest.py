@@ -45,8 +45,7 @@ class _Side:
     def __init__(self, plans: Plans, value: float, side: float) -> None:
         self.plans, self.value, self.side, self.works = plans, value, side, trials(plans)
         self.turning = plans.mechanism.drive.kind == "phi"
-        longest = max((abs(v) for k, v in plans.given.items() if k.startswith("l_")), default=1.0)
-        self.step = (180.0 if self.turning else 4 * longest) / STEPS
+        self.step = (180.0 if self.turning else 4 * plans.reach) / STEPS
 
     def first(self) -> float | None:
         """The first value that works on the way."""

@@ -11,13 +11,13 @@ from planes.drafting.instruments import Instrument
 from planes.plans import Plans
 from planes.plans.measuring import BLUNT, Reader, say_plan
 from planes.plans.quantities import MOTION, Column, Measured, Quantity
-from planes.plans.scales import FIT_MM, extent, kind_of
+from planes.plans.scales import FIT_MM, extent
 from planes.scene import Scene
 from planes.solving import Position, Solved, as_json, failed, key_of, plans_of, position, told
 from planes.solving.nearest import trials
 from planes.words import Lang, say
 from planes.words.errors import PlanFailure
-from planes.words.names import mu_of
+from planes.words.names import kind_of, mu_of
 from planes.words.units import mu_text
 
 ASIDE_DEG, BESIDE_DEG = 5.0, 0.01

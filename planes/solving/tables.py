@@ -15,6 +15,7 @@ from planes.plans.structure import Structure
 from planes.solving import Position, Solved, key_of
 from planes.solving.vectors import VectorResults
 from planes.words import Lang, say
+from planes.words.names import kind_of
 from planes.words.units import UNIT, mu_text, plan_of_mu, quantity, read_mu
 
 Row = dict[str, Measured]
@@ -149,8 +150,7 @@ def _plan(name: str, plan: dict[str, Any], lang: Lang, e: dict[str, Any] | None)
     for key, s in plan["segments"].items():
         mm, value = (error_of(e, "plans", name, "segments", key, what) for what in ("mm", "value"))
         rows.append([s["name"], key, f"{s['mm']:.2f}", *mm, _number(s["value"], most), *value])
-    kind = name.partition(":")[0]
-    unit = say(UNIT[kind], lang)
+    unit = say(UNIT[kind_of(name)], lang)
     title = f"{say_plan(name, lang)}, μ = {say_mu(plan['mu'], lang)}"
     return table(title, ["", say("segment", lang), say("mm", lang), *pm(e), unit, *pm(e)], rows)
 

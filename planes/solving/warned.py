@@ -10,7 +10,7 @@ from planes.drafting.clearness import clear, far_apart
 from planes.plans.measuring import BLUNT, Reader, say_plan
 from planes.plans.quantities import Quantity
 from planes.words import Lang, say
-from planes.words.names import plan_of
+from planes.words.names import kind_of, plan_of
 
 NOTHING = 4e-15  # beside the largest of a plan
 
@@ -70,7 +70,7 @@ def _small(reader: Reader) -> list[str]:
     """Reactions that are nothing beside the largest force of their plan."""
     drawn, largest = reader.drawing, dict.fromkeys(reader.st.drawn, 0.0)
     for step in drawn.program.steps:
-        if (plan := plan_of(step.makes)).startswith("force:"):
+        if kind_of(plan := plan_of(step.makes)) == "force":
             largest[plan] = max(largest[plan], abs(drawn[step.makes]))
     there = {k: r for k, r in reader.st.reactions.items() if r.start in drawn and r.end in drawn}
     return [k for k, r in there.items() if abs(drawn[r.end] - drawn[r.start]) <= NOTHING * largest[r.plan] > 0]

@@ -1,10 +1,34 @@
-"""How things of a program are named: a mark by its plan and its label there, the scale of a plan, the pole."""
+"""How things of a program are named, and what a name means: a mark by its plan and its label there, a plan by its kind
+and its links, the scale of a plan, the pole. Whoever makes a name says what it means; nobody else takes it apart."""
 
 from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Literal
 
 POLE = "p"
 AGAIN = "~"
 """Ends the name of a direction that is drawn a second time, from other marks: to people it is the same line."""
+Quantity = Literal["guide", "foot", "trial", "normal", "coriolis", "weight", "inertia", "load", "couple",
+                   "tangential", "reaction", "arm", "length", "angle", "rate"]  # fmt: skip
+
+HELPERS = ("guide", "foot", "trial")
+"""Marks that are drawn and never asked of anybody."""
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """What a name stands for: a quantity ``of`` a thing, ``about`` another, that belongs to a ``link``.
+
+    Of marks "guide" is the place of a guide or a place beside it, "foot" stands on it, "trial" is a supposition; at a
+    "normal" or a "coriolis" ends that part of a vector.
+    """
+
+    quantity: Quantity
+    of: str = ""
+    about: str = ""
+    link: str = ""
 
 
 def at(plan: str, label: str) -> str:
@@ -22,9 +46,29 @@ def plan_of(mark: str) -> str:
     return mark.rpartition(":")[0]
 
 
+def kind_of(plan: str) -> str:
+    """The kind of a plan, or of the plan a mark is on: "force" of "force:2-3"."""
+    return plan.partition(":")[0]
+
+
+def links_of(plan: str) -> tuple[str, ...]:
+    """The links whose equilibrium a force plan is: 2 and 3 of "force:2-3"."""
+    return tuple(plan.partition(":")[2].split("-"))
+
+
+def force_plan(*links: str) -> str:
+    """The force plan of a group, or of the driver."""
+    return at("force", "-".join(links))
+
+
 def written(direction: str) -> str:
     """A direction as people write it."""
     return direction.rstrip(AGAIN).replace("⊥∥", "⊥")
+
+
+def parted(label: str) -> str:
+    """A mark of a force plan as the part of a vector that ends there: F_21t, F_21^t."""
+    return re.sub(r"^(F_[^^]*)([tn])$", r"\1^\2", label)
 
 
 def mu_of(plan: str) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 
 from planes.words import Phrase, Told
-from planes.words.names import label_of, written
+from planes.words.names import kind_of, label_of, links_of, written
 
 _HELPER = re.compile(r"(?P<point>[^°⊥∥]*)(?P<sign>[°⊥∥])(?P<guide>[^°⊥∥]+)")
 
@@ -39,8 +39,6 @@ def called_line(along: str, start: str) -> Phrase:
     return Phrase("line_through", along=written(along), start=called(start))
 
 
-
 def plan_phrase(plan: str) -> Phrase:
     """The name of a plan in words."""
-    kind, _, links = plan.partition(":")
-    return Phrase(f"plan_{kind}", links=links.replace("-", ", "))
+    return Phrase(f"plan_{kind_of(plan)}", links=", ".join(links_of(plan)))

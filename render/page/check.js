@@ -2,7 +2,6 @@
 // The report of a checked drawing: layers, the table of steps, marks to move by hand or keys; every move is judged anew.
 const data = JSON.parse(document.getElementById("data").textContent);
 const $ = id => document.getElementById(id);
-frameNumber = data.frame;
 
 class Sheet extends Figure { // the drawing under its marks, on one scale
   constructor(node, data) {

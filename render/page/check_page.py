@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from render.page import web_page
+from render.paper.letters import written
 
 SCRIPTS = ("figure", "tape", "judge", "check")
 LAYERS = ("own", "next", "truth", "picture")
@@ -24,8 +25,16 @@ def page(data: Mapping[str, Any], words: Mapping[str, str], lang: str) -> str:
     }  # fmt: skip
     body, style = web_page.filled(web_page.part("check.html"), parts), web_page.part("check.css")
     code = web_page.part(*(f"{name}.js" for name in SCRIPTS)) if drawn else ""
-    held = {"data": data["page"]} if drawn else None
+    held = {"data": data["page"], "letters": _letters(data)} if drawn else None
     return web_page.page(data["title"], lang, style, body, code=code, data=held, kind=data["verdict"])
+
+
+def _letters(data: Mapping[str, Any]) -> Mapping[str, object]:
+    """The names of marks and vectors as a sheet has them."""
+    page = data["page"]
+    rows = (row[1] for row in (*data["rows"], *data["numbers"]))
+    sides = (name for key in ("rows", "order") for name, *_ in page[key])
+    return written((*rows, *sides, *page["truth"], *(m["name"] for m in page["marks"])), page["lettering"])
 
 
 def _drawing(data: Mapping[str, Any], words: Mapping[str, str]) -> str:

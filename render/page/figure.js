@@ -1,31 +1,11 @@
 "use strict";
 // A panel of ink: maps millimetres of paper to pixels, draws lines and arrows between exported marks, places labels.
 const NS = "http://www.w3.org/2000/svg";
-let frameNumber = "0"; // as the scene numbers the frame
-const GREEK = { omega: "ω", epsilon: "ε", phi: "φ" };
+const LETTERS = JSON.parse(document.getElementById("letters").textContent);
 
-function lettered(name, plan) { // "v_CB" -> [["v", ""], ["CB", "sub"]], "a_CB^t" -> … ["t", "sup"]
-  const primes = (name.match(/['′]+$/) || [""])[0].length;
-  name = name.replace(/['′]+$/, "").replace(/_given$/, "").replace(/[|‖°]/g, "");
-  if (name === "p" && plan === "acceleration") return [["π", ""]];
-  name = name.replace(/^(F_.*\d)([tn])$/, "$1^$2").replace(/^vq_/, "v_");
-  const [body, part] = name.split("^");
-  let [letter, ...rest] = body.split("_");
-  let index = rest.join(",");
-  if (/^[hH]$/.test(letter) && rest.length) index = rest.slice(0, letter === "h" ? -1 : undefined).join("").replace(/^I/, "Φ");
-  if (!rest.length) { const m = body.match(/^([^\d⊥∥]+)(\d+)$/); if (m) [letter, index] = [m[1], m[2]]; }
-  if (letter === "F" && /^..$/.test(index)) index = index.replace(/0/g, frameNumber);
-  if (letter === "F") index = index.replace(/^0,|,0$/, z => z.replace("0", frameNumber));
-  if (letter === "I" && index) letter = "Φ";
-  if (letter === "Fb") [letter, index] = ["F", document.documentElement.lang === "ru" ? "ур" : "b"];
-  if (letter === "MI" || letter === "MP") [letter, index] = ["M", (letter === "MI" ? "Φ" : "P") + index];
-  if (letter === "MZ" || letter === "FZ") return [[letter[0], ""], [index, "sub"], [document.documentElement.lang === "ru" ? "Ж" : "Z", "sup"]];
-  if (letter === "MR") return [["M(", ""], ...lettered(rest.join("_")), [")", ""]];
-  const out = [[GREEK[letter] || letter, ""]];
-  if (index) out.push([index, "sub"]);
-  if (part) out.push([part, "sup"]);
-  if (primes) out.push(["′".repeat(primes), ""]);
-  return out;
+function lettered(name, plan) { // "v_CB" -> [["v", ""], ["CB", "sub"]]: as a sheet has it
+  const own = LETTERS[document.documentElement.lang];
+  return own[`${plan}:${name}`] || own[name] || [[name, ""]];
 }
 function html(name, plan) { // letters stand up, indices stay whole
   const safe = t => t.replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`);
@@ -166,7 +146,7 @@ class Figure { // millimetres y up -> pixels y down
     const found = [];
     for (const full of marks) {
       const p = this.at(full, i), name = full.slice(full.lastIndexOf(":") + 1);
-      if (!p || /[°⊥]/.test(name)) continue;
+      if (!p || this.data.helpers.includes(full)) continue;
       const q = this.px(p), g = found.find(g => Math.hypot(g.q[0] - q[0], g.q[1] - q[1]) < reach);
       if (g) g.names.push(name); else found.push({ q, names: [name] });
     }

@@ -1,7 +1,6 @@
 "use strict";
 // The stepper, the crank, the languages and the handout: reads the exported lesson, keeps its place in the address.
 const data = JSON.parse(document.getElementById("data").textContent);
-frameNumber = data.frame;
 const words = JSON.parse(document.getElementById("words").textContent);
 const $ = id => document.getElementById(id);
 const scheme = new Scheme($("scheme"), data), plan = new Plan($("plan"), data);

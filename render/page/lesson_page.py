@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import html
+from collections.abc import Iterator
 from typing import Any
 
 from planes.words import TABLE
+from planes.words.names import label_of
 from planes.words.pages import PAGES
 from render.page import web_page
+from render.paper.letters import NAME, written
 
 SHARED = {"scheme": "scheme", "formula": "formula", "shifted": "shifted"} | {
     key: f"lesson_{key}" for key in ("ccw", "cw", "still")
@@ -34,4 +37,20 @@ def page(data: dict[str, Any], lang: str) -> str:
     }
     body = web_page.filled(web_page.part("lesson.html"), parts)
     code = web_page.part(*(f"{name}.js" for name in SCRIPTS))
-    return web_page.page(title, lang, web_page.part("lesson.css"), body, code=code, data={"words": words, "data": data})
+    held = {"words": words, "data": data, "letters": written(_names(data), data["lettering"])}
+    return web_page.page(title, lang, web_page.part("lesson.css"), body, code=code, data=held)
+
+
+def _names(thing: Any, key: str = "") -> Iterator[str]:
+    """Every name the page may letter: of marks, of vectors and values, and all that stand in its sentences."""
+    if isinstance(thing, dict):
+        yield from (label_of(n).lstrip("°") for n in thing if key == "marks")
+        for one, inside in thing.items():
+            yield from _names(inside, one)
+    elif isinstance(thing, str):
+        yield from NAME.findall(thing)
+        if key in ("name", "names", "terms", "action", "fixed"):
+            yield thing.lstrip("+-" if key == "action" else "")
+    elif isinstance(thing, (list, tuple)) and key not in ("marks", "turned", "values"):
+        for inside in thing:
+            yield from _names(inside, key)

@@ -3,7 +3,7 @@
 
 class Plan extends Figure {
   own(key) {
-    return Object.keys(this.data.marks).filter(n => n.slice(0, n.lastIndexOf(":")) === key && !/[⊥°]/.test(n));
+    return Object.keys(this.data.marks).filter(n => n.slice(0, n.lastIndexOf(":")) === key && !this.data.helpers.includes(n));
   }
   frame(key, i) { // the plan in its own position fills the panel; one that grows is followed, up to three times
     const { drive } = this.data, marks = this.own(key), now = this.box(marks, i);
@@ -42,15 +42,12 @@ class Plan extends Figure {
     text.textContent = say("shifted");
   }
   fixed(names, key) { // fixed points of the scheme end at the pole
-    if (!names.includes("p")) return names;
-    const prime = key === "acceleration" ? "'" : "";
-    const poles = this.data.scheme.pivots.map(n => n.slice(n.indexOf(":") + 1).toLowerCase() + prime);
-    return [...names, ...(key === "lever" ? [] : poles)];
+    return names.includes("p") ? [...names, ...this.data.plans.find(p => p.key === key).fixed] : names;
   }
   segment(s, there, lit, force, names) {
     let a = there(`${s.plan}:${s.start}`), b = there(`${s.plan}:${s.end}`);
     if (!a || !b) return;
-    const whole = force ? s.names.some(n => !n.includes("^")) : s.start === "p" && !/^[nk]_/.test(s.end);
+    const whole = force ? s.names.some(n => !n.includes("^")) : s.start === "p" && !s.corner;
     const on = s.names.some(n => lit.has(n));
     if (force) [a, b] = this.aside(a, b);
     this.arrow(a, b, (whole ? "result" : "part") + (on ? " lit" : ""), s.names.join(" "));

@@ -4,7 +4,7 @@
 class Scheme extends Figure {
   constructor(node, data, size) {
     super(node, data, size);
-    this.names = Object.keys(data.marks).filter(n => n.startsWith("position:") && n !== "position:p" && !/[⊥°]/.test(n));
+    this.names = Object.keys(data.marks).filter(n => n.startsWith("position:") && n !== "position:p" && !data.helpers.includes(n));
     this.common = this.usual();
   }
   usual() { // what is in view in most positions; the rest is followed as it leaves

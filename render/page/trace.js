@@ -2,7 +2,6 @@
 // Tracing paper: the right plan over a picture of a drawing, moved by its pole, turned and resized by one of its marks.
 const data = JSON.parse(document.getElementById("data").textContent);
 const $ = id => document.getElementById(id);
-frameNumber = data.frame;
 // a place of the plan (mm, y up) lies at pole + turn · its mirror image, in pixels of the picture (y down)
 const state = { plan: data.plans[0], pole: [0, 0], turn: [1, 0], size: [1200, 800], file: "", drag: null, held: null };
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from render.page import web_page
+from render.paper.letters import written
 
 SAID = ("pole", "turned", "scale", "not_picture")
 
@@ -16,5 +17,6 @@ def page(data: Mapping[str, Any], words: Mapping[str, str], lang: str) -> str:
     parts = {k: html.escape(text) for k, text in {**words, "title": data["title"]}.items()}
     body = web_page.filled(web_page.part("trace.html"), parts)
     style, code = web_page.part("check.css", "trace.css"), web_page.part("figure.js", "trace.js")
-    held = {"data": {**data, "words": {k: words[k] for k in SAID}}}
+    names = (name for plan in data["plans"] for name in (*plan["marks"], *(name for name, *_ in plan["names"])))
+    held = {"data": {**data, "words": {k: words[k] for k in SAID}}, "letters": written(names, data["lettering"])}
     return web_page.page(data["title"], lang, style, body, code=code, data=held)

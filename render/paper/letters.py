@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from html import escape
+from typing import Any, get_args
 
+from planes.words import Lang
+from planes.words.names import parted
 from render.paper.names import Naming, lettered
 
-_NAME = re.compile(r"⟨([^⟩]*)⟩")
+NAME = re.compile(r"⟨([^⟩]*)⟩")
 _PIECE = re.compile(r"([_^])\{([^}]*)\}")
-_PARTS = re.compile(r"^(F_.*\d)([tn])$")
 
 
 @dataclass(frozen=True)
@@ -25,7 +27,7 @@ class Piece:
 
 def pieces(text: str, naming: Naming, plan: str = "") -> Iterator[Piece]:
     """The runs of a sentence; _{…} and ^{…} in it are indices too."""
-    for k, part in enumerate(_NAME.split(text)):
+    for k, part in enumerate(NAME.split(text)):
         yield from _split(_named(part, naming, plan) if k % 2 else part, bool(k % 2))
 
 
@@ -39,21 +41,25 @@ def tagged(text: str, naming: Naming, plan: str = "") -> str:
     return found
 
 
+def written(names: Iterable[str], lettering: Mapping[str, Any]) -> dict[str, dict[str, list[tuple[str, str]]]]:
+    """Names for a page's script, in both languages: pieces of text, each lowered ("sub"), raised or neither."""
+    namings, names = [Naming(lang, **lettering) for lang in get_args(Lang)], dict.fromkeys(names)
+    pole = {"acceleration:p": [("π", "")]}
+    return {n.lang: pole | {name: [(p.text, p.shift) for p in _split(_named(name, n, ""), True)] for name in names}
+            for n in namings}  # fmt: skip
+
+
 def _named(name: str, naming: Naming, plan: str) -> str:
     """A name with its indices marked up."""
     plain = name.strip("|‖°").removesuffix("_given")
     letter, _, index = plain.partition("_")
     if letter in ("h", "H") and index:
         return naming.arm(index.partition("^")[0].rpartition("_")[0] if letter == "h" else index, plain)
-    if letter in ("MZ", "FZ"):
-        return f"{letter[0]}_{{{index}}}^{{{'Ж' if naming.lang == 'ru' else 'Z'}}}"
-    if letter == "MR":
-        return f"M({naming.vector(index)})"
-    if "'" in plain or plain == "p" or (letter in ("n", "k") and index):
+    if "'" in plain or plain == "p":
         return naming.mark(plain, plan)
     if not index:
         return lettered(plain)
-    return naming.vector(_PARTS.sub(r"\1^\2", plain))
+    return naming.vector(parted(plain))
 
 
 def _split(text: str, name: bool) -> Iterator[Piece]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 from dataclasses import dataclass
 
 from planes.words import Lang, say
@@ -15,12 +16,14 @@ _INDEXED = re.compile(r"([^\W\d_]+)(\d+)")
 
 @dataclass(frozen=True)
 class Naming:
-    """How this sheet names things: number of the frame, order of a reaction's indices, language."""
+    """How this sheet names things: language, number of the frame, order of a reaction's indices, the driver, vectors
+    that end at a point of the frame under a slider."""
 
     lang: Lang = "ru"
     frame: str = "0"
     from_on: bool = False
     driver: str = "1"
+    grounded: Collection[str] = ()
 
     def link(self, name: str) -> str:
         """A link's number; the frame's is the scene's."""
@@ -35,15 +38,16 @@ class Naming:
         if label == "p":
             return "π" if plan == "acceleration" else "p"
         primes, label = len(label) - len(label.rstrip("'′")), label.rstrip("'′")
-        letter, _, index = label.partition("_")
-        if index and letter in ("n", "k"):
-            return f"{letter}_{{{index}}}"
         return lettered(label) + PRIME * primes
 
     def vector(self, name: str) -> str:
         """A vector or a value: v_CB, a_HL^k, F_21^t, G_2, I_2, P_5, omega_2, M_3, l_AB, omegaq_2 of a unit drive."""
         base, _, part = name.partition("^")
         letter, _, index = base.partition("_")
+        if letter == "MR":
+            return f"M({self.vector(index)})"
+        if letter in ("MZ", "FZ"):
+            letter, part = letter[0], "Ж" if self.lang == "ru" else "Z"
         letter, analogue = rate_of(letter)
         if letter in ("F", "R") and index:
             index = self.reaction(index)
@@ -55,7 +59,7 @@ class Naming:
             index = self.reaction(index[2:])
         elif letter in ("v", "a"):
             index = self.driver if index == "drive" else index.removeprefix("slide_")
-            index = analogue + self.grounded(index)
+            index = analogue + (index[:-1] + self.frame if base in self.grounded else index)
         elif analogue:
             index = analogue + index
         elif letter == "Fb":
@@ -74,10 +78,6 @@ class Naming:
             by = by[:-1]
         pair = (self.link(by), self.link(on)) if self.from_on else (self.link(on), self.link(by))
         return "".join(pair) if max(map(len, pair)) == 1 else ",".join(pair)
-
-    def grounded(self, index: str) -> str:
-        """HH0 and H0, points of the frame under a slider, with the frame's number on this sheet."""
-        return index[:-1] + self.frame if len(index) > 1 and index.endswith("0") else index
 
     def balancing(self, turning: bool) -> str:
         """The balancing moment or force."""

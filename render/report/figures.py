@@ -87,7 +87,7 @@ class Studio:
 
     def drawn(self, block: Drawn, caption: str) -> tuple[list[Shown], str]:
         """The views of one position, side by side where they fit; a caption with every μ if it is asked for."""
-        composer = self.composers.setdefault(id(block.scene), Composer(block.scene, self.lang))
+        composer = self.composers.setdefault(id(block.scene), Composer(block.scene, self.lang, block.position.plans))
         plotted = of_position(block.position)
         stacks = [[v for name in names if (v := _view(name, block, composer, plotted, len(names) == 1))]
                   for names in block.views]  # fmt: skip

@@ -6,12 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-from planes.plans.scales import kind_of
+from planes.plans import Plans
+from planes.plans.lettering import lettering
 from planes.scene import Scene
 from planes.solving import Position
 from planes.solving.vectors import PLAN, VectorResults
 from planes.words import Lang, say
-from planes.words.names import mu_of
+from planes.words.names import kind_of, links_of, mu_of
 from planes.words.units import mu_text
 from render.paper.names import Naming
 from render.paper.numbers import decimal
@@ -33,14 +34,14 @@ class Composer:
 
     scene: Scene
     lang: Lang
+    stated: Plans | None = None  # of a mechanism: what its names mean
     made: dict[tuple[object, ...], View | None] = field(default_factory=dict)
     details: dict[tuple[str, float], int] = field(default_factory=dict)  # how many a plan has at its μ
 
     @property
     def naming(self) -> Naming:
         """How this sheet names things."""
-        driver = self.scene.mechanism.drive.link if self.scene.mechanism else ""
-        return Naming(self.lang, self.scene.frame_number, self.scene.sheet.get("reactions") == "from-on", driver)
+        return Naming(self.lang, **lettering(self.scene, self.stated))
 
     def once(self, key: tuple[object, ...], make: Callable[[], View | None]) -> View | None:
         """The view of that key, made the first time it is asked for."""
@@ -109,11 +110,10 @@ class Composer:
 
     def plan_name(self, plan: str) -> str:
         """The name of a plan in its title."""
-        kind, _, links = plan.partition(":")
-        if kind != "force":
-            return say(kind, self.lang)
-        numbers = "–".join(self.naming.link(x) for x in links.split("-"))
-        return say("force_group" if "-" in links else "force_driver", self.lang, links=numbers)
+        if kind_of(plan) != "force":
+            return say(plan, self.lang)
+        numbers = [self.naming.link(x) for x in links_of(plan)]
+        return say("force_group" if len(numbers) > 1 else "force_driver", self.lang, links="–".join(numbers))
 
     def formulas(self, plotted: Plotted, plans: tuple[str, ...], letter: float, title: str) -> View | None:
         """The vector equations of some plans."""
@@ -139,4 +139,4 @@ def drawn_plans(plotted: Plotted, position: Position) -> list[str]:
     """The plans that are shown: of rates if anything moves, and all of forces."""
     plans = position.plans.drawn
     rates = [p for p in plans if p in ("velocity", "acceleration") and not plotted.still(p)]
-    return rates + [p for p in plans if p.startswith("force") and not plotted.still(p)]
+    return rates + [p for p in plans if kind_of(p) == "force" and not plotted.still(p)]

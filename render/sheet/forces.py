@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from planes.solving import Position
 from planes.words import say
-from planes.words.names import mu_of
+from planes.words.names import kind_of, links_of, mu_of
 from render.sheet.composer import LARGER, Composer
 from render.sheet.sizes import Sizes
 from render.views import View, beside, stacked, view
@@ -26,7 +26,7 @@ Drawer = Callable[[Sizes], Position]
 
 def apart(plan: str) -> str:
     """The name under which the scheme of a plan's links grows: "scheme:2-3" of "force:2-3"."""
-    return f"scheme:{plan.partition(':')[2]}"
+    return f"scheme:{'-'.join(links_of(plan))}"
 
 
 def enlarged(sizes: Sizes, group: str) -> Sizes:
@@ -37,8 +37,8 @@ def enlarged(sizes: Sizes, group: str) -> Sizes:
 def extents(at: Drawer, sizes: Sizes) -> dict[str, float]:
     """Sizes in mm of the groups apart, each at its own scale."""
     found = {}
-    for plan in (p for p in at(sizes).plans.drawn if p.startswith("force")):
-        group, links = apart(plan), plan.partition(":")[2].split("-")
+    for plan in (p for p in at(sizes).plans.drawn if kind_of(p) == "force"):
+        group, links = apart(plan), links_of(plan)
         counts = CROWDED if len(links) > 1 else ALONE
         found[group] = counts * Places(at(enlarged(sizes, group))).size(links)
     return found
@@ -55,8 +55,8 @@ class Forces:
         c, position = self.composer, at(sizes)
         plotted = of_position(position)
         found: list[View | None] = [self.loaded(position)]
-        for plan in (p for p in position.plans.drawn if p.startswith("force")):
-            links = tuple(plan.partition(":")[2].split("-"))
+        for plan in (p for p in position.plans.drawn if kind_of(p) == "force"):
+            links = links_of(plan)
             larger = at(enlarged(sizes, apart(plan)))
             moments = self.moments(position, links, letter)
             drawn = c.plan(plotted, plan)

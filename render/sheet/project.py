@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from planes.solving import Position
 from planes.words import say
-from planes.words.names import mu_of
+from planes.words.names import kind_of, mu_of
 from render.paper.marks import Mark, Text
 from render.paper.numbers import decimal
 from render.sheet.composer import LARGER, Composer, drawn_plans
@@ -61,7 +61,7 @@ class Project:
     def kinematics(self, position: Position, size: float, letter: float, together: bool) -> list[View | None]:
         """Scheme in many positions, groups, plans of rates, tables, diagrams."""
         c, plotted = self.composer, of_position(position)
-        rates = [p for p in drawn_plans(plotted, position) if not p.startswith("force")]
+        rates = [p for p in drawn_plans(plotted, position) if kind_of(p) != "force"]
         tables = c.tables(position, letter)
         found = [self.many(position), *c.plans(plotted, rates, letter, together), self.groups(position, letter)]
         found += [tables.given(), tables.plan("velocity"), tables.plan("acceleration"), tables.links()]

@@ -10,6 +10,7 @@ from planes.solving import Position
 from planes.solving.vectors import PLAN, VectorResults
 from planes.words import Phrase, say
 from planes.words.errors import PlanesError
+from planes.words.names import kind_of, links_of
 from render.files import svg
 from render.paper.marks import Mark
 from render.sheet import unseen
@@ -68,7 +69,7 @@ def of_mechanism(
     plotted, plans = of_position(position), position.plans
     bare, loaded, tables = Project(composer), Forces(composer), composer.tables(position, LETTER_MM)
     rates = tuple(p for p in plans.drawn if p in ("velocity", "acceleration") and not plotted.still(p))
-    forces = tuple(p for p in plans.drawn if p.startswith("force") and not plotted.still(p))
+    forces = tuple(p for p in plans.drawn if kind_of(p) == "force" and not plotted.still(p))
     found: dict[str, Callable[[], View | None]] = {"position": lambda: composer.scheme(position)}
     found["positions"] = lambda: project().many(position)
     found["structure"] = lambda: bare.groups(position, LETTER_MM)
@@ -79,10 +80,11 @@ def of_mechanism(
     found["hodographs"] = lambda: project().hodographs()
     found["loads"] = lambda: loaded.loaded(position)
     for force in forces:
-        links = force.partition(":")[2]
-        found[f"group-{links}"] = lambda plan=force, of=links: loaded.group(position, plan, tuple(of.split("-")))  # type: ignore[misc]
-        if "-" in links:
-            found[f"links-{links}"] = lambda of=links: loaded.apart(position, tuple(of.split("-")))  # type: ignore[misc]
+        own = links_of(force)
+        links = "-".join(own)
+        found[f"group-{links}"] = lambda plan=force, of=own: loaded.group(position, plan, of)  # type: ignore[misc]
+        if len(own) > 1:
+            found[f"links-{links}"] = lambda of=own: loaded.apart(position, of)  # type: ignore[misc]
         found[f"force-{links}"] = lambda plan=force: composer.plan(plotted, plan)  # type: ignore[misc]
     balance = say("balance_equations", composer.lang)
     found["force-equations"] = lambda: composer.formulas(plotted, forces, LETTER_MM, balance)

@@ -16,8 +16,6 @@ from render.paper.names import Naming
 from render.sheet.single import MARGIN_MM, Page
 from render.views import View, stacked, view
 
-HELPERS = "°⊥~+-|"  # in the labels of marks that are not lettered
-
 
 def traced(drawing: Drawing, lang: Lang = "ru") -> Page | None:
     """The plans of one drawing, one beneath the other, in mm; None where there is no plan, or many drawings at once."""
@@ -37,7 +35,7 @@ def _plan(drawing: Drawing, plan: str, lang: Lang) -> View | None:
     if not lines:
         return None
     dots: list[Mark] = [d for z in dict.fromkeys(places.values()) for d in symbols.dot(z, 0.7, "plan")]
-    shown = [m for m in places if not set(HELPERS) & set(label_of(m))]
+    shown = [s.makes for s in drawing.program.steps if s.makes in places and not s.helper]
     labels = [Label(Naming(lang).mark(label_of(m), plan), places[m], 3.5) for m in shown]
     marks = (*lines, *dots)
     return view(f"traces {plan}", say_plan(plan, lang), (*marks, *place(labels, marks).marks))

@@ -128,10 +128,11 @@ class Given:
 
     def loads(self) -> Iterator[Row]:
         """Forces and couples as they are called on the sheet."""
-        for name, value in self.position.plans.given.items():
-            if name.startswith(("P_", "M_", "MP_")) and name.endswith("_given"):
-                unit = "N" if name.startswith("P_") else "N·m"
-                yield Row(self.naming.vector(name.removesuffix("_given")), float(value), unit)
+        plans = self.position.plans
+        for name, m in plans.means.items():
+            if name in plans.given and m.quantity in ("load", "couple"):
+                unit = "N" if m.quantity == "load" else "N·m"
+                yield Row(self.naming.vector(m.of), float(plans.given[name]), unit)
 
 
 def unit_of(name: str) -> str:

@@ -49,7 +49,7 @@ class Loading:
                 if (force.spot or carried) and force.size in self.drawing and self.big(float(self.drawing[force.size])):
                     way = complex(self.drawing[force.along])
                     self.force(force.name, complex(self.drawing[force.point]), way * _sign(self.drawing[force.size]))
-            for k, couple in enumerate(c for c in acting.couples[link] if carried or not c.name.startswith("MR_")):
+            for k, couple in enumerate(c for c in acting.couples[link] if carried or not c.handed):
                 value = float(self.drawing[couple.value]) * couple.sign if couple.value in self.drawing else 0.0
                 if abs(value) > 1e-9:
                     self.couple(couple.name, link, value, k)
@@ -105,7 +105,7 @@ class Loading:
             foot, along = self.places.foot(plans.mechanism.links[plans.structure.driver])
             self.force(plans.balancing, foot, along * _sign(self.drawing[plans.balancing]))
         else:
-            taken = len([c for c in plans.acting.couples[plans.structure.driver] if not c.name.startswith("MR_")])
+            taken = len([c for c in plans.acting.couples[plans.structure.driver] if not c.handed])
             name = self.naming.balancing(True)
             self.couple(name, plans.structure.driver, float(self.drawing[plans.balancing]), taken, name)
 
@@ -160,8 +160,6 @@ class Loading:
         sense = math.copysign(1.0, value)
         arrow, middle = self.free_couple(centre, COUPLE_MM + 3 * number, sense)
         self.marks += arrow
-        if name.startswith("MR_"):
-            text = f"M({self.naming.vector(name.removeprefix('MR_'))})"
         self.named.append(labels.Label(text or self.naming.vector(name), middle, NAME_MM, clear=0.4, name=name))
 
     def free_couple(self, centre: complex, radius: float, sense: float) -> tuple[tuple[Mark, ...], complex]:

@@ -80,14 +80,10 @@ class MomentLines:
         drive = self.position.plans.mechanism.drive
         if equation.unknown in (self.position.plans.balancing, self.position.plans.zhukovsky):
             return self.naming.balancing(drive.kind == "phi")
-        if equation.unknown.startswith("MR_"):
-            return f"M({self.naming.vector(equation.unknown.removeprefix('MR_'))})"
         return self.naming.vector(equation.unknown)
 
     def product(self, name: str, lever: str) -> str:
         """A force times its arm, or a couple."""
-        if name.startswith("MR_"):
-            return f"M({self.naming.vector(name.removeprefix('MR_'))})"
         text = self.naming.vector(name)
         if lever.startswith(("omega", "v_")):
             return text + self.naming.vector(lever)

@@ -10,7 +10,7 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation
 from planes.solving import Position
 from planes.solving.vectors import PLAN, VectorResults
-from planes.words.names import at, label_of, mu_of
+from planes.words.names import at, kind_of, label_of, mu_of, plan_of
 
 
 @dataclass(frozen=True)
@@ -35,9 +35,8 @@ class Plotted:
 
     def labels(self, plan: str) -> list[str]:
         """Labels of all marks of a plan in the order they were drawn, the helping ones left out."""
-        program = self.drawing.program
-        made = [s.makes.rpartition(":") for s in program.steps if s.kind == "mark" and s.makes not in program.trials]
-        return [m for p, _, m in made if p == plan and "°" not in m]
+        made = [s for s in self.drawing.program.steps if s.kind == "mark" and plan_of(s.makes) == plan]
+        return [label_of(s.makes) for s in made if not s.loose]
 
     def mu(self, plan: str) -> float:
         """μ of a plan, mm per SI unit."""
@@ -45,7 +44,7 @@ class Plotted:
 
     def kind(self, plan: str) -> str:
         """The kind of a plan, which tells the unit of its vectors."""
-        return self.quantity or plan.partition(":")[0]
+        return self.quantity or kind_of(plan)
 
     def still(self, plan: str) -> bool:
         """Whether every mark of the plan stands in its pole: there is nothing to draw."""

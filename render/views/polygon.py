@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from planes.drafting.equations import Term
 from planes.drafting.steps import Image, Similar
 from planes.words import say
-from planes.words.names import POLE, label_of, plan_of
+from planes.words.names import POLE, at, label_of, plan_of
 from render import labels
 from render.paper.marks import Arrow, Layer, Line, Mark
 from render.paper.names import Naming
@@ -171,7 +171,7 @@ class Polygon:
         """Whole vectors from the pole, and whole forces."""
         if not self.of_rates:
             return any("^" not in name for name in names)
-        return start == POLE and not end.startswith(("n_", "k_"))
+        return start == POLE and at(self.plan, end) not in self.plotted.drawing.program.corners
 
     def vector_labels(self) -> list[labels.Label]:
         """Names beside their vectors; equal reactions share one label."""

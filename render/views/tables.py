@@ -8,11 +8,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from planes.drafting.draft import Segment
-from planes.plans.scales import kind_of
 from planes.solving import Position
 from planes.solving.vectors import VectorResults
 from planes.words import say
-from planes.words.names import POLE, label_of
+from planes.words.names import POLE, at, kind_of, label_of
 from planes.words.units import UNIT
 from render.paper import symbols
 from render.paper.ink import head as ink_head
@@ -168,12 +167,12 @@ class Tables:
 
     def vector(self, segment: Segment, plan: str) -> str:
         """The name of a segment: whole vectors from the pole by their points, not by what they were found against."""
-        label = segment.end.rstrip("'")
-        if segment.start != POLE or label.startswith(("n_", "k_")):
+        if segment.start != POLE or at(plan, segment.end) in self.position.drawing.program.corners:
             return self.naming.vector(segment.name)
         names = self.position.plans.points
         marks = {label_of(m.velocity if plan == "velocity" else m.acceleration): p for p, m in names.items()}
-        return self.naming.vector(f"{plan[0]}_{marks.get(segment.end, label.upper())}")
+        point = marks.get(segment.end) or segment.end.rstrip("'").upper()
+        return self.naming.vector(f"{plan[0]}_{point}")
 
     def links(self) -> View | None:
         """ω and ε of every link with their senses."""

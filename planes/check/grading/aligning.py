@@ -7,10 +7,9 @@ from collections.abc import Mapping
 from planes.check.grading.bench import Bench, marks_of
 from planes.check.grading.paper import Paper, Spot
 from planes.check.grading.polygons import Rebuilt, rebuild
-from planes.plans.scales import kind_of
 from planes.words import Phrase
 from planes.words.errors import PlanesError
-from planes.words.names import POLE, label_of, mu_of
+from planes.words.names import POLE, kind_of, label_of, mu_of
 from planes.words.spelling import Names
 
 

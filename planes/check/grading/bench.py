@@ -19,11 +19,11 @@ from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import One
 from planes.plans import Plans, mechanism_plans
-from planes.plans.scales import kind_of, scales
+from planes.plans.scales import scales
 from planes.scene import Scene
 from planes.words import Phrase
 from planes.words.errors import PlanesError, valid_names
-from planes.words.names import POLE, label_of, mu_of, plan_of
+from planes.words.names import POLE, kind_of, label_of, mu_of, parted, plan_of
 from planes.words.spelling import Names
 
 
@@ -53,7 +53,7 @@ class Bench:
 
     def written(self, vectors: Iterable[str]) -> Names:
         """Names of vectors of a force plan as sheets of the scene letter them, and as the program does."""
-        return Names(vectors, spelt=lambda name: self.asked.spelt(_parted(name)))
+        return Names(vectors, spelt=lambda name: self.asked.spelt(parted(name)))
 
     def at(self, mu: float, told: bool = False) -> Bench:
         """The same at another scale; ``told``, if no other is to be thought of."""
@@ -63,11 +63,6 @@ class Bench:
     def ways(self) -> Ways:
         """The steps a mistake may change."""
         return Ways(self.plans, self.program, self.asked.plan)
-
-
-def _parted(name: str) -> str:
-    """F_21t as the part of a vector it is, F_21^t."""
-    return f"{name[:-1]}^{name[-1]}" if name.startswith("F_") and name[-1] in "tn" else name
 
 
 def prepare(asked: Asked) -> Bench:
@@ -95,10 +90,8 @@ def known_plans(plans: Plans) -> list[str]:
 
 def marks_of(plans: Plans, plan: str) -> list[str]:
     """The marks of a plan that a person draws, in order of drawing."""
-    own = [s.makes for s in plans.program.steps if s.kind == "mark" and plan_of(s.makes) == plan]
-    labels = [label_of(m) for m in own]
-    return [m for m, label in zip(own, labels, strict=True)
-            if label != POLE and not set(label) & set("°⊥~") and label[-1] not in "+-"]  # fmt: skip
+    own = [s.makes for s in plans.program.steps if s.kind == "mark" and plan_of(s.makes) == plan and not s.helper]
+    return [m for m in own if label_of(m) != POLE]
 
 
 def variants_of(bench: Bench, hand: Hand, mu: float) -> Sequence[Variant]:

@@ -17,9 +17,9 @@ from planes.check.grading.scaling import own_scales
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.steps import Cross, CrossArc, CrossArcs, LayOff, Same, Step
 from planes.plans import Plans
-from planes.plans.scales import extent, kind_of
+from planes.plans.scales import extent
 from planes.words import Phrase, Written
-from planes.words.names import at, label_of, mu_of, plan_of
+from planes.words.names import at, kind_of, label_of, mu_of, plan_of
 
 OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
 LONG_MM = 3.0  # a shorter vector shows no scale

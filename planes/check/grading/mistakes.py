@@ -11,7 +11,7 @@ from planes.check.grading.ways import Ways
 from planes.drafting.steps import Carry, Cross, Image, LayOff, Read, Same, Similar, Step
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.drafting.tools import Env, Tool
-from planes.words.names import POLE, at, label_of, mu_of
+from planes.words.names import POLE, at, label_of, mu_of, plan_of
 
 
 def motion_variants(w: Ways) -> Iterator[Variant]:
@@ -123,7 +123,7 @@ def _normals(w: Ways, start: str, end: str) -> Iterator[str]:
     """Ends of normal parts laid off from ``start`` on the way to ``end``."""
     meets = w.steps.get(end)
     for step in w.own:
-        normal = isinstance(step, LayOff) and label_of(step.makes).startswith("n_") and step.start == start
+        normal = step.quantity == "normal" and isinstance(step, LayOff) and step.start == start
         if normal and isinstance(meets, Cross) and step.makes in (meets.start, meets.other):
             yield step.makes
 
@@ -158,10 +158,9 @@ class Mirror(Step):
 
 
 def _laid_quick(w: Ways, step: LayOff) -> Iterator[Variant]:
-    label = label_of(step.makes)
-    if label.startswith("n_"):
+    if step.quantity == "normal":
         yield from _normal(w, step)
-    elif label.startswith("k_"):
+    elif step.quantity == "coriolis":
         yield from _coriolis(w, step)
     elif line := w.link_line(step.along):
         yield w.variant("tangential_along_link", step, replace(step, along=line), about={"line": line})
@@ -190,11 +189,11 @@ def _normal(w: Ways, step: LayOff) -> Iterator[Variant]:
 def _velocities(w: Ways, step: LayOff, but: str) -> Iterator[tuple[str, tuple[Step, ...]]]:
     """Other speeds of the velocity plan, with the step that reads each where none does yet."""
     for name, made in w.steps.items():
-        plain = isinstance(made, Measure) and made.start.startswith("velocity:") and "slide" not in name
+        plain = isinstance(made, Measure) and plan_of(made.start) == "velocity" and "slide" not in name
         if name != but and name.startswith("v_") and plain and w.before(name, step):
             yield name, ()
     for name, made in w.steps.items():
-        if made.kind == "mark" and name.startswith("velocity:") and label_of(name) != POLE and w.before(name, step):
+        if made.kind == "mark" and plan_of(name) == "velocity" and label_of(name) != POLE and w.before(name, step):
             tag = f"{step.makes} v_{label_of(name).upper()}"
             yield tag, (Measure(tag, at("velocity", POLE), name, None, mu_of("velocity")),)
 

@@ -9,7 +9,7 @@ from planes.check.grading.handwork import Variant
 from planes.check.grading.ways import Ways
 from planes.drafting.steps import Cross, LayOff, Same, Step, Through
 from planes.drafting.steps.reckoning import Calculate, Drop, Lean, Measure, Product
-from planes.words.names import label_of
+from planes.words.names import label_of, plan_of
 
 
 def force_variants(w: Ways) -> Iterator[Variant]:
@@ -23,21 +23,20 @@ def force_variants(w: Ways) -> Iterator[Variant]:
 
 
 def _force(w: Ways, step: LayOff) -> Iterator[Variant]:
-    label = label_of(step.makes)
-    if label.startswith("F_") and label.endswith("t"):
+    if step.quantity == "tangential":
         yield w.variant("reaction_along_loaded_link", step, Same(step.makes, step.start))
         yield w.variant("tangential_reversed", step, *w.reversed_length(step))
         yield w.variant("force_doubled", step, *w.reversed_length(step, 2.0))
         yield from _moments(w, step)
         return
-    missing = "weight_missing" if label.startswith("G_") else "force_missing"
+    missing = "weight_missing" if step.quantity == "weight" else "force_missing"
     yield from _both(w, step, missing, (Same(step.makes, step.start),), 0.0)
     yield from _both(w, step, "force_doubled", w.reversed_length(step, 2.0), 2.0)
-    if label.startswith("G_"):
+    if step.quantity == "weight":
         yield from _mass(w, step)
-    elif label.startswith("I_"):
+    elif step.quantity == "inertia":
         yield from _both(w, step, "inertia_along_acceleration", w.reversed_length(step), -1.0)
-    elif label.startswith("F_"):
+    elif step.quantity == "reaction":
         yield from _both(w, step, "reaction_not_reversed", w.reversed_length(step), -1.0)
 
 
@@ -52,11 +51,11 @@ def _both(w: Ways, step: LayOff, mistake: str, swap: tuple[Step, ...], factor: f
 
 def _in_moments(w: Ways, step: LayOff, factor: float) -> dict[str, tuple[Step, ...]]:
     """The plan's moment equations with the terms of one force multiplied."""
-    arm = f"h_{label_of(step.makes)}_"
+    arms = {n for n, m in w.plans.means.items() if m.quantity == "arm" and step.means and m.of == step.means.of}
     found: dict[str, tuple[Step, ...]] = {}
     for formula in _formulas(w):
         terms = tuple(
-            replace(t, coefficient=t.coefficient * factor) if any(n.startswith(arm) for n, _ in t.factors) else t
+            replace(t, coefficient=t.coefficient * factor) if any(n in arms for n, _ in t.factors) else t
             for t in formula.terms
         )
         if terms != formula.terms:
@@ -155,7 +154,7 @@ def _reaction(w: Ways, step: Cross) -> Iterator[Variant]:
 def _links(w: Ways, step: Cross) -> list[str]:
     """Directions of links on the scheme."""
     own = (step.along, step.across)
-    rays = [s for s in w.program.steps if isinstance(s, Through) and s.start.startswith("position:")]
+    rays = [s for s in w.program.steps if isinstance(s, Through) and plan_of(s.start) == "position"]
     return [s.makes for s in rays if s.makes not in own]
 
 

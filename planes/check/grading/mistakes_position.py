@@ -72,7 +72,7 @@ def _marked(
     for step in w.program.steps:
         if step.makes in dirty or any(n in dirty for n, _ in step.reads()):
             dirty.add(step.makes)
-            if step.kind == "mark" and "°" not in step.makes and "⊥" not in step.makes:
+            if step.kind == "mark" and not step.helper:
                 label = label_of(step.makes)
                 yield Variant(mistake, label, {}, dict(givens), weight, {"mark": label})
                 return
@@ -92,7 +92,7 @@ def _scales(w: Ways, step: Step, taken: Mapping[str, Taken], mu: float) -> Itera
         ends = [(step.centre, step.radius)]
     for centre, length in ends:
         value, start = w.plans.given.get(length), taken.get(centre)
-        if start is None or not value or length not in w.program.givens or not length.startswith("l_"):
+        if start is None or not value or length not in w.plans.lengths:
             continue
         drawn = abs(own.place - start.place) / mu
         ratio = drawn / abs(float(value))

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from planes.check.grading.paper import Spot
 from planes.drafting.steps import LayOff
 from planes.plans import Plans
-from planes.words.names import POLE
+from planes.words.names import POLE, label_of, plan_of
 from planes.words.spelling import Names
 
 
@@ -50,8 +50,7 @@ def sides_of(plans: Plans, plan: str) -> list[Side]:
 
 def loads_of(plans: Plans, plan: str) -> set[str]:
     """Labels of the marks where forces known beforehand end."""
-    steps = (s.makes.rpartition(":") for s in plans.program.steps if isinstance(s, LayOff))
-    return {label for where, _, label in steps if where == plan}
+    return {label_of(s.makes) for s in plans.program.steps if isinstance(s, LayOff) and plan_of(s.makes) == plan}
 
 
 def rebuild(plans: Plans, plan: str, spots: Sequence[Spot], whole: bool = True) -> Rebuilt:

@@ -7,8 +7,7 @@ from collections.abc import Mapping
 from planes.check.grading.bench import Bench
 from planes.check.grading.handwork import Hand, Taken
 from planes.drafting.steps import LayOff
-from planes.plans.scales import kind_of
-from planes.words.names import POLE, at
+from planes.words.names import POLE, at, kind_of
 
 LEAST_MM = 5.0  # shorter vectors tell little about the scale
 AGREE = 0.02  # vectors whose scales differ by less speak of one

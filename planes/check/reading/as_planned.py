@@ -21,9 +21,8 @@ from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import SHORT_MM, Sketch, Stroke
 from planes.check.reading.words_near import LEADER_MM, Candidates
 from planes.drafting.drawing import run
-from planes.plans.scales import kind_of
 from planes.words.errors import PlanesError
-from planes.words.names import POLE, label_of
+from planes.words.names import POLE, kind_of, label_of
 from planes.words.spelling import Names
 
 REACH_MM = 1.5  # a hand's mark is no farther from where it should be; grading tells whether it is near enough

@@ -19,9 +19,8 @@ from planes.check.reading.sizing import sized
 from planes.check.reading.strokes import LOOSE_MM, Nodes, Sketch, Words, covered, headed, hinged
 from planes.check.reading.words_near import Candidates, by_words, led, origin_of, pole_of
 from planes.drafting.drawing import run
-from planes.plans.scales import kind_of
 from planes.words import Phrase
-from planes.words.names import POLE, at, label_of
+from planes.words.names import POLE, at, kind_of, label_of
 from planes.words.spelling import Names
 
 POLE_MM = 2.7  # ends nearer than this to a printed pole are at it

@@ -11,8 +11,7 @@ from planes.check.grading.bench import Bench
 from planes.check.reading.chains import true_vectors
 from planes.check.reading.strokes import Nodes, Sketch
 from planes.drafting.drawing import run
-from planes.plans.scales import kind_of
-from planes.words.names import POLE, label_of
+from planes.words.names import POLE, kind_of, label_of
 
 LEAST_MM = 4.0  # shorter vectors tell little about the scale
 SAME = math.log(1.05)  # the stated scale, as far as words can tell

@@ -12,9 +12,8 @@ from planes.check.reading.matching import paper_of
 from planes.check.reading.parts import parts
 from planes.check.reading.strokes import Sketch
 from planes.check.reading.titles import mu_over
-from planes.plans.scales import kind_of
 from planes.words.errors import PlanesError
-from planes.words.names import POLE, label_of
+from planes.words.names import POLE, kind_of, label_of
 from planes.words.spelling import Names, tidy
 
 MOST = 6  # parts that are read

@@ -31,10 +31,11 @@ from planes.check.report.regrading import SURELY_MM, exported, retrace
 from planes.check.report.rows import mark_rows, result_rows
 from planes.check.report.shown import own_marks, own_order, shown_plans, vectors
 from planes.check.sight.photograph import blank_pole
+from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
-from planes.plans.scales import extent, kind_of
+from planes.plans.scales import extent
 from planes.words import Lang, Phrase, Written, decimal, say
-from planes.words.names import POLE, label_of, plan_of
+from planes.words.names import POLE, kind_of, label_of, plan_of
 from planes.words.units import mu_text
 
 Pair = list[float]
@@ -128,7 +129,7 @@ def _moved(found: Outcome, grading: Grading, lang: Lang) -> dict[str, Any]:
                for axis, value in zip("xy", _pair(t.place), strict=True)}  # fmt: skip
     force = kind_of(plan) == "force"
     return {
-        "frame": bench.asked.scene.frame_number, "kind": kind_of(plan),
+        "lettering": lettering(bench.asked.scene, bench.plans), "kind": kind_of(plan),
         "marks": [_mark(grading, m, traced.misses[m]) for m in grading.marks],
         "vectors": vectors(bench), "truth": {POLE: [0.0, 0.0], **{n: _pair(z) for n, z in truth.items()}},
         "rows": [(s.name, s.start, s.end) for s in sides_of(bench.plans, plan)] if force

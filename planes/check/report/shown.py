@@ -12,8 +12,7 @@ from planes.check.grading.judging import WARN
 from planes.check.grading.paper import Spot
 from planes.check.grading.polygons import Side, sides_of
 from planes.drafting.drawing import run
-from planes.plans.scales import kind_of
-from planes.words.names import POLE, label_of, plan_of
+from planes.words.names import POLE, kind_of, label_of, plan_of
 from planes.words.spelling import Names
 
 Vector = tuple[complex, complex]

@@ -10,10 +10,10 @@ from planes.check.grading.bench import Asked, Bench, known_plans, prepare
 from planes.check.grading.polygons import sides_of
 from planes.check.report.shown import vectors
 from planes.drafting.drawing import run
+from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
-from planes.plans.scales import kind_of
 from planes.words import Lang
-from planes.words.names import POLE, label_of
+from planes.words.names import POLE, kind_of, label_of
 from planes.words.units import mu_text
 
 
@@ -24,7 +24,7 @@ def tracing_data(asked: Asked, lang: Lang) -> dict[str, Any]:
     benches = [bench, *(prepare(replace(asked, plan=p, mu=None)) for p in others)]
     scene = asked.scene
     return {
-        "title": scene.title.get(lang, "") or scene.file, "frame": scene.frame_number,
+        "title": scene.title.get(lang, "") or scene.file, "lettering": lettering(scene, bench.plans),
         "plans": [_plan(b, lang) for b in benches],
     }  # fmt: skip
 

@@ -12,7 +12,7 @@ from planes.check.grading.handwork import Hand, Miss, Variant
 from planes.check.grading.polygons import Side
 from planes.check.sight.prices import slip
 from planes.drafting.steps import Cross, Step
-from planes.words.names import POLE, at, label_of, plan_of
+from planes.words.names import POLE, at, label_of, links_of, plan_of
 
 WILDEST_MM = 400.0  # nobody draws a longer vector on a sheet
 
@@ -29,7 +29,7 @@ class Guess:
 
 def polygon_of(sides: Iterable[Side], plan: str) -> list[Side]:
     """The sides of the outer polygon: the longest way round from the pole; reactions within the group are chords."""
-    links = plan.partition(":")[2].split("-")
+    links = links_of(plan)
     inner = {f"F_{a}{mid}{b}" for a in links for b in links for mid in ("", "_")}
     sides = [s for s in sides if s.name.rstrip("nt") not in inner]
     best: list[Side] = []

@@ -18,10 +18,9 @@ from planes.check.sight.picture import Flat, by_points, cv, flatten
 from planes.check.sight.poles import pole_found, pole_on
 from planes.check.sight.scheme_seen import points_on
 from planes.drafting.drawing import run
-from planes.plans.scales import kind_of
 from planes.words import Phrase
 from planes.words.errors import PlanesError
-from planes.words.names import at, label_of
+from planes.words.names import at, kind_of, label_of
 from planes.words.spelling import Names
 
 MOST_LINES = 120  # a plan has far fewer

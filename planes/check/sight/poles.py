@@ -5,7 +5,7 @@ from __future__ import annotations
 from planes.check.grading.bench import Bench
 from planes.check.sight.places import Normal, Place, Seen
 from planes.drafting.drawing import run
-from planes.plans.scales import kind_of
+from planes.words.names import kind_of
 
 POLE_MM = 0.06  # σ of the place where a line from the pole begins, about the pole
 REACH_MM = 2.5  # of a true mark, when the pole is looked for
@@ -31,7 +31,8 @@ def pole_found(bench: Bench, seen: Seen) -> complex | None:
     truth = run(bench.program, bench.given)
     ends = [complex(truth[m]) for m in bench.marks if abs(truth[m]) > 1]
     if kind_of(bench.asked.plan) == "force":  # the order of the forces is free: the closing corner alone is sure
-        ends = [complex(truth[m]) for m in bench.marks if m.rpartition(":")[2][-1] != "t"]
+        loose = {s.makes for s in bench.program.steps if s.quantity == "tangential"}
+        ends = [complex(truth[m]) for m in bench.marks if m not in loose]
     best, place = 0.0, None
     for p in (p for p in seen.places if p.ended):
         hits = sum(any(q.ended for q in seen.within(p.z + e, REACH_MM)) for e in ends) + 0.01 * len(p.ended)

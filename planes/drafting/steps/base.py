@@ -7,10 +7,11 @@ so the same step serves one position or an array of many.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, ClassVar, Literal
 
 from planes.drafting.tools import Env, Tool
+from planes.words.names import HELPERS, Meaning
 
 Kind = Literal["mark", "direction", "value", "place"]
 Read = tuple[str, Kind]
@@ -18,10 +19,26 @@ Read = tuple[str, Kind]
 
 @dataclass(frozen=True)
 class Step:
-    """One step; ``makes`` is the name of what it draws or reckons."""
+    """One step; ``makes`` is the name of what it draws or reckons, ``means`` what that name means, where it is said."""
 
     makes: str
+    means: Meaning | None = field(default=None, kw_only=True, compare=False, repr=False)
     kind: ClassVar[Kind] = "mark"
+
+    @property
+    def quantity(self) -> str:
+        """What kind of thing the name stands for, "" where its maker does not say."""
+        return self.means.quantity if self.means else ""
+
+    @property
+    def helper(self) -> bool:
+        """Whether it draws a mark that nobody is asked for."""
+        return self.quantity in HELPERS
+
+    @property
+    def loose(self) -> bool:
+        """Whether it draws a mark that may lie anywhere, a guide's place or a trial: no part of what a plan shows."""
+        return self.quantity in ("guide", "trial")
 
     def reads(self) -> tuple[Read, ...]:
         """Names of what the step needs, each with its kind."""

@@ -1,0 +1,64 @@
+"""Nobody takes a name of a program apart but ``planes/words``: whoever makes a name says what it means.
+
+What is left is listed with its count, room by room, and may only sink: a reader mended lowers its number here.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections import Counter
+from collections.abc import Iterator
+
+from tests.house.test_rooms import MODULES, room_of, tree
+
+APART = ("startswith", "endswith", "removeprefix", "removesuffix", "partition", "rpartition")
+NAMED = re.compile(r"(\w+_|[\^_:][tn]?|[-+]|_given|slide|h|°|[°∥⊥~∠→|‖]+|(?:position|velocity|motion|force):?|[xyt]|q)")
+"""What a name of a program begins or ends with; "." of a file, "#" of a comment and the like are nobody's name."""
+
+LEFT = {
+    "drafting": 2,  # lengths among givens that no plans explain
+    "batch": 2,
+    "solving": 2,
+    "diagrams": 5,  # names of curves
+    "check": 20,  # directions by their signs; what a person calls a vector
+    "lesson": 27,  # directions by their signs, sentences about a name
+    "course": 2,  # names of parameters, which people give
+    "crank_slider": 1,
+    "render": 31,  # the lettering itself, in render/paper; parameters, which people name
+    "documents": 4,
+}
+
+
+def named(node: ast.expr) -> bool:
+    """Whether a text in an expression begins or ends a name."""
+    texts = (n.value for n in ast.walk(node) if isinstance(n, ast.Constant) and isinstance(n.value, str))
+    return any(NAMED.fullmatch(t) for t in texts)
+
+
+def parsers(module: str) -> Iterator[int]:
+    """Lines where a text that may be a name is taken apart."""
+    for node in ast.walk(tree(MODULES[module])):
+        match node:
+            case ast.Call(func=ast.Attribute(attr=verb), args=[text, *_]) if verb in APART and named(text):
+                yield node.lineno
+            case ast.Compare(left=ast.Subscript(), ops=[ast.In() | ast.NotIn()], comparators=[text]) if named(text):
+                yield node.lineno
+
+
+def test_names_are_taken_apart_in_fewer_places_and_never_in_more() -> None:
+    left = Counter[str]()
+    where = []
+    for module in MODULES:
+        if module.count(".") and room_of(module) != "words":
+            lines = list(parsers(module))
+            left[room_of(module)] += len(lines)
+            where += [f"{module}:{line}" for line in lines]
+    assert {room: n for room, n in left.items() if n} == LEFT, "\n".join(where)
+
+
+def test_pages_know_no_grammar_of_names() -> None:
+    """What the lesson's scripts draw by is told them: letters, helping marks, corners of vectors."""
+    from render.page.web_page import part
+
+    assert not re.search(r"\^\[nk\]_|\[[⊥°]{2}\]|_given|MZ|omega", part("figure.js", "plan.js", "scheme.js"))

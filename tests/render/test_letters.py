@@ -1,0 +1,67 @@
+"""Names are lettered by one rule, on a sheet and on a page, whatever the points of a scene are called."""
+
+from __future__ import annotations
+
+import json
+import re
+from functools import cache
+from typing import Any
+
+import pytest
+
+from planes.lesson.data import lesson_data
+from planes.plans import state
+from planes.plans.lettering import lettering
+from planes.scene import Scene, loads
+from render.page.lesson_page import page
+from render.paper.letters import pieces
+from render.paper.names import Naming
+from tests.helpers import ROOT
+
+RRP = (ROOT / "samples" / "kind-2-rrp.yaml").read_text(encoding="utf-8").replace("frame:\n", "frame:\n  number: 6\n")
+ROD = "{points: {B: 0, C: l_BC"
+ODD = RRP.replace(ROD, "{points: {B: 0, C10: l_BC").replace("{points: {C: 0}", "{points: {C10: 0}")
+ODD = ODD.replace("point: C,", "point: C10,").replace("{C: ahead}", "{C10: ahead}")
+
+
+@cache
+def scene_of(text: str) -> Scene:
+    return loads(text, "s.yaml")
+
+
+def naming(text: str) -> Naming:
+    scene = scene_of(text)
+    assert scene.mechanism is not None
+    return Naming("ru", **lettering(scene, state(scene.mechanism)))
+
+
+@cache
+def written(text: str) -> dict[str, Any]:
+    """The letters a lesson's page brings along."""
+    found = re.search(r'id="letters">(.*?)</script>', page(lesson_data(scene_of(text)), "ru"), re.DOTALL)
+    assert found
+    return json.loads(found[1])  # type: ignore[no-any-return]
+
+
+@pytest.mark.parametrize(("text", "name", "lettered"), [
+    (RRP, "v_C", "v_{C}"), (RRP, "v_CC0", "v_{CC6}"), (RRP, "a_CC0", "a_{CC6}"),
+    (ODD, "v_C10", "v_{C10}"), (ODD, "a_C10", "a_{C10}"), (ODD, "a_C10B^n", "a_{C10B}^{n}"),
+    (ODD, "v_C10C100", "v_{C10C106}"), (ODD, "F_30", "F_{36}"),
+])  # fmt: skip
+def test_a_point_may_end_with_a_nought_and_the_frame_has_its_number(text: str, name: str, lettered: str) -> None:
+    assert naming(text).vector(name) == lettered
+
+
+@pytest.mark.parametrize("text", [RRP, ODD, RRP.replace("planes: 1\n", "planes: 1\nsheet: {reactions: from-on}\n")])
+def test_a_page_letters_as_the_sheet_does(text: str) -> None:
+    equations = lesson_data(scene_of(text))["equations"]
+    own, names = naming(text), {term["name"] for e in equations for side in e["sides"] for term in side}
+    assert len(names) > 20
+    for name in names:
+        assert written(text)["ru"][name] == [[p.text, p.shift] for p in pieces(f"⟨{name}⟩", own)]
+
+
+def test_only_the_balancing_load_differs_by_the_language() -> None:
+    told = written(RRP)
+    assert told["ru"].keys() == told["en"].keys()
+    assert {n for n in told["ru"] if told["ru"][n] != told["en"][n]} <= {"MZ_1"}
