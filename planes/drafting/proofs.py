@@ -170,7 +170,8 @@ class Rigid(Proof):
             seen = _si(things, p.on(self.plan))
             due = self.body.at(self.plan, things, p.local, place)
             bent, size = bent + abs(seen - due), size + abs(seen) + abs(due) + abs(due - seen)
-            size += abs(self.body.spin(self.plan, things)) * abs(place) if self.plan != "position" else 0.0
+            reach = abs(place) + abs(p.local) + abs(self.body.origin.local)  # a link about its hinge is no less long
+            size += reach * (abs(self.body.spin(self.plan, things)) if self.plan != "position" else 1.0)
         return bent, size
 
 
@@ -194,13 +195,15 @@ class Slid(Proof):
         along = self.turn * (things[owner.axis] if owner.axis else 1.0)
         if self.plan == "position":
             due = owner.at(self.plan, things, self.through, place)
-            return abs(plane.cross(along, place - due) - self.offset), abs(place) + abs(due) + abs(place - due)
+            size = abs(place) + abs(due) + abs(place - due) + abs(self.through) + abs(self.offset)
+            return abs(plane.cross(along, place - due) - self.offset), size
         v = _si(things, self.slider.rates[0])
         relative, size = v - owner.at("velocity", things, 0j, place), abs(v)
         if self.plan == "acceleration":
             a, coriolis = _si(things, self.slider.rates[1]), 2 * owner.spin("velocity", things) * relative
             relative, size = a - owner.at(self.plan, things, 0j, place) - coriolis, abs(a) + abs(coriolis)
-        size += _largest(things, self.beside) + abs(relative) + abs(owner.spin(self.plan, things)) * abs(place)
+        reach = abs(place) + abs(self.through)
+        size += _largest(things, self.beside) + abs(relative) + abs(owner.spin(self.plan, things)) * reach
         return abs(plane.cross(along, relative)), size
 
 

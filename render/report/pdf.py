@@ -119,7 +119,7 @@ class _Setter:
     def paragraph(self, block: Paragraph) -> list[Any]:
         """What is said, and why."""
         count = f"{block.number}. " if block.number else ""
-        style = self.mistake if block.mistake else self.leading if block.text.endswith(":") else self.plain
+        style = self.mistake if block.mistake else self.leading if block.text[-1:] == ":" else self.plain
         said = [Words(count + self.text(block.text, block.plan), style)]
         return [*said, Words(self.text(block.why, block.plan), self.why)] if block.why else said
 

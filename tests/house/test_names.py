@@ -18,7 +18,7 @@ NAMED = re.compile(r"(\w+_|[\^_:][tn]?|[-+]|_given|slide|h|°|[°∥⊥~∠→|�
 
 LEFT = {
     "drafting": 2,  # lengths among givens that no plans explain
-    "batch": 2,
+    "batch": 1,
     "solving": 2,
     "diagrams": 5,  # names of curves
     "check": 20,  # directions by their signs; what a person calls a vector

@@ -33,7 +33,7 @@ def test_every_view_is_cut_to_its_ink(name):
         try:
             found = view_of(scene, view)
         except PlanesError as error:
-            assert "нечего чертить" in str(error)
+            assert "нечего чертить" in error.told("ru")
             continue
         left, low, right, high = bounds(found.marks)
         assert (left, low) == pytest.approx((MARGIN_MM, MARGIN_MM), abs=1e-6)

@@ -81,16 +81,6 @@ CASES: dict[str, tuple[str, str, str]] = {  # scene, in Russian, in English
         "the arcs l_BC about B and l_DC about D coincide: any point of them could be C, the mechanism is at a change "
         "point; take a neighbouring position",
     ),
-    "no length": (
-        SLIDER.replace("C: 0.3", "C: 0").replace("phi: 30", "phi: 0"),
-        "длина l_BC равна нулю: дугой из B точку C не построить; задайте длину звена",
-        "the length l_BC is zero, so no arc about B gives C; give the link a length",
-    ),
-    "no lengths": (
-        FOUR_BAR.replace("C: 0.3}, mass: 2, inertia", "C: 0}, mass: 2, inertia").replace("phi: 60", "phi: 0"),
-        "одна из длин l_BC, l_DC равна нулю: дугами точку C не построить; задайте длину звена",
-        "one of the lengths l_BC, l_DC is zero, so no arcs give C; give the link a length",
-    ),
     "arc short": (
         SLIDER.replace("C: 0.3", "C: 0.03"),
         "дуга радиуса l_BC из B не достаёт до прямой направляющей x-x на 20 мм: C не построить; механизм в этом "

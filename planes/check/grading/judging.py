@@ -112,11 +112,10 @@ class _Weighing:
             scored.append(Named(gain + math.log(variant.weight * _likely(variant, drawn)), variant, under))
         return _by_mistake(scored)
 
-
     def _shows(self, touched: Mapping[str, Miss]) -> bool:
-        """Whether a mistake puts some mark farther from where it should be than a hand's error does."""
-        apart = (Miss(miss.off - self.plain[m].off, self.plain[m].cov) for m, miss in touched.items())
-        return any(not miss.sigmas <= self.limit for miss in apart)
+        """Whether a mistake puts some mark, the others known, farther off than a hand's error mostly does."""
+        apart = (Miss(miss.off - self.plain[m].off, self.misses[m].cov) for m, miss in touched.items())
+        return any(not miss.sigmas <= self.limit / 2 for miss in apart)
 
 
 def _name(found: Judgement, ranked: Sequence[Named], broad: float) -> None:

@@ -17,6 +17,8 @@ _MU = re.compile(r"[μµ]\s*_?\w*\s*=\s*(\d.*)")
 def mu_over(words: Sequence[Words], part: Sketch, kind: str) -> float | None:
     """μ in the nearest title over a part of a page, if it is that of such a plan."""
     ends = [z for stroke in part.strokes for z in stroke]
+    if not ends:
+        return None
     left, right = min(z.real for z in ends), max(z.real for z in ends)
     low, high = min(z.imag for z in ends), max(z.imag for z in ends)
     found = []
