@@ -49,3 +49,12 @@ def test_the_two_commands_make_their_own_environment() -> None:
     for mark in ("draw", "tests"):
         command = re.search(rf"<!-- {mark} -->\n```sh\n(.*?)```", README, re.S)
         assert command and "python3 -m venv .venv" in command[1]
+
+
+def test_the_python_of_the_readme_runs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    (tmp_path / "samples").symlink_to(ROOT / "samples")
+    monkeypatch.chdir(tmp_path)
+    shown = re.search(r"<!-- python -->\n```python\n(.*?)```", README, re.S)
+    assert shown
+    exec(shown[1], {})
+    assert (tmp_path / "six-link.svg").is_file()
