@@ -17,7 +17,7 @@ from planes.words.errors import Contradiction, PlanFailure, ProgramError, valid_
 from planes.words.pictures import Pictured
 from planes.words.things import called, plan_phrase
 
-NOTHING = 1e-290  # SI: smaller numbers have fewer digits than doubles
+LEAST = 1e-290  # SI: smaller numbers have fewer digits than doubles
 SHAKEN = range(4)  # seeds of the blunter drawings
 Instead = Mapping[str, Sequence[Step]]  # steps in the place of the one that makes the name; the last makes it too
 NOTHING: Instead = {}
@@ -121,7 +121,7 @@ def _prove(drawing: Drawing, given: Mapping[str, Any], proofs: Sequence[Proof]) 
     tool = drawing.tool
     for proof in proofs:
         gap, size = proof.gap(drawing.things, tool.ar)
-        wrong = gap > TOLD_APART * size + NOTHING
+        wrong = gap > TOLD_APART * size + LEAST
         if not (wrong.any() if tool.many else wrong):
             continue
         wrong = wrong & (gap > _doubt(drawing.program, given, proof, gap))
