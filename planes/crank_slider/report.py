@@ -30,8 +30,8 @@ def summary(c: Calculation, lang: Lang) -> str:
     writer = Writer(lang)
     write_summary(writer, c)
     lines = [c.scene.title.get(lang, "")]
-    lines += [f"{writer.say('l_mean')} M = {writer.number(c.work.mean)} {writer.say('u_Nm')}; "
-              f"{writer.number(c.work.power / 1e3)} {writer.say('u_kW')}"]  # fmt: skip
+    lines += [f"{writer.say('l_mean')} M = {writer.number(c.work.mean)} {writer.say('N·m')}; "
+              f"{writer.number(c.work.power / 1e3)} {writer.say('kW')}"]  # fmt: skip
     checked = [b for b in writer.blocks if isinstance(b, Table)][:-1]  # the last lists the text's errors
     for block in checked:
         lines += table(writer.say("t_summary"), block.rows[0], block.rows[1:])

@@ -120,7 +120,8 @@ def _prove(drawing: Drawing, given: Mapping[str, Any], proofs: Sequence[Proof]) 
     """Refuse, or mask, what is apart by more than a drawing a thousand times blunter can tell."""
     tool = drawing.tool
     for proof in proofs:
-        gap, size = proof.gap(drawing.things, tool.ar)
+        with tool.quiet():
+            gap, size = proof.gap(drawing.things, tool.ar)
         wrong = gap > TOLD_APART * size + LEAST
         if not (wrong.any() if tool.many else wrong):
             continue
@@ -140,7 +141,8 @@ def _doubt(program: Program, given: Mapping[str, Any], proof: Proof, gap: Any) -
             drawing = run(program, given, Shaken(seed))
         except PlanFailure:
             return math.inf
-        most = drawing.tool.ar.maximum(most, abs(proof.gap(drawing.things, drawing.tool.ar)[0] - gap))
+        with drawing.tool.quiet():
+            most = drawing.tool.ar.maximum(most, abs(proof.gap(drawing.things, drawing.tool.ar)[0] - gap))
     return most
 
 
