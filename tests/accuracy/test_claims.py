@@ -91,8 +91,8 @@ def test_claims_are_honest_where_little_is_left_to_know(seed: int) -> None:
 def test_nothing_is_claimed_of_what_is_all_error() -> None:
     """An arm is a moment over a force: where the force is less than its own error, there is nothing to claim."""
     c = random_cycle(500016, sliding=False)
-    values = close_to_limits(c, np.random.default_rng(500016))
-    claims = Claims(c).bounds(values[:128])
+    values = 60.82792446 + np.logspace(-9, -6, 128)  # just past the limit
+    claims = Claims(c).bounds(values)
     silent = {column.name for column, row in zip(c.columns, claims, strict=True) if not np.isfinite(row).all()}
     assert silent and all(name.endswith(("_arm", "_moment")) or name.startswith(("F_", "M")) for name in silent)
     assert 0 < (~np.isfinite(claims)).mean() < 0.02

@@ -169,7 +169,7 @@ def whole_sheet() -> Sheet:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("sample", [*SCENES, *ASSIGNMENTS])
+@pytest.mark.parametrize("sample", [*SCENES, *(pytest.param(a, marks=pytest.mark.long) for a in ASSIGNMENTS)])
 @pytest.mark.parametrize("suffix", READERS)
 def test_every_view_of_every_sample(sample: str, suffix: str, tmp_path: Path) -> None:
     position = drawn(sample)[1]
@@ -181,7 +181,7 @@ def test_every_view_of_every_sample(sample: str, suffix: str, tmp_path: Path) ->
         assert found.verdict == "right", (plan, found.sentence.told("en"))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("number", [None, 1, 2])
 @pytest.mark.parametrize("sample", [*SCENES, *ASSIGNMENTS])
 def test_every_plan_of_every_sheet_is_right(sample: str, number: int | None, tmp_path: Path) -> None:

@@ -105,17 +105,18 @@ class _Weighing:
         scored = []
         for variant in variants:
             touched = self.hand.misses(list(self.plain), self.hand.under(variant))
-            if not any(m in touched and math.isfinite(touched[m].sigmas) for m in suspects) or not self._shows(touched):
-                continue
+            suspected = any(m in touched and math.isfinite(touched[m].sigmas) for m in suspects)
+            if not suspected or not (variant.mistake.endswith(LEFT_OUT) or self._shows(touched)):
+                continue  # what was left out shows by not being there
             under = given_before({**self.plain, **touched}, self.order, self.limit)
             gain = sum(_mixed(miss, self.broad) - _mixed(self.misses[m], self.broad) for m, miss in under.items())
             scored.append(Named(gain + math.log(variant.weight * _likely(variant, drawn)), variant, under))
         return _by_mistake(scored)
 
     def _shows(self, touched: Mapping[str, Miss]) -> bool:
-        """Whether a mistake puts some mark, the others known, farther off than a hand's error mostly does."""
+        """Whether a mistake puts some mark, the others known, farther off than a hand's error does."""
         apart = (Miss(miss.off - self.plain[m].off, self.misses[m].cov) for m, miss in touched.items())
-        return any(not miss.sigmas <= self.limit / 2 for miss in apart)
+        return any(not miss.sigmas <= self.limit for miss in apart)
 
 
 def _name(found: Judgement, ranked: Sequence[Named], broad: float) -> None:
