@@ -125,6 +125,7 @@ def test_a_short_vector_with_a_head_is_no_tick(tmp_path: Path) -> None:
     assert len(found.strokes) == 1
 
 
+@pytest.mark.slow
 def test_thousands_of_lines_with_heads_are_refused_in_a_moment(tmp_path: Path) -> None:
     rng = random.Random(1)
     ends = [(rng.uniform(0, 400), rng.uniform(0, 280), rng.uniform(0, 400), rng.uniform(0, 280)) for _ in range(10000)]
@@ -311,6 +312,7 @@ def test_right_plans_as_files(tmp_path: Path, program: test_check.Writer) -> Non
     assert sum(v == "right" for v in found.values()) >= 0.98 * len(found), found
 
 
+@pytest.mark.slow
 def test_wrong_plans_as_files(tmp_path: Path) -> None:
     """Three mistakes of each plan, one after another written by the three programs."""
     rng, count, found, blamed, named = random.Random(7), 0, 0, 0, 0

@@ -151,6 +151,7 @@ def test_a_plan_of_a_crowded_sheet_is_right(
     assert found.verdict == "right", found.sentence.told("en")
 
 
+@pytest.mark.slow
 @pytest.mark.few(1)
 @pytest.mark.parametrize("suffix", READERS)
 def test_every_plan_of_a_whole_sheet_is_right(suffix: str, tmp_path: Path) -> None:

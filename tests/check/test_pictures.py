@@ -209,6 +209,7 @@ def test_what_is_no_plan_is_said_to_be_none(
         assert len(told.err.strip().splitlines()) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.few(1)
 @pytest.mark.parametrize("plan", ["velocity", "acceleration"])
 def test_another_scene_is_unreadable(plan: str, tmp_path: Path) -> None:
@@ -267,6 +268,7 @@ def coloured(easel_: Easel, camera: Camera, inks: tuple[float, float, float], fi
     return drawn
 
 
+@pytest.mark.slow
 @pytest.mark.few(1)
 @pytest.mark.parametrize(("lens", "curl_mm"), [(-0.08, 0), (-0.03, 0), (0.08, 0), (0, 4), (0.05, -3)])
 def test_a_lens_that_bends_and_paper_that_curls_are_told_by_the_frame(

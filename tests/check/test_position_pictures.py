@@ -46,6 +46,7 @@ def off(drawn: schemes.Scheme, found: Outcome) -> list[float]:
     return [abs(s.place - origin - drawn.places[s.name]) for s in found.paper.spots if s.name in drawn.places]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("camera", [replace(SCAN, grid="millimetre"), replace(PHONE, grid="square", erased=2)],
                          ids=["scan", "phone"])  # fmt: skip
 def test_right_schemes_are_right_and_their_points_where_they_were_put(camera: Camera, tmp_path: Path) -> None:
@@ -60,6 +61,7 @@ def test_right_schemes_are_right_and_their_points_where_they_were_put(camera: Ca
     assert errors[len(errors) // 2] < 0.15 and errors[int(0.95 * len(errors))] < 0.4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("symbols", [0, 1])
 def test_a_scheme_without_its_signs(symbols: int, tmp_path: Path) -> None:
     """Lines alone, or with circles and dots: read, or said to be unreadable where links in one line hide a hinge."""

@@ -68,6 +68,7 @@ def test_entities_are_refused_wherever_they_stand(
     assert "declares entities" in refusal(capfd, file)
 
 
+@pytest.mark.slow
 def test_what_no_plan_has_so_many_of_is_counted(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     path = "".join(f"L{k % 90} {k % 77}" for k in range(strokes.MOST + 9))
     texts = {

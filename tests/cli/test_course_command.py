@@ -181,6 +181,7 @@ def test_a_slip_of_a_document_is_a_sentence(whole: Path, tmp_path: Path, monkeyp
     assert not (at / "out/teacher/Студент-1/lesson.html").exists()
 
 
+@pytest.mark.slow
 def test_what_a_sheet_leaves_out_is_said_and_said_again_of_a_sheet_that_is_kept(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -196,6 +197,7 @@ def test_what_a_sheet_leaves_out_is_said_and_said_again_of_a_sheet_that_is_kept(
     assert said == {f"teacher/Студент-1/sheet-{n}.pdf": ["no room on A4"] for n in (1, 2)}
 
 
+@pytest.mark.slow
 def test_all_documents_in_all_formats(tmp_path: Path) -> None:
     course = "course: 1\nlang: en\ndocuments: [task, blank, key, sheets, lesson, note]\nformats: [pdf, dxf, svg]\n"
     at = folder(tmp_path, course, 1, "26")
@@ -245,6 +247,7 @@ def cluster() -> Iterator[str]:
         process.stdin.close()
 
 
+@pytest.mark.slow
 def test_a_cluster_makes_the_same_bytes(whole: Path, tmp_path: Path, cluster: str) -> None:
     done = run(whole, tmp_path / "out", "--scheduler", cluster)
     assert done.returncode == 0 and done.stderr == "", done.stderr
@@ -273,6 +276,7 @@ def test_no_scheduler_is_a_sentence(whole: Path, tmp_path: Path) -> None:
 # all scenes of a folder
 
 
+@pytest.mark.slow
 def test_the_table_of_a_folder(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -102,6 +102,7 @@ def test_the_page_stands_alone(tmp_path, lang, words):
     assert len(ids) == len(set(ids))
 
 
+@pytest.mark.slow
 def test_the_pdf_has_pages_with_text(tmp_path):
     data = write(tmp_path, SAMPLE, ".pdf")
     document = pypdfium2.PdfDocument(data)
@@ -150,6 +151,7 @@ def test_what_the_sheet_leaves_out_is_said(tmp_path, capsys, monkeypatch):
     assert capsys.readouterr().err == "no room on A4\n"
 
 
+@pytest.mark.slow
 def test_a_report_is_a_word_document_too(tmp_path):
     docx = pytest.importorskip("docx", reason="python-docx is not installed")
     text = two_stroke()

@@ -40,6 +40,7 @@ def refused(capsys: Any, *argv: str) -> str:
     return str(found.err)
 
 
+@pytest.mark.slow
 def test_the_summary_in_both_languages(capsys: Any) -> None:
     said = out_of(capsys, TWELVE, "--lang", "ru")
     assert "ход 0.23077 м" in said and "K = 2.1966" in said and "φ1 = 22.6199°" in said

@@ -263,6 +263,7 @@ def test_nothing_is_told_of_where_the_mechanism_does_not_assemble() -> None:
     assert path.y == pytest.approx((0.5 * math.sin(math.radians(low)), 0.5), abs=1e-6)
 
 
+@pytest.mark.slow
 def test_what_grows_where_a_sliding_driver_stops_is_said(capsys: Any) -> None:
     from planes.cli import main
 

@@ -57,6 +57,7 @@ def test_numbers_without_a_name_are_listed_too_and_the_drive_is_where_it_stands(
     assert "y_{C}" not in found  # it is -l_AC
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["kind-3-rpr", "assignments/12"])
 def test_inner_reactions_are_drawn_on_links_apart(name):
     found = sheet(name, 2)
@@ -103,6 +104,7 @@ def test_ends_of_a_range_are_cut_off_and_peaks_within_are_kept():
     assert cut_off(curve).values == (None, 1.0, 2.0, 12.0, 2.0, 1.0, None, None)
 
 
+@pytest.mark.slow
 def test_moment_equations_are_never_left_out_silently(tmp_path, capsys):
     scene = replace(RPR, sheet={"format": "A3"})
     found = sheet_of(scene, None)

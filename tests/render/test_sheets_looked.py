@@ -19,6 +19,7 @@ SOME += random.Random(SEED + 1).sample(jobs(True, True, lang="en"), COUNT // 2)
 SIX_LINK = next(p for p in sheets_run.SAMPLES if p.stem == "six-link")
 
 
+@pytest.mark.slow
 @pytest.mark.few(1)
 @pytest.mark.parametrize("job", SOME, ids=str)
 def test_a_sheet_has_no_fault(job: Job) -> None:

@@ -114,6 +114,7 @@ def test_a_line_drawn_twice_is_written_as_the_line_it_is() -> None:
     assert not any("~" in t["action"] for e in exported["equations"] for side in e["sides"] for t in side)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("paper", "number"), [("A4", 1), ("A4", 2), ("A3", 1)])
 def test_the_format_a_refusal_advises_does_hold_the_sheet(paper: str, number: int) -> None:
     scene = replace(scene_of("six-link"), sheet={"format": paper})

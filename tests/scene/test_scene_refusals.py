@@ -213,6 +213,7 @@ HOSTILE = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.few(4)
 @pytest.mark.parametrize("name", HOSTILE)
 def test_large_scenes_take_a_bounded_time(name):

@@ -180,6 +180,7 @@ friction: {x-x: 1.2}
 )
 
 
+@pytest.mark.slow
 def test_self_locking_without_an_answer_and_with_two() -> None:
     """Friction that locks: driven near the dead point no side of the guide fits, or both do."""
     found = set()
@@ -307,6 +308,7 @@ def test_no_digits_left_is_a_failure_and_not_a_number() -> None:
     assert caught.value.sentence("ru") == "в c не осталось верных цифр"
 
 
+@pytest.mark.slow
 def test_whatever_the_position_there_is_a_number_or_a_sentence() -> None:
     """Random mechanisms far from where they were assembled: finite JSON, or words without NaN."""
     failed = 0
