@@ -123,7 +123,8 @@ def test_the_same_bytes_twice_and_a_file_by_its_suffix(tmp_path):
 
 def test_the_same_bytes_whatever_python_makes_its_sets_of():
     program = (
-        "import hashlib\nfrom planes.documents import sheet_of\nfrom planes.scene import load\nfrom render.files import dxf\n"
+        "import hashlib\nfrom planes.documents import sheet_of\nfrom planes.scene import load\n"
+        "from render.files import dxf\n"
         f"found = sheet_of(load({str(SAMPLES['kind-1-rrr'])!r}), None)\n"
         "print(hashlib.sha256(dxf.write(found.marks, found.size, found.title)).hexdigest())\n"
     )
