@@ -107,10 +107,11 @@ def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead 
     return made
 
 
-def proved(program: Program, given: Mapping[str, Any]) -> None:
-    """Refuse a single position whose exact drawing fails any proof; one that cannot be drawn proves nothing."""
+def proved(program: Program, given: Mapping[str, Any], drawn: Drawing | None = None) -> None:
+    """Refuse a single position whose exact drawing (``drawn``, if it is there already) fails any proof; one that cannot
+    be drawn proves nothing."""
     try:
-        drawing = run(program, given)
+        drawing = drawn or run(program, given)
     except PlanFailure:
         return
     _prove(drawing, given, program.proofs)

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from planes.drafting.drawing import Drawing, proved, run
-from planes.drafting.instruments import PENCILS, Instrument, Pencil
+from planes.drafting.instruments import PENCILS, Exact, Instrument, Pencil
 from planes.plans import Plans, mechanism_plans, sliced
 from planes.plans.measuring import Reader
 from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, results_of
@@ -192,7 +192,8 @@ def position(
     mus = scales(plans, scene.mu, moved, fit_mm)
     given = {**plans.given, **mus, **moved}
     drawing = run(plans.program, given, instrument)
-    proved(plans.program, given)  # a pencil's errors prove nothing: what he was to draw must hold
+    exact = drawing if isinstance(instrument or Exact(), Exact) else None
+    proved(plans.program, given, exact)  # a pencil's errors prove nothing: what he was to draw must hold
     reader = Reader(plans, drawing, mus)
     found = tuple(map(reader.read, results_of(plans, wanted)))
     results = {key_of(plans): value, **as_json(plans, found, GROUPS if wanted is None else ())}
