@@ -38,8 +38,21 @@ _FROM = {
     "planes.words.errors": ("PlanesError",),
 }
 _HOME = {name: module for module, names in _FROM.items() for name in names}
-__all__ = ["Exact", "Pencil", "PlanesError", "Position", "Scene", "check", "cycle", "lesson", "load", "loads",
-           "picture", "sheet", "solve"]
+__all__ = [
+    "Exact",
+    "Pencil",
+    "PlanesError",
+    "Position",
+    "Scene",
+    "check",
+    "cycle",
+    "lesson",
+    "load",
+    "loads",
+    "picture",
+    "sheet",
+    "solve",
+]
 
 
 class _Face(ModuleType):

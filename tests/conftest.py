@@ -11,9 +11,8 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 settings.register_profile(
-    "planes", derandomize=True, deadline=None,
-    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
-)  # fmt: skip
+    "planes", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large]
+)
 settings.load_profile("planes")
 
 

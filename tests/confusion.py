@@ -14,9 +14,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cache, partial
 
-from planes.check.grading.bench import Asked, Bench, prepare
 from planes.check.grading.grading import grade, readable
-from planes.check.grading.paper import Paper, Spot
+from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare
 from planes.scene import load
 from tests import sample_oracle
 from tests.helpers import ROOT, drawings, drawings_force
@@ -83,7 +83,7 @@ def forces(sample: str) -> drawings_force.Forces:
 
 
 @cache
-def bench(sample: str, plan: str, told: bool = True) -> Bench:
+def bench(sample: str, plan: str, told: bool = True) -> PreparedPlan:
     """The checker ready for a plan, its scale told or for it to find."""
     free = prepare(Asked(load(SAMPLES / f"{sample}.yaml"), plan))
     return prepare(Asked(free.asked.scene, plan, mu=free.said_mu)) if told else free
@@ -128,8 +128,18 @@ def possible(easel: Easel) -> list[Mistake]:
     return [m for m in found if size(easel, m) > 3]
 
 
-TWOFOLD = ("along_link", "wrong_link", "across_guide", "tangential_along_link", "weight_missing", "force_missing",
-           "mass_for_weight", "force_doubled", "inertia_along_acceleration", "reaction_not_reversed")
+TWOFOLD = (
+    "along_link",
+    "wrong_link",
+    "across_guide",
+    "tangential_along_link",
+    "weight_missing",
+    "force_missing",
+    "mass_for_weight",
+    "force_doubled",
+    "inertia_along_acceleration",
+    "reaction_not_reversed",
+)
 
 
 @cache
@@ -137,8 +147,10 @@ def spread(easel: Easel) -> dict[str, float]:
     """Standard deviation of every mark over shaky hands, mm."""
     drawn = [easel.draw(None, Hand(SHAKY, random.Random(k)))[0] for k in range(40)]
     names = set.intersection(*(set(d) for d in drawn))
-    return {n: max(statistics.pstdev([d[n].real for d in drawn]), statistics.pstdev([d[n].imag for d in drawn]), 0.1)
-            for n in names}
+    return {
+        n: max(statistics.pstdev([d[n].real for d in drawn]), statistics.pstdev([d[n].imag for d in drawn]), 0.1)
+        for n in names
+    }
 
 
 @cache
@@ -177,7 +189,7 @@ def size(easel: Easel, mistake: Mistake, reading: float = 0.0) -> float:
     return max(found)
 
 
-def hand_in(easel: Easel, mistake: Mistake | None, care: Care, rng: random.Random) -> Paper:
+def hand_in(easel: Easel, mistake: Mistake | None, care: Care, rng: random.Random) -> ReadPaper:
     """One drawing as a table, its pole anywhere, numbers to a tenth of a millimetre."""
     marks, _ = easel.draw(mistake, Hand(care, rng))
     origin = complex(rng.uniform(20, 200), rng.uniform(20, 200))
@@ -188,8 +200,8 @@ def hand_in(easel: Easel, mistake: Mistake | None, care: Care, rng: random.Rando
             rows.append((name, z))
     else:
         rows = [("p", origin), *((n, origin + z) for n, z in marks.items())]
-    spots = [Spot(n, complex(round(z.real, 1), round(z.imag, 1)), 0.03) for n, z in rows]
-    return Paper("drawn", spots)
+    spots = [ReadMark(n, complex(round(z.real, 1), round(z.imag, 1)), 0.03) for n, z in rows]
+    return ReadPaper("drawn", spots)
 
 
 def rescaling(easel: Easel, mistake: Mistake) -> bool:
@@ -263,7 +275,8 @@ def told(tally: Tally) -> str:
         f"mistakes found   {share(tally.found, tally.mistakes)}",
         f"right step blamed {share(tally.blamed, tally.mistakes)}",
         f"named            {share(tally.named, tally.mistakes)}",
-        f"right steps not blamed {share(tally.innocent - tally.innocent_blamed, tally.innocent)}", "",
+        f"right steps not blamed {share(tally.innocent - tally.innocent_blamed, tally.innocent)}",
+        "",
     ]
     for name in sorted({n for n, _ in tally.table}):
         row = sorted(((c, t) for (n, t), c in tally.table.items() if n == name), reverse=True)

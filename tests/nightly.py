@@ -33,12 +33,12 @@ from typing import Any
 import numpy as np
 
 from planes.accuracy.digits import Digits
-from planes.batch import Cycle, fused
-from planes.batch.claims import Claims
+from planes.batch import Cycle, compiled
+from planes.batch.double_double import Two, apart, read_long
+from planes.batch.error_bounds import Claims
 from planes.batch.tracing import given_values, trace
-from planes.batch.twofold import Two, apart, read_long
 from planes.drafting.drawing import run
-from planes.plans import state
+from planes.plans import plans_of
 from planes.scene import loads
 from planes.words.errors import PlanesError
 from tests.helpers import as_written
@@ -62,7 +62,7 @@ def mechanism(seed: int, **how: Any) -> Cycle | None:
     try:
         found = loads(to_yaml(make(rng, kinds, limit=1e6, **how).scene), "random.yaml").mechanism
         assert found
-        return Cycle(state(found))
+        return Cycle(plans_of(found))
     except (NoSolution, PlanesError):
         return None
 
@@ -70,8 +70,9 @@ def mechanism(seed: int, **how: Any) -> Cycle | None:
 def truth(c: Cycle, values: Any) -> list[Two]:
     """The columns in long numbers."""
     drawn = trace(c.program, c.given, [x.take for x in c.columns], c.folded, fine=FINE)
-    found = read_long(drawn.tape, drawn.tape.needed(list(drawn.outputs)),
-                      {**given_values(c.given), c.plans.drive_given: values})
+    found = read_long(
+        drawn.tape, drawn.tape.needed(list(drawn.outputs)), {**given_values(c.given), c.plans.drive_given: values}
+    )
     return [tuple(np.broadcast_to(part, values.shape) for part in found[p]) for p in drawn.outputs]  # type: ignore[misc]
 
 
@@ -154,7 +155,7 @@ def _claims_of(c: Cycle, seed: int, tally: Tally) -> None:
     true, claimed = truth(c, values), Claims(c).bounds(values)
     error = errors(table, true)
     _count(c, seed, tally, (values, table, error, claimed))
-    if fused.available() and seed % COMPILED == 0:
+    if compiled.available() and seed % COMPILED == 0:
         _compiled(c, seed, tally, (values, true, claimed))
     tally.close.update({KINDS[seed % 5]: len(values)} if len(near) else {})
     tally.count["close"] += len(values) if len(near) else 0
@@ -182,8 +183,10 @@ def written(positions: int, end: float, seed: int) -> bool:
         done, numbers, wrong = done + error.shape[1], numbers + error.size, wrong + int((error > claimed).sum())
         if sure.any():
             ratios.append(float(np.median(claimed[sure] / error[sure])))
-    print(f"written: {done} positions, {numbers} numbers, {wrong} further off than claimed; median of claim to error "
-          f"{np.median(ratios):.1f}")  # fmt: skip
+    print(
+        f"written: {done} positions, {numbers} numbers, {wrong} further off than claimed; median of claim to error "
+        f"{np.median(ratios):.1f}"
+    )
     return not wrong
 
 
@@ -203,10 +206,15 @@ def _count(c: Cycle, seed: int, tally: Tally, found: tuple[Any, Any, Any, Any]) 
     silent = said & ~np.isfinite(claimed)
     tally.kinds[KINDS[seed % 5]] += len(values)
     tally.count.update(
-        positions=len(values), mechanisms=1, numbers=int(said.sum()), wrong=int(over.sum()),
-        right=int((error == 0).sum()), unknown=int((said & np.isnan(error)).sum()), silent=int(silent.sum()),
+        positions=len(values),
+        mechanisms=1,
+        numbers=int(said.sum()),
+        wrong=int(over.sum()),
+        right=int((error == 0).sum()),
+        unknown=int((said & np.isnan(error)).sum()),
+        silent=int(silent.sum()),
         mute=int(silent.any(axis=0).sum()),
-    )  # fmt: skip
+    )
 
 
 def _compiled(c: Cycle, seed: int, tally: Tally, found: tuple[Any, Any, Any]) -> None:
@@ -258,7 +266,7 @@ def masks(positions: int, end: float, seed: int) -> bool:
         must = np.array([not x.beside for x in c.columns])
         drive = c.plans.mechanism.drive
         values = np.random.default_rng(seed).uniform(-1, 1, 20_000) * (720 if drive.kind == "phi" else 2)
-        ways = (False, True) if fused.available() and seed % COMPILED == 0 else (False,)
+        ways = (False, True) if compiled.available() and seed % COMPILED == 0 else (False,)
         found = []
         for fast in ways:
             blocks = list(c.blocks(values, fast=fast))

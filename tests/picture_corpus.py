@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from planes.check import Outcome, check
-from planes.check.sight.photograph import blank_pole, paper_of_picture
+from planes.check.vision.photograph import blank_pole, paper_of_picture
 from planes.words.names import label_of
 from tests import confusion
 from tests.confusion import Easel, easels, motion, possible, size
@@ -139,8 +139,10 @@ def told_of(easel: Easel, mistake: Mistake | None, one: Drawn, found: Outcome, s
         out.innocent, out.innocent_blamed = len(others), others.count("wrong")
         good = bool(out.blamed and out.named)
     if not good:
-        out.failures.append(f"{easel.sample} {easel.plan} {mistake and (mistake.name, mistake.where, mistake.variant)}"
-                            f" -> {told} at {blamed}")
+        out.failures.append(
+            f"{easel.sample} {easel.plan} {mistake and (mistake.name, mistake.where, mistake.variant)}"
+            f" -> {told} at {blamed}"
+        )
     errors = mark_errors(easel, one, found)
     out.errors, out.marks = errors, len(one.marks)
     return out
@@ -194,17 +196,19 @@ def told(count: Count) -> str:
     errors = sorted(count.errors) or [0.0]
     lost = count.unreadable
     read = (count.right - lost["right"], count.wrong - lost["wrong"])
-    return "\n".join([
-        f"  right accepted    {share(count.accepted, count.right)}; of the readable {share(count.accepted, read[0])}",
-        f"  mistakes found    {share(count.found, count.wrong)}; of the readable {share(count.found, read[1])}",
-        f"  right step blamed {share(count.blamed, count.wrong)}; of the readable {share(count.blamed, read[1])}",
-        f"  named             {share(count.named, count.wrong)}; of the readable {share(count.named, read[1])}",
-        f"  others not blamed {share(count.innocent - count.innocent_blamed, count.innocent)}",
-        f"  unreadable        {share(sum(lost.values()), count.right + count.wrong)}",
-        f"  marks read        {share(len(count.errors), count.marks)}, off by 50 %: "
-        f"{errors[len(errors) // 2]:.2f} mm, 95 %: {errors[int(0.95 * (len(errors) - 1))]:.2f} mm",
-        f"  slowest           {count.slowest:.1f} s",
-    ])  # fmt: skip
+    return "\n".join(
+        [
+            f"  right accepted    {share(count.accepted, count.right)}; of the readable {share(count.accepted, read[0])}",
+            f"  mistakes found    {share(count.found, count.wrong)}; of the readable {share(count.found, read[1])}",
+            f"  right step blamed {share(count.blamed, count.wrong)}; of the readable {share(count.blamed, read[1])}",
+            f"  named             {share(count.named, count.wrong)}; of the readable {share(count.named, read[1])}",
+            f"  others not blamed {share(count.innocent - count.innocent_blamed, count.innocent)}",
+            f"  unreadable        {share(sum(lost.values()), count.right + count.wrong)}",
+            f"  marks read        {share(len(count.errors), count.marks)}, off by 50 %: "
+            f"{errors[len(errors) // 2]:.2f} mm, 95 %: {errors[int(0.95 * (len(errors) - 1))]:.2f} mm",
+            f"  slowest           {count.slowest:.1f} s",
+        ]
+    )
 
 
 def main(each: int, failures: bool, chosen: Iterable[Easel]) -> None:
@@ -234,5 +238,8 @@ def table(count: Count) -> str:
 
 if __name__ == "__main__":
     WORDS = [w for w in sys.argv[2:] if w != "failures"]
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 1, "failures" in sys.argv,
-         [e for e in easels() if all(w in f"{e.sample} {e.plan}" for w in WORDS)])
+    main(
+        int(sys.argv[1]) if len(sys.argv) > 1 else 1,
+        "failures" in sys.argv,
+        [e for e in easels() if all(w in f"{e.sample} {e.plan}" for w in WORDS)],
+    )

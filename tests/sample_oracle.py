@@ -22,10 +22,20 @@ EXPECTED = SAMPLES / "expected"
 
 # Place of the origin (m) and turn (degrees) of every link, read off a sketch.
 SKETCHES: dict[str, dict[str, Pose]] = {
-    "six-link": {"1": (0, 0, 150), "2": (-0.09, 0.05, -145), "3": (-0.35, -0.27, 83), "4": (-0.42, 0, 125),
-                 "5": (-0.42, 0, 90)},
-    "assignment-12": {"1": (0, 0, 245), "2": (-0.04, -0.09, -3), "3": (0.15, -0.1, -3), "4": (0.4, -0.11, 0),
-                      "5": (0.35, -0.11, 90)},
+    "six-link": {
+        "1": (0, 0, 150),
+        "2": (-0.09, 0.05, -145),
+        "3": (-0.35, -0.27, 83),
+        "4": (-0.42, 0, 125),
+        "5": (-0.42, 0, 90),
+    },
+    "assignment-12": {
+        "1": (0, 0, 245),
+        "2": (-0.04, -0.09, -3),
+        "3": (0.15, -0.1, -3),
+        "4": (0.4, -0.11, 0),
+        "5": (0.35, -0.11, 90),
+    },
     "bntu-1": {"1": (0, 0, 75), "2": (0.02, 0.08, -15), "3": (0.31, 0, 0)},
     "bntu-2": {"1": (0, 0, 90), "2": (0, 0.07, -13), "3": (0.29, 0, 0)},
     "bntu-3": {"1": (0, 0, 0), "2": (0.2, 0, 60), "3": (0, -0.35, 60)},
@@ -48,8 +58,13 @@ def degrees(f: Any) -> Any:
 
 
 FUNCTIONS: dict[str, Any] = {
-    "__builtins__": {}, "pi": math.pi, "sqrt": math.sqrt, "sin": degrees(math.sin), "cos": degrees(math.cos),
-    "tan": degrees(math.tan), "asin": lambda x: math.degrees(math.asin(x)),
+    "__builtins__": {},
+    "pi": math.pi,
+    "sqrt": math.sqrt,
+    "sin": degrees(math.sin),
+    "cos": degrees(math.cos),
+    "tan": degrees(math.tan),
+    "asin": lambda x: math.degrees(math.asin(x)),
     "atan2": lambda y, x: math.degrees(math.atan2(y, x)),
 }
 
@@ -95,7 +110,8 @@ def results(sol: Solution, key: str = "balancing_moment") -> dict[str, Any]:
     reactions: dict[str, Any] = {}
     for (i, j), r in sol.reactions.items():
         reactions[reaction_key(i, j)] = (
-            {"force": pair(r[0]), "arm": r[1], "moment": r[2]} if isinstance(r, tuple) else pair(r))
+            {"force": pair(r[0]), "arm": r[1], "moment": r[2]} if isinstance(r, tuple) else pair(r)
+        )
     return {
         "points": {p: dict(zip("rva", map(pair, rva), strict=True)) for p, rva in sol.points.items()},
         "links": {n: dict(zip(("angle_deg", "omega", "epsilon"), w, strict=True)) for n, w in sol.links.items()},
@@ -110,9 +126,22 @@ def pair(z: complex) -> list[float]:
     return [z.real, z.imag]
 
 
-SORTS = {"r": "r", "v": "v", "a": "a", "coriolis": "a", "angle_deg": "angle", "omega": "omega", "epsilon": "epsilon",
-         "force": "force", "arm": "arm", "moment": "moment", "balancing_moment": "moment",
-         "balancing_force": "force", "zhukovsky_moment": "moment", "zhukovsky_force": "force"}
+SORTS = {
+    "r": "r",
+    "v": "v",
+    "a": "a",
+    "coriolis": "a",
+    "angle_deg": "angle",
+    "omega": "omega",
+    "epsilon": "epsilon",
+    "force": "force",
+    "arm": "arm",
+    "moment": "moment",
+    "balancing_moment": "moment",
+    "balancing_force": "force",
+    "zhukovsky_moment": "moment",
+    "zhukovsky_force": "force",
+}
 
 
 def flat(found: Mapping[str, Any]) -> dict[tuple[str, ...], tuple[str, complex | None]]:
@@ -139,8 +168,13 @@ def scales(numbers: Mapping[tuple[str, ...], tuple[str, complex | None]]) -> dic
     for sort, value in numbers.values():
         most[sort] = max(most[sort], abs(value or 0.0))
     size = most["r"]
-    most |= {"angle": 180.0, "arm": size, "omega": max(most["omega"], most["v"] / size),
-             "epsilon": max(most["epsilon"], most["a"] / size), "moment": max(most["moment"], most["force"] * size)}
+    most |= {
+        "angle": 180.0,
+        "arm": size,
+        "omega": max(most["omega"], most["v"] / size),
+        "epsilon": max(most["epsilon"], most["a"] / size),
+        "moment": max(most["moment"], most["force"] * size),
+    }
     return {sort: value or 1.0 for sort, value in most.items()}
 
 
@@ -162,8 +196,11 @@ def save() -> None:
         found = results(truth(name), "balancing_moment" if turning else "balancing_force")
         unit = scales(flat(found))
         position = {"phi_deg" if turning else "s": drive["phi" if turning else "s"]}
-        told = {"scene": f"{name}.yaml", "by": "equilibrium and constraints of all links at once, no plans",
-                "positions": [position | printed(found, unit)]}
+        told = {
+            "scene": f"{name}.yaml",
+            "by": "equilibrium and constraints of all links at once, no plans",
+            "positions": [position | printed(found, unit)],
+        }
         text = json.dumps(told, ensure_ascii=False, indent=1)
         (EXPECTED / f"{name}.json").write_text(text + "\n", encoding="utf-8")
 

@@ -97,8 +97,18 @@ def look(job: Job, pictures: str | None = None) -> Looked:
     faults = [*clashes(sheet), *unlettered(sheet), *untranslated(sheet, job.lang)]
     faults += omissions(scene, values, sheet, job)
     led = leaders(sheet.marks)
-    return Looked(job, tuple(faults), "", sheet.paper.name, full(sheet), empty(sheet), len(led),
-                  len(crossings(sheet.marks)), seconds, sheet.warnings)  # fmt: skip
+    return Looked(
+        job,
+        tuple(faults),
+        "",
+        sheet.paper.name,
+        full(sheet),
+        empty(sheet),
+        len(led),
+        len(crossings(sheet.marks)),
+        seconds,
+        sheet.warnings,
+    )
 
 
 def unlettered(sheet: Sheet) -> list[str]:
@@ -192,8 +202,11 @@ def omissions(scene: Scene, values: list[float] | None, sheet: Sheet, job: Job) 
     parts = {None: (kinematics, forces), 1: (kinematics,), 2: (forces,)}[job.number]
     named = [pair for part in parts for pair in part(position, naming)]
     begun = {key for _, key in named if key.startswith("…") and any(t.startswith(key[1:]) for t in there)}
-    missing = [(what, key) for what, key in named if key not in there and key not in begun
-               and (job.number or not what.endswith(" lever"))]  # fmt: skip
+    missing = [
+        (what, key)
+        for what, key in named
+        if key not in there and key not in begun and (job.number or not what.endswith(" lever"))
+    ]
     silent = not any(say("moments", job.lang) in sentence for sentence in sheet.warnings)
     return [f"{what} is nowhere" for what, _ in missing if silent or not what.startswith("moments")]
 
@@ -322,12 +335,14 @@ def report(found: Sequence[Looked]) -> int:
         if some:
             filled = [one.full for one in some]
             papers = {name: sum(one.paper == name for one in some) for name in ("A4", "A3", "A2", "A1")}
-            print(f"{f'sheet {number}' if number else 'one page'}: {len(some)} drawn on {papers}, full "
-                  f"{min(filled):.2f} … {statistics.median(filled):.2f} … {max(filled):.2f}, largest empty rectangle "
-                  f"{statistics.median(one.empty for one in some):.2f}, at most {max(one.empty for one in some):.2f}; "
-                  f"{sum(one.leaders for one in some)} leaders crossing {sum(one.crossings for one in some)} strokes; "
-                  f"{statistics.median(one.seconds for one in some):.2f} s, at most "
-                  f"{max(one.seconds for one in some):.2f} s")  # fmt: skip
+            print(
+                f"{f'sheet {number}' if number else 'one page'}: {len(some)} drawn on {papers}, full "
+                f"{min(filled):.2f} … {statistics.median(filled):.2f} … {max(filled):.2f}, largest empty rectangle "
+                f"{statistics.median(one.empty for one in some):.2f}, at most {max(one.empty for one in some):.2f}; "
+                f"{sum(one.leaders for one in some)} leaders crossing {sum(one.crossings for one in some)} strokes; "
+                f"{statistics.median(one.seconds for one in some):.2f} s, at most "
+                f"{max(one.seconds for one in some):.2f} s"
+            )
     least = sorted(drawn, key=lambda one: one.full)[:3]
     print("emptiest:", "; ".join(f"{one.job} {one.full:.2f} of {one.paper}" for one in least))
     faulty = sum(bool(one.faults) for one in found)

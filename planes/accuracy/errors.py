@@ -9,13 +9,13 @@ from typing import Any
 
 from planes.accuracy.spread import Spread
 from planes.batch import Cycle
-from planes.batch.claims import Claims
 from planes.batch.columns import Ready
+from planes.batch.error_bounds import Claims
 from planes.drafting.draft import Segment
 from planes.drafting.instruments import Instrument, Pencil
 from planes.drafting.program import Program
 from planes.plans import Plans
-from planes.plans.measuring import Reader
+from planes.plans.measuring import DrawingReader
 from planes.plans.quantities import Column, Measured, Quantity, nested, results_of
 from planes.solving import Position, Solved
 from planes.solving.vectors import PLAN, VectorResults
@@ -30,7 +30,7 @@ class Errors:
 
     def __init__(self, plans: Plans, wanted: Iterable[Quantity] | None, position: Position, by: Instrument | None):
         self.quantities = results_of(plans, wanted)
-        reader = Reader(plans, position.drawing, position.scales)
+        reader = DrawingReader(plans, position.drawing, position.scales)
         self.segments = {f"{p}:{k}": s for p in plans.drawn for k, s in reader.plan_segments(p).items()}
         columns = {c.name: c for q in self.quantities for c in q.columns}
         columns |= {name: _length(name, s) for name, s in self.segments.items()}

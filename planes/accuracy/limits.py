@@ -13,9 +13,9 @@ from typing import Any, Literal
 
 import numpy as np
 
-from planes.accuracy.altering import alterable
-from planes.accuracy.bench import Bench
+from planes.accuracy.comparison import Comparison
 from planes.accuracy.digits import Digits
+from planes.accuracy.variation import alterable
 from planes.drafting.drawing import Drawing, run
 from planes.words.errors import PlanFailure
 
@@ -31,10 +31,10 @@ WIDEST = 6.0  # how many times longer or shorter a length may be made
 
 
 @dataclass(frozen=True)
-class Way:
+class MovedGiven:
     """One given that moves (``name``), the drive standing at ``held`` unless it is the drive itself."""
 
-    bench: Bench
+    bench: Comparison
     name: str
     held: float | None = None
 
@@ -112,7 +112,7 @@ class Way:
 class Limit:
     """The ``value`` (50 digits) where a way ends; positions work on its ``side`` (+1: above)."""
 
-    way: Way
+    way: MovedGiven
     value: Any
     side: int
     kind: Kind
@@ -123,38 +123,42 @@ class Limit:
         return {"rad": 180 / self.value.context.pi, "m": 1, "1": self.value}[self.way.unit]
 
 
-def find(bench: Bench) -> Limit | None:
+def find(bench: Comparison) -> Limit | None:
     """The limit nearest to the scene along the drive; else along what is altered the least, the drive held."""
-    along = next(_limits(Way(bench, bench.plans.drive_given)), None)
+    along = next(_limits(MovedGiven(bench, bench.plans.drive_given)), None)
     if along:
         return along
     held = bluntest(bench)
     names = alterable(bench.plans, bench.cycle.program.givens)
-    found = [next(_limits(Way(bench, name, held)), None) for name in names]
+    found = [next(_limits(MovedGiven(bench, name, held)), None) for name in names]
     return min((x for x in found if x), key=lambda x: x.way.away(x.value), default=None)
 
 
-def like(limit: Limit, way: Way) -> Limit | None:
+def like(limit: Limit, way: MovedGiven) -> Limit | None:
     """The nearest limit of another way, if it is of the same sort."""
     found = next(_limits(way), None)
     return found if found and (found.kind, found.side) == (limit.kind, limit.side) else None
 
 
-def bluntest(bench: Bench) -> float:
+def bluntest(bench: Comparison) -> float:
     """The value of the drive whose crossings are least sharp."""
-    way = Way(bench, bench.plans.drive_given)
+    way = MovedGiven(bench, bench.plans.drive_given)
     values, found = way.values, way.openness(way.values)
     return float(values[np.argmin(np.where(found > 0, found, 2.0))])
 
 
-def _limits(way: Way) -> Iterator[Limit]:
+def _limits(way: MovedGiven) -> Iterator[Limit]:
     """Limits, the nearest first."""
     values, found = way.values, way.openness(way.values)
     works = found > 0
     edges = np.flatnonzero(works[1:] != works[:-1])
     middle = found[1:-1]
-    dips = np.flatnonzero((middle <= BLUNT) & works[:-2] & works[1:-1] & works[2:]
-                          & (middle <= found[:-2]) & (middle <= found[2:])) + 1  # fmt: skip
+    dips = (
+        np.flatnonzero(
+            (middle <= BLUNT) & works[:-2] & works[1:-1] & works[2:] & (middle <= found[:-2]) & (middle <= found[2:])
+        )
+        + 1
+    )
     spots = [(way.away(values[k]), k, k + 1) for k in edges] + [(way.away(values[k]), k - 1, k + 1) for k in dips]
     for _, low, high in sorted(spots):
         limit = _between(way, values, works, int(low), int(high))
@@ -162,7 +166,7 @@ def _limits(way: Way) -> Iterator[Limit]:
             yield limit
 
 
-def _between(way: Way, values: Any, works: Any, low: int, high: int) -> Limit | None:
+def _between(way: MovedGiven, values: Any, works: Any, low: int, high: int) -> Limit | None:
     if works[low] and works[high]:
         return _dip(way, values[low], values[high])
     good, bad = (low, high) if works[low] else (high, low)
@@ -171,7 +175,7 @@ def _between(way: Way, values: Any, works: Any, low: int, high: int) -> Limit | 
     return _edge(way, float(values[good]), float(values[bad]))
 
 
-def _edge(way: Way, good: float, bad: float) -> Limit:
+def _edge(way: MovedGiven, good: float, bad: float) -> Limit:
     """Halved until 50 digits tell no more."""
     step = abs(bad - good)
     one, two = (FINE.tool(False).given(x) for x in (good, bad))
@@ -182,7 +186,7 @@ def _edge(way: Way, good: float, bad: float) -> Limit:
     return Limit(way, one, side, _single(way, one, step) if way.fine(one - side * BESIDE * step) else "end")
 
 
-def _dip(way: Way, low: float, high: float) -> Limit | None:
+def _dip(way: MovedGiven, low: float, high: float) -> Limit | None:
     """Where positions on both sides work and that between them does not, if it is so."""
     step = abs(high - low)
     one, two = (FINE.tool(False).given(x) for x in (low, high))
@@ -198,6 +202,6 @@ def _dip(way: Way, low: float, high: float) -> Limit | None:
     return Limit(way, value, 1 if way.here > value else -1, _single(way, value, step))
 
 
-def _single(way: Way, value: Any, step: float) -> Kind:
+def _single(way: MovedGiven, value: Any, step: float) -> Kind:
     """What a single place between working ones is."""
     return "infinite" if way.far(value + BESIDE * step) else "change"

@@ -14,10 +14,10 @@ from typing import Any
 
 import numpy as np
 
-from planes.accuracy.bench import Bench
+from planes.accuracy.comparison import Comparison
 from planes.accuracy.digits import Digits
-from planes.accuracy.peers import Pylinkage, installed, kinepy_run, pylinkage_run, version
-from planes.batch import fused
+from planes.accuracy.other_programs import Pylinkage, installed, kinepy_run, pylinkage_run, version
+from planes.batch import compiled
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.instruments import Pencil
 from planes.plans import Plans
@@ -64,7 +64,7 @@ def clock(work: Callable[[], object], times: int = 3) -> float:
 
 def measure(plans: Plans) -> list[Method]:
     """Every method on one mechanism. :class:`PlanFailure` where no position of it can be drawn."""
-    bench = Bench(plans)
+    bench = Comparison(plans)
     values = bench.working
     if not len(values):
         raise PlanFailure("no_working")
@@ -81,8 +81,8 @@ def measure(plans: Plans) -> list[Method]:
 
     add("method_scalar", "", bench.scalar, values)
     add("method_batch", "", lambda v: bench.many(v, False), long, lambda v: bench.through(v, False))
-    if fused.available():
-        add("method_fused", "", lambda v: bench.many(v, True), long, lambda v: bench.through(v, True))
+    if compiled.available():
+        add("method_compiled", "", lambda v: bench.many(v, True), long, lambda v: bench.through(v, True))
     add("method_single", "", bench.single, long)
     for digits in (30, 50):
         add("method_digits", str(digits), partial(bench.scalar, instrument=Digits(digits)), values[:12])
@@ -96,7 +96,7 @@ def measure(plans: Plans) -> list[Method]:
     return found + _pencils(bench, values, truth)
 
 
-def _pencils(bench: Bench, values: Any, truth: Any) -> list[Method]:
+def _pencils(bench: Comparison, values: Any, truth: Any) -> list[Method]:
     """Pencils on sheets of every format, with a good ruler and a better one."""
     found = []
     for sheet, factor in SHEETS.items():
@@ -115,7 +115,7 @@ def _pencils(bench: Bench, values: Any, truth: Any) -> list[Method]:
     return found
 
 
-def _try(bench: Bench, given: dict[str, Any], pencil: Pencil) -> None:
+def _try(bench: Comparison, given: dict[str, Any], pencil: Pencil) -> None:
     try:
         run(bench.cycle.program, given, pencil)
     except PlanFailure:

@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from planes.accuracy.altering import alterable, altered, changed
-from planes.accuracy.bench import Bench, Work
+from planes.accuracy.comparison import Comparison, Work
 from planes.accuracy.digits import Digits
-from planes.accuracy.limits import Limit, Way, find, like
-from planes.accuracy.peers import Pylinkage, installed
-from planes.batch import fused
-from planes.batch.claims import Claims
+from planes.accuracy.limits import Limit, MovedGiven, find, like
+from planes.accuracy.other_programs import Pylinkage, installed
+from planes.accuracy.variation import alterable, altered, changed
+from planes.batch import compiled
+from planes.batch.error_bounds import Claims
 from planes.plans import Plans
 
 DECADES, EACH, CROWD = 14, 2, 8  # points of a curve in a decade, and positions of which each is the worst
@@ -42,11 +42,11 @@ class Approach:
 
 def approach(plans: Plans) -> Approach | None:
     """The way to the limit nearest to the scene; None where neither the drive nor any length or guide comes to one."""
-    limit = find(Bench(plans))
+    limit = find(Comparison(plans))
     return None if limit is None else _measured(limit, *_path(limit))
 
 
-def _path(limit: Limit) -> tuple[Bench, Any, Any]:
+def _path(limit: Limit) -> tuple[Comparison, Any, Any]:
     """A bench, values of its drive, and distances: one path after another, each from far to near."""
     spots = [(x, 10.0 ** (-(b / EACH) + k / (EACH * CROWD))) for k, x in enumerate(_crowd(limit)) for b in BINS]
     values = [float(x.value + x.side * step * x.unit) for x, step in spots]
@@ -60,7 +60,7 @@ def _path(limit: Limit) -> tuple[Bench, Any, Any]:
     plans = limit.way.bench.plans
     names = dict.fromkeys(name for x in variants for name in changed(plans, x))
     known = {name: np.array([x.given[name] for x in variants]) for name in names}
-    return Bench(plans, known, variants, BEGINS), np.array(drive), np.array(distances)
+    return Comparison(plans, known, variants, BEGINS), np.array(drive), np.array(distances)
 
 
 def _crowd(limit: Limit) -> list[Limit]:
@@ -75,7 +75,7 @@ def _crowd(limit: Limit) -> list[Limit]:
     return [limit] * CROWD
 
 
-def _beside(way: Way) -> Iterator[Iterator[Way]]:
+def _beside(way: MovedGiven) -> Iterator[Iterator[MovedGiven]]:
     """Crowds of ways to try."""
     if way.held is not None:
         held = way.held
@@ -84,14 +84,14 @@ def _beside(way: Way) -> Iterator[Iterator[Way]]:
     plans = way.bench.plans
     for name in alterable(plans, (n for n in way.bench.cycle.program.givens if n in plans.lengths)):
         longer = [plans.given[name] * (1 + LONGER * k) for k in range(1, CROWD)]
-        yield (Way(Bench(altered(plans, name, length)), way.name) for length in longer)
+        yield (MovedGiven(Comparison(altered(plans, name, length)), way.name) for length in longer)
 
 
-def ways(bench: Bench) -> dict[str, Work]:
+def ways(bench: Comparison) -> dict[str, Work]:
     """Every method that can be tried, ours before others'."""
     found: dict[str, Work] = {"method_scalar": bench.scalar, "method_batch": lambda v: bench.many(v, False)}
-    if fused.available():
-        found["method_fused"] = lambda v: bench.many(v, True)
+    if compiled.available():
+        found["method_compiled"] = lambda v: bench.many(v, True)
     found["method_digits"] = lambda v: bench.scalar(v, Digits(30))
     found["method_single"] = bench.single
     found["method_newton"] = bench.newton
@@ -103,7 +103,7 @@ def ways(bench: Bench) -> dict[str, Work]:
     return found
 
 
-def _measured(limit: Limit, bench: Bench, values: Any, distances: Any) -> Approach:
+def _measured(limit: Limit, bench: Comparison, values: Any, distances: Any) -> Approach:
     truth = bench.truth(values)
     works = np.isfinite(truth).all(axis=0) & (distances > 0)
     with np.errstate(all="ignore"):
@@ -117,7 +117,7 @@ def _measured(limit: Limit, bench: Bench, values: Any, distances: Any) -> Approa
     return _worst(limit, distances, works, np.array(sharp), claims, errors)
 
 
-def _sizes(bench: Bench, truth: Any) -> Any:
+def _sizes(bench: Comparison, truth: Any) -> Any:
     """For each column and position the largest place, velocity or acceleration of its crowd."""
     size = bench.sizes(truth).reshape(len(truth), CROWD, -1)
     return np.broadcast_to(size.max(axis=1, keepdims=True), size.shape).reshape(truth.shape)
@@ -130,9 +130,14 @@ def _worst(limit: Limit, distances: Any, works: Any, sharp: Any, claims: Any, er
     def worst(row: Any, by: Callable[[Any], Any] = np.max) -> Any:
         return np.array([by(row[k][works[k]]) for k in crowds])  # refused once is refused
 
-    return Approach(limit, worst(distances, np.min), worst(sharp, np.min), worst(claims),
-                    {key: worst(row) for key, row in errors.items()})  # fmt: skip
+    return Approach(
+        limit,
+        worst(distances, np.min),
+        worst(sharp, np.min),
+        worst(claims),
+        {key: worst(row) for key, row in errors.items()},
+    )
 
 
-def _sharpness(bench: Bench, value: float, k: int) -> float:
+def _sharpness(bench: Comparison, value: float, k: int) -> float:
     return min((float(s) for s in bench.drawn(value, Digits(50), k).sharpness.values()), default=1.0)

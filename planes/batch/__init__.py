@@ -1,7 +1,7 @@
 """Many positions of a mechanism at once: one program over blocks of the drive's values, from positions to forces.
 
 Memory is that of one block, however many values there are. A position that cannot be drawn has its reason, and NaN
-in what depends on what failed. Long runs go through the compiled loop (``fused``) where it is installed.
+in what depends on what failed. Long runs go through the compiled loop (``compiled``) where it is installed.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planes.batch import fused
-from planes.batch.claims import Claims
+from planes.batch import compiled as compiled_loop
 from planes.batch.columns import columns_of
+from planes.batch.error_bounds import Claims
 from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
 from planes.drafting.clearness import clear, far_apart
 from planes.drafting.drawing import run
@@ -63,9 +63,12 @@ class Cycle:
     """
 
     def __init__(
-        self, plans: Plans, names: Iterable[str] | None = None, known: Mapping[str, Any] | None = None,
+        self,
+        plans: Plans,
+        names: Iterable[str] | None = None,
+        known: Mapping[str, Any] | None = None,
         columns: Iterable[Column] | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         quantities = None if names is None else asked(plans, names)
         self.plans, self.columns = plans, columns_of(plans, quantities) if columns is None else list(columns)
         self.program: Program = plans.program.sliced([n for c in self.columns for n in c.needs])
@@ -99,9 +102,9 @@ class Cycle:
         return far_apart(self.plans.given)
 
     @cached_property
-    def compiled(self) -> fused.Bound:
+    def compiled(self) -> compiled_loop.Bound:
         """The compiled loop."""
-        loop = fused.fuse(self.trace, (self.plans.drive_given, *self.moved))
+        loop = compiled_loop.fuse(self.trace, (self.plans.drive_given, *self.moved))
         return loop.bound(given_values(self.given))
 
     def moving(self, values: Any, at: Any) -> dict[str, Any]:
@@ -110,9 +113,13 @@ class Cycle:
         return {**self.plans.at(values, self.program, self.known), **beside}
 
     def blocks(
-        self, values: Any, chunk: int = CHUNK, fast: bool | None = None, instrument: Instrument | None = None,
+        self,
+        values: Any,
+        chunk: int = CHUNK,
+        fast: bool | None = None,
+        instrument: Instrument | None = None,
         bare: bool = False,
-    ) -> Iterator[Block]:  # fmt: skip
+    ) -> Iterator[Block]:
         """Blocks of at most ``chunk`` positions. ``fast`` says whether to compile; by itself when that pays.
 
         Numbers that rounding leaves without digits are NaN, unless they are asked for ``bare``.
@@ -121,7 +128,7 @@ class Cycle:
             values = np.fromiter(values, float)
         by_hand = instrument is not None and not isinstance(instrument, Exact)
         if fast is None:
-            fast = not by_hand and fused.available() and ("compiled" in self.__dict__ or len(values) >= PAYS)
+            fast = not by_hand and compiled_loop.available() and ("compiled" in self.__dict__ or len(values) >= PAYS)
         size = min(chunk, self.compiled.fused.row if fast else max(1, HELD // (len(self.program.steps) + 1)))
         for start in range(0, len(values), size):
             part = np.asarray(values[start : start + size], float)
@@ -185,8 +192,9 @@ class Cycle:
         for block in blocks:
             claimed = claims.bounds(block.values, start + np.arange(len(block.values)))
             start += len(block.values)
-            yield Block(block.values, np.vstack([block.table, np.where(np.isnan(block.table), np.nan, claimed)]),
-                        block.codes)  # fmt: skip
+            yield Block(
+                block.values, np.vstack([block.table, np.where(np.isnan(block.table), np.nan, claimed)]), block.codes
+            )
 
     @cached_property
     def _after(self) -> dict[str, list[int]]:

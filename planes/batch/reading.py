@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from planes.batch.tape import Tape
-from planes.geometry.lossless import gap
+from planes.geometry.error_free import gap
 
 OPS: dict[str, Callable[..., Any]] = {
     "add": lambda a, b: a + b,
@@ -37,9 +37,12 @@ OPS: dict[str, Callable[..., Any]] = {
 
 
 def read(
-    tape: Tape, order: Iterable[int], given: Mapping[str, Any], real: Callable[[Any], Any] = np.float64,
+    tape: Tape,
+    order: Iterable[int],
+    given: Mapping[str, Any],
+    real: Callable[[Any], Any] = np.float64,
     ops: Mapping[str, Callable[..., Any]] = OPS,
-) -> dict[int, Any]:  # fmt: skip
+) -> dict[int, Any]:
     """The numbers at the places of ``order``, of the kind ``real``, by the operations ``ops``; errors of instruments
     are 0."""
     found: dict[int, Any] = {}

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from planes.batch.double_double import REST
 from planes.batch.slopes import SLOPES, Parts, Values
 from planes.batch.tape import LEAVES, TESTS, Tape
-from planes.batch.twofold import REST
-from planes.geometry.lossless import doubt
+from planes.geometry.error_free import doubt
 
 EXACT = TESTS | LEAVES | {"neg", "abs", "sel", "max", "min", "floor"}
 LARGEST = {"gap": 2.0, "hypot": 2.0, "sin": 2.0, "cos": 2.0, "atan2": 2.0}  # halves of the last place; of others: 1

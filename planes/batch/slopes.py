@@ -40,8 +40,14 @@ SLOPES: dict[str, Callable[..., Parts]] = {
     "min": lambda z, a, b: (a <= b, a > b),
     "sel": lambda z, t, a, b: (0.0, t, ~np.asarray(t)),
     "gap": lambda z, cx, cy, dx, dy, r, s: (
-        2 * (dx - cx), 2 * (dy - cy), 2 * (cx - dx), 2 * (cy - dy), 2 * (r + s), 2 * (r + s)),
-}  # fmt: skip
+        2 * (dx - cx),
+        2 * (dy - cy),
+        2 * (cx - dx),
+        2 * (cy - dy),
+        2 * (r + s),
+        2 * (r + s),
+    ),
+}
 
 
 def times(part: Any, x: Any) -> Any:

@@ -19,7 +19,7 @@ from planes.words.errors import PlanesError
 GROUP = 65_536  # rows of one group of Parquet
 
 
-class Writer(Protocol):
+class BlockWriter(Protocol):
     """Takes blocks one after another; ``end`` when all are there, ``close`` whatever happens."""
 
     def write(self, block: Block) -> None: ...
@@ -29,7 +29,7 @@ class Writer(Protocol):
     def close(self) -> None: ...
 
 
-class Heading:
+class TableHead:
     """What a table's columns are: the drive's value, the results, and why a position failed."""
 
     def __init__(self, drive: tuple[str, str], columns: Iterable[tuple[str, str]], reasons: tuple[Reason, ...]) -> None:
@@ -43,7 +43,7 @@ class Heading:
 
 
 @contextmanager
-def opened(path: Path, heading: Heading, count: int) -> Iterator[Writer]:
+def opened(path: Path, heading: TableHead, count: int) -> Iterator[BlockWriter]:
     """A writer by the suffix of the file; what was begun and not ended leaves no file."""
     make = WRITERS.get(path.suffix.lower())
     if make is None:
@@ -61,7 +61,7 @@ def opened(path: Path, heading: Heading, count: int) -> Iterator[Writer]:
 class Csv:
     """Comma-separated text, UTF-8: shortest digits that give every number back; an empty cell where there is none."""
 
-    def __init__(self, path: Path, heading: Heading, count: int) -> None:
+    def __init__(self, path: Path, heading: TableHead, count: int) -> None:
         self.file, self.reasons = path.open("w", encoding="utf-8", newline="\n"), heading.reasons
         self.file.write(",".join([*heading.titles, "failed"]) + "\n")
 
@@ -84,7 +84,7 @@ class Csv:
 class Npy:
     """One NumPy array of records, its full length told first."""
 
-    def __init__(self, path: Path, heading: Heading, count: int) -> None:
+    def __init__(self, path: Path, heading: TableHead, count: int) -> None:
         self.kinds = np.dtype([(name, "<f8") for name, _ in heading.columns] + [("failed", "<i2")])
         start = np.lib.format.open_memmap(path, mode="w+", dtype=self.kinds, shape=(count,)).offset
         self.file = path.open("rb+")  # not through the map: a full disk would end the program without a word
@@ -109,7 +109,7 @@ class Npy:
 class Npz:
     """A NumPy archive: an array for each column, their units, and the reasons the codes in "failed" stand for."""
 
-    def __init__(self, path: Path, heading: Heading, count: int) -> None:
+    def __init__(self, path: Path, heading: TableHead, count: int) -> None:
         self.path, self.heading, self.count, self.at = path, heading, count, 0
         self.raw = TemporaryFile(dir=path.parent)  # noqa: SIM115  # columns in turn; it has no name to be left
 
@@ -150,16 +150,14 @@ class Npz:
 class Parquet:
     """Apache Parquet, where pyarrow is installed."""
 
-    def __init__(self, path: Path, heading: Heading, count: int) -> None:
+    def __init__(self, path: Path, heading: TableHead, count: int) -> None:
         try:
             import pyarrow
             import pyarrow.parquet
         except ImportError:
             raise PlanesError(Phrase("cycle_no_parquet")) from None
         self.arrow, self.reasons = pyarrow, np.array(heading.reasons)
-        fields = [
-            pyarrow.field(name, pyarrow.float64(), metadata={"unit": unit}) for name, unit in heading.columns
-        ]
+        fields = [pyarrow.field(name, pyarrow.float64(), metadata={"unit": unit}) for name, unit in heading.columns]
         self.schema = pyarrow.schema([*fields, pyarrow.field("failed", pyarrow.string())])
         self.writer = pyarrow.parquet.ParquetWriter(path, self.schema)
         self.waiting: list[Block] = []
@@ -188,6 +186,9 @@ class Parquet:
         self.writer.close()
 
 
-WRITERS: dict[str, Callable[[Path, Heading, int], Writer]] = {
-    ".csv": Csv, ".npy": Npy, ".npz": Npz, ".parquet": Parquet,
-}  # fmt: skip
+WRITERS: dict[str, Callable[[Path, TableHead, int], BlockWriter]] = {
+    ".csv": Csv,
+    ".npy": Npy,
+    ".npz": Npz,
+    ".parquet": Parquet,
+}

@@ -1,6 +1,7 @@
 """A tape: what a program reckons, as one straight line of real operations, each recorded once.
 
-What is reckoned twice is recorded once. Readers of a tape compile it (``fused``) or weigh its errors (``claims``).
+What is reckoned twice is recorded once. Readers of a tape compile it (``compiled``) or weigh its errors
+(``error_bounds``).
 """
 
 from __future__ import annotations

@@ -147,9 +147,14 @@ Take = Callable[[Mapping[str, Any], Any], Any]
 
 
 def trace(
-    program: Program, given: Mapping[str, Any], takes: list[Take], known: Mapping[str, Any],
-    errors: tuple[float, float, float] | None = None, must: Sequence[bool] = (), fine: float | None = None,
-) -> Trace:  # fmt: skip
+    program: Program,
+    given: Mapping[str, Any],
+    takes: list[Take],
+    known: Mapping[str, Any],
+    errors: tuple[float, float, float] | None = None,
+    must: Sequence[bool] = (),
+    fine: float | None = None,
+) -> Trace:
     """Record a program. ``given`` shows which givens are places; those in ``known`` are folded in as constants.
 
     The outputs marked in ``must`` have to be finite numbers: that is the condition "no_digits"; then comes ``UNCLEAR``:

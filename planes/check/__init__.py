@@ -6,13 +6,13 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
-from planes.check.grading.accounts import Account, account, result_figures, segment_figures
-from planes.check.grading.bench import Asked, Bench, prepare, variants_of
+from planes.check.grading.arithmetic_slips import WrittenNumber
 from planes.check.grading.evidence import SURE_LENGTHS, lengths_by_chance
 from planes.check.grading.grading import Grading, grade, readable
 from planes.check.grading.handwork import Hand, Taken, Variant
-from planes.check.grading.paper import Paper
-from planes.check.grading.slips import Figure
+from planes.check.grading.paper import ReadPaper
+from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
+from planes.check.grading.written_numbers import Account, account, result_figures, segment_figures
 from planes.plans.quantities import catalogue
 from planes.words import Phrase, Written
 from planes.words.errors import PlanesError
@@ -27,8 +27,8 @@ STATUS = {"right": 0, "wrong": 1, "unreadable": 2}
 class Outcome:
     """Everything found in one drawing."""
 
-    bench: Bench
-    paper: Paper
+    bench: PreparedPlan
+    paper: ReadPaper
     grading: Grading | None = None
     segments: Account | None = None
     results: Account | None = None
@@ -136,7 +136,7 @@ class Outcome:
         return Phrase("check_number_unclear", mark=first, given=Written(f"{given:.4g}"), true=Written(f"{true:.4g}"))
 
 
-def check(asked: Asked, paper: Paper) -> Outcome:
+def check(asked: Asked, paper: ReadPaper) -> Outcome:
     """Check one paper. :class:`PlanesError` where the scene or the question is wrong."""
     bench = prepare(asked)
     bench = bench.at(paper.mu, told=True) if paper.mu and not asked.mu else bench
@@ -178,7 +178,7 @@ def _mu(mu: float, kind: str) -> Written:
     return Written(mu_text(mu, kind), mu_text(mu, kind, "ru"))
 
 
-def _free(bench: Bench, wanted: Iterable[str], mu: float, taken: dict[str, Taken]) -> Hand:
+def _free(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, Taken]) -> Hand:
     """The true plan with the errors of drafting carried through it, up to the wanted names."""
     asked = bench.asked
     program = bench.plans.program.sliced([*bench.marks, *(n for n in wanted if n)])
@@ -214,7 +214,7 @@ def _shown_by(lengths: Account, free: bool) -> Phrase | None:
     return Phrase("check_by_chance", count=len(lengths.scored), size=Written(f"{longest:.1f}"))
 
 
-def _segment_scales(bench: Bench, figures: list[Figure]) -> list[float]:
+def _segment_scales(bench: PreparedPlan, figures: list[WrittenNumber]) -> list[float]:
     """The stated scale and those the lengths themselves show."""
     found = [bench.said_mu]
     if bench.asked.mu:

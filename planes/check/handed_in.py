@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from planes.check.grading.bench import Asked, prepare
-from planes.check.grading.paper import Paper, read_table
-from planes.check.reading.strokes import Sketch
+from planes.check.grading.paper import ReadPaper, read_table
+from planes.check.grading.prepared_plan import Asked, prepare
+from planes.check.reading.strokes import ReadDrawing
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
@@ -27,7 +27,7 @@ class Known:
     format: str | None = None
 
 
-def read_paper(file: str, asked: Asked, known: Known) -> Paper:
+def read_paper(file: str, asked: Asked, known: Known) -> ReadPaper:
     """The marks of a file. :class:`PlanesError` where it cannot be read."""
     suffix = Path(file).suffix.lower()
     if suffix in TABLES:
@@ -36,13 +36,13 @@ def read_paper(file: str, asked: Asked, known: Known) -> Paper:
     if sketch is not None:
         return _from_lines(sketch, asked, known)
     if suffix in PICTURES:
-        from planes.check.sight.photograph import paper_of_picture
+        from planes.check.vision.photograph import paper_of_picture
 
         return paper_of_picture(file, prepare(asked), known.pole, dict(known.marks), known.format)
     raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
 
 
-def _lines(file: str, suffix: str, known: Known) -> Sketch | None:
+def _lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:
     """The lines of a drawing of lines; of a PDF with pixels told, or that shows a picture, none."""
     from planes.check.reading.dxf import read_dxf
     from planes.check.reading.pdf import read_pdf
@@ -53,7 +53,7 @@ def _lines(file: str, suffix: str, known: Known) -> Sketch | None:
     return {".svg": read_svg, ".dxf": read_dxf}[suffix](file) if suffix in LINES else None
 
 
-def _from_lines(sketch: Sketch, asked: Asked, known: Known) -> Paper:
+def _from_lines(sketch: ReadDrawing, asked: Asked, known: Known) -> ReadPaper:
     """The marks of a drawing of lines."""
     from planes.check.reading.matching import scaled
     from planes.check.reading.whole_page import paper_on

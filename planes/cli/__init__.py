@@ -19,7 +19,7 @@ from planes.scene import Scene, load
 from planes.scene.ranges import read_span
 from planes.words import Phrase
 from planes.words.errors import PlanesError
-from planes.words.home import home_lang
+from planes.words.options import home_lang
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -61,7 +61,7 @@ def _parser() -> argparse.ArgumentParser:
     add_positions(solve)
     solve.add_argument("--json", action="store_true", help=help_of("help_json"))
     solve.add_argument("--pencil", action="store_true", help=help_of("help_pencil"))
-    solve.add_argument("--seed", type=int,  help=help_of("help_seed"))
+    solve.add_argument("--seed", type=int, help=help_of("help_seed"))
     solve.add_argument("--explain", action="store_true", help=help_of("help_explain"))
     solve.add_argument("--errors", action="store_true", help=help_of("help_errors"))
     solve.add_argument("--remedy", action="store_true", help=help_of("help_remedy"))

@@ -9,14 +9,14 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from planes.check import check
-from planes.check.grading.bench import Asked
-from planes.check.grading.paper import Paper
-from planes.check.report.classes import Checked, Group
+from planes.check.grading.paper import ReadPaper
+from planes.check.grading.prepared_plan import Asked
+from planes.check.report.classes import Checked, ClassWork
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError, guarded
 from planes.words.spreadsheet import as_csv
 
-Reader = Callable[[str], Paper]
+Reader = Callable[[str], ReadPaper]
 NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp")  # lie beside the drawings
 
 
@@ -27,7 +27,7 @@ def check_class(args: argparse.Namespace, asked: Asked, read: Reader) -> int:
     files = [f for f in files if f.suffix.lower() not in NO_DRAWINGS]
     if not files:
         raise PlanesError(Phrase("check_empty_folder", file=args.drawing))
-    group = Group(folder.name)
+    group = ClassWork(folder.name)
     for file in _shown(files):
         name = file.name.encode("utf-8", "replace").decode()  # any bytes at all may be the name of a file
         try:
@@ -46,23 +46,23 @@ def heads(lang: Lang) -> list[str]:
     return [say(k, lang) for k in ("check_file", "check_verdict", "check_mark", "check_first")]
 
 
-def _table(group: Group, lang: Lang) -> list[str]:
+def _table(group: ClassWork, lang: Lang) -> list[str]:
     rows = [heads(lang), *(one.row(lang) for one in group.all)]
     widths = [max(len(row[i]) for row in rows) for i in range(3)]
     aligned = ("  ".join([*(c.ljust(w) for c, w in zip(row, widths, strict=False)), row[3]]) for row in rows)
     return [say("check_class", lang), *(f"  {line.rstrip()}" for line in aligned)]
 
 
-def _json(group: Group, lang: Lang) -> str:
+def _json(group: ClassWork, lang: Lang) -> str:
     return json.dumps([one.as_json(lang) for one in group.all], ensure_ascii=False, allow_nan=False)
 
 
-def _csv(group: Group, lang: Lang) -> str:
+def _csv(group: ClassWork, lang: Lang) -> str:
     table = as_csv([heads(lang), *(one.row(lang) for one in group.all)])
     return f"\ufeff{table}"  # so that a spreadsheet knows the letters
 
 
-def _write(group: Group, output: str, lang: Lang) -> None:
+def _write(group: ClassWork, output: str, lang: Lang) -> None:
     """The table as a page, a spreadsheet or objects; a folder gets a report for each drawing and the page."""
     from planes.documents.check import write_class, write_text
 

@@ -6,11 +6,11 @@ import argparse
 import sys
 from pathlib import Path
 
-from planes.course.crowd import crowd
 from planes.course.reading import read_course
+from planes.course.workers import crowd
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
-from planes.words.home import home_lang
+from planes.words.options import home_lang
 
 FOLDER = "out"
 
@@ -23,7 +23,7 @@ def run(args: argparse.Namespace) -> int:
         raise PlanesError(Phrase("course_jobs", count=args.jobs))
     course = read_course(args.folder)
     lang = said or course.lang or args.lang
-    from planes.documents.conducting import conduct
+    from planes.documents.course_run import conduct
     from planes.documents.lesson import bar
 
     folder = Path(args.output) if args.output else Path(course.file).parent / FOLDER

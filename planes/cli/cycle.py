@@ -60,8 +60,16 @@ def driven_otherwise(scene: Scene, velocity: float | None, acceleration: float |
     drive = mechanism.drive
     v = drive.velocity if velocity is None else velocity
     a = drive.acceleration if acceleration is None else acceleration
-    given = {key for key, rate in (("omega", velocity), ("velocity", velocity), ("epsilon", acceleration),
-                                   ("acceleration", acceleration)) if rate is not None}  # fmt: skip
+    given = {
+        key
+        for key, rate in (
+            ("omega", velocity),
+            ("velocity", velocity),
+            ("epsilon", acceleration),
+            ("acceleration", acceleration),
+        )
+        if rate is not None
+    }
     laws = {path: law for path, law in mechanism.laws.items() if path[0] != "drive" or path[1] not in given}
     moved = replace(mechanism, drive=replace(drive, velocity=v, acceleration=a), laws=laws)
     return replace(scene, mechanism=moved)
@@ -102,9 +110,7 @@ def _table(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
     return write_curves(turn, span, args.output, args.lang)
 
 
-def _listing(
-    args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Callable[[object], str]
-) -> int:
+def _listing(args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Callable[[object], str]) -> int:
     from planes.diagrams.text import listed_json, listing, unsolved
     from planes.diagrams.turn import turn_of
     from planes.plans import mechanism_plans
@@ -127,7 +133,7 @@ def _summary(args: argparse.Namespace, scene: Scene, span: Span | None, as_json:
     from planes.diagrams.text import as_json as plain
     from planes.diagrams.text import report
     from planes.diagrams.turn import reach
-    from planes.diagrams.working import FULL
+    from planes.diagrams.working_range import FULL
     from planes.plans import mechanism_plans
 
     plans = mechanism_plans(scene)

@@ -9,17 +9,29 @@ from planes.words import Phrase
 from planes.words.errors import PlanesError
 
 TAKES: Mapping[str, Mapping[str, str]] = {
-    "solve": {"positions": "phi s json pencil seed errors remedy", "vectors": "json pencil seed errors",
-              "steps": "explain", "folder": "json"},
+    "solve": {
+        "positions": "phi s json pencil seed errors remedy",
+        "vectors": "json pencil seed errors",
+        "steps": "explain",
+        "folder": "json",
+    },
     "sheet": {"positions": "phi s remedy text sheet view", "vectors": "text view"},
-    "cycle": {"summary": "phi s show omega epsilon json", "listing": "phi s show omega epsilon json listing",
-              "table": "phi s omega epsilon errors plain", "curves": "phi s show omega epsilon",
-              "picture": "phi s show hodograph path omega epsilon", "graphical": "graphical pole omega json",
-              "graphical_picture": "graphical pole omega"},
-    "check": {"trace": "phi s mu trace", "numbers": "phi s mu others work json",
-              "lines": "phi s mu others work json pole mark",
-              "photograph": "phi s mu others work json pole mark format"},
-}  # fmt: skip
+    "cycle": {
+        "summary": "phi s show omega epsilon json",
+        "listing": "phi s show omega epsilon json listing",
+        "table": "phi s omega epsilon errors plain",
+        "curves": "phi s show omega epsilon",
+        "picture": "phi s show hodograph path omega epsilon",
+        "graphical": "graphical pole omega json",
+        "graphical_picture": "graphical pole omega",
+    },
+    "check": {
+        "trace": "phi s mu trace",
+        "numbers": "phi s mu others work json",
+        "lines": "phi s mu others work json pole mark",
+        "photograph": "phi s mu others work json pole mark format",
+    },
+}
 """Of each command its answers, with the options each of them heeds; the others are those of every answer."""
 
 NEEDS = {"seed": "pencil", "pole": "graphical", "phi": "sheet"}

@@ -11,8 +11,9 @@ def add_check_options(parser: argparse.ArgumentParser, told: Callable[[str], str
     parser.add_argument("drawing", nargs="?", metavar="DRAWING", help=told("help_drawing"))
     parser.add_argument("--plan", required=True, metavar="PLAN", help=told("help_plan"))
     parser.add_argument("--mu", metavar="MU", help=told("help_mu"))
-    parser.add_argument("--with", dest="others", action="append", default=[], metavar="PLAN=FILE",
-                        help=told("help_with"))  # fmt: skip
+    parser.add_argument(
+        "--with", dest="others", action="append", default=[], metavar="PLAN=FILE", help=told("help_with")
+    )
     parser.add_argument("--pole", metavar="X,Y", help=told("help_pole"))
     parser.add_argument("--mark", action="append", default=[], metavar="NAME=X,Y", help=told("help_mark"))
     parser.add_argument("--format", choices=("A4", "A3", "A2", "A1"), help=told("help_picture_format"))

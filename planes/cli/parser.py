@@ -6,7 +6,7 @@ import argparse
 from typing import NoReturn
 
 from planes.words import say
-from planes.words.home import home_lang
+from planes.words.options import home_lang
 from planes.words.usage import USAGE
 
 

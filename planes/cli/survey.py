@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 from collections.abc import Callable
 
-from planes.course.crowd import crowd
 from planes.course.survey import lines_of, report, scenes_of
+from planes.course.workers import crowd
 from planes.documents.lesson import bar
 
 

@@ -50,7 +50,7 @@ class Student:
 
 
 @dataclass(frozen=True)
-class Choice:
+class ParameterChoice:
     """Which numbers a parameter may take: ``values`` as they are written, or ``percent`` around the scene's own."""
 
     values: tuple[str, ...] = ()
@@ -82,7 +82,7 @@ class Course:
     sheet: Mapping[str, Node] = field(default_factory=lambda: MappingProxyType({}))
     each: int = 1
     given_first: bool = True
-    draw: Mapping[str, Choice] | None = None
+    draw: Mapping[str, ParameterChoice] | None = None
     sharpness_deg: float = 15.0
     documents: tuple[str, ...] = DOCUMENTS[:5]
     formats: tuple[str, ...] = FORMATS[:1]

@@ -159,4 +159,3 @@ def _lock(file: Any, folder: Path) -> None:
     except BlockingIOError:
         file.close()
         raise PlanesError(Phrase("course_locked", folder=str(folder))) from None
-

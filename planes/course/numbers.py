@@ -1,151 +1,146 @@
-"""Numbers drawn at random for a student: round ones around the scene's own, kept if the method works with them.
-
-The mechanism must assemble for every value of the drive, and no lines of any plan may meet at less than the limit,
-all the way round; in the position the student works with, nothing may need a warning.
-"""
+"""What one student works with: the numbers settled, the scene written, the mechanism solved. A task for any worker."""
 
 from __future__ import annotations
 
-import hashlib
+import json
 import math
-import random
-import re
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+import traceback
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
 
-from planes.course import Choice
-from planes.drafting.drawing import run
-from planes.plans import Plans, mechanism_plans
-from planes.plans.scales import unit_scales
-from planes.scene import Scene
-from planes.scene.source import Table, Text
-from planes.scene.source import parse as parse_text
+from planes.course import Course, ParameterChoice
+from planes.course.fingerprint import fingerprint
+from planes.course.random_numbers import choices_of, dice, draw_numbers
+from planes.course.scenes import own_scene
+from planes.course.shares import Share
+from planes.scene import Scene, loads
+from planes.scene.mechanism import FRAME
+from planes.scene.source import Node, SourceScalar
 from planes.solving import solve
-from planes.words import Phrase
-from planes.words.errors import Contradiction, PlanesError, SceneError
+from planes.words import Lang, Phrase
+from planes.words.errors import PlanesError
 
-TRIES = 1000  # sets of numbers, before it is said that there are none
-ROUND = tuple(float(k) for k in range(0, 360, 2))  # the driver's angles a mechanism is tried at, degrees
-_ANGLES = tuple(f"{k}" for k in range(0, 360, 15))
-_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
-_SHARES = (("l_", 10.0), ("x_", 10.0), ("y_", 10.0), ("omega_", 20.0), ("F_", 20.0), ("M_", 20.0), ("P_", 20.0))
+FILE = "scene.yaml"
 
 
 @dataclass(frozen=True)
-class Turn:
-    """A mechanism tried all the way round: where it cannot be drawn, and how sharply lines meet at the worst."""
+class Question:
+    """All that a student's numbers depend on; ``copy`` counts how often they fell together with somebody else's."""
 
-    failed: tuple[float, ...]
+    text: str
+    file: str
+    variant: str | None
+    draw: Mapping[str, ParameterChoice] | None
     sharpness_deg: float
+    seed: int
+    student: tuple[str, str]
+    sheet: Mapping[str, Node]
+    lang: Lang
+    copy: int = 0
+    program: str = ""  # whose it must be, where workers may have another
 
 
-def turn(plans: Plans, values: tuple[float, ...] = ROUND) -> Turn:
-    """Draw everything at every value of the drive (degrees)."""
-    tried = around_turn(plans, values)
-    whole = [angle for angle in tried.values() if angle is not None]
-    return Turn(tuple(v for v, angle in tried.items() if angle is None), min(whole, default=0.0))
+@dataclass(frozen=True)
+class Settled:
+    """A student's scene and its solution as JSON; or the sentence why there is none."""
+
+    scene: str = ""
+    key: str = ""
+    fault: str = ""
 
 
-def around_turn(plans: Plans, values: tuple[float, ...]) -> dict[float, float | None]:
-    """The least angle (degrees) at which lines meet at each value of the drive, None where it cannot be drawn."""
-    import numpy as np
-
-    drawing = run(plans.program, {**plans.given, **unit_scales(plans), plans.drive_given: np.array(values)})
-    failed, least = drawing.failed(), np.ones(len(values))
-    for found in drawing.sharpness.values():
-        least = np.fmin(least, np.broadcast_to(found, least.shape))
-    bad = np.broadcast_to(False if failed is None else failed, least.shape)
-    angles = np.degrees(np.arcsin(np.clip(least, 0.0, 1.0)))
-    return {v: None if b else float(a) for v, b, a in zip(values, bad, angles, strict=True)}
-
-
-def choices_of(text: str, file: str, draw: Mapping[str, Choice] | None) -> dict[str, tuple[str, ...]]:
-    """What each drawn parameter of a scene may be, as it is written, in the order of the scene."""
-    table = parse_text(text, file)
-    parameters = table.entries.get("parameters")
-    own = parameters.entries if isinstance(parameters, Table) else {}
-    plain = {k: float(v.text) for k, v in own.items() if isinstance(v, Text) and _NUMBER.fullmatch(v.text)}
-    asked = _usual(table, plain) if draw is None else {k: c for k, c in draw.items() if k in own}
-    found = {}
-    for name, choice in asked.items():
-        if choice.percent is not None and name not in plain:
-            raise SceneError(Phrase("course_not_plain", name=name), file, own[name].line)
-        found[name] = choice.values if choice.percent is None else around(plain[name], choice.percent)
-    if not found:
-        raise SceneError(Phrase("course_nothing_drawn"), file, 1)
-    return {name: found[name] for name in own if name in found}
+def question(course: Course, share: Share, lang: Lang) -> Question:
+    """What is asked of a worker for one share."""
+    s = share.student
+    said = {"student": s.name, "group": s.group}
+    sheet = {**course.sheet, **{k: SourceScalar(v, 0, False) for k, v in said.items() if v}}
+    draw = None if course.draw is None else dict(course.draw)
+    return Question(
+        share.assignment.text,
+        str(share.assignment.file),
+        share.variant,
+        draw,
+        course.sharpness_deg,
+        course.seed,
+        (s.name, s.group),
+        sheet,
+        lang,
+    )
 
 
-def _usual(table: Table, plain: Mapping[str, float]) -> dict[str, Choice]:
-    """What is drawn when nothing is said: the driver's place, lengths and coordinates, its speed, loads."""
-    drive = table.entries["drive"]
-    at = drive.entries.get("phi") if isinstance(drive, Table) else None
-    angle = at.text if isinstance(at, Text) else ""
-    found = {}
-    for name, value in plain.items():
-        percent = next((p for head, p in _SHARES if name.startswith(head)), None)
-        if name == angle:
-            found[name] = Choice(_ANGLES)
-        elif percent is not None and value:
-            found[name] = Choice(percent=percent)
+def settle(q: Question) -> Settled:
+    """Draw the numbers if they are not given, write the scene, solve it."""
+    if q.program and q.program != fingerprint():
+        return Settled(fault=Phrase("course_other_program").told(q.lang))
+    try:
+        return _settled(q)
+    except PlanesError as error:
+        return Settled(fault=error.told(q.lang))
+    except Exception as error:  # a slip of the program: the others still get theirs
+        return Settled(fault=slip(error, q.lang))
+
+
+def _settled(q: Question) -> Settled:
+    numbers = {} if q.variant else drawn(q)
+    text = own_scene(q.text, q.file, q.variant, numbers, q.sheet)
+    solved = solve(loads(text, FILE), lang=q.lang)
+    if not solved.positions:
+        return Settled(fault=solved.failed[0]["error"])
+    return Settled(text, json.dumps(solved.json(), ensure_ascii=False, allow_nan=False, indent=1) + "\n")
+
+
+def slip(error: Exception, lang: Lang) -> str:
+    """What went wrong inside the program, as one sentence."""
+    last = traceback.extract_tb(error.__traceback__)[-1]
+    place = f"{Path(last.filename).name}:{last.lineno}"
+    text = " ".join(str(error).split())
+    return Phrase("course_slip", kind=type(error).__name__, text=text, place=place).told(lang)
+
+
+def drawn(q: Question) -> dict[str, str]:
+    """The numbers of one student."""
+
+    def make(numbers: Mapping[str, str]) -> Scene:
+        return loads(own_scene(q.text, q.file, None, numbers, {}), q.file)
+
+    chance = dice(q.seed, *q.student, q.file.rpartition("/")[2], q.copy)
+    return draw_numbers(choices_of(q.text, q.file, q.draw), make, q.sharpness_deg, chance)
+
+
+def again(q: Question) -> Question:
+    """The same question after its answer fell together with somebody else's."""
+    return replace(q, copy=q.copy + 1)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """One number of the summary: name, value, unit's key."""
+
+    name: str
+    value: float
+    unit: str = field(default="")
+
+
+def main_answers(scene: Scene, key: Mapping[str, Any]) -> list[Answer]:
+    """What a teacher compares first: links' ω and ε, sliders' v and a, the balancing load."""
+    if not key["positions"] or scene.mechanism is None:
+        return []
+    at, m = key["positions"][0], scene.mechanism
+    found = []
+    for name, link in m.links.items():
+        rates, slide = at.get("links", {}).get(name, {}), at.get("slides", {}).get(name)
+        if link.slides and slide and m.owner(link.slides.guide) == FRAME:
+            point = at.get("points", {}).get(link.first_point, {})
+            found += [Answer(f"{k}_{link.first_point}", math.hypot(*point[k]), u) for k, u in _RATES if k in point]
+        elif name != m.drive.link and not link.slides:
+            found += [Answer(f"{k}_{name}", rates[k], u) for k, u in _SPINS if k in rates]
+    for kind, unit, letter in (("moment", "N·m", "M"), ("force", "N", "F")):
+        if (value := at.get(f"balancing_{kind}")) is not None:
+            found.append(Answer(f"{letter}_{m.drive.link}", value, unit))
     return found
 
 
-def around(value: float, percent: float) -> tuple[str, ...]:
-    """Round numbers within so many per cent of a value: multiples of 1, 2 or 5 units of some digit, four or more."""
-    reach = abs(value) * percent / 100
-    if not reach:
-        return (f"{value:.10g}",)
-    power = math.floor(math.log10(reach / 2))
-    unit, by = next((u, k) for u, k in _steps(power) if k * 10.0**u <= reach / 2 * (1 + 1e-9))
-    step = by * 10.0**unit
-    first, last = math.ceil((value - reach) / step - 1e-9), math.floor((value + reach) / step + 1e-9)
-    return tuple(f"{round(k * step, max(0, -unit)):.10g}" for k in range(first, last + 1))
-
-
-def _steps(power: int) -> Iterator[tuple[int, int]]:
-    yield from ((power, 5), (power, 2), (power, 1))
-
-
-def dice(seed: int, *names: object) -> random.Random:
-    """Chance that depends on the seed and the names alone: the same everywhere."""
-    text = "\0".join(map(str, (seed, *names)))
-    return random.Random(int.from_bytes(hashlib.sha256(text.encode()).digest()[:8]))
-
-
-def draw_numbers(
-    choices: Mapping[str, tuple[str, ...]], make: Callable[[Mapping[str, str]], Scene], least_deg: float,
-    chance: random.Random,
-) -> dict[str, str]:  # fmt: skip
-    """The first set of numbers drawn with which the method works all the way round; ``make`` gives their scene."""
-    apart = blunt = 0
-    for _ in range(TRIES):
-        numbers = {name: values[int(chance.random() * len(values))] for name, values in choices.items()}
-        try:
-            scene = make(numbers)
-            fault = _fault(scene, least_deg)
-        except Contradiction:  # no fault of the numbers
-            raise
-        except PlanesError:
-            fault = "apart"
-        if fault is None:
-            return numbers
-        apart, blunt = apart + (fault == "apart"), blunt + (fault == "blunt")
-    raise PlanesError(Phrase("course_none", count=TRIES, apart=apart, blunt=blunt, limit=least_deg))
-
-
-def _fault(scene: Scene, least_deg: float) -> str | None:
-    """What is wrong with a scene as a student's: nothing, or that it does not assemble, or meets too bluntly."""
-    plans = mechanism_plans(scene)
-    if plans.mechanism.drive.kind == "phi":
-        found = turn(plans)
-        if found.failed:
-            return "apart"
-        if found.sharpness_deg < least_deg:
-            return "blunt"
-    solved = solve(scene)
-    if not solved.positions:
-        return "apart"
-    position = solved.positions[0]
-    worst = min(position.drawing.sharpness.values(), default=1.0)
-    return "blunt" if position.results["warnings"] or worst < math.sin(math.radians(least_deg)) else None
+_RATES = (("v", "m/s"), ("a", "m/s²"))
+_SPINS = (("omega", "rad/s"), ("epsilon", "rad/s²"))

@@ -13,7 +13,7 @@ from planes.plans.measuring import say_plan
 from planes.scene import Scene
 from planes.scene.mechanism import Load, Mechanism
 from planes.solving import Position, told
-from planes.solving.document import Block, Drawn, Figure, Heading, Paragraph, Table
+from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
 from planes.solving.tables import say_mu
 from planes.words import Lang, decimal, say
 from planes.words.names import POLE, at, kind_of, label_of
@@ -30,7 +30,7 @@ def task(
     """The sheet of a task: whose it is (``heads``), the scheme as ``shown``, the numbers, the loads, what is to do."""
     yield Heading(heads[0], 0)
     yield from (Paragraph(line) for line in heads[1:] if line)
-    yield Figure(Drawn(scene, shown, (("scheme",),)), say("task_scheme", lang))
+    yield Figure(DrawnViews(scene, shown, (("scheme",),)), say("task_scheme", lang))
     yield given(scene, drawn, used, lang)
     if lines := list(conditions(drawn.plans.mechanism, lang)):
         yield Heading(say("task_conditions", lang))
@@ -44,12 +44,12 @@ def given(scene: Scene, drawn: Position, used: Sequence[str], lang: Lang) -> Blo
     head = tuple(say(k, lang) for k in ("task_quantity", "task_value", "task_unit"))
     names = [n for n in scene.parameters if n in used]
     if not names:  # all numbers stand in the scene itself
-        return next(b for b in Note(scene, drawn, lang).opening() if isinstance(b, Table))
+        return next(b for b in Note(scene, drawn, lang).opening() if isinstance(b, DocumentTable))
     cells = [(lettered(n), number(scene.parameters[n], lang, 6), unit_of(n, lang)) for n in names]
     high = -(-len(cells) // ACROSS)
     cells += [("", "", "")] * (ACROSS * high - len(cells))
     rows = (tuple(c for k in range(ACROSS) for c in cells[row + k * high]) for row in range(high))
-    return Table(say("task_given", lang), (head * ACROSS, *rows))
+    return DocumentTable(say("task_given", lang), (head * ACROSS, *rows))
 
 
 def lettered(name: str) -> str:
@@ -124,7 +124,7 @@ def answers(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[
         yield Paragraph(worst)
 
 
-def segments(drawn: Position, name: str, plan: Mapping[str, Any], lang: Lang) -> Table | None:
+def segments(drawn: Position, name: str, plan: Mapping[str, Any], lang: Lang) -> DocumentTable | None:
     """The segments of one plan: name, ends, millimetres, value."""
     rows = []
     for s in drawn.plans.segments:
@@ -135,7 +135,7 @@ def segments(drawn: Position, name: str, plan: Mapping[str, Any], lang: Lang) ->
     size = unit({"velocity": "v", "acceleration": "a"}.get(name, "F"), lang)
     head = (say("key_vector", lang), say("segment", lang), say("mm", lang), size)
     mu = decimal(say_mu(plan["mu"], lang), lang)
-    return Table(f"{say_plan(name, lang)}, μ = {mu}", (head, *rows)) if rows else None
+    return DocumentTable(f"{say_plan(name, lang)}, μ = {mu}", (head, *rows)) if rows else None
 
 
 def _vector(drawn: Position, s: Segment) -> str:

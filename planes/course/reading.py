@@ -5,18 +5,32 @@ from __future__ import annotations
 from pathlib import Path
 from types import MappingProxyType
 
-from planes.course import DOCUMENTS, FORMATS, Assignment, Choice, Course, Student
+from planes.course import DOCUMENTS, FORMATS, Assignment, Course, ParameterChoice, Student
 from planes.course.students import FILES, check_students, read_file
 from planes.scene import loads, source
 from planes.scene.reader import Reader, part
 from planes.scene.settings import read_sheet, read_words
-from planes.scene.source import Items, Node, Table, Text
+from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase
 from planes.words.errors import SceneError, choices, shown
 
 NAME = "course.yaml"
-KEYS = ("course", "title", "lang", "sheet", "students", "assignments", "each", "variants", "draw", "sharpness",
-        "documents", "formats", "plans", "seed")
+KEYS = (
+    "course",
+    "title",
+    "lang",
+    "sheet",
+    "students",
+    "assignments",
+    "each",
+    "variants",
+    "draw",
+    "sharpness",
+    "documents",
+    "formats",
+    "plans",
+    "seed",
+)
 PLANS = ("position", "velocity", "acceleration", "force")
 MOST_VALUES = 10_000  # numbers a parameter may be drawn from
 MOST_EACH = 100
@@ -28,21 +42,21 @@ def read_course(folder: str | Path) -> Course:
     file = path if path.is_file() else path / NAME
     if not path.exists():
         raise SceneError(Phrase("course_no_folder"), str(folder))
-    table = source.parse(source.read(file), str(file)) if file.is_file() else Table({}, 1)
+    table = source.parse(source.read(file), str(file)) if file.is_file() else SourceTable({}, 1)
     reader = Reader(str(file))
     if file.is_file():
         _check_outline(reader, table)
     return _course(reader, table, file.parent)
 
 
-def _check_outline(reader: Reader, table: Table) -> None:
+def _check_outline(reader: Reader, table: SourceTable) -> None:
     reader.table(table, Phrase("the_course"), KEYS)
     version = reader.text(reader.required(table, "course", Phrase("the_course")), "course")
     if version != "1":
         raise reader.error(Phrase("course_format", version=shown(version)), table.entries["course"])
 
 
-def _course(reader: Reader, table: Table, folder: Path) -> Course:
+def _course(reader: Reader, table: SourceTable, folder: Path) -> Course:
     get = {key: reader.optional(table, key) for key in KEYS}
     assignments = _assignments(reader, get["assignments"], folder)
     students = _students(reader, get["students"], folder)
@@ -52,18 +66,26 @@ def _course(reader: Reader, table: Table, folder: Path) -> Course:
     lang = None if get["lang"] is None else reader.word(get["lang"], "lang", ("ru", "en"))
     way = "given" if get["variants"] is None else reader.word(get["variants"], "variants", ("given", "drawn"))
     return Course(
-        reader.file, students[1], assignments, MappingProxyType(read_words(reader, get["title"], "title")),
-        MappingProxyType(sheet.entries if isinstance(sheet, Table) else {}),
-        _whole(reader, get["each"], "each", 1, MOST_EACH), way == "given", _draw(reader, get["draw"], assignments),
-        _sharpness(reader, get["sharpness"]), _words(reader, get["documents"], "documents", DOCUMENTS, DOCUMENTS[:5]),
+        reader.file,
+        students[1],
+        assignments,
+        MappingProxyType(read_words(reader, get["title"], "title")),
+        MappingProxyType(sheet.entries if isinstance(sheet, SourceTable) else {}),
+        _whole(reader, get["each"], "each", 1, MOST_EACH),
+        way == "given",
+        _draw(reader, get["draw"], assignments),
+        _sharpness(reader, get["sharpness"]),
+        _words(reader, get["documents"], "documents", DOCUMENTS, DOCUMENTS[:5]),
         _words(reader, get["formats"], "formats", FORMATS, FORMATS[:1]),
-        _words(reader, get["plans"], "plans", PLANS, PLANS[1:]), _whole(reader, get["seed"], "seed", 1, 10**9),
-        "ru" if lang == "ru" else "en" if lang else None)  # fmt: skip
+        _words(reader, get["plans"], "plans", PLANS, PLANS[1:]),
+        _whole(reader, get["seed"], "seed", 1, 10**9),
+        "ru" if lang == "ru" else "en" if lang else None,
+    )
 
 
 def _students(reader: Reader, node: Node | None, folder: Path) -> tuple[str, tuple[Student, ...]]:
     """The file the list stands in, and the list."""
-    if isinstance(node, Text):
+    if isinstance(node, SourceScalar):
         path = folder / reader.text(node, "students")
         return str(path), read_file(path)
     if node is not None:
@@ -76,7 +98,7 @@ def _students(reader: Reader, node: Node | None, folder: Path) -> tuple[str, tup
 
 def _student(reader: Reader, number: int, node: Node) -> Student:
     what = Phrase("entry", number=number, what="students")
-    if isinstance(node, Text):
+    if isinstance(node, SourceScalar):
         return Student(reader.text(node, what), line=node.line)
     table = reader.table(node, what, ("name", "group", "assignment", "variant"))
     said = {k: reader.text(v, part(k, what)) for k in table.entries if (v := reader.optional(table, k)) is not None}
@@ -89,7 +111,7 @@ def _assignments(reader: Reader, node: Node | None, folder: Path) -> tuple[Assig
     if node is None:
         files = _scenes(folder)
     else:
-        nodes = [node] if isinstance(node, Text) else reader.items(node, "assignments")
+        nodes = [node] if isinstance(node, SourceScalar) else reader.items(node, "assignments")
         paths = [folder / reader.text(n, Phrase("entry", number=k, what="assignments")) for k, n in enumerate(nodes, 1)]
         files = [f for p in paths for f in (_scenes(p) if p.is_dir() else [p])]
     if not files:
@@ -116,7 +138,7 @@ def _assignment(file: Path) -> Assignment:
 
 def _draw(
     reader: Reader, node: Node | None, assignments: tuple[Assignment, ...]
-) -> MappingProxyType[str, Choice] | None:
+) -> MappingProxyType[str, ParameterChoice] | None:
     """What each named parameter may be."""
     if node is None:
         return None
@@ -128,11 +150,11 @@ def _draw(
     return MappingProxyType({name: _choice(reader, name, entry) for name, entry in table.entries.items()})
 
 
-def _choice(reader: Reader, name: str, node: Node) -> Choice:
+def _choice(reader: Reader, name: str, node: Node) -> ParameterChoice:
     what = part(name, "draw")
     if isinstance(node, Items):
         values = [reader.number(n, what) for n in reader.items(node, what)]
-    elif isinstance(node, Table):
+    elif isinstance(node, SourceTable):
         table = reader.table(node, what, ("from", "to", "step"))
         need = {k: reader.required(table, k, what) for k in ("from", "to", "step")}
         low, high, step = (reader.number(n, part(k, what)) for k, n in need.items())
@@ -143,10 +165,10 @@ def _choice(reader: Reader, name: str, node: Node) -> Choice:
         text = reader.text(node, what)
         if not text.endswith("%"):
             raise reader.error(Phrase("course_choice", what=what, text=shown(text)), node)
-        return Choice(percent=reader.positive(Text(text[:-1].strip(), node.line), what))
+        return ParameterChoice(percent=reader.positive(SourceScalar(text[:-1].strip(), node.line), what))
     if not values:
         raise reader.error(Phrase("course_choice", what=what, text="[]"), node)
-    return Choice(tuple(f"{v:.10g}" for v in values))
+    return ParameterChoice(tuple(f"{v:.10g}" for v in values))
 
 
 def _sharpness(reader: Reader, node: Node | None) -> float:
@@ -169,7 +191,6 @@ def _words(
     """Some of the known words, in their own order."""
     if node is None:
         return default
-    nodes = [node] if isinstance(node, Text) else reader.items(node, key)
+    nodes = [node] if isinstance(node, SourceScalar) else reader.items(node, key)
     said = {reader.word(n, Phrase("entry", number=k, what=key), known) for k, n in enumerate(nodes, 1)}
     return tuple(word for word in known if word in said)
-

@@ -6,42 +6,40 @@ import json
 import re
 from collections.abc import Iterator, Mapping
 
-from planes.scene.source import Items, Node, Table, Text
+from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.scene.source import parse as parse_text
 
 _PLAIN = re.compile(r"[\w+−*/()^. -]*[\w)]|[+-]?[\d.]+")
 WIDTH = 110  # a table that fits stands on one line
 
 
-def own_scene(
-    text: str, file: str, variant: str | None, numbers: Mapping[str, str], sheet: Mapping[str, Node]
-) -> str:
+def own_scene(text: str, file: str, variant: str | None, numbers: Mapping[str, str], sheet: Mapping[str, Node]) -> str:
     """The scene with the numbers of a variant, then ``numbers``, in its parameters; ``sheet`` joins its own."""
     table = parse_text(text, file)
     entries = dict(table.entries)
     variants = entries.pop("variants", None)
-    if isinstance(parameters := entries.get("parameters"), Table):
-        chosen = variants.entries.get(variant) if variant and isinstance(variants, Table) else None
-        more = chosen.entries if isinstance(chosen, Table) else {}
-        drawn = {name: Text(value, 0) for name, value in numbers.items()}
-        entries["parameters"] = Table({**parameters.entries, **more, **drawn}, 0)
+    if isinstance(parameters := entries.get("parameters"), SourceTable):
+        chosen = variants.entries.get(variant) if variant and isinstance(variants, SourceTable) else None
+        more = chosen.entries if isinstance(chosen, SourceTable) else {}
+        drawn = {name: SourceScalar(value, 0) for name, value in numbers.items()}
+        entries["parameters"] = SourceTable({**parameters.entries, **more, **drawn}, 0)
     if sheet:
         before = entries.get("sheet")
-        entries["sheet"] = Table({**(before.entries if isinstance(before, Table) else {}), **sheet}, 0)
+        entries["sheet"] = SourceTable({**(before.entries if isinstance(before, SourceTable) else {}), **sheet}, 0)
     return "".join(f"{key}:{_block(value, 0, len(key))}\n" for key, value in entries.items())
 
 
 def _block(node: Node, depth: int, used: int) -> str:
     """A node after its key: on the same line if it fits, else a line for each entry."""
     flow = _flow(node)
-    if not isinstance(node, Table) or not node.entries or used + len(flow) + 2 * depth <= WIDTH or depth > 2:
+    if not isinstance(node, SourceTable) or not node.entries or used + len(flow) + 2 * depth <= WIDTH or depth > 2:
         return f" {flow}"
     pad = "\n" + "  " * (depth + 1)
     return "".join(f"{pad}{_word(k)}:{_block(v, depth + 1, len(k))}" for k, v in node.entries.items())
 
 
 def _flow(node: Node) -> str:
-    if isinstance(node, Table):
+    if isinstance(node, SourceTable):
         return "{" + ", ".join(f"{_word(k)}: {_flow(v)}" for k, v in node.entries.items()) + "}"
     if isinstance(node, Items):
         return "[" + ", ".join(map(_flow, node.items)) + "]"
@@ -60,7 +58,7 @@ def used_names(text: str, file: str) -> tuple[str, ...]:
     """The parameters a scene's mechanism is made of, directly or through one another."""
     table = parse_text(text, file)
     parameters = table.entries.get("parameters")
-    own = parameters.entries if isinstance(parameters, Table) else {}
+    own = parameters.entries if isinstance(parameters, SourceTable) else {}
     found = {n for key, node in table.entries.items() if key not in _WORDS for n in _names(node)} & own.keys()
     todo = list(found)
     while todo:
@@ -76,7 +74,9 @@ _NAME = re.compile(r"[^\W\d][\w'′″]*")
 
 def _names(node: Node) -> Iterator[str]:
     """Every word that could name a parameter."""
-    if isinstance(node, Text):
+    if isinstance(node, SourceScalar):
         yield from _NAME.findall(node.text)
-    for inner in node.entries.values() if isinstance(node, Table) else node.items if isinstance(node, Items) else ():
+    for inner in (
+        node.entries.values() if isinstance(node, SourceTable) else node.items if isinstance(node, Items) else ()
+    ):
         yield from _names(inner)

@@ -6,12 +6,12 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from planes.course.giving import Share
+from planes.course.numbers import Answer, main_answers
 from planes.course.papers import lettered, unit_of
-from planes.course.settling import Answer, main_answers
+from planes.course.shares import Share
 from planes.lesson.formulas import number
 from planes.scene import loads
-from planes.solving.document import Block, Heading, Paragraph, Table
+from planes.solving.document import Block, DocumentTable, Heading, Paragraph
 from planes.words import Lang, say
 from planes.words.spreadsheet import as_csv as csv_of
 
@@ -19,7 +19,7 @@ NOISE = 1e-9
 
 
 @dataclass(frozen=True)
-class Row:
+class StudentRow:
     """One line: whose, the numbers, the answers, or why there are none."""
 
     share: Share
@@ -30,7 +30,7 @@ class Row:
     fault: str
 
     @classmethod
-    def of(cls, share: Share, text: str, key: str, fault: str) -> Row:
+    def of(cls, share: Share, text: str, key: str, fault: str) -> StudentRow:
         """The line of a share, from its scene and its key."""
         scene = loads(text or share.assignment.text, "scene.yaml")
         if fault:
@@ -44,24 +44,24 @@ class Row:
         return {(a.name, a.unit): a.value for a in self.answers}
 
 
-def varied(rows: Sequence[Row]) -> list[str]:
+def varied(rows: Sequence[StudentRow]) -> list[str]:
     """The parameters of an assignment that are not the same for everybody."""
     names = dict.fromkeys(name for row in rows for name in row.numbers)
     return [n for n in names if len({row.numbers.get(n) for row in rows if not row.fault}) > 1]
 
 
-def by_assignment(rows: Sequence[Row]) -> dict[str, list[Row]]:
+def by_assignment(rows: Sequence[StudentRow]) -> dict[str, list[StudentRow]]:
     """The lines of each assignment."""
     names = dict.fromkeys(row.share.assignment.name for row in rows)
     return {name: [row for row in rows if row.share.assignment.name == name] for name in names}
 
 
-def asked(rows: Sequence[Row]) -> list[tuple[str, str]]:
+def asked(rows: Sequence[StudentRow]) -> list[tuple[str, str]]:
     """Names and units of all answers of some lines."""
     return list(dict.fromkeys(key for row in rows for key in row.found))
 
 
-def as_csv(rows: Sequence[Row], lang: Lang) -> str:
+def as_csv(rows: Sequence[StudentRow], lang: Lang) -> str:
     """A line for everybody, a column for every number and answer anybody has; numbers as programs write them."""
     numbers = list(dict.fromkeys(n for own in by_assignment(rows).values() for n in varied(own)))
     answers = asked(rows)
@@ -76,12 +76,12 @@ def as_csv(rows: Sequence[Row], lang: Lang) -> str:
     return csv_of(table)
 
 
-def variant(row: Row, lang: Lang) -> str:
+def variant(row: StudentRow, lang: Lang) -> str:
     """The name of the variant, or that the numbers are the student's own."""
     return row.share.variant or say("sum_own", lang)
 
 
-def as_blocks(rows: Sequence[Row], title: str, lang: Lang) -> Iterator[Block]:
+def as_blocks(rows: Sequence[StudentRow], title: str, lang: Lang) -> Iterator[Block]:
     """Two tables for each assignment: numbers and answers."""
     yield Heading(title or say("sum_title", lang), 0)
     for name, lines in by_assignment(rows).items():
@@ -107,4 +107,4 @@ def _table(
     key: str, head: tuple[str, ...], whose: list[tuple[str, str]], cells: Iterator[tuple[str, ...]], lang: Lang
 ) -> Iterator[Block]:
     if whose and len(head) > len(whose[0]):
-        yield Table(say(key, lang), (head, *(w + c for w, c in zip(whose, cells, strict=True))))
+        yield DocumentTable(say(key, lang), (head, *(w + c for w, c in zip(whose, cells, strict=True))))

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from planes.diagrams.summary import summary
-from planes.diagrams.working import FULL
+from planes.diagrams.working_range import FULL
 from planes.plans import Plans
 from planes.scene import Scene, load
 from planes.solving import Position, solve, told
@@ -21,7 +21,7 @@ AGREE = 1e-9  # relative: how far the two balancing loads may be apart
 
 
 @dataclass(frozen=True)
-class Line:
+class SurveyRow:
     """One variant of one scene. ``balancing`` and ``lever`` are N·m (N for a sliding driver), None without forces;
     ``remarks`` are sentences: what the data lack, where it does not assemble, why it could not be solved."""
 
@@ -48,9 +48,15 @@ class Line:
 
     def json(self) -> dict[str, Any]:
         """The object for programs."""
-        return {"scene": self.scene, "variant": self.variant or None, "solved": self.solved,
-                "balancing": self.balancing, "lever": self.lever, "difference": self.difference,
-                "remarks": list(self.remarks)}  # fmt: skip
+        return {
+            "scene": self.scene,
+            "variant": self.variant or None,
+            "solved": self.solved,
+            "balancing": self.balancing,
+            "lever": self.lever,
+            "difference": self.difference,
+            "remarks": list(self.remarks),
+        }
 
 
 def scenes_of(folder: str | Path) -> list[Path]:
@@ -61,7 +67,7 @@ def scenes_of(folder: str | Path) -> list[Path]:
     return files
 
 
-def lines_of(task: tuple[str, Lang, str | None]) -> tuple[Line, ...]:
+def lines_of(task: tuple[str, Lang, str | None]) -> tuple[SurveyRow, ...]:
     """The lines of one file (path, language, the one variant asked for): its variants, or the scene itself."""
     path, lang, only = task
     name = Path(path).stem
@@ -72,27 +78,27 @@ def lines_of(task: tuple[str, Lang, str | None]) -> tuple[Line, ...]:
                 return ()
             return tuple(_line(load(path, v), name, v or "", lang) for v in ([only] if only else variants or (None,)))
     except PlanesError as error:
-        return (Line(name, "", "", False, remarks=(error.told(lang),)),)
+        return (SurveyRow(name, "", "", False, remarks=(error.told(lang),)),)
 
 
-def _line(scene: Scene, name: str, variant: str, lang: Lang) -> Line:
+def _line(scene: Scene, name: str, variant: str, lang: Lang) -> SurveyRow:
     """One variant solved."""
     missing = tuple(text for text in (scene.missing.get(lang, ""), *(d.told(lang) for d in scene.doubts)) if text)
     if scene.mechanism is None:
         solve_vectors(scene)
-        return Line(name, variant, "", True, remarks=missing)
+        return SurveyRow(name, variant, "", True, remarks=missing)
     drive = scene.mechanism.drive
     at = f"{'φ' if drive.kind == 'phi' else 's'} = {told(drive.position, drive.kind, lang)}"
     solved = solve(scene, lang=lang)
     if not solved.positions:
-        return Line(name, variant, at, False, remarks=(*missing, solved.failed[0]["error"]))
+        return SurveyRow(name, variant, at, False, remarks=(*missing, solved.failed[0]["error"]))
     remarks = (*missing, *_no_turn(scene, solved.plans, lang))
     loads = _loads(solved.positions[0], solved.plans)
-    line = Line(name, variant, at, True, *loads, remarks=remarks)
+    line = SurveyRow(name, variant, at, True, *loads, remarks=remarks)
     if line.right:
         return line
     apart = say("survey_apart", lang, balancing=loads[0], lever=loads[1], most=AGREE)
-    return Line(name, variant, at, True, *loads, remarks=(*remarks, apart))
+    return SurveyRow(name, variant, at, True, *loads, remarks=(*remarks, apart))
 
 
 def _loads(position: Position, plans: Plans) -> tuple[float | None, float | None]:
@@ -123,29 +129,43 @@ def _angle(value: float, lang: Lang) -> str:
     return f"{text.replace('.', ',') if lang == 'ru' else text}°"
 
 
-def report(lines: Sequence[Line], lang: Lang) -> str:
+def report(lines: Sequence[SurveyRow], lang: Lang) -> str:
     """A line for every variant, then what must be said of some, then the count."""
-    rows = [[x.scene, x.variant, x.drive, say("survey_yes" if x.solved else "survey_no", lang), *_numbers(x)]
-            for x in lines]  # fmt: skip
-    keys = ("survey_scene", "survey_variant", "survey_drive", "survey_solved", "survey_balancing", "survey_lever",
-            "survey_difference")  # fmt: skip
+    rows = [
+        [x.scene, x.variant, x.drive, say("survey_yes" if x.solved else "survey_no", lang), *_numbers(x)] for x in lines
+    ]
+    keys = (
+        "survey_scene",
+        "survey_variant",
+        "survey_drive",
+        "survey_solved",
+        "survey_balancing",
+        "survey_lever",
+        "survey_difference",
+    )
     found = table(say("survey_title", lang), [say(k, lang) for k in keys], rows)
-    said = [f"{scene} ({', '.join(v)}): {text}" if any(v) else f"{scene}: {text}"
-            for (scene, text), v in remarks(lines).items()]  # fmt: skip
+    said = [
+        f"{scene} ({', '.join(v)}): {text}" if any(v) else f"{scene}: {text}"
+        for (scene, text), v in remarks(lines).items()
+    ]
     if said:
         found += ["", say("survey_exceptions", lang), *said]
     worst = max((x.difference for x in lines if x.difference is not None), default=0.0)
-    counts = {"count": len(lines), "solved": sum(x.solved for x in lines), "said": len(said),
-              "forces": sum(x.balancing is not None for x in lines)}  # fmt: skip
+    counts = {
+        "count": len(lines),
+        "solved": sum(x.solved for x in lines),
+        "said": len(said),
+        "forces": sum(x.balancing is not None for x in lines),
+    }
     return "\n".join([*found, "", say("survey_count", lang, **counts, worst=f"{worst:.1e}")]).lstrip("\n") + "\n"
 
 
-def _numbers(line: Line) -> list[str]:
+def _numbers(line: SurveyRow) -> list[str]:
     loads = [f"{x:.6g}" if x is not None else "—" for x in (line.balancing, line.lever)]
     return [*loads, "—" if line.difference is None else f"{line.difference:.1e}"]
 
 
-def remarks(lines: Sequence[Line]) -> dict[tuple[str, str], list[str]]:
+def remarks(lines: Sequence[SurveyRow]) -> dict[tuple[str, str], list[str]]:
     """The sentences, each with the variants it is said of."""
     found: dict[tuple[str, str], list[str]] = {}
     for line in lines:

@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from planes.crank_slider.engine import Found, Motion
+from planes.crank_slider.engine import EngineCycle, Found
 from planes.crank_slider.forces import replaced
 from planes.crank_slider.given import Counterweights, Shaft
-from planes.crank_slider.shape import Shape
+from planes.crank_slider.shape import CrankSliderShape
 
 Array = Any
 
@@ -49,7 +49,7 @@ class Balance:
     cases: tuple[Shaking, ...]
 
 
-def balanced(shape: Shape, shaft: Shaft, weights: Counterweights, m: Motion, found: Found) -> Balance:
+def balanced(shape: CrankSliderShape, shaft: Shaft, weights: Counterweights, m: EngineCycle, found: Found) -> Balance:
     """Counterweights that balance the rotating masses, and those chosen."""
     parts = replaced(shape)
     rotating = shaft.pin_mass + shaft.web_mass * shaft.web_radius / shape.r + parts.at_a  # (27)
@@ -77,7 +77,13 @@ def balanced(shape: Shape, shaft: Shaft, weights: Counterweights, m: Motion, fou
 
 
 def _shaking(
-    name: str, moment: float, shape: Shape, shaft: Shaft, m: Motion, found: Found, masses: tuple[float, float]
+    name: str,
+    moment: float,
+    shape: CrankSliderShape,
+    shaft: Shaft,
+    m: EngineCycle,
+    found: Found,
+    masses: tuple[float, float],
 ) -> Shaking:
     turn = (m.phi_deg >= m.phi_deg[0]) & (m.phi_deg < m.phi_deg[0] + 360.0 - 1e-9)
     radial = np.exp(1j * m.phi[turn]) * (m.omega**2 - 1j * m.epsilon)[turn]

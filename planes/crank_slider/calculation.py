@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 
 from planes.crank_slider.balance import Balance, balanced
-from planes.crank_slider.engine import Found, Motion, follow
+from planes.crank_slider.engine import EngineCycle, Found, follow
 from planes.crank_slider.fatigue import Fatigue, checked
-from planes.crank_slider.forces import Forces, Replacement, Work, balance, classical, replaced, work
+from planes.crank_slider.forces import CycleForces, Replacement, Work, balance, classical, replaced, work
 from planes.crank_slider.given import Given
-from planes.crank_slider.kinematics import Way, apart, as_plane_motion, as_points
+from planes.crank_slider.kinematics import RodMotion, apart, as_plane_motion, as_points
 from planes.crank_slider.reading import read
 from planes.crank_slider.rod import PinStrength, RodStrength, pin_strength, rod_strength
 from planes.crank_slider.shaft import Section, Supports, sections, supports
@@ -44,13 +44,13 @@ class Calculation:
 
     scene: Scene
     given: Given
-    motion: Motion
+    motion: EngineCycle
     pressure: Array
-    points: Way
-    plane: Way
+    points: RodMotion
+    plane: RodMotion
     found: Found
-    forces: Forces
-    simple: Forces
+    forces: CycleForces
+    simple: CycleForces
     parts: Replacement
     work: Work
     agreement: Agreement
@@ -71,7 +71,7 @@ class Calculation:
         return slice(0, round(360.0 / self.given.step_deg) + 1)
 
 
-def motion_of(given: Given) -> tuple[Motion, Array]:
+def motion_of(given: Given) -> tuple[EngineCycle, Array]:
     """The cycle: angles, ω, ε, gas force; and the absolute pressure, Pa."""
     d, shape = given.indicator, given.shape
     turned = np.linspace(0.0, d.cycle_deg, round(d.cycle_deg / given.step_deg) + 1)
@@ -84,7 +84,7 @@ def motion_of(given: Given) -> tuple[Motion, Array]:
     wave = speed.waves * (phi - math.radians(speed.phase_deg))
     omega = shape.omega * (1 + speed.unevenness / 2 * np.sin(wave))
     epsilon = omega * shape.omega * speed.unevenness / 2 * speed.waves * np.cos(wave)
-    return Motion(phi_deg, omega, epsilon, (pressure - given.ambient) * math.pi / 4 * given.bore**2), pressure
+    return EngineCycle(phi_deg, omega, epsilon, (pressure - given.ambient) * math.pi / 4 * given.bore**2), pressure
 
 
 def calculate(scene: Scene) -> Calculation:
@@ -102,16 +102,30 @@ def calculate(scene: Scene) -> Calculation:
     held = supports(shape, given.shaft, weights, level, forces) if given.shaft else None
     cut = sections(shape, given.shaft, held) if given.shaft and held else {}
     result = Calculation(
-        scene, given, motion, pressure, points, plane, found, forces, classical(shape, motion, plane), replaced(shape),
-        done, _agreement(given, motion, points, plane, found, forces, done), level, held, cut, _fatigue(given, cut),
+        scene,
+        given,
+        motion,
+        pressure,
+        points,
+        plane,
+        found,
+        forces,
+        classical(shape, motion, plane),
+        replaced(shape),
+        done,
+        _agreement(given, motion, points, plane, found, forces, done),
+        level,
+        held,
+        cut,
+        _fatigue(given, cut),
         rod_strength(shape, motion, plane, forces, given.rod, given.materials["rod"]) if given.rod else None,
         pin_strength(motion, forces, given.pin, given.materials["piston_pin"]) if given.pin else None,
-    )  # fmt: skip
+    )
     _check_thin(result)
     return result
 
 
-def _check_friction(scene: Scene, given: Given, motion: Motion) -> None:
+def _check_friction(scene: Scene, given: Given, motion: EngineCycle) -> None:
     tangent = given.shape.f * np.tan(np.arcsin(given.shape.r * np.abs(np.sin(motion.phi)) / given.shape.l))
     if (tangent >= 1.0).any():
         phi = float(motion.phi_deg[int(np.argmax(tangent >= 1.0))])
@@ -123,8 +137,11 @@ def _fatigue(given: Given, cut: dict[str, Section]) -> tuple[Fatigue, ...]:
     if shaft is None:
         return ()
     steel, k = given.materials["shaft"], given.concentration
-    rounds = (("journal_A", shaft.journal, "journal"), ("crankpin", shaft.crankpin, "crankpin"),
-              ("journal_B", shaft.journal, "journal"))  # fmt: skip
+    rounds = (
+        ("journal_A", shaft.journal, "journal"),
+        ("crankpin", shaft.crankpin, "crankpin"),
+        ("journal_B", shaft.journal, "journal"),
+    )
     return tuple(checked(cut[name], of, steel, k[key]) for name, of, key in rounds)
 
 
@@ -141,18 +158,22 @@ def _check_thin(c: Calculation) -> None:
             raise SceneError(words, c.scene.file, line)
 
 
-def _agreement(given: Given, m: Motion, points: Way, plane: Way, found: Found, f: Forces, done: Work) -> Agreement:
+def _agreement(
+    given: Given, m: EngineCycle, points: RodMotion, plane: RodMotion, found: Found, f: CycleForces, done: Work
+) -> Agreement:
     w = given.shape.omega
     speed, rate = w * given.shape.r, w**2 * given.shape.r
-    ways: dict[str, tuple[Way, Way | Found]] = {
+    ways: dict[str, tuple[RodMotion, RodMotion | Found]] = {
         "points_plane": (points, plane),
         "points_plans": (points, found),
         "plane_plans": (plane, found),
     }
     pairs = [
-        (f.on_pin, -found.on_rod_from_crank), (-f.on_rod_at_b, found.on_slider_from_rod), (f.N, found.push),
+        (f.on_pin, -found.on_rod_from_crank),
+        (-f.on_rod_at_b, found.on_slider_from_rod),
+        (f.N, found.push),
         (f.on_crank_from_frame, found.on_crank_from_frame),
-    ]  # fmt: skip
+    ]
     largest = max(float(np.max(np.abs(one))) for one, _ in pairs)
     top = float(np.max(np.abs(f.torque))) or 1.0
     balance_of_work = abs(done.torque - done.gas - done.friction) / max(abs(done.gas), abs(done.torque), 1e-300)
@@ -163,5 +184,6 @@ def _agreement(given: Given, m: Motion, points: Way, plane: Way, found: Found, f
         {k: float(np.max(np.abs(a.epsilon - b.epsilon))) / w**2 for k, (a, b) in ways.items()},
         max(float(np.max(np.abs(a - b))) for a, b in pairs) / largest,
         float(np.max(np.abs(f.torque - found.torque))) / top,
-        float(np.max(np.abs(found.lever - found.torque))) / top, balance_of_work,
-    )  # fmt: skip
+        float(np.max(np.abs(found.lever - found.torque))) / top,
+        balance_of_work,
+    )

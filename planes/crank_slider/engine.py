@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from planes.crank_slider.shape import Shape
+from planes.crank_slider.shape import CrankSliderShape
 from planes.drafting.drawing import Drawing, run
-from planes.plans import Plans, state
+from planes.plans import Plans, plans_of
 from planes.plans.scales import unit_scales
 from planes.scene import Scene
 from planes.scene.mechanism import Load, Mechanism
@@ -21,7 +21,7 @@ Array = Any
 
 
 @dataclass(frozen=True)
-class Motion:
+class EngineCycle:
     """Angle, ω, ε of the crank and the gas force on the piston (N, + towards the crank) at every step of the cycle."""
 
     phi_deg: Array
@@ -60,27 +60,29 @@ class Found:
         return self.on_slider.imag
 
 
-def loaded(mechanism: Mechanism, shape: Shape, gas: float = 0.0) -> Mechanism:
+def loaded(mechanism: Mechanism, shape: CrankSliderShape, gas: float = 0.0) -> Mechanism:
     """The mechanism with the gas force on its slider, towards the crank."""
     load = Load(shape.slider, "force", gas, shape.hinge, 180.0)
     return replace(mechanism, loads=(load,))
 
 
-def follow(scene: Scene, shape: Shape, motion: Motion) -> Found:
+def follow(scene: Scene, shape: CrankSliderShape, motion: EngineCycle) -> Found:
     """Draw the plans of every position of the cycle."""
     assert scene.mechanism is not None
-    plans = state(loaded(scene.mechanism, shape), scene.file)
+    plans = plans_of(loaded(scene.mechanism, shape), scene.file)
     moved = {
-        plans.drive_given: motion.phi_deg, f"omega_{shape.crank}": motion.omega,
-        f"epsilon_{shape.crank}": motion.epsilon, f"P_{shape.slider}_given": motion.gas,
-    }  # fmt: skip
+        plans.drive_given: motion.phi_deg,
+        f"omega_{shape.crank}": motion.omega,
+        f"epsilon_{shape.crank}": motion.epsilon,
+        f"P_{shape.slider}_given": motion.gas,
+    }
     drawing = run(plans.program, {**plans.given, **unit_scales(plans), **moved})
     found = _read(plans, drawing, shape, np.shape(motion.phi_deg))
     _check(scene, shape, motion, found)
     return found
 
 
-def _read(plans: Plans, drawing: Drawing, shape: Shape, size: tuple[int, ...]) -> Found:
+def _read(plans: Plans, drawing: Drawing, shape: CrankSliderShape, size: tuple[int, ...]) -> Found:
     def mark(name: str) -> Array:
         return np.broadcast_to(np.asarray(drawing[name], complex), size)
 
@@ -99,12 +101,18 @@ def _read(plans: Plans, drawing: Drawing, shape: Shape, size: tuple[int, ...]) -
         {k: mark(plans.points[p].position) - pivot for k, p in points.items()},
         {k: mark(plans.points[p].velocity) for k, p in points.items()},
         {k: mark(plans.points[p].acceleration) for k, p in points.items()},
-        value(rod.omega), value(rod.epsilon), force(shape.rod, shape.crank), force(shape.slider, shape.rod),
-        force(shape.slider, "0"), force(shape.crank, "0"), -value(plans.balancing), -value(plans.zhukovsky),
-    )  # fmt: skip
+        value(rod.omega),
+        value(rod.epsilon),
+        force(shape.rod, shape.crank),
+        force(shape.slider, shape.rod),
+        force(shape.slider, "0"),
+        force(shape.crank, "0"),
+        -value(plans.balancing),
+        -value(plans.zhukovsky),
+    )
 
 
-def _check(scene: Scene, shape: Shape, motion: Motion, found: Found) -> None:
+def _check(scene: Scene, shape: CrankSliderShape, motion: EngineCycle, found: Found) -> None:
     bad = ~np.isfinite(found.torque) | ~np.isfinite(found.r["B"])
     if bad.any():
         phi = float(motion.phi_deg[np.argmax(bad)])

@@ -43,9 +43,17 @@ def checked(section: Section, of: Round, steel: Material, k: Concentration) -> F
     n_tau = factor(steel.fatigue_torsion, k.k_tau / k.size_tau * tau_a + steel.psi_torsion * tau_m)
     largest = float(section.equivalent.max())
     return Fatigue(
-        section.name, float(at), float(amplitude[at]), float(mean[at]), tau_a, tau_m, n_sigma, n_tau,
-        total(n_sigma, n_tau), factor(steel.yields, largest),
-    )  # fmt: skip
+        section.name,
+        float(at),
+        float(amplitude[at]),
+        float(mean[at]),
+        tau_a,
+        tau_m,
+        n_sigma,
+        n_tau,
+        total(n_sigma, n_tau),
+        factor(steel.yields, largest),
+    )
 
 
 def factor(limit: float, stress: float) -> float:

@@ -12,15 +12,15 @@ from typing import Any
 
 import numpy as np
 
-from planes.crank_slider.engine import Motion
-from planes.crank_slider.kinematics import Way, swing
-from planes.crank_slider.shape import Shape
+from planes.crank_slider.engine import EngineCycle
+from planes.crank_slider.kinematics import RodMotion, swing
+from planes.crank_slider.shape import CrankSliderShape
 
 Array = Any
 
 
 @dataclass(frozen=True)
-class Forces:
+class CycleForces:
     """All forces over the cycle, N; complex ones in frame axes.
 
     P: gas, inertia and friction on the slider, towards the crank; N: push of the guide, up;
@@ -39,7 +39,7 @@ class Forces:
     torque: Array
 
 
-def balance(shape: Shape, m: Motion, way: Way) -> Forces:
+def balance(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleForces:
     """Every force from one moment equation and two sums."""
     beta = swing(shape, m.phi)
     along = -m.gas - shape.m3 * way.a["B"].real
@@ -55,16 +55,16 @@ def balance(shape: Shape, m: Motion, way: Way) -> Forces:
     spin = shape.s * (pull.real * crank.imag - pull.imag * crank.real) - shape.j1 * m.epsilon
     along_rod = -(on_rod * np.exp(1j * beta)).real
     torque = turned.imag * shape.r + spin
-    return Forces(
+    return CycleForces(
         -along - rub, push, along_rod, turned.imag, -turned.real, rub, on_rod, on_pin, -on_pin - crank, torque
     )
 
 
-def _crank_acceleration(shape: Shape, m: Motion) -> Array:
+def _crank_acceleration(shape: CrankSliderShape, m: EngineCycle) -> Array:
     return shape.s * (1j * m.epsilon - m.omega**2) * np.exp(1j * m.phi)
 
 
-def _push(shape: Shape, way: Way, along: Array, own: Array, beta: Array) -> tuple[Array, Array]:
+def _push(shape: CrankSliderShape, way: RodMotion, along: Array, own: Array, beta: Array) -> tuple[Array, Array]:
     """N and the friction: N(1 − σ·s·f·tan β) = m₃g − P-part·tan β − own, σ the side that bears, s the sliding."""
     speed = way.v["B"].real
     sense = np.where(np.abs(speed) > 1e-12 * np.max(np.abs(speed)), np.sign(speed), 0.0)
@@ -91,7 +91,7 @@ class Replacement:
         return 100.0 * self.error / (self.inertia - self.error)
 
 
-def replaced(shape: Shape) -> Replacement:
+def replaced(shape: CrankSliderShape) -> Replacement:
     """Masses with the rod's mass and mass centre; three of them have its moment of inertia too."""
     b = shape.l - shape.c
     at_a, at_b = shape.m2 * b / shape.l, shape.m2 * shape.c / shape.l
@@ -104,7 +104,7 @@ def replaced(shape: Shape) -> Replacement:
     return Replacement(at_a, at_b, two, two - shape.j2, three)
 
 
-def classical(shape: Shape, m: Motion, way: Way) -> Forces:
+def classical(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleForces:
     """The usual engine formulas: the rod as two points, no weights; P, N = P·tan β, S = P/cos β, T, K by φ + β."""
     beta, parts = swing(shape, m.phi), replaced(shape)
     p = m.gas + (shape.m3 + parts.at_b) * way.a["B"].real
@@ -114,7 +114,7 @@ def classical(shape: Shape, m: Motion, way: Way) -> Forces:
     t = t - parts.at_a * m.epsilon * shape.r
     zero = np.zeros_like(p)
     on_pin = (-k + 1j * t) * np.exp(1j * m.phi)
-    return Forces(p, n, s, t, k, zero, -p + 1j * n, on_pin, -on_pin, t * shape.r)
+    return CycleForces(p, n, s, t, k, zero, -p + 1j * n, on_pin, -on_pin, t * shape.r)
 
 
 @dataclass(frozen=True)
@@ -136,7 +136,7 @@ class Work:
     curve: Array
 
 
-def work(shape: Shape, m: Motion, way: Way, f: Forces, bore: float, allowed: float) -> Work:
+def work(shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleForces, bore: float, allowed: float) -> Work:
     """Works by integrals over the crank's angle; A = ∮M dφ must equal ∮F dx of gas and friction."""
     cycle = float(m.phi[-1] - m.phi[0])
     drop = np.where(m.omega > 0, way.v["B"].real / m.omega, 0.0)  # dx_B/dφ
@@ -151,6 +151,17 @@ def work(shape: Shape, m: Motion, way: Way, f: Forces, bore: float, allowed: flo
     seconds = cycle / shape.omega
     swept = math.pi / 4 * bore**2 * 2 * shape.r
     return Work(
-        mean, high, low, (high - low) / abs(mean) if mean else math.inf, gas, friction, total, excess,
-        excess / (allowed * shape.omega**2), total / seconds, gas / seconds, gas / swept, curve,
-    )  # fmt: skip
+        mean,
+        high,
+        low,
+        (high - low) / abs(mean) if mean else math.inf,
+        gas,
+        friction,
+        total,
+        excess,
+        excess / (allowed * shape.omega**2),
+        total / seconds,
+        gas / seconds,
+        gas / swept,
+        curve,
+    )

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from planes.crank_slider.indicator import Indicator
 from planes.crank_slider.materials import Material
 from planes.crank_slider.sections import Round, Shank, Web
-from planes.crank_slider.shape import Shape
+from planes.crank_slider.shape import CrankSliderShape
 
 
 @dataclass(frozen=True)
@@ -89,7 +89,7 @@ class Limits:
 class Given:
     """All that the calculation starts from. A part that is None has not been given, its chapter is left out."""
 
-    shape: Shape
+    shape: CrankSliderShape
     bore: float
     ambient: float
     indicator: Indicator

@@ -11,14 +11,14 @@ from typing import Any
 
 import numpy as np
 
-from planes.crank_slider.engine import Motion
-from planes.crank_slider.shape import Shape
+from planes.crank_slider.engine import EngineCycle
+from planes.crank_slider.shape import CrankSliderShape
 
 Array = Any
 
 
 @dataclass(frozen=True)
-class Way:
+class RodMotion:
     """Places, velocities, accelerations of A, B, C as complex numbers; ω_AB, ε_AB, counter-clockwise positive."""
 
     r: dict[str, Array]
@@ -28,12 +28,12 @@ class Way:
     epsilon: Array
 
 
-def swing(shape: Shape, phi: Array) -> Array:
+def swing(shape: CrankSliderShape, phi: Array) -> Array:
     """β: how far the rod leans down from A to B."""
     return np.arcsin(shape.r * np.sin(phi) / shape.l)
 
 
-def as_points(shape: Shape, m: Motion) -> Way:
+def as_points(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
     """Coordinates (1), differentiated once (2) and twice (3)."""
     r, l, k = shape.r, shape.l, shape.c / shape.l  # noqa: E741
     sin, cos, w, e = np.sin(m.phi), np.cos(m.phi), m.omega, m.epsilon
@@ -47,10 +47,10 @@ def as_points(shape: Shape, m: Motion) -> Way:
     speed = w * turn
     rate = e * turn + w**2 * (r * sin / root + r * cos * drop / root**2)
     velocities = {n: w * first[n] for n in first}
-    return Way(place, velocities, {n: w**2 * second[n] + e * first[n] for n in second}, speed, rate)
+    return RodMotion(place, velocities, {n: w**2 * second[n] + e * first[n] for n in second}, speed, rate)
 
 
-def as_plane_motion(shape: Shape, m: Motion) -> Way:
+def as_plane_motion(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
     """Instant centre and the theorem on accelerations: (5*)–(7), (9)–(13)."""
     r, l, c = shape.r, shape.l, shape.c  # noqa: E741
     phi, beta, w, e = m.phi, swing(shape, m.phi), m.omega, m.epsilon
@@ -71,12 +71,12 @@ def as_plane_motion(shape: Shape, m: Motion) -> Way:
     v_b = -w * r * np.sin(beta + phi) / np.cos(beta) + 0j  # (6)
     v_c = v_a - 1j * turning * share * reach
     a_of = {"A": -left - 1j * down, "B": -a_b + 0j, "C": -a_cx - 1j * a_cy}
-    return Way(r_of, {"A": v_a, "B": v_b, "C": v_c}, a_of, -turning, tangent_b / l)
+    return RodMotion(r_of, {"A": v_a, "B": v_b, "C": v_c}, a_of, -turning, tangent_b / l)
 
 
-def text_acceleration(shape: Shape, m: Motion) -> Array:
+def text_acceleration(shape: CrankSliderShape, m: EngineCycle) -> Array:
     """a_B by the text's (3) as printed, without the terms with ε: how wrong it is when ω varies."""
-    still = Motion(m.phi_deg, m.omega, np.zeros_like(m.epsilon), m.gas)
+    still = EngineCycle(m.phi_deg, m.omega, np.zeros_like(m.epsilon), m.gas)
     return as_points(shape, still).a["B"]
 
 

@@ -44,16 +44,28 @@ class Material:
 
 
 def made(
-    name: str, strength: float, yields: float, alloyed: bool, fatigue: float | None = None,
-    torsion: float | None = None, elasticity: float = ELASTICITY_MPA,
-) -> Material:  # fmt: skip
+    name: str,
+    strength: float,
+    yields: float,
+    alloyed: bool,
+    fatigue: float | None = None,
+    torsion: float | None = None,
+    elasticity: float = ELASTICITY_MPA,
+) -> Material:
     """A material; the fatigue limits not given are estimated from the strength."""
     bending = fatigue or (0.35 * strength + 120.0 if alloyed else 0.43 * strength)
     psi = 0.02 + 2e-4 * strength
     return Material(
-        name, strength, yields, bending, torsion or 0.58 * bending, psi, 0.5 * psi, elasticity,
+        name,
+        strength,
+        yields,
+        bending,
+        torsion or 0.58 * bending,
+        psi,
+        0.5 * psi,
+        elasticity,
         fatigue is None or torsion is None,
-    )  # fmt: skip
+    )
 
 
 def steel(name: str) -> Material | None:

@@ -7,16 +7,43 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from planes.solving.document import Block, Chart, Curve, Drawn, Figure, Formula, Heading, Paragraph, Sketch, Table
+from planes.solving.document import (
+    Block,
+    Chart,
+    DocumentTable,
+    DrawnViews,
+    Figure,
+    Formula,
+    Heading,
+    Paragraph,
+    PlottedLine,
+    ShaftSketch,
+)
 from planes.words import Lang, decimal, say
 from planes.words.units import quantity
 
 SUBSCRIPTS: dict[str, tuple[str, str]] = {
-    "cw": ("пр", "cw"), "rod": ("ш", "rod"), "eq": ("экв", "eq"), "b": ("и", "b"), "t": ("кр", "t"), "p": ("п", "p"),
-    "fr": ("тр", "fr"), "m": ("ср", "m"), "gas": ("г", "g"), "fly": ("м", "fl"), "max": ("наиб", "max"),
-    "min": ("наим", "min"), "cr": ("кр", "cr"), "Y": ("т", "y"), "B": ("в", "u"), "bush": ("вт", "bush"),
-    "boss": ("б", "boss"), "tr": ("пост", "tr"), "c": ("сж", "c"), "tens": ("р", "t"),
-}  # fmt: skip
+    "cw": ("пр", "cw"),
+    "rod": ("ш", "rod"),
+    "eq": ("экв", "eq"),
+    "b": ("и", "b"),
+    "t": ("кр", "t"),
+    "p": ("п", "p"),
+    "fr": ("тр", "fr"),
+    "m": ("ср", "m"),
+    "gas": ("г", "g"),
+    "fly": ("м", "fl"),
+    "max": ("наиб", "max"),
+    "min": ("наим", "min"),
+    "cr": ("кр", "cr"),
+    "Y": ("т", "y"),
+    "B": ("в", "u"),
+    "bush": ("вт", "bush"),
+    "boss": ("б", "boss"),
+    "tr": ("пост", "tr"),
+    "c": ("сж", "c"),
+    "tens": ("р", "t"),
+}
 """Subscripts of formulas, written §cw§, in both languages."""
 
 UNITS = ("m/s²", "m/s", "rad/s²", "rad/s", "MPa", "N·m", "N", "kgm2", "kg", "J", "m", "kW")
@@ -24,7 +51,7 @@ UNITS = ("m/s²", "m/s", "rad/s²", "rad/s", "MPa", "N·m", "N", "kgm2", "kg", "
 
 
 @dataclass
-class Writer:
+class ChapterWriter:
     """Fills a document in one language from the table of words."""
 
     lang: Lang
@@ -74,11 +101,11 @@ class Writer:
     def table(self, key: str, head: Sequence[str], rows: Sequence[Sequence[str]], **parts: object) -> None:
         self.tables += 1
         title = f"{self.say('table')} {self.tables}. {self.say(key, **parts)}"
-        self.blocks.append(Table(title, (tuple(head), *map(tuple, rows))))
+        self.blocks.append(DocumentTable(title, (tuple(head), *map(tuple, rows))))
 
-    def figure(self, key: str, of: Chart | Drawn | Sketch, **parts: object) -> None:
+    def figure(self, key: str, of: Chart | DrawnViews | ShaftSketch, **parts: object) -> None:
         self.charts += 1
         self.blocks.append(Figure(of, f"{self.say('figure')} {self.charts}. {self.say(key, **parts)}"))
 
-    def chart(self, key: str, x: str, y: str, curves: Sequence[Curve], **more: Any) -> None:
+    def chart(self, key: str, x: str, y: str, curves: Sequence[PlottedLine], **more: Any) -> None:
         self.figure(key, Chart(self.say(x), self.say(y), tuple(curves), **more))

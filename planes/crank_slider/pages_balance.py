@@ -6,13 +6,13 @@ import numpy as np
 
 from planes.crank_slider.balance import Balance
 from planes.crank_slider.calculation import Calculation
-from planes.crank_slider.pages import Writer
-from planes.solving.document import Curve
+from planes.crank_slider.pages import ChapterWriter
+from planes.solving.document import PlottedLine
 
 KN = 1e-3
 
 
-def write_balance(w: Writer, c: Calculation) -> None:
+def write_balance(w: ChapterWriter, c: Calculation) -> None:
     """Rotating masses, counterweights, first-order forces."""
     b, shaft, weights = c.balance, c.given.shaft, c.given.counterweights
     if b is None or shaft is None or weights is None:
@@ -20,8 +20,10 @@ def write_balance(w: Writer, c: Calculation) -> None:
     s, t = c.given.shape, w.tex
     w.head("h_balancing", 1)
     w.text("b_rotating")
-    w.formula(rf"m_R=m_{{k1}}+m_{{k2}}\frac{{\rho}}{{r}}+m_A={t(shaft.pin_mass)}+{t(shaft.web_mass)}\cdot"
-              rf"\frac{{{t(shaft.web_radius)}}}{{{t(s.r)}}}+{t(b.of_rod)}={t(b.rotating)}[kg]")  # fmt: skip
+    w.formula(
+        rf"m_R=m_{{k1}}+m_{{k2}}\frac{{\rho}}{{r}}+m_A={t(shaft.pin_mass)}+{t(shaft.web_mass)}\cdot"
+        rf"\frac{{{t(shaft.web_radius)}}}{{{t(s.r)}}}+{t(b.of_rod)}={t(b.rotating)}[kg]"
+    )
     w.formula(rf"\Phi_R=m_R\,\omega^2r={t(b.rotating)}\cdot{t(s.omega)}^2\cdot{t(s.r)}={t(b.force)}[N]", "27")
     w.text("b_conditions")
     w.formula(r"m_1+m_2=m_R\frac{r}{R_§cw§},\quad m_1a=m_2b", "28, 29")
@@ -36,7 +38,7 @@ def write_balance(w: Writer, c: Calculation) -> None:
     _cases(w, c, b)
 
 
-def _cases(w: Writer, c: Calculation, b: Balance) -> None:
+def _cases(w: ChapterWriter, c: Calculation, b: Balance) -> None:
     weights = c.given.counterweights
     assert weights is not None
     names = {x.name: w.say(f"w_{x.name}", part=weights.translating) for x in b.cases}
@@ -47,10 +49,17 @@ def _cases(w: Writer, c: Calculation, b: Balance) -> None:
         rows.append((names[x.name], w.number(x.static_moment), *found))
     w.table("t_first", [w.say(k) for k in ("c_weights", "c_static", "c_along", "c_across", "c_second")], rows)
     w.text("b_second")
-    curves = [Curve(np.append(x.curve.real, x.curve.real[0]) * KN, np.append(x.curve.imag, x.curve.imag[0]) * KN,
-              names[x.name], i) for i, x in enumerate(b.cases)]  # fmt: skip
+    curves = [
+        PlottedLine(
+            np.append(x.curve.real, x.curve.real[0]) * KN,
+            np.append(x.curve.imag, x.curve.imag[0]) * KN,
+            names[x.name],
+            i,
+        )
+        for i, x in enumerate(b.cases)
+    ]
     w.chart("f_shaking", "x_along", "y_across", curves, equal=True, height_mm=90)
 
 
-def _kn(w: Writer, force: float, near: float) -> str:
+def _kn(w: ChapterWriter, force: float, near: float) -> str:
     return w.number(force * KN, near=near * KN)

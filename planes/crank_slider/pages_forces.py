@@ -9,9 +9,9 @@ import numpy as np
 from planes.crank_slider.calculation import Calculation
 from planes.crank_slider.kinematics import swing
 from planes.crank_slider.misprints import printed
-from planes.crank_slider.pages import Writer
+from planes.crank_slider.pages import ChapterWriter
 from planes.crank_slider.pages_kinematics import chosen, drawn_at
-from planes.solving.document import Curve, Drawn
+from planes.solving.document import DrawnViews, PlottedLine
 from planes.words.names import kind_of
 
 KN = 1e-3
@@ -23,7 +23,7 @@ def worked(c: Calculation) -> float:
     return max((float(c.motion.phi_deg[c.at(p)]) for p in asked), key=lambda p: abs(float(c.forces.T[c.at(p)])))
 
 
-def write_forces(w: Writer, c: Calculation) -> None:
+def write_forces(w: ChapterWriter, c: Calculation) -> None:
     """Gas, masses, equations, the cycle, force plans, torque."""
     w.head("h_forces", 1)
     _gas(w, c)
@@ -35,39 +35,45 @@ def write_forces(w: Writer, c: Calculation) -> None:
     for phi in c.given.positions or (chosen(c),):
         scene, solved = drawn_at(w, c, float(c.motion.phi_deg[c.at(phi)]))
         plans = tuple((p,) for p in solved.plans.drawn if kind_of(p) == "force")
-        w.figure("f_force", Drawn(scene, solved, plans, True), phi=float(solved.at))
+        w.figure("f_force", DrawnViews(scene, solved, plans, True), phi=float(solved.at))
     _torque(w, c)
 
 
-def _gas(w: Writer, c: Calculation) -> None:
+def _gas(w: ChapterWriter, c: Calculation) -> None:
     g, k, t, s = c.given, c.at(worked(c)), w.tex, c.given.shape
     mpa = c.pressure / 1e6
     top = int(np.argmax(mpa))
     w.head("h_gas")
     w.text("s_gas", strokes=float(len(g.indicator.names)), p0=g.ambient / 1e6)
     w.text("s_gas_at", phi=worked(c), p=float(mpa[k]), top=float(mpa[top]), at=float(c.motion.phi_deg[top]))
-    w.formula(rf"P_§gas§=(p-p_0)\frac{{\pi D^2}}{{4}}=({t(mpa[k])}-{t(g.ambient / 1e6)})\cdot10^6\,"
-              rf"\frac{{\pi\cdot{t(g.bore)}^2}}{{4}}={t(float(c.motion.gas[k]))}[N]")  # fmt: skip
-    w.chart("f_gas", "x_phi", "y_p", [Curve(c.motion.phi_deg, mpa, "", 0)], ticks=60, height_mm=50)
+    w.formula(
+        rf"P_§gas§=(p-p_0)\frac{{\pi D^2}}{{4}}=({t(mpa[k])}-{t(g.ambient / 1e6)})\cdot10^6\,"
+        rf"\frac{{\pi\cdot{t(g.bore)}^2}}{{4}}={t(float(c.motion.gas[k]))}[N]"
+    )
+    w.chart("f_gas", "x_phi", "y_p", [PlottedLine(c.motion.phi_deg, mpa, "", 0)], ticks=60, height_mm=50)
     path = (s.r + s.l - c.points.r["B"].real) / (2 * s.r)
-    w.chart("f_pv", "x_path", "y_p", [Curve(path, mpa, "", 0)], height_mm=54)
+    w.chart("f_pv", "x_path", "y_p", [PlottedLine(path, mpa, "", 0)], height_mm=54)
 
 
-def _masses(w: Writer, c: Calculation) -> None:
+def _masses(w: ChapterWriter, c: Calculation) -> None:
     s, parts, t = c.given.shape, c.parts, w.tex
     w.head("h_mass")
     w.text("s_two")
-    w.formula(rf"m_A=m_2\frac{{l-AC}}{{l}}={t(s.m2)}\cdot\frac{{{t(s.l)}-{t(s.c)}}}{{{t(s.l)}}}="
-              rf"{t(parts.at_a)}[kg],\quad"
-              rf"m_B=m_2\frac{{AC}}{{l}}={t(parts.at_b)}[kg]")  # fmt: skip
+    w.formula(
+        rf"m_A=m_2\frac{{l-AC}}{{l}}={t(s.m2)}\cdot\frac{{{t(s.l)}-{t(s.c)}}}{{{t(s.l)}}}="
+        rf"{t(parts.at_a)}[kg],\quad"
+        rf"m_B=m_2\frac{{AC}}{{l}}={t(parts.at_b)}[kg]"
+    )
     w.formula(rf"\Delta J=m_2\,AC\,(l-AC)-J_C={t(parts.inertia)}-{t(s.j2)}={t(parts.error)}[kgm2]")
     couple = abs(parts.error) * float(np.max(np.abs(c.plane.epsilon)))
     w.text(
         "s_two_err", percent=abs(parts.percent), sign=w.say("s_more" if parts.error > 0 else "s_less"), moment=couple
     )
-    w.formula(rf"m_A=\frac{{J_C}}{{AC\cdot l}}={t(parts.three[0])}[kg],\quad m_B=\frac{{J_C}}{{(l-AC)\,l}}="
-              rf"{t(parts.three[2])}[kg],"
-              rf"\quad m_C=m_2-m_A-m_B={t(parts.three[1])}[kg]")  # fmt: skip
+    w.formula(
+        rf"m_A=\frac{{J_C}}{{AC\cdot l}}={t(parts.three[0])}[kg],\quad m_B=\frac{{J_C}}{{(l-AC)\,l}}="
+        rf"{t(parts.three[2])}[kg],"
+        rf"\quad m_C=m_2-m_A-m_B={t(parts.three[1])}[kg]"
+    )
     if parts.three[1] < 0:
         w.text("s_three_neg")
 
@@ -78,13 +84,16 @@ def _masses(w: Writer, c: Calculation) -> None:
     w.text("s_simple", t=off("T"), n=off("N"))
 
 
-def _inertia(w: Writer, c: Calculation) -> None:
+def _inertia(w: ChapterWriter, c: Calculation) -> None:
     s, k, t, p = c.given.shape, c.at(worked(c)), w.tex, c.plane
     a_c = complex(p.a["C"][k])
     w.head("h_inertia")
     w.text("k_at", phi=worked(c), omega=float(c.motion.omega[k]), eps=float(c.motion.epsilon[k]))
-    w.formula(rf"\Phi_B=m_3|a_B|={t(s.m3)}\cdot{t(abs(p.a['B'][k]))}={t(s.m3 * abs(p.a['B'][k]))}[N],\quad"
-              rf"\Phi_C=m_2a_C={t(s.m2)}\cdot{t(abs(a_c))}={t(s.m2 * abs(a_c))}[N],", "17, 18")  # fmt: skip
+    w.formula(
+        rf"\Phi_B=m_3|a_B|={t(s.m3)}\cdot{t(abs(p.a['B'][k]))}={t(s.m3 * abs(p.a['B'][k]))}[N],\quad"
+        rf"\Phi_C=m_2a_C={t(s.m2)}\cdot{t(abs(a_c))}={t(s.m2 * abs(a_c))}[N],",
+        "17, 18",
+    )
     w.formula(
         rf"M_{{AB}}^\Phi=J_C|\varepsilon_{{AB}}|={t(s.j2)}\cdot{t(abs(p.epsilon[k]))}="
         rf"{t(s.j2 * abs(p.epsilon[k]))}[N·m]",
@@ -93,7 +102,7 @@ def _inertia(w: Writer, c: Calculation) -> None:
     w.mistake("m_20", printed=printed(s, c.motion, p, c.forces, k).J_C, true=s.j2)
 
 
-def _equations(w: Writer, c: Calculation) -> None:
+def _equations(w: ChapterWriter, c: Calculation) -> None:
     w.head("h_balance")
     w.text("s_balance")
     w.formula(
@@ -103,8 +112,10 @@ def _equations(w: Writer, c: Calculation) -> None:
     w.formula(r"X_B=-P_§p§,\quad Y_B=N-m_3g,\quad S=-X_B\cos\beta+Y_B\sin\beta,")
     w.formula(r"X_A=X_B-m_2a_{Cx},\quad Y_A=Y_B-m_2(a_{Cy}+g),")
     spin = r"-(J_1+m_1\,OS_1^2)\,\varepsilon" if c.given.speed.unevenness else ""
-    w.formula(r"T=-X_A\sin\varphi+Y_A\cos\varphi,\quad K=-X_A\cos\varphi-Y_A\sin\varphi,\quad "
-              rf"M=T\,r-m_1g\,x_{{S1}}{spin}")  # fmt: skip
+    w.formula(
+        r"T=-X_A\sin\varphi+Y_A\cos\varphi,\quad K=-X_A\cos\varphi-Y_A\sin\varphi,\quad "
+        rf"M=T\,r-m_1g\,x_{{S1}}{spin}"
+    )
     if c.given.shape.f:
         w.text("s_friction")
     _equation_numbers(w, c)
@@ -114,7 +125,7 @@ def _equations(w: Writer, c: Calculation) -> None:
     w.mistake("m_24", phi=worked(c), t_printed=wrong.T, t_true=float(f.T[k]), k_printed=wrong.K, k_true=float(f.K[k]))
 
 
-def _equation_numbers(w: Writer, c: Calculation) -> None:
+def _equation_numbers(w: ChapterWriter, c: Calculation) -> None:
     s, f, k, p, t = c.given.shape, c.forces, c.at(worked(c)), c.plane, w.tex
     phi, beta = worked(c), math.degrees(float(swing(s, c.motion.phi[k])))
     a_c, arm = complex(p.a["C"][k]), complex(p.r["C"][k] - p.r["A"][k])
@@ -129,20 +140,34 @@ def _equation_numbers(w: Writer, c: Calculation) -> None:
     sense = -1 if float(f.rubbing[k]) > 0 else 1
     rub = rf"{'+' if sense > 0 else '-'}{t(s.f)}\cdot{t(abs(push))}" if s.f and float(f.rubbing[k]) else ""
     w.formula(rf"P_§p§={t(gas)}+{t(s.m3)}\cdot{t(a_b, bracket=True)}{rub}={t(float(f.P[k]))}[N]")
-    w.formula(rf"N={t(s.m3)}\cdot{t(s.g)}+{t(float(f.P[k]), bracket=True)}\tan{t(beta, bracket=True)}\degree-"
-              rf"\frac{{{t(moment)}}}{{{t(s.l)}\cos{t(beta, bracket=True)}\degree}}="
-              rf"{t(push)}[N]", "22, 23")  # fmt: skip
-    w.formula(rf"S={t(-at_b.real, bracket=True)}\cos{t(beta, bracket=True)}\degree+{t(at_b.imag, bracket=True)}"
-              rf"\sin{t(beta, bracket=True)}\degree={t(float(f.S[k]))}[N]", "23")  # fmt: skip
-    w.formula(rf"X_A={t(at_b.real)}-{t(s.m2)}\cdot{t(a_c.real, bracket=True)}={t(at_a.real)}[N],\quad"
-              rf"Y_A={t(at_b.imag)}-{t(s.m2)}({t(a_c.imag)}+{t(s.g)})={t(at_a.imag)}[N]")  # fmt: skip
-    w.formula(rf"T=-{t(at_a.real, bracket=True)}\sin{t(phi)}\degree+{t(at_a.imag, bracket=True)}\cos{t(phi)}\degree="
-              rf"{t(float(f.T[k]))}[N]", "24, 25")  # fmt: skip
-    w.formula(rf"K=-{t(at_a.real, bracket=True)}\cos{t(phi)}\degree-{t(at_a.imag, bracket=True)}\sin{t(phi)}\degree="
-              rf"{t(float(f.K[k]))}[N]", "24, 26")  # fmt: skip
+    w.formula(
+        rf"N={t(s.m3)}\cdot{t(s.g)}+{t(float(f.P[k]), bracket=True)}\tan{t(beta, bracket=True)}\degree-"
+        rf"\frac{{{t(moment)}}}{{{t(s.l)}\cos{t(beta, bracket=True)}\degree}}="
+        rf"{t(push)}[N]",
+        "22, 23",
+    )
+    w.formula(
+        rf"S={t(-at_b.real, bracket=True)}\cos{t(beta, bracket=True)}\degree+{t(at_b.imag, bracket=True)}"
+        rf"\sin{t(beta, bracket=True)}\degree={t(float(f.S[k]))}[N]",
+        "23",
+    )
+    w.formula(
+        rf"X_A={t(at_b.real)}-{t(s.m2)}\cdot{t(a_c.real, bracket=True)}={t(at_a.real)}[N],\quad"
+        rf"Y_A={t(at_b.imag)}-{t(s.m2)}({t(a_c.imag)}+{t(s.g)})={t(at_a.imag)}[N]"
+    )
+    w.formula(
+        rf"T=-{t(at_a.real, bracket=True)}\sin{t(phi)}\degree+{t(at_a.imag, bracket=True)}\cos{t(phi)}\degree="
+        rf"{t(float(f.T[k]))}[N]",
+        "24, 25",
+    )
+    w.formula(
+        rf"K=-{t(at_a.real, bracket=True)}\cos{t(phi)}\degree-{t(at_a.imag, bracket=True)}\sin{t(phi)}\degree="
+        rf"{t(float(f.K[k]))}[N]",
+        "24, 26",
+    )
 
 
-def _cycle(w: Writer, c: Calculation) -> None:
+def _cycle(w: ChapterWriter, c: Calculation) -> None:
     f, m, a = c.forces, c.motion, c.agreement
     w.head("h_cycle")
     w.text(
@@ -172,17 +197,23 @@ def _cycle(w: Writer, c: Calculation) -> None:
     w.table("t_forces", ["φ, °", "p", gas, "m_{3}a_{B}", whole, "N", "S", "T", "K", "M"], rows)
     phi = m.phi_deg
     along = (("l_gas", m.gas, 1), ("l_inertia", inertia, 2), ("l_sum", f.P, 0))
-    w.chart("f_P", "x_phi", "y_kN", [Curve(phi, y * KN, w.say(key), look) for key, y, look in along], ticks=60)
-    w.chart("f_NS", "x_phi", "y_kN", [Curve(phi, f.S * KN, "S", 0), Curve(phi, f.N * KN, "N", 1)], ticks=60)
-    w.chart("f_TK", "x_phi", "y_kN", [Curve(phi, f.T * KN, "T", 0), Curve(phi, f.K * KN, "K", 1)], ticks=60)
+    w.chart("f_P", "x_phi", "y_kN", [PlottedLine(phi, y * KN, w.say(key), look) for key, y, look in along], ticks=60)
+    w.chart("f_NS", "x_phi", "y_kN", [PlottedLine(phi, f.S * KN, "S", 0), PlottedLine(phi, f.N * KN, "N", 1)], ticks=60)
+    w.chart("f_TK", "x_phi", "y_kN", [PlottedLine(phi, f.T * KN, "T", 0), PlottedLine(phi, f.K * KN, "K", 1)], ticks=60)
     _polar(w, c)
     whole_load, frame = np.abs(f.on_pin), np.abs(f.on_crank_from_frame)
     i, j = int(np.argmax(frame)), int(np.argmax(whole_load))
-    w.text("s_bearing", force=float(frame[i]) * KN, phi=float(phi[i]), pin=float(whole_load[j]) * KN,
-           pin_phi=float(phi[j]), mean=float(np.mean(whole_load[:-1])) * KN)  # fmt: skip
+    w.text(
+        "s_bearing",
+        force=float(frame[i]) * KN,
+        phi=float(phi[i]),
+        pin=float(whole_load[j]) * KN,
+        pin_phi=float(phi[j]),
+        mean=float(np.mean(whole_load[:-1])) * KN,
+    )
 
 
-def _polar(w: Writer, c: Calculation) -> None:
+def _polar(w: ChapterWriter, c: Calculation) -> None:
     f, phi = c.forces, c.motion.phi_deg
     every = max(1, round(30 / c.given.step_deg))
     far = float(np.max(np.abs(f.on_pin))) * KN
@@ -193,17 +224,19 @@ def _polar(w: Writer, c: Calculation) -> None:
         clear = all(abs(at - other) > 0.1 * far for other in kept)
         kept += [at] if clear else []
         notes.append((at.real, at.imag, f"{phi[i]:g}°" if clear else ""))
-    curve = Curve(-f.K * KN, f.T * KN, "", 0)
+    curve = PlottedLine(-f.K * KN, f.T * KN, "", 0)
     w.chart("f_polar", "x_out", "y_T", [curve], notes=tuple(notes), equal=True, height_mm=95)
 
 
-def _torque(w: Writer, c: Calculation) -> None:
+def _torque(w: ChapterWriter, c: Calculation) -> None:
     d, t, phi = c.work, w.tex, c.motion.phi_deg
     w.head("h_torque")
     w.text("s_torque_var" if c.given.speed.unevenness else "s_torque")
-    w.formula(rf"A=\oint\!\,\,M\,d\varphi={t(d.torque)}[J],\quad A_§gas§={t(d.gas)}[J],\quad "
+    w.formula(
+        rf"A=\oint\!\,\,M\,d\varphi={t(d.torque)}[J],\quad A_§gas§={t(d.gas)}[J],\quad "
         rf"A_§fr§={t(d.friction)}[J],\quad"
-              rf"A_§gas§+A_§fr§={t(d.gas + d.friction)}[J]")  # fmt: skip
+        rf"A_§gas§+A_§fr§={t(d.gas + d.friction)}[J]"
+    )
     cycle = len(c.given.indicator.names)
     w.formula(
         rf"M_§m§=\frac{{A}}{{{cycle}\pi}}=\frac{{{t(d.torque)}}}{{{cycle}\pi}}={t(d.mean)}[N·m],\quad"
@@ -212,12 +245,17 @@ def _torque(w: Writer, c: Calculation) -> None:
     )
     if d.mean < 0:
         w.text("s_negative")
-    w.chart("f_torque", "x_phi", "y_M", [Curve(phi, c.forces.torque, "M", 0),
-            Curve(phi, np.full_like(phi, d.mean), w.say("l_mean"), 1)], ticks=60)  # fmt: skip
+    w.chart(
+        "f_torque",
+        "x_phi",
+        "y_M",
+        [PlottedLine(phi, c.forces.torque, "M", 0), PlottedLine(phi, np.full_like(phi, d.mean), w.say("l_mean"), 1)],
+        ticks=60,
+    )
     w.text("s_uneven", uneven=d.unevenness, allowed=c.given.allowed_unevenness)
     w.formula(
         rf"\Delta A={t(d.excess)}[J],\quad J_§fly§=\frac{{\Delta A}}{{[\delta]\,\omega^2}}="
         rf"\frac{{{t(d.excess)}}}{{{t(c.given.allowed_unevenness)}\cdot{t(c.given.shape.omega)}^2}}="
         rf"{t(d.flywheel)}[kgm2]"
     )
-    w.chart("f_excess", "x_phi", "y_J", [Curve(phi, d.curve, "", 0)], ticks=60, height_mm=50)
+    w.chart("f_excess", "x_phi", "y_J", [PlottedLine(phi, d.curve, "", 0)], ticks=60, height_mm=50)

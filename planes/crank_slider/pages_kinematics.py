@@ -10,33 +10,41 @@ import numpy as np
 from planes.crank_slider.calculation import Calculation
 from planes.crank_slider.engine import loaded
 from planes.crank_slider.kinematics import swing, text_acceleration
-from planes.crank_slider.pages import Writer
+from planes.crank_slider.pages import ChapterWriter
 from planes.scene import Scene
 from planes.solving import Position, plans_of, position
-from planes.solving.document import Curve, Drawn
+from planes.solving.document import DrawnViews, PlottedLine
 
 FITS = {"position": 110.0, "velocity": 58.0, "acceleration": 58.0, "force": 78.0, "motion": 58.0}
 """How large a plan may be in the report, mm."""
 
 
-def write_given(w: Writer, c: Calculation) -> None:
+def write_given(w: ChapterWriter, c: Calculation) -> None:
     """What the calculation starts from."""
     g, s = c.given, c.given.shape
     w.text("lead")
     w.head("h_given", 1)
     rows = [
-        ("g_r", "r", s.r, "m"), ("g_l", "l", s.l, "m"), ("g_c", "AC", s.c, "m"), ("g_lambda", "λ", s.ratio, ""),
-        ("g_omega", "ω", s.omega, "rad/s"), ("g_m1", "m_{1}", s.m1, "kg"), ("g_m2", "m_{2}", s.m2, "kg"),
-        ("g_m3", "m_{3}", s.m3, "kg"), ("g_j2", "J_{C}", s.j2, "kgm2"), ("g_f", "f", s.f, ""),
-        ("g_d", "D", g.bore, "m"), ("g_p0", "p_{0}", g.ambient / 1e6, "MPa"),
+        ("g_r", "r", s.r, "m"),
+        ("g_l", "l", s.l, "m"),
+        ("g_c", "AC", s.c, "m"),
+        ("g_lambda", "λ", s.ratio, ""),
+        ("g_omega", "ω", s.omega, "rad/s"),
+        ("g_m1", "m_{1}", s.m1, "kg"),
+        ("g_m2", "m_{2}", s.m2, "kg"),
+        ("g_m3", "m_{3}", s.m3, "kg"),
+        ("g_j2", "J_{C}", s.j2, "kgm2"),
+        ("g_f", "f", s.f, ""),
+        ("g_d", "D", g.bore, "m"),
+        ("g_p0", "p_{0}", g.ambient / 1e6, "MPa"),
         ("g_strokes", "", float(len(g.indicator.names)), ""),
-    ]  # fmt: skip
+    ]
     told = [(w.say(k), sign, f"{w.number(v)} {w.say(u) if u else ''}".strip()) for k, sign, v, u in rows]
     if g.speed.unevenness:
         told.append((w.say("g_uneven"), "δ; n", f"{w.number(g.speed.unevenness)}; {w.number(g.speed.waves)}"))
     w.table("t_given", [w.say("c_what"), w.say("c_sign"), w.say("c_value")], told)
     scene, solved = drawn_at(w, c, chosen(c))
-    w.figure("f_scheme", Drawn(scene, solved, (("scheme",),), True), phi=chosen(c))
+    w.figure("f_scheme", DrawnViews(scene, solved, (("scheme",),), True), phi=chosen(c))
 
 
 def chosen(c: Calculation) -> float:
@@ -47,7 +55,7 @@ def chosen(c: Calculation) -> float:
     return float(c.motion.phi_deg[c.at(turned)])
 
 
-def drawn_at(w: Writer, c: Calculation, phi_deg: float) -> tuple[Scene, Position]:
+def drawn_at(w: ChapterWriter, c: Calculation, phi_deg: float) -> tuple[Scene, Position]:
     """The plans of one position, the gas force of that moment on the piston."""
     scene = scene_at(c, phi_deg)
     plans, wanted = plans_of(scene)
@@ -65,7 +73,7 @@ def scene_at(c: Calculation, phi_deg: float) -> Scene:
     return replace(c.scene, mechanism=replace(mechanism, drive=drive), find=None)
 
 
-def write_kinematics(w: Writer, c: Calculation) -> None:
+def write_kinematics(w: ChapterWriter, c: Calculation) -> None:
     """Both ways, the plans, the results over a turn."""
     w.head("h_kin", 1)
     _points(w, c)
@@ -73,11 +81,11 @@ def write_kinematics(w: Writer, c: Calculation) -> None:
     w.head("h_plans")
     scene, solved = drawn_at(w, c, chosen(c))
     plans = tuple((p, f"equations {p}") for p in ("velocity", "acceleration"))
-    w.figure("f_kinplans", Drawn(scene, solved, plans, True), phi=chosen(c))
+    w.figure("f_kinplans", DrawnViews(scene, solved, plans, True), phi=chosen(c))
     _results(w, c)
 
 
-def _points(w: Writer, c: Calculation) -> None:
+def _points(w: ChapterWriter, c: Calculation) -> None:
     s, k = c.given.shape, c.at(chosen(c))
     w.head("h_points")
     w.text("k_points", k=s.c / s.l)
@@ -86,22 +94,32 @@ def _points(w: Writer, c: Calculation) -> None:
     )
     w.formula(r"x_C=r\cos\varphi+k\,l\cos\beta,\quad y_C=(1-k)\,r\sin\varphi", "1")
     w.text("k_derive")
-    w.formula(r"v_{xA}=-\omega r\sin\varphi,\quad v_{yA}=\omega r\cos\varphi,\quad"
-              r"v_B=-\omega r\sin\varphi-\omega\,\frac{r^2\sin\varphi\cos\varphi}{s},")  # fmt: skip
-    w.formula(r"v_{xC}=-\omega r\sin\varphi-k\,\omega\,\frac{r^2\sin\varphi\cos\varphi}{s},\quad"
-              r"v_{yC}=(1-k)\,\omega r\cos\varphi", "2")  # fmt: skip
-    w.formula(r"a_B=-\omega^2\left[r\cos\varphi+\frac{r^2\cos 2\varphi}{s}+\frac{r^4\sin^2\varphi\cos^2"
-              r"\varphi}{s^3}\right]"
-              r"-\varepsilon\left[r\sin\varphi+\frac{r^2\sin\varphi\cos\varphi}{s}\right],", "3")  # fmt: skip
-    w.formula(r"a_{xC}=-\omega^2\left[r\cos\varphi+k\frac{r^2\cos 2\varphi}{s}+k\frac{r^4\sin^2\varphi\cos^2"
-              r"\varphi}{s^3}"
-              r"\right]-\varepsilon\left[r\sin\varphi+k\frac{r^2\sin\varphi\cos\varphi}{s}\right],")  # fmt: skip
+    w.formula(
+        r"v_{xA}=-\omega r\sin\varphi,\quad v_{yA}=\omega r\cos\varphi,\quad"
+        r"v_B=-\omega r\sin\varphi-\omega\,\frac{r^2\sin\varphi\cos\varphi}{s},"
+    )
+    w.formula(
+        r"v_{xC}=-\omega r\sin\varphi-k\,\omega\,\frac{r^2\sin\varphi\cos\varphi}{s},\quad"
+        r"v_{yC}=(1-k)\,\omega r\cos\varphi",
+        "2",
+    )
+    w.formula(
+        r"a_B=-\omega^2\left[r\cos\varphi+\frac{r^2\cos 2\varphi}{s}+\frac{r^4\sin^2\varphi\cos^2"
+        r"\varphi}{s^3}\right]"
+        r"-\varepsilon\left[r\sin\varphi+\frac{r^2\sin\varphi\cos\varphi}{s}\right],",
+        "3",
+    )
+    w.formula(
+        r"a_{xC}=-\omega^2\left[r\cos\varphi+k\frac{r^2\cos 2\varphi}{s}+k\frac{r^4\sin^2\varphi\cos^2"
+        r"\varphi}{s^3}"
+        r"\right]-\varepsilon\left[r\sin\varphi+k\frac{r^2\sin\varphi\cos\varphi}{s}\right],"
+    )
     w.formula(r"a_{yC}=(1-k)\,r\,(\varepsilon\cos\varphi-\omega^2\sin\varphi)", "3")
     _mistake_3(w, c)
     _numbers(w, c, k)
 
 
-def _mistake_3(w: Writer, c: Calculation) -> None:
+def _mistake_3(w: ChapterWriter, c: Calculation) -> None:
     if not c.given.speed.unevenness:
         w.mistake("m_3", size=w.say("m_3_none"))
         return
@@ -110,33 +128,42 @@ def _mistake_3(w: Writer, c: Calculation) -> None:
     w.mistake("m_3", size=w.say("m_3_size", percent=float(100 * off.max())))
 
 
-def _numbers(w: Writer, c: Calculation, k: int) -> None:
+def _numbers(w: ChapterWriter, c: Calculation, k: int) -> None:
     s, p, t = c.given.shape, c.points, w.tex
     phi, omega = float(c.motion.phi_deg[k]), float(c.motion.omega[k])
     w.text("k_at", phi=phi, omega=omega, eps=float(c.motion.epsilon[k]))
     root = math.sqrt(s.l**2 - (s.r * math.sin(math.radians(phi))) ** 2)
     angle = f"{t(phi)}\\degree"
-    w.formula(rf"s=\sqrt{{{t(s.l)}^2-{t(s.r)}^2\sin^2{angle}}}={t(root)}[m],\quad x_B={t(s.r)}\cos{angle}+{t(root)}="
-              rf"{t(p.r['B'][k].real)}[m]")  # fmt: skip
-    w.formula(rf"v_B=-{t(omega)}\cdot{t(s.r)}\sin{angle}-{t(omega)}\,"
-              rf"\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}="
-              rf"{t(p.v['B'][k].real)}[m/s]")  # fmt: skip
+    w.formula(
+        rf"s=\sqrt{{{t(s.l)}^2-{t(s.r)}^2\sin^2{angle}}}={t(root)}[m],\quad x_B={t(s.r)}\cos{angle}+{t(root)}="
+        rf"{t(p.r['B'][k].real)}[m]"
+    )
+    w.formula(
+        rf"v_B=-{t(omega)}\cdot{t(s.r)}\sin{angle}-{t(omega)}\,"
+        rf"\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}="
+        rf"{t(p.v['B'][k].real)}[m/s]"
+    )
     e, a_b = float(c.motion.epsilon[k]), t(p.a["B"][k].real)
-    w.formula(rf"a_B=-{t(omega)}^2\left[{t(s.r)}\cos{angle}+"
-              rf"\frac{{{t(s.r)}^2\cos{t(2 * phi)}\degree}}{{{t(root)}}}+"
-              rf"\frac{{{t(s.r)}^4\sin^2{angle}\cos^2{angle}}}{{{t(root)}^3}}\right]"
-              + ("-" if e else f"={a_b}[m/s²]"))  # fmt: skip
+    w.formula(
+        rf"a_B=-{t(omega)}^2\left[{t(s.r)}\cos{angle}+"
+        rf"\frac{{{t(s.r)}^2\cos{t(2 * phi)}\degree}}{{{t(root)}}}+"
+        rf"\frac{{{t(s.r)}^4\sin^2{angle}\cos^2{angle}}}{{{t(root)}^3}}\right]" + ("-" if e else f"={a_b}[m/s²]")
+    )
     if e:
-        w.formula(rf"-{t(e, bracket=True)}\left[{t(s.r)}\sin{angle}+"
-                  rf"\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}"
-                  rf"\right]={a_b}[m/s²]")  # fmt: skip
-    w.formula(rf"v_C=\sqrt{{v_{{xC}}^2+v_{{yC}}^2}}=\sqrt{{{t(p.v['C'][k].real, bracket=True)}^2+"
-              rf"{t(p.v['C'][k].imag, bracket=True)}^2}}={t(abs(p.v['C'][k]))}[m/s],\quad"
-              rf"a_C=\sqrt{{{t(p.a['C'][k].real, bracket=True)}^2+{t(p.a['C'][k].imag, bracket=True)}^2}}="
-              rf"{t(abs(p.a['C'][k]))}[m/s²]")  # fmt: skip
+        w.formula(
+            rf"-{t(e, bracket=True)}\left[{t(s.r)}\sin{angle}+"
+            rf"\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}"
+            rf"\right]={a_b}[m/s²]"
+        )
+    w.formula(
+        rf"v_C=\sqrt{{v_{{xC}}^2+v_{{yC}}^2}}=\sqrt{{{t(p.v['C'][k].real, bracket=True)}^2+"
+        rf"{t(p.v['C'][k].imag, bracket=True)}^2}}={t(abs(p.v['C'][k]))}[m/s],\quad"
+        rf"a_C=\sqrt{{{t(p.a['C'][k].real, bracket=True)}^2+{t(p.a['C'][k].imag, bracket=True)}^2}}="
+        rf"{t(abs(p.a['C'][k]))}[m/s²]"
+    )
 
 
-def _plane(w: Writer, c: Calculation) -> None:
+def _plane(w: ChapterWriter, c: Calculation) -> None:
     s, k, t = c.given.shape, c.at(chosen(c)), w.tex
     phi, omega, eps = (float(v[k]) for v in (c.motion.phi_deg, c.motion.omega, c.motion.epsilon))
     beta = math.degrees(float(swing(s, np.radians(phi))))
@@ -144,51 +171,94 @@ def _plane(w: Writer, c: Calculation) -> None:
     w.head("h_plane")
     w.text("k_plane")
     w.formula(r"v_A=\omega r", "4")
-    w.formula(r"AP=\frac{l\cos\beta}{|\cos\varphi|},\quad BP=\frac{l\,|\sin(\varphi+\beta)|}{|\cos\varphi|},\quad"
-              r"\omega_{AB}=\frac{v_A}{AP}=\frac{\omega r|\cos\varphi|}{l\cos\beta}", "5")  # fmt: skip
-    w.formula(r"v_B=\omega r\,\frac{\sin(\varphi+\beta)}{\cos\beta},\quad v_C=\omega_{AB}\cdot CP,\quad"
-              r"CP^2=AC^2+AP^2-2\,AC\cdot AP\cos(\varphi+\beta)", "6, 7")  # fmt: skip
+    w.formula(
+        r"AP=\frac{l\cos\beta}{|\cos\varphi|},\quad BP=\frac{l\,|\sin(\varphi+\beta)|}{|\cos\varphi|},\quad"
+        r"\omega_{AB}=\frac{v_A}{AP}=\frac{\omega r|\cos\varphi|}{l\cos\beta}",
+        "5",
+    )
+    w.formula(
+        r"v_B=\omega r\,\frac{\sin(\varphi+\beta)}{\cos\beta},\quad v_C=\omega_{AB}\cdot CP,\quad"
+        r"CP^2=AC^2+AP^2-2\,AC\cdot AP\cos(\varphi+\beta)",
+        "6, 7",
+    )
     w.mistake("m_5")
     w.text("k_accel")
     w.formula(r"a_A^n=\omega^2r,\quad a_A^\tau=\varepsilon r,\quad a_{BA}^n=\omega_{AB}^2\,l,", "8, 9")
-    w.formula(r"a_{BA}^\tau=\frac{a_A^n\sin\varphi-a_A^\tau\cos\varphi-a_{BA}^n\sin\beta}{\cos\beta},\quad"
-              r"a_B=a_A^n\cos\varphi+a_A^\tau\sin\varphi+a_{BA}^n\cos\beta-a_{BA}^\tau\sin\beta", "11")  # fmt: skip
+    w.formula(
+        r"a_{BA}^\tau=\frac{a_A^n\sin\varphi-a_A^\tau\cos\varphi-a_{BA}^n\sin\beta}{\cos\beta},\quad"
+        r"a_B=a_A^n\cos\varphi+a_A^\tau\sin\varphi+a_{BA}^n\cos\beta-a_{BA}^\tau\sin\beta",
+        "11",
+    )
     w.formula(r"a_{Cx}=a_A^n\cos\varphi+a_A^\tau\sin\varphi+k\,(a_{BA}^n\cos\beta-a_{BA}^\tau\sin\beta),")
     w.formula(r"a_{Cy}=a_A^n\sin\varphi-a_A^\tau\cos\varphi-k\,(a_{BA}^n\sin\beta+a_{BA}^\tau\cos\beta)", "13")
     w.text("k_at", phi=phi, omega=omega, eps=eps)
     tangent = float(c.plane.epsilon[k]) * s.l
-    w.formula(rf"\beta=\arcsin\frac{{{t(s.r)}\sin{t(phi)}\degree}}{{{t(s.l)}}}={t(beta)}\degree,\quad"
-              rf"\omega_{{AB}}=\frac{{{t(omega)}\cdot{t(s.r)}\cos{t(phi)}\degree}}{{{t(s.l)}"
-              rf"\cos{t(beta, bracket=True)}\degree}}="
-              rf"{t(turning)}[rad/s]")  # fmt: skip
-    w.formula(rf"|v_B|={t(omega)}\cdot{t(s.r)}\,\frac{{|\sin{t(phi + beta)}\degree|}}{{"
-              rf"\cos{t(beta, bracket=True)}\degree}}="
-              rf"{t(abs(c.plane.v['B'][k]))}[m/s],\quad a_{{BA}}^n={t(turning, bracket=True)}^2\cdot{t(s.l)}="
-              rf"{t(turning**2 * s.l)}[m/s²]")  # fmt: skip
-    w.formula(rf"a_{{BA}}^\tau={t(tangent)}[m/s²],\quad \varepsilon_{{AB}}=\frac{{a_{{BA}}^\tau}}{{l}}="
-              rf"{t(tangent / s.l)}[rad/s²],\quad a_B={t(-c.plane.a['B'][k].real)}[m/s²]")  # fmt: skip
+    w.formula(
+        rf"\beta=\arcsin\frac{{{t(s.r)}\sin{t(phi)}\degree}}{{{t(s.l)}}}={t(beta)}\degree,\quad"
+        rf"\omega_{{AB}}=\frac{{{t(omega)}\cdot{t(s.r)}\cos{t(phi)}\degree}}{{{t(s.l)}"
+        rf"\cos{t(beta, bracket=True)}\degree}}="
+        rf"{t(turning)}[rad/s]"
+    )
+    w.formula(
+        rf"|v_B|={t(omega)}\cdot{t(s.r)}\,\frac{{|\sin{t(phi + beta)}\degree|}}{{"
+        rf"\cos{t(beta, bracket=True)}\degree}}="
+        rf"{t(abs(c.plane.v['B'][k]))}[m/s],\quad a_{{BA}}^n={t(turning, bracket=True)}^2\cdot{t(s.l)}="
+        rf"{t(turning**2 * s.l)}[m/s²]"
+    )
+    w.formula(
+        rf"a_{{BA}}^\tau={t(tangent)}[m/s²],\quad \varepsilon_{{AB}}=\frac{{a_{{BA}}^\tau}}{{l}}="
+        rf"{t(tangent / s.l)}[rad/s²],\quad a_B={t(-c.plane.a['B'][k].real)}[m/s²]"
+    )
 
 
-def _results(w: Writer, c: Calculation) -> None:
+def _results(w: ChapterWriter, c: Calculation) -> None:
     s, a = c.given.shape, c.agreement
     w.head("h_kintable")
     w.text("k_agree", step=c.given.step_deg)
-    rows = [(w.say(k), *(w.number(part[k], 2) for part in (a.velocity, a.acceleration, a.omega, a.epsilon)))
-            for k in ("points_plane", "points_plans", "plane_plans")]  # fmt: skip
+    rows = [
+        (w.say(k), *(w.number(part[k], 2) for part in (a.velocity, a.acceleration, a.omega, a.epsilon)))
+        for k in ("points_plane", "points_plans", "plane_plans")
+    ]
     w.table("t_agree", [w.say("c_ways"), "v", "a", "ω_{AB}", "ε_{AB}"], rows)
     turn, unit, rate = c.turn, s.omega * s.r, s.omega**2 * s.r
     phi = c.motion.phi_deg[turn]
     steps = range(0, len(phi), max(1, round(30 / c.given.step_deg)))
     p, q = c.points, c.plane
-    columns = [phi, p.r["B"].real, abs(p.v["A"]), p.v["B"].real, abs(p.v["C"]), abs(p.a["A"]), p.a["B"].real,
-               abs(p.a["C"]), q.omega, q.epsilon]  # fmt: skip
+    columns = [
+        phi,
+        p.r["B"].real,
+        abs(p.v["A"]),
+        p.v["B"].real,
+        abs(p.v["C"]),
+        abs(p.a["A"]),
+        p.a["B"].real,
+        abs(p.a["C"]),
+        q.omega,
+        q.epsilon,
+    ]
     table = [[w.number(x[i], near=float(np.max(np.abs(x)))) for x in columns] for i in steps]
     w.table("t_kin", ["φ, °", "x_{B}", "v_{A}", "v_{B}", "v_{C}", "a_{A}", "a_{B}", "a_{C}", "ω_{AB}", "ε_{AB}"], table)
     w.chart(
-        "f_7a", "x_phi", "y_v", [Curve(phi, np.abs(p.v[n][turn]) / unit, n, i) for i, n in enumerate("ABC")], ticks=30
+        "f_7a",
+        "x_phi",
+        "y_v",
+        [PlottedLine(phi, np.abs(p.v[n][turn]) / unit, n, i) for i, n in enumerate("ABC")],
+        ticks=30,
     )
     w.chart(
-        "f_7b", "x_phi", "y_a", [Curve(phi, np.abs(p.a[n][turn]) / rate, n, i) for i, n in enumerate("ABC")], ticks=30
+        "f_7b",
+        "x_phi",
+        "y_a",
+        [PlottedLine(phi, np.abs(p.a[n][turn]) / rate, n, i) for i, n in enumerate("ABC")],
+        ticks=30,
     )
-    w.chart("f_omega", "x_phi", "y_w", [Curve(phi, q.omega[turn] / s.omega, r"$\omega_{AB}/\omega$", 0),
-            Curve(phi, q.epsilon[turn] / s.omega**2, r"$\varepsilon_{AB}/\omega^2$", 1)], ticks=30)  # fmt: skip
+    w.chart(
+        "f_omega",
+        "x_phi",
+        "y_w",
+        [
+            PlottedLine(phi, q.omega[turn] / s.omega, r"$\omega_{AB}/\omega$", 0),
+            PlottedLine(phi, q.epsilon[turn] / s.omega**2, r"$\varepsilon_{AB}/\omega^2$", 1),
+        ],
+        ticks=30,
+    )

@@ -6,14 +6,14 @@ import numpy as np
 
 from planes.crank_slider.calculation import Calculation
 from planes.crank_slider.given import Shaft
-from planes.crank_slider.pages import Writer
+from planes.crank_slider.pages import ChapterWriter
 from planes.crank_slider.shaft import Section, Supports, along
-from planes.solving.document import Chart, Curve, Sketch
+from planes.solving.document import Chart, PlottedLine, ShaftSketch
 
 CASES = ("I", "II")
 
 
-def write_shaft(w: Writer, c: Calculation) -> None:
+def write_shaft(w: ChapterWriter, c: Calculation) -> None:
     """Materials, then the crankshaft: bearings, diagrams, stresses, fatigue."""
     if not c.given.materials:
         return
@@ -31,20 +31,28 @@ def cases(c: Calculation) -> tuple[int, int]:
     return int(np.argmax(np.abs(c.forces.K))), int(np.argmax(np.abs(c.forces.T)))
 
 
-def _materials(w: Writer, c: Calculation) -> None:
+def _materials(w: ChapterWriter, c: Calculation) -> None:
     w.head("h_material")
     rows = []
     for key, m in c.given.materials.items():
         values = (m.strength, m.yields, m.fatigue, m.fatigue_torsion, m.psi, m.psi_torsion)
         rows.append((w.say(f"p_{key}"), m.name, *map(w.number, values)))
     ru = w.lang == "ru"
-    head = [w.say("c_part"), w.say("c_steel"), "σ_{в}" if ru else "σ_{u}", "σ_{т}" if ru else "σ_{y}",
-            "σ_{−1}", "τ_{−1}", "ψ_{σ}", "ψ_{τ}"]  # fmt: skip
+    head = [
+        w.say("c_part"),
+        w.say("c_steel"),
+        "σ_{в}" if ru else "σ_{u}",
+        "σ_{т}" if ru else "σ_{y}",
+        "σ_{−1}",
+        "τ_{−1}",
+        "ψ_{σ}",
+        "ψ_{τ}",
+    ]
     w.table("t_material", head, rows)
     w.text("s_material")
 
 
-def _bearings(w: Writer, c: Calculation, shaft: Shaft, s: Supports) -> None:
+def _bearings(w: ChapterWriter, c: Calculation, shaft: Shaft, s: Supports) -> None:
     t = w.tex
     w.head("h_shaft")
     w.text("s_shaft")
@@ -52,10 +60,12 @@ def _bearings(w: Writer, c: Calculation, shaft: Shaft, s: Supports) -> None:
     cw = "пр" if w.lang == "ru" else "cw"
     labels = {"load": "N_{c1}, P_{t1}", "web": "Φ", "weight_0": f"Φ_{{1{cw}}}", "weight_1": f"Φ_{{2{cw}}}"}
     radius = weights.radius if weights else c.given.shape.r
-    sketch = Sketch(shaft.span, shaft.span - shaft.pin_from_b, shaft.webs, c.given.shape.r, radius, labels)
+    sketch = ShaftSketch(shaft.span, shaft.span - shaft.pin_from_b, shaft.webs, c.given.shape.r, radius, labels)
     w.figure("f_sketch", sketch, a=shaft.left, b=shaft.right)
-    w.formula(rf"\Phi=\frac{{1}}{{2}}(m_{{k1}}r+m_{{k2}}\rho)\,\omega^2={t(s.web)}[N],\quad"
-              rf"\Phi_1=m_1R_§cw§\,\omega^2={t(s.left_weight)}[N],\quad\Phi_2={t(s.right_weight)}[N]")  # fmt: skip
+    w.formula(
+        rf"\Phi=\frac{{1}}{{2}}(m_{{k1}}r+m_{{k2}}\rho)\,\omega^2={t(s.web)}[N],\quad"
+        rf"\Phi_1=m_1R_§cw§\,\omega^2={t(s.left_weight)}[N],\quad\Phi_2={t(s.right_weight)}[N]"
+    )
     w.text("s_reactions")
     w.formula(r"A'=\frac{(\Phi-\Phi_1)(L-m)+N_{c1}n+(\Phi-\Phi_2)\,m}{L},\quad A''=\frac{P_{t1}n}{L},", "31")
     w.formula(r"B'=N_{c1}+2\Phi-\Phi_1-\Phi_2-A',\quad B''=P_{t1}-A''", "32")
@@ -67,7 +77,7 @@ def _bearings(w: Writer, c: Calculation, shaft: Shaft, s: Supports) -> None:
         _case(w, c, shaft, s, name, step)
 
 
-def _case(w: Writer, c: Calculation, shaft: Shaft, s: Supports, name: str, k: int) -> None:
+def _case(w: ChapterWriter, c: Calculation, shaft: Shaft, s: Supports, name: str, k: int) -> None:
     t = w.tex
     n, m, span = shaft.pin_from_b, shaft.webs, shaft.span
     out, a1, a2, b1, b2, load = (float(v[k]) for v in (s.out, s.A1, s.A2, s.B1, s.B2, s.T))
@@ -78,23 +88,28 @@ def _case(w: Writer, c: Calculation, shaft: Shaft, s: Supports, name: str, k: in
         rf"\cdot{t(m)}}}"
         rf"{{{t(span)}}}={t(a1)}[N],\quad A''=\frac{{{t(load)}\cdot{t(n)}}}{{{t(span)}}}={t(a2)}[N],"
     )
-    w.formula(rf"B'={t(out)}+{t(left, bracket=True)}+{t(right, bracket=True)}-{t(a1, bracket=True)}={t(b1)}[N],\quad"
-              rf"B''={t(load)}-{t(a2, bracket=True)}={t(b2)}[N]")  # fmt: skip
+    w.formula(
+        rf"B'={t(out)}+{t(left, bracket=True)}+{t(right, bracket=True)}-{t(a1, bracket=True)}={t(b1)}[N],\quad"
+        rf"B''={t(load)}-{t(a2, bracket=True)}={t(b2)}[N]"
+    )
     d = along(c.given.shape, shaft, s, k)
     curves = (
-        Curve(d.x, d.z, w.say("l_Mz"), 0),
-        Curve(d.x, d.y, w.say("l_My"), 1),
-        Curve(d.x, d.torque, w.say("l_Mx"), 2),
+        PlottedLine(d.x, d.z, w.say("l_Mz"), 0),
+        PlottedLine(d.x, d.y, w.say("l_My"), 1),
+        PlottedLine(d.x, d.torque, w.say("l_Mx"), 2),
     )
     w.figure("f_moments", Chart(w.say("x_shaft"), w.say("y_Nm"), curves, height_mm=58), case=name)
 
 
-def _static(w: Writer, c: Calculation) -> None:
+def _static(w: ChapterWriter, c: Calculation) -> None:
     limits, steel = c.given.limits, c.given.materials["shaft"]
     w.head("h_static")
     w.text("s_static")
-    w.formula(r"\sigma_§eq§=\sqrt{\sigma_§b§^2+4\tau_§t§^2}\leq[\sigma],\quad\sigma_§b§=\frac{M_§b§}{W},\quad"
-              r"\tau_§t§=\frac{M_§t§}{2W},\quad W=\frac{\pi d^3}{32}(1-\alpha^4)", "33, 34")  # fmt: skip
+    w.formula(
+        r"\sigma_§eq§=\sqrt{\sigma_§b§^2+4\tau_§t§^2}\leq[\sigma],\quad\sigma_§b§=\frac{M_§b§}{W},\quad"
+        r"\tau_§t§=\frac{M_§t§}{2W},\quad W=\frac{\pi d^3}{32}(1-\alpha^4)",
+        "33, 34",
+    )
     steps = dict(zip(CASES, cases(c), strict=True))
     rows = []
     for s in c.sections.values():
@@ -109,9 +124,12 @@ def _static(w: Writer, c: Calculation) -> None:
     top, allowed, t = float(worst.equivalent[at]), steel.yields / limits.static, w.tex
     sigma, tau = float(worst.sigma[at]), float(worst.tau[at])
     sign = r"\leq" if top <= allowed else ">"
-    w.formula(rf"\sigma_§eq§=\sqrt{{{t(sigma)}^2+4\cdot{t(tau)}^2}}={t(top)}[MPa]\ {sign}\ [\sigma]="
-              rf"\frac{{{t(steel.yields)}}}"
-              rf"{{{t(limits.static)}}}={t(allowed)}[MPa]", "34")  # fmt: skip
+    w.formula(
+        rf"\sigma_§eq§=\sqrt{{{t(sigma)}^2+4\cdot{t(tau)}^2}}={t(top)}[MPa]\ {sign}\ [\sigma]="
+        rf"\frac{{{t(steel.yields)}}}"
+        rf"{{{t(limits.static)}}}={t(allowed)}[MPa]",
+        "34",
+    )
     w.text("s_ok" if top <= allowed else "s_bad")
 
 
@@ -120,14 +138,17 @@ def dangerous(c: Calculation) -> Section:
     return max(c.sections.values(), key=lambda s: float(s.equivalent.max()))
 
 
-def _fatigue(w: Writer, c: Calculation) -> None:
+def _fatigue(w: ChapterWriter, c: Calculation) -> None:
     low, high = c.given.limits.fatigue
     t = w.tex
     w.head("h_fatigue")
     w.text("s_fatigue")
-    w.formula(r"n_\sigma=\frac{\sigma_{-1}}{\frac{k_\sigma}{\varepsilon_\sigma}\sigma_a+\psi_\sigma\sigma_m},\quad"
-              r"n_\tau=\frac{\tau_{-1}}{\frac{k_\tau}{\varepsilon_\tau}\tau_a+\psi_\tau\tau_m},\quad"
-              r"n=\frac{n_\sigma n_\tau}{\sqrt{n_\sigma^2+n_\tau^2}}", "35")  # fmt: skip
+    w.formula(
+        r"n_\sigma=\frac{\sigma_{-1}}{\frac{k_\sigma}{\varepsilon_\sigma}\sigma_a+\psi_\sigma\sigma_m},\quad"
+        r"n_\tau=\frac{\tau_{-1}}{\frac{k_\tau}{\varepsilon_\tau}\tau_a+\psi_\tau\tau_m},\quad"
+        r"n=\frac{n_\sigma n_\tau}{\sqrt{n_\sigma^2+n_\tau^2}}",
+        "35",
+    )
     rows = []
     for f in c.fatigue:
         values = (f.angle_deg, f.sigma_a, f.sigma_m, f.tau_a, f.tau_m, f.n_sigma, f.n_tau, f.n)
@@ -141,9 +162,11 @@ def _fatigue(w: Writer, c: Calculation) -> None:
     k = c.given.concentration["crankpin" if f.section == "crankpin" else "journal"]
     steel = c.given.materials["shaft"]
     w.text("s_fatigue_at", section=w.say(f"x_{f.section}"))
-    w.formula(rf"n_\sigma=\frac{{{t(steel.fatigue)}}}{{\frac{{{t(k.k_sigma)}}}{{{t(k.size_sigma)}}}"
-              rf"\cdot{t(f.sigma_a)}+{t(steel.psi)}"
-              rf"\cdot{t(max(f.sigma_m, 0.0))}}}={t(f.n_sigma)},\quad n={t(f.n)}")  # fmt: skip
+    w.formula(
+        rf"n_\sigma=\frac{{{t(steel.fatigue)}}}{{\frac{{{t(k.k_sigma)}}}{{{t(k.size_sigma)}}}"
+        rf"\cdot{t(f.sigma_a)}+{t(steel.psi)}"
+        rf"\cdot{t(max(f.sigma_m, 0.0))}}}={t(f.n_sigma)},\quad n={t(f.n)}"
+    )
     w.text("s_limits", low=low, high=high)
     w.text("s_fat_low" if f.n < low else "s_fat_high" if f.n > high else "s_fat_ok", n=f.n)
     above = [w.say(f"x_{one.section}") for one in c.fatigue if one.n > high]

@@ -8,16 +8,28 @@ from dataclasses import replace
 from planes.crank_slider.given import Counterweights, Given, Limits, Speed
 from planes.crank_slider.reading_parts import read_concentration, read_materials, read_pin, read_rod, read_shaft
 from planes.crank_slider.reading_table import Values, read_indicator
-from planes.crank_slider.shape import Shape, shape_of
+from planes.crank_slider.shape import CrankSliderShape, shape_of
 from planes.scene import Scene
 from planes.scene.reader import Reader, section
 from planes.words import Phrase
 from planes.words.errors import SceneError
 
 _KEYS = (
-    "bore", "ambient", "indicator", "step", "speed", "flywheel", "positions", "shaft", "counterweights", "rod",
-    "piston_pin", "materials", "fatigue", "limits",
-)  # fmt: skip
+    "bore",
+    "ambient",
+    "indicator",
+    "step",
+    "speed",
+    "flywheel",
+    "positions",
+    "shaft",
+    "counterweights",
+    "rod",
+    "piston_pin",
+    "materials",
+    "fatigue",
+    "limits",
+)
 
 
 def read(scene: Scene) -> Given:
@@ -28,9 +40,15 @@ def read(scene: Scene) -> Given:
     top = Values(reader, reader.table(scene.crank_slider, section("crank_slider"), _KEYS), section("crank_slider"))
     indicator = read_indicator(top)
     given = Given(
-        shape, top.above("bore"), top.pressure("ambient", indicator.unit, 0.1e6), indicator, _step(top), _speed(top),
-        _flywheel(top), _positions(top, indicator.cycle_deg, indicator.start_deg),
-    )  # fmt: skip
+        shape,
+        top.above("bore"),
+        top.pressure("ambient", indicator.unit, 0.1e6),
+        indicator,
+        _step(top),
+        _speed(top),
+        _flywheel(top),
+        _positions(top, indicator.cycle_deg, indicator.start_deg),
+    )
     return _parts(scene, top, given)
 
 
@@ -48,12 +66,18 @@ def _parts(scene: Scene, top: Values, given: Given) -> Given:
     if shaft and concentration.keys() != {"journal", "crankpin"}:
         raise top.error(Phrase("cs_needs", what="fatigue: {journal: …, crankpin: …}", other="shaft"), "shaft")
     return replace(
-        given, shaft=shaft, counterweights=weights, rod=rod, pin=pin, materials=materials, concentration=concentration,
+        given,
+        shaft=shaft,
+        counterweights=weights,
+        rod=rod,
+        pin=pin,
+        materials=materials,
+        concentration=concentration,
         limits=_limits(top),
-    )  # fmt: skip
+    )
 
 
-def _check_crank_mass(scene: Scene, shape: Shape, by_shaft: float) -> None:
+def _check_crank_mass(scene: Scene, shape: CrankSliderShape, by_shaft: float) -> None:
     by_link = shape.m1 * shape.s
     if shape.m1 and not math.isclose(by_link, by_shaft, rel_tol=0.01):
         words = Phrase("cs_crank_mass", link=by_link, shaft=by_shaft, name=shape.crank)
@@ -119,6 +143,9 @@ def _limits(top: Values) -> Limits:
             words = Phrase("cs_range", what=table.named("fatigue"), low=1.0, high=fatigue[1], value=fatigue[0])
             raise table.error(words, "fatigue")
     return Limits(
-        table.between("static", 1.0, 20.0, usual.static), fatigue, table.between("buckling", 1.0, 50.0, usual.buckling),
-        table.above("bush_MPa", usual.bush_mpa), table.above("boss_MPa", usual.boss_mpa),
-    )  # fmt: skip
+        table.between("static", 1.0, 20.0, usual.static),
+        fatigue,
+        table.between("buckling", 1.0, 50.0, usual.buckling),
+        table.above("bush_MPa", usual.bush_mpa),
+        table.above("boss_MPa", usual.boss_mpa),
+    )

@@ -6,7 +6,7 @@ from planes.crank_slider.given import Concentration, PistonPin, Shaft
 from planes.crank_slider.materials import ELASTICITY_MPA, STEELS, Material, made, steel
 from planes.crank_slider.reading_table import Values
 from planes.crank_slider.sections import Round, Shank, Web
-from planes.scene.source import Text
+from planes.scene.source import SourceScalar
 from planes.words import Phrase
 from planes.words.errors import choices, shown
 
@@ -24,10 +24,16 @@ def read_shaft(top: Values) -> Shaft | None:
     web = table.needed("web", ("width", "thickness"))
     masses = table.needed("masses", ("pin", "webs", "webs_radius"))
     return Shaft(
-        span, n, m, _round(table, "journal"), _round(table, "crankpin"),
-        Web(web.above("width"), web.above("thickness")), masses.not_negative("pin"), masses.not_negative("webs"),
+        span,
+        n,
+        m,
+        _round(table, "journal"),
+        _round(table, "crankpin"),
+        Web(web.above("width"), web.above("thickness")),
+        masses.not_negative("pin"),
+        masses.not_negative("webs"),
         masses.number("webs_radius"),
-    )  # fmt: skip
+    )
 
 
 def _round(table: Values, key: str) -> Round:
@@ -75,7 +81,7 @@ def read_materials(top: Values) -> dict[str, Material]:
 
 def _material(table: Values, key: str) -> Material:
     node = table.reader.required(table.table, key, table.what)
-    if isinstance(node, Text):
+    if isinstance(node, SourceScalar):
         name = table.reader.text(node, table.named(key))
         found = steel(name)
         if found is None:
@@ -106,7 +112,9 @@ def read_concentration(top: Values) -> dict[str, Concentration]:
     for key in table.table.entries:
         inner = table.needed(key, ("k_sigma", "k_tau", "size_sigma", "size_tau"))
         found[key] = Concentration(
-            inner.between("k_sigma", 1.0, 20.0), inner.between("k_tau", 1.0, 20.0),
-            inner.between("size_sigma", 0.1, 1.0), inner.between("size_tau", 0.1, 1.0),
-        )  # fmt: skip
+            inner.between("k_sigma", 1.0, 20.0),
+            inner.between("k_tau", 1.0, 20.0),
+            inner.between("size_sigma", 0.1, 1.0),
+            inner.between("size_tau", 0.1, 1.0),
+        )
     return found

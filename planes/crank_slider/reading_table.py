@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from planes.crank_slider.indicator import FOUR, TWO, UNITS, Indicator, Points, span
 from planes.scene.reader import Reader, part
-from planes.scene.source import Items, Node, Table
+from planes.scene.source import Items, Node, SourceTable
 from planes.words import Phrase, Told
 from planes.words.errors import SceneError
 
@@ -15,7 +15,7 @@ from planes.words.errors import SceneError
 class Values:
     """Reads the keys of one table."""
 
-    def __init__(self, reader: Reader, table: Table, what: Told) -> None:
+    def __init__(self, reader: Reader, table: SourceTable, what: Told) -> None:
         self.reader, self.table, self.what = reader, table, what
 
     def error(self, phrase: Told, key: str) -> SceneError:

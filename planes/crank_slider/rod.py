@@ -8,15 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from planes.crank_slider.engine import Motion
+from planes.crank_slider.engine import EngineCycle
 from planes.crank_slider.fatigue import factor
-from planes.crank_slider.forces import Forces
+from planes.crank_slider.forces import CycleForces
 from planes.crank_slider.given import PistonPin
-from planes.crank_slider.kinematics import Way, swing
+from planes.crank_slider.kinematics import RodMotion, swing
 from planes.crank_slider.materials import Material
 from planes.crank_slider.sections import Shank
 from planes.crank_slider.shaft import MPA
-from planes.crank_slider.shape import Shape
+from planes.crank_slider.shape import CrankSliderShape
 
 Array = Any
 
@@ -67,7 +67,9 @@ class PinStrength:
     boss: float
 
 
-def rod_strength(shape: Shape, m: Motion, way: Way, f: Forces, of: Shank, steel: Material) -> RodStrength:
+def rod_strength(
+    shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleForces, of: Shank, steel: Material
+) -> RodStrength:
     """Stresses of the shank over the cycle; compression positive."""
     beta = swing(shape, m.phi)
     axial = (f.S, -(f.on_pin * np.exp(1j * beta)).real)  # at B, at A
@@ -83,14 +85,24 @@ def rod_strength(shape: Shape, m: Motion, way: Way, f: Forces, of: Shank, steel:
         for mu, j in ((1.0, of.inertia), (0.5, of.inertia_across))
     )
     return RodStrength(
-        squeezed, float(m.phi_deg[push]), max(float(-large[pull]), 0.0), float(m.phi_deg[pull]),
-        squeezed / of.area * MPA, max(float(-large[pull]), 0.0) / of.area * MPA, float(moment[bend]),
-        float(m.phi_deg[bend]), float(sigma_b[bend]), float(both[worst]), float(m.phi_deg[worst]),
-        factor(steel.yields, float(both[worst])), limit, (planes[0], planes[1]),
-    )  # fmt: skip
+        squeezed,
+        float(m.phi_deg[push]),
+        max(float(-large[pull]), 0.0),
+        float(m.phi_deg[pull]),
+        squeezed / of.area * MPA,
+        max(float(-large[pull]), 0.0) / of.area * MPA,
+        float(moment[bend]),
+        float(m.phi_deg[bend]),
+        float(sigma_b[bend]),
+        float(both[worst]),
+        float(m.phi_deg[worst]),
+        factor(steel.yields, float(both[worst])),
+        limit,
+        (planes[0], planes[1]),
+    )
 
 
-def _bending(shape: Shape, way: Way, beta: Array) -> Array:
+def _bending(shape: CrankSliderShape, way: RodMotion, beta: Array) -> Array:
     """The largest moment along a rod of even mass, hinged at both ends, under its own inertia across it."""
     across = 1j * np.exp(-1j * beta)
     q_a, q_b = ((-(way.a[n] * across.conj()).real * shape.m2 / shape.l) for n in ("A", "B"))
@@ -115,7 +127,7 @@ def _buckling(mu: float, length: float, radius: float, limit: float, stress: flo
     return Buckling(mu, slenderness, critical, euler, factor(critical, stress))
 
 
-def pin_strength(m: Motion, f: Forces, pin: PistonPin, steel: Material) -> PinStrength:
+def pin_strength(m: EngineCycle, f: CycleForces, pin: PistonPin, steel: Material) -> PinStrength:
     """The pin as a beam: an even load from the rod's bush, loads from the bosses that fall to zero at its ends."""
     force = np.abs(f.on_rod_at_b)
     at = int(np.argmax(force))

@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 
 from planes.crank_slider.balance import Balance
-from planes.crank_slider.forces import Forces
+from planes.crank_slider.forces import CycleForces
 from planes.crank_slider.given import Counterweights, Shaft
 from planes.crank_slider.sections import Round
-from planes.crank_slider.shape import Shape
+from planes.crank_slider.shape import CrankSliderShape
 
 Array = Any
 MPA = 1e-6
@@ -55,7 +55,9 @@ class Section:
         return np.sqrt(self.sigma**2 + 4 * self.tau**2)
 
 
-def supports(shape: Shape, shaft: Shaft, weights: Counterweights | None, b: Balance | None, f: Forces) -> Supports:
+def supports(
+    shape: CrankSliderShape, shaft: Shaft, weights: Counterweights | None, b: Balance | None, f: CycleForces
+) -> Supports:
     """Reactions of the bearings from the sums of forces and moments."""
     length, n, m, w2 = shaft.span, shaft.pin_from_b, shaft.webs, shape.omega**2
     web = (shaft.pin_mass * shape.r + shaft.web_mass * shaft.web_radius) * w2 / 2
@@ -66,7 +68,7 @@ def supports(shape: Shape, shaft: Shaft, weights: Counterweights | None, b: Bala
     return Supports(a1, a2, out + 2 * web - left - right - a1, t - a2, web, left, right, out, t)
 
 
-def sections(shape: Shape, shaft: Shaft, s: Supports) -> dict[str, Section]:
+def sections(shape: CrankSliderShape, shaft: Shaft, s: Supports) -> dict[str, Section]:
     """The dangerous sections from A to B."""
     m, r, middle = shaft.webs, shape.r, shaft.span - shaft.pin_from_b
     zero = np.zeros_like(s.T)
@@ -103,7 +105,7 @@ class Along:
     torque: Array
 
 
-def along(shape: Shape, shaft: Shaft, s: Supports, k: int) -> Along:
+def along(shape: CrankSliderShape, shaft: Shaft, s: Supports, k: int) -> Along:
     """The diagrams of moments for position ``k`` of the cycle."""
     m, middle, end = shaft.webs, shaft.span - shaft.pin_from_b, shaft.span
     x = np.array([0.0, m, m, middle, end - m, end - m, end])

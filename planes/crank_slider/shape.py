@@ -13,7 +13,7 @@ from planes.words.errors import SceneError
 
 
 @dataclass(frozen=True)
-class Shape:
+class CrankSliderShape:
     """Names and numbers of a crank-slider: r = OA, l = AB, c = AC; s is OS of the crank; SI."""
 
     crank: str
@@ -42,7 +42,7 @@ class Shape:
         return self.r / self.l
 
 
-def shape_of(scene: Scene) -> Shape:
+def shape_of(scene: Scene) -> CrankSliderShape:
     """The crank-slider of a scene, or a sentence saying why it is none."""
     if scene.mechanism is None or scene.crank_slider is None:
         raise SceneError(Phrase("cs_missing"), scene.file, 1)
@@ -70,7 +70,7 @@ class _Recogniser:
         line = next((where[path[:n]] for n in range(len(path), 0, -1) if path[:n] in where), None)
         return SceneError(phrase, self.scene.file, line)
 
-    def shape(self) -> Shape:
+    def shape(self) -> CrankSliderShape:
         """Everything read off the mechanism, checked."""
         self.check_guide()
         self.check_motion()
@@ -79,12 +79,27 @@ class _Recogniser:
         if length <= r:
             raise self.error(Phrase("cs_short_rod", rod=length, crank=r), "links", self.rod.name, "points")
         s = (self.crank.points[self.crank.mass_centre] - self.crank.points[self.pivot]).real
-        return Shape(
-            self.crank.name, self.rod.name, self.slider.name, self.pivot, self.pin, self.hinge, self.rod.mass_centre,
-            r, length, c, s, self.crank.mass or 0.0, self.number(self.rod, "mass"), self.number(self.slider, "mass"),
-            self.crank.inertia or 0.0, self.number(self.rod, "inertia"), self.m.gravity or 0.0,
-            self.m.friction.get(self.guide, 0.0), self.m.drive.velocity,
-        )  # fmt: skip
+        return CrankSliderShape(
+            self.crank.name,
+            self.rod.name,
+            self.slider.name,
+            self.pivot,
+            self.pin,
+            self.hinge,
+            self.rod.mass_centre,
+            r,
+            length,
+            c,
+            s,
+            self.crank.mass or 0.0,
+            self.number(self.rod, "mass"),
+            self.number(self.slider, "mass"),
+            self.crank.inertia or 0.0,
+            self.number(self.rod, "inertia"),
+            self.m.gravity or 0.0,
+            self.m.friction.get(self.guide, 0.0),
+            self.m.drive.velocity,
+        )
 
     def number(self, link: Link, key: str) -> float:
         """A mass or inertia that must be given and above zero."""

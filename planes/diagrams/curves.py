@@ -43,7 +43,7 @@ class Curve:
 
 
 @dataclass(frozen=True)
-class Arrow:
+class CycleVector:
     """A vector over the cycle, as complex numbers: what a path or a hodograph is drawn from."""
 
     name: str
@@ -72,17 +72,17 @@ def curves_of(plans: Plans) -> dict[str, Curve]:
     return found
 
 
-def arrows_of(plans: Plans) -> dict[str, Arrow]:
+def arrows_of(plans: Plans) -> dict[str, CycleVector]:
     """Every vector of a mechanism by its name: r_C, v_C, vq_C, a_C, aq_C, F_21."""
     units, found = analogue_units(plans.mechanism.drive.kind == "phi"), {}
     for p in plans.points:
         for letter, unit in (("r", "m"), ("v", "m/s"), ("a", "m/s²")):
-            found[f"{letter}_{p}"] = Arrow(f"{letter}_{p}", unit, (f"{letter}_{p}_x", f"{letter}_{p}_y"))
+            found[f"{letter}_{p}"] = CycleVector(f"{letter}_{p}", unit, (f"{letter}_{p}_x", f"{letter}_{p}_y"))
         for letter in "va":
             name, base = f"{letter}q_{p}", f"{UNIT}{letter}_{p}"
-            found[name] = Arrow(name, units[letter], (f"{base}_x", f"{base}_y"))
+            found[name] = CycleVector(name, units[letter], (f"{base}_x", f"{base}_y"))
     for r in plans.reactions.values():
-        found[r.key] = Arrow(r.key, "N", (f"{r.key}_x", f"{r.key}_y"))
+        found[r.key] = CycleVector(r.key, "N", (f"{r.key}_x", f"{r.key}_y"))
     return found
 
 
@@ -138,8 +138,9 @@ def _along(plans: Plans, link: str) -> tuple[tuple[str, ...], Callable[[Sample],
 def _analogues(plans: Plans) -> Iterator[Curve]:
     units = analogue_units(plans.mechanism.drive.kind == "phi")
     for link in _turning(plans):
-        yield _scalar(ratio_name(plans, link), units["omega"], "analogue", f"{UNIT}omega_{link}",
-                      f"{UNIT}epsilon_{link}")  # fmt: skip
+        yield _scalar(
+            ratio_name(plans, link), units["omega"], "analogue", f"{UNIT}omega_{link}", f"{UNIT}epsilon_{link}"
+        )
         yield _scalar(f"epsilonq_{link}", units["epsilon"], "analogue", f"{UNIT}epsilon_{link}")
     for link in _sliding(plans):
         need, quick = f"{UNIT}v_slide_{link}", f"{UNIT}a_slide_{link}"
@@ -220,8 +221,11 @@ def _vector(name: str, unit: str, group: Group, base: str, slope: str = "", fact
 def output_curves(plans: Plans) -> tuple[str, ...]:
     """The curves of a mechanism's driven link that are drawn first: its place, velocity and acceleration."""
     link, slides = driven(plans)
-    return (f"s_{link}", f"v_slide_{link}", f"a_slide_{link}") if slides else (
-        f"phi_{link}", f"omega_{link}", f"epsilon_{link}")  # fmt: skip
+    return (
+        (f"s_{link}", f"v_slide_{link}", f"a_slide_{link}")
+        if slides
+        else (f"phi_{link}", f"omega_{link}", f"epsilon_{link}")
+    )
 
 
 def transfer_curves(plans: Plans) -> tuple[str, ...]:

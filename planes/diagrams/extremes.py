@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from planes.diagrams.curves import Curve, Sample
-from planes.diagrams.turn import Grid, Turn
-from planes.diagrams.working import FULL
+from planes.diagrams.turn import Grid, WholeTurn
+from planes.diagrams.working_range import FULL
 
 CELLS = 8  # parts a bracket is cut into, each round
 ROUNDS = 14
@@ -143,7 +143,7 @@ def _limit(g: Grid, curve: Curve, y: float, place: float, limit: float) -> list[
     return [Extreme(limit, float(value), 1 if value > y else -1, "limit")]
 
 
-def _refined(turn: Turn, brackets: list[_Bracket]) -> tuple[Any, Any]:
+def _refined(turn: WholeTurn, brackets: list[_Bracket]) -> tuple[Any, Any]:
     """Places and values of the bracketed extremes, all closed in on together: on where the slope is positive no more,
     or, if it is not known or has one sign throughout (a value passes through infinity), on the value itself."""
     low, high = np.array([b.low for b in brackets]), np.array([b.high for b in brackets])
@@ -168,7 +168,7 @@ def _refined(turn: Turn, brackets: list[_Bracket]) -> tuple[Any, Any]:
     return place, _values(turn, brackets, place)
 
 
-def _values(turn: Turn, brackets: list[_Bracket], place: Any) -> Any:
+def _values(turn: WholeTurn, brackets: list[_Bracket], place: Any) -> Any:
     sample, found = turn.sample(place), np.empty(len(place))
     owner, near = np.array([b.curve for b in brackets]), np.array([b.near for b in brackets])
     for k in np.unique(owner):

@@ -202,9 +202,15 @@ def _level(c: Construction, mu: float, sums: Sequence[float]) -> float:
 
 
 def _summed(
-    c: Construction, source: str, middles: list[tuple[int, str]], mu: float, plan: str, rank: int, pole: float,
+    c: Construction,
+    source: str,
+    middles: list[tuple[int, str]],
+    mu: float,
+    plan: str,
+    rank: int,
+    pole: float,
     start: float = 0.0,
-) -> tuple[str, float]:  # fmt: skip
+) -> tuple[str, float]:
     """The integral of a diagram: over each section a parallel to the ray through the ordinate of its middle."""
     d, found = c.draft, mu * c.mu_t / pole
     c.axes(plan, found, None)

@@ -19,7 +19,7 @@ LETTERS = {True: ("s", "v", "a"), False: ("φ", "ω", "ε")}
 
 
 @dataclass(frozen=True)
-class Reading:
+class MeasuredDiagram:
     """One diagram as measured: at every point what was found, the exact value, and a pencil's standard deviation."""
 
     stage: Stage
@@ -34,7 +34,7 @@ class Reading:
         return max(abs(f - e) for f, e in zip(self.found, self.exact, strict=True)) / size
 
 
-def readings(c: Construction, pencil: Pencil | None = None) -> list[Reading]:
+def readings(c: Construction, pencil: Pencil | None = None) -> list[MeasuredDiagram]:
     """Every diagram of a construction: drawn without an error of hand, and by many draughtsmen."""
     import numpy
 
@@ -43,7 +43,7 @@ def readings(c: Construction, pencil: Pencil | None = None) -> list[Reading]:
     found = []
     for stage in c.stages:
         spread = [float(numpy.std(v)) if numpy.ndim(v) else 0.0 for v in c.measured(crowd, stage)]
-        found.append(Reading(stage, [float(v) for v in c.measured(drawing, stage)], c.exact(stage), spread))
+        found.append(MeasuredDiagram(stage, [float(v) for v in c.measured(drawing, stage)], c.exact(stage), spread))
     return found
 
 
@@ -69,15 +69,40 @@ def scales(c: Construction, lang: Lang) -> list[str]:
 
 def as_json(constructions: list[Construction]) -> dict[str, Any]:
     """The constructions as plain things: scales, poles, and every point with what was found and what is exact, SI."""
-    return {"planes": 1, "constructions": [{
-        "kind": c.kind, "link": c.motion.link, "mu_t": c.mu_t, "diagrams": [{
-            "quantity": LETTERS[c.motion.slides][r.stage.rank], "unit": RATES[c.motion.slides][r.stage.rank],
-            "mu": r.stage.mu, "pole_mm": r.stage.pole_mm, "given": r.stage.given, "points": [
-                {"point": label, "phi_deg": _angle(c, half), "found": found, "exact": exact, "pencil": spread}
-                for (half, label), found, exact, spread in zip(r.stage.points, r.found, r.exact, r.pencil, strict=True)
-                if half >= 0
-            ]} for r in readings(c)],
-    } for c in constructions]}  # fmt: skip
+    return {
+        "planes": 1,
+        "constructions": [
+            {
+                "kind": c.kind,
+                "link": c.motion.link,
+                "mu_t": c.mu_t,
+                "diagrams": [
+                    {
+                        "quantity": LETTERS[c.motion.slides][r.stage.rank],
+                        "unit": RATES[c.motion.slides][r.stage.rank],
+                        "mu": r.stage.mu,
+                        "pole_mm": r.stage.pole_mm,
+                        "given": r.stage.given,
+                        "points": [
+                            {
+                                "point": label,
+                                "phi_deg": _angle(c, half),
+                                "found": found,
+                                "exact": exact,
+                                "pencil": spread,
+                            }
+                            for (half, label), found, exact, spread in zip(
+                                r.stage.points, r.found, r.exact, r.pencil, strict=True
+                            )
+                            if half >= 0
+                        ],
+                    }
+                    for r in readings(c)
+                ],
+            }
+            for c in constructions
+        ],
+    }
 
 
 def report(constructions: list[Construction], lang: Lang) -> str:
@@ -92,19 +117,32 @@ def report(constructions: list[Construction], lang: Lang) -> str:
     return "\n".join(lines[1:]) + "\n"
 
 
-def _reading(c: Construction, r: Reading, lang: Lang) -> list[str]:
+def _reading(c: Construction, r: MeasuredDiagram, lang: Lang) -> list[str]:
     rank, slides = r.stage.rank, c.motion.slides
     unit = say(RATES[slides][rank], lang)
-    head = [say("graphical_point", lang), "φ1, °", say("graphical_found", lang), say("graphical_exact", lang), "Δ, %",
-            say("graphical_pencil", lang)]  # fmt: skip
+    head = [
+        say("graphical_point", lang),
+        "φ1, °",
+        say("graphical_found", lang),
+        say("graphical_exact", lang),
+        "Δ, %",
+        say("graphical_pencil", lang),
+    ]
     size = max(map(abs, r.exact)) or 1.0
     rows = []
     for (half, label), found, exact, spread in zip(r.stage.points, r.found, r.exact, r.pencil, strict=True):
         if half < 0:
             continue  # the last middle over again
         cells: list[Any] = [0.0 if abs(x) < 1e-12 * size else x for x in (found, exact)]
-        rows.append([label, quantity(_angle(c, half), "", 5), *map(quantity, cells),
-                     f"{100 * (found - exact) / size:.2f}", f"{100 * spread / size:.2f}"])  # fmt: skip
+        rows.append(
+            [
+                label,
+                quantity(_angle(c, half), "", 5),
+                *map(quantity, cells),
+                f"{100 * (found - exact) / size:.2f}",
+                f"{100 * spread / size:.2f}",
+            ]
+        )
     title = f"{LETTERS[slides][rank]}{c.motion.link}, {unit}"
     lines = table(title, head, rows)
     return [*lines, "  " + say("graphical_worst", lang, error=f"{100 * r.worst:.2f}")]

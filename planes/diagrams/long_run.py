@@ -11,8 +11,8 @@ from typing import Any, Protocol
 import numpy as np
 
 from planes.batch import Block, Cycle, Reason
-from planes.batch.streams import Heading, opened
-from planes.diagrams.turn import Turn
+from planes.batch.streams import TableHead, opened
+from planes.diagrams.turn import WholeTurn
 from planes.drafting.drawing import run
 from planes.plans import Plans, mechanism_plans
 from planes.scene import Scene
@@ -25,7 +25,7 @@ FULL_TURN = Span(0.0, 1.0, 361)
 TOLD = 20  # how many failed ranges are told in words
 
 
-class Named(Protocol):
+class ColumnHead(Protocol):
     """What stands over a column."""
 
     @property
@@ -61,7 +61,7 @@ def write_cycle(
     return _written(table, columns, table.reasons, blocks, len(span), output, lang)
 
 
-def write_curves(turn: Turn, values: Span | None, output: str, lang: Lang) -> int:
+def write_curves(turn: WholeTurn, values: Span | None, output: str, lang: Lang) -> int:
     """Write a table of chosen curves, analogues among them if they are asked for; the exit status."""
     span = values or whole(turn.plans)
     return _written(turn.cycles[0][1], turn.curves, turn.reasons, turn.blocks(span), len(span), output, lang)
@@ -74,13 +74,18 @@ def whole(plans: Plans) -> Span:
 
 
 def _written(
-    table: Cycle, columns: Sequence[Named], reasons: tuple[Reason, ...], blocks: Iterator[Block], count: int,
-    output: str, lang: Lang,
-) -> int:  # fmt: skip
+    table: Cycle,
+    columns: Sequence[ColumnHead],
+    reasons: tuple[Reason, ...],
+    blocks: Iterator[Block],
+    count: int,
+    output: str,
+    lang: Lang,
+) -> int:
     kind = table.plans.mechanism.drive.kind
     drive = ("phi", "°") if kind == "phi" else ("s", "m")
     gaps: list[Gap] = []
-    with opened(Path(output), Heading(drive, [(c.name, c.unit) for c in columns], reasons), count) as writer:
+    with opened(Path(output), TableHead(drive, [(c.name, c.unit) for c in columns], reasons), count) as writer:
         for block in progress(blocks, count, lang):
             writer.write(block)
             collect(gaps, block)

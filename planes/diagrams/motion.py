@@ -12,8 +12,8 @@ from planes.diagrams.driven import driven
 from planes.diagrams.extremes import extremes
 from planes.diagrams.graphical import Construction, differentiated, integrated
 from planes.diagrams.stages import Motion
-from planes.diagrams.turn import Grid, Turn, grid, span_of, turn_of, unwound
-from planes.diagrams.working import FULL
+from planes.diagrams.turn import Grid, WholeTurn, grid, span_of, turn_of, unwound
+from planes.diagrams.working_range import FULL
 from planes.plans import Plans, mechanism_plans
 from planes.scene import Scene
 from planes.words import Phrase
@@ -35,7 +35,7 @@ def motion_of(plans: Plans, sections: int = 12, file: str = "") -> Motion:
     if not FEWEST <= sections <= MOST:
         raise PlanesError(Phrase("graphical_sections", count=sections, least=FEWEST, most=MOST))
     link, slides = driven(plans)
-    turn = Turn(plans, [curves_of(plans)[n] for n in (output_curves(plans)[0], *transfer_curves(plans))])
+    turn = WholeTurn(plans, [curves_of(plans)[n] for n in (output_curves(plans)[0], *transfer_curves(plans))])
     low, high, closed = ends_of(plans)
     flips = () if slides else grid(turn, low, high).flips
     if flips:
@@ -45,17 +45,23 @@ def motion_of(plans: Plans, sections: int = 12, file: str = "") -> Motion:
     dense = start + span * np.arange(DENSE * sections + 1) / (DENSE * sections)
     half, fine = _values(turn, angles, slides, drive.velocity), _values(turn, dense, slides, drive.velocity)
     return Motion(
-        link, slides, tuple(map(float, angles[::2])), _time(angles[::2], drive.velocity), closed,
-        tuple(tuple(row[::2]) for row in half), tuple(tuple(row[1::2]) for row in half),
-        _time(dense, drive.velocity), tuple(tuple(row) for row in fine),
-    )  # fmt: skip
+        link,
+        slides,
+        tuple(map(float, angles[::2])),
+        _time(angles[::2], drive.velocity),
+        closed,
+        tuple(tuple(row[::2]) for row in half),
+        tuple(tuple(row[1::2]) for row in half),
+        _time(dense, drive.velocity),
+        tuple(tuple(row) for row in fine),
+    )
 
 
 def _time(angles: Any, rate: float) -> tuple[float, ...]:
     return tuple(float(t) for t in np.radians(angles - angles[0]) / rate)
 
 
-def _values(turn: Turn, angles: Any, slides: bool, rate: float) -> list[list[float]]:
+def _values(turn: WholeTurn, angles: Any, slides: bool, rate: float) -> list[list[float]]:
     """Place (counted from the start), velocity v_q·ω₁ and acceleration a_q·ω₁² of a uniform turn, SI."""
     sample = turn.sample(angles)
     place, v, a = (c.read(sample) + np.zeros(len(angles)) for c in turn.curves)

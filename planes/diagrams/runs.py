@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from planes.diagrams.motion import dead_points, driven_grid, ends_of
-from planes.diagrams.working import FULL
+from planes.diagrams.working_range import FULL
 from planes.plans import Plans
 
 BESIDE = 1e-6  # degrees (or metres) on either side of a dead point, where what depends on the sense of motion jumps
@@ -35,8 +35,9 @@ class Runs:
         first, last = (BESIDE * any(abs(d - end) <= BESIDE for d in dead) for end in (self.start, self.end))
         edges = [self.start + first, *(e for d in inside for e in (d - BESIDE, d + BESIDE)), self.end - last]
         step = (self.end - self.start) / STEPS
-        return [np.linspace(a, b, max(2, round((b - a) / step) + 1))
-                for a, b in zip(edges[::2], edges[1::2], strict=True)]  # fmt: skip
+        return [
+            np.linspace(a, b, max(2, round((b - a) / step) + 1)) for a, b in zip(edges[::2], edges[1::2], strict=True)
+        ]
 
     def _dead(self) -> set[float]:
         return {d + FULL * k for d in self.dead for k in ((-1, 0, 1) if self.closed else (0,))}

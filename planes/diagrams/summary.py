@@ -13,7 +13,7 @@ from planes.diagrams.curves import Curve
 from planes.diagrams.driven import driven
 from planes.diagrams.extremes import Extreme, extremes, varies
 from planes.diagrams.turn import Grid, grid, in_one_piece, turn_of
-from planes.diagrams.working import FULL
+from planes.diagrams.working_range import FULL
 from planes.plans import Plans
 from planes.scene import Scene
 
@@ -21,7 +21,7 @@ SAME = 1e-12
 
 
 @dataclass(frozen=True)
-class Row:
+class CurveSummary:
     """A curve (or several that are one: ``names``) with its least and greatest values, one number if it is constant."""
 
     names: tuple[str, ...]
@@ -40,7 +40,7 @@ class Row:
 
 
 @dataclass(frozen=True)
-class Stroke:
+class DrivenStroke:
     """The driven link between its two extreme positions (``dead``: the driver's places and the link's own there).
 
     ``swing`` is in metres or degrees. ``forth`` and ``back`` are the parts of the driver's turn (degrees) in which it
@@ -97,7 +97,7 @@ class Summary:
         return self.grid.ranges
 
     @cached_property
-    def stroke(self) -> Stroke | None:
+    def stroke(self) -> DrivenStroke | None:
         """The driven link's stroke, or angle of swing; None where it turns over."""
         link, slides = driven(self.plans)
         name = f"{'s' if slides else 'phi'}_{link}"
@@ -105,25 +105,25 @@ class Summary:
         if curve is None or link == self.plans.mechanism.drive.link or name in dict(self.grid.flips):
             return None
         if self.grid.rounds(curve):
-            return Stroke(link, slides, name, (), FULL, True)
+            return DrivenStroke(link, slides, name, (), FULL, True)
         some = self.extremes[name]
         if not some:
             return None
         low, high = min(some, key=lambda e: e.value), max(some, key=lambda e: e.value)
         if np.isinf(high.value - low.value):
-            return Stroke(link, slides, name, tuple(e for e in some if np.isinf(e.value)), np.inf)
+            return DrivenStroke(link, slides, name, tuple(e for e in some if np.isinf(e.value)), np.inf)
         dead = tuple(sorted((low, high), key=lambda e: e.place))
         others = sum(e.at == "" for e in some if e not in dead)
         forth = back = None
         if self.grid.closed:
             forth = (dead[1].place - dead[0].place) % FULL
             back = FULL - forth
-        return Stroke(link, slides, name, dead, high.value - low.value, False, forth, back, others)
+        return DrivenStroke(link, slides, name, dead, high.value - low.value, False, forth, back, others)
 
     @cached_property
-    def rows(self) -> tuple[Row, ...]:
+    def rows(self) -> tuple[CurveSummary, ...]:
         """The curves a person reads: of vectors the sizes; equal ones in one row; nothing that is always zero."""
-        found: list[tuple[Any, Row]] = []
+        found: list[tuple[Any, CurveSummary]] = []
         for curve in self.grid.turn.curves:
             if not self._shown(curve):
                 continue
@@ -138,14 +138,14 @@ class Summary:
                 found[twin] = other, replace(row, names=(*row.names, curve.name))
         return tuple(row for _, row in found)
 
-    def _row(self, curve: Curve, y: Any) -> Row:
+    def _row(self, curve: Curve, y: Any) -> CurveSummary:
         some, size, rounds = self.extremes[curve.name], float(np.nanmax(np.abs(y))), self.grid.rounds(curve)
         if not some:
             k = int(np.flatnonzero(np.isfinite(y))[0])
             one = Extreme(float(self.grid.places[k]), float(y[k]), 1)
-            return Row((curve.name,), curve.unit, curve.group, one, one, (), size, rounds)
+            return CurveSummary((curve.name,), curve.unit, curve.group, one, one, (), size, rounds)
         low, high = min(some, key=lambda e: e.value), max(some, key=lambda e: e.value)
-        return Row((curve.name,), curve.unit, curve.group, low, high, tuple(some), size, rounds)
+        return CurveSummary((curve.name,), curve.unit, curve.group, low, high, tuple(some), size, rounds)
 
     def _shown(self, curve: Curve) -> bool:
         if self.names:
@@ -190,7 +190,7 @@ def _length(path: Any) -> float:
     return whole + (whole - float(np.abs(np.diff(path[::2])).sum())) / 3
 
 
-def _same(y: Any, other: Any, curve: Curve, row: Row) -> bool:
+def _same(y: Any, other: Any, curve: Curve, row: CurveSummary) -> bool:
     if (curve.unit, curve.group) != (row.unit, row.group) or curve.name[:2] != row.names[0][:2]:
         return False
     size = np.nanmax(np.abs(other))

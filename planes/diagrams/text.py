@@ -9,8 +9,8 @@ import numpy as np
 
 from planes.diagrams.curves import Curve
 from planes.diagrams.extremes import Extreme
-from planes.diagrams.summary import Row, Stroke, Summary
-from planes.diagrams.turn import Turn
+from planes.diagrams.summary import CurveSummary, DrivenStroke, Summary
+from planes.diagrams.turn import WholeTurn
 from planes.drafting.drawing import run
 from planes.plans.scales import unit_scales
 from planes.solving import failed, key_of, told
@@ -53,8 +53,17 @@ def _drive(s: Summary, lang: Lang) -> str:
     units = RATES[drive.kind != "phi"][1:]
     shown = [f"{quantity(x)} {say(u, lang)}" for x, u in zip((drive.velocity, drive.acceleration), units, strict=True)]
     first, last = (told(float(x), drive.kind, lang) for x in (s.grid.places[0], s.grid.places[-1]))
-    return say("cycle_range", lang, name=drive_name(s), first=first, last=last, velocity=v + drive.link, v=shown[0],
-               acceleration=a + drive.link, a=shown[1])  # fmt: skip
+    return say(
+        "cycle_range",
+        lang,
+        name=drive_name(s),
+        first=first,
+        last=last,
+        velocity=v + drive.link,
+        v=shown[0],
+        acceleration=a + drive.link,
+        a=shown[1],
+    )
 
 
 def _place(s: Summary, value: float, lang: Lang) -> str:
@@ -74,8 +83,10 @@ def _flips(s: Summary, lang: Lang) -> list[str]:
     found: dict[str, list[str]] = {}
     for name, place in s.grid.flips:
         found.setdefault(_place(s, place, lang), []).append(name.removeprefix("phi_"))
-    return [say("cycle_flips", lang, name=drive_name(s), place=place, links=", ".join(links))
-            for place, links in found.items()]  # fmt: skip
+    return [
+        say("cycle_flips", lang, name=drive_name(s), place=place, links=", ".join(links))
+        for place, links in found.items()
+    ]
 
 
 def _stroke(s: Summary, lang: Lang) -> list[str]:
@@ -92,19 +103,32 @@ def _stroke(s: Summary, lang: Lang) -> list[str]:
     if stroke.others:
         lines.append(say("stroke_more", lang, count=stroke.others))
     if stroke.K is not None and stroke.forth and stroke.back:
-        lines.append(say("time_ratio", lang, ratio=quantity(stroke.K, "", 5), forth=quantity(stroke.forth, "", 6),
-                         back=quantity(stroke.back, "", 6)))  # fmt: skip
+        lines.append(
+            say(
+                "time_ratio",
+                lang,
+                ratio=quantity(stroke.K, "", 5),
+                forth=quantity(stroke.forth, "", 6),
+                back=quantity(stroke.back, "", 6),
+            )
+        )
     return lines
 
 
-def _dead(s: Summary, stroke: Stroke, e: Extreme, lang: Lang) -> str:
+def _dead(s: Summary, stroke: DrivenStroke, e: Extreme, lang: Lang) -> str:
     unit = f" {say('m', lang)}" if stroke.slides else "°"
     key = {"": "stroke_place", "limit": "stroke_limit", "end": "stroke_end"}[e.at]
-    return say(key, lang, name=drive_name(s), place=_place(s, e.place, lang), curve=stroke.curve,
-               value=quantity(e.value, "", 5) + unit)  # fmt: skip
+    return say(
+        key,
+        lang,
+        name=drive_name(s),
+        place=_place(s, e.place, lang),
+        curve=stroke.curve,
+        value=quantity(e.value, "", 5) + unit,
+    )
 
 
-def _cells(s: Summary, row: Row, lang: Lang) -> list[str]:
+def _cells(s: Summary, row: CurveSummary, lang: Lang) -> list[str]:
     cells = [", ".join(row.names), say(row.unit, lang)]
     if row.rounds:
         return [*cells, say("all_round", lang), "—", "—", "—"]
@@ -130,19 +154,28 @@ def as_json(s: Summary) -> dict[str, Any]:
     """The whole summary as plain things; every extreme of every curve is there."""
     drive, stroke = s.plans.mechanism.drive, s.stroke
     found: dict[str, Any] = {
-        "planes": 1, "scene": s.scene.file, "variant": s.scene.variant,
+        "planes": 1,
+        "scene": s.scene.file,
+        "variant": s.scene.variant,
         "drive": {"kind": drive.kind, "velocity": drive.velocity, "acceleration": drive.acceleration},
-        "range": [float(s.grid.places[0]), float(s.grid.places[-1])], "assembles": [list(r) for r in s.ranges],
-    }  # fmt: skip
+        "range": [float(s.grid.places[0]), float(s.grid.places[-1])],
+        "assembles": [list(r) for r in s.ranges],
+    }
     if stroke:
         found["driven"] = {
-            "link": stroke.link, "curve": stroke.curve, "rotates": stroke.rounds, "stroke": _or_none(stroke.swing),
-            "extreme_positions": [_extreme(e) for e in stroke.dead], "forth_deg": stroke.forth,
-            "back_deg": stroke.back, "time_ratio": stroke.K,
-        }  # fmt: skip
+            "link": stroke.link,
+            "curve": stroke.curve,
+            "rotates": stroke.rounds,
+            "stroke": _or_none(stroke.swing),
+            "extreme_positions": [_extreme(e) for e in stroke.dead],
+            "forth_deg": stroke.forth,
+            "back_deg": stroke.back,
+            "time_ratio": stroke.K,
+        }
     found["curves"] = {c.name: _curve(s, c) for c in s.grid.turn.curves}
-    found["paths"] = {p.point: {"length": _or_none(p.length), "x": [*map(_or_none, p.x)], "y": [*map(_or_none, p.y)]}
-                      for p in s.paths}  # fmt: skip
+    found["paths"] = {
+        p.point: {"length": _or_none(p.length), "x": [*map(_or_none, p.x)], "y": [*map(_or_none, p.y)]} for p in s.paths
+    }
     return found
 
 
@@ -167,21 +200,22 @@ def _extreme(e: Extreme) -> dict[str, Any]:
 # the listing of single positions
 
 
-def listed(turn: Turn, values: Any) -> dict[str, list[float]]:
+def listed(turn: WholeTurn, values: Any) -> dict[str, list[float]]:
     """Every curve at each value of the drive, by its name."""
     sample = turn.sample(values)
     return {c.name: [float(x) for x in c.read(sample) + np.zeros(len(values))] for c in turn.curves}
 
 
-def listed_json(turn: Turn, values: Any) -> dict[str, Any]:
+def listed_json(turn: WholeTurn, values: Any) -> dict[str, Any]:
     """The listing for a program: None where a curve has no value."""
     rows, key = listed(turn, values), key_of(turn.plans)
-    positions = [{key: float(v), "values": {n: _or_none(row[k]) for n, row in rows.items()}}
-                 for k, v in enumerate(values)]  # fmt: skip
+    positions = [
+        {key: float(v), "values": {n: _or_none(row[k]) for n, row in rows.items()}} for k, v in enumerate(values)
+    ]
     return {"planes": 1, "units": {c.name: c.unit for c in turn.curves}, "positions": positions}
 
 
-def unsolved(turn: Turn, values: Any, lang: Lang) -> list[str]:
+def unsolved(turn: WholeTurn, values: Any, lang: Lang) -> list[str]:
     """Why positions cannot be drawn, a sentence for each that cannot."""
     plans, found = turn.plans, []
     given = {**plans.given, **dict.fromkeys(unit_scales(plans), 1000.0)}
@@ -193,7 +227,7 @@ def unsolved(turn: Turn, values: Any, lang: Lang) -> list[str]:
     return found
 
 
-def listing(turn: Turn, values: Any, lang: Lang) -> str:
+def listing(turn: WholeTurn, values: Any, lang: Lang) -> str:
     """Every curve in each position, in the order of the analytic method, with five decimals."""
     told_rows, kind = listed(turn, values), turn.plans.mechanism.drive.kind
     lines: list[str] = []

@@ -14,8 +14,8 @@ import numpy as np
 
 from planes.batch import CHUNK, Block, Cycle, Reason
 from planes.batch.columns import columns_of
-from planes.diagrams.curves import UNIT, Arrow, Curve, arrows_of, curves_of
-from planes.diagrams.working import FULL, Span
+from planes.diagrams.curves import UNIT, Curve, CycleVector, arrows_of, curves_of
+from planes.diagrams.working_range import FULL, WorkingRange
 from planes.plans import Plans
 from planes.words import Phrase
 from planes.words.errors import PlanesError, choices
@@ -25,10 +25,10 @@ FLIP = 90.0  # degrees a link cannot turn by from one place to the next
 ROUNDING = 1e-13  # what is left of numbers that cancel, beside them
 
 
-class Turn:
+class WholeTurn:
     """Curves and vectors of a mechanism, ready to be read at any places of its driver (degrees, or metres)."""
 
-    def __init__(self, plans: Plans, curves: Sequence[Curve], arrows: Sequence[Arrow] = ()) -> None:
+    def __init__(self, plans: Plans, curves: Sequence[Curve], arrows: Sequence[CycleVector] = ()) -> None:
         self.plans, self.curves, self.arrows = plans, tuple(curves), tuple(arrows)
         needs = [n for c in curves for n in (*c.needs, *c.slope_needs)] + [n for a in arrows for n in a.needs]
         self.needs = tuple(dict.fromkeys(needs))
@@ -84,11 +84,11 @@ def unit_drive(plans: Plans) -> dict[str, float]:
     return {plans.links[drive.link].omega: 1.0, plans.links[drive.link].epsilon: 0.0}
 
 
-def turn_of(plans: Plans, names: Iterable[str] | None = None, arrows: Iterable[str] = (), file: str = "") -> Turn:
+def turn_of(plans: Plans, names: Iterable[str] | None = None, arrows: Iterable[str] = (), file: str = "") -> WholeTurn:
     """A turn with the curves and vectors of those names (None: every curve)."""
     known, vectors = curves_of(plans), arrows_of(plans)
     chosen = known.values() if names is None else [_named(n, known, file) for n in names]
-    return Turn(plans, list(dict.fromkeys(chosen)), [_named(n, vectors, file) for n in arrows])
+    return WholeTurn(plans, list(dict.fromkeys(chosen)), [_named(n, vectors, file) for n in arrows])
 
 
 def _named(name: str, known: dict[str, Any], file: str) -> Any:
@@ -112,7 +112,7 @@ def unwound(angles: Any, period: float = FULL) -> Any:
 class Grid:
     """A turn sampled at evenly spaced places; ``closed``: the first and the last are one position."""
 
-    turn: Turn
+    turn: WholeTurn
     places: Any
     closed: bool
 
@@ -203,7 +203,7 @@ class Grid:
         return float(abs((b - a + FULL / 2) % FULL - FULL / 2))
 
 
-def grid(turn: Turn, start: float, end: float, least: int = 721) -> Grid:
+def grid(turn: WholeTurn, start: float, end: float, least: int = 721) -> Grid:
     """A grid of at least so many places; closed if it is a whole turn of a crank that works all the way."""
     count = max(least, 2) if end > start else 1
     g = Grid(turn, np.linspace(start, end, count), False)
@@ -234,9 +234,9 @@ def reach(plans: Plans) -> tuple[float, float]:
     return drive.position - 2 * plans.reach, drive.position + 2 * plans.reach
 
 
-def span_of(plans: Plans) -> Span:
+def span_of(plans: Plans) -> WorkingRange:
     """The range in which the mechanism assembles about the scene's own place of the drive."""
-    turn = Turn(plans, [c for c in curves_of(plans).values() if c.group == "place"])
+    turn = WholeTurn(plans, [c for c in curves_of(plans).values() if c.group == "place"])
     g, here = in_one_piece(grid(turn, *reach(plans))), plans.mechanism.drive.position
     away = lambda ends: max(ends[0] - here, here - ends[1])  # noqa: E731
-    return Span(*min(g.ranges, key=away, default=(here, here)), g.closed)
+    return WorkingRange(*min(g.ranges, key=away, default=(here, here)), g.closed)

@@ -10,7 +10,7 @@ from typing import Any
 
 from planes.documents import ours, sheets  # noqa: F401  (ours, before anything of render)
 from planes.documents.graphs import constructions, views_beside
-from planes.documents.sheets import Drawn
+from planes.documents.sheets import DrawnPosition
 from planes.documents.turning import turned_once
 from planes.drafting.drawing import Drawing
 from planes.scene import Scene
@@ -19,7 +19,7 @@ from planes.solving import Position
 from planes.solving.vectors import solve_vectors
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
-from planes.words.home import home_lang
+from planes.words.options import home_lang
 from render.paper.faces import lettered
 from render.paper.fonts import face_of
 from render.sheet import Sheet
@@ -42,9 +42,14 @@ def shown(thing: Drawing | Scene | Position) -> str | None:
 
 
 def draw_sheet(
-    scene: Scene, values: Iterable[float] | None, output: str, lang: Lang = "ru", number: int | None = None,
-    view: str | None = None, text: str = "text",
-) -> tuple[str, ...]:  # fmt: skip
+    scene: Scene,
+    values: Iterable[float] | None,
+    output: str,
+    lang: Lang = "ru",
+    number: int | None = None,
+    view: str | None = None,
+    text: str = "text",
+) -> tuple[str, ...]:
     """Draw the sheet of a scene into a file; :class:`PlanesError` in one sentence, and no file, if it cannot be.
 
     Returns a sentence for each thing that must be said of it: what found no room, or cannot be seen or read.
@@ -91,7 +96,7 @@ def _view_of(scene: Scene, view: str | None, values: Iterable[float] | None, lan
     if scene.mechanism is None:
         composer = Composer(scene, lang)
         return _page(of_scene_of_vectors(solve_vectors(scene), composer), view, composer)
-    drawn = Drawn(replace(scene, find=None), values, lang)
+    drawn = DrawnPosition(replace(scene, find=None), values, lang)
     composer = Composer(scene, lang, drawn.stated[0])
     return _page(_mechanism_views(drawn.scene, drawn.at(Sizes()), composer), view, composer)
 

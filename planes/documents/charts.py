@@ -8,9 +8,9 @@ from pathlib import Path
 
 from planes.accuracy.limits import Limit
 from planes.accuracy.methods import Method, front, machine, measure
-from planes.accuracy.peers import installed, version
+from planes.accuracy.other_programs import installed, version
 from planes.accuracy.stability import Approach, approach
-from planes.plans import state
+from planes.plans import plans_of
 from planes.scene import Scene
 from planes.scene.files import save
 from planes.scene.mechanism import Mechanism
@@ -18,7 +18,7 @@ from planes.solving import told
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from render.charts.chart_files import METADATA
-from render.charts.method_charts import Spot, Ways, draw
+from render.charts.method_charts import MethodErrors, MethodPoint, draw
 
 
 def draw_chart(scene: Scene, output: str, table: str | None, lang: Lang) -> None:
@@ -28,7 +28,7 @@ def draw_chart(scene: Scene, output: str, table: str | None, lang: Lang) -> None
         raise PlanesError(Phrase("chart_suffix", file=output, suffixes=", ".join(METADATA)))
     if scene.mechanism is None:
         raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
-    plans = state(moving(scene.mechanism), scene.file)
+    plans = plans_of(moving(scene.mechanism), scene.file)
     methods, way = measure(plans), approach(plans)
     ways = None if way is None else _ways(way, lang)
     target = output
@@ -47,10 +47,10 @@ def moving(mechanism: Mechanism) -> Mechanism:
     return mechanism if drive.velocity else replace(mechanism, drive=replace(drive, velocity=1.0))
 
 
-def _ways(way: Approach, lang: Lang) -> Ways:
+def _ways(way: Approach, lang: Lang) -> MethodErrors:
     names = {key: name_of(key, lang) for key in way.errors}
     title = say(f"chart_{way.limit.kind}", lang)
-    return Ways(title, axis(way.limit, lang), way.distances, way.sharpness, way.claim, way.errors, names)
+    return MethodErrors(title, axis(way.limit, lang), way.distances, way.sharpness, way.claim, way.errors, names)
 
 
 def name_of(key: str, lang: Lang) -> str:
@@ -76,8 +76,8 @@ def _seconds(lang: Lang) -> str:
     return say("chart_seconds", lang) + "\n" + say("chart_machine", lang, name=name, cores=cores)
 
 
-def _spots(methods: list[Method]) -> list[Spot]:
-    return [Spot(m.key, m.number, m.seconds, m.error) for m in methods]
+def _spots(methods: list[Method]) -> list[MethodPoint]:
+    return [MethodPoint(m.key, m.number, m.seconds, m.error) for m in methods]
 
 
 def text(methods: list[Method], way: Approach | None, lang: Lang) -> str:

@@ -11,12 +11,12 @@ from urllib.parse import quote
 
 from planes.check import Outcome, report
 from planes.check.fiducials import SHEET_MM, SIDE_MM, cells, centres
-from planes.check.grading.bench import Asked, prepare
-from planes.check.report.classes import Checked, Group
+from planes.check.grading.prepared_plan import Asked, prepare
+from planes.check.report.classes import Checked, ClassWork
 from planes.check.report.rows import as_json, mark_rows
 from planes.check.report.shown import leads, shown_plans
 from planes.check.report.tracing_paper import tracing_data
-from planes.check.sight.photograph import blank_pole
+from planes.check.vision.photograph import blank_pole
 from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
 from planes.scene import Scene
@@ -33,9 +33,21 @@ from render.paper.photo import Photo
 from render.sheet import blank, check_sheet
 
 TRACE_WORDS = (
-    "open", "plan", "by", "layer_plan", "layer_names", "picture", "paper", "zoom", "pole", "turned", "scale", "hint",
-    "check", "not_picture",
-)  # fmt: skip
+    "open",
+    "plan",
+    "by",
+    "layer_plan",
+    "layer_names",
+    "picture",
+    "paper",
+    "zoom",
+    "pole",
+    "turned",
+    "scale",
+    "hint",
+    "check",
+    "not_picture",
+)
 MOST_COMMON = 8  # mistakes of a class that are listed
 PAGE_WORDS = ("own", "next", "truth", "picture", "save", "reset", "moved", "steps", "numbers", "drag", "noscript")
 
@@ -87,7 +99,7 @@ def write_report(found: Outcome, output: str, lang: Lang) -> None:
         _write(marks, report.title(found, lang), output, lang, photo)
 
 
-def write_class(group: Group, output: str, lang: Lang) -> None:
+def write_class(group: ClassWork, output: str, lang: Lang) -> None:
     """The drawings of a class as a page; into a folder, with the report of each beside it."""
     target = Path(output)
     if not target.suffix:
@@ -136,15 +148,22 @@ def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:
     shown = shown_plans(found)
     photo = Photo(found.paper.picture, found.paper.box) if found.paper.picture and found.paper.box else None
     return check_sheet.Overlay(
-        own=shown.own, true=shown.true if _stands(photo) else [], next=leads(found, shown.marks),
+        own=shown.own,
+        true=shown.true if _stands(photo) else [],
+        next=leads(found, shown.marks),
         marks={name(n): (z, verdicts.get(n, "right")) for n, z in shown.marks.items()},
         along={name(n): v for n, v in shown.along.items()},
-        pole=name(POLE), title=report.title(found, lang), tables=_tables(found, name, naming),
+        pole=name(POLE),
+        title=report.title(found, lang),
+        tables=_tables(found, name, naming),
         sentence=said.replace(f"{first}:", f"{told}:", 1) if first else said,
         legend=(say("check_page_own", lang), say("check_page_truth", lang), say("check_page_next", lang)),
-        reduced=say("check_reduced", lang, n="{n}"), lines=kind == "position",
-        notes=[n.told(lang) for n in found.notes], photo=photo, lang=lang,
-    )  # fmt: skip
+        reduced=say("check_reduced", lang, n="{n}"),
+        lines=kind == "position",
+        notes=[n.told(lang) for n in found.notes],
+        photo=photo,
+        lang=lang,
+    )
 
 
 def _stands(photo: Photo | None) -> bool:
@@ -156,10 +175,11 @@ def _tables(found: Outcome, name: Callable[[str], str], naming: Naming) -> list[
     """The steps, and the results that were written down."""
     lang = naming.lang
     head = [say(k, lang) for k in ("check_mark", "check_deviation", "check_tolerance", "check_verdict")]
-    rows = [[name(label), off, limit, told]
-            for _, label, off, limit, _, told in report.rows_of(found, lang)]  # fmt: skip
-    numbers = [[naming.vector(n), decimal(given, lang), decimal(true, lang), told.partition(":")[0]]
-               for _, n, given, true, told in report.numbers_of(found, lang)]  # fmt: skip
+    rows = [[name(label), off, limit, told] for _, label, off, limit, _, told in report.rows_of(found, lang)]
+    numbers = [
+        [naming.vector(n), decimal(given, lang), decimal(true, lang), told.partition(":")[0]]
+        for _, n, given, true, told in report.numbers_of(found, lang)
+    ]
     return [(head, rows), (report.heads(lang)[1], numbers)]
 
 

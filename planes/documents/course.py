@@ -8,12 +8,12 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from planes.check.fiducials import SHEET_MM
-from planes.check.grading.bench import Asked
+from planes.check.grading.prepared_plan import Asked
 from planes.course import Course
 from planes.course.fingerprint import fingerprint
+from planes.course.numbers import slip
 from planes.course.papers import answers, task
-from planes.course.settling import slip
-from planes.course.showing import clearest
+from planes.course.position import clearest
 from planes.documents import rendered, sheet_of
 from planes.documents.check import blank_marks
 from planes.documents.lesson import note, placed
@@ -61,8 +61,14 @@ class Made:
 def names_of(course: Course) -> dict[str, str]:
     """The files each student gets: name -> the folder it is in, "students" or "teacher"."""
     sheets = [f"sheet-{n}.{f}" for n in (1, 2) for f in course.formats]
-    known = {"task": ["task.pdf"], "blank": ["blank.pdf"], "key": ["key.pdf"], "sheets": sheets,
-             "lesson": ["lesson.html"], "note": ["note.pdf"]}  # fmt: skip
+    known = {
+        "task": ["task.pdf"],
+        "blank": ["blank.pdf"],
+        "key": ["key.pdf"],
+        "sheets": sheets,
+        "lesson": ["lesson.html"],
+        "note": ["note.pdf"],
+    }
     return {n: "students" if d in ("task", "blank") else "teacher" for d in course.documents for n in known[d]}
 
 
@@ -155,6 +161,9 @@ class Desk:
 
 
 _MAKERS: Mapping[str, Callable[[Desk], bytes]] = {
-    "task.pdf": Desk.task, "blank.pdf": Desk.blank, "key.pdf": Desk.key, "lesson.html": Desk.lesson,
+    "task.pdf": Desk.task,
+    "blank.pdf": Desk.blank,
+    "key.pdf": Desk.key,
+    "lesson.html": Desk.lesson,
     "note.pdf": Desk.note,
-}  # fmt: skip
+}

@@ -11,8 +11,8 @@ import numpy as np
 from planes.diagrams.curves import Curve, curves_of, output_curves
 from planes.diagrams.extremes import Extreme, extremes
 from planes.diagrams.runs import Runs
-from planes.diagrams.turn import Grid, Turn, grid, turn_of
-from planes.diagrams.working import FULL
+from planes.diagrams.turn import Grid, WholeTurn, grid, turn_of
+from planes.diagrams.working_range import FULL
 from planes.plans import Plans, mechanism_plans
 from planes.plans.lettering import lettering
 from planes.scene import Scene
@@ -20,14 +20,19 @@ from planes.scene.files import sayable
 from planes.scene.ranges import Span
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
-from render.charts.cycle_charts import Drawn, Loop, Panel, draw
+from render.charts.cycle_charts import DriveAxis, Loop, Panel, draw
 from render.paper.names import Naming
 
 
 def draw_cycle(
-    scene: Scene, span: Span | None, output: str, show: Sequence[str] | None, hodographs: Sequence[str] | None,
-    paths: Sequence[str] | None, lang: Lang,
-) -> None:  # fmt: skip
+    scene: Scene,
+    span: Span | None,
+    output: str,
+    show: Sequence[str] | None,
+    hodographs: Sequence[str] | None,
+    paths: Sequence[str] | None,
+    lang: Lang,
+) -> None:
     """Draw the diagrams into a file by its suffix; what is asked for is found before the file is touched."""
     if span is not None and span.count < 2:
         raise PlanesError(Phrase("cycle_one_place", file=scene.file))
@@ -38,8 +43,14 @@ def draw_cycle(
     naming = Naming(lang, **lettering(scene, plans))
     title = scene.title.get(lang, "")
     with sayable(output):
-        draw(Path(output), title, [turned.panel(names) for names in panels], [turned.loop(n) for n in loops],
-             turned.drawn(), naming)  # fmt: skip
+        draw(
+            Path(output),
+            title,
+            [turned.panel(names) for names in panels],
+            [turned.loop(n) for n in loops],
+            turned.drawn(),
+            naming,
+        )
 
 
 def default_curves(plans: Plans, hodographs: object = None, paths: object = None) -> tuple[str, ...]:
@@ -57,7 +68,7 @@ class Turned:
         self, scene: Scene, plans: Plans, span: Span | None, names: Sequence[str], loops: Sequence[str]
     ) -> None:
         self.plans = plans
-        self.turn: Turn = turn_of(plans, names, loops, scene.file)
+        self.turn: WholeTurn = turn_of(plans, names, loops, scene.file)
         self.runs = Runs.whole(plans) if span is None else Runs(plans, *ends(span))
         self.pieces = [(places, self.turn.sample(places)) for places in self.runs.pieces()]
         self.grid: Grid = grid(self.turn, self.runs.start, self.runs.end)
@@ -93,10 +104,10 @@ class Turned:
         stations = arrow.read(self.turn.sample(self.runs.read_stations()))
         return Loop(name, arrow.unit, [arrow.read(s) for _, s in self.pieces], stations, self.runs.closed)
 
-    def drawn(self) -> Drawn:
+    def drawn(self) -> DriveAxis:
         """What the axes say."""
         drive = self.plans.mechanism.drive
-        return Drawn(drive.kind == "phi", drive.link, self.runs.start, self.runs.end, self.runs.stations())
+        return DriveAxis(drive.kind == "phi", drive.link, self.runs.start, self.runs.end, self.runs.stations())
 
 
 def ends(span: Span) -> tuple[float, float]:
@@ -105,7 +116,7 @@ def ends(span: Span) -> tuple[float, float]:
     return min(a, b), max(a, b)
 
 
-def curve_named(turn: Turn, name: str) -> Curve:
+def curve_named(turn: WholeTurn, name: str) -> Curve:
     """The curve of a turn that has, or stands behind, a name."""
     found = curves_of(turn.plans)[name].name
     return next(c for c in turn.curves if c.name == found)

@@ -13,7 +13,7 @@ from planes.batch import Cycle
 from planes.batch.table import Table
 from planes.check import Outcome
 from planes.check import check as judge
-from planes.check.grading.bench import Asked
+from planes.check.grading.prepared_plan import Asked
 from planes.check.handed_in import Known, read_paper
 from planes.documents import picture, sheet_of, view_of, write
 from planes.documents.lesson import Lesson
@@ -24,8 +24,8 @@ from planes.solving import Position, Solved, plans_of, position
 from planes.solving import solve as solve_each
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
-from planes.words.home import home_lang
 from planes.words.names import kind_of
+from planes.words.options import home_lang
 from planes.words.units import read_mu
 from render.sheet import Sheet
 from render.sheet.single import Page
@@ -122,9 +122,16 @@ def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str,
 
 
 def check(
-    scene: Scene, drawing: str | Path, plan: str, phi: float | None = None, *, s: float | None = None,
-    mu: str | None = None, pole: complex | None = None, marks: Mapping[str, complex] | None = None,
-) -> Outcome:  # fmt: skip
+    scene: Scene,
+    drawing: str | Path,
+    plan: str,
+    phi: float | None = None,
+    *,
+    s: float | None = None,
+    mu: str | None = None,
+    pole: complex | None = None,
+    marks: Mapping[str, complex] | None = None,
+) -> Outcome:
     """Check a person's drawing of a plan ("position", "velocity", "acceleration", "force:2-3", "force:1").
 
     ``drawing`` is a table (.csv), a drawing of lines (.svg, .dxf, .pdf) or a picture; ``mu`` its scale, as
@@ -139,9 +146,15 @@ def check(
 
 
 def sheet(
-    scene: Scene, output: str | Path | None = None, phi: float | None = None, *, s: float | None = None,
-    number: int | None = None, view: str | None = None, lang: Lang | None = None,
-) -> Sheet | Page:  # fmt: skip
+    scene: Scene,
+    output: str | Path | None = None,
+    phi: float | None = None,
+    *,
+    s: float | None = None,
+    number: int | None = None,
+    view: str | None = None,
+    lang: Lang | None = None,
+) -> Sheet | Page:
     """The drawing sheet of one position, written to ``output`` if that is given (.svg, .pdf, .png, .dxf).
 
     ``number`` 1 or 2 is that sheet of a course project, ``view`` one view alone; else everything stands on one sheet.

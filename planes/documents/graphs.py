@@ -16,7 +16,7 @@ from render.paper.names import Naming
 from render.sheet.composer import Composer
 from render.sheet.single import LETTER_MM, Makers
 from render.views import View, view
-from render.views.diagrams import Curve
+from render.views.diagrams import DiagramCurve
 from render.views.hodograph import Hodograph
 
 STATIONS = 12
@@ -25,7 +25,7 @@ SHOWN = ("diagrams", "hodographs")
 
 def over_cycle(
     scene: Scene, plans: Plans, angles: Sequence[float], naming: Naming
-) -> tuple[tuple[Curve, ...], tuple[Hodograph, ...]]:
+) -> tuple[tuple[DiagramCurve, ...], tuple[Hodograph, ...]]:
     """The diagrams and hodographs that ``sheet:`` of a scene asks for, over the angles of a turn."""
     names, loops = (asked(scene.sheet, key) for key in SHOWN)
     if not names and not loops:
@@ -71,7 +71,7 @@ def joined(pieces: Sequence[tuple[Any, Any]], curve: Any) -> tuple[Any, Any]:
     return x, numpy.concatenate([part for row in rows for part in (row, [numpy.nan])][:-1])
 
 
-def _curve(curve: Any, pieces: Sequence[tuple[Any, Any]], naming: Naming) -> Curve:
+def _curve(curve: Any, pieces: Sequence[tuple[Any, Any]], naming: Naming) -> DiagramCurve:
     """A curve as the sheet draws it; an angle is unwound."""
     from planes.diagrams.turn import unwound
 
@@ -79,7 +79,7 @@ def _curve(curve: Any, pieces: Sequence[tuple[Any, Any]], naming: Naming) -> Cur
     if curve.angular:
         values = unwound(values)
     name = lettered_curve(curve.name, naming)
-    return Curve(name.partition("_")[0], curve.unit, known(values), name, known(places))
+    return DiagramCurve(name.partition("_")[0], curve.unit, known(values), name, known(places))
 
 
 def known(values: Any) -> tuple[Any, ...]:

@@ -31,7 +31,7 @@ def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", nu
         check_names(scene, None)
         found, composer = solve_vectors(scene), Composer(scene, lang)
         return compose(scene, Contents(lambda _, *how: (composer.vector_views(found, *how), [])), lang)
-    drawn = Drawn(replace(scene, find=None) if number else scene, values, lang)
+    drawn = DrawnPosition(replace(scene, find=None) if number else scene, values, lang)
     check_names(scene, drawn.stated[0])
     composer = Composer(scene, lang, drawn.stated[0])
     if number:
@@ -44,7 +44,7 @@ def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", nu
     return compose(scene, Contents(views, lambda sizes: drawn.extents(sizes, lambda plan: True)), lang)
 
 
-def _numbered(drawn: Drawn, composer: Composer, number: int) -> Sheet:
+def _numbered(drawn: DrawnPosition, composer: Composer, number: int) -> Sheet:
     """Sheet 1 or 2 of a course project."""
     scene = drawn.scene
     project = Project(composer)
@@ -61,7 +61,7 @@ def _numbered(drawn: Drawn, composer: Composer, number: int) -> Sheet:
 
 
 @dataclass(frozen=True)
-class Drawn:
+class DrawnPosition:
     """One position of a scene, drawn at any sizes of its plans; each once."""
 
     scene: Scene

@@ -14,15 +14,15 @@ from planes.diagrams.curves import curves_of, output_curves
 from planes.diagrams.driven import driven
 from planes.diagrams.motion import dead_points, driven_grid
 from planes.diagrams.turn import span_of, unwound
-from planes.diagrams.working import FULL, Span
+from planes.diagrams.working_range import FULL, WorkingRange
 from planes.documents.graphs import known, over_cycle
 from planes.plans import Plans
 from planes.plans.quantities import results_of
 from planes.scene import Scene
 from render.sheet.composer import Composer
 from render.sheet.project import Project
-from render.views.diagrams import Curve
-from render.views.many import Numbered, Placed
+from render.views.diagrams import DiagramCurve
+from render.views.many import Numbered, PlacedMechanism
 
 SECTIONS = 12
 FINE = 360  # places of the driver for curves and paths
@@ -34,11 +34,11 @@ Rows = Mapping[str, Any]
 
 def turned_once(scene: Scene, plans: Plans, composer: Composer, twelve: bool) -> Project:
     """A project with the driver moved through its range, on request with the numbered positions of the scheme."""
-    found, motion = span_of(plans), Motion(plans)
+    found, motion = span_of(plans), TurningMechanism(plans)
     span = found if found.whole else found.inner(MARGIN)
     dead = dead_points(driven_grid(plans, span.start, span.end)) if span.whole or twelve else []
     if span.whole and dead:
-        span = Span(dead[0], dead[0] + FULL, True)
+        span = WorkingRange(dead[0], dead[0] + FULL, True)
     values = span.values(FINE)
     rows = motion.rows(values)
     turn = motion.places(rows)
@@ -47,7 +47,7 @@ def turned_once(scene: Scene, plans: Plans, composer: Composer, twelve: bool) ->
     return Project(composer, values, turn, numbered, span.whole, asked or motion.curves(rows), loops)
 
 
-class Motion:
+class TurningMechanism:
     """Places of points, and places and rates of links, at any values of the drive: all drawn at once."""
 
     def __init__(self, plans: Plans) -> None:
@@ -66,22 +66,24 @@ class Motion:
         table = np.where(block.failed, np.nan, block.table)
         return {c.name: row for c, row in zip(self.cycle.columns, table, strict=True)}
 
-    def places(self, rows: Rows) -> list[Placed | None]:
+    def places(self, rows: Rows) -> list[PlacedMechanism | None]:
         """Where everything is at each value, None where the mechanism does not work."""
         points = {p: (rows[f"r_{p}_x"] + 1j * rows[f"r_{p}_y"]).tolist() for p in self.plans.points}
         angles = {q.of: rows[q.name].tolist() for q in self.quantities if q.key == "angle_deg"}
         works = np.isfinite(sum(rows.values())).tolist()
-        return [Placed(_at(points, k), _at(angles, k)) if ok else None for k, ok in enumerate(works)]
+        return [PlacedMechanism(_at(points, k), _at(angles, k)) if ok else None for k, ok in enumerate(works)]
 
-    def curves(self, rows: Rows) -> tuple[Curve, ...]:
+    def curves(self, rows: Rows) -> tuple[DiagramCurve, ...]:
         """Place, from its least, and rates of the driven link."""
         slides, (place, rate, quick) = driven(self.plans)[1], output_curves(self.plans)
         at = curves_of(self.plans)[place].read(rows)
         at = at if slides else unwound(at)
         letters, units = ("sva", ("m", "m/s", "m/s²")) if slides else ("φωε", ("°", "rad/s", "rad/s²"))
-        return tuple(map(Curve, letters, units, map(known, (at - np.fmin.reduce(at), rows[rate], rows[quick]))))
+        return tuple(map(DiagramCurve, letters, units, map(known, (at - np.fmin.reduce(at), rows[rate], rows[quick]))))
 
-    def numbered(self, span: Span, turn: Sequence[Placed | None], extreme: Sequence[float]) -> list[Numbered]:
+    def numbered(
+        self, span: WorkingRange, turn: Sequence[PlacedMechanism | None], extreme: Sequence[float]
+    ) -> list[Numbered]:
         """The numbered positions, and every extreme one, with a prime unless it is a numbered one."""
         section, every = (span.end - span.start) / SECTIONS, FINE // SECTIONS
         last = SECTIONS - 1 if span.whole else SECTIONS

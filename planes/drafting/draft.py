@@ -16,14 +16,18 @@ from planes.scene.mechanism import Law
 from planes.words import Phrase, Told
 from planes.words.errors import ProgramError
 from planes.words.names import AGAIN, POLE, Meaning, at, mu_of, plan_of
-from planes.words.things import called, plan_phrase
+from planes.words.things import name_in_words, plan_phrase
 
 _READ_BY_NAME = ("v_", "vq_", "omega", "epsilon")  # values other modules find by their names
 
 
 def _told(name: str) -> Told:
     """A mark with the plan it is on, or a value, as a sentence names it."""
-    return Phrase("mark_of_plan", mark=called(name), plan=plan_phrase(plan_of(name))) if ":" in name else called(name)
+    return (
+        Phrase("mark_of_plan", mark=name_in_words(name), plan=plan_phrase(plan_of(name)))
+        if ":" in name
+        else name_in_words(name)
+    )
 
 
 @dataclass(frozen=True)
@@ -123,16 +127,19 @@ class Draft:
         """A direction turned by a given angle."""
         return self.step(Turn(name, of, 0, self.give(f"angle_{name}", angle_deg, off, means)))
 
-    def lay_off(
-        self, plan: str, label: str, start: str, along: str, length: str, means: Meaning | None = None
-    ) -> str:
+    def lay_off(self, plan: str, label: str, start: str, along: str, length: str, means: Meaning | None = None) -> str:
         """A length (SI value by name) laid off from a mark."""
         return self.step(LayOff(at(plan, label), start, along, length, mu_of(plan), means=means))
 
     def similar(
-        self, plan: str, label: str, start: str, end: str, ratio: tuple[str, complex, float],
+        self,
+        plan: str,
+        label: str,
+        start: str,
+        end: str,
+        ratio: tuple[str, complex, float],
         means: Meaning | None = None,
-    ) -> str:  # fmt: skip
+    ) -> str:
         """A mark by similarity (or proportional division) on a segment of the plan; ``ratio`` as it is given."""
         return self.step(Similar(at(plan, label), start, end, self.give(*ratio), means=means))
 

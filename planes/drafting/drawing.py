@@ -15,7 +15,7 @@ from planes.drafting.tools import Env, Tool
 from planes.words import Phrase
 from planes.words.errors import Contradiction, PlanFailure, ProgramError, valid_names
 from planes.words.pictures import Pictured
-from planes.words.things import called, plan_phrase
+from planes.words.things import name_in_words, plan_phrase
 
 LEAST = 1e-290  # SI: smaller numbers have fewer digits than doubles
 SHAKEN = range(4)  # seeds of the blunter drawings
@@ -103,7 +103,7 @@ def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead 
                 name = step.makes
                 made[name] = tool.make(step, instead.get(name) or (step,), things)
     except (OverflowError, ZeroDivisionError):  # numbers so far apart that no double holds them
-        raise PlanFailure("no_digits", makes=called(name)) from None
+        raise PlanFailure("no_digits", makes=name_in_words(name)) from None
     return made
 
 

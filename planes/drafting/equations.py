@@ -60,10 +60,16 @@ class Equation:
             _check_chain(chain, self.text)
         one, two = self.chains
         if one and two and (one[0].start, one[-1].end) != (two[0].start, two[-1].end):
-            raise EquationError(Phrase(
-                "sides_apart", text=self.text, start=one[0].start, end=one[-1].end, other_start=two[0].start,
-                other_end=two[-1].end,
-            ))  # fmt: skip
+            raise EquationError(
+                Phrase(
+                    "sides_apart",
+                    text=self.text,
+                    start=one[0].start,
+                    end=one[-1].end,
+                    other_start=two[0].start,
+                    other_end=two[-1].end,
+                )
+            )
         if len(self.unknowns) != 2:
             listed = tuple(unknown(name, part) for name, part in self.unknowns) or Phrase("none")
             why = Phrase("unknowns_count", text=self.text, count=len(self.unknowns), listed=listed)

@@ -19,7 +19,7 @@ Things = Mapping[str, Any]
 Gap = tuple[Real, Real]  # how far apart the two sides are, and how large what they are made of is
 
 
-class Product(Protocol):
+class StatedProduct(Protocol):
     """A product of named values, each to a power."""
 
     @property
@@ -55,7 +55,7 @@ class Twofold(Proof):
 
     one: str
     two: str
-    terms: tuple[Product, ...]
+    terms: tuple[StatedProduct, ...]
     reason: ClassVar[str] = "balance_apart"
     makes: ClassVar[str] = ""  # nothing of a position with two balancing loads is to be trusted
 
@@ -74,7 +74,7 @@ class Twofold(Proof):
 
 
 @dataclass(frozen=True)
-class Polygon(Proof):
+class VectorProof(Proof):
     """Every vector of an equation is as long as stated, and points where stated: rows of (start, end, direction,
     signed length's sign, length), either "" where it is not stated."""
 
@@ -118,7 +118,7 @@ class Point:
 
 
 @dataclass(frozen=True)
-class Frame:
+class LinkMotion:
     """How a link lies and turns: a point of it, and names of its x axis, ω and ε ("" where it never turns)."""
 
     origin: Point
@@ -155,7 +155,7 @@ def _largest(things: Things, marks: tuple[str, ...]) -> Any:
 class Rigid(Proof):
     """The points of a link keep their distances, and their rates are those of one turning body."""
 
-    body: Frame
+    body: LinkMotion
     points: tuple[Point, ...]
     beside: tuple[str, ...]  # the marks its plan is driven by: how fast the mechanism moves
     reason: ClassVar[str] = "link_bent"
@@ -180,7 +180,7 @@ class Slid(Proof):
     """A point of a slider stays on its guide: nothing of its motion against the guide's link is across the guide."""
 
     slider: Point
-    owner: Frame
+    owner: LinkMotion
     through: complex
     turn: complex  # the guide's direction in its link's axes
     offset: float

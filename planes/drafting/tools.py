@@ -11,7 +11,7 @@ from typing import Any
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.words import Told
 from planes.words.errors import PlanFailure
-from planes.words.things import called, called_line
+from planes.words.things import line_in_words, name_in_words
 
 NOWHERE = complex("nan+nanj")  # the mark of a drawing of many that could not be drawn
 Step = Any  # of planes.drafting.steps: a step knows the tool that draws it
@@ -100,8 +100,8 @@ class Tool:
 def names_of(step: Any) -> dict[str, Told]:
     """The names a sentence about the step may use; ``line`` and ``other_line`` are what it crosses."""
     named = {f.name: value for f in fields(step) if isinstance(value := getattr(step, f.name), str)}
-    found = {name: called(value) for name, value in named.items()}
+    found = {name: name_in_words(value) for name, value in named.items()}
     for line, along, start in (("line", "along", "start"), ("other_line", "across", "other")):
         if along in named and start in named:
-            found[line] = called_line(named[along], named[start])
+            found[line] = line_in_words(named[along], named[start])
     return found

@@ -9,7 +9,7 @@ import cmath
 import math
 from typing import Any, Protocol
 
-from planes.geometry.lossless import gap
+from planes.geometry.error_free import gap
 
 Real = Any  # float or array of floats, or a longer number
 Point = Any  # complex or array of complex: a place, a vector or a direction

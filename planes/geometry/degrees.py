@@ -27,8 +27,7 @@ def tan_deg(angle: float) -> float:
         raise ValueError(f"tan({angle:g}) has no value")
     if abs(r) == 45.0:
         return math.copysign(1.0, r)
-    return math.tan(math.radians(r)) if abs(r) < 45.0 else math.copysign(1.0, r) / math.tan(
-        math.radians(90.0 - abs(r)))
+    return math.tan(math.radians(r)) if abs(r) < 45.0 else math.copysign(1.0, r) / math.tan(math.radians(90.0 - abs(r)))
 
 
 def asin_deg(value: float) -> float:

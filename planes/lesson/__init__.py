@@ -224,4 +224,3 @@ def value_of(name: str, teller: Teller, drawing: Drawing) -> Any:
         start, end, mu = teller.spans[name]
         return abs(drawing[end] - drawing[start]) / drawing[mu]
     return drawing[name]
-

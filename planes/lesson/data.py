@@ -147,9 +147,13 @@ def _equation(e: Equation) -> dict[str, Any]:
 def _term(plan: str, t: Term) -> dict[str, Any]:
     ends = (t.start, t.end) if t.sign > 0 else (t.end, t.start)
     return {
-        "name": t.name, "start": at(plan, ends[0]), "end": at(plan, ends[1]), "at": at(plan, t.end),
-        "action": _acted(t), "known": t.known,
-    }  # fmt: skip
+        "name": t.name,
+        "start": at(plan, ends[0]),
+        "end": at(plan, ends[1]),
+        "at": at(plan, t.end),
+        "action": _acted(t),
+        "known": t.known,
+    }
 
 
 def _acted(t: Term) -> str:
@@ -164,10 +168,17 @@ def _acted(t: Term) -> str:
 
 def _frame(frame: Any) -> dict[str, Any]:
     return {
-        "key": frame.key, "plan": frame.plan, "makes": frame.makes, "uses": frame.uses, "equation": frame.equation,
-        "terms": frame.terms, "said": dict(frame.said), "why": dict(frame.why), "moments": frame.moments,
+        "key": frame.key,
+        "plan": frame.plan,
+        "makes": frame.makes,
+        "uses": frame.uses,
+        "equation": frame.equation,
+        "terms": frame.terms,
+        "said": dict(frame.said),
+        "why": dict(frame.why),
+        "moments": frame.moments,
         "values": told_values(frame),
-    }  # fmt: skip
+    }
 
 
 def _results(plans: Plans) -> list[dict[str, Any]]:

@@ -15,11 +15,34 @@ from planes.words.units import quantity
 
 SLOT = re.compile(r"⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧")
 UNITS = (
-    ("omega", "rad/s"), ("epsilon", "rad/s²"), ("v", "m/s"), ("vq", "m/s"), ("a", "m/s²"), ("l", "m"), ("h", "m"),
-    ("e", "m"), ("r", "m"), ("arm", "m"), ("m", "kg"), ("J", "kgm2"), ("g", "m/s²"), ("G", "N"), ("I", "N"),
-    ("P", "N"), ("F", "N"), ("N", "N"), ("T", "N"), ("M", "N·m"), ("MI", "N·m"), ("MR", "N·m"), ("MP", "N·m"),
-    ("MZ", "N·m"), ("FZ", "N"), ("Fb", "N"), ("s", "m"),
-)  # fmt: skip
+    ("omega", "rad/s"),
+    ("epsilon", "rad/s²"),
+    ("v", "m/s"),
+    ("vq", "m/s"),
+    ("a", "m/s²"),
+    ("l", "m"),
+    ("h", "m"),
+    ("e", "m"),
+    ("r", "m"),
+    ("arm", "m"),
+    ("m", "kg"),
+    ("J", "kgm2"),
+    ("g", "m/s²"),
+    ("G", "N"),
+    ("I", "N"),
+    ("P", "N"),
+    ("F", "N"),
+    ("N", "N"),
+    ("T", "N"),
+    ("M", "N·m"),
+    ("MI", "N·m"),
+    ("MR", "N·m"),
+    ("MP", "N·m"),
+    ("MZ", "N·m"),
+    ("FZ", "N"),
+    ("Fb", "N"),
+    ("s", "m"),
+)
 _OWN = re.compile(r"^[|‖]|[|‖]$")
 
 

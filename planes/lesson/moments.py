@@ -74,4 +74,3 @@ def _links(m: Moments, lang: Lang) -> str:
     if m.links == ("lever",):
         return say("lesson_lever_of", lang)
     return say("lesson_link" if len(m.links) == 1 else "lesson_links", lang, links=", ".join(m.links))
-

@@ -15,7 +15,7 @@ from planes.plans.quantities import Measured
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME
 from planes.solving import Position, told
-from planes.solving.document import Block, Drawn, Figure, Heading, Paragraph, Table
+from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
 from planes.solving.tables import difference_percent
 from planes.words import Lang, say
 from planes.words.names import kind_of, links_of, mu_of
@@ -48,14 +48,14 @@ class Note:
         """A numbered table, unless it is empty."""
         if rows:
             self.tables += 1
-            yield Table(self.say("note_table", number=self.tables, title=self.say(key)), (head, *rows))
+            yield DocumentTable(self.say("note_table", number=self.tables, title=self.say(key)), (head, *rows))
 
     def figure(self, key: str, title: str) -> Figure:
         self.figures += 1
         return Figure(self.drawn(key), self.say("note_figure", number=self.figures, title=title))
 
-    def drawn(self, key: str) -> Drawn:
-        return Drawn(self.scene, self.position, ((key,),))
+    def drawn(self, key: str) -> DrawnViews:
+        return DrawnViews(self.scene, self.position, ((key,),))
 
     def opening(self) -> Iterator[Block]:
         """Title, task and given numbers."""

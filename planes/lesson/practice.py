@@ -17,7 +17,7 @@ from planes.check.grading.handwork import Variant
 from planes.check.grading.mistakes import motion_variants
 from planes.check.grading.mistakes_force import force_variants
 from planes.check.grading.mistakes_position import position_variants
-from planes.check.grading.ways import Ways
+from planes.check.grading.plan_steps import PlanSteps
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.program import Program
 from planes.drafting.steps import Cross, CrossArc, CrossArcs, Image, LayOff, Similar, Step
@@ -84,21 +84,21 @@ class Practice:
             if progress:
                 progress(k + 1, len(plans))
             wanted = [s.makes for s in self.plans.program.steps if plan_of(s.makes) == plan]
-            ways = Ways(self.plans, self.plans.program.sliced(wanted), plan)
+            ways = PlanSteps(self.plans, self.plans.program.sliced(wanted), plan)
             for variant in self.variants(ways):
                 wrong = self.drawn(ways, variant)
                 if wrong:
                     found[f"{plan}:{variant.blames}"].append(wrong)
         return found
 
-    def variants(self, ways: Ways) -> Iterator[Variant]:
+    def variants(self, ways: PlanSteps) -> Iterator[Variant]:
         """The mistakes of one plan."""
         kind = kind_of(ways.plan)
         if kind == "position":
             return position_variants(ways, {}, self.given[mu_of("position")])
         return force_variants(ways) if kind == "force" else motion_variants(ways)
 
-    def drawn(self, ways: Ways, variant: Variant) -> Wrong | None:
+    def drawn(self, ways: PlanSteps, variant: Variant) -> Wrong | None:
         """Where the mark a mistake is blamed at would be; None if nothing can be told apart there."""
         mark = f"{ways.plan}:{variant.blames}"
         swap = variant.swaps.get(mark, (self.steps[mark],))
@@ -151,10 +151,14 @@ class Practice:
             elif abs(angle) < TURN_DEG and not w.untold and abs(abs(w.vector / way) - 1) > SAME_LENGTH:
                 lengths.append({"mm": round(abs(w.vector), 1), **w.slip})
         return {
-            "kind": "lay_off", "start": step.start, "angle": round(math.degrees(cmath.phase(way)), 2),
-            "mm": round(abs(way), 2), "turned": turned, "lengths": lengths + self.scale_slips(step, abs(way)),
+            "kind": "lay_off",
+            "start": step.start,
+            "angle": round(math.degrees(cmath.phase(way)), 2),
+            "mm": round(abs(way), 2),
+            "turned": turned,
+            "lengths": lengths + self.scale_slips(step, abs(way)),
             "places": _places(wrongs),
-        }  # fmt: skip
+        }
 
     def scale_slips(self, step: LayOff, length: float) -> list[dict[str, Any]]:
         """Lengths of who forgets the scale, or turns it over."""
@@ -199,5 +203,3 @@ def told_values(frame: Frame) -> list[str]:
     """The values a question about a vector's length tells: those of its sentence but its own, unless that is all."""
     values = sorted(slots(frame.said["en"]))
     return values if len(values) == 1 else [n for n in values if n not in frame.terms[:1]]
-
-

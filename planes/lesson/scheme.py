@@ -30,12 +30,16 @@ def scheme(plans: Plans, cycle: Drawing) -> dict[str, Any]:
         for x in m.links.values()
     ]
     guides = [
-        {"name": g.name, "link": link.name, "mark": (mark := at("position", g.through_point or f"°{g.name}")),
-         "reach": _reach(plans, cycle, g.name, mark)}
+        {
+            "name": g.name,
+            "link": link.name,
+            "mark": (mark := at("position", g.through_point or f"°{g.name}")),
+            "reach": _reach(plans, cycle, g.name, mark),
+        }
         for link in (m.frame, *m.links.values())
         for g in link.guides.values()
         if at("position", g.through_point or f"°{g.name}") in cycle
-    ]  # fmt: skip
+    ]
     fixed = [at("position", p) for p in pivots(m)]
     return {"links": links, "guides": guides, "pivots": fixed, "driver": m.drive.link, "frame": FRAME}
 
@@ -143,5 +147,3 @@ def _pair(plans: Plans, symbol: str) -> str:
         if link.slides and any(symbol.startswith(p) or symbol.endswith(p) for p in link.points):
             return f"link:{link.name}"
     return ""
-
-

@@ -110,9 +110,14 @@ class StepWords:
         on the scheme."""
         key = "image" if step.start == step.image[0] else "carried_image"
         marks = {
-            "start": step.start, "first": step.image[0], "second": step.image[1],
-            "one": step.like[0], "two": step.like[1], "from": step.of[0], "own": step.of[1],
-        }  # fmt: skip
+            "start": step.start,
+            "first": step.image[0],
+            "second": step.image[1],
+            "one": step.like[0],
+            "two": step.like[1],
+            "from": step.of[0],
+            "own": step.of[1],
+        }
         names = {k: lettered(m) for k, m in marks.items()}
         reason = "similar" if key == "image" else lambda lang: say(f"why_{key}", lang, **names)
         return key, reason, names
@@ -130,9 +135,12 @@ class StepWords:
         plan, label = plan_of(mark), label_of(mark)
         kind = kind_of(plan)
         terms = [
-            t for e in self.plans.equations if e.plan == plan for t in e.terms
+            t
+            for e in self.plans.equations
+            if e.plan == plan
+            for t in e.terms
             if t.end == label and t.direction and not t.length and not t.drawn
-        ]  # fmt: skip
+        ]
         if kind == "position" or not terms:
             return "cross_position"
         named = {t.name: whole(e, t.name) for e in self.plans.equations if e.plan == plan for t in e.terms}

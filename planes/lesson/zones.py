@@ -44,10 +44,15 @@ def _zone(plans: Plans, first: int, last: int, kind: str, table: Any) -> dict[st
         return {"from": first, "to": last, "kind": "bad", "said": said}
     angle = math.degrees(math.asin(float(table[:, first : last + 1].min())))
     said = {
-        lang: say("lesson_zone_blunt", lang, mark=_mark(kind), plan=say_plan(plan_of(kind) or "position", lang),
-                   angle=decimal(f"{angle:.2g}", lang))
+        lang: say(
+            "lesson_zone_blunt",
+            lang,
+            mark=_mark(kind),
+            plan=say_plan(plan_of(kind) or "position", lang),
+            angle=decimal(f"{angle:.2g}", lang),
+        )
         for lang in LANGS
-    }  # fmt: skip
+    }
     return {"from": first, "to": last, "kind": "blunt", "said": said}
 
 
@@ -56,9 +61,12 @@ def _mark(name: str) -> str:
 
 
 def reasons(
-    plans: Plans, given: Mapping[str, Any], values: list[float], cycle: Drawing,
+    plans: Plans,
+    given: Mapping[str, Any],
+    values: list[float],
+    cycle: Drawing,
     progress: Callable[[int, int], None] | None = None,
-) -> dict[str, Any]:  # fmt: skip
+) -> dict[str, Any]:
     """Why each failed position fails, in both languages."""
     import numpy
 

@@ -11,7 +11,7 @@ from planes.drafting.drawing import proved
 from planes.drafting.equations import Equation
 from planes.drafting.program import Program
 from planes.drafting.steps.reckoning import Protractor
-from planes.plans.assembly import Choice, resolve
+from planes.plans.assembly import AssemblyChoice, resolve
 from planes.plans.bodies import SCHEME, Bodies, Body
 from planes.plans.kinematics import Rates, SlideReading
 from planes.plans.lever import draw_lever
@@ -111,7 +111,7 @@ class Plans:
         return tuple(dict.fromkeys(plan_of(s.makes) for s in self.program.steps if s.kind == "mark"))
 
 
-def state(mechanism: Mechanism, file: str = "") -> Plans:
+def plans_of(mechanism: Mechanism, file: str = "") -> Plans:
     """State every plan of a mechanism. :class:`StructureError` or :class:`SceneError` where it cannot be done.
 
     Whatever is read of the plans, and however little: a proof of theirs that fails in the scene's own position is a
@@ -133,7 +133,7 @@ def mechanism_plans(scene: Scene) -> Plans:
         raise SceneError(Phrase("vectors_alone"), scene.file, scene.where.get(("vectors",), 1))
     kept = vars(scene.mechanism)
     if "plans" not in kept:
-        kept["plans"] = state(scene.mechanism, scene.file)
+        kept["plans"] = plans_of(scene.mechanism, scene.file)
     plans: Plans = kept["plans"]
     return plans
 
@@ -142,7 +142,7 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
     draft = Draft()
     bodies = Bodies(mechanism, structure, draft, file)
     place_all(bodies)
-    resolve(draft, [Choice(*c) for c in bodies.choices], mechanism, file)
+    resolve(draft, [AssemblyChoice(*c) for c in bodies.choices], mechanism, file)
     velocity, acceleration = Rates(bodies, "velocity"), Rates(bodies, "acceleration")
     velocity.draw_all()
     acceleration.draw_all()
@@ -160,12 +160,26 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
     proofs = proofs_of(statics, velocity, acceleration, zhukovsky)
     points = {p: _point_marks(p, velocity, acceleration) for p in _points(mechanism)}
     return Plans(
-        mechanism, structure, Program(tuple(draft.steps.values()), proofs), draft.given, tuple(draft.equations),
-        tuple(draft.moments), tuple(dict.fromkeys(draft.segments)), points, links, velocity.slides,
-        acceleration.slides, statics.reactions, statics.balancing, zhukovsky, acting, at_rest,
+        mechanism,
+        structure,
+        Program(tuple(draft.steps.values()), proofs),
+        draft.given,
+        tuple(draft.equations),
+        tuple(draft.moments),
+        tuple(dict.fromkeys(draft.segments)),
+        points,
+        links,
+        velocity.slides,
+        acceleration.slides,
+        statics.reactions,
+        statics.balancing,
+        zhukovsky,
+        acting,
+        at_rest,
         {name: _frozen(mechanism, law, file) for name, law in draft.laws.items()},
-        {**draft.means, **{s.makes: s.means for s in draft.steps.values() if s.means}}, draft.off,
-    )  # fmt: skip
+        {**draft.means, **{s.makes: s.means for s in draft.steps.values() if s.means}},
+        draft.off,
+    )
 
 
 def _frozen(mechanism: Mechanism, law: Law, file: str) -> SceneError:

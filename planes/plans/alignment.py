@@ -72,7 +72,7 @@ Line = tuple[complex, complex]  # a point of it, and its direction
 
 
 @dataclass(frozen=True)
-class Places:
+class PairPlaces:
     """Where every pair is in one position of the mechanism."""
 
     lines: Mapping[Pair, Line]
@@ -84,7 +84,7 @@ class Places:
         return max(abs(a - b) for a in points for b in points) or 1.0
 
 
-def _places(plans: Plans, file: str) -> list[Places]:
+def _places(plans: Plans, file: str) -> list[PairPlaces]:
     """Where every pair is (for a hinge the direction means nothing), through the cycle: in the drive's own position
     first, where that assembles."""
     wanted = [v.angle for v in plans.links.values() if v.angle] + [m.position for m in plans.points.values()]
@@ -96,7 +96,7 @@ def _places(plans: Plans, file: str) -> list[Places]:
     for value in (drive.position, *turn):
         with suppress(PlanFailure):
             things = run(program, {**given, plans.drive_given: value}).things
-            found.append(Places({p: _line(plans, p, things) for p in plans.structure.pairs}))
+            found.append(PairPlaces({p: _line(plans, p, things) for p in plans.structure.pairs}))
     if not found:
         raise StructureError(Phrase("no_working"), file)
     return found
@@ -117,13 +117,13 @@ def _line(plans: Plans, pair: Pair, things: Mapping[str, Any]) -> Line:
     return through + along * ((slider - through) * along.conjugate()).real, along
 
 
-def steadily(plans: Plans, group: Group, signs: tuple[Sign, ...], cycle: list[Places]) -> bool:
+def steadily(plans: Plans, group: Group, signs: tuple[Sign, ...], cycle: list[PairPlaces]) -> bool:
     """Whether the pairs hold the group's links out of the plane exactly, neither loosely nor twice over, everywhere."""
     firmness = [firm(group, signs, places) for places in cycle]
     return all(f > FIRM for f in firmness) or all(f < -FIRM for f in firmness)
 
 
-def firm(group: Group, signs: tuple[Sign, ...], places: Places) -> float:
+def firm(group: Group, signs: tuple[Sign, ...], places: PairPlaces) -> float:
     """The determinant of what the pairs hold out of the plane, rows and lengths of the size of one: 0 holds loosely."""
     column = {link: 3 * k for k, link in enumerate(group.links)}
     rows: list[list[float]] = []

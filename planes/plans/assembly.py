@@ -17,7 +17,7 @@ WORDS_OF_KIND = {1: ("left", "right"), 2: ("ahead", "behind"), 3: ("ahead", "beh
 
 
 @dataclass(frozen=True)
-class Choice:
+class AssemblyChoice:
     """A ±1 the scene has to choose: the name of the given, the key of ``assembly:`` and the group."""
 
     side: str
@@ -25,7 +25,7 @@ class Choice:
     group: Group
 
 
-def resolve(draft: Draft, choices: list[Choice], mechanism: Mechanism, file: str) -> None:
+def resolve(draft: Draft, choices: list[AssemblyChoice], mechanism: Mechanism, file: str) -> None:
     """Set every side in the draft's givens; :class:`SceneError` where the scene does not say which is meant."""
     program = Program(tuple(draft.steps.values()))
     for choice in choices:
@@ -40,13 +40,18 @@ def resolve(draft: Draft, choices: list[Choice], mechanism: Mechanism, file: str
             draft.given[choice.side] = 1.0 if said.order == words[0] else -1.0
         else:
             why = Phrase(
-                "order_misfit", key=key, order=said.order, name=choice.group.name, links=choice.group.links,
-                one=words[0], two=words[1],
-            )  # fmt: skip
+                "order_misfit",
+                key=key,
+                order=said.order,
+                name=choice.group.name,
+                links=choice.group.links,
+                one=words[0],
+                two=words[1],
+            )
             raise SceneError(why, file, mechanism.where.get(("assembly", key)))
 
 
-def _said(choice: Choice, mechanism: Mechanism) -> tuple[str, Assembly | None]:
+def _said(choice: AssemblyChoice, mechanism: Mechanism) -> tuple[str, Assembly | None]:
     """What the scene says of this group: under its own key, or ``near`` under any point of it."""
     if choice.key in mechanism.assembly:
         return choice.key, mechanism.assembly[choice.key]
@@ -64,7 +69,7 @@ def _new_points(group: Group, mechanism: Mechanism) -> list[str]:
     return [p for p in dict.fromkeys(points) if p not in outer]
 
 
-def _places(draft: Draft, program: Program, choice: Choice, point: str) -> list[tuple[float, complex]]:
+def _places(draft: Draft, program: Program, choice: AssemblyChoice, point: str) -> list[tuple[float, complex]]:
     """Where the point would be on either side, in m; empty where it cannot be drawn."""
     mark = at("position", point)
     sliced = program.sliced([mark])
@@ -79,7 +84,7 @@ def _places(draft: Draft, program: Program, choice: Choice, point: str) -> list[
 
 
 def _nearer(
-    draft: Draft, program: Program, choice: Choice, key: str, near: complex, mechanism: Mechanism, file: str
+    draft: Draft, program: Program, choice: AssemblyChoice, key: str, near: complex, mechanism: Mechanism, file: str
 ) -> float:
     point = key
     if at("position", point) not in draft.steps:  # keyed by the guide: judge by a point that moves with the choice
@@ -96,7 +101,7 @@ def _nearer(
     return min(places, key=lambda found: abs(found[1] - near))[0]
 
 
-def _question(draft: Draft, program: Program, choice: Choice, more: bool) -> Phrase:
+def _question(draft: Draft, program: Program, choice: AssemblyChoice, more: bool) -> Phrase:
     """What the scene does not say, and the words that say it; ``more`` if there is an assembly to add them to."""
     g, words = choice.group, WORDS_OF_KIND[choice.group.kind]
     offers = [Phrase("assembly_more" if more else "assembly_offer", key=choice.key, word=word) for word in words]
@@ -104,7 +109,11 @@ def _question(draft: Draft, program: Program, choice: Choice, more: bool) -> Phr
         for side, place in _places(draft, program, choice, choice.key):
             index = 0 if side > 0 else 1
             offers[index] = Phrase(
-                "assembly_more_at" if more else "assembly_offer_at", key=choice.key, word=words[index],
-                x=place.real, y=place.imag)
+                "assembly_more_at" if more else "assembly_offer_at",
+                key=choice.key,
+                word=words[index],
+                x=place.real,
+                y=place.imag,
+            )
     key = "two_more_assemblies" if more else "two_assemblies"
     return Phrase(key, links=g.links, name=g.name, offers=tuple(offers))

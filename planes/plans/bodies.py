@@ -14,7 +14,7 @@ SCHEME = "position"
 
 
 @dataclass(frozen=True)
-class Spot:
+class BodyPoint:
     """A point of a link: its mark's label on the scheme, and its name on the moving plans ("A" there, "A3" here)."""
 
     place: str
@@ -27,15 +27,15 @@ class Body:
     link ``root`` does, of which ``ref`` are two spots (None for the frame, or for a driver of one point)."""
 
     link: Link
-    base: Spot
+    base: BodyPoint
     axis: str
     root: str
-    ref: tuple[Spot, Spot] | None = None
+    ref: tuple[BodyPoint, BodyPoint] | None = None
     rigid: bool = False  # ref are two named points of this very link, a constant distance apart
-    moving: Spot | None = None  # where the moving plans start from, if not from ``base``
+    moving: BodyPoint | None = None  # where the moving plans start from, if not from ``base``
 
     @property
-    def carrier(self) -> Spot:
+    def carrier(self) -> BodyPoint:
         """The spot of the link that the moving plans reach first."""
         return self.moving or self.base
 
@@ -85,7 +85,7 @@ class Bodies:
         apart = distance(link.points[one], link.points[two] if end is None else end)
         return self.draft.give(f"l_{one}{two}", *apart, Meaning("length", one, two, link.name))
 
-    def distance(self, link: Link, one: Spot, two: Spot) -> str:
+    def distance(self, link: Link, one: BodyPoint, two: BodyPoint) -> str:
         """The distance of two spots of a link: given if both are its points, else taken off the scheme."""
         if one.name in link.points and two.name in link.points:
             return self.length(link, one.place, two.place)

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Carry, Image, Same
-from planes.plans.bodies import SCHEME, Bodies, Body, Spot
+from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.legs import Leg, legs_of
 from planes.plans.written import ratio
 from planes.scene.mechanism import FRAME
@@ -142,9 +142,9 @@ class Rates:
     def show_points(self, link: str) -> None:
         """The image of every point of the link, and the segment from the pole that is its rate."""
         for name in self.b.mechanism.links[link].points:
-            self.image(link, Spot(name, name))
+            self.image(link, BodyPoint(name, name))
 
-    def image(self, link: str, spot: Spot) -> None:
+    def image(self, link: str, spot: BodyPoint) -> None:
         """Draw the end of a spot's vector, by similarity with what is known of its link."""
         mark = self.mark(spot.name)
         if mark in self.b.draft.steps:
@@ -164,7 +164,7 @@ class Rates:
             swing(self, body, spot)
         self.b.draft.show(self.plan, POLE, self.label(spot.name), self.letter + spot.name)
 
-    def _similar(self, body: Body, spot: Spot) -> None:
+    def _similar(self, body: Body, spot: BodyPoint) -> None:
         assert body.ref
         points, (one, two) = body.link.points, body.ref
         p, q, r = points[spot.name], points[one.place], points[two.place]
@@ -198,7 +198,7 @@ def _drive(r: Rates) -> None:
         r.driven.append(r.mark(body.ref[1].name))
 
 
-def swing(r: Rates, body: Body, spot: Spot) -> None:
+def swing(r: Rates, body: Body, spot: BodyPoint) -> None:
     """The end of the vector of a spot of a link that turns with the driver, by rotation about the link's carrier: the
     driver's own pivot on the frame, or the point that a link sliding on the driver is reached by."""
     d, centre = r.b.draft, body.carrier

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from planes.plans.bodies import SCHEME, Bodies, Spot
+from planes.plans.bodies import SCHEME, Bodies, BodyPoint
 from planes.plans.positions import moving_name
 from planes.plans.structure import Group, Pair
 from planes.scene.mechanism import FRAME
@@ -24,8 +24,8 @@ class Leg:
     new point is the slider's.
     """
 
-    new: Spot
-    known: Spot
+    new: BodyPoint
+    known: BodyPoint
     link: str
     symbol: str  # letters of the pair of points: "CB", "HL", "BB0"
     along: str
@@ -39,37 +39,48 @@ class Leg:
 def legs_of(b: Bodies, g: Group) -> tuple[Leg, Leg]:
     """The two legs of a group, in the order the method writes them."""
     if g.kind in (1, 2, 4):
-        new = Spot(g.inner.point, g.inner.point)
+        new = BodyPoint(g.inner.point, g.inner.point)
         return _outer_leg(b, g.first_outer, g.first, new), _outer_leg(b, g.last_outer, g.last, new)
     hinge = g.first_outer.point
-    new = Spot(hinge, moving_name(b, g.inner.guide, hinge, g.last))
+    new = BodyPoint(hinge, moving_name(b, g.inner.guide, hinge, g.last))
     inner = Leg(
-        new, Spot(hinge, hinge), g.first, f"{new.name}{hinge}", f"∥{g.inner.guide}",
-        pair=g.inner, slider_new=g.inner.link == g.last,
-    )  # fmt: skip
+        new,
+        BodyPoint(hinge, hinge),
+        g.first,
+        f"{new.name}{hinge}",
+        f"∥{g.inner.guide}",
+        pair=g.inner,
+        slider_new=g.inner.link == g.last,
+    )
     return inner, _outer_leg(b, g.last_outer, g.last, new)
 
 
-def _outer_leg(b: Bodies, pair: Pair, link: str, new: Spot) -> Leg:
+def _outer_leg(b: Bodies, pair: Pair, link: str, new: BodyPoint) -> Leg:
     known = pair.mate(link)
     return _pivot(b, pair, link, new) if pair.kind == "R" else _sliding(b, pair, link, known, new)
 
 
-def _pivot(b: Bodies, pair: Pair, link: str, new: Spot) -> Leg:
+def _pivot(b: Bodies, pair: Pair, link: str, new: BodyPoint) -> Leg:
     pivot, d = pair.point, b.draft
     ray = d.ray(SCHEME, pivot, new.place)
-    known = Spot(pivot, pivot)
+    known = BodyPoint(pivot, pivot)
     length = b.distance(b.mechanism.link(link), known, new)
     return Leg(
-        new, known, pair.mate(link), f"{new.name}{pivot}", d.square(f"⊥{ray}", ray),
-        length=length, towards=d.square(f"{new.place}→{pivot}", ray, 2), turns=link,
-    )  # fmt: skip
+        new,
+        known,
+        pair.mate(link),
+        f"{new.name}{pivot}",
+        d.square(f"⊥{ray}", ray),
+        length=length,
+        towards=d.square(f"{new.place}→{pivot}", ray, 2),
+        turns=link,
+    )
 
 
-def _sliding(b: Bodies, pair: Pair, link: str, known: str, new: Spot) -> Leg:
+def _sliding(b: Bodies, pair: Pair, link: str, known: str, new: BodyPoint) -> Leg:
     if known == FRAME:
-        spot, symbol = Spot(POLE, POLE), f"{new.name}{new.name}0"
+        spot, symbol = BodyPoint(POLE, POLE), f"{new.name}{new.name}0"
     else:
-        spot = Spot(new.place, moving_name(b, pair.guide, new.place, known))
+        spot = BodyPoint(new.place, moving_name(b, pair.guide, new.place, known))
         symbol = f"{new.name}{spot.name}"
     return Leg(new, spot, known, symbol, f"∥{pair.guide}", pair=pair, slider_new=pair.link == link)

@@ -14,7 +14,8 @@ def lettering(scene: Scene, plans: Plans | None = None) -> dict[str, Any]:
     """How names of a scene are lettered, on a sheet as on a page; the vectors of force plans ask for no plans."""
     means = plans.means if plans else {}
     return {
-        "frame": scene.frame_number, "from_on": scene.sheet.get("reactions") == "from-on",
+        "frame": scene.frame_number,
+        "from_on": scene.sheet.get("reactions") == "from-on",
         "driver": scene.mechanism.drive.link if scene.mechanism else "",
         "grounded": [name for name, m in means.items() if m.quantity == "rate" and m.link == FRAME],
-    }  # fmt: skip
+    }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from planes.drafting.steps.reckoning import Sense, SenseOf
-from planes.plans.bodies import SCHEME, Bodies, Spot
+from planes.plans.bodies import SCHEME, Bodies, BodyPoint
 from planes.plans.kinematics import Rates
 from planes.scene.mechanism import FRAME, Link, Load
 from planes.words.names import POLE, Meaning, Quantity, at
@@ -21,7 +21,7 @@ class Force:
     along: str
     point: str
     quantity: Quantity
-    spot: Spot | None = None
+    spot: BodyPoint | None = None
 
     @property
     def means(self) -> Meaning:
@@ -81,8 +81,8 @@ class Acting:
         down = d.aim("↓", -90.0)
         self._add(Force(f"G_{link.name}", link.name, size, down, *self._centre(link, "weight")))
 
-    def _centre(self, link: Link, quantity: Quantity) -> tuple[str, Quantity, Spot]:
-        return at(SCHEME, link.mass_centre), quantity, Spot(link.mass_centre, link.mass_centre)
+    def _centre(self, link: Link, quantity: Quantity) -> tuple[str, Quantity, BodyPoint]:
+        return at(SCHEME, link.mass_centre), quantity, BodyPoint(link.mass_centre, link.mass_centre)
 
     def _inertia(self, link: Link) -> None:
         d, rates = self.b.draft, self.accelerations
@@ -116,7 +116,7 @@ class Acting:
         else:
             along = d.aim(f"∠{name}", load.direction_deg or 0.0)
             size = d.product(name, **{size: 1})
-        self._add(Force(name, load.link, size, along, at(SCHEME, point), "load", Spot(point, point)))
+        self._add(Force(name, load.link, size, along, at(SCHEME, point), "load", BodyPoint(point, point)))
         return size
 
     def _axis(self, link: str) -> str:

@@ -19,7 +19,7 @@ from planes.words.units import UNIT, mu_text
 BLUNT = math.sin(math.radians(15))
 
 
-class Reader:
+class DrawingReader:
     """Reads one drawing."""
 
     def __init__(self, st: Plans, drawing: Drawing, scales: Mapping[str, float]) -> None:
@@ -84,9 +84,12 @@ class Reader:
         if error_mm is None:
             error_mm = 8 * tool.ar.eps * (abs(start) + abs(end)) / bluntest
         return {
-            "mm": float(length), "value": float(length / mu), "unit": UNIT[kind_of(s.plan)],
-            "error_mm": float(error_mm), "name": s.name,
-        }  # fmt: skip
+            "mm": float(length),
+            "value": float(length / mu),
+            "unit": UNIT[kind_of(s.plan)],
+            "error_mm": float(error_mm),
+            "name": s.name,
+        }
 
     def sharpness(self, plan: str) -> dict[str, float]:
         """Sine of the angle at which the lines of each crossed mark meet."""

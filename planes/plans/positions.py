@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Touch
-from planes.plans.bodies import SCHEME, Bodies, Body, Spot, difference
+from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint, difference
 from planes.plans.structure import Group, Pair
 from planes.plans.written import angle_deg
 from planes.scene.mechanism import FRAME
@@ -21,7 +21,7 @@ def place_all(b: Bodies) -> None:
     frame = b.mechanism.frame
     for name, place in frame.points.items():
         b.draft.put(SCHEME, name, place)
-    b.known[FRAME] = Body(frame, Spot(POLE, POLE), "", FRAME)
+    b.known[FRAME] = Body(frame, BodyPoint(POLE, POLE), "", FRAME)
     _place_driver(b)
     for group in b.structure.groups:
         _PLACERS[group.kind](b, group)
@@ -32,11 +32,11 @@ def _place_driver(b: Bodies) -> None:
     link = b.mechanism.links[drive.link]
     if drive.kind == "phi":
         axis = b.draft.aim(f"x_{link.name}", drive.position)
-        body = Body(link, Spot(pair.point, pair.point), axis, link.name)
+        body = Body(link, BodyPoint(pair.point, pair.point), axis, link.name)
         b.place_points(body)
         second = _second_point(b, pair.point)
         if second:
-            body.ref, body.rigid = (body.base, Spot(second, second)), True
+            body.ref, body.rigid = (body.base, BodyPoint(second, second)), True
         return
     mark, direction = b.line(pair, FRAME)
     first = link.first_point
@@ -44,7 +44,7 @@ def _place_driver(b: Bodies) -> None:
     start = b.shifted(f"{first}°s", counted, mark, direction, b.offset(pair, link.name, first))
     b.draft.lay_off(SCHEME, first, start, direction, b.draft.give("s", drive.position))
     axis = b.axis_along(pair, link.name, direction)
-    b.place_points(Body(link, Spot(first, first), axis, FRAME))
+    b.place_points(Body(link, BodyPoint(first, first), axis, FRAME))
 
 
 def _second_point(b: Bodies, pivot: str) -> str | None:
@@ -96,7 +96,7 @@ def _rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
         raise SceneError(Phrase("hinges_coincide", link=name, one=one, two=two), b.file, line)
     angle, off = angle_deg(*places)
     axis = b.draft.turn(f"x_{name}", b.draft.ray(SCHEME, one, two), -angle, off)
-    spots = Spot(one, one), Spot(two, two)
+    spots = BodyPoint(one, one), BodyPoint(two, two)
     return Body(link, spots[0], axis, name, spots, rigid=True)
 
 
@@ -124,7 +124,7 @@ def _place_slider(b: Bodies, pair: Pair, name: str, base: str, direction: str) -
     """A link that cannot turn against its solved mate, known by one point."""
     axis = b.axis_along(pair, name, direction)
     root = b.known[pair.mate(name)].root
-    b.place_points(Body(b.mechanism.link(name), Spot(base, base), axis, root))
+    b.place_points(Body(b.mechanism.link(name), BodyPoint(base, base), axis, root))
 
 
 def _place_rpr(b: Bodies, g: Group) -> None:
@@ -135,9 +135,9 @@ def _place_rpr(b: Bodies, g: Group) -> None:
     ends = at(SCHEME, two), at(SCHEME, one)
     direction = b.draft.step(Touch(f"∥{pair.guide}", *ends, given, "mu_position", side))
     name = moving_name(b, pair.guide, one, g.last)
-    ref = Spot(two, two), Spot(one, name)
+    ref = BodyPoint(two, two), BodyPoint(one, name)
     b.place_points(Body(b.mechanism.link(g.last), ref[0], b.axis_along(pair, g.last, direction), g.last, ref))
-    b.place_points(Body(b.mechanism.link(g.first), Spot(one, one), b.axis_along(pair, g.first, direction), g.last))
+    b.place_points(Body(b.mechanism.link(g.first), BodyPoint(one, one), b.axis_along(pair, g.first, direction), g.last))
 
 
 def moving_name(b: Bodies, guide: str, point: str, link: str) -> str:
@@ -177,10 +177,10 @@ def _place_rpp(b: Bodies, g: Group) -> None:
     chains = _ray(point, start, direction), _ray(point, shifted, inner)
     b.draft.draw(Equation(SCHEME, chains, f"r_{point}"))
     root = b.known[g.last_outer.mate(g.last)].root
-    reached = Spot(hinge, moving_name(b, g.inner.guide, hinge, g.last))
-    b.place_points(Body(b.mechanism.link(g.last), Spot(point, point), axis, root, moving=reached))
+    reached = BodyPoint(hinge, moving_name(b, g.inner.guide, hinge, g.last))
+    b.place_points(Body(b.mechanism.link(g.last), BodyPoint(point, point), axis, root, moving=reached))
     b.place_points(
-        Body(b.mechanism.link(g.first), Spot(hinge, hinge), b.axis_along(g.inner, g.first, inner), root)
+        Body(b.mechanism.link(g.first), BodyPoint(hinge, hinge), b.axis_along(g.inner, g.first, inner), root)
     )
 
 

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from planes.drafting.draft import Draft
 from planes.drafting.equations import Equation
-from planes.drafting.proofs import Balanced, Frame, Point, Polygon, Proof, Rigid, Slid, Twofold
+from planes.drafting.proofs import Balanced, LinkMotion, Point, Proof, Rigid, Slid, Twofold, VectorProof
 from planes.drafting.steps.reckoning import Calculate
 from planes.plans.bodies import SCHEME
 from planes.plans.kinematics import Rates
@@ -36,13 +36,13 @@ class _Motion:
         marks = tuple(r.mark(name) for r in self.rates)
         return Point(self.b.mechanism.link(link).points[name], at(SCHEME, name), (marks[0], marks[1]))
 
-    def frame(self, link: str) -> Frame:
+    def frame(self, link: str) -> LinkMotion:
         if link == FRAME:
-            return Frame(Point(0j, at(SCHEME, POLE), (at(RATES[0], POLE), at(RATES[1], POLE))))
+            return LinkMotion(Point(0j, at(SCHEME, POLE), (at(RATES[0], POLE), at(RATES[1], POLE))))
         body = self.b.known[link]
         origin = self.point(link, body.link.first_point)
         omega, epsilon = ("" if body.root == FRAME else r.spin(body.root) for r in self.rates)
-        return Frame(origin, body.axis, omega, epsilon)
+        return LinkMotion(origin, body.axis, omega, epsilon)
 
     def beside(self, plan: str) -> tuple[str, ...]:
         return tuple(mark for r in self.rates if r.plan == plan for mark in r.driven)
@@ -70,7 +70,7 @@ def closed(draft: Draft) -> Iterator[Proof]:
     for e in draft.equations:
         rows = tuple(_rows(e))
         if rows:
-            yield Polygon(e.plan, e.text, rows)
+            yield VectorProof(e.plan, e.text, rows)
 
 
 def _rows(e: Equation) -> Iterator[tuple[str, str, str, int, str]]:

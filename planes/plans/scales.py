@@ -20,9 +20,11 @@ def unit_scales(plans: Plans) -> dict[str, float]:
 
 
 def scales(
-    plans: Plans, said: Mapping[str, float | None], given: Mapping[str, object] | None = None,
+    plans: Plans,
+    said: Mapping[str, float | None],
+    given: Mapping[str, object] | None = None,
     fit_mm: Mapping[str, float] = FIT_MM,
-) -> dict[str, float]:  # fmt: skip
+) -> dict[str, float]:
     """μ of every plan of one position (names to mm per SI unit). Raises what drawing that position raises.
 
     ``fit_mm`` says how large each plan, or each kind of plans, may be.

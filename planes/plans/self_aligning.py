@@ -45,6 +45,8 @@ class Aligned:
         """The variant as ``planes structure --json`` has it."""
         p5, p4, p3 = self.counts
         kinds = {"R": "revolute", "P": "prismatic", "C": "cylindrical", "S": "spherical"}
-        rows = [{"pair": p.point or p.guide, "links": [p.other, p.link], "kind": kinds[s], "freedoms": FREEDOMS[s]}
-                for p, s in self.pairs]  # fmt: skip
+        rows = [
+            {"pair": p.point or p.guide, "links": [p.other, p.link], "kind": kinds[s], "freedoms": FREEDOMS[s]}
+            for p, s in self.pairs
+        ]
         return {"W": self.W, "q": self.q, "p5": p5, "p4": p4, "p3": p3, "pairs": rows}

@@ -28,23 +28,24 @@ from planes.scene.settings import (
     read_words,
     with_numbers,
 )
-from planes.scene.source import Node, Table
+from planes.scene.source import Node, SourceTable
 from planes.scene.vectors import VectorGiven, read_equations, read_vectors
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError, shown
 from planes.words.pictures import Pictured
 from planes.words.units import mu_text
 
-__all__ = ["Reading", "Scene", "VectorGiven", "load", "loads"]
+__all__ = ["ReadWith", "Scene", "VectorGiven", "load", "loads"]
 
 FORMAT = "1"
 _COMMON = ("planes", "title", "note", "text", "missing", "parameters", "variants", "find", "sheet")
-_MECHANISM = ("frame", "links", "assembly", "drive", "loads", "gravity", "friction", "plans",
-              "crank_slider")
+_MECHANISM = ("frame", "links", "assembly", "drive", "loads", "gravity", "friction", "plans", "crank_slider")
 _VECTORS = ("vectors", "equations", "mu")
 _EXAMPLES = {
-    "frame": "frame: {points: {O: [0, 0]}}", "links": "links: {1: {points: {O: 0, A: 0.1}}}",
-    "drive": "drive: {link: 1, phi: 30, omega: 10}", "equations": 'equations: ["v_C = v_B + v_CB"]',
+    "frame": "frame: {points: {O: [0, 0]}}",
+    "links": "links: {1: {points: {O: 0, A: 0.1}}}",
+    "drive": "drive: {link: 1, phi: 30, omega: 10}",
+    "equations": 'equations: ["v_C = v_B + v_CB"]',
     "vectors": "vectors: {v_B: {value: 2, direction: 120}, v_C: {direction: 80}}",
 }
 
@@ -54,7 +55,7 @@ def _none() -> Mapping[Any, Any]:
 
 
 @dataclass(frozen=True)
-class Reading:
+class ReadWith:
     """What a scene was read with: for other parameters, or another variant, its file is read anew."""
 
     variant: str | None = None
@@ -77,7 +78,7 @@ class Scene(Pictured):
     file: str = ""
     title: Mapping[str, str] = field(default_factory=_none)
     note: Mapping[str, str] = field(default_factory=_none)
-    reading: Reading = field(default_factory=Reading)
+    reading: ReadWith = field(default_factory=ReadWith)
     mechanism: Mechanism | None = None
     vectors: Mapping[str, VectorGiven] = field(default_factory=_none)
     equations: tuple[str, ...] = ()
@@ -164,46 +165,56 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
     changed = with_numbers(reader, given, chosen, parameters)
     reader.parameters = MappingProxyType(read_parameters(reader, given, changed))
     stated = {**_entries(given), **_entries(changed)}
-    reading = Reading(variant, tuple(tables), reader.parameters, text, MappingProxyType(parameters))
+    reading = ReadWith(variant, tuple(tables), reader.parameters, text, MappingProxyType(parameters))
     return _scene(reader, table, reading, stated)
 
 
 def _entries(node: Node | None) -> Mapping[str, Node]:
-    return node.entries if isinstance(node, Table) else {}
+    return node.entries if isinstance(node, SourceTable) else {}
 
 
-def _scene(reader: Reader, table: Table, reading: Reading, stated: Mapping[str, Node]) -> Scene:
+def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mapping[str, Node]) -> Scene:
     where: Where = MappingProxyType(dict(source.lines(table)))
     of_vectors = "vectors" in table.entries
     mechanism = None if of_vectors else _mechanism(reader, table, where, stated)
     vectors = read_vectors(reader, table.entries["vectors"]) if of_vectors else {}
     equations, equation_lines = read_equations(reader, table.entries["equations"]) if of_vectors else ((), ())
-    mu, (generic, quantity) = (read_plans(reader, reader.optional(table, "plans")),
-                               read_vector_mu(reader, reader.optional(table, "mu")))
+    mu, (generic, quantity) = (
+        read_plans(reader, reader.optional(table, "plans")),
+        read_vector_mu(reader, reader.optional(table, "mu")),
+    )
 
     def words(key: str, node: Node | None) -> Mapping[str, str]:
         return MappingProxyType(read_words(reader, node, key))
 
     return Scene(
-        reader.file, words("title", reader.optional(table, "title")), words("note", _note(reader, table)), reading,
-        mechanism, MappingProxyType(vectors), equations, equation_lines,
-        mu=MappingProxyType({**mu, "vectors": generic} if of_vectors else mu), quantity=quantity,
+        reader.file,
+        words("title", reader.optional(table, "title")),
+        words("note", _note(reader, table)),
+        reading,
+        mechanism,
+        MappingProxyType(vectors),
+        equations,
+        equation_lines,
+        mu=MappingProxyType({**mu, "vectors": generic} if of_vectors else mu),
+        quantity=quantity,
         find=read_find(reader, reader.optional(table, "find")),
         sheet=MappingProxyType(dict(read_sheet(reader, reader.optional(table, "sheet")))),
-        frame_number=read_number_of_frame(reader, table.entries.get("frame")), where=where,
+        frame_number=read_number_of_frame(reader, table.entries.get("frame")),
+        where=where,
         crank_slider=reader.optional(table, "crank_slider"),
         missing=words("missing", reader.optional(table, "missing")),
         doubts=tuple(read_doubts(reader.file, table, stated, mechanism)),
-    )  # fmt: skip
+    )
 
 
-def _note(reader: Reader, table: Table) -> Node | None:
+def _note(reader: Reader, table: SourceTable) -> Node | None:
     if "note" in table.entries and "text" in table.entries:
         reader.one_of(table, ("note", "text"), Phrase("the_scene"))
     return reader.optional(table, "note") or reader.optional(table, "text")
 
 
-def _check_outline(reader: Reader, table: Table) -> None:
+def _check_outline(reader: Reader, table: SourceTable) -> None:
     """Format, keys, and whether it is a mechanism or vectors."""
     if "planes" not in table.entries:
         raise SceneError(Phrase("no_format"), reader.file, 1)
@@ -216,12 +227,14 @@ def _check_outline(reader: Reader, table: Table) -> None:
     if vectors and mechanism:
         if vectors == "mu":
             raise reader.error(Phrase("mu_place"), table.lines["mu"])
-        raise reader.error(Phrase("two_scenes", mechanism=mechanism, vectors=vectors),
-                           max(table.lines[vectors], table.lines[mechanism]))
+        raise reader.error(
+            Phrase("two_scenes", mechanism=mechanism, vectors=vectors),
+            max(table.lines[vectors], table.lines[mechanism]),
+        )
     _check_required(reader, table, vectors is not None)
 
 
-def _check_required(reader: Reader, table: Table, of_vectors: bool) -> None:
+def _check_required(reader: Reader, table: SourceTable, of_vectors: bool) -> None:
     for key in ("vectors", "equations") if of_vectors else ("frame", "links", "drive"):
         if key not in table.entries:
             raise SceneError(Phrase("part_missing", key=key, example=_EXAMPLES[key]), reader.file, 1)
@@ -229,16 +242,20 @@ def _check_required(reader: Reader, table: Table, of_vectors: bool) -> None:
             raise reader.error(Phrase("part_empty", what=key), table.lines[key])
 
 
-def _mechanism(reader: Reader, table: Table, where: Where, stated: Mapping[str, Node]) -> Mechanism:
+def _mechanism(reader: Reader, table: SourceTable, where: Where, stated: Mapping[str, Node]) -> Mechanism:
     frame = read_frame(reader, table.entries["frame"])
     links = read_links(reader, table.entries["links"], frame)
     given = {key: reader.optional(table, key) for key in _MECHANISM}
     drive = read_drive(reader, table.entries["drive"], frame, links)
     assembly, loads, friction = given["assembly"], given["loads"], given["friction"]
     return Mechanism(
-        frame, MappingProxyType(links), drive,
+        frame,
+        MappingProxyType(links),
+        drive,
         () if loads is None else read_loads(reader, loads, links),
         None if (gravity := given["gravity"]) is None else read_gravity(reader, gravity),
         MappingProxyType({} if friction is None else read_friction(reader, friction, frame, links)),
         MappingProxyType({} if assembly is None else read_assembly(reader, assembly, frame, links)),
-        where, MappingProxyType(read_laws(table, stated)))
+        where,
+        MappingProxyType(read_laws(table, stated)),
+    )

@@ -10,7 +10,7 @@ from itertools import combinations
 
 from planes.scene.mechanism import Link, Mechanism
 from planes.scene.reader import Keys, texts
-from planes.scene.source import Items, Node, Table, Text
+from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase
 from planes.words.errors import Doubt
 
@@ -27,23 +27,28 @@ _WHOLE = re.compile(r"-?\d+(\.0*)?")
 _NAMED_FREELY = ("parameters", "variants", "vectors")  # where an empty value means what it should
 
 
-def read_doubts(file: str, table: Table, parameters: Mapping[str, Node], mechanism: Mechanism | None) -> list[Doubt]:
+def read_doubts(
+    file: str, table: SourceTable, parameters: Mapping[str, Node], mechanism: Mechanism | None
+) -> list[Doubt]:
     """Every doubt of a scene in the order of the file."""
     found = [*_empty(table), *_angles(table, parameters)]
     if mechanism:
         found += [*_links(mechanism, "missing" in table.entries), *_drive(mechanism)]
-        found += [(Phrase("doubt_friction", guide=guide, value=value), ("friction", guide))
-                  for guide, value in mechanism.friction.items() if value >= STEEP]
+        found += [
+            (Phrase("doubt_friction", guide=guide, value=value), ("friction", guide))
+            for guide, value in mechanism.friction.items()
+            if value >= STEEP
+        ]
     said = [Doubt(phrase, file, _line(table, path)) for phrase, path in found]
     return sorted(said, key=lambda doubt: doubt.line)
 
 
-def _line(table: Table, path: Keys) -> int:
+def _line(table: SourceTable, path: Keys) -> int:
     """The line of the deepest key of a path that is there."""
     line = table.line
     node: Node = table
     for key in path:
-        if isinstance(node, Table) and key in node.entries:
+        if isinstance(node, SourceTable) and key in node.entries:
             line, node = node.lines[key], node.entries[key]
         elif isinstance(node, Items):
             node = node.items[int(key)]
@@ -51,13 +56,13 @@ def _line(table: Table, path: Keys) -> int:
     return line
 
 
-def _empty(table: Table) -> Iterator[tuple[Phrase, Keys]]:
+def _empty(table: SourceTable) -> Iterator[tuple[Phrase, Keys]]:
     for path, node in texts(table):
         if node.plain and not node.text and path[0] not in _NAMED_FREELY:
             yield Phrase("doubt_empty", key=".".join(path)), path
 
 
-def _angles(table: Table, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:
+def _angles(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:
     """Angles that look like radians: by π in them, or by their number; or like the ratio of a triangle's sides."""
     for path, node in texts(table):
         if path[-1] in _ANGLES and path[0] not in ("parameters", "variants") and not _place(path):
@@ -77,7 +82,7 @@ def _written(text: str, parameters: Mapping[str, Node]) -> str:
     """The expression, or that of the parameter it consists of."""
     for _ in range(MOST_HOPS):
         node = parameters.get(text.strip())
-        if not isinstance(node, Text):
+        if not isinstance(node, SourceScalar):
             break
         text = node.text
     return text
@@ -122,4 +127,3 @@ def _drive(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
     link = mechanism.links[drive.link]
     if drive.kind == "phi" and len(link.points) > 1 and not _size(link):
         yield Phrase("doubt_no_crank", link=link.name), ("links", link.name, "points")
-

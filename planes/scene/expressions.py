@@ -23,9 +23,18 @@ _TOKEN = re.compile(r"\s*(?:((?a:\d+\.?\d*|\.\d+)(?a:[eE][-+]?\d+)?)|([^\W\d][\w
 _NAME = re.compile(r"[^\W\d][\w'′″]*")
 
 _FUNCTIONS: dict[str, tuple[Callable[..., float], int, int]] = {
-    "sqrt": (math.sqrt, 1, 1), "abs": (abs, 1, 1), "min": (min, 2, MAX_LENGTH), "max": (max, 2, MAX_LENGTH),
-    "hypot": (math.hypot, 2, MAX_LENGTH), "sin": (sin_deg, 1, 1), "cos": (cos_deg, 1, 1), "tan": (tan_deg, 1, 1),
-    "asin": (asin_deg, 1, 1), "acos": (acos_deg, 1, 1), "atan": (atan_deg, 1, 1), "atan2": (atan2_deg, 2, 2),
+    "sqrt": (math.sqrt, 1, 1),
+    "abs": (abs, 1, 1),
+    "min": (min, 2, MAX_LENGTH),
+    "max": (max, 2, MAX_LENGTH),
+    "hypot": (math.hypot, 2, MAX_LENGTH),
+    "sin": (sin_deg, 1, 1),
+    "cos": (cos_deg, 1, 1),
+    "tan": (tan_deg, 1, 1),
+    "asin": (asin_deg, 1, 1),
+    "acos": (acos_deg, 1, 1),
+    "atan": (atan_deg, 1, 1),
+    "atan2": (atan2_deg, 2, 2),
 }
 RESERVED = ("pi", *_FUNCTIONS)  # names a parameter cannot have
 

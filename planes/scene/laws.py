@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from planes.scene.expressions import names_in
 from planes.scene.mechanism import Law
 from planes.scene.reader import Keys, texts
-from planes.scene.source import Items, Node, Table, Text
+from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words.errors import ExpressionError
 
 _GIVEN = ("force", "moment", "direction", "angle")  # numbers of a load
@@ -18,10 +18,10 @@ _RATES = ("omega", "epsilon", "velocity", "acceleration")
 Uses = Mapping[str, list[str]]
 
 
-def read_laws(table: Table, parameters: Mapping[str, Node]) -> dict[Keys, Law]:
+def read_laws(table: SourceTable, parameters: Mapping[str, Node]) -> dict[Keys, Law]:
     """The places of loads, rates and friction whose numbers change with the drive, with the parameter they share."""
     drive = table.entries["drive"]
-    assert isinstance(drive, Table)
+    assert isinstance(drive, SourceTable)
     place = next(drive.entries[key] for key in ("phi", "s") if key in drive.entries)
     uses = {name: _names(node) for name, node in parameters.items()} if _names(place) else {}
     moving = _leaves(_names(place), uses)
@@ -35,8 +35,10 @@ def read_laws(table: Table, parameters: Mapping[str, Node]) -> dict[Keys, Law]:
     return found
 
 
-def _numbers(table: Table) -> Iterator[tuple[Keys, Text]]:
-    for path, node in texts(Table({k: v for k, v in table.entries.items() if k in ("loads", "drive", "friction")}, 0)):
+def _numbers(table: SourceTable) -> Iterator[tuple[Keys, SourceScalar]]:
+    for path, node in texts(
+        SourceTable({k: v for k, v in table.entries.items() if k in ("loads", "drive", "friction")}, 0)
+    ):
         if path[0] == "friction" or path[-1] in (_GIVEN if path[0] == "loads" else _RATES):
             yield path, node
 
@@ -44,7 +46,7 @@ def _numbers(table: Table) -> Iterator[tuple[Keys, Text]]:
 def _names(node: Node) -> list[str]:
     """The names an expression uses; none where the text is something else."""
     try:
-        return [] if isinstance(node, Table | Items) else names_in(node.text)
+        return [] if isinstance(node, SourceTable | Items) else names_in(node.text)
     except ExpressionError:
         return []
 

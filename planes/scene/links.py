@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from planes.scene.mechanism import FRAME, Guide, Link, Slide
 from planes.scene.reader import Reader, part
-from planes.scene.source import Node, Table, Text
+from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.words import Phrase
 from planes.words.spelling import latin
 
@@ -52,13 +52,17 @@ def _link(reader: Reader, name: str, node: Node) -> Link:
     guides = _guides(reader, reader.optional(table, "guides"), points, what)
     slides, centre = reader.optional(table, "slides"), reader.optional(table, "centre")
     return Link(
-        name, MappingProxyType(points), MappingProxyType(guides),
+        name,
+        MappingProxyType(points),
+        MappingProxyType(guides),
         None if slides is None else _slide(reader, slides, what),
-        _mass(reader, table, "mass", what), _mass(reader, table, "inertia", what),
-        None if centre is None else reader.known(centre, part("centre", what), points, Phrase("points_of", owner=what)))
+        _mass(reader, table, "mass", what),
+        _mass(reader, table, "inertia", what),
+        None if centre is None else reader.known(centre, part("centre", what), points, Phrase("points_of", owner=what)),
+    )
 
 
-def _mass(reader: Reader, table: Table, key: str, what: Phrase) -> float | None:
+def _mass(reader: Reader, table: SourceTable, key: str, what: Phrase) -> float | None:
     node = reader.optional(table, key)
     return None if node is None else reader.positive(node, part(key, what))
 
@@ -69,8 +73,10 @@ def _points(reader: Reader, node: Node | None, what: Phrase) -> dict[str, comple
     table = reader.names(node, part("points", what), Phrase("a_point"))
     if "p" in table.entries:
         raise reader.error(Phrase("point_pole", what=what), table.lines["p"])
-    return {name: reader.place(entry, Phrase("point", name=name, owner=what), on_axis=True)
-            for name, entry in table.entries.items()}
+    return {
+        name: reader.place(entry, Phrase("point", name=name, owner=what), on_axis=True)
+        for name, entry in table.entries.items()
+    }
 
 
 def _guides(reader: Reader, node: Node | None, points: dict[str, complex], what: Phrase) -> dict[str, Guide]:
@@ -95,7 +101,7 @@ def _guide(reader: Reader, name: str, node: Node, points: dict[str, complex], ow
         through, angle = (complex(value, 0.0), 90.0) if form == "x" else (complex(0.0, value), 0.0)
         return Guide(name, through, angle, None, mark, origin_given=False)
     angle = reader.angle(table, what) or 0.0
-    if isinstance(entry, Text):
+    if isinstance(entry, SourceScalar):
         point = reader.known(entry, part("through", what), points, Phrase("points_of", owner=owner))
         return Guide(name, points[point], angle, point, mark)
     return Guide(name, reader.place(entry, part("through", what)), angle, None, mark)
@@ -103,16 +109,17 @@ def _guide(reader: Reader, name: str, node: Node, points: dict[str, complex], ow
 
 def _slide(reader: Reader, node: Node, what: Phrase) -> Slide:
     slides = part("slides", what)
-    if isinstance(node, Text):
+    if isinstance(node, SourceScalar):
         return Slide(reader.text(node, slides))
     table = reader.table(node, slides, ("guide", "angle", "offset"))
     guide = reader.text(reader.required(table, "guide", slides), Phrase("guide_of_slider", what=what))
     offset = reader.optional(table, "offset")
-    return Slide(guide, reader.angle(table, slides),
-                 None if offset is None else reader.number(offset, part("offset", what)))
+    return Slide(
+        guide, reader.angle(table, slides), None if offset is None else reader.number(offset, part("offset", what))
+    )
 
 
-def _check_alike(reader: Reader, table: Table, links: Iterable[Link]) -> None:
+def _check_alike(reader: Reader, table: SourceTable, links: Iterable[Link]) -> None:
     """C and С, one of them Cyrillic, are two points to a program and one to a reader."""
     seen: dict[str, tuple[str, Phrase]] = {}
     for link in links:
@@ -125,25 +132,27 @@ def _check_alike(reader: Reader, table: Table, links: Iterable[Link]) -> None:
                 raise reader.error(Phrase("points_alike", one=one, two=two), line)
 
 
-def _owners(reader: Reader, table: Table, links: dict[str, Link], frame: Link) -> dict[str, str]:
+def _owners(reader: Reader, table: SourceTable, links: dict[str, Link], frame: Link) -> dict[str, str]:
     owners = dict.fromkeys(frame.guides, FRAME)
     for name, link in links.items():
         for guide in link.guides:
             if guide in owners:
                 owner = Phrase("the_frame") if owners[guide] == FRAME else Phrase("link", name=owners[guide])
-                raise reader.error(Phrase("guide_twice", guide=guide, name=name, owner=owner),
-                                   _at(table, name, "guides", guide))
+                raise reader.error(
+                    Phrase("guide_twice", guide=guide, name=name, owner=owner), _at(table, name, "guides", guide)
+                )
             owners[guide] = name
     return owners
 
 
-def _check_slide(reader: Reader, table: Table, link: Link, owners: dict[str, str]) -> None:
+def _check_slide(reader: Reader, table: SourceTable, link: Link, owners: dict[str, str]) -> None:
     guide = link.slides.guide if link.slides else ""
     if guide not in owners:
         others = [name for name, owner in owners.items() if owner != link.name]
         valid = reader.offer(guide, others, Phrase("guides_all"))
-        raise reader.error(Phrase("no_guide", name=link.name, guide=guide[:60], valid=valid),
-                           _at(table, link.name, "slides"))
+        raise reader.error(
+            Phrase("no_guide", name=link.name, guide=guide[:60], valid=valid), _at(table, link.name, "slides")
+        )
     if owners[guide] == link.name:
         raise reader.error(Phrase("own_guide", name=link.name, guide=guide), _at(table, link.name, "slides"))
 
@@ -152,6 +161,6 @@ def _at(node: Node, *path: str) -> int:
     """The line of a key somewhere below a table."""
     line = node.line
     for key in path:
-        if isinstance(node, Table):
+        if isinstance(node, SourceTable):
             line, node = node.lines[key], node.entries[key]
     return line

@@ -7,7 +7,7 @@ from typing import cast
 
 from planes.scene.mechanism import FRAME, Assembly, Drive, Link, Load, Order, Sense
 from planes.scene.reader import Reader, part, section
-from planes.scene.source import Items, Node, Table, Text
+from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase
 
 _ORDERS = ("left", "right", "ahead", "behind")
@@ -31,7 +31,7 @@ def read_assembly(reader: Reader, node: Node, frame: Link, links: Links) -> dict
 
 def _assembly(reader: Reader, name: str, node: Node) -> Assembly:
     what = Phrase("assembly_of", name=name)
-    if isinstance(node, Text):
+    if isinstance(node, SourceScalar):
         return Assembly(cast(Order, reader.word(node, what, _ORDERS)))
     table = reader.table(node, what, ("near",))
     return Assembly(near=reader.place(reader.required(table, "near", what), part("near", what)))
@@ -50,13 +50,15 @@ def read_drive(reader: Reader, node: Node, frame: Link, links: Links) -> Drive:
     if kind == "s" and (slides is None or slides.guide not in frame.guides):
         raise reader.error(Phrase("drive_no_slide", link=link), table.lines["s"])
     rates = [reader.optional(table, key) for key in _RATES[kind]]
-    velocity, acceleration = (0.0 if rate is None else reader.number(rate, part(key, what))
-                              for key, rate in zip(_RATES[kind], rates, strict=True))
+    velocity, acceleration = (
+        0.0 if rate is None else reader.number(rate, part(key, what))
+        for key, rate in zip(_RATES[kind], rates, strict=True)
+    )
     position = reader.number(reader.required(table, kind, what), part(kind, what))
     return Drive(link, "phi" if kind == "phi" else "s", position, velocity, acceleration)
 
 
-def _check_rates(reader: Reader, table: Table, kind: str) -> None:
+def _check_rates(reader: Reader, table: SourceTable, kind: str) -> None:
     other = "s" if kind == "phi" else "phi"
     for wrong, right in zip(_RATES[other], _RATES[kind], strict=True):
         if wrong in table.entries:
@@ -64,7 +66,7 @@ def _check_rates(reader: Reader, table: Table, kind: str) -> None:
 
 
 def _moving(reader: Reader, node: Node, what: Phrase, links: Links) -> str:
-    if isinstance(node, Text) and node.text == FRAME and FRAME not in links:
+    if isinstance(node, SourceScalar) and node.text == FRAME and FRAME not in links:
         valid = reader.offer(FRAME, links, Phrase("links_all"))
         raise reader.error(Phrase("frame_still", what=what, valid=valid), node)
     return reader.known(node, what, links, Phrase("links_all"))
@@ -72,8 +74,10 @@ def _moving(reader: Reader, node: Node, what: Phrase, links: Links) -> str:
 
 def read_loads(reader: Reader, node: Node, links: Links) -> tuple[Load, ...]:
     """Forces and couples in the order of the file."""
-    return tuple(_load(reader, entry, Phrase("load", number=number), links)
-                 for number, entry in enumerate(reader.items(node, "loads"), 1))
+    return tuple(
+        _load(reader, entry, Phrase("load", number=number), links)
+        for number, entry in enumerate(reader.items(node, "loads"), 1)
+    )
 
 
 def _load(reader: Reader, node: Node, what: Phrase, links: Links) -> Load:
@@ -86,8 +90,12 @@ def _load(reader: Reader, node: Node, what: Phrase, links: Links) -> Load:
     if "point" not in table.entries:
         valid = reader.offer("", links[link].points, Phrase("points_all"))
         raise reader.error(Phrase("force_no_point", what=what, valid=valid), table)
-    point = reader.known(reader.required(table, "point", what), part("point", what), links[link].points,
-                         Phrase("points_of", owner=Phrase("link", name=link)))
+    point = reader.known(
+        reader.required(table, "point", what),
+        part("point", what),
+        links[link].points,
+        Phrase("points_of", owner=Phrase("link", name=link)),
+    )
     if not any(key in table.entries for key in _DIRECTIONS):
         raise reader.error(Phrase("force_no_direction", what=what), table)
     form = reader.one_of(table, _DIRECTIONS, what)
@@ -97,7 +105,7 @@ def _load(reader: Reader, node: Node, what: Phrase, links: Links) -> Load:
     return Load(link, "force", value, point, degrees, owner)
 
 
-def _moment(reader: Reader, table: Table, what: Phrase, link: str, value: float) -> Load:
+def _moment(reader: Reader, table: SourceTable, what: Phrase, link: str, value: float) -> Load:
     for key in ("direction", "point"):
         if key in table.entries:
             raise reader.error(Phrase("moment_has_no", what=what, key=key), table.lines[key])
@@ -107,17 +115,18 @@ def _moment(reader: Reader, table: Table, what: Phrase, link: str, value: float)
     return Load(link, "moment", value, sense=_sense(reader, table, form, what))
 
 
-def _sense(reader: Reader, table: Table, form: str, what: Phrase) -> Sense:
+def _sense(reader: Reader, table: SourceTable, form: str, what: Phrase) -> Sense:
     reader.word(reader.required(table, form, what), part(form, what), ("motion",))
     return "along" if form == "along" else "against"
 
 
 def _direction(reader: Reader, node: Node, what: Phrase, links: Links) -> tuple[float, str | None]:
-    if not isinstance(node, Table):
+    if not isinstance(node, SourceTable):
         return reader.number(node, what), None
     table = reader.table(node, what, ("link", "angle"))
-    owner = reader.known(reader.required(table, "link", what), part("link", what), {FRAME: None, **links},
-                         Phrase("links_all"))
+    owner = reader.known(
+        reader.required(table, "link", what), part("link", what), {FRAME: None, **links}, Phrase("links_all")
+    )
     degrees = reader.number(reader.required(table, "angle", what), part("angle", what))
     return degrees, None if owner == FRAME else owner
 
@@ -138,5 +147,3 @@ def read_friction(reader: Reader, node: Node, frame: Link, links: Links) -> dict
 def read_gravity(reader: Reader, node: Node) -> float:
     """The acceleration of gravity, downwards."""
     return reader.positive(node, Phrase("gravity"))
-
-

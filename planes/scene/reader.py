@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from planes.geometry.degrees import cos_deg, sin_deg
 from planes.scene.expressions import evaluate
-from planes.scene.source import Items, Node, Table, Text
+from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase, Told
 from planes.words.errors import ExpressionError, SceneError, choices, shown
 
@@ -28,9 +28,9 @@ class Reader:
         """A refusal at a node or a line."""
         return SceneError(phrase, self.file, where if isinstance(where, int) else where.line)
 
-    def table(self, node: Node, what: Told, keys: Sequence[str] | None = None) -> Table:
+    def table(self, node: Node, what: Told, keys: Sequence[str] | None = None) -> SourceTable:
         """The node as a table, all of whose keys are among ``keys`` if those are given."""
-        if not isinstance(node, Table):
+        if not isinstance(node, SourceTable):
             raise self.error(Phrase("table_needed", what=what, kind=kind(node)), node)
         for key in node.entries if keys is not None else ():
             if key not in (keys or ()):
@@ -39,14 +39,14 @@ class Reader:
                 raise self.error(Phrase("no_key", what=what, key=shown(key), valid=valid), node.lines[key])
         return node
 
-    def check_colon(self, table: Table, key: str, names: Iterable[str]) -> None:
+    def check_colon(self, table: SourceTable, key: str, names: Iterable[str]) -> None:
         """In {phi 30} the colon is forgotten, and all of it is a key."""
         first, _, rest = key.partition(" ")
         value = table.entries[key]
-        if rest and first in names and isinstance(value, Text) and value.absent:
+        if rest and first in names and isinstance(value, SourceScalar) and value.absent:
             raise self.error(Phrase("colon_after", key=shown(first), text=shown(key)), table.lines[key])
 
-    def names(self, node: Node, what: Told, of: Phrase) -> Table:
+    def names(self, node: Node, what: Told, of: Phrase) -> SourceTable:
         """The node as a table whose keys are names; ``of`` says of what: "a point"."""
         table = self.table(node, what)
         for key, line in table.lines.items():
@@ -69,7 +69,7 @@ class Reader:
 
     def text(self, node: Node, what: Told) -> str:
         """The node as a text that is not empty."""
-        if not isinstance(node, Text):
+        if not isinstance(node, SourceScalar):
             raise self.error(Phrase("word_needed", what=what, kind=kind(node)), node)
         if node.absent:
             raise self.error(Phrase("no_value", what=what), node)
@@ -96,7 +96,7 @@ class Reader:
 
     def number(self, node: Node, what: Told) -> float:
         """The finite value of a number or an expression."""
-        if not isinstance(node, Text):
+        if not isinstance(node, SourceScalar):
             hint = Phrase("decimal_fraction") if isinstance(node, Items) and _comma(node) else ""
             raise self.error(Phrase("number_needed", what=what, kind=kind(node), hint=hint), node)
         if node.absent:
@@ -116,21 +116,21 @@ class Reader:
             raise self.error(Phrase("negative", what=what, value=value), node)
         return value
 
-    def optional(self, table: Table, key: str) -> Node | None:
+    def optional(self, table: SourceTable, key: str) -> Node | None:
         """The value of a key, or None when it is missing or empty."""
         node = table.entries.get(key)
-        return None if isinstance(node, Text) and node.absent else node
+        return None if isinstance(node, SourceScalar) and node.absent else node
 
-    def required(self, table: Table, key: str, what: Told) -> Node:
+    def required(self, table: SourceTable, key: str, what: Told) -> Node:
         """The value of a key that must be there."""
         node = table.entries.get(key)
         if node is None:
             raise self.error(Phrase("needs_key", what=what, key=key), table)
-        if isinstance(node, Text) and node.absent:
+        if isinstance(node, SourceScalar) and node.absent:
             raise self.error(Phrase("no_value", what=part(key, what)), table.lines[key])
         return node
 
-    def one_of(self, table: Table, keys: Sequence[str], what: Told) -> str:
+    def one_of(self, table: SourceTable, keys: Sequence[str], what: Told) -> str:
         """Which one of these keys the table has: exactly one must be there."""
         given = [key for key in keys if key in table.entries]
         if len(given) == 1:
@@ -143,7 +143,7 @@ class Reader:
         """A place as [x, y] or {r, angle}; with ``on_axis`` also as a number along the x axis."""
         if isinstance(node, Items):
             return self._pair(node, what)
-        if isinstance(node, Table):
+        if isinstance(node, SourceTable):
             table = self.table(node, what, ("r", "angle"))
             radius = self.number(self.required(table, "r", what), part("r", what))
             angle = self.angle(table, what) or 0.0
@@ -152,7 +152,7 @@ class Reader:
             raise self.error(Phrase("place_needed", what=what, given=shown(node.text)), node)
         return complex(self.number(node, what), 0.0)
 
-    def angle(self, table: Table, what: Told) -> float | None:
+    def angle(self, table: SourceTable, what: Told) -> float | None:
         """The number under the key angle, or None."""
         node = self.optional(table, "angle")
         return None if node is None else self.number(node, part("angle", what))
@@ -167,7 +167,7 @@ class Reader:
 
 def _comma(node: Items) -> bool:
     """Whether a list was torn by decimal commas: digits right after a comma, in "0,5" or "[0,1, 0,2]"."""
-    glued = [isinstance(item, Text) and item.glued and item.text.isdigit() for item in node.items]
+    glued = [isinstance(item, SourceScalar) and item.glued and item.text.isdigit() for item in node.items]
     return any(glued) and (len(glued) == 2 or not all(glued[1:]))
 
 
@@ -183,16 +183,18 @@ def section(name: str) -> Phrase:
 
 def kind(node: Node) -> Told:
     """What a node is, in words."""
-    if isinstance(node, Table):
+    if isinstance(node, SourceTable):
         return Phrase("a_table")
     return Phrase("a_list") if isinstance(node, Items) else (Phrase("empty") if node.absent else shown(node.text))
 
 
-def texts(node: Node, path: Keys = ()) -> Iterator[tuple[Keys, Text]]:
+def texts(node: Node, path: Keys = ()) -> Iterator[tuple[Keys, SourceScalar]]:
     """Every text beneath a node with its path."""
-    if isinstance(node, Text):
+    if isinstance(node, SourceScalar):
         yield path, node
         return
-    entries = node.entries.items() if isinstance(node, Table) else ((str(k), one) for k, one in enumerate(node.items))
+    entries = (
+        node.entries.items() if isinstance(node, SourceTable) else ((str(k), one) for k, one in enumerate(node.items))
+    )
     for key, one in entries:
         yield from texts(one, (*path, key))

@@ -7,25 +7,68 @@ from collections.abc import Mapping
 
 from planes.scene.expressions import RESERVED, is_name, resolve
 from planes.scene.reader import MAX_NAME, Reader, part, section
-from planes.scene.source import Items, Node, Table, Text
+from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, choices, shown
 from planes.words.units import PLANS, UnitError, plan_of_mu, read_mu
 
 Words = dict[str, str]
 
-SHEET_KEYS = ("title", "number", "designation", "group", "student", "teacher", "checked", "approved", "department",
-              "university", "company", "material", "letter", "scale_note", "mass", "reactions", "mu_convention",
-              "font", "lettering", "format", "positions", "date", "sheet",
-              "sheets", "tech", "role", "person", "teacher_date", "tech_date", "person_date", "checked_date",
-              "approved_date", "revisions", "inventory", "inventory_accepted", "replaces", "duplicate",
-              "duplicate_accepted", "reference", "first_use", "copied", "diagrams", "hodographs")
+SHEET_KEYS = (
+    "title",
+    "number",
+    "designation",
+    "group",
+    "student",
+    "teacher",
+    "checked",
+    "approved",
+    "department",
+    "university",
+    "company",
+    "material",
+    "letter",
+    "scale_note",
+    "mass",
+    "reactions",
+    "mu_convention",
+    "font",
+    "lettering",
+    "format",
+    "positions",
+    "date",
+    "sheet",
+    "sheets",
+    "tech",
+    "role",
+    "person",
+    "teacher_date",
+    "tech_date",
+    "person_date",
+    "checked_date",
+    "approved_date",
+    "revisions",
+    "inventory",
+    "inventory_accepted",
+    "replaces",
+    "duplicate",
+    "duplicate_accepted",
+    "reference",
+    "first_use",
+    "copied",
+    "diagrams",
+    "hodographs",
+)
 MOST_MU = 1e20  # mm per SI unit
 _NUMERIC = ("mass", "sheet", "sheets")
 _LISTS = ("letter", "revisions", "diagrams", "hodographs")
-_WORDS = {"reactions": ("on-from", "from-on"), "mu_convention": ("mm_per_unit", "unit_per_mm"),
-          "lettering": ("upright", "slanted"), "positions": ("true", "false", "12"),
-          "format": ("auto", "A4", "A3", "A2", "A1")}
+_WORDS = {
+    "reactions": ("on-from", "from-on"),
+    "mu_convention": ("mm_per_unit", "unit_per_mm"),
+    "lettering": ("upright", "slanted"),
+    "positions": ("true", "false", "12"),
+    "format": ("auto", "A4", "A3", "A2", "A1"),
+}
 _REVISIONS = ("change", "sheet", "document", "sign", "date")  # columns of graphs 14–18
 MOST_REVISIONS = 4
 MOST_LETTERS = 3  # of graph 4
@@ -33,7 +76,7 @@ _NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
 _FIND = re.compile(r"[\w'′″^]*\w[\w'′″^]*")
 
 
-def read_parameters(reader: Reader, node: Node | None, chosen: Table | None) -> dict[str, float]:
+def read_parameters(reader: Reader, node: Node | None, chosen: SourceTable | None) -> dict[str, float]:
     """Values of the parameters in the order of the file, those of the chosen variant in place of their own."""
     if node is None:
         return {}
@@ -49,16 +92,18 @@ def read_parameters(reader: Reader, node: Node | None, chosen: Table | None) -> 
         raise reader.error(Phrase("about", what=what, why=error.phrase), entries[error.parameter]) from None
 
 
-def with_numbers(reader: Reader, node: Node | None, chosen: Table | None, numbers: Mapping[str, float]) -> Table:
+def with_numbers(
+    reader: Reader, node: Node | None, chosen: SourceTable | None, numbers: Mapping[str, float]
+) -> SourceTable:
     """The chosen variant with numbers put in the place of parameters by whoever runs the program."""
-    known = node.entries if isinstance(node, Table) else {}
+    known = node.entries if isinstance(node, SourceTable) else {}
     for name in numbers:
         if name not in known:
             valid = reader.offer(name, known, Phrase("parameters_all"))
             raise reader.error(Phrase("parameter_unknown", name=shown(name), valid=valid), node or 1)
     line = node.line if node else 1
-    given: dict[str, Node] = {name: Text(repr(float(value)), line) for name, value in numbers.items()}
-    return Table({**(chosen.entries if chosen else {}), **given}, line)
+    given: dict[str, Node] = {name: SourceScalar(repr(float(value)), line) for name, value in numbers.items()}
+    return SourceTable({**(chosen.entries if chosen else {}), **given}, line)
 
 
 def _check_parameter(reader: Reader, name: str, line: int) -> None:
@@ -69,22 +114,22 @@ def _check_parameter(reader: Reader, name: str, line: int) -> None:
 
 
 def _scalar(reader: Reader, node: Node, what: Phrase) -> str:
-    if isinstance(node, Text) and not node.absent:
+    if isinstance(node, SourceScalar) and not node.absent:
         return node.text
     reader.number(node, what)
     raise reader.error(Phrase("only_number", what=what), node)
 
 
-def read_variants(reader: Reader, node: Node | None, parameters: Node | None) -> dict[str, Table]:
+def read_variants(reader: Reader, node: Node | None, parameters: Node | None) -> dict[str, SourceTable]:
     """The variants by name, each a table that overrides parameters."""
     if node is None:
         return {}
-    known = parameters.entries if isinstance(parameters, Table) else {}
+    known = parameters.entries if isinstance(parameters, SourceTable) else {}
     variants = reader.names(node, "variants", Phrase("a_variant"))
-    tables: dict[str, Table] = {}
+    tables: dict[str, SourceTable] = {}
     for name, entry in variants.entries.items():
-        what, absent = Phrase("variant", name=name), isinstance(entry, Text) and entry.absent
-        table = Table({}, entry.line) if absent else reader.table(entry, what)
+        what, absent = Phrase("variant", name=name), isinstance(entry, SourceScalar) and entry.absent
+        table = SourceTable({}, entry.line) if absent else reader.table(entry, what)
         for key, line in table.lines.items():
             if key not in known:
                 valid = reader.offer(key, known, Phrase("parameters_all"))
@@ -98,7 +143,7 @@ def read_words(reader: Reader, node: Node | None, what: str) -> Words:
     """A text in both languages: one that is given once stands for both."""
     if node is None:
         return {"ru": "", "en": ""}
-    if isinstance(node, Text):
+    if isinstance(node, SourceScalar):
         return dict.fromkeys(("ru", "en"), node.text)
     table = reader.table(node, what, ("ru", "en"))
     given = {lang: reader.text(entry, part(lang, section(what))) for lang, entry in table.entries.items()}
@@ -114,14 +159,14 @@ def read_plans(reader: Reader, node: Node | None) -> dict[str, float | None]:
         return scales
     for plan, entry in reader.table(node, "plans", PLANS).entries.items():
         value: Node | None = entry
-        if isinstance(entry, Table):
+        if isinstance(entry, SourceTable):
             value = reader.optional(reader.table(entry, Phrase("plan_key", name=plan), ("mu",)), "mu")
         scales[plan] = None if value is None else _mu(reader, value, plan)
     return scales
 
 
 def _mu(reader: Reader, node: Node, plan: str) -> float | None:
-    if isinstance(node, Text) and (node.absent or node.text == "auto"):
+    if isinstance(node, SourceScalar) and (node.absent or node.text == "auto"):
         return None
     try:
         text = reader.text(node, part("mu", Phrase("the_plan", plan=Phrase(f"scale_{plan}"))))
@@ -136,14 +181,14 @@ def _mu(reader: Reader, node: Node, plan: str) -> float | None:
 def read_vector_mu(reader: Reader, node: Node | None) -> tuple[float | None, str | None]:
     """μ of a scene of vectors in mm per SI unit, and the plan whose unit it is written in."""
     mu = None if node is None else _mu(reader, node, "vectors")
-    return mu, plan_of_mu(node.text) if mu is not None and isinstance(node, Text) else None
+    return mu, plan_of_mu(node.text) if mu is not None and isinstance(node, SourceScalar) else None
 
 
 def read_find(reader: Reader, node: Node | None) -> tuple[str, ...] | None:
     """Names of the asked results; whether they exist is seen later."""
     if node is None:
         return None
-    nodes = [node] if isinstance(node, Text) else reader.items(node, "find")
+    nodes = [node] if isinstance(node, SourceScalar) else reader.items(node, "find")
     if not nodes:
         raise reader.error(Phrase("find_empty"), node)
     what = section("find")
@@ -161,8 +206,11 @@ def read_sheet(reader: Reader, node: Node | None) -> Mapping[str, object]:
     table = reader.table(node, "sheet", SHEET_KEYS)
     if all(reader.optional(table, key) for key in ("number", "designation")):
         reader.one_of(table, ("number", "designation"), section("sheet"))
-    return {key: _setting(reader, key, entry) for key, entry in table.entries.items()
-            if reader.optional(table, key) is not None}
+    return {
+        key: _setting(reader, key, entry)
+        for key, entry in table.entries.items()
+        if reader.optional(table, key) is not None
+    }
 
 
 def _setting(reader: Reader, key: str, node: Node) -> object:
@@ -173,13 +221,13 @@ def _setting(reader: Reader, key: str, node: Node) -> object:
     if key == "revisions":
         reader.items(node, what)
     if key == "letter":
-        return _listed(reader, key, Items([Text(word, node.line) for word in text.split()], node.line))
+        return _listed(reader, key, Items([SourceScalar(word, node.line) for word in text.split()], node.line))
     if key == "format":  # in Latin or Russian letters
-        node = Text(text if text == "auto" else text.strip().upper().replace("А", "A"), node.line)
+        node = SourceScalar(text if text == "auto" else text.strip().upper().replace("А", "A"), node.line)
     if key in _WORDS:
         word = reader.word(node, what, _WORDS[key])
         return word != "false" if key == "positions" else word
-    plain_number = isinstance(node, Text) and node.plain and len(text) <= 20 and _NUMBER.fullmatch(text)
+    plain_number = isinstance(node, SourceScalar) and node.plain and len(text) <= 20 and _NUMBER.fullmatch(text)
     return float(text) if key in _NUMERIC and plain_number else text
 
 
@@ -196,21 +244,26 @@ def _listed(reader: Reader, key: str, node: Items) -> object:
 def _revision(reader: Reader, node: Node, what: Phrase) -> dict[str, str]:
     """A row of the table of revisions: a table, or a list in the order of the columns."""
     if isinstance(node, Items) and len(node.items) <= len(_REVISIONS):
-        node = Table(dict(zip(_REVISIONS, node.items, strict=False)), node.line, dict.fromkeys(_REVISIONS, node.line))
+        node = SourceTable(
+            dict(zip(_REVISIONS, node.items, strict=False)), node.line, dict.fromkeys(_REVISIONS, node.line)
+        )
     table = reader.table(node, what, _REVISIONS)
-    return {key: reader.text(entry, part(key, what)) for key, entry in table.entries.items()
-            if reader.optional(table, key) is not None}
+    return {
+        key: reader.text(entry, part(key, what))
+        for key, entry in table.entries.items()
+        if reader.optional(table, key) is not None
+    }
 
 
 def read_number_of_frame(reader: Reader, node: Node | None) -> str:
     """The number of the frame on sheets."""
-    if not isinstance(node, Table) or (entry := reader.optional(node, "number")) is None:
+    if not isinstance(node, SourceTable) or (entry := reader.optional(node, "number")) is None:
         return "0"
     what = Phrase("the_frame")
     return reader.check_name(reader.text(entry, part("number", what)), what, entry)
 
 
-def choose(reader: Reader, variants: Mapping[str, Table], variant: str | None, line: int) -> Table | None:
+def choose(reader: Reader, variants: Mapping[str, SourceTable], variant: str | None, line: int) -> SourceTable | None:
     """The table of the asked variant."""
     if variant is None or variant in variants:
         return None if variant is None else variants[variant]

@@ -30,7 +30,7 @@ _REASONS = {errno.EACCES: "no_permission", errno.ENAMETOOLONG: "name_too_long", 
 
 
 @dataclass(frozen=True, slots=True)
-class Text:
+class SourceScalar:
     """A scalar, as written; ``plain`` if it stood without quotes, ``glued`` if right after a comma."""
 
     text: str
@@ -53,7 +53,7 @@ class Items:
 
 
 @dataclass(frozen=True, slots=True)
-class Table:
+class SourceTable:
     """Keys and values in the order of the file, with the line of each key."""
 
     entries: dict[str, Node]
@@ -61,12 +61,12 @@ class Table:
     lines: dict[str, int] = field(default_factory=dict)
 
 
-Node = Text | Items | Table
+Node = SourceScalar | Items | SourceTable
 
 
 def lines(node: Node, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], int]]:
     """Every path of keys (and numbers in lists, from "0") in the tree with its line."""
-    if isinstance(node, Table):
+    if isinstance(node, SourceTable):
         for key, value in node.entries.items():
             yield (*path, key), node.lines[key]
             yield from lines(value, (*path, key))
@@ -111,7 +111,7 @@ def decoded(data: bytes, file: str) -> str:
         raise SceneError(Phrase("not_utf_8", byte=byte), file, line) from None
 
 
-def parse(text: str, file: str) -> Table:
+def parse(text: str, file: str) -> SourceTable:
     """The tree of a document whose outermost thing is a table."""
     text = text.removeprefix("\ufeff")
     _check_text(text, file)
@@ -129,9 +129,9 @@ def parse(text: str, file: str) -> Table:
     except RecursionError:
         raise SceneError(Phrase("deep_file", most=MAX_DEPTH), file) from None
     root = builder.root
-    if root is None or (isinstance(root, Text) and root.absent):
+    if root is None or (isinstance(root, SourceScalar) and root.absent):
         raise SceneError(Phrase("empty_file"), file, 1)
-    if not isinstance(root, Table):
+    if not isinstance(root, SourceTable):
         raise SceneError(Phrase("not_keys"), file, root.line)
     return root
 
@@ -151,7 +151,7 @@ def _check_text(text: str, file: str) -> None:
 class _Open:
     """A table or list whose end has not come yet."""
 
-    def __init__(self, node: Table | Items, flow: bool) -> None:
+    def __init__(self, node: SourceTable | Items, flow: bool) -> None:
         self.node, self.flow = node, flow
         self.key: str | None = None
         self.key_line = 0
@@ -197,10 +197,10 @@ class _Builder:
             text = event.value
             text = unicodedata.normalize("NFC", text) if len(text) <= 1000 else text
             start, end = (mark.index if mark else 0 for mark in (event.start_mark, event.end_mark))
-            self._add(Text(text, self.line, event.style in (None, ""), start == self.end + 1))
+            self._add(SourceScalar(text, self.line, event.style in (None, ""), start == self.end + 1))
             self.end = end
             return
-        node = Table({}, self.line) if isinstance(event, yaml.MappingStartEvent) else Items([], self.line)
+        node = SourceTable({}, self.line) if isinstance(event, yaml.MappingStartEvent) else Items([], self.line)
         self._add(node)
         if len(self.stack) >= MAX_DEPTH:
             raise self.error(Phrase("deep_file", most=MAX_DEPTH), self.line)
@@ -220,8 +220,8 @@ class _Builder:
             top.node.entries[top.key] = node
             top.last, top.key = node, None
 
-    def _key(self, top: _Open, table: Table, node: Node) -> None:
-        if not isinstance(node, Text):
+    def _key(self, top: _Open, table: SourceTable, node: Node) -> None:
+        if not isinstance(node, SourceScalar):
             raise self.error(Phrase("key_not_word"), node.line)
         if not node.text:
             raise self.error(Phrase("key_absent"), node.line)
@@ -235,7 +235,7 @@ class _Builder:
     def _decimal_comma(self, top: _Open, node: Node) -> None:
         """In {a: 0,5} the comma ends the value and 5 becomes a key: say what was meant."""
         key, last = top.key or "", top.last
-        if not (top.flow and isinstance(node, Text) and node.text == "" and isinstance(last, Text)):
+        if not (top.flow and isinstance(node, SourceScalar) and node.text == "" and isinstance(last, SourceScalar)):
             return
         if last.text.count("(") > last.text.count(")"):
             written = shown(f"{last.text}, {key}")

@@ -98,7 +98,5 @@ def check_chain(sides: Sides) -> None:
         reached.append((first[0], last[1]))
     if len(reached) == 2 and reached[0] != reached[1]:
         (start, end), (other_start, other_end) = reached
-        why = Phrase(
-            "chain_ends", text=sides.text, start=start, end=end, other_start=other_start, other_end=other_end
-        )
+        why = Phrase("chain_ends", text=sides.text, start=start, end=end, other_start=other_start, other_end=other_end)
         raise EquationError(why)

@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 
 from planes.scene.reader import MAX_NAME, Reader, part
-from planes.scene.source import Node, Text
+from planes.scene.source import Node, SourceScalar
 from planes.words import Phrase
 from planes.words.errors import shown
 
@@ -36,20 +36,22 @@ def read_vectors(reader: Reader, node: Node) -> dict[str, VectorGiven]:
 
 def _vector(reader: Reader, name: str, node: Node) -> VectorGiven:
     what = Phrase("vector", name=name)
-    if isinstance(node, Text) and node.absent:
+    if isinstance(node, SourceScalar) and node.absent:
         return VectorGiven()
     table = reader.table(node, what, _KEYS)
     if "direction" in table.entries and "perpendicular_to" in table.entries:
         reader.one_of(table, ("direction", "perpendicular_to"), what)
-    given = {key: None if (entry := reader.optional(table, key)) is None
-             else reader.number(entry, part(key, what)) for key in _KEYS}
+    given = {
+        key: None if (entry := reader.optional(table, key)) is None else reader.number(entry, part(key, what))
+        for key in _KEYS
+    }
     normal = given["perpendicular_to"]
     return VectorGiven(given["value"], given["direction"] if normal is None else normal + 90.0, given["near"])
 
 
 def read_equations(reader: Reader, node: Node) -> tuple[tuple[str, ...], tuple[int, ...]]:
     """The equations as they are written, and their lines."""
-    nodes = [node] if isinstance(node, Text) else reader.items(node, "equations")
+    nodes = [node] if isinstance(node, SourceScalar) else reader.items(node, "equations")
     if not nodes:
         raise reader.error(Phrase("equations_empty"), node)
     texts = tuple(reader.text(entry, Phrase("equation", number=n)).strip() for n, entry in enumerate(nodes, 1))

@@ -9,7 +9,7 @@ from typing import Any
 import yaml
 
 from planes.scene.mechanism import Assembly, Drive, Guide, Link, Load, Mechanism, Slide
-from planes.scene.source import Items, Table, Text
+from planes.scene.source import Items, SourceScalar, SourceTable
 
 
 class _Lines(yaml.SafeDumper):
@@ -55,11 +55,11 @@ def _mechanism(m: Mechanism) -> Iterator[tuple[str, Any]]:
 
 def _as_written(node: Any) -> Any:
     """A part of the scene that is kept as it was written; anything else as it is."""
-    if isinstance(node, Table):
+    if isinstance(node, SourceTable):
         return {key: _as_written(one) for key, one in node.entries.items()}
     if isinstance(node, Items):
         return [_as_written(one) for one in node.items]
-    if not isinstance(node, Text):
+    if not isinstance(node, SourceScalar):
         return node
     for kind in (int, float) if node.plain else ():
         with suppress(ValueError):
@@ -70,11 +70,14 @@ def _as_written(node: Any) -> Any:
 def _link(link: Link) -> dict[str, Any]:
     said = {
         "points": {name: place if place.imag else place.real for name, place in link.points.items()}
-        if link.name != "0" else dict(link.points),
+        if link.name != "0"
+        else dict(link.points),
         "guides": {name: _guide(guide) for name, guide in link.guides.items()},
         "slides": None if link.slides is None else _slide(link.slides),
-        "centre": link.centre, "mass": link.mass, "inertia": link.inertia,
-    }  # fmt: skip
+        "centre": link.centre,
+        "mass": link.mass,
+        "inertia": link.inertia,
+    }
     return {key: value for key, value in said.items() if _said(value)}
 
 

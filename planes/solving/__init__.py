@@ -10,7 +10,7 @@ from typing import Any
 from planes.drafting.drawing import Drawing, proved, run
 from planes.drafting.instruments import PENCILS, Exact, Instrument, Pencil
 from planes.plans import Plans, mechanism_plans, sliced
-from planes.plans.measuring import Reader
+from planes.plans.measuring import DrawingReader
 from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, results_of
 from planes.plans.scales import FIT_MM, scales
 from planes.plans.structure import Structure
@@ -91,7 +91,7 @@ class Position(Pictured):
         """
         (quantity,) = asked(self.plans, [name])
         known = (f for f in self.found if f.quantity.path == quantity.path)
-        found = next(known, None) or Reader(self.plans, self.drawing, self.scales).read(quantity)
+        found = next(known, None) or DrawingReader(self.plans, self.drawing, self.scales).read(quantity)
         return found.number if len(found.numbers) == 1 else found.vector
 
     def __repr__(self) -> str:
@@ -184,9 +184,14 @@ def key_of(plans: Plans) -> str:
 
 
 def position(
-    scene: Scene, plans: Plans, wanted: list[Quantity] | None, value: float, instrument: Instrument | None, lang: Lang,
+    scene: Scene,
+    plans: Plans,
+    wanted: list[Quantity] | None,
+    value: float,
+    instrument: Instrument | None,
+    lang: Lang,
     fit_mm: Mapping[str, float] = FIT_MM,
-) -> Position:  # fmt: skip
+) -> Position:
     """One position drawn at its scales (an open μ: the largest with which the plan fits ``fit_mm``) and measured."""
     moved = plans.at(value)
     mus = scales(plans, scene.mu, moved, fit_mm)
@@ -194,7 +199,7 @@ def position(
     drawing = run(plans.program, given, instrument)
     exact = drawing if isinstance(instrument or Exact(), Exact) else None
     proved(plans.program, given, exact)  # a pencil's errors prove nothing: what he was to draw must hold
-    reader = Reader(plans, drawing, mus)
+    reader = DrawingReader(plans, drawing, mus)
     found = tuple(map(reader.read, results_of(plans, wanted)))
     results = {key_of(plans): value, **as_json(plans, found, GROUPS if wanted is None else ())}
     names = None if wanted is None else {n for q in wanted for n in (q.name, q.path[-1])}
@@ -214,13 +219,13 @@ def as_json(plans: Plans, found: Iterable[Measured], groups: Iterable[str] = ())
     return out
 
 
-def pencil_errors(plans: Plans, given: Mapping[str, Any], pencil: Pencil, reader: Reader) -> dict[str, float]:
+def pencil_errors(plans: Plans, given: Mapping[str, Any], pencil: Pencil, reader: DrawingReader) -> dict[str, float]:
     """Standard deviation, in mm, of every segment over many draughtsmen with the same pencil."""
     import numpy
 
     crowd = {**given, plans.drive_given: numpy.full(PENCILS, float(given[plans.drive_given]))}
     drawing = run(plans.program, crowd, pencil)
-    many = Reader(plans, drawing, reader.scales)
+    many = DrawingReader(plans, drawing, reader.scales)
     found = {}
     for plan in plans.drawn:
         for key, s in many.plan_segments(plan).items():

@@ -44,7 +44,7 @@ class Formula:
 
 
 @dataclass(frozen=True)
-class Table:
+class DocumentTable:
     """A table with its caption; the first row is the head."""
 
     caption: str
@@ -52,7 +52,7 @@ class Table:
 
 
 @dataclass(frozen=True)
-class Curve:
+class PlottedLine:
     """``style`` is the number of its look (colour and dashes); ``label`` "" keeps it out of the legend."""
 
     x: Any
@@ -70,7 +70,7 @@ class Chart:
 
     x: str
     y: str
-    curves: tuple[Curve, ...]
+    curves: tuple[PlottedLine, ...]
     notes: tuple[tuple[float, float, str], ...] = ()
     equal: bool = False
     ticks: float = 0.0
@@ -78,7 +78,7 @@ class Chart:
 
 
 @dataclass(frozen=True)
-class Drawn:
+class DrawnViews:
     """Views of one position, side by side where they fit, those of one tuple beneath each other.
 
     A view is "scheme", a plan, or "equations …" of a plan; ``scales``: the caption goes on with every plan and its μ.
@@ -91,7 +91,7 @@ class Drawn:
 
 
 @dataclass(frozen=True)
-class Sketch:
+class ShaftSketch:
     """The crankshaft on its bearings; numbers in metres."""
 
     span: float
@@ -106,8 +106,8 @@ class Sketch:
 class Figure:
     """A chart, drawn views or a sketch, with what stands beneath."""
 
-    of: Chart | Drawn | Sketch
+    of: Chart | DrawnViews | ShaftSketch
     caption: str = ""
 
 
-Block = Heading | Paragraph | Formula | Table | Figure
+Block = Heading | Paragraph | Formula | DocumentTable | Figure

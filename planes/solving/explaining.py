@@ -37,4 +37,3 @@ def _line(step: Step, lang: Lang) -> str:
     verb = say(f"step_{type(step).__name__}", lang)
     names = ", ".join(dict.fromkeys(name for name, kind in step.reads() if not name.startswith("mu_")))
     return f"{step.makes}: {verb}" + (f" ({say('explain_reads', lang, reads=names)})" if names else "")
-

@@ -9,7 +9,7 @@ from typing import Any
 
 from planes.drafting.instruments import Instrument
 from planes.plans import Plans
-from planes.plans.measuring import BLUNT, Reader, say_plan
+from planes.plans.measuring import BLUNT, DrawingReader, say_plan
 from planes.plans.quantities import MOTION, Column, Measured, Quantity
 from planes.plans.scales import FIT_MM, extent
 from planes.scene import Scene
@@ -51,7 +51,7 @@ def rescaled(
 ) -> Position:
     """The position with every stated μ left open whose plan is blunt and does not fit; the same if there is none."""
     large: dict[str, tuple[str, str, float, float]] = {}
-    reader = Reader(p.plans, p.drawing, p.scales)
+    reader = DrawingReader(p.plans, p.drawing, p.scales)
     for plan in p.plans.drawn:
         stated, size = scene.mu.get(kind_of(plan)), extent(p.drawing, plan)
         blunt = {label: s for label, s in reader.sharpness(plan).items() if s < BLUNT}
@@ -66,9 +66,17 @@ def rescaled(
     for kind, (plan, marks, angle, size) in large.items():
         said, now = (mu_text(x[mu_of(plan)], kind, lang) for x in (p.scales, again.scales))
         again.results["warnings"].append(
-            say("remedy_scale", lang, marks=marks, angle_deg=f"{angle:.2g}", said=said, mu=now, size_mm=f"{size:.0f}",
-                plan=say_plan(plan, lang))
-        )  # fmt: skip
+            say(
+                "remedy_scale",
+                lang,
+                marks=marks,
+                angle_deg=f"{angle:.2g}",
+                said=said,
+                mu=now,
+                size_mm=f"{size:.0f}",
+                plan=say_plan(plan, lang),
+            )
+        )
     return again
 
 
@@ -141,8 +149,10 @@ def _blend(a: Sequence[Measured], b: Sequence[Measured], one: float, two: float)
             return math.remainder(one * x + two * y, 360.0)
         return one * x + two * y
 
-    return tuple(Measured(x.quantity, tuple(map(blended, x.quantity.columns, x.numbers, y.numbers)))
-                 for x, y in zip(a, b, strict=True))  # fmt: skip
+    return tuple(
+        Measured(x.quantity, tuple(map(blended, x.quantity.columns, x.numbers, y.numbers)))
+        for x, y in zip(a, b, strict=True)
+    )
 
 
 def _apart(a: Sequence[Measured], b: Sequence[Measured]) -> float:

@@ -27,8 +27,10 @@ def table(title: str, head: Iterable[str], rows: Iterable[Iterable[str]]) -> lis
     if len(lines) == 1:
         return []
     widths = [max(len(row[i]) for row in lines) for i in range(len(lines[0]))]
-    text = ["  ".join(c.ljust(w) if i == 0 else c.rjust(w) for i, (c, w) in enumerate(zip(row, widths, strict=True)))
-            for row in lines]  # fmt: skip
+    text = [
+        "  ".join(c.ljust(w) if i == 0 else c.rjust(w) for i, (c, w) in enumerate(zip(row, widths, strict=True)))
+        for row in lines
+    ]
     return ["", title, *(f"  {line.rstrip()}" for line in text)]
 
 

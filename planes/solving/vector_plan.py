@@ -13,7 +13,7 @@ from planes.scene.statement import Sides, ends, read_equation
 from planes.words import TABLE, Phrase, Told
 from planes.words.errors import EquationError, PlanFailure, SceneError, choices
 from planes.words.names import POLE, at, label_of, mu_of
-from planes.words.things import called
+from planes.words.things import name_in_words
 
 PLAN = "vectors"
 _LETTERS = {"position": r"[rl]_", "velocity": "v_", "acceleration": "a_", "force": r"[FRGNTPQΦФ][_\d]"}
@@ -122,7 +122,7 @@ class VectorPlan:
         except EquationError as error:
             raise self.error(index, error.phrase) from None
         for term in equation.terms:
-            self.solved.setdefault(str(called(term.end)), (index, text))
+            self.solved.setdefault(str(name_in_words(term.end)), (index, text))
         self.draft.draw(equation)
         for term in equation.terms:
             self._learn(term.name, *((term.start, term.end) if term.sign > 0 else (term.end, term.start)))

@@ -54,14 +54,22 @@ class VectorResults:
         error = self.scatter_mm.get(name, 8 * self.drawing.tool.ar.eps * (abs(start) + abs(end)) / blunt)
         if self.errors:
             error = self.errors["plans"][PLAN]["segments"][name]["mm"] or error
-        return {"mm": float(mm), "value": float(mm / self.mu), "unit": UNIT[self.quantity], "error_mm": float(error),
-                "name": name}  # fmt: skip
+        return {
+            "mm": float(mm),
+            "value": float(mm / self.mu),
+            "unit": UNIT[self.quantity],
+            "error_mm": float(error),
+            "name": name,
+        }
 
     def warnings(self, lang: Lang = "en") -> list[str]:
         """Crossings too blunt to be drawn well."""
         angles = {label_of(k): math.degrees(math.asin(min(1.0, v))) for k, v in self.drawing.sharpness.items()}
-        return [say("blunt", lang, makes=f"{mark} ({say('plan_vectors', lang)})", angle_deg=f"{angle:.2g}")
-                for mark, angle in angles.items() if angle < BLUNT_DEG]  # fmt: skip
+        return [
+            say("blunt", lang, makes=f"{mark} ({say('plan_vectors', lang)})", angle_deg=f"{angle:.2g}")
+            for mark, angle in angles.items()
+            if angle < BLUNT_DEG
+        ]
 
     def json(self, lang: Lang = "en") -> dict[str, Any]:
         """The object printed with ``--json``."""
@@ -70,11 +78,20 @@ class VectorResults:
             for n, v in self.vectors().items()
         }
         sharpness = {label_of(k): float(v) for k, v in self.drawing.sharpness.items()}
-        plan = {"mu": mu_text(self.mu, self.quantity), "segments": {n: self.segment(n) for n in self.spans},
-                "sharpness": sharpness}  # fmt: skip
+        plan = {
+            "mu": mu_text(self.mu, self.quantity),
+            "segments": {n: self.segment(n) for n in self.spans},
+            "sharpness": sharpness,
+        }
         errors = {} if self.errors is None else {"errors": self.errors}
-        return {"planes": 1, "scene": self.scene.file, "vectors": found, "plans": {PLAN: plan}, **errors,
-                "warnings": [*(d.told(lang) for d in self.scene.doubts), *self.warnings(lang)]}  # fmt: skip
+        return {
+            "planes": 1,
+            "scene": self.scene.file,
+            "vectors": found,
+            "plans": {PLAN: plan},
+            **errors,
+            "warnings": [*(d.told(lang) for d in self.scene.doubts), *self.warnings(lang)],
+        }
 
 
 def stated(scene: Scene) -> tuple[VectorPlan, dict[str, tuple[str, str]]]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from planes.drafting.clearness import clear, far_apart
-from planes.plans.measuring import BLUNT, Reader, say_plan
+from planes.plans.measuring import BLUNT, DrawingReader, say_plan
 from planes.plans.quantities import Quantity
 from planes.words import Lang, say
 from planes.words.names import kind_of, plan_of
@@ -15,7 +15,9 @@ from planes.words.names import kind_of, plan_of
 NOTHING = 4e-15  # beside the largest of a plan
 
 
-def warnings(reader: Reader, wanted: Sequence[Quantity] | None, given: Mapping[str, Any], lang: Lang) -> list[str]:
+def warnings(
+    reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Mapping[str, Any], lang: Lang
+) -> list[str]:
     """The sentences, those of a kind together."""
     blunt = _blunt(reader, lang).items()
     said = [say("blunt", lang, makes=", ".join(marks), angle_deg=angle) for angle, marks in blunt]
@@ -27,7 +29,7 @@ def warnings(reader: Reader, wanted: Sequence[Quantity] | None, given: Mapping[s
     return said + ([say("doubtful", lang, makes=", ".join(rough))] if rough else [])
 
 
-def _blunt(reader: Reader, lang: Lang) -> dict[str, list[str]]:
+def _blunt(reader: DrawingReader, lang: Lang) -> dict[str, list[str]]:
     """Marks where lines meet bluntly, by the angle."""
     found: dict[str, list[str]] = {}
     for plan in reader.st.drawn:
@@ -38,7 +40,7 @@ def _blunt(reader: Reader, lang: Lang) -> dict[str, list[str]]:
     return found
 
 
-def _faint(reader: Reader) -> Iterator[str]:
+def _faint(reader: DrawingReader) -> Iterator[str]:
     """Rates of points of which rounding leaves no digit: not zero, yet nothing beside the largest of their plan."""
     for letter, plan in (("v", "velocity"), ("a", "acceleration")):
         sizes = {}
@@ -51,7 +53,7 @@ def _faint(reader: Reader) -> Iterator[str]:
 
 
 def _doubts(
-    reader: Reader, wanted: Sequence[Quantity] | None, given: Mapping[str, Any]
+    reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Mapping[str, Any]
 ) -> tuple[Sequence[str], Sequence[str]]:
     """Results of an exact drawing with less than three digits, and reactions with none; the running bound is asked only
     where there is something in doubt."""
@@ -66,7 +68,7 @@ def _doubts(
     return doubts(reader.st, wanted, drawn, given, small)
 
 
-def _small(reader: Reader) -> list[str]:
+def _small(reader: DrawingReader) -> list[str]:
     """Reactions that are nothing beside the largest force of their plan."""
     drawn, largest = reader.drawing, dict.fromkeys(reader.st.drawn, 0.0)
     for step in drawn.program.steps:

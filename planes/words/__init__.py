@@ -21,16 +21,16 @@ from planes.words.crank_slider_rod import ROD
 from planes.words.crank_slider_strength import STRENGTH
 from planes.words.cycle import CYCLE
 from planes.words.diagrams import DIAGRAMS
+from planes.words.expressions import TEXT
 from planes.words.failures import FAILURES
 from planes.words.lesson import LESSON
-from planes.words.links import LINKS
-from planes.words.method import METHOD
+from planes.words.mechanism import LINKS
 from planes.words.note import NOTE
 from planes.words.pages import PAGES
 from planes.words.scene import SCENE
 from planes.words.sheets import SHEETS
+from planes.words.structure import METHOD
 from planes.words.system import in_russian
-from planes.words.text import TEXT
 from planes.words.usage import USAGE
 from planes.words.why import WHY
 
@@ -133,10 +133,32 @@ Told = Phrase | str
 """A phrase, or words that are the same in both languages: a name, a number, a key of the file."""
 
 TABLE = {
-    **WORDS, **FAILURES, **TEXT, **SCENE, **LINKS, **METHOD, **CRANK_SLIDER, **CHECK, **CYCLE, **DIAGRAMS, **COURSE,
-    **SUMMARY, **SHEETS, **USAGE, **NOTE, **LESSON, **WHY, **GENERAL, **KINEMATICS, **FORCES, **BALANCE, **STRENGTH,
-    **ROD, **PAGES,
-}  # fmt: skip
+    **WORDS,
+    **FAILURES,
+    **TEXT,
+    **SCENE,
+    **LINKS,
+    **METHOD,
+    **CRANK_SLIDER,
+    **CHECK,
+    **CYCLE,
+    **DIAGRAMS,
+    **COURSE,
+    **SUMMARY,
+    **SHEETS,
+    **USAGE,
+    **NOTE,
+    **LESSON,
+    **WHY,
+    **GENERAL,
+    **KINEMATICS,
+    **FORCES,
+    **BALANCE,
+    **STRENGTH,
+    **ROD,
+    **PAGES,
+}
+
 
 class _Teller(Formatter):
     index = re.compile(r"([_^])\{([^{}]*)\}")  # _{…} and ^{…} in a sentence are no places to fill

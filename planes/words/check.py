@@ -50,10 +50,7 @@ CHECK: dict[str, tuple[str, str]] = {
         "There is too little to judge by: {count} read, the farthest or longest {size} mm; within a pencil's error any "
         "points would do as well. Draw larger, show more marks, or tell the scale (--mu).",
     ),
-    "check_no_pole": (
-        "В таблице нет полюса p; добавьте его строку.",
-        "The table has no pole p; add its row.",
-    ),
+    "check_no_pole": ("В таблице нет полюса p; добавьте его строку.", "The table has no pole p; add its row."),
     "check_no_fixed": (
         "В таблице нет ни полюса p, ни неподвижной точки ({names}); добавьте одну из них.",
         "The table has neither the pole p nor a fixed point ({names}); add one of them.",
@@ -90,7 +87,8 @@ CHECK: dict[str, tuple[str, str]] = {
         "The drawing has too many lines ({count} ends) to tell the plan among them.",
     ),
     "check_three_marks": (
-        "Видны только три угловые метки бланка из четырёх.", "Only three of the blank's four corner marks are seen."
+        "Видны только три угловые метки бланка из четырёх.",
+        "Only three of the blank's four corner marks are seen.",
     ),
     "check_force_unsure": (
         "Векторы многоугольника сил на снимке не удаётся уверенно назвать; запишите их концы в таблицу mark,x_mm,y_mm.",
@@ -118,7 +116,8 @@ CHECK: dict[str, tuple[str, str]] = {
     # help of the command line
     "help_check": ("проверить чертёж человека", "check a person's drawing"),
     "help_drawing": (
-        "чертёж: таблица, SVG, DXF, картинка или папка", "the drawing: a table, SVG, DXF, a picture, or a folder",
+        "чертёж: таблица, SVG, DXF, картинка или папка",
+        "the drawing: a table, SVG, DXF, a picture, or a folder",
     ),
     "help_plan": ("что на чертеже: velocity, force:2-3…", "which plan it is: velocity, force:2-3…"),
     "help_mu": ("масштаб чертежа", "scale of the drawing"),
@@ -137,14 +136,16 @@ CHECK: dict[str, tuple[str, str]] = {
     "help_blank": ("бланк, на котором чертят план", "a blank to draw a plan on"),
     "help_blank_output": ("файл бланка: .pdf, .svg, .png", "the file of the blank: .pdf, .svg, .png"),
     "check_output": (
-        "{file}: отчёт пишется в .html, .pdf, .svg, .png или .json", "{file}: write to .html, .pdf, .svg, .png or .json"
+        "{file}: отчёт пишется в .html, .pdf, .svg, .png или .json",
+        "{file}: write to .html, .pdf, .svg, .png or .json",
     ),
     "help_trace": (
         "вместо проверки: страница-калька, верный план поверх своего снимка (-o калька.html, без чертежа)",
         "instead of checking: tracing paper, the right plan over a picture of your own (-o trace.html, no drawing)",
     ),
     "check_no_drawing": (
-        "нет чертежа: planes check СЦЕНА ЧЕРТЁЖ --plan ПЛАН", "no drawing: planes check SCENE DRAWING --plan PLAN",
+        "нет чертежа: planes check СЦЕНА ЧЕРТЁЖ --plan ПЛАН",
+        "no drawing: planes check SCENE DRAWING --plan PLAN",
     ),
     "check_trace": (
         "калька пишется без чертежа: planes check СЦЕНА --plan ПЛАН --trace -o калька.html",
@@ -168,7 +169,8 @@ CHECK: dict[str, tuple[str, str]] = {
         "by its mark to turn and resize it. Arrow keys move a handle by 1 pixel, with Shift by 10.",
     ),
     "trace_check": (
-        "Проверить сам снимок с этими двумя точками:", "To check the picture itself with these two points:",
+        "Проверить сам снимок с этими двумя точками:",
+        "To check the picture itself with these two points:",
     ),
     "trace_not_picture": ("Этот файл не открывается как картинка.", "This file does not open as a picture."),
     "check_page_own": ("чертёж", "the drawing"),

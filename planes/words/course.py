@@ -12,12 +12,18 @@ COURSE: dict[str, tuple[str, str]] = {
         "the folder: students.txt or students.csv, scenes of the assignments and, if needed, course.yaml (course: 1, "
         "title, lang, sheet, students, assignments, each, variants, draw, sharpness, documents, formats, plans, seed)",
     ),
-    "help_course_output": ("в какую папку записать (обычно out в той же папке)",
-                           "the folder to write (usually out within the same folder)"),
-    "help_jobs": ("сколько процессов считают сразу (обычно по числу ядер)",
-                  "how many processes work at once (usually one a core)"),
-    "help_scheduler": ("считать на кластере: адрес планировщика Dask, например tcp://host:8786",
-                       "work on a cluster: the address of a Dask scheduler, for example tcp://host:8786"),
+    "help_course_output": (
+        "в какую папку записать (обычно out в той же папке)",
+        "the folder to write (usually out within the same folder)",
+    ),
+    "help_jobs": (
+        "сколько процессов считают сразу (обычно по числу ядер)",
+        "how many processes work at once (usually one a core)",
+    ),
+    "help_scheduler": (
+        "считать на кластере: адрес планировщика Dask, например tcp://host:8786",
+        "work on a cluster: the address of a Dask scheduler, for example tcp://host:8786",
+    ),
     "course_done": (
         "{folder}: студентов {students}, файлов сделано {made}, проверено и оставлено {kept}, ошибок {faults}",
         "{folder}: {students} students, {made} files made, {kept} verified and kept, {faults} faults",
@@ -33,17 +39,23 @@ COURSE: dict[str, tuple[str, str]] = {
         "в папке {folder} нет списка студентов; положите в неё {files: или } или назовите students в course.yaml",
         "the folder {folder} has no list of students; put {files: or } into it or name students in course.yaml",
     ),
-    "course_nobody": ("в списке нет ни одного студента; напишите имена по одному в строке",
-                      "nobody is on the list; write one name a line"),
+    "course_nobody": (
+        "в списке нет ни одного студента; напишите имена по одному в строке",
+        "nobody is on the list; write one name a line",
+    ),
     "course_no_name": ("в строке нет имени студента; впишите его", "the row has no student's name; write it"),
     "course_head": (
         "первая строка {found} не шапка таблицы; напишите в ней {names: или }, нужно хотя бы первое",
         "the first line {found} is not the head of a table; write {names: or } there, the first at least",
     ),
-    "course_long_name": ("имя {name} длиннее {most} знаков; сократите его",
-                         "the name {name} is longer than {most} characters; shorten it"),
-    "course_odd_name": ("в имени {name} есть знаки, которых не напечатать; уберите их",
-                        "the name {name} holds characters that cannot be printed; remove them"),
+    "course_long_name": (
+        "имя {name} длиннее {most} знаков; сократите его",
+        "the name {name} is longer than {most} characters; shorten it",
+    ),
+    "course_odd_name": (
+        "в имени {name} есть знаки, которых не напечатать; уберите их",
+        "the name {name} holds characters that cannot be printed; remove them",
+    ),
     "course_twice": (
         "студент {name} уже есть в строке {first}; однофамильцев различайте именем или группой",
         "the student {name} already stands in line {first}; tell namesakes apart by name or group",
@@ -61,8 +73,10 @@ COURSE: dict[str, tuple[str, str]] = {
         "два задания называются {name}; переименуйте файл одного из них",
         "two assignments are named {name}; rename the file of one",
     ),
-    "course_draw_name": ("ни у одного задания нет параметра {name}{valid}",
-                         "no assignment has a parameter {name}{valid}"),
+    "course_draw_name": (
+        "ни у одного задания нет параметра {name}{valid}",
+        "no assignment has a parameter {name}{valid}",
+    ),
     "course_range": (
         "{what}: шаг должен быть больше нуля, from не больше to, значений не больше {most}",
         "{what}: the step must be above zero, from no more than to, and the values no more than {most}",
@@ -79,8 +93,10 @@ COURSE: dict[str, tuple[str, str]] = {
         "{key}: {value} не годится; нужно целое число не больше {most}",
         "{key}: {value} will not do; it must be a whole number of at most {most}",
     ),
-    "course_jobs": ("--jobs {count}: процессов должно быть не меньше одного",
-                    "--jobs {count}: there must be at least one process"),
+    "course_jobs": (
+        "--jobs {count}: процессов должно быть не меньше одного",
+        "--jobs {count}: there must be at least one process",
+    ),
     # what does not come out
     "course_not_plain": (
         "параметр {name} задан выражением, процентов от него взять нельзя; назовите значения списком",
@@ -169,8 +185,10 @@ COURSE: dict[str, tuple[str, str]] = {
     "task_group": (", группа {group}", ", group {group}"),
     "task_variant": ("Вариант {variant}", "Variant {variant}"),
     "task_drawn": ("Вариант индивидуальный", "Individual variant"),
-    "task_scheme": ("Схема механизма (не в расчётном положении)",
-                    "The scheme of the mechanism (not in the position asked for)"),
+    "task_scheme": (
+        "Схема механизма (не в расчётном положении)",
+        "The scheme of the mechanism (not in the position asked for)",
+    ),
     "task_given": ("Исходные данные", "Given"),
     "task_quantity": ("Величина", "Quantity"),
     "task_value": ("Значение", "Value"),

@@ -91,8 +91,7 @@ CRANK_SLIDER: dict[str, tuple[str, str]] = {
     "cs_joint": (
         "indicator: ход {one} кончается давлением {first:g}, а ход {two} начинается с {second:g}; концы должны "
         "совпадать",
-        "indicator: the stage {one} ends with the pressure {first:g}, but {two} begins with {second:g}; they must "
-        "meet",
+        "indicator: the stage {one} ends with the pressure {first:g}, but {two} begins with {second:g}; they must meet",
     ),
     "cs_pressure": (
         "{what}: абсолютное давление не бывает отрицательным, а дано {value:g}",

@@ -1,7 +1,9 @@
 """Words of the report: given data and kinematics. Key to Russian and English."""
 
 GENERAL: dict[str, tuple[str, str]] = {
-    "kW": ("кВт", "kW"), "MPa": ("МПа", "MPa"), "J": ("Дж", "J"),
+    "kW": ("кВт", "kW"),
+    "MPa": ("МПа", "MPa"),
+    "J": ("Дж", "J"),
     "table": ("Таблица", "Table"),
     "figure": ("Рисунок", "Figure"),
     "lead": (

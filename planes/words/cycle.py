@@ -138,7 +138,7 @@ CYCLE: dict[str, tuple[str, str]] = {
     # charts
     "method_scalar": ("точно, по одному", "exact, one by one"),
     "method_batch": ("точно, массивом", "exact, by arrays"),
-    "method_fused": ("точно, одним циклом", "exact, one compiled loop"),
+    "method_compiled": ("точно, одним циклом", "exact, one compiled loop"),
     "method_single": ("24-битные числа", "24-bit numbers"),
     "method_digits": ("{number} знаков", "{number} digits"),
     "method_differences": ("разности положений", "differences of places"),
@@ -153,10 +153,7 @@ CYCLE: dict[str, tuple[str, str]] = {
     "chart_method": ("способ", "method"),
     "chart_seconds": ("время на одно положение, с", "time per position, s"),
     "chart_machine": ("({name}, ядер: {cores})", "({name}, {cores} cores)"),
-    "chart_error": (
-        "наибольшая относительная погрешность за цикл",
-        "largest relative error over the cycle",
-    ),
+    "chart_error": ("наибольшая относительная погрешность за цикл", "largest relative error over the cycle"),
     "chart_error_short": ("погрешность", "error"),
     "chart_speed": ("Скорость и точность", "Speed and accuracy"),
     "chart_front": ("граница Парето", "Pareto front"),
@@ -189,8 +186,5 @@ CYCLE: dict[str, tuple[str, str]] = {
         "{file}: такой рисунок записать нельзя; подходят {suffixes}",
         "{file}: no figure can be written with this suffix; valid: {suffixes}",
     ),
-    "no_working": (
-        "механизм не собирается ни в одном положении",
-        "the mechanism assembles in no position",
-    ),
+    "no_working": ("механизм не собирается ни в одном положении", "the mechanism assembles in no position"),
 }

@@ -11,10 +11,7 @@ DIAGRAMS: dict[str, tuple[str, str]] = {
         "which quantities to tabulate or to draw, with commas: s_5,vq_C,u_31,F_21,M_1 or all; a plus sign puts curves "
         "on the same axes: v_C+v_D",
     ),
-    "help_hodograph": (
-        "начертить годографы векторов: F_21,v_C",
-        "draw hodographs of vectors: F_21,v_C",
-    ),
+    "help_hodograph": ("начертить годографы векторов: F_21,v_C", "draw hodographs of vectors: F_21,v_C"),
     "help_path": ("начертить траектории точек: C,S2", "draw the paths of points: C,S2"),
     "help_graphical": (
         "графическое дифференцирование хордами и интегрирование полюсом движения ведомого звена на N участках "
@@ -84,10 +81,7 @@ DIAGRAMS: dict[str, tuple[str, str]] = {
         "Коэффициент изменения средней скорости K = {ratio}: туда {forth}°, обратно {back}° оборота ведущего звена",
         "Time ratio K = {ratio}: there in {forth}°, back in {back}° of the driver's turn",
     ),
-    "stroke_more": (
-        "Между ними ещё остановок: {count}",
-        "It also comes to rest between them, times: {count}",
-    ),
+    "stroke_more": ("Между ними ещё остановок: {count}", "It also comes to rest between them, times: {count}"),
     "group_place": ("Функции положения", "Position functions"),
     "group_analogue": (
         "Аналоги скоростей и ускорений (передаточные функции)",

@@ -12,15 +12,56 @@ from pathlib import Path
 from planes.words import Lang, Phrase, Told
 from planes.words.spelling import latin
 
-_GREEK = {"α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "epsilon", "θ": "theta", "λ": "lambda",
-          "μ": "mu", "ρ": "rho", "τ": "tau", "φ": "phi", "ψ": "psi", "ω": "omega"}
-_MEANT = {"название": "title", "заголовок": "title", "примечание": "note", "параметры": "parameters",
-          "варианты": "variants", "стойка": "frame", "звенья": "links", "звено": "link", "сборка": "assembly",
-          "привод": "drive", "ведущее": "drive", "нагрузки": "loads", "нагрузка": "loads", "силы": "loads",
-          "сила": "force", "момент": "moment", "трение": "friction", "планы": "plans", "масштаб": "mu",
-          "найти": "find", "лист": "sheet", "векторы": "vectors", "уравнения": "equations", "точки": "points",
-          "точка": "point", "направляющие": "guides", "скользит": "slides", "масса": "mass", "инерция": "inertia",
-          "центр": "centre", "угол": "angle", "направление": "direction", "гравитация": "gravity"}
+_GREEK = {
+    "α": "alpha",
+    "β": "beta",
+    "γ": "gamma",
+    "δ": "delta",
+    "ε": "epsilon",
+    "θ": "theta",
+    "λ": "lambda",
+    "μ": "mu",
+    "ρ": "rho",
+    "τ": "tau",
+    "φ": "phi",
+    "ψ": "psi",
+    "ω": "omega",
+}
+_MEANT = {
+    "название": "title",
+    "заголовок": "title",
+    "примечание": "note",
+    "параметры": "parameters",
+    "варианты": "variants",
+    "стойка": "frame",
+    "звенья": "links",
+    "звено": "link",
+    "сборка": "assembly",
+    "привод": "drive",
+    "ведущее": "drive",
+    "нагрузки": "loads",
+    "нагрузка": "loads",
+    "силы": "loads",
+    "сила": "force",
+    "момент": "moment",
+    "трение": "friction",
+    "планы": "plans",
+    "масштаб": "mu",
+    "найти": "find",
+    "лист": "sheet",
+    "векторы": "vectors",
+    "уравнения": "equations",
+    "точки": "points",
+    "точка": "point",
+    "направляющие": "guides",
+    "скользит": "slides",
+    "масса": "mass",
+    "инерция": "inertia",
+    "центр": "centre",
+    "угол": "angle",
+    "направление": "direction",
+    "гравитация": "gravity",
+}
 """Keys of a scene by the Russian words for them."""
 
 

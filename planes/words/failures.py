@@ -96,8 +96,5 @@ FAILURES: dict[str, tuple[str, str]] = {
         "{plan}: the forces on link {about} leave {gap} unbalanced beside {size} (SI); this is a fault of the program, "
         "which gives no result: report it with the scene file",
     ),
-    "no_digits": (
-        "в {makes} не осталось верных цифр",
-        "no correct digit is left in {makes}",
-    ),
+    "no_digits": ("в {makes} не осталось верных цифр", "no correct digit is left in {makes}"),
 }

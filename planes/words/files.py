@@ -7,16 +7,12 @@ FILES: dict[str, tuple[str, str]] = {
         "{file}: первая строка таблицы должна называть столбцы: mark,x_mm,y_mm или segment,mm или result,value,unit",
         "{file}: the first row must name the columns: mark,x_mm,y_mm or segment,mm or result,value,unit",
     ),
-    "check_not_number": (
-        "{file}:{line}: {text} — не число", "{file}:{line}: {text} is not a number",
-    ),
+    "check_not_number": ("{file}:{line}: {text} — не число", "{file}:{line}: {text} is not a number"),
     "check_no_place": (
         "{file}:{line}: {text} мм на листе не бывает; длины пишутся в мм",
         "{file}:{line}: there is no {text} mm on a sheet; lengths are in mm",
     ),
-    "check_row": (
-        "{file}:{line}: в строке не хватает столбцов", "{file}:{line}: the row has too few columns",
-    ),
+    "check_row": ("{file}:{line}: в строке не хватает столбцов", "{file}:{line}: the row has too few columns"),
     "check_json": ("{file}: это не JSON: {why}", "{file}: this is not JSON: {why}"),
     "check_text": ("{file}: файл не читается как текст UTF-8", "{file}: the file cannot be read as UTF-8 text"),
     "check_no_file": ("{file}: файл не открывается: {why}", "{file}: the file cannot be opened: {why}"),
@@ -27,7 +23,8 @@ FILES: dict[str, tuple[str, str]] = {
         ".pdf, a table as .csv or .json",
     ),
     "check_no_plain_file": (
-        "{file}: это не обычный файл; назовите файл чертежа", "{file}: this is no plain file; name a file of a drawing"
+        "{file}: это не обычный файл; назовите файл чертежа",
+        "{file}: this is no plain file; name a file of a drawing",
     ),
     "check_broken": (
         "{file}: программа не справилась с этим файлом ({why}); проверьте его отдельно или пришлите авторам",

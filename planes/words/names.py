@@ -10,8 +10,23 @@ from typing import Literal
 POLE = "p"
 AGAIN = "~"
 """Ends the name of a direction that is drawn a second time, from other marks: to people it is the same line."""
-Quantity = Literal["guide", "foot", "trial", "normal", "coriolis", "weight", "inertia", "load", "couple",
-                   "tangential", "reaction", "arm", "length", "angle", "rate"]  # fmt: skip
+Quantity = Literal[
+    "guide",
+    "foot",
+    "trial",
+    "normal",
+    "coriolis",
+    "weight",
+    "inertia",
+    "load",
+    "couple",
+    "tangential",
+    "reaction",
+    "arm",
+    "length",
+    "angle",
+    "rate",
+]
 
 HELPERS = ("guide", "foot", "trial")
 """Marks that are drawn and never asked of anybody."""

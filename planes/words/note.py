@@ -55,7 +55,8 @@ NOTE: dict[str, tuple[str, str]] = {
     "note_angle": ("угол, °", "angle, °"),
     "reaction": ("Реакция", "Reaction"),
     "note_suffix": (
-        "{file}: записка пишется в .html, .pdf или .docx", "{file}: a note is written as .html, .pdf or .docx",
+        "{file}: записка пишется в .html, .pdf или .docx",
+        "{file}: a note is written as .html, .pdf or .docx",
     ),
     "note_one": (
         "записка пишется для одного положения, а задано {count}; укажите одно значение",
@@ -66,4 +67,4 @@ NOTE: dict[str, tuple[str, str]] = {
         "для .docx нужен пакет python-docx: pip install python-docx; или укажите .html или .pdf",
         ".docx needs the package python-docx: pip install python-docx; or ask for .html or .pdf",
     ),
-}  # fmt: skip
+}

@@ -58,8 +58,10 @@ SCENE: dict[str, tuple[str, str]] = {
         "{what} must be a table of 'key: value', not {kind}",
     ),
     "list_needed": ("{what}: нужен список, а не {kind}", "{what} must be a list, not {kind}"),
-    "list_long": ("{what}: {count} — больше, чем есть места; не больше {most}",
-                  "{what} has {count} entries, more than there is room for; at most {most}"),
+    "list_long": (
+        "{what}: {count} — больше, чем есть места; не больше {most}",
+        "{what} has {count} entries, more than there is room for; at most {most}",
+    ),
     "word_needed": ("{what}: нужно слово, а не {kind}", "{what} must be a word, not {kind}"),
     "number_needed": ("{what}: нужно число, а не {kind}{hint}", "{what} must be a number, not {kind}{hint}"),
     "only_number": ("{what}: нужно число", "{what} must be a number"),

@@ -93,10 +93,7 @@ SHEETS: dict[str, tuple[str, str]] = {
         "sheet {format}: the {count} views do not fit together, largest is “{view}” ({width} × {height} mm); {advice}",
     ),
     "room_on": ("всё поместится на формате {larger}", "{larger} holds all of it"),
-    "no_room_larger": (
-        "не хватит и A1; уменьшите μ в разделе plans",
-        "not even A1 holds it; lower the μ under plans",
-    ),
+    "no_room_larger": ("не хватит и A1; уменьшите μ в разделе plans", "not even A1 holds it; lower the μ under plans"),
     "left_out_larger": (
         "лист {format}: не поместились и опущены {views}; поместятся на формате {larger}",
         "sheet {format}: {views} found no room and were left out; {larger} would hold them",

@@ -14,7 +14,7 @@ from planes.words.names import kind_of, label_of, links_of, written
 _HELPER = re.compile(r"(?P<point>[^°⊥∥]*)(?P<sign>[°⊥∥])(?P<guide>[^°⊥∥]+)")
 
 
-def called(name: str) -> Told:
+def name_in_words(name: str) -> Told:
     """A mark, direction or value as a sentence names it; ``name`` may carry its plan."""
     label = written(label_of(name).rstrip("′"))
     found = _HELPER.fullmatch(label)
@@ -28,7 +28,7 @@ def called(name: str) -> Told:
     return label if found["sign"] == "⊥" else Phrase("guide_named", name=found["guide"])
 
 
-def called_line(along: str, start: str) -> Phrase:
+def line_in_words(along: str, start: str) -> Phrase:
     """A line through a mark: the guide itself where it is one."""
     mark, (_, parallel, guide) = label_of(start), written(along).partition("∥")
     point, sign, other = next((mark.partition(s) for s in "°⊥" if s in mark), ("", "", ""))
@@ -36,7 +36,7 @@ def called_line(along: str, start: str) -> Phrase:
         if sign == "°" and point:
             return Phrase("line_beside", point=point, name=guide)
         return Phrase("line_guide", name=guide)
-    return Phrase("line_through", along=written(along), start=called(start))
+    return Phrase("line_through", along=written(along), start=name_in_words(start))
 
 
 def plan_phrase(plan: str) -> Phrase:

@@ -7,17 +7,13 @@ WHY: dict[str, tuple[str, str]] = {
         "Стойка неподвижна; от неё строится всё остальное.",
         "The frame stands still; everything else is drawn from it.",
     ),
-    "why_pole": (
-        "В полюсе концы векторов всех неподвижных точек.",
-        "The vectors of all fixed points end at the pole.",
-    ),
+    "why_pole": ("В полюсе концы векторов всех неподвижных точек.", "The vectors of all fixed points end at the pole."),
     "why_pole_force": (
         "Группа в равновесии вместе с силами инерции (принцип Даламбера): сумма всех сил равна нулю.",
         "With its forces of inertia the group is in balance (d'Alembert's principle): all forces add up to nothing.",
     ),
     "why_pole_lever": (
-        "Теорема Жуковского: план скоростей, повёрнутый на 90° и нагруженный силами, находится в "
-        "равновесии как рычаг.",
+        "Теорема Жуковского: план скоростей, повёрнутый на 90° и нагруженный силами, находится в равновесии как рычаг.",
         "Zhukovsky's theorem: the velocity plan turned by 90° and loaded with the forces is in balance as a lever.",
     ),
     "why_driver": ("Положение ведущего звена задано.", "The position of the driver is given."),
@@ -67,9 +63,7 @@ WHY: dict[str, tuple[str, str]] = {
         "Действие равно противодействию и противоположно ему.",
         "Action and reaction are equal and opposite.",
     ),
-    "why_cross_position": (
-        "Точка лежит на обеих прямых.", "The point lies on both lines.",
-    ),
+    "why_cross_position": ("Точка лежит на обеих прямых.", "The point lies on both lines."),
     "why_across_velocity": (
         "⟨{name}⟩ ⊥ {line}: относительная скорость перпендикулярна звену",
         "⟨{name}⟩ ⊥ {line}: the relative velocity is perpendicular to the link",
@@ -135,4 +129,4 @@ WHY: dict[str, tuple[str, str]] = {
         "Плечи сил измерены на рычаге; пары умножены на угловые скорости. Это уравнение мощностей.",
         "Arms are measured on the lever, couples are multiplied by angular velocities: an equation of power.",
     ),
-}  # fmt: skip
+}

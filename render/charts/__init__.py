@@ -23,10 +23,18 @@ LOOKS = (
     ("#777777", "-"),
 )
 STYLE: Any = {
-    "font.family": "DejaVu Sans", "font.size": 8.0, "axes.linewidth": 0.7, "lines.linewidth": 1.3, "axes.grid": True,
-    "grid.linewidth": 0.4, "grid.color": "#cccccc", "legend.frameon": False, "mathtext.fontset": "dejavusans",
-    "axes.unicode_minus": True, "path.simplify": False,
-}  # fmt: skip
+    "font.family": "DejaVu Sans",
+    "font.size": 8.0,
+    "axes.linewidth": 0.7,
+    "lines.linewidth": 1.3,
+    "axes.grid": True,
+    "grid.linewidth": 0.4,
+    "grid.color": "#cccccc",
+    "legend.frameon": False,
+    "mathtext.fontset": "dejavusans",
+    "axes.unicode_minus": True,
+    "path.simplify": False,
+}
 
 
 def chart(shown: Chart, width_mm: float, lang: Lang) -> Picture:

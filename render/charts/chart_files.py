@@ -12,8 +12,10 @@ from matplotlib.figure import Figure
 from planes.scene import files
 
 METADATA: dict[str, dict[str, Any]] = {
-    ".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None},
-}  # fmt: skip
+    ".png": {"Software": None},
+    ".svg": {"Date": None},
+    ".pdf": {"CreationDate": None},
+}
 NAME = re.compile(rb"\b[pmh][0-9a-f]{10}\b")  # of a clip, a marker or a hatch, made of numbers to the last bit
 
 

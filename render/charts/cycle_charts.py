@@ -60,7 +60,7 @@ class Loop:
 
 
 @dataclass(frozen=True)
-class Drawn:
+class DriveAxis:
     """The axis of the driver: whether it turns, its number, the ends and the places of the numbered positions."""
 
     turning: bool
@@ -71,7 +71,7 @@ class Drawn:
 
 
 def draw(
-    path: Path, title: str, panels: Sequence[Panel], loops: Sequence[Loop], axis: Drawn, naming: Naming
+    path: Path, title: str, panels: Sequence[Panel], loops: Sequence[Loop], axis: DriveAxis, naming: Naming
 ) -> None:
     """All of it on one figure, in a file by its suffix."""
     rows = math.ceil(len(loops) / 2)
@@ -88,7 +88,7 @@ def draw(
             squares = parts[-1].subplots(rows, min(2, len(loops)), squeeze=False).ravel()
             for plot, loop in zip(squares, loops, strict=False):
                 _loop(plot, loop, naming)
-            for plot in squares[len(loops):]:
+            for plot in squares[len(loops) :]:
                 plot.set_axis_off()
         save(figure, path)
 
@@ -97,7 +97,7 @@ def _math(text: str) -> str:
     return f"${text}$"
 
 
-def _panel(plot: Any, panel: Panel, axis: Drawn, naming: Naming, first: bool, last: bool) -> None:
+def _panel(plot: Any, panel: Panel, axis: DriveAxis, naming: Naming, first: bool, last: bool) -> None:
     lang = naming.lang
     many = len(panel.curves) > 1
     for k, (name, runs, marked) in enumerate(panel.curves):
@@ -120,7 +120,7 @@ def _panel(plot: Any, panel: Panel, axis: Drawn, naming: Naming, first: bool, la
         plot.legend(loc="upper right", ncols=len(panel.curves), fontsize=9)
 
 
-def _degrees(plot: Any, axis: Drawn, lang: Lang) -> None:
+def _degrees(plot: Any, axis: DriveAxis, lang: Lang) -> None:
     """The driver's angles along the lower edge."""
     where = {"xycoords": plot.get_xaxis_transform(), "textcoords": "offset points", "va": "top"}
     for x in axis.stations:
@@ -130,13 +130,13 @@ def _degrees(plot: Any, axis: Drawn, lang: Lang) -> None:
     plot.annotate(text, (axis.end, 0), (0, -16), ha="right", fontsize=10, **where)
 
 
-def _told(place: float, axis: Drawn) -> float:
+def _told(place: float, axis: DriveAxis) -> float:
     """A place on the axis as it is written: an angle within one turn, to a tenth of a degree."""
     told = round(float(place), 1 if axis.turning else 3)
     return told % 360.0 if axis.end - axis.start > 359 else told
 
 
-def _frame(plot: Any, panel: Panel, axis: Drawn, naming: Naming) -> None:
+def _frame(plot: Any, panel: Panel, axis: DriveAxis, naming: Naming) -> None:
     """Arrows at the ends of the axes, the quantity at the upper one."""
     low, high = plot.get_ylim()
     beside = low > 0 or high < 0  # a place counted from afar: its axis stands beneath it
@@ -153,20 +153,34 @@ def _frame(plot: Any, panel: Panel, axis: Drawn, naming: Naming) -> None:
     plot.plot(1, zero, ">", transform=plot.get_yaxis_transform(), **arrow)
     plot.plot(0, 1, "^", transform=plot.transAxes, **arrow)
     names = ", ".join(_math(lettered_curve(name, naming)) for name, _, _ in panel.curves)
-    plot.annotate(with_unit(names, panel.unit, naming.lang), (0, 1), (7, -2), xycoords="axes fraction",
-                  textcoords="offset points", va="top", fontsize=10)  # fmt: skip
+    plot.annotate(
+        with_unit(names, panel.unit, naming.lang),
+        (0, 1),
+        (7, -2),
+        xycoords="axes fraction",
+        textcoords="offset points",
+        va="top",
+        fontsize=10,
+    )
     plot.yaxis.set_major_formatter(lambda v, _: number(float(f"{v:.6g}"), naming.lang))
     plot.locator_params(axis="y", nbins=5)
 
 
-def _numbers(plot: Any, axis: Drawn) -> None:
+def _numbers(plot: Any, axis: DriveAxis) -> None:
     """Numbers of the positions along the upper edge."""
     for k, x in enumerate(axis.stations):
-        plot.annotate(str(k), (x, 1), (0, 5), xycoords=plot.get_xaxis_transform(), textcoords="offset points",
-                      ha="center", fontsize=8.5)  # fmt: skip
+        plot.annotate(
+            str(k),
+            (x, 1),
+            (0, 5),
+            xycoords=plot.get_xaxis_transform(),
+            textcoords="offset points",
+            ha="center",
+            fontsize=8.5,
+        )
 
 
-def _extremes(plot: Any, marked: Sequence[Marked], axis: Drawn, lang: Lang) -> None:
+def _extremes(plot: Any, marked: Sequence[Marked], axis: DriveAxis, lang: Lang) -> None:
     """Dots with the values, the greatest above its dot and the least beneath."""
     size = max((abs(m.value) for m in marked), default=0.0)
     for e in marked:
@@ -177,9 +191,16 @@ def _extremes(plot: Any, marked: Sequence[Marked], axis: Drawn, lang: Lang) -> N
         plot.plot([x], [e.value], "o", color="#000000", markersize=3, zorder=5)
         right = x > axis.start + 0.9 * (axis.end - axis.start)
         text = number(e.value if abs(e.value) > 1e-9 * size else 0.0, lang)
-        plot.annotate(text, (x, e.value), (-4 if right else 4, 4 if top else -4),
-                      textcoords="offset points", ha="right" if right else "left", va="bottom" if top else "top",
-                      fontsize=8, zorder=6)  # fmt: skip
+        plot.annotate(
+            text,
+            (x, e.value),
+            (-4 if right else 4, 4 if top else -4),
+            textcoords="offset points",
+            ha="right" if right else "left",
+            va="bottom" if top else "top",
+            fontsize=8,
+            zorder=6,
+        )
 
 
 def _loop(plot: Any, loop: Loop, naming: Naming) -> None:
@@ -189,8 +210,14 @@ def _loop(plot: Any, loop: Loop, naming: Naming) -> None:
     for run in loop.runs:
         plot.plot(run.real, run.imag, color="#000000", zorder=3)
     for one, two in pairwise(runs):
-        plot.plot([one[-1].real, two[0].real], [one[-1].imag, two[0].imag], color="#000000", linewidth=0.8,
-                  linestyle=(0, (3, 2)), zorder=2)  # fmt: skip
+        plot.plot(
+            [one[-1].real, two[0].real],
+            [one[-1].imag, two[0].imag],
+            color="#000000",
+            linewidth=0.8,
+            linestyle=(0, (3, 2)),
+            zorder=2,
+        )
     ink = [complex(z) for run in loop.runs for z in run[::4] if z == z]
     ink += [] if path else [0j]
     if not path:
@@ -215,8 +242,16 @@ def _stations(plot: Any, loop: Loop, ink: Sequence[complex]) -> None:
         shift = max(offsets, key=lambda d: _room(z * scale + d, places, taken) - 0.15 * abs(d))
         taken.append(z * scale + shift)
         line = {"arrowstyle": "-", "color": "#888888", "linewidth": 0.5} if abs(shift) > 12 else None
-        plot.annotate(str(k), (z.real, z.imag), (shift.real, shift.imag), textcoords="offset points", ha="center",
-                      va="center", fontsize=8, arrowprops=line)  # fmt: skip
+        plot.annotate(
+            str(k),
+            (z.real, z.imag),
+            (shift.real, shift.imag),
+            textcoords="offset points",
+            ha="center",
+            va="center",
+            fontsize=8,
+            arrowprops=line,
+        )
 
 
 _OFFSETS = [r * cmath.rect(1, math.pi / 6 * k) for r in (8, 14, 20) for k in range(12)]

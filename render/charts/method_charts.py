@@ -16,18 +16,24 @@ from render.charts.chart_files import save
 
 INK = ("#000000", "#1f5fa8", "#c1440e", "#2f7d32", "#7a3b8f", "#8a6d00", "#777777", "#0f8b8d", "#d0307a")
 LOOK = {  # of a method: colour, marker, dashes
-    "method_scalar": (0, "o", "-"), "method_batch": (1, "s", (0, (4, 2))), "method_fused": (2, "D", (0, (1, 1.5))),
-    "method_single": (3, "v", "-"), "method_newton": (4, "^", "-"), "method_differences": (5, "P", "-"),
-    "method_digits": (6, "X", "-"), "method_pencil": (6, "_", "-"),
-    "method_pylinkage": (7, "<", "--"), "method_kinepy": (8, ">", "--"),
-}  # fmt: skip
+    "method_scalar": (0, "o", "-"),
+    "method_batch": (1, "s", (0, (4, 2))),
+    "method_compiled": (2, "D", (0, (1, 1.5))),
+    "method_single": (3, "v", "-"),
+    "method_newton": (4, "^", "-"),
+    "method_differences": (5, "P", "-"),
+    "method_digits": (6, "X", "-"),
+    "method_pencil": (6, "_", "-"),
+    "method_pylinkage": (7, "<", "--"),
+    "method_kinepy": (8, ">", "--"),
+}
 FLOOR = 1e-17  # errors below the last place of a double are drawn here
 NONSENSE = 1e6  # errors so many times the truth are not drawn: the method is lost
 CHARTS: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path"}
 
 
 @dataclass(frozen=True)
-class Spot:
+class MethodPoint:
     """One method on the chart of speed: its key and number in words, seconds per position, relative error."""
 
     key: str
@@ -37,7 +43,7 @@ class Spot:
 
 
 @dataclass(frozen=True)
-class Ways:
+class MethodErrors:
     """Errors by method (with their ``names``), the claim and the sharpness, over distances to a limit; ``axis`` says
     what these are."""
 
@@ -51,7 +57,13 @@ class Ways:
 
 
 def draw(
-    path: Path, title: str, spots: Sequence[Spot], front: Sequence[Spot], ways: Ways | None, seconds: str, lang: Lang
+    path: Path,
+    title: str,
+    spots: Sequence[MethodPoint],
+    front: Sequence[MethodPoint],
+    ways: MethodErrors | None,
+    seconds: str,
+    lang: Lang,
 ) -> None:
     """Both charts side by side, in a file by its suffix; ``seconds`` says what was timed, and on which machine."""
     with rc_context(CHARTS):
@@ -66,12 +78,18 @@ def draw(
         save(figure, path)
 
 
-def _speed(plot: Any, spots: Sequence[Spot], front: Sequence[Spot], seconds: str, lang: Lang) -> None:
+def _speed(plot: Any, spots: Sequence[MethodPoint], front: Sequence[MethodPoint], seconds: str, lang: Lang) -> None:
     plot.set(xscale="log", yscale="log", xlabel=seconds, ylabel=say("chart_error", lang))
     plot.set_title(say("chart_speed", lang), fontsize=10)
     steps = [(m.seconds, m.error) for m in front]
-    plot.plot(*zip(*steps, strict=True), color="#bbbbbb", linewidth=5, solid_capstyle="round", zorder=1,
-              label=say("chart_front", lang))  # fmt: skip
+    plot.plot(
+        *zip(*steps, strict=True),
+        color="#bbbbbb",
+        linewidth=5,
+        solid_capstyle="round",
+        zorder=1,
+        label=say("chart_front", lang),
+    )
     for m in spots:
         colour, marker, _ = LOOK[m.key]
         plot.plot([m.seconds], [m.error], marker, color=INK[colour], markersize=7 if marker != "_" else 9, zorder=3)
@@ -83,7 +101,7 @@ def _speed(plot: Any, spots: Sequence[Spot], front: Sequence[Spot], seconds: str
     plot.legend(loc="lower left")
 
 
-def _label(plot: Any, spots: Sequence[Spot], lang: Lang) -> None:
+def _label(plot: Any, spots: Sequence[MethodPoint], lang: Lang) -> None:
     """Names beside the marks, each as near as it can stand without touching another mark or name."""
     marks = [plot.transData.transform((m.seconds, m.error)) * 72 / plot.figure.dpi for m in spots]
     taken = [(x - 6, y, x + 6) for x, y in marks]
@@ -92,8 +110,15 @@ def _label(plot: Any, spots: Sequence[Spot], lang: Lang) -> None:
         shift = next(d for d in OFFSETS if _free((x + 9, y + d, x + 12 + 5.2 * len(words)), taken))
         taken.append((x + 9, y + shift, x + 12 + 5.2 * len(words)))
         arrow = {"arrowstyle": "-", "color": "#888888", "linewidth": 0.6} if abs(shift) > 6 else None
-        plot.annotate(words, (m.seconds, m.error), (9, shift), textcoords="offset points", va="center", fontsize=8.5,
-                      arrowprops=arrow)  # fmt: skip
+        plot.annotate(
+            words,
+            (m.seconds, m.error),
+            (9, shift),
+            textcoords="offset points",
+            va="center",
+            fontsize=8.5,
+            arrowprops=arrow,
+        )
 
 
 OFFSETS = [0.0] + [side * 6.5 * k for k in range(2, 60) for side in (1, -1)]
@@ -104,18 +129,19 @@ def _free(box: tuple[float, float, float], taken: Sequence[tuple[float, float, f
     return all(abs(y - b) >= 12 or right < a or c < left for a, b, c in taken)
 
 
-def _label_pencils(plot: Any, pencils: Sequence[Spot], lang: Lang) -> None:
+def _label_pencils(plot: Any, pencils: Sequence[MethodPoint], lang: Lang) -> None:
     """One name for all pencils, and the sheets of the largest and the smallest error."""
     if not pencils:
         return
     right = max(m.seconds for m in pencils)
     worst, best = max(pencils, key=lambda m: m.error), min(pencils, key=lambda m: m.error)
     text = say("chart_pencils", lang, worst=worst.number, best=best.number)
-    plot.annotate(text, (right, (worst.error * best.error) ** 0.5), (10, 0), textcoords="offset points", va="center",
-                  fontsize=8.5)  # fmt: skip
+    plot.annotate(
+        text, (right, (worst.error * best.error) ** 0.5), (10, 0), textcoords="offset points", va="center", fontsize=8.5
+    )
 
 
-def _stability(plot: Any, ways: Ways, lang: Lang) -> None:
+def _stability(plot: Any, ways: MethodErrors, lang: Lang) -> None:
     plot.set(xscale="log", yscale="log", xlabel=ways.axis, ylabel=say("chart_at", lang))
     plot.set_title(ways.title, fontsize=10)
     d = ways.distances
@@ -125,9 +151,17 @@ def _stability(plot: Any, ways: Ways, lang: Lang) -> None:
     for key, errors in ways.errors.items():
         colour, marker, dashes = LOOK[key]
         shown = [max(e, FLOOR) if e < NONSENSE else float("nan") for e in errors]
-        wide = {"method_scalar": 1.8, "method_batch": 1.6, "method_fused": 1.6}.get(key, 1.0)
-        plot.plot(d, shown, color=INK[colour], marker=marker, linestyle=dashes, linewidth=wide, markersize=3.5,
-                  label=ways.names[key])  # fmt: skip
+        wide = {"method_scalar": 1.8, "method_batch": 1.6, "method_compiled": 1.6}.get(key, 1.0)
+        plot.plot(
+            d,
+            shown,
+            color=INK[colour],
+            marker=marker,
+            linestyle=dashes,
+            linewidth=wide,
+            markersize=3.5,
+            label=ways.names[key],
+        )
     plot.set_xlim(max(d) * 2, min(d) / 2)
     plot.set_ylim(FLOOR / 3, 1e7)
     plot.figure.legend(*plot.get_legend_handles_labels(), loc="outside lower center", ncols=5, fontsize=8.5)

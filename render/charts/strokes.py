@@ -64,8 +64,10 @@ class Picture:
 def _element(s: Stroke, height: float) -> str:
     flipped = []
     for kind, at in s.pieces:
-        xy = (f"{v:.2f}".rstrip("0").rstrip(".") if i % 2 == 0 else f"{height - v:.2f}".rstrip("0").rstrip(".")
-              for i, v in enumerate(at))  # fmt: skip
+        xy = (
+            f"{v:.2f}".rstrip("0").rstrip(".") if i % 2 == 0 else f"{height - v:.2f}".rstrip("0").rstrip(".")
+            for i, v in enumerate(at)
+        )
         flipped.append(kind + " ".join(xy))
     looks = f' fill="{s.fill or "none"}"'
     if s.line:

@@ -26,16 +26,30 @@ from render.paper.style import LAYERS, PENS, pen, weight
 
 OWN_FONT = "isocpeur.ttf"  # a single-stroke font with Cyrillic letters that AutoCAD brings; others put a like one
 LAYER_STYLES = {
-    "construction": "construction", "axis": "axis", "hatch": "thin", "table": "thin", "dimension": "thin",
-    "frame": "frame", "scheme": "thick", "plan": "thin", "force": "thick", "result": "result", "text": "thin",
-}  # fmt: skip
+    "construction": "construction",
+    "axis": "axis",
+    "hatch": "thin",
+    "table": "thin",
+    "dimension": "thin",
+    "frame": "frame",
+    "scheme": "thick",
+    "plan": "thin",
+    "force": "thick",
+    "result": "result",
+    "text": "thin",
+}
 """The line type and width of each layer; a mark says its own only where it differs."""
 
 
 def write(
-    marks: Iterable[Mark], size_mm: tuple[float, float], title: str, path: str | Path | None = None, *,
-    lang: Literal["ru", "en"] = "ru", text: Literal["text", "strokes"] = "text",
-) -> bytes:  # fmt: skip
+    marks: Iterable[Mark],
+    size_mm: tuple[float, float],
+    title: str,
+    path: str | Path | None = None,
+    *,
+    lang: Literal["ru", "en"] = "ru",
+    text: Literal["text", "strokes"] = "text",
+) -> bytes:
     """The sheet as a DXF file (R2010) in millimetres, 1:1; also written to ``path`` if one is given."""
     ezdxf: Any = import_module("ezdxf")
     fixed = ezdxf.options.write_fixed_meta_data_for_testing
@@ -84,9 +98,11 @@ def _tables(document: Any, marks: Iterable[Mark], lang: Literal["ru", "en"]) -> 
     for layer in LAYERS:
         used, name = pen(LAYER_STYLES[layer]), LAYER_STYLES[layer].upper()
         made = document.layers.add(
-            layer.upper(), color=GREY if layer == "construction" else 7,
-            linetype=name if used.pattern else "Continuous", lineweight=weight(used.width),
-        )  # fmt: skip
+            layer.upper(),
+            color=GREY if layer == "construction" else 7,
+            linetype=name if used.pattern else "Continuous",
+            lineweight=weight(used.width),
+        )
         made.description = say(f"layer_{layer}", lang)
     for face in dict.fromkeys([Face(), *(m.face for m in marks if isinstance(m, Text))]):
         _style(document, face)

@@ -41,9 +41,16 @@ def insert_signs(document: Any, marks: Sequence[Mark]) -> list[Mark]:
     for sign in signs(marks):
         if sign.name not in document.blocks:
             _define(document.blocks.new(sign.name), sign.name)
-        space.add_blockref(sign.name, xy(sign.at), dxfattribs={
-            "layer": sign.layer.upper(), "rotation": sign.turn_deg, "xscale": sign.scale[0], "yscale": sign.scale[1],
-        })  # fmt: skip
+        space.add_blockref(
+            sign.name,
+            xy(sign.at),
+            dxfattribs={
+                "layer": sign.layer.upper(),
+                "rotation": sign.turn_deg,
+                "xscale": sign.scale[0],
+                "yscale": sign.scale[1],
+            },
+        )
         gone |= {id(mark) for mark in sign.marks}
     return [mark for mark in marks if id(mark) not in gone]
 
@@ -53,8 +60,11 @@ def _define(block: Any, name: str) -> None:
     corner = 0.5 + 0.5j
     square = Line(tuple(corner * 1j**k for k in range(4)), closed=True)
     own: dict[str, Sequence[Mark]] = {
-        HINGE: (Arc(0j, HINGE_MM),), SUPPORT: symbols.fixed_hinge(0j), SLIDER: (square,), POINT: symbols.dot(0j),
-    }  # fmt: skip
+        HINGE: (Arc(0j, HINGE_MM),),
+        SUPPORT: symbols.fixed_hinge(0j),
+        SLIDER: (square,),
+        POINT: symbols.dot(0j),
+    }
     entities = Entities(block)
     for mark in own[name]:
         entities.mark(mark)

@@ -11,7 +11,7 @@ from render.paper.faces import Face
 from render.paper.ink import arc_dashes, arrow_parts, hatch_strokes, is_circle, length_mm
 from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
 from render.paper.style import fitted, pen, weight
-from render.paper.typeset import Laid, layout
+from render.paper.typeset import LaidText, layout
 
 BLACK, GREY = 7, 8  # colours of the AutoCAD index; 7 is black on white paper
 SLIM = 0.4  # width over height of a character whose own font would be distorted, were it fitted to its ink
@@ -129,7 +129,7 @@ class Entities:
             looks = {"layer": text.layer.upper(), "linetype": "Continuous", "lineweight": weight(width)}
             self.space.add_lwpolyline([xy(z) for z in stroke], dxfattribs=looks)
 
-    def outlined(self, laid: Laid, layer: str) -> None:
+    def outlined(self, laid: LaidText, layer: str) -> None:
         """Outlines of letters as one hatch with holes."""
         if laid.strokes:
             fill = self.space.add_hatch(color=BLACK, dxfattribs={"layer": layer.upper(), "hatch_style": 0})

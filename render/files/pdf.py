@@ -18,7 +18,7 @@ from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
 from render.paper.outlines import dejavu
 from render.paper.photo import Photo
 from render.paper.style import BLACK, CAPITALS, PAPER, fitted, pen
-from render.paper.typeset import Laid, layout
+from render.paper.typeset import LaidText, layout
 
 POINTS_PER_MM = 72 / 25.4
 FONT = "DejaVuSans"
@@ -143,11 +143,7 @@ class _Page:
         self.canvas.setLineCap(_BUTT if dashes else _ROUND)
 
     def _stroke(
-        self,
-        lines: Iterable[Sequence[complex]],
-        style: str,
-        dashes: Sequence[float] = (),
-        closed: bool = False,
+        self, lines: Iterable[Sequence[complex]], style: str, dashes: Sequence[float] = (), closed: bool = False
     ) -> None:
         self._set(pen(style).width, pen(style).colour, dashes)
         self.canvas.drawPath(self._path(lines, closed), stroke=1, fill=0)
@@ -176,7 +172,7 @@ class _Page:
         if laid.plain:
             self._words(laid.plain, laid, text.height)
 
-    def _words(self, words: str, laid: Laid, height: float) -> None:
+    def _words(self, words: str, laid: LaidText, height: float) -> None:
         """The whole text invisibly on its base line, as one piece: indices are read where they belong."""
         size, turn = height / CAPITALS, cmath.rect(1, math.radians(laid.turn_deg))
         run = self.canvas.beginText()

@@ -143,11 +143,7 @@ class _Sheet:
             group.add(self.svg.path(d=self._path(lines), **looks))
         turn = f" rotate({number(-laid.turn_deg)})" if laid.turn_deg else ""
         real = self.svg.text(
-            "",
-            transform=f"translate({self._xy(laid.origin)}){turn}",
-            fill=BLACK,
-            fill_opacity=0,
-            font_family=FONTS,
+            "", transform=f"translate({self._xy(laid.origin)}){turn}", fill=BLACK, fill_opacity=0, font_family=FONTS
         )
         for run in laid.runs:
             size = number(run.height / CAPITALS)

@@ -21,7 +21,7 @@ from render.labels.candidates import (
     own_distance,
     union,
 )
-from render.labels.footprints import Bounds, Ink
+from render.labels.footprints import Bounds, InkedShapes
 from render.paper.marks import Line, Text
 from render.paper.typeset import extent
 
@@ -53,7 +53,9 @@ class _Met:
 class Board:
     """The candidates of all labels, the one each has chosen, and what the choices cost."""
 
-    def __init__(self, labels: Sequence[Lettered], ground: Ink, field: Bounds | None, yielding: Ink) -> None:
+    def __init__(
+        self, labels: Sequence[Lettered], ground: InkedShapes, field: Bounds | None, yielding: InkedShapes
+    ) -> None:
         self.labels, self.ground, self.field, self.yielding = labels, ground, field, yielding
         self.extents = [extent(label.text, label.height) for label in labels]
         self.options = [beside(label, size, NEAR) for label, size in zip(labels, self.extents, strict=True)]

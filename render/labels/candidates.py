@@ -88,9 +88,7 @@ def far_off(label: Named, extent: Sequence[float], gaps: Sequence[float]) -> Can
     return reduce(union, [_led(start + t * (end - start), label, extent, gaps, 0.0) for t in (0.5, 0.3, 0.7)])
 
 
-def _led(
-    at: complex, label: Named, extent: Sequence[float], gaps: Sequence[float], free: float
-) -> Candidates:
+def _led(at: complex, label: Named, extent: Sequence[float], gaps: Sequence[float], free: float) -> Candidates:
     """Places around a point with leader lines that end ``free`` mm before it."""
     width, height = extent[2] - extent[0], extent[3] - extent[1]
     rows = _around(at, label, width, height, gaps, _ROUND)

@@ -21,7 +21,7 @@ _TOUCH_MM = 0.01
 
 
 @dataclass(frozen=True)
-class Ink:
+class InkedShapes:
     """Shapes and half the pen width of each: a point is inked if it is nearer to the shape than that."""
 
     shapes: Any
@@ -56,7 +56,7 @@ class Conflict:
         return f"{self.first!r} {words[self.kind]} {self.second!r} {where}"
 
 
-def ink(marks: Iterable[Mark]) -> Ink:
+def ink(marks: Iterable[Mark]) -> InkedShapes:
     """The ink of marks; texts count as their boxes, hatched regions and filled shapes as areas."""
     paths: list[Sequence[complex]] = []
     areas: list[Sequence[complex]] = []
@@ -70,7 +70,7 @@ def ink(marks: Iterable[Mark]) -> Ink:
         area_info += [(0.0, owner)] * len(filled)
     info = path_info + area_info
     shapes = np.concatenate([_strings(paths), polygons(areas)])
-    return Ink(shapes, np.array([half for half, _ in info]), tuple(owner for _, owner in info))
+    return InkedShapes(shapes, np.array([half for half, _ in info]), tuple(owner for _, owner in info))
 
 
 def _parts(mark: Mark) -> tuple[float, list[Sequence[complex]], list[Sequence[complex]]]:
@@ -108,9 +108,7 @@ def polygons(areas: Sequence[Sequence[complex]]) -> Any:
     return found
 
 
-def conflicts(
-    texts: Sequence[Text], marks: Sequence[Mark] = (), field: Bounds | None = None
-) -> tuple[Conflict, ...]:
+def conflicts(texts: Sequence[Text], marks: Sequence[Mark] = (), field: Bounds | None = None) -> tuple[Conflict, ...]:
     """Where labels overlap each other or any ink of ``marks``, or anything leaves the ``field``.
 
     Texts among the marks are labels too; the same text given twice is one.
@@ -155,10 +153,13 @@ def overprinted(marks: Sequence[Mark]) -> list[str]:
 def letters(text: Text) -> Any:
     """The ink of a text's own letters."""
     laid = layout(text)
-    return shapely.union_all([
-        shapely.buffer(shapely.LineString([(z.real, z.imag) for z in line]), pen_mm / 2 or _TOUCH_MM)
-        for pen_mm, line in zip(laid.pens, laid.strokes, strict=True) if len(line) > 1
-    ])  # fmt: skip
+    return shapely.union_all(
+        [
+            shapely.buffer(shapely.LineString([(z.real, z.imag) for z in line]), pen_mm / 2 or _TOUCH_MM)
+            for pen_mm, line in zip(laid.pens, laid.strokes, strict=True)
+            if len(line) > 1
+        ]
+    )
 
 
 def _outside(labels: Sequence[Text], others: Sequence[Mark], field: Bounds | None) -> list[Conflict]:

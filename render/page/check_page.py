@@ -17,12 +17,14 @@ def page(data: Mapping[str, Any], words: Mapping[str, str], lang: str) -> str:
     """The page of what :func:`planes.check.report.page_data` exports; ``words`` are its labels in the language."""
     drawn, e = "page" in data, html.escape
     parts = {
-        "title": e(data["title"]), "sentence": e(data["sentence"]), "drawing": _drawing(data, words) if drawn else "",
+        "title": e(data["title"]),
+        "sentence": e(data["sentence"]),
+        "drawing": _drawing(data, words) if drawn else "",
         "tables": _table("marks", words["steps"], data["head"], data["rows"])
         + _table("numbers", words["numbers"], data["number_head"], data["numbers"]),
         "notes": "".join(f"<p>{e(n)}</p>" for n in data["notes"]),
         "noscript": f"<noscript><p>{e(words['noscript'])}</p></noscript>" if drawn else "",
-    }  # fmt: skip
+    }
     body, style = web_page.filled(web_page.part("check.html"), parts), web_page.part("check.css")
     code = web_page.part(*(f"{name}.js" for name in SCRIPTS)) if drawn else ""
     held = {"data": data["page"], "letters": _letters(data)} if drawn else None
@@ -43,8 +45,9 @@ def _drawing(data: Mapping[str, Any], words: Mapping[str, str]) -> str:
     under = data["page"]["picture"] or data["page"]["strokes"]
     layers = "".join(
         f'<label><input type="checkbox" data-layer="{n}" checked><i class="{n}"></i>{e(words[n])}</label>'
-        for n in LAYERS if n != "picture" or under
-    )  # fmt: skip
+        for n in LAYERS
+        if n != "picture" or under
+    )
     return (
         f'<div class="layers">{layers}</div>\n'
         f'<figure><svg id="sheet" role="group" aria-label="{e(data["title"])}"></svg></figure>\n'

@@ -32,15 +32,21 @@ SCRIPT = (
 
 
 def page(
-    title: str, counts: Sequence[tuple[str, int]], common: Sequence[tuple[str, Whose]], head: Sequence[str],
-    rows: Sequence[tuple[str, str, Sequence[str]]], words: dict[str, str], lang: str,
-) -> str:  # fmt: skip
+    title: str,
+    counts: Sequence[tuple[str, int]],
+    common: Sequence[tuple[str, Whose]],
+    head: Sequence[str],
+    rows: Sequence[tuple[str, str, Sequence[str]]],
+    words: dict[str, str],
+    lang: str,
+) -> str:
     """The page. ``rows`` are verdict, link ("" for none) and the cells; ``common`` sentences with whose: name, link."""
     e = html.escape
     cells = "".join(f'<th scope="col"><button type="button">{e(h)}</button></th>' for h in head)
     whose = (", ".join(_linked(e(name), link) for name, link in names) for _, names in common)
-    often = "".join(f"<li>{e(said)} — <b>{len(names)}</b>: {told}</li>"
-                    for (said, names), told in zip(common, whose, strict=True))  # fmt: skip
+    often = "".join(
+        f"<li>{e(said)} — <b>{len(names)}</b>: {told}</li>" for (said, names), told in zip(common, whose, strict=True)
+    )
     body = f"""<h1>{e(title)}</h1>
 <p class="counts">{"".join(f"<span>{e(name)} <b>{count}</b></span>" for name, count in counts)}</p>
 {f"<h2>{e(words['common'])}</h2><ol>{often}</ol>" if often else ""}

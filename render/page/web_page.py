@@ -33,17 +33,31 @@ _ACTIVE = re.compile("[<>&\u2028\u2029]")
 
 
 def page(
-    title: str, lang: str, style: str, body: str, *, code: str = "", data: Mapping[str, object] | None = None,
+    title: str,
+    lang: str,
+    style: str,
+    body: str,
+    *,
+    code: str = "",
+    data: Mapping[str, object] | None = None,
     kind: str = "",
-) -> str:  # fmt: skip
+) -> str:
     """The whole page: ``title`` is plain text, ``body`` HTML; ``data`` by the ids under which ``code`` finds them."""
-    held = "".join(f'<script type="application/json" id="{key}">{embedded(one)}</script>\n'
-                   for key, one in (data or {}).items())  # fmt: skip
-    return filled(SHELL, {
-        "lang": lang, "policy": policy(code), "title": html.escape(title), "style": style, "body": body,
-        "kind": f' class="{html.escape(kind)}"' if kind else "",
-        "scripts": held + (f"<script>{code}</script>\n" if code else ""),
-    })  # fmt: skip
+    held = "".join(
+        f'<script type="application/json" id="{key}">{embedded(one)}</script>\n' for key, one in (data or {}).items()
+    )
+    return filled(
+        SHELL,
+        {
+            "lang": lang,
+            "policy": policy(code),
+            "title": html.escape(title),
+            "style": style,
+            "body": body,
+            "kind": f' class="{html.escape(kind)}"' if kind else "",
+            "scripts": held + (f"<script>{code}</script>\n" if code else ""),
+        },
+    )
 
 
 def policy(code: str) -> str:

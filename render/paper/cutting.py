@@ -91,9 +91,7 @@ def _left(points: Sequence[complex], region: Any) -> list[Piece]:
 
 def _without(mark: Line | Arc | Arrow | Hatch, region: Any) -> list[Mark]:
     if isinstance(mark, Line):
-        return [
-            Line(piece, mark.style, mark.layer) for piece in _joined(_left(_track(mark), region), mark.closed)
-        ]
+        return [Line(piece, mark.style, mark.layer) for piece in _joined(_left(_track(mark), region), mark.closed)]
     if isinstance(mark, Arc):
         return _arc_pieces(mark, region)
     if isinstance(mark, Arrow):
@@ -115,9 +113,7 @@ def _arc_pieces(arc: Arc, region: Any) -> list[Mark]:
     for piece in pieces:
         start, end = (math.degrees(cmath.phase(z - arc.centre)) for z in (piece[0], piece[-1]))
         start = arc.start_deg + (start - arc.start_deg + 1e-6) % 360 - 1e-6
-        found.append(
-            replace(arc, start_deg=start, end_deg=start + ((end - start) % 360 or 360.0), fill="none")
-        )
+        found.append(replace(arc, start_deg=start, end_deg=start + ((end - start) % 360 or 360.0), fill="none"))
     return found
 
 
@@ -125,7 +121,4 @@ def _arrow_pieces(arrow: Arrow, region: Any) -> list[Mark]:
     *tail, last = _left((arrow.start, arrow.end), region) or [(arrow.start, arrow.start)]
     if abs(last[-1] - arrow.end) > _SAME_MM:
         return [arrow]
-    return [
-        *(Line(piece, arrow.style, arrow.layer) for piece in tail),
-        replace(arrow, start=last[0]),
-    ]
+    return [*(Line(piece, arrow.style, arrow.layer) for piece in tail), replace(arrow, start=last[0])]

@@ -40,28 +40,51 @@ class Cell:
 
 
 _THICK = (
-    ((0, 0), (0, 55)), ((0, 55), (185, 55)), ((0, 30), (65, 30)), ((0, 35), (65, 35)), ((7, 30), (7, 55)),
-    ((17, 0), (17, 55)), ((40, 0), (40, 55)), ((55, 0), (55, 55)), ((65, 0), (65, 55)), ((65, 15), (185, 15)),
-    ((65, 40), (185, 40)), ((135, 0), (135, 40)), ((135, 20), (185, 20)), ((135, 35), (185, 35)),
-    ((150, 20), (150, 40)), ((155, 15), (155, 20)), ((167, 20), (167, 40)),
-)  # fmt: skip
-_THIN = (
-    *(((0, y), (65, y)) for y in (5, 10, 15, 20, 25, 40, 45, 50)),
-    ((140, 20), (140, 35)),
-    ((145, 20), (145, 35)),
+    ((0, 0), (0, 55)),
+    ((0, 55), (185, 55)),
+    ((0, 30), (65, 30)),
+    ((0, 35), (65, 35)),
+    ((7, 30), (7, 55)),
+    ((17, 0), (17, 55)),
+    ((40, 0), (40, 55)),
+    ((55, 0), (55, 55)),
+    ((65, 0), (65, 55)),
+    ((65, 15), (185, 15)),
+    ((65, 40), (185, 40)),
+    ((135, 0), (135, 40)),
+    ((135, 20), (185, 20)),
+    ((135, 35), (185, 35)),
+    ((150, 20), (150, 40)),
+    ((155, 15), (155, 20)),
+    ((167, 20), (167, 40)),
 )
+_THIN = (*(((0, y), (65, y)) for y in (5, 10, 15, 20, 25, 40, 45, 50)), ((140, 20), (140, 35)), ((145, 20), (145, 35)))
 _WORDS: dict[str, Cell] = {
-    "Изм.": Cell(0, 30, 7, 5), "Лист": Cell(7, 30, 10, 5), "№ докум.": Cell(17, 30, 23, 5),
-    "Подп.": Cell(40, 30, 15, 5), "Дата": Cell(55, 30, 10, 5), "Лит.": Cell(135, 35, 15, 5),
-    "Масса": Cell(150, 35, 17, 5), "Масштаб": Cell(167, 35, 18, 5),
-}  # fmt: skip
+    "Изм.": Cell(0, 30, 7, 5),
+    "Лист": Cell(7, 30, 10, 5),
+    "№ докум.": Cell(17, 30, 23, 5),
+    "Подп.": Cell(40, 30, 15, 5),
+    "Дата": Cell(55, 30, 10, 5),
+    "Лит.": Cell(135, 35, 15, 5),
+    "Масса": Cell(150, 35, 17, 5),
+    "Масштаб": Cell(167, 35, 18, 5),
+}
 _ROLES: dict[str, tuple[float, str]] = {
-    "student": (25, "Разраб."), "teacher": (20, "Пров."), "tech": (15, "Т. контр."), "person": (10, ""),
-    "checked": (5, "Н. контр."), "approved": (0, "Утв."),
-}  # fmt: skip
+    "student": (25, "Разраб."),
+    "teacher": (20, "Пров."),
+    "tech": (15, "Т. контр."),
+    "person": (10, ""),
+    "checked": (5, "Н. контр."),
+    "approved": (0, "Утв."),
+}
 """Who signs: the row's y, the word of its role. The row without one is the scene's to name."""
-_COLUMNS = (("change", 0.0, 7.0), ("sheet", 7.0, 10.0), ("document", 17.0, 23.0), ("sign", 40.0, 15.0),
-            ("date", 55.0, 10.0))  # fmt: skip
+_COLUMNS = (
+    ("change", 0.0, 7.0),
+    ("sheet", 7.0, 10.0),
+    ("document", 17.0, 23.0),
+    ("sign", 40.0, 15.0),
+    ("date", 55.0, 10.0),
+)
 _PLAIN: dict[str, Cell] = {
     "role": Cell(0, 10, 17, 5, 2.5, "start"),
     "designation": Cell(65, 40, 120, 15, 7.0),
@@ -77,9 +100,13 @@ _PLAIN: dict[str, Cell] = {
     "company": Cell(135, 0, 50, 15, 5.0),
 }
 _SHEETS = {"Лист": Cell(135, 15, 10, 5, 2.5, "start"), "Листов": Cell(155, 15, 15, 5, 2.5, "start")}
-LOWER = (("inventory", "Инв. № подл.", 25.0), ("inventory_accepted", "Подп. и дата", 35.0),
-         ("replaces", "Взам. инв. №", 25.0), ("duplicate", "Инв. № дубл.", 25.0),
-         ("duplicate_accepted", "Подп. и дата", 35.0))  # fmt: skip
+LOWER = (
+    ("inventory", "Инв. № подл.", 25.0),
+    ("inventory_accepted", "Подп. и дата", 35.0),
+    ("replaces", "Взам. инв. №", 25.0),
+    ("duplicate", "Инв. № дубл.", 25.0),
+    ("duplicate_accepted", "Подп. и дата", 35.0),
+)
 """Graphs 19–23 from the lower corner up: key, word, height."""
 UPPER = (("reference", "Справ. №", 60.0), ("first_use", "Перв. примен.", 60.0))
 """Graphs 24 and 25, the last at the upper corner."""
@@ -87,33 +114,63 @@ WORD_WIDE, VALUE_WIDE = 5.0, 7.0  # the two columns of graphs 19–25
 REVISIONS = 4  # rows of changes, written from the lowest up
 
 ENGLISH = {
-    "Изм.": "Rev.", "Лист": "Sheet", "№ докум.": "Doc. No.", "Подп.": "Sign.", "Дата": "Date", "Разраб.": "Drawn",
-    "Пров.": "Checked", "Т. контр.": "Tech.", "Н. контр.": "Norm.", "Утв.": "Appr.", "Лит.": "Lit.",
-    "Масса": "Mass", "Масштаб": "Scale", "Листов": "Sheets", "Инв. № подл.": "Inv. No. orig.",
-    "Подп. и дата": "Sign. and date", "Взам. инв. №": "Repl. inv. No.", "Инв. № дубл.": "Inv. No. dupl.",
-    "Справ. №": "Ref. No.", "Перв. примен.": "First used in", "Копировал": "Copied", "Формат": "Format",
-}  # fmt: skip
+    "Изм.": "Rev.",
+    "Лист": "Sheet",
+    "№ докум.": "Doc. No.",
+    "Подп.": "Sign.",
+    "Дата": "Date",
+    "Разраб.": "Drawn",
+    "Пров.": "Checked",
+    "Т. контр.": "Tech.",
+    "Н. контр.": "Norm.",
+    "Утв.": "Appr.",
+    "Лит.": "Lit.",
+    "Масса": "Mass",
+    "Масштаб": "Scale",
+    "Листов": "Sheets",
+    "Инв. № подл.": "Inv. No. orig.",
+    "Подп. и дата": "Sign. and date",
+    "Взам. инв. №": "Repl. inv. No.",
+    "Инв. № дубл.": "Inv. No. dupl.",
+    "Справ. №": "Ref. No.",
+    "Перв. примен.": "First used in",
+    "Копировал": "Copied",
+    "Формат": "Format",
+}
 
 _PROMPTS: dict[str, tuple[str, str]] = {
-    "role": ("характер работы (10)", "role (10)"), "student": ("разработал (11)", "drawn by (11)"),
-    "teacher": ("проверил (11)", "checked by (11)"), "tech": ("технологический контроль (11)", "process check (11)"),
-    "person": ("фамилия (11)", "name (11)"), "checked": ("нормоконтроль (11)", "standards check (11)"),
-    "approved": ("утвердил (11)", "approved by (11)"), "designation": ("обозначение (2)", "designation (2)"),
-    "title": ("наименование (1)", "title (1)"), "material": ("материал (3)", "material (3)"),
-    "letter": ("литера (4)", "stage (4)"), "mass": ("масса (5)", "mass (5)"), "scale": ("масштаб (6)", "scale (6)"),
-    "sheet": ("номер листа (7)", "sheet (7)"), "sheets": ("листов (8)", "sheets (8)"),
-    "company": ("организация (9)", "organisation (9)"), "revision": ("изменение", "revision"),
-    "sign": ("подпись (12)", "signature (12)"), "date": ("дата (13)", "date (13)"),
+    "role": ("характер работы (10)", "role (10)"),
+    "student": ("разработал (11)", "drawn by (11)"),
+    "teacher": ("проверил (11)", "checked by (11)"),
+    "tech": ("технологический контроль (11)", "process check (11)"),
+    "person": ("фамилия (11)", "name (11)"),
+    "checked": ("нормоконтроль (11)", "standards check (11)"),
+    "approved": ("утвердил (11)", "approved by (11)"),
+    "designation": ("обозначение (2)", "designation (2)"),
+    "title": ("наименование (1)", "title (1)"),
+    "material": ("материал (3)", "material (3)"),
+    "letter": ("литера (4)", "stage (4)"),
+    "mass": ("масса (5)", "mass (5)"),
+    "scale": ("масштаб (6)", "scale (6)"),
+    "sheet": ("номер листа (7)", "sheet (7)"),
+    "sheets": ("листов (8)", "sheets (8)"),
+    "company": ("организация (9)", "organisation (9)"),
+    "revision": ("изменение", "revision"),
+    "sign": ("подпись (12)", "signature (12)"),
+    "date": ("дата (13)", "date (13)"),
     "inventory": ("инв. № подл. (19)", "inv. No. of the original (19)"),
     "inventory_accepted": ("подп. и дата (20)", "signature and date (20)"),
     "replaces": ("взам. инв. № (21)", "replaces inv. No. (21)"),
     "duplicate": ("инв. № дубл. (22)", "inv. No. of the duplicate (22)"),
     "duplicate_accepted": ("подп. и дата (23)", "signature and date (23)"),
-    "reference": ("справ. № (24)", "reference No. (24)"), "first_use": ("перв. примен. (25)", "first used in (25)"),
-    "designation_turned": ("обозначение (26)", "designation (26)"), "copied": ("копировал (31)", "copied by (31)"),
-    "format": ("формат (32)", "format (32)"), "change": ("изм. (14)", "change (14)"),
+    "reference": ("справ. № (24)", "reference No. (24)"),
+    "first_use": ("перв. примен. (25)", "first used in (25)"),
+    "designation_turned": ("обозначение (26)", "designation (26)"),
+    "copied": ("копировал (31)", "copied by (31)"),
+    "format": ("формат (32)", "format (32)"),
+    "change": ("изм. (14)", "change (14)"),
     "document": ("№ докум. (16)", "document No. (16)"),
-}  # fmt: skip
+}
 
 Size = tuple[float, float]
 

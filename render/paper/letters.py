@@ -45,8 +45,10 @@ def written(names: Iterable[str], lettering: Mapping[str, Any]) -> dict[str, dic
     """Names for a page's script, in both languages: pieces of text, each lowered ("sub"), raised or neither."""
     namings, names = [Naming(lang, **lettering) for lang in get_args(Lang)], dict.fromkeys(names)
     pole = {"acceleration:p": [("π", "")]}
-    return {n.lang: pole | {name: [(p.text, p.shift) for p in _split(_named(name, n, ""), True)] for name in names}
-            for n in namings}  # fmt: skip
+    return {
+        n.lang: pole | {name: [(p.text, p.shift) for p in _split(_named(name, n, ""), True)] for name in names}
+        for n in namings
+    }
 
 
 def _named(name: str, naming: Naming, plan: str) -> str:

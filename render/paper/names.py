@@ -9,8 +9,17 @@ from dataclasses import dataclass
 from planes.words import Lang, say
 
 PRIME = "′"
-_GREEK = {"omega": "ω", "epsilon": "ε", "phi": "φ", "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "psi": "ψ",
-          "theta": "θ"}  # fmt: skip
+_GREEK = {
+    "omega": "ω",
+    "epsilon": "ε",
+    "phi": "φ",
+    "alpha": "α",
+    "beta": "β",
+    "gamma": "γ",
+    "delta": "δ",
+    "psi": "ψ",
+    "theta": "θ",
+}
 _INDEXED = re.compile(r"([^\W\d_]+)(\d+)")
 
 

@@ -62,15 +62,11 @@ def fixed_hinge(at: complex, angle_deg: float = 0, leg: float = LEG_MM, radius: 
     return (*base(foot, angle_deg), *legs, *hinge(at, radius))
 
 
-def block(
-    at: complex, angle_deg: float = 0, hinged: bool = False, size: tuple[float, float] = BLOCK_MM
-) -> Marks:
+def block(at: complex, angle_deg: float = 0, hinged: bool = False, size: tuple[float, float] = BLOCK_MM) -> Marks:
     """A slider centred on its guide; ``hinged`` puts a hinge in its middle at once."""
     along = unit(angle_deg)
     long, wide = size
-    corners = tuple(
-        at + (x * long + 1j * y * wide) / 2 * along for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))
-    )
+    corners = tuple(at + (x * long + 1j * y * wide) / 2 * along for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)))
     return (Shape(corners, fill="paper"), Line(corners, closed=True), *(hinge(at) if hinged else ()))
 
 
@@ -96,9 +92,7 @@ def frame_guide(
         hatched = [mark for end in ends for mark in hatching(end, angle_deg, piece, side)]
         return (*hatched, Line((at - behind * along, at + ahead * along)))
     sides = (side,) if kind == "rail" else (-1, 1)
-    return tuple(
-        mark for s in sides for mark in base(middle + s * 1j * across / 2 * along, angle_deg, length, s)
-    )
+    return tuple(mark for s in sides for mark in base(middle + s * 1j * across / 2 * along, angle_deg, length, s))
 
 
 def bar(*points: complex) -> Marks:
@@ -131,12 +125,7 @@ def tick(at: complex, angle_deg: float, size: float = 2.0, layer: Layer = "schem
 
 
 def turn_arrow(
-    centre: complex,
-    radius: float,
-    start_deg: float,
-    sweep_deg: float,
-    style: str = "thin",
-    layer: Layer = "scheme",
+    centre: complex, radius: float, start_deg: float, sweep_deg: float, style: str = "thin", layer: Layer = "scheme"
 ) -> Marks:
     """The sense of ω, ε or a moment: an arc with a head at its end, clockwise where ``sweep_deg`` < 0."""
     length = radius * math.radians(abs(sweep_deg))

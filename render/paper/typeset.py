@@ -34,7 +34,7 @@ class Run:
 
 
 @dataclass(frozen=True)
-class Laid:
+class LaidText:
     """A laid-out text: ``strokes`` and ``box`` (the ink's four corners, counter-clockwise) in sheet mm.
 
     ``pens`` holds the width of every stroke and ``width`` is the length of the ink, in mm; ``origin`` is the
@@ -71,14 +71,14 @@ class _Part:
     upper: str = ""
 
 
-def layout(text: Text) -> Laid:
+def layout(text: Text) -> LaidText:
     """Strokes, box and runs of a text mark after its anchor and its turn."""
     runs, inked, (x0, y0, x1, y1) = _set(text.text, text.height, text.face)
     shift = {"start": -x0, "middle": -(x0 + x1) / 2, "end": -x1}[text.anchor]
     turn = cmath.rect(1, math.radians(text.turn_deg)) if text.turn_deg else 1 + 0j
     origin = text.place + shift * turn
     corners = (complex(x0, y0), complex(x1, y0), complex(x1, y1), complex(x0, y1))
-    return Laid(
+    return LaidText(
         strokes=tuple(tuple([origin + z * turn for z in line]) for _, line in inked),
         pens=tuple(pen for pen, _ in inked),
         box=tuple(origin + z * turn for z in corners),

@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass, field
 from typing import Any
 
-from planes.solving.document import Chart, Drawn, Figure, Sketch
+from planes.solving.document import Chart, DrawnViews, Figure, ShaftSketch
 from planes.words import Lang
 from render import charts
 from render.charts.strokes import Picture
@@ -27,7 +27,7 @@ DPI = 220
 
 
 @dataclass(frozen=True)
-class Marked:
+class MarkedFigure:
     """Marks in mm on a paper of their own size; like a :class:`Picture` it knows its points and draws itself."""
 
     marks: tuple[Mark, ...]
@@ -54,7 +54,7 @@ class Marked:
         draw_marks(canvas, self.marks)
 
 
-Shown = Picture | Marked
+Shown = Picture | MarkedFigure
 
 
 def raster(picture: Shown) -> bytes:
@@ -80,24 +80,26 @@ class Studio:
         match figure.of:
             case Chart() as chart:
                 return [charts.chart(chart, WIDTH_MM, self.lang)], figure.caption
-            case Sketch() as shaft:
+            case ShaftSketch() as shaft:
                 return [sketch(shaft)], figure.caption
-            case Drawn() as drawn:
+            case DrawnViews() as drawn:
                 return self.drawn(drawn, figure.caption)
 
-    def drawn(self, block: Drawn, caption: str) -> tuple[list[Shown], str]:
+    def drawn(self, block: DrawnViews, caption: str) -> tuple[list[Shown], str]:
         """The views of one position, side by side where they fit; a caption with every μ if it is asked for."""
         composer = self.composers.setdefault(id(block.scene), Composer(block.scene, self.lang, block.position.plans))
         plotted = of_position(block.position)
-        stacks = [[v for name in names if (v := _view(name, block, composer, plotted, len(names) == 1))]
-                  for names in block.views]  # fmt: skip
+        stacks = [
+            [v for name in names if (v := _view(name, block, composer, plotted, len(names) == 1))]
+            for names in block.views
+        ]
         views = [stacked(held[0].key, held) if held[1:] else held[0] for held in stacks if held]
         if block.scales:
             caption += ": " + "; ".join(_scaled(names[0], composer, plotted) for names in block.views)
         return rows(views), caption
 
 
-def _view(name: str, block: Drawn, composer: Composer, plotted: Plotted, alone: bool) -> View | None:
+def _view(name: str, block: DrawnViews, composer: Composer, plotted: Plotted, alone: bool) -> View | None:
     kind, _, plan = name.partition(" ")
     if plan:
         return composer.formulas(plotted, (plan,), LETTER_MM[alone], "")
@@ -125,17 +127,17 @@ def rows(views: list[View]) -> list[Shown]:
     return [_row(row) for row in found]
 
 
-def _row(views: list[View]) -> Marked:
+def _row(views: list[View]) -> MarkedFigure:
     height = max(v.height for v in views) + 4
     marks: list[Mark] = []
     left = 2.0
     for v in views:
         marks += v.placed(left, height - 2)
         left += v.width + GAP_MM
-    return Marked(tuple(marks), (left - GAP_MM + 2, height))
+    return MarkedFigure(tuple(marks), (left - GAP_MM + 2, height))
 
 
-def sketch(block: Sketch) -> Marked:
+def sketch(block: ShaftSketch) -> MarkedFigure:
     """The crankshaft as a broken bar: bearings, webs, pin, counterweights, lengths."""
     scale = 105.0 / block.span
     left, right = scale * block.webs, scale * (block.span - block.webs)
@@ -146,9 +148,11 @@ def sketch(block: Sketch) -> Marked:
     for x in (left, right):
         marks += [Line((complex(x, 0), complex(x, down)), "thin"), Arc(complex(x, down), 3.0)]
     for x, name in ((0.0, "A"), (end, "B")):
-        marks += [Line((complex(x - 5, -8), complex(x, 0), complex(x + 5, -8)), closed=True),
-                  Arc(complex(x, 0), 1.5, fill="paper"),
-                  Text(name, complex(x - 9 if x == 0 else x + 6, -9), 5)]  # fmt: skip
+        marks += [
+            Line((complex(x - 5, -8), complex(x, 0), complex(x + 5, -8)), closed=True),
+            Arc(complex(x, 0), 1.5, fill="paper"),
+            Text(name, complex(x - 9 if x == 0 else x + 6, -9), 5),
+        ]
     marks += _loads(block, left, right, pin, up, down)
     low = down - 14
     for a, b, name in ((0, left, "m"), (right, end, "m"), (left, pin, "a"), (pin, right, "b")):
@@ -156,10 +160,10 @@ def sketch(block: Sketch) -> Marked:
     marks += [*_size(pin, end, low - 9, "n"), *_size(0, end, low - 18, "L")]
     box = bounds(marks)
     by = View("shaft", "", tuple(marks), box)
-    return Marked(by.placed(2, by.height + 2), (by.width + 4, by.height + 4))
+    return MarkedFigure(by.placed(2, by.height + 2), (by.width + 4, by.height + 4))
 
 
-def _loads(block: Sketch, left: float, right: float, pin: float, up: float, down: float) -> list[Mark]:
+def _loads(block: ShaftSketch, left: float, right: float, pin: float, up: float, down: float) -> list[Mark]:
     said = block.labels
     found: list[Mark] = [
         Arrow(complex(pin, up), complex(pin, up + 18), name="N_c"),
@@ -168,10 +172,12 @@ def _loads(block: Sketch, left: float, right: float, pin: float, up: float, down
     for k, x in enumerate((left, right)):
         side = -1 if k == 0 else 1
         anchor: Anchor = "end" if k == 0 else "start"
-        found += [Arrow(complex(x, up), complex(x, up + 13), name="Φ"),
-                  Arrow(complex(x, down - 3), complex(x, down - 12), name="Φ_cw"),
-                  Text(said["web"], complex(x + 2.5 * side, up + 7), 3.5, anchor),
-                  Text(said[f"weight_{k}"], complex(x + 4.5 * side, down - 8), 3.5, anchor)]  # fmt: skip
+        found += [
+            Arrow(complex(x, up), complex(x, up + 13), name="Φ"),
+            Arrow(complex(x, down - 3), complex(x, down - 12), name="Φ_cw"),
+            Text(said["web"], complex(x + 2.5 * side, up + 7), 3.5, anchor),
+            Text(said[f"weight_{k}"], complex(x + 4.5 * side, down - 8), 3.5, anchor),
+        ]
     return found
 
 
@@ -179,5 +185,9 @@ def _size(a: float, b: float, y: float, name: str) -> list[Mark]:
     ends = complex(a, y), complex(b, y)
     middle = (ends[0] + ends[1]) / 2
     ticks: list[Mark] = [Line((z - 2j, z + 3j), "thin", "dimension") for z in ends]
-    return [*ticks, Arrow(middle, ends[0], "thin", "dimension"), Arrow(middle, ends[1], "thin", "dimension"),
-            Text(name, middle + 1j, 3.5, "middle")]  # fmt: skip
+    return [
+        *ticks,
+        Arrow(middle, ends[0], "thin", "dimension"),
+        Arrow(middle, ends[1], "thin", "dimension"),
+        Text(name, middle + 1j, 3.5, "middle"),
+    ]

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from html import escape
 
-from planes.solving.document import Block, Figure, Formula, Heading, Paragraph, Table
+from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
 from render.page import web_page
 from render.paper.letters import tagged
 from render.paper.names import Naming
@@ -37,11 +37,11 @@ sub,sup{font-size:.72em;line-height:0}nav{font-size:.95rem}nav a{color:#124}
 def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     """The page, UTF-8."""
     title = next((b.text for b in blocks if isinstance(b, Heading)), "")
-    made = _Page(blocks, naming)
+    made = _HtmlPage(blocks, naming)
     return web_page.page(title, naming.lang, CSS, "\n".join(map(made.block, blocks))).encode()
 
 
-class _Page:
+class _HtmlPage:
     def __init__(self, blocks: Sequence[Block], naming: Naming) -> None:
         self.naming, self.studio = naming, Studio(naming.lang)
         self.chapters = [b for b in blocks if isinstance(b, Heading) and b.level == 1]
@@ -64,7 +64,7 @@ class _Page:
                 tail = f'<span class="number">({escape(number)})</span>' if number else ""
                 parts = "".join(formula(t, 12.5).svg(plain(t)) for t in tex.split(r"\quad"))
                 return f'<div class="formula"><span class="parts">{parts}</span>{tail}</div>'
-            case Table(caption, rows):
+            case DocumentTable(caption, rows):
                 return self.table(caption, rows)
             case Figure():
                 return self.figure(block)
@@ -83,8 +83,10 @@ class _Page:
         """A table that scrolls by itself on a narrow screen."""
         head = "".join(f'<th scope="col">{self.text(cell)}</th>' for cell in rows[0])
         body = "".join("<tr>" + "".join(map(self.cell, row)) + "</tr>" for row in rows[1:])
-        return (f'<div class="wide"><table><caption>{self.text(caption)}</caption><thead><tr>{head}</tr></thead>'
-                f"<tbody>{body}</tbody></table></div>")  # fmt: skip
+        return (
+            f'<div class="wide"><table><caption>{self.text(caption)}</caption><thead><tr>{head}</tr></thead>'
+            f"<tbody>{body}</tbody></table></div>"
+        )
 
     def cell(self, cell: str) -> str:
         """A cell of a table."""

@@ -12,11 +12,11 @@ from reportlab.lib.styles import ParagraphStyle
 from reportlab.lib.units import mm
 from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfbase.ttfonts import TTFont
+from reportlab.platypus import DocumentTable as Grid
 from reportlab.platypus import Flowable, SimpleDocTemplate
 from reportlab.platypus import Paragraph as Words
-from reportlab.platypus import Table as Grid
 
-from planes.solving.document import Block, Figure, Formula, Heading, Paragraph, Table
+from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
 from render.paper.letters import tagged
 from render.paper.names import Naming
 from render.paper.outlines import dejavu
@@ -38,9 +38,19 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     data, font = io.BytesIO(), _fonts()
     title = next((b.text for b in blocks if isinstance(b, Heading)), "")
     paper = _Paper(
-        data, pagesize=PAGE, leftMargin=LEFT, rightMargin=RIGHT, topMargin=EDGE, bottomMargin=EDGE, title=title,
-        author="", creator="planes", lang=naming.lang, invariant=1, initialFontName=font,
-    )  # fmt: skip
+        data,
+        pagesize=PAGE,
+        leftMargin=LEFT,
+        rightMargin=RIGHT,
+        topMargin=EDGE,
+        bottomMargin=EDGE,
+        title=title,
+        author="",
+        creator="planes",
+        lang=naming.lang,
+        invariant=1,
+        initialFontName=font,
+    )
     setter = _Setter(naming)
     paper.build([f for b in blocks for f in setter.flow(b)], onFirstPage=_number, onLaterPages=_headed)
     return data.getvalue()
@@ -89,8 +99,16 @@ class _Setter:
         small = {"fontName": "NoteItalic", "fontSize": 9.5, "leading": 13, "textColor": "#444444"}
         self.why = ParagraphStyle("why", self.plain, **small)
         boxed = {"borderColor": "#aa3333", "borderWidth": 0.8, "borderPadding": 5, "backColor": "#fdf4f2"}
-        self.mistake = ParagraphStyle("mistake", self.plain, firstLineIndent=0, spaceBefore=12, spaceAfter=14,
-                                      leftIndent=6, rightIndent=6, **boxed)  # fmt: skip
+        self.mistake = ParagraphStyle(
+            "mistake",
+            self.plain,
+            firstLineIndent=0,
+            spaceBefore=12,
+            spaceAfter=14,
+            leftIndent=6,
+            rightIndent=6,
+            **boxed,
+        )
         self.small = ParagraphStyle("small", self.plain, firstLineIndent=0, alignment=1, spaceBefore=2, spaceAfter=8)
         self.above = ParagraphStyle("above", self.small, alignment=0, keepWithNext=1)
         self.heads = [
@@ -109,7 +127,7 @@ class _Setter:
                 return self.paragraph(block)
             case Formula(tex, number):
                 return [_Picture(formula(tex, LETTER - 0.5), number, left=True)]
-            case Table(caption, rows):
+            case DocumentTable(caption, rows):
                 return [Words(self.text(caption), self.above), self.table(rows)]
             case Figure():
                 pictures, caption = self.studio.shown(block)
@@ -127,13 +145,19 @@ class _Setter:
         """A grid whose columns are as wide as what stands in them, with smaller letters if there is much."""
         longest = [max(_length(row[k]) for row in rows) + 2 for k in range(len(rows[0]))]
         size = 9.5 if sum(longest) <= ROOMY else 7.5
-        styles = [ParagraphStyle("cell", fontName="Note", fontSize=size, leading=1.27 * size, alignment=a)
-                  for a in (0, 1, 2)]  # fmt: skip
+        styles = [
+            ParagraphStyle("cell", fontName="Note", fontSize=size, leading=1.27 * size, alignment=a) for a in (0, 1, 2)
+        ]
         cells = [[Words(self.text(c), styles[1]) for c in rows[0]]]
         cells += [[Words(self.text(c), styles[2 if is_number(c) else 0]) for c in row] for row in rows[1:]]
-        grid = [("GRID", (0, 0), (-1, -1), 0.5, "#777777"), ("VALIGN", (0, 0), (-1, -1), "MIDDLE"),
-                ("BACKGROUND", (0, 0), (-1, 0), "#f2f2f2"), ("LEFTPADDING", (0, 0), (-1, -1), 3),
-                ("RIGHTPADDING", (0, 0), (-1, -1), 3), ("TOPPADDING", (0, 0), (-1, -1), 1.5)]  # fmt: skip
+        grid = [
+            ("GRID", (0, 0), (-1, -1), 0.5, "#777777"),
+            ("VALIGN", (0, 0), (-1, -1), "MIDDLE"),
+            ("BACKGROUND", (0, 0), (-1, 0), "#f2f2f2"),
+            ("LEFTPADDING", (0, 0), (-1, -1), 3),
+            ("RIGHTPADDING", (0, 0), (-1, -1), 3),
+            ("TOPPADDING", (0, 0), (-1, -1), 1.5),
+        ]
         widths = [WIDTH * n / max(sum(longest), 60) for n in longest]
         return Grid(cells, widths, style=grid, repeatRows=1, hAlign="LEFT", spaceAfter=6)
 

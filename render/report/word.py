@@ -9,7 +9,7 @@ from typing import Any
 from docx import Document
 from docx.shared import Mm, Pt
 
-from planes.solving.document import Block, Figure, Formula, Heading, Paragraph, Table
+from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
 from render.paper.letters import pieces
 from render.paper.names import Naming
 from render.report.figures import Shown, Studio, raster
@@ -55,7 +55,7 @@ class _Writer:
                 line = self.picture(formula(tex, LETTER))
                 if number:
                     line.add_run(f"  ({number})")
-            case Table(caption, rows):
+            case DocumentTable(caption, rows):
                 self.table(caption, rows)
             case Figure():
                 pictures, caption = self.studio.shown(block)

@@ -15,8 +15,8 @@ from render.paper.marks import Mark
 from render.paper.typeset import plain
 from render.sheet.frame import FORMATS, Paper
 from render.sheet.layout import FULL, QUICK, USUAL, Effort, Field, Packed, pack, spread
-from render.sheet.said import cells
 from render.sheet.sizes import LARGEST, Extents, Sizes, grown
+from render.sheet.title_block import cells
 from render.views import View
 
 SMALLER = (0.8, 0.63, 0.5, 0.4)
@@ -146,9 +146,13 @@ def without(spare: Sequence[View], views: Sequence[View], paper: Paper, number: 
 
 
 def finished(
-    scene: Scene, paper: Paper, places: Sequence[tuple[View, float, float]], lang: Lang, number: int | None = None,
+    scene: Scene,
+    paper: Paper,
+    places: Sequence[tuple[View, float, float]],
+    lang: Lang,
+    number: int | None = None,
     warnings: tuple[str, ...] = (),
-) -> Sheet:  # fmt: skip
+) -> Sheet:
     """The views in their places within frame and title block."""
     marks = [m for v, left, top in places for m in v.placed(left, top)]
     title = scene.title.get(lang, "")
@@ -172,8 +176,11 @@ def no_room(contents: Contents, paper: Paper, lang: Lang) -> SceneError:
     larger = names[names.index(paper.name) + 1 :]
     fitting = next((n for n in larger if any(fitted(contents, n, True, whole) for whole in (True, False))), "")
     words = {
-        "format": paper.name, "view": plain(largest.title or largest.key), "count": len(views),
-        "width": round(largest.width), "height": round(largest.height),
-    }  # fmt: skip
+        "format": paper.name,
+        "view": plain(largest.title or largest.key),
+        "count": len(views),
+        "width": round(largest.width),
+        "height": round(largest.height),
+    }
     words["advice"] = say("room_on", lang, larger=fitting) if fitting else say("no_room_larger", lang)
     return SceneError(say("no_room" if alone else "no_room_together", lang, **words))

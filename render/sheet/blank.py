@@ -10,9 +10,11 @@ LETTER = 5.0
 
 
 def compose(
-    size_mm: tuple[float, float], squares: Iterable[tuple[complex, Sequence[Sequence[bool]], float]], pole: complex,
+    size_mm: tuple[float, float],
+    squares: Iterable[tuple[complex, Sequence[Sequence[bool]], float]],
+    pole: complex,
     texts: Sequence[str],
-) -> list[Mark]:  # fmt: skip
+) -> list[Mark]:
     """The marks of a blank. ``squares`` are (centre, black cells from the top row, side in mm)."""
     w, h = size_mm
     frame = (20 + 5j, complex(w - 5, 5), complex(w - 5, h - 5), complex(20, h - 5))

@@ -13,7 +13,7 @@ from render.paper.numbers import decimal
 from render.paper.photo import Box, Photo, faded, ink_of
 from render.paper.photo import moved as shifted
 from render.paper.typeset import extent
-from render.views.tables import Grid, folded
+from render.views.tables import TableGrid, folded
 
 Vector = tuple[complex, complex]
 Table = tuple[Sequence[str], Sequence[Sequence[str]]]  # head and rows
@@ -115,7 +115,7 @@ def _tables(sheet: Overlay) -> tuple[list[Mark], complex]:
     for head, rows in sheet.tables:
         if not rows:
             continue
-        drawn = Grid(SMALL).drawn(*folded(head, rows))
+        drawn = TableGrid(SMALL).drawn(*folded(head, rows))
         places = [z for m in drawn if isinstance(m, Line) for z in m.points]
         start = low - GAP if out else 0.0
         out += [moved(m, 1j * start) for m in drawn]

@@ -45,7 +45,7 @@ def extents(at: Drawer, sizes: Sizes) -> dict[str, float]:
 
 
 @dataclass
-class Forces:
+class ForceSheet:
     """The views of sheet 2."""
 
     composer: Composer

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from render.labels.footprints import Bounds
-from render.sheet.rectangles import RULES, Rule, Size, Spot, filled
+from render.sheet.rectangles import RULES, PlacedRectangle, Rule, Size, filled
 
 GAP_MM = 7.0  # least distance of views from each other and from the frame
 ROUNDS = 80
@@ -32,7 +32,7 @@ class Packed:
     """Places of rectangles, how far they are from being read easily, whether the first figure stands first, and out of
     how many arrangements they are the best."""
 
-    spots: list[Spot]
+    spots: list[PlacedRectangle]
     cost: float
     led: bool = True
     choice: int = 1
@@ -99,7 +99,7 @@ def _improved(sizes: Sequence[Size], field: Field, found: Packed, order: list[in
     return found
 
 
-def _cost(spots: Sequence[Spot], field: Bounds, figures: int) -> float:
+def _cost(spots: Sequence[PlacedRectangle], field: Bounds, figures: int) -> float:
     """How far an arrangement is from one that is read easily: in order, from the upper left, in few rows.
 
     The first ``figures`` are read one after the other; tables may stand anywhere, best near each other and towards
@@ -118,13 +118,13 @@ def _cost(spots: Sequence[Spot], field: Bounds, figures: int) -> float:
     return cost + near + aside
 
 
-def _before(later: Spot, earlier: Spot) -> bool:
+def _before(later: PlacedRectangle, earlier: PlacedRectangle) -> bool:
     """Whether a rectangle that is to be read later stands above, or on the left in the same row."""
     higher = later.top > earlier.top + 8
     return later.x < earlier.right and (higher or (later.x < earlier.x and _in_row(earlier, later)))
 
 
-def _in_row(one: Spot, other: Spot) -> bool:
+def _in_row(one: PlacedRectangle, other: PlacedRectangle) -> bool:
     """Whether two rectangles stand side by side, more or less."""
     return min(one.top, other.top) - max(one.y, other.y) > 0.5 * min(one.height, other.height)
 
@@ -145,12 +145,12 @@ def _orders(sizes: Sequence[Size], tries: int) -> Iterator[list[int]]:
         yield sorted(plain, key=lambda k: ranks.index(k) + shuffler.uniform(0, loose))
 
 
-def spread(spots: list[Spot], field: Field) -> list[Spot]:
+def spread(spots: list[PlacedRectangle], field: Field) -> list[PlacedRectangle]:
     """The same arrangement with white space shared: every view comes to stand midway between its neighbours.
 
     Views that stood side by side with their tops in one line keep doing so.
     """
-    fixed = [Spot(b[0], b[1], b[2] - b[0], b[3] - b[1], True) for b in field.blocked]
+    fixed = [PlacedRectangle(b[0], b[1], b[2] - b[0], b[3] - b[1], True) for b in field.blocked]
     everything, gap = [*spots, *fixed], field.gap
     sides = [(i, j) for i in range(len(everything)) for j in range(len(everything)) if _beside(everything, i, j, gap)]
     for _ in range(ROUNDS):
@@ -173,13 +173,13 @@ def spread(spots: list[Spot], field: Field) -> list[Spot]:
     return spots
 
 
-def _beside(spots: Sequence[Spot], i: int, j: int, gap: float) -> bool:
+def _beside(spots: Sequence[PlacedRectangle], i: int, j: int, gap: float) -> bool:
     """Whether spot i stands to the left of j, within reach of it up and down."""
     a, b = spots[i], spots[j]
     return i != j and a.right <= b.x + 1e-6 and a.y < b.top + gap - 1e-6 and b.y < a.top + gap - 1e-6
 
 
-def _above(spots: Sequence[Spot], i: int, j: int, gap: float) -> bool:
+def _above(spots: Sequence[PlacedRectangle], i: int, j: int, gap: float) -> bool:
     """Whether spot i stands above j, within reach of it sideways."""
     a, b = spots[i], spots[j]
     return i != j and a.y >= b.top - 1e-6 and a.x < b.right + gap - 1e-6 and b.x < a.right + gap - 1e-6

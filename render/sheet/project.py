@@ -11,12 +11,12 @@ from planes.words.names import kind_of, mu_of
 from render.paper.marks import Mark, Text
 from render.paper.numbers import decimal
 from render.sheet.composer import LARGER, Composer, drawn_plans
-from render.sheet.forces import Drawer, Forces, extents
+from render.sheet.forces import Drawer, ForceSheet, extents
 from render.sheet.sizes import Sizes
 from render.views import View, beside, stacked, view
-from render.views.diagrams import SECTIONS, Curve, Diagrams, section_mm
+from render.views.diagrams import SECTIONS, DiagramCurve, Diagrams, section_mm
 from render.views.hodograph import Hodograph, hodograph_view
-from render.views.many import Many, Numbered, Placed
+from render.views.many import ManyPositions, Numbered, PlacedMechanism
 from render.views.plotted import of_position
 from render.views.scheme import Scheme
 
@@ -29,16 +29,16 @@ class Project:
 
     composer: Composer
     values: Sequence[float] = ()
-    turn: Sequence[Placed | None] = ()
+    turn: Sequence[PlacedMechanism | None] = ()
     numbered: Sequence[Numbered] = ()
     whole: bool = True
-    curves: Sequence[Curve] = ()
+    curves: Sequence[DiagramCurve] = ()
     loops: Sequence[Hodograph] = ()
 
     def sheet(self, number: int, at: Drawer, sizes: Sizes, letter: float, together: bool) -> list[View]:
         """The views of sheet 1 or 2."""
         if number == 2:
-            return Forces(self.composer).views(at, sizes, letter)
+            return ForceSheet(self.composer).views(at, sizes, letter)
         return [v for v in self.kinematics(at(sizes), sizes.of("diagrams"), letter, together) if v]
 
     def extents(self, number: int, at: Drawer, sizes: Sizes, plans: Mapping[str, float]) -> dict[str, float]:
@@ -75,7 +75,7 @@ class Project:
         title = f"{say('scheme', c.lang)}, {c.mu(of_position(position), 'position')}"
 
         def make() -> View:
-            many = Many(position.plans, self.numbered, self.turn, mu)
+            many = ManyPositions(position.plans, self.numbered, self.turn, mu)
             drawn = Scheme(position, c.naming).drawn(True, many.marks(), many.labels())
             return view("scheme", title, drawn, figure=True, unseen=many.unseen(title, c.lang))
 

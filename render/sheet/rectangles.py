@@ -9,7 +9,7 @@ from render.labels.footprints import Bounds
 
 
 @dataclass
-class Spot:
+class PlacedRectangle:
     """A rectangle being placed: lower left corner and size; ``fixed`` ones are in the way and do not move."""
 
     x: float
@@ -52,7 +52,7 @@ RULES: tuple[Rule, ...] = (_by_top, _by_fit, _by_left)
 
 def filled(
     sizes: Sequence[Size], field: Bounds, blocked: Sequence[Bounds], gap: float, rule: Rule
-) -> list[Spot] | None:
+) -> list[PlacedRectangle] | None:
     """Each rectangle into the upper left corner of a free one; free ones may overlap (maximal rectangles)."""
     free: list[Bounds] = [(field[0] + gap, field[1], field[2], field[3] - gap)]
     for b in blocked:
@@ -65,7 +65,7 @@ def filled(
             return None
         best = min(fits, key=lambda f: rule(f, need))
         taken = (best[0], best[3] - need[1], best[0] + need[0], best[3])
-        spots.append(Spot(taken[0], taken[1] + gap, width, height))
+        spots.append(PlacedRectangle(taken[0], taken[1] + gap, width, height))
         free = _without(free, taken)
     return spots
 

@@ -15,7 +15,7 @@ from render.files import svg
 from render.paper.marks import Mark
 from render.sheet import unseen
 from render.sheet.composer import Composer
-from render.sheet.forces import Forces
+from render.sheet.forces import ForceSheet
 from render.sheet.project import Project
 from render.views import View
 from render.views.plotted import of_position, of_vectors
@@ -67,7 +67,7 @@ def of_mechanism(
     ``more`` are views of what is not seen in a position: constructions over the cycle, the self-aligning variant.
     """
     plotted, plans = of_position(position), position.plans
-    bare, loaded, tables = Project(composer), Forces(composer), composer.tables(position, LETTER_MM)
+    bare, loaded, tables = Project(composer), ForceSheet(composer), composer.tables(position, LETTER_MM)
     rates = tuple(p for p in plans.drawn if p in ("velocity", "acceleration") and not plotted.still(p))
     forces = tuple(p for p in plans.drawn if kind_of(p) == "force" and not plotted.still(p))
     found: dict[str, Callable[[], View | None]] = {"position": lambda: composer.scheme(position)}
@@ -90,9 +90,15 @@ def of_mechanism(
     found["force-equations"] = lambda: composer.formulas(plotted, forces, LETTER_MM, balance)
     found["moments"] = lambda: composer.moments(position, LETTER_MM)
     found["lever"] = lambda: loaded.lever(position, LETTER_MM)
-    found |= {"given": tables.given, "velocities": lambda: tables.plan("velocity"),
-              "accelerations": lambda: tables.plan("acceleration"), "links": tables.links,
-              "reactions": tables.reactions, "check": tables.check, **more}  # fmt: skip
+    found |= {
+        "given": tables.given,
+        "velocities": lambda: tables.plan("velocity"),
+        "accelerations": lambda: tables.plan("acceleration"),
+        "links": tables.links,
+        "reactions": tables.reactions,
+        "check": tables.check,
+        **more,
+    }
     return found
 
 

@@ -32,9 +32,7 @@ Extents = Callable[[Sizes], Mapping[str, float]]
 """The size in mm of every plan of the sheet whose μ the scene leaves open."""
 
 
-def grown(
-    start: Sizes, extents: Extents, most: float, fits: Callable[[Sizes], bool]
-) -> Sizes:
+def grown(start: Sizes, extents: Extents, most: float, fits: Callable[[Sizes], bool]) -> Sizes:
     """Sizes with every plan as large as the sheet holds: the smallest grows first, by one standard μ at a time."""
     sizes, now = start, dict(extents(start))
     growing = set(now)

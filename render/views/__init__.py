@@ -56,9 +56,13 @@ def bounds(marks: Sequence[Mark]) -> Bounds:
 
 
 def view(
-    key: str, title: str, marks: Iterable[Mark], height: float = TITLE_MM, figure: bool = False,
+    key: str,
+    title: str,
+    marks: Iterable[Mark],
+    height: float = TITLE_MM,
+    figure: bool = False,
     unseen: Iterable[str] = (),
-) -> View:  # fmt: skip
+) -> View:
     """A view with its title centred above it."""
     held = tuple(marks)
     box = bounds(held)

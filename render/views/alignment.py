@@ -117,7 +117,7 @@ def counted(aligned: Aligned, letter: float) -> list[Mark]:
     high = letter * 1.4
     lines = [
         "W = 6n − 5p_{5} − 4p_{4} − 3p_{3} = "
-        f"6·{aligned.n} − 5·{p5} − 4·{p4} − 3·{p3} = {aligned.W};   q = {aligned.q}",
+        f"6·{aligned.n} − 5·{p5} − 4·{p4} − 3·{p3} = {aligned.W};   q = {aligned.q}"
     ]
     return [Text(t, complex(0, -1.9 * high * k), high, "middle") for k, t in enumerate(lines)]
 
@@ -147,9 +147,7 @@ def _revolute(z: complex) -> tuple[Mark, ...]:
 
 def _cylindrical(z: complex) -> tuple[Mark, ...]:
     """A shaft that turns and slides in a sleeve."""
-    sleeve = [
-        Line((z + complex(-4, y), z + complex(4, y))) for y in (-2.2, 2.2)
-    ]
+    sleeve = [Line((z + complex(-4, y), z + complex(4, y))) for y in (-2.2, 2.2)]
     return (*sleeve, Line((z - 10, z + 10)))
 
 

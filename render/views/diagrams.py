@@ -23,7 +23,7 @@ WILD = 30.0  # and at so many anywhere
 
 
 @dataclass(frozen=True)
-class Curve:
+class DiagramCurve:
     """One quantity over the turn: its letter, its unit, and a value or None for every angle. ``name`` is its whole name
     as it is lettered, where it is not the driven link's own; ``places`` its angles, where they are finer than the
     others' and None marks a jump."""
@@ -46,7 +46,7 @@ class Diagrams:
 
     plans: Plans
     angles: Sequence[float]
-    curves: Sequence[Curve]
+    curves: Sequence[DiagramCurve]
     naming: Naming
     section: float = WIDTHS_MM[0]
     whole: bool = True
@@ -75,7 +75,7 @@ class Diagrams:
             lowest = zero + bottom
         return (*marks, *self.numbers(lowest - 6.5))
 
-    def one(self, curve: Curve, mu: float, zero: float, top: float) -> list[Mark]:
+    def one(self, curve: DiagramCurve, mu: float, zero: float, top: float) -> list[Mark]:
         """One curve on its axes, its zero line at the height ``zero``."""
         wide = self.section * SECTIONS
         marks: list[Mark] = [
@@ -123,22 +123,24 @@ class Diagrams:
         return [*found, Text(text, complex(self.section * SECTIONS / 2, level - 7.0), 3.5, "middle")]
 
 
-def cut_off(curve: Curve) -> Curve:
+def cut_off(curve: DiagramCurve) -> DiagramCurve:
     """A curve without ordinates far beyond the rest, which grow without bounds beside dead positions."""
     sizes = sorted(abs(v) for v in curve.values if v is not None)
     usual = sizes[len(sizes) // 2] if sizes else 0.0
     calm = [k for k, v in enumerate(curve.values) if v is not None and abs(v) <= STEEP * usual]
     low, high = (calm[0], calm[-1]) if calm else (0, 0)
-    kept = (v if v is not None and low <= k <= high and abs(v) <= WILD * usual else None
-            for k, v in enumerate(curve.values))  # fmt: skip
+    kept = (
+        v if v is not None and low <= k <= high and abs(v) <= WILD * usual else None for k, v in enumerate(curve.values)
+    )
     return replace(curve, values=tuple(kept))
 
 
-def jumps(curve: Curve) -> list[tuple[float, float, float]]:
+def jumps(curve: DiagramCurve) -> list[tuple[float, float, float]]:
     """Where a curve of its own places breaks off and goes on: the angle, the value before and the one after."""
     rows = zip(curve.places, curve.places[2:], curve.values, curve.values[1:], curve.values[2:], strict=False)
-    return [(a, y, z) for a, b, y, gap, z in rows
-            if gap is None and y is not None and z is not None and abs(b - a) < 1e-4]  # fmt: skip
+    return [
+        (a, y, z) for a, b, y, gap, z in rows if gap is None and y is not None and z is not None and abs(b - a) < 1e-4
+    ]
 
 
 def pieces(angles: Sequence[float], values: Sequence[float | None]) -> list[list[tuple[float, float]]]:

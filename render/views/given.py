@@ -14,15 +14,28 @@ from render.paper.numbers import number, unit
 
 RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m")
 """Units in the order their rows stand in."""
-UNITS = {"m": "kg", "J": "kgm2", "I": "kgm2", "F": "N", "P": "N", "Q": "N", "G": "N", "M": "N·m", "T": "N·m",
-         "v": "m/s", "omega": "rad/s", "epsilon": "rad/s²", "g": "m/s²"}  # fmt: skip
+UNITS = {
+    "m": "kg",
+    "J": "kgm2",
+    "I": "kgm2",
+    "F": "N",
+    "P": "N",
+    "Q": "N",
+    "G": "N",
+    "M": "N·m",
+    "T": "N·m",
+    "v": "m/s",
+    "omega": "rad/s",
+    "epsilon": "rad/s²",
+    "g": "m/s²",
+}
 ANGLES = ("angle", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta")
 LENGTHS = "lxyrRabcdehHsLDzS"
 SAME = 1e-9
 
 
 @dataclass(frozen=True)
-class Row:
+class GivenRow:
     """A name as it is lettered, a value in the unit of the table (SI, degrees), the unit's key."""
 
     name: str
@@ -32,7 +45,7 @@ class Row:
 
 
 @dataclass(frozen=True)
-class Given:
+class GivenTable:
     """The given values of a position; ``parameters`` are those of its scene."""
 
     position: Position
@@ -48,91 +61,96 @@ class Given:
         found.sort(key=lambda r: (not r.of_drive, places[r.unit]))
         return [self.row(r) for r in found]
 
-    def row(self, r: Row) -> list[str]:
+    def row(self, r: GivenRow) -> list[str]:
         """A row in words."""
         lang = self.naming.lang
         return [r.name, number(r.value, lang), unit(r.unit, lang) or "—"]
 
-    def drive(self) -> list[Row]:
+    def drive(self) -> list[GivenRow]:
         """The driver's place in this position, and its motion."""
         drive = self.position.plans.mechanism.drive
         n = self.naming.link(drive.link)
         turning, sliding = (("φ", "°"), ("ω", "rad/s"), ("ε", "rad/s²")), (("s", "m"), ("v", "m/s"), ("a", "m/s²"))
         letters = turning if drive.kind == "phi" else sliding
         values = (self.position.at, drive.velocity, drive.acceleration)
-        return [Row(f"{letter}_{{{n}}}", v, unit, True) for (letter, unit), v in zip(letters, values, strict=True)]
+        return [GivenRow(f"{letter}_{{{n}}}", v, unit, True) for (letter, unit), v in zip(letters, values, strict=True)]
 
-    def named(self) -> Iterator[Row]:
+    def named(self) -> Iterator[GivenRow]:
         """The parameters; what a load is called on the sheet stands beside the name of its parameter."""
         shown = {r.name for r in self.drive()}
         drive = self.position.plans.mechanism.drive
         for name, value in self.parameters.items():
-            row = Row(greek(name), value, unit_of(name))
+            row = GivenRow(greek(name), value, unit_of(name))
             moved = name.partition("_")[0] == drive.kind and value == drive.position
             if row.name not in shown and not moved:
-                other = [r.name for r in self.loads() if r.unit == row.unit and _equal(r.value, value)
-                         and r.name.partition("_")[2] == row.name.partition("_")[2]]  # fmt: skip
-                yield Row(" = ".join(dict.fromkeys([row.name, *other])), value, row.unit)
+                other = [
+                    r.name
+                    for r in self.loads()
+                    if r.unit == row.unit
+                    and _equal(r.value, value)
+                    and r.name.partition("_")[2] == row.name.partition("_")[2]
+                ]
+                yield GivenRow(" = ".join(dict.fromkeys([row.name, *other])), value, row.unit)
 
-    def known(self, row: Row) -> bool:
+    def known(self, row: GivenRow) -> bool:
         """Whether a parameter, or the sum or difference of two, has the value of a row."""
         alike = [abs(v) for name, v in self.parameters.items() if unit_of(name) in (row.unit, "")]
         sums = [abs(a + sign * b) for k, a in enumerate(alike) for b in alike[:k] for sign in (1, -1)]
         return any(_equal(abs(row.value), v) for v in (*alike, *sums))
 
-    def unnamed(self) -> Iterator[Row]:
+    def unnamed(self) -> Iterator[GivenRow]:
         """Every number of the mechanism."""
         m = self.position.plans.mechanism
         for point, z in m.frame.points.items():
             letter = self.naming.point(point).replace("_{", "").replace("}", "")
-            yield Row(f"x_{{{letter}}}", z.real, "m")
-            yield Row(f"y_{{{letter}}}", z.imag, "m")
+            yield GivenRow(f"x_{{{letter}}}", z.real, "m")
+            yield GivenRow(f"y_{{{letter}}}", z.imag, "m")
         for guide in m.frame.guides.values():
             yield from self.frame_guide(guide)
         for link in m.links.values():
             yield from self.lengths(link)
             n = self.naming.link(link.name)
-            yield Row(f"m_{{{n}}}", link.mass or 0.0, "kg")
-            yield Row(f"J_{{{n}}}", link.inertia or 0.0, "kgm2")
+            yield GivenRow(f"m_{{{n}}}", link.mass or 0.0, "kg")
+            yield GivenRow(f"J_{{{n}}}", link.inertia or 0.0, "kgm2")
         yield from self.loads()
-        yield Row("g", m.gravity or 0.0, "m/s²")
+        yield GivenRow("g", m.gravity or 0.0, "m/s²")
         for name, f in m.friction.items():
-            yield Row(f"f_{{{name}}}", f, "")
+            yield GivenRow(f"f_{{{name}}}", f, "")
 
-    def frame_guide(self, guide: Guide) -> Iterator[Row]:
+    def frame_guide(self, guide: Guide) -> Iterator[GivenRow]:
         """Where a guide of the frame lies and how it is turned."""
         name = guide.name.replace("-", "–")
         if guide.through_point is None:
-            yield Row(f"x_{{{name}}}", guide.through.real, "m")
-            yield Row(f"y_{{{name}}}", guide.through.imag, "m")
+            yield GivenRow(f"x_{{{name}}}", guide.through.real, "m")
+            yield GivenRow(f"y_{{{name}}}", guide.through.imag, "m")
         if guide.angle_deg % 90:
-            yield Row(f"∠{name}", guide.angle_deg, "°")
+            yield GivenRow(f"∠{name}", guide.angle_deg, "°")
 
-    def lengths(self, link: Link) -> Iterator[Row]:
+    def lengths(self, link: Link) -> Iterator[GivenRow]:
         """Places of a link's points in its axes, its guides, its place on the guide it slides on."""
         first = link.first_point
         for point, z in link.points.items():
             way = z - link.points[first]
             straight = way.imag == 0
             if way:
-                yield Row(f"l_{{{first}{point}}}", way.real if straight else abs(way), "m")
-                yield Row(f"∠{first}{point}", 0.0 if straight else round(math.degrees(cmath.phase(way)), 9), "°")
+                yield GivenRow(f"l_{{{first}{point}}}", way.real if straight else abs(way), "m")
+                yield GivenRow(f"∠{first}{point}", 0.0 if straight else round(math.degrees(cmath.phase(way)), 9), "°")
         for guide in link.guides.values():
-            yield Row(f"∠{guide.name}", guide.angle_deg, "°")
+            yield GivenRow(f"∠{guide.name}", guide.angle_deg, "°")
             if guide.through_point is None:
-                yield Row(f"x_{{{guide.name}}}", guide.through.real, "m")
-                yield Row(f"y_{{{guide.name}}}", guide.through.imag, "m")
+                yield GivenRow(f"x_{{{guide.name}}}", guide.through.real, "m")
+                yield GivenRow(f"y_{{{guide.name}}}", guide.through.imag, "m")
         if link.slides:
-            yield Row(f"e_{{{self.naming.link(link.name)}}}", link.slides.offset or 0.0, "m")
-            yield Row(f"∠{self.naming.link(link.name)}", link.slides.angle_deg or 0.0, "°")
+            yield GivenRow(f"e_{{{self.naming.link(link.name)}}}", link.slides.offset or 0.0, "m")
+            yield GivenRow(f"∠{self.naming.link(link.name)}", link.slides.angle_deg or 0.0, "°")
 
-    def loads(self) -> Iterator[Row]:
+    def loads(self) -> Iterator[GivenRow]:
         """Forces and couples as they are called on the sheet."""
         plans = self.position.plans
         for name, m in plans.means.items():
             if name in plans.given and m.quantity in ("load", "couple"):
                 unit = "N" if m.quantity == "load" else "N·m"
-                yield Row(self.naming.vector(m.of), float(plans.given[name]), unit)
+                yield GivenRow(self.naming.vector(m.of), float(plans.given[name]), unit)
 
 
 def unit_of(name: str) -> str:

@@ -60,8 +60,10 @@ class Graphical:
         """The exact curve."""
         m = self.construction.motion
         first = m.curves[0][0] if stage.rank == 0 else 0.0
-        return [complex(t * self.construction.mu_t, (y - first) * stage.mu) for t, y in
-                zip(m.dense_time, m.curves[stage.rank], strict=True)]  # fmt: skip
+        return [
+            complex(t * self.construction.mu_t, (y - first) * stage.mu)
+            for t, y in zip(m.dense_time, m.curves[stage.rank], strict=True)
+        ]
 
     def levels(self, stage: Stage) -> tuple[float, float]:
         """The lowest and the highest ordinate, mm."""
@@ -112,8 +114,11 @@ class Graphical:
         pole, found = self.place(stage.plan, "P"), []
         for h in self.cuts(stage):
             found.append(Line((zero + pole, zero + h), "construction", "construction"))
-        marks: list[Mark] = [*found, *dot(zero + pole, 0.6, "construction"),
-                             Line((zero + pole, zero), "thin", "dimension")]  # fmt: skip
+        marks: list[Mark] = [
+            *found,
+            *dot(zero + pole, 0.6, "construction"),
+            Line((zero + pole, zero), "thin", "dimension"),
+        ]
         level = self.pole_room(stage)
         low, high = zero + pole, zero
         text, middle = f"H = {number(stage.pole_mm, self.naming.lang)}", (low + high) / 2
@@ -123,12 +128,14 @@ class Graphical:
             written = Text(text, low + complex(-4.0, level - 1.3), 3.5, "end")
             marks.append(Line((low + complex(-3.0, level), low + 1j * level), "thin", "dimension"))
         return [
-            *marks, written, Text("P", low + complex(-1.5, -1.2), 3.5, "end"),
+            *marks,
+            written,
+            Text("P", low + complex(-1.5, -1.2), 3.5, "end"),
             Line((low, low + 1j * (level - 1.0)), "thin", "dimension"),
             Line((high + 1j * min(0.0, self.levels(stage)[0] - 1.5), high + 1j * (level - 1.0)), "thin", "dimension"),
             Arrow(middle + 1j * level, low + 1j * level, "thin", "dimension"),
             Arrow(middle + 1j * level, high + 1j * level, "thin", "dimension"),
-        ]  # fmt: skip
+        ]
 
     def pole_room(self, stage: Stage) -> float:
         """Where the distance of the pole is written: beneath all its rays."""

@@ -43,8 +43,9 @@ def hodograph_view(loops: Sequence[Hodograph], naming: Naming) -> View:
 def _one(loop: Hodograph, naming: Naming) -> View:
     lang = naming.lang
     known = [z for z in loop.path if z is not None] + [0j]
-    wide = max(max(z.real for z in known) - min(z.real for z in known),
-               max(z.imag for z in known) - min(z.imag for z in known))  # fmt: skip
+    wide = max(
+        max(z.real for z in known) - min(z.real for z in known), max(z.imag for z in known) - min(z.imag for z in known)
+    )
     mu = standard_mu(wide, WIDE_MM)
     letter = loop.name.partition("_")[0]
     title = f"{say('hodograph', lang, name=loop.name)}, μ_{{{letter}}} = {scale(mu, loop.unit, lang)}"

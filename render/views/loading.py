@@ -136,8 +136,12 @@ class Loading:
 
     def big(self, size: float) -> bool:
         """Whether a force is more than rounding noise."""
-        sizes = [abs(float(self.drawing[f.size])) for fs in self.position.plans.acting.forces.values() for f in fs
-                 if f.size in self.drawing]  # fmt: skip
+        sizes = [
+            abs(float(self.drawing[f.size]))
+            for fs in self.position.plans.acting.forces.values()
+            for f in fs
+            if f.size in self.drawing
+        ]
         return abs(size) > NOTHING * max(sizes, default=0.0)
 
     def force(self, name: str, point: complex, way: complex, from_outside: bool = False) -> None:

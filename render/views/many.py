@@ -22,7 +22,7 @@ NEAR = 1.8  # and so many times where it grows beyond that: the positions farthe
 
 
 @dataclass(frozen=True)
-class Placed:
+class PlacedMechanism:
     """A mechanism in one position: where its points are, in m, and how its links are turned, in degrees."""
 
     points: Mapping[str, complex]
@@ -34,20 +34,20 @@ class Numbered:
     """One of many positions: its number, where it is (None where the mechanism does not work), whether an extreme."""
 
     number: str
-    result: Placed | None
+    result: PlacedMechanism | None
     extreme: bool = False
 
 
 @dataclass(frozen=True)
-class Many:
+class ManyPositions:
     """Numbered positions and a finer turn for the paths; ``mu`` is that of the scheme, mm per m."""
 
     plans: Plans
     numbered: Sequence[Numbered]
-    turn: Sequence[Placed | None]
+    turn: Sequence[PlacedMechanism | None]
     mu: float
 
-    def place(self, result: Placed, point: str) -> complex:
+    def place(self, result: PlacedMechanism, point: str) -> complex:
         """Where a point stands in a position, on paper."""
         return result.points[point] * self.mu
 
@@ -68,12 +68,12 @@ class Many:
             return False
         return all(abs(self.place(first, p) - self.place(last, p)) < 0.1 for p in first.points)
 
-    def size(self, result: Placed) -> float:
+    def size(self, result: PlacedMechanism) -> float:
         """The largest distance of a point from the driver's pair, on paper."""
         centre = self.place(result, self.plans.mechanism.links[self.plans.mechanism.drive.link].first_point)
         return max(abs(self.place(result, p) - centre) for p in result.points)
 
-    def near(self, result: Placed | None) -> bool:
+    def near(self, result: PlacedMechanism | None) -> bool:
         """Whether a position is there and on the paper."""
         return result is not None and self.size(result) <= self.reach
 
@@ -88,7 +88,7 @@ class Many:
                         found.append(Line(tuple(outline), style, "construction", len(outline) > 2))
         return found + self.paths()
 
-    def outlines(self, link: Link, result: Placed) -> list[list[complex]]:
+    def outlines(self, link: Link, result: PlacedMechanism) -> list[list[complex]]:
         """The bar or plate of a link, as the scheme shows it, and the rods of its guides as far as their sliders."""
         hinged = {p for x in self.links if x is not link for p in x.points}
         joints = [self.place(result, p) for p in link.points if p in hinged or p != link.centre]
@@ -110,7 +110,7 @@ class Many:
         """All links, the frame too."""
         return [self.plans.mechanism.frame, *self.plans.mechanism.links.values()]
 
-    def line(self, guide: str, result: Placed) -> tuple[complex, complex]:
+    def line(self, guide: str, result: PlacedMechanism) -> tuple[complex, complex]:
         """A point of a guide's line and its direction."""
         mechanism = self.plans.mechanism
         owner, given = mechanism.link(mechanism.owner(guide)), mechanism.guide(guide)
@@ -121,7 +121,7 @@ class Many:
         first = owner.first_point
         return self.place(result, first) + (given.through - owner.points[first]) * turn * self.mu, along * turn
 
-    def foot(self, slider: Link, guide: str, result: Placed) -> complex:
+    def foot(self, slider: Link, guide: str, result: PlacedMechanism) -> complex:
         """Where a slider's first point is dropped on its guide."""
         through, along = self.line(guide, result)
         return through + ((self.place(result, slider.first_point) - through) * along.conjugate()).real * along

@@ -94,9 +94,10 @@ class Polygon:
     def unseen(self, title: str) -> list[str]:
         """A sentence about the vectors that are too short to be drawn, if there are any."""
         sizes = {
-            s.name: abs(self.mark(s.end) - self.mark(s.start)) for s in self.plotted.segments
+            s.name: abs(self.mark(s.end) - self.mark(s.start))
+            for s in self.plotted.segments
             if s.plan == self.plan and self.plotted.has(s.plan, s.start, s.end)
-        }  # fmt: skip
+        }
         names = [plain(self.naming.vector(n)) for n, size in sizes.items() if NOTHING_MM < size <= ZERO_MM]
         told = {"view": plain(title), "names": ", ".join(names), "least": number(ZERO_MM, self.naming.lang)}
         return [say("too_short", self.naming.lang, **told)] if names else []

@@ -35,9 +35,7 @@ def driver_arrows(places: Places, naming: Naming, ground: Sequence[Mark]) -> tup
     return found, named
 
 
-def _free_arc(
-    places: Places, radius: float, sense: float, ground: Sequence[Mark]
-) -> tuple[tuple[Mark, ...], complex]:
+def _free_arc(places: Places, radius: float, sense: float, ground: Sequence[Mark]) -> tuple[tuple[Mark, ...], complex]:
     """A curved arrow where it crosses nothing, near the crank; and the middle of its arc."""
     pivot = places.at(places.position.plans.structure.drive_pair.point)
     points = places.mechanism.links[places.mechanism.drive.link].points

@@ -21,7 +21,7 @@ from render.paper.numbers import number
 from render.paper.typeset import extent
 from render.views import View, remark, view
 from render.views.formulas import NOISE_MM
-from render.views.given import Given
+from render.views.given import GivenTable
 
 Row = Sequence[str]
 CLEAR_MM = 0.65  # least distance of a text from the middle of the lines above and beneath it
@@ -30,7 +30,7 @@ _SENSES = {"↺": 1.0, "↻": -1.0}
 
 
 @dataclass(frozen=True)
-class Grid:
+class TableGrid:
     """A table in the making: letters of ``letter`` mm, the head's names in the first row."""
 
     letter: float = 3.5
@@ -115,7 +115,7 @@ class Tables:
             angle = number(math.degrees(cmath.phase(v)), naming.lang) if abs(v) * results.mu > NOISE_MM else "—"
             mm = number(round(abs(v) * results.mu, 1), naming.lang, 5)
             rows.append([naming.vector(name), mm, number(abs(v), naming.lang), angle])
-        marks = Grid(letter).drawn(["", say("mm", naming.lang), unit, say("angle", naming.lang)], rows)
+        marks = TableGrid(letter).drawn(["", say("mm", naming.lang), unit, say("angle", naming.lang)], rows)
         return view("vectors-table", say("measured", naming.lang), marks) if rows else None
 
     def say(self, key: str) -> str:
@@ -131,7 +131,7 @@ class Tables:
         if not rows:
             return None
         head, rows = folded(head, rows)
-        drawn = Grid(self.letter).drawn(head, rows)
+        drawn = TableGrid(self.letter).drawn(head, rows)
         marks = (*drawn, remark(note, drawn)) if note else drawn
         return view(key, title, marks, self.letter * 10 / 7 if self.letter < 3 else 5.0)
 
@@ -143,7 +143,7 @@ class Tables:
 
     def given(self) -> View | None:
         """What the scene gives, each thing once."""
-        rows = Given(self.position, self.naming, self.parameters).rows()
+        rows = GivenTable(self.position, self.naming, self.parameters).rows()
         return self.table("given", self.say("given"), ["", "", ""], rows)
 
     def plan(self, plan: str) -> View | None:

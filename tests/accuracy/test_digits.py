@@ -8,7 +8,7 @@ import pytest
 from planes.accuracy.digits import Digits
 from planes.batch.columns import columns_of
 from planes.drafting.drawing import Drawing, run
-from planes.plans import Plans, state
+from planes.plans import Plans, plans_of
 from planes.plans.scales import unit_scales
 from planes.scene import load, loads
 from planes.words.errors import PlanFailure
@@ -31,7 +31,7 @@ drive: {{link: 1, phi: {phi}, omega: 1}}
 def plans(name: str) -> Plans:
     mechanism = load(str(SAMPLES / f"{name}.yaml")).mechanism
     assert mechanism
-    return state(mechanism)
+    return plans_of(mechanism)
 
 
 def drawn(p: Plans, digits: int | None, **moved: float) -> Drawing:
@@ -74,7 +74,7 @@ def test_a_crank_as_long_as_its_rod_keeps_its_digits_near_the_fold(power: int) -
     """
     mechanism = loads(SLIDER_CRANK.format(r=0.25, rod=0.25, phi=60)).mechanism
     assert mechanism
-    p = state(mechanism)
+    p = plans_of(mechanism)
     phi = 90 - 10.0**-power
     double, truth = (drawn(p, n, angle_x_1=phi) for n in (None, 50))
     for mark in (p.points["B"].position, p.points["B"].velocity):

@@ -14,7 +14,7 @@ from planes.accuracy.errors import add_errors
 from planes.cli import main
 from planes.drafting.drawing import run
 from planes.drafting.instruments import Pencil
-from planes.plans.measuring import Reader
+from planes.plans.measuring import DrawingReader
 from planes.plans.quantities import nested, results_of
 from planes.scene import load
 from planes.solving import solve
@@ -53,7 +53,7 @@ def test_errors_have_the_shape_of_results_and_hold(name: str) -> None:
             assert segment["error_mm"] == mm < 1e-9
 
 
-class Exactly(Reader):
+class Exactly(DrawingReader):
     """Reads a drawing of long numbers and loses none of them."""
 
     def finite(self, value: Any, name: str) -> Any:

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from planes.batch import Cycle, fused
+from planes.batch import Cycle, compiled
 from planes.cli import main
 from planes.scene import loads
 from planes.solving import plans_of, solve
@@ -53,7 +53,7 @@ def test_no_number_near_a_limit_is_wrong_without_a_word(family: str) -> None:
 @pytest.mark.few(1)
 @pytest.mark.parametrize("family", FAMILIES)
 def test_tables_by_arrays_and_compiled_leave_out_the_same(family: str) -> None:
-    if not fused.available():
+    if not compiled.available():
         pytest.skip("the compiler is not installed")
     text, values = case(family, random.Random(7), 60)
     c = Cycle(plans_of(loads(text))[0])

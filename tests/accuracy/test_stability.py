@@ -7,11 +7,11 @@ from functools import cache
 import numpy as np
 import pytest
 
-from planes.accuracy.bench import Bench
+from planes.accuracy.comparison import Comparison
 from planes.accuracy.limits import find
 from planes.accuracy.stability import Approach, approach
-from planes.batch import fused
-from planes.plans import Plans, state
+from planes.batch import compiled
+from planes.plans import Plans, plans_of
 from planes.scene import load, loads
 from tests.helpers import ROOT
 from tests.solving.test_remedies import PARALLELOGRAM
@@ -32,14 +32,14 @@ LIMITS = {  # sample: the given that moves, its value, which side works, what it
     "kind-4-prp": ("angle_x_1", 60.0, -1, "infinite"),
     "kind-5-rpp": ("angle_∥slot", 0.0, 1, "infinite"),
 }
-OURS = ["method_scalar", "method_batch", *(["method_fused"] if fused.available() else [])]
+OURS = ["method_scalar", "method_batch", *(["method_compiled"] if compiled.available() else [])]
 SHOWN = ["six-link", "kind-1-rrr", "kind-2-rrp", "kind-4-prp"]
 
 
 def plans(name: str) -> Plans:
     mechanism = load(str(SAMPLES / f"{name}.yaml")).mechanism
     assert mechanism
-    return state(mechanism)
+    return plans_of(mechanism)
 
 
 @cache
@@ -56,7 +56,7 @@ def ours(name: str) -> np.ndarray:
 @pytest.mark.parametrize("name", list(LIMITS))
 def test_every_sample_comes_to_a_limit(name: str) -> None:
     """By its drive; a crank that turns all round by an altered length, a yoke by the angle of its slot."""
-    limit = find(Bench(plans(name)))
+    limit = find(Comparison(plans(name)))
     given, value, side, kind = LIMITS[name]
     assert limit and (limit.way.name, limit.side, limit.kind) == (given, side, kind)
     assert float(limit.value) == pytest.approx(value, rel=1e-13, abs=1e-40)
@@ -65,14 +65,14 @@ def test_every_sample_comes_to_a_limit(name: str) -> None:
 def test_a_parallelogram_comes_to_its_change_point() -> None:
     mechanism = loads(PARALLELOGRAM).mechanism
     assert mechanism
-    limit = find(Bench(state(mechanism)))
+    limit = find(Comparison(plans_of(mechanism)))
     assert limit and limit.kind == "change" and float(limit.value) % 180 == pytest.approx(0, abs=1e-12)
 
 
 def test_a_bare_crank_comes_to_none() -> None:
     mechanism = loads(CRANK).mechanism
     assert mechanism
-    assert approach(state(mechanism)) is None
+    assert approach(plans_of(mechanism)) is None
 
 
 @pytest.mark.slow

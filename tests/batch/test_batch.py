@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from planes.drafting.drawing import Drawing, run
-from planes.plans import Plans, state
+from planes.plans import Plans, plans_of
 from planes.plans.scales import scales
 from planes.scene import loads
 from planes.words.errors import PlanFailure
@@ -26,7 +26,7 @@ def bench(text: str) -> Bench:
     """Plans and scales of a scene."""
     scene = loads(text)
     assert scene.mechanism
-    plans = state(scene.mechanism)
+    plans = plans_of(scene.mechanism)
     return plans, scales(plans, scene.mu)
 
 

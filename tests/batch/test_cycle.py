@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 
 from planes.accuracy.digits import Digits
-from planes.batch import Cycle, cycle, fused
-from planes.batch.claims import Claims
+from planes.batch import Cycle, compiled, cycle
+from planes.batch.error_bounds import Claims
 from planes.cli import main
 from planes.drafting.drawing import run
-from planes.plans import Plans, state
+from planes.plans import Plans, plans_of
 from planes.scene import load, loads
 from planes.scene.ranges import Span, read_span
 from planes.solving import solve
@@ -31,7 +31,7 @@ NAMES = ["six-link", "sliding-driver", *(f"kind-{k}" for k in ("1-rrr", "2-rrp",
 def plans(name: str) -> Plans:
     mechanism = load(str(SAMPLES / f"{name}.yaml")).mechanism
     assert mechanism
-    return state(mechanism)
+    return plans_of(mechanism)
 
 
 def span(p: Plans, count: int = 721) -> Span:
@@ -43,7 +43,7 @@ def whole(c: Cycle, values: Any, **how: Any) -> tuple[Any, Any]:
     return np.hstack([b.table for b in blocks]), np.hstack([b.codes for b in blocks])
 
 
-needs_compiler = pytest.mark.skipif(not fused.available(), reason="the extra planes[fast] is not installed")
+needs_compiler = pytest.mark.skipif(not compiled.available(), reason="the extra planes[fast] is not installed")
 
 
 @pytest.mark.few(3)
@@ -135,7 +135,7 @@ def test_random_mechanisms_leave_no_number_without_a_reason() -> None:
         case = make(rng, [KINDS[seed % 5]], friction=seed % 4 == 0)
         mechanism = loads(to_yaml(case.scene), "random.yaml").mechanism
         assert mechanism
-        p = state(mechanism)
+        p = plans_of(mechanism)
         c = Cycle(p)
         must = np.array([not x.beside for x in c.columns])
         for fast in (False, True) if seed < 5 else (False,):
@@ -206,7 +206,11 @@ def test_parquet_tables_hold_numbers_units_and_reasons(asked: Path) -> None:
     found, c = file.read(), Cycle(plans("six-link"), ["v_C", "M_1"])
     assert found.column_names == ["phi", "v_C_x", "v_C_y", "M_1", "failed"]
     assert [found.schema.field(n).metadata[b"unit"].decode() for n in found.column_names[:4]] == [
-        "°", "m/s", "m/s", "N·m"]  # fmt: skip
+        "°",
+        "m/s",
+        "m/s",
+        "N·m",
+    ]
     table, codes = whole(c, span)
     expected = np.vstack([span[:], table])
     assert np.array_equal([found[n].to_numpy() for n in found.column_names[:4]], expected, equal_nan=True)

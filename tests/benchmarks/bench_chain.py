@@ -7,7 +7,7 @@ import pytest
 from planes.diagrams.summary import summary
 from planes.diagrams.text import as_json
 from planes.documents import sheet_of
-from planes.plans import state
+from planes.plans import plans_of
 from planes.plans.structure import analyse
 from planes.scene import loads
 from tests.diagrams.test_degenerate import chain
@@ -18,7 +18,7 @@ def bench_cycle_of_a_chain(benchmark, links: int) -> None:
     scene = loads(chain(links // 2))
     benchmark.group, benchmark.extra_info["what"] = "a cycle's summary", f"{links} links"
     benchmark.extra_info["positions"] = 721
-    benchmark.pedantic(lambda: as_json(summary(scene, state(scene.mechanism))), rounds=1)
+    benchmark.pedantic(lambda: as_json(summary(scene, plans_of(scene.mechanism))), rounds=1)
 
 
 @pytest.mark.parametrize("links", [51, 201])

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from planes.accuracy.methods import machine
-from planes.plans import Plans, state
+from planes.plans import Plans, plans_of
 from planes.scene import load
 from planes.scene.ranges import Span
 
@@ -22,7 +22,7 @@ SCENES = {"four-bar": "kind-1-rrr", "slider-crank": "kind-2-rrp", "slotted lever
 def plans(name: str) -> Plans:
     mechanism = load(str(SAMPLES / f"{SCENES[name]}.yaml")).mechanism
     assert mechanism
-    return state(mechanism)
+    return plans_of(mechanism)
 
 
 def angles(name: str, count: int) -> np.ndarray:

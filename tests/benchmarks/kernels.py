@@ -11,9 +11,23 @@ from numba import njit
 FOUR_BAR_NAMES = ["r_B", "v_B", "a_B", "r_C", "v_C", "a_C", "omega_2", "omega_3", "epsilon_2", "epsilon_3"]
 SIX_LINK_NAMES = [
     *(f"{letter}_{p}" for p in ("B", "C", "S2", "H") for letter in "rva"),
-    "omega_2", "omega_3", "epsilon_2", "epsilon_3", "v_slide_4", "a_slide_4", "coriolis_4",
-    "F_21", "F_30", "F_32", "F_42", "F_54", "F_50", "F_10", "M_1", "MZ_1",
-]  # fmt: skip
+    "omega_2",
+    "omega_3",
+    "epsilon_2",
+    "epsilon_3",
+    "v_slide_4",
+    "a_slide_4",
+    "coriolis_4",
+    "F_21",
+    "F_30",
+    "F_32",
+    "F_42",
+    "F_54",
+    "F_50",
+    "F_10",
+    "M_1",
+    "MZ_1",
+]
 
 
 @njit(error_model="numpy")

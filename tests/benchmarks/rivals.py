@@ -11,14 +11,22 @@ import kernels
 import numpy as np
 from conftest import angles, plans
 
-from planes.accuracy.bench import Bench
-from planes.accuracy.peers import Pylinkage, kinepy_run, pylinkage_run
+from planes.accuracy.comparison import Comparison
+from planes.accuracy.other_programs import Pylinkage, kinepy_run, pylinkage_run
 from planes.batch import Cycle
 
-COLUMNS = {"four-bar": kernels.FOUR_BAR_NAMES, "slider-crank": kernels.SLIDER_CRANK_NAMES,
-           "slotted lever": kernels.SLOTTED_NAMES, "six-link": kernels.SIX_LINK_NAMES}  # fmt: skip
-KERNELS = {"four-bar": kernels.four_bar, "slider-crank": kernels.slider_crank,
-           "slotted lever": kernels.slotted_lever, "six-link": kernels.six_link}  # fmt: skip
+COLUMNS = {
+    "four-bar": kernels.FOUR_BAR_NAMES,
+    "slider-crank": kernels.SLIDER_CRANK_NAMES,
+    "slotted lever": kernels.SLOTTED_NAMES,
+    "six-link": kernels.SIX_LINK_NAMES,
+}
+KERNELS = {
+    "four-bar": kernels.four_bar,
+    "slider-crank": kernels.slider_crank,
+    "slotted lever": kernels.slotted_lever,
+    "six-link": kernels.six_link,
+}
 Work = Callable[[], object]
 
 
@@ -56,7 +64,7 @@ def pylinkage(name: str, count: int) -> Work | None:
     p, phis = plans(name), angles(name, count)
     if not find_spec("pylinkage") or not Pylinkage.can(p):
         return None
-    run = pylinkage_run(p, float(phis[0]), Bench(p).near(phis[:1])(0))
+    run = pylinkage_run(p, float(phis[0]), Comparison(p).near(phis[:1])(0))
     return lambda: run(phis)
 
 

@@ -15,8 +15,8 @@ from typing import Any
 import pytest
 
 from planes.check import check
-from planes.check.grading.bench import Asked, prepare
-from planes.check.grading.paper import Paper, Spot, read_table
+from planes.check.grading.paper import ReadMark, ReadPaper, read_table
+from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.reading.matching import paper_of
 from planes.check.reading.svg import read_svg
 from planes.check.report.rows import as_json
@@ -31,8 +31,19 @@ from tests.helpers.drawings import Care, Hand, Mistake
 
 SIX = str(SAMPLES / "six-link.yaml")
 RIGHT = {"p": 0j, "b": 30 + 51.96j, "c": 71.66 - 8.11j, "s2": 57.77 + 11.91j, "l": 41.13 - 29.28j, "h": 30.03j}
-KEYS = {"planes", "scene", "phi_deg", "plan", "verdict", "marks", "first_wrong", "mistake", "runner_up", "sentence",
-        "results"}  # fmt: skip
+KEYS = {
+    "planes",
+    "scene",
+    "phi_deg",
+    "plan",
+    "verdict",
+    "marks",
+    "first_wrong",
+    "mistake",
+    "runner_up",
+    "sentence",
+    "results",
+}
 
 
 def csv(marks: dict[str, complex], separator: str = ",", comma: str = ".", origin: complex = 100 + 80j) -> str:
@@ -52,9 +63,7 @@ def run(capsys: pytest.CaptureFixture[str], *args: str) -> tuple[int, dict[str, 
 
 
 @pytest.mark.parametrize(("separator", "comma"), [(",", "."), (";", ","), (";", "."), ("\t", ",")])
-def test_a_right_table_is_right(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], separator: str, comma: str
-) -> None:
+def test_a_right_table_is_right(tmp_path: Path, capsys: pytest.CaptureFixture[str], separator: str, comma: str) -> None:
     file = tmp_path / "v.csv"
     file.write_text(csv(RIGHT, separator, comma), encoding="utf-8-sig")
     status, found = run(capsys, str(file), "--plan", "velocity")
@@ -95,14 +104,14 @@ def test_names_of_all_alphabets_and_a_missing_normal(tmp_path: Path) -> None:
     ],
 )
 def test_results(rows: list[tuple[str, float, str]], plan: str, first: str | None, mistake: str | None) -> None:
-    found = as_json(check(asked(plan), Paper("t", results=rows)))
+    found = as_json(check(asked(plan), ReadPaper("t", results=rows)))
     assert (found["first_wrong"], found["mistake"]) == (first, mistake)
     assert [r["name"] for r in found["results"]] == [n for n, _, _ in rows]
 
 
-@pytest.mark.parametrize(("sample", "link", "ends"), [
-    ("bntu-5", "2", "BA"), ("sliding-driver", "2", "CB"), ("sliding-driver", "3", "CD"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("sample", "link", "ends"), [("bntu-5", "2", "BA"), ("sliding-driver", "2", "CB"), ("sliding-driver", "3", "CD")]
+)
 def test_epsilon_from_the_total(sample: str, link: str, ends: str) -> None:
     """ε by the whole a_CB instead of its tangential part, where the normal part is large."""
     solved = confusion.motion(sample).sol
@@ -111,14 +120,16 @@ def test_epsilon_from_the_total(sample: str, link: str, ends: str) -> None:
     assert total > 1.2 * abs(true)
     asked_for = Asked(load(SAMPLES / f"{sample}.yaml"), "acceleration")
     for written, mistake in ((math.copysign(total, true), "epsilon_from_total"), (true, None)):
-        found = check(asked_for, Paper("t", results=[(f"epsilon_{link}", written, "")]))
+        found = check(asked_for, ReadPaper("t", results=[(f"epsilon_{link}", written, "")]))
         assert (found.mistake, found.first_wrong) == (mistake, f"epsilon_{link}" if mistake else None)
 
 
 POSITIONS = [
     ("guide_offset_ignored", "C", {"e": 0.0}),
-    ("angle_sense", "B", {"phi_1": -15}), ("angle_sense", "B", {"phi_1": 75}),
-    ("link_scale", "B", {"l_AB": 0.066}), ("link_scale", "C", {"l_BC": 0.16}),
+    ("angle_sense", "B", {"phi_1": -15}),
+    ("angle_sense", "B", {"phi_1": 75}),
+    ("link_scale", "B", {"l_AB": 0.066}),
+    ("link_scale", "C", {"l_BC": 0.16}),
 ]
 
 
@@ -134,11 +145,17 @@ def test_position_plans_with_one_mistake(mistake: str, where: str, changed: dict
     drawn = solved_points(file)
     rng, mu = random.Random(3), prepare(Asked(load(SAMPLES / "kind-2-rrp.yaml"), "position")).said_mu
     for noise in (0.0, 0.2, 0.2, 0.2):
-        spots = [Spot(n, z * mu + complex(rng.gauss(0, noise), rng.gauss(0, noise)), 0.03) for n, z in drawn.items()]
-        found = check(Asked(load(SAMPLES / "kind-2-rrp.yaml"), "position", mu=mu), Paper("t", [Spot("p", 0j), *spots]))
+        spots = [
+            ReadMark(n, z * mu + complex(rng.gauss(0, noise), rng.gauss(0, noise)), 0.03) for n, z in drawn.items()
+        ]
+        found = check(
+            Asked(load(SAMPLES / "kind-2-rrp.yaml"), "position", mu=mu), ReadPaper("t", [ReadMark("p", 0j), *spots])
+        )
         assert (found.first_wrong, found.mistake) == (where, mistake)
-    right = [Spot(n, z * mu, 0.03) for n, z in solved_points(SAMPLES / "kind-2-rrp.yaml").items()]
-    found = check(Asked(load(SAMPLES / "kind-2-rrp.yaml"), "position", mu=mu), Paper("t", [Spot("p", 0j), *right]))
+    right = [ReadMark(n, z * mu, 0.03) for n, z in solved_points(SAMPLES / "kind-2-rrp.yaml").items()]
+    found = check(
+        Asked(load(SAMPLES / "kind-2-rrp.yaml"), "position", mu=mu), ReadPaper("t", [ReadMark("p", 0j), *right])
+    )
     assert found.verdict == "right"
 
 
@@ -152,14 +169,14 @@ def solved_points(file: Path) -> dict[str, complex]:
 def test_segments_with_another_scale() -> None:
     lengths = {"pb": 60.0, "bc": 73.1, "pc": 72.1, "ps2": 59.0}
     for factor in (1.0, 0.5, 1.7):
-        found = check(asked(), Paper("t", segments=[(n, v * factor) for n, v in lengths.items()]))
+        found = check(asked(), ReadPaper("t", segments=[(n, v * factor) for n, v in lengths.items()]))
         assert found.verdict == "right", factor
-    wrong = check(asked(), Paper("t", segments=[("pb", 60.0), ("bc", 73.1), ("pc", 120.0)]))
+    wrong = check(asked(), ReadPaper("t", segments=[("pb", 60.0), ("bc", 73.1), ("pc", 120.0)]))
     assert wrong.verdict == "wrong"
 
 
 def test_the_scale_is_free_but_a_stated_one_is_not() -> None:
-    paper = Paper("t", [Spot(n, 0.6 * z + 30, 0.05) for n, z in RIGHT.items()])
+    paper = ReadPaper("t", [ReadMark(n, 0.6 * z + 30, 0.05) for n, z in RIGHT.items()])
     found = as_json(check(asked(), paper))
     assert found["verdict"] == "right" and "18" in " ".join(found["warnings"])
     assert as_json(check(asked(mu=30.0), paper))["first_wrong"] == "b"
@@ -173,21 +190,39 @@ def test_the_same_persons_velocities_count() -> None:
     scheme = drawings.draw_scheme(m, hand, mu_scheme)
     velocity = drawings.draw_velocity(m, hand, easel.mu_v, scheme, Mistake("relative_from_pole", "c"))
     drawn = drawings.draw_acceleration(m, hand, easel.mu, scheme, velocity, easel.mu_v)
-    papers = [Paper("t", [Spot("p", 0j), *(Spot(n, z) for n, z in s.marks.items())]) for s in (velocity, drawn)]
+    papers = [
+        ReadPaper("t", [ReadMark("p", 0j), *(ReadMark(n, z) for n, z in s.marks.items())]) for s in (velocity, drawn)
+    ]
     scene = load(SAMPLES / "kind-1-rrr.yaml")
     alone = check(Asked(scene, "acceleration"), papers[1])
     both = check(Asked(scene, "acceleration", others={"velocity": papers[0]}), papers[1])
     assert alone.verdict != "right" and both.verdict == "right"
 
 
-@pytest.mark.parametrize("text", ["", "x", "a,b\n1,2\n", "mark,x_mm,y_mm\nb,one,2\n", "mark,x_mm,y_mm\np,nan,0\n",
-                                  "mark,x_mm,y_mm\np,0,1e308\n", "{", "[1]", '{"marks": 5}',
-                                  "mark,x_mm,y_mm\np,1\n"])  # fmt: skip
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "x",
+        "a,b\n1,2\n",
+        "mark,x_mm,y_mm\nb,one,2\n",
+        "mark,x_mm,y_mm\np,nan,0\n",
+        "mark,x_mm,y_mm\np,0,1e308\n",
+        "{",
+        "[1]",
+        '{"marks": 5}',
+        "mark,x_mm,y_mm\np,1\n",
+    ],
+)
 def test_bad_tables_are_one_sentence(tmp_path: Path, text: str) -> None:
     file = tmp_path / "t.csv"
     file.write_text(text, encoding="utf-8")
-    done = subprocess.run([sys.executable, "-m", "planes.cli", "check", SIX, str(file), "--plan", "velocity"],
-                          capture_output=True, text=True, check=False)  # fmt: skip
+    done = subprocess.run(
+        [sys.executable, "-m", "planes.cli", "check", SIX, str(file), "--plan", "velocity"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     assert done.returncode == 2 and "Traceback" not in done.stderr + done.stdout
 
 
@@ -231,9 +266,7 @@ def test_confusion_table_without_mu(capsys: pytest.CaptureFixture[str]) -> None:
 Writer = Callable[[list[tuple[complex, complex]], list[tuple[str, complex]], complex], str]
 
 
-def sketch_of(
-    easel: Easel, mistake: Mistake | None, seed: int = 1, factor: float = 1.0
-) -> tuple[list[Any], list[Any]]:
+def sketch_of(easel: Easel, mistake: Mistake | None, seed: int = 1, factor: float = 1.0) -> tuple[list[Any], list[Any]]:
     """A plan as strokes and words, so many times larger."""
     drawn, _ = easel.draw(mistake, Hand(Care(), random.Random(seed)))
     marks = {n: factor * z for n, z in drawn.items()}
@@ -280,8 +313,12 @@ def test_pictures_of_something_else(what: str, tmp_path: Path) -> None:
         elif what == "blank":
             picture = photographs.sheet([], [], 150 + 100j, photographs.SCAN, random.Random(1))
         cv2.imwrite(str(file), picture)
-    done = subprocess.run([sys.executable, "-m", "planes.cli", "check", SIX, str(file), "--plan", "velocity"],
-                          capture_output=True, text=True, check=False)  # fmt: skip
+    done = subprocess.run(
+        [sys.executable, "-m", "planes.cli", "check", SIX, str(file), "--plan", "velocity"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     assert done.returncode == 2 and "Traceback" not in done.stderr and len(done.stderr + done.stdout) > 20
 
 
@@ -298,8 +335,18 @@ def test_a_picture_with_two_points_named(tmp_path: Path, capsys: pytest.CaptureF
     file = tmp_path / "plain.png"
     cv2.imwrite(str(file), picture)
     b = at["b"]
-    status, found = run(capsys, str(file), "--plan", "velocity", "--lang", "en", "--pole", "500,800", "--mark",
-                        f"b={b.real:.0f},{b.imag:.0f}")  # fmt: skip
+    status, found = run(
+        capsys,
+        str(file),
+        "--plan",
+        "velocity",
+        "--lang",
+        "en",
+        "--pole",
+        "500,800",
+        "--mark",
+        f"b={b.real:.0f},{b.imag:.0f}",
+    )
     assert status == 0 and found["verdict"] == "right"
     assert any("could not be judged" in w for w in found["warnings"])
     status, found = run(capsys, str(file), "--plan", "velocity")
@@ -337,8 +384,13 @@ def folder(tmp_path: Path) -> Path:
 def test_a_class(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", SIX, str(folder), "--plan", "velocity", "--lang", "en"]) == 2
     rows = [line.split() for line in capsys.readouterr().out.splitlines()[2:]]
-    assert [row[:2] for row in rows] == [["anna.csv", "right"], ["boris.csv", "wrong"], ["egor.doc", "unreadable"],
-                                         ["gleb.csv", "wrong"], ["vera.csv", "unreadable"]]  # fmt: skip
+    assert [row[:2] for row in rows] == [
+        ["anna.csv", "right"],
+        ["boris.csv", "wrong"],
+        ["egor.doc", "unreadable"],
+        ["gleb.csv", "wrong"],
+        ["vera.csv", "unreadable"],
+    ]
     assert "rotation;" in rows[1] and "columns:" in rows[4]
     assert main(["check", SIX, str(folder), "--plan", "velocity", "--json"]) == 2
     found = {one["file"]: one for one in json.loads(capsys.readouterr().out)}
@@ -366,10 +418,17 @@ def test_a_class_as_a_file(folder: Path, tmp_path: Path, name: str, capsys: pyte
 def test_numbers_are_checked_apart_from_the_drawing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """A right drawing with a slip in the numbers: the marks are right, the number is named."""
     file = tmp_path / "v.csv"
-    for name, written, mistake in (("v_C", 2.4 * 900, "mu_inverted"), ("v_C", 72.1, "mm_for_value"),
-                                   ("omega_2", 8.12 / 250, "omega_without_mu_l"), ("omega_3", 16.0, "sense_wrong")):
-        file.write_text(csv(RIGHT) + f"result,value,unit\nomega_2,8.12,\n{name},{written},\n".replace(
-            "omega_2,8.12,\nomega_2", "omega_2"), encoding="utf-8")  # fmt: skip
+    for name, written, mistake in (
+        ("v_C", 2.4 * 900, "mu_inverted"),
+        ("v_C", 72.1, "mm_for_value"),
+        ("omega_2", 8.12 / 250, "omega_without_mu_l"),
+        ("omega_3", 16.0, "sense_wrong"),
+    ):
+        file.write_text(
+            csv(RIGHT)
+            + f"result,value,unit\nomega_2,8.12,\n{name},{written},\n".replace("omega_2,8.12,\nomega_2", "omega_2"),
+            encoding="utf-8",
+        )
         status, found = run(capsys, str(file), "--plan", "velocity")
         assert status == 1 and (found["first_wrong"], found["mistake"]) == (name, mistake)
         assert {m["verdict"] for m in found["marks"]} == {"right"}
@@ -383,13 +442,19 @@ def test_slips_are_named_beside_a_wrong_drawing(tmp_path: Path, capsys: pytest.C
     status, found = run(capsys, str(file), "--plan", "velocity", "--lang", "en")
     assert status == 1 and found["first_wrong"] == "b"
     assert [(r["name"], r.get("mistake")) for r in found["results"]] == [
-        ("v_C", "mm_for_value"), ("omega_2", "omega_without_mu_l"), ("v_B", None), ("v_S2", None)]  # fmt: skip
+        ("v_C", "mm_for_value"),
+        ("omega_2", "omega_without_mu_l"),
+        ("v_B", None),
+        ("v_S2", None),
+    ]
     assert main(["check", SIX, str(file), "--plan", "velocity", "--lang", "en"]) == 1
     assert "wrong: the millimetres of the segment stand for the value" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize(("sample", "plan"), [("six-link", "velocity"), ("six-link", "acceleration"),
-                                              ("six-link", "force:2-3"), ("kind-2-rrp", "position")])  # fmt: skip
+@pytest.mark.parametrize(
+    ("sample", "plan"),
+    [("six-link", "velocity"), ("six-link", "acceleration"), ("six-link", "force:2-3"), ("kind-2-rrp", "position")],
+)
 def test_the_printed_report_keeps_to_its_sheet(sample: str, plan: str) -> None:
     """Everything inside the frame, the drawing off the table, however far a wrong mark has run away."""
     from planes.check.fiducials import SHEET_MM
@@ -399,12 +464,23 @@ def test_the_printed_report_keeps_to_its_sheet(sample: str, plan: str) -> None:
 
     bench = prepare(Asked(load(SAMPLES / f"{sample}.yaml"), plan))
     drawn = run_program(bench.program, bench.given)
-    spots = [Spot("p", 0j), *(Spot(m.rpartition(":")[2], complex(drawn[m])) for m in bench.marks)]
-    spots[2] = Spot(spots[2].name, spots[2].place * 9 - 400)
-    found = check(Asked(bench.asked.scene, plan, mu=bench.said_mu), Paper("t", spots))
+    spots = [ReadMark("p", 0j), *(ReadMark(m.rpartition(":")[2], complex(drawn[m])) for m in bench.marks)]
+    spots[2] = ReadMark(spots[2].name, spots[2].place * 9 - 400)
+    found = check(Asked(bench.asked.scene, plan, mu=bench.said_mu), ReadPaper("t", spots))
     marks, photo = compose(SHEET_MM, _overlay(found, "ru"))
-    places = [z for m in marks for z in ((m.start, m.end) if isinstance(m, Arrow) else m.points if isinstance(m, Line)
-                                         else (m.place,) if isinstance(m, Text) else (m.centre,))]  # fmt: skip
+    places = [
+        z
+        for m in marks
+        for z in (
+            (m.start, m.end)
+            if isinstance(m, Arrow)
+            else m.points
+            if isinstance(m, Line)
+            else (m.place,)
+            if isinstance(m, Text)
+            else (m.centre,)
+        )
+    ]
     assert all(19.9 <= z.real <= SHEET_MM[0] - 4.9 and 4.9 <= z.imag <= SHEET_MM[1] - 4.9 for z in places)
     table = [z for m in marks if isinstance(m, Line) and m.layer == "table" for z in m.points]
     left, top, low = min(z.real for z in table), max(z.imag for z in table), min(z.imag for z in table)
@@ -416,8 +492,8 @@ def test_the_printed_report_keeps_to_its_sheet(sample: str, plan: str) -> None:
 @pytest.mark.parametrize("suffix", [".pdf", ".svg", ".png"])
 def test_a_printed_blank_is_found_by_its_corners(tmp_path: Path, suffix: str) -> None:
     pytest.importorskip("cv2")
-    from planes.check.sight.decoding import load as picture
-    from planes.check.sight.picture import find_marks, flatten
+    from planes.check.vision.decoding import load as picture
+    from planes.check.vision.picture import find_marks, flatten
 
     file = tmp_path / f"blank{suffix}"
     assert main(["blank", SIX, "--plan", "velocity", "-o", str(file)]) == 0

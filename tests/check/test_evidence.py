@@ -10,18 +10,18 @@ from pathlib import Path
 import pytest
 
 from planes.check import check
-from planes.check.grading.bench import Asked, Bench, known_plans, prepare
-from planes.check.grading.paper import Paper, Spot
+from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare
 from planes.check.handed_in import Known, read_paper
 from planes.check.reading.matching import paper_of
-from planes.check.reading.strokes import Sketch, Words
+from planes.check.reading.strokes import ReadDrawing, Words
 from planes.check.reading.svg import read_svg
 from planes.check.report.rows import as_json
 from planes.cli import main
 from planes.documents.check import write_blank
 from planes.drafting.drawing import run
 from planes.drafting.steps import Similar
-from planes.plans import state
+from planes.plans import plans_of
 from planes.scene import load
 from planes.words.names import label_of
 from tests.helpers import ROOT
@@ -33,16 +33,16 @@ RIGHT = {"p": 0j, "b": 30 + 51.96j, "c": 71.66 - 8.11j, "s2": 57.77 + 11.91j, "l
 
 
 @cache
-def benches() -> tuple[Bench, ...]:
+def benches() -> tuple[PreparedPlan, ...]:
     """Every plan of the scenes."""
     return tuple(_benches())
 
 
-def _benches() -> Iterator[Bench]:
+def _benches() -> Iterator[PreparedPlan]:
     for name in SCENES:
         scene = load(SAMPLES / f"{name}.yaml")
         assert scene.mechanism
-        for plan in known_plans(state(scene.mechanism, scene.file)):
+        for plan in known_plans(plans_of(scene.mechanism, scene.file)):
             yield prepare(Asked(scene, plan))
 
 
@@ -61,7 +61,7 @@ BLANKS = [pytest.param(p, marks=() if p.stem in ("01", "24", "six-link") else py
 def test_an_empty_blank_of_every_sample_is_unreadable(sample: Path, tmp_path: Path) -> None:
     scene, file = load(sample), str(tmp_path / "blank.svg")
     assert scene.mechanism
-    for plan in known_plans(state(scene.mechanism, scene.file)):
+    for plan in known_plans(plans_of(scene.mechanism, scene.file)):
         asked = Asked(scene, plan)
         write_blank(asked, file, "ru")
         assert check(asked, read_paper(file, asked, Known())).verdict == "unreadable", plan
@@ -85,8 +85,11 @@ def test_marks_put_anywhere_are_never_right(size: float) -> None:
         labels = [label_of(m) for m in bench.marks]
         for count in (3, len(labels)):
             names = rng.sample(labels, min(count, len(labels)))
-            spots = [Spot(n, complex(rng.uniform(-size, size), rng.uniform(-size, size)), 0.05) for n in names]
-            assert check(bench.asked, Paper("t", [Spot("p", 0j), *spots])).verdict != "right", (bench.asked, spots)
+            spots = [ReadMark(n, complex(rng.uniform(-size, size), rng.uniform(-size, size)), 0.05) for n in names]
+            assert check(bench.asked, ReadPaper("t", [ReadMark("p", 0j), *spots])).verdict != "right", (
+                bench.asked,
+                spots,
+            )
 
 
 @pytest.mark.few(1)
@@ -95,7 +98,7 @@ def test_scribbles_are_never_right(size: float) -> None:
     rng = random.Random(size)
     for bench in benches()[::2]:
         z = [complex(rng.uniform(-size, size), rng.uniform(-size, size)) for _ in range(rng.choice([4, 8, 20]))]
-        sketch = Sketch("scribble", words=[Words("p", z[0], 3, 2)])
+        sketch = ReadDrawing("scribble", words=[Words("p", z[0], 3, 2)])
         if rng.random() < 0.5:
             sketch.words += [Words(label_of(m), rng.choice(z), 3, 2) for m in bench.marks]
         sketch.add(z)
@@ -106,25 +109,32 @@ def test_marks_read_badly_show_nothing() -> None:
     """A table may say how surely its marks were read, and then anything would do."""
     asked = Asked(load(SAMPLES / "six-link.yaml"), "velocity")
     for error in (0.1, 50.0):
-        found = check(asked, Paper("t", [Spot(n, z, error) for n, z in RIGHT.items()]))
+        found = check(asked, ReadPaper("t", [ReadMark(n, z, error) for n, z in RIGHT.items()]))
         assert found.verdict == ("right" if error < 1 else "unreadable")
 
 
-@pytest.mark.parametrize(("lengths", "mu", "verdict"), [
-    ({"pb": 60.0}, None, "right"), ({"pb": 45.0}, None, "unreadable"),
-    ({"pb": 0.5, "bc": 0.4, "pc": 0.7}, None, "unreadable"),
-    ({"pb": 60.0, "bc": 73.1, "pc": 72.1}, 30.0, "right"),
-    ({"pb": 36.0, "bc": 43.9, "pc": 43.3, "ps2": 35.4}, None, "right"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("lengths", "mu", "verdict"),
+    [
+        ({"pb": 60.0}, None, "right"),
+        ({"pb": 45.0}, None, "unreadable"),
+        ({"pb": 0.5, "bc": 0.4, "pc": 0.7}, None, "unreadable"),
+        ({"pb": 60.0, "bc": 73.1, "pc": 72.1}, 30.0, "right"),
+        ({"pb": 36.0, "bc": 43.9, "pc": 43.3, "ps2": 35.4}, None, "right"),
+    ],
+)
 def test_lengths_at_a_scale_of_their_own(lengths: dict[str, float], mu: float | None, verdict: str) -> None:
     asked = Asked(load(SAMPLES / "six-link.yaml"), "velocity", mu=mu)
-    assert check(asked, Paper("t", segments=list(lengths.items()))).verdict == verdict
+    assert check(asked, ReadPaper("t", segments=list(lengths.items()))).verdict == verdict
 
 
 def test_marks_that_were_not_seen_are_named() -> None:
     asked = Asked(load(SAMPLES / "six-link.yaml"), "velocity")
-    spots = [Spot(n, z) for n, z in RIGHT.items()]
-    whole, part = check(asked, Paper("t", spots)), check(asked, Paper("t", [s for s in spots if s.name != "s2"]))
+    spots = [ReadMark(n, z) for n, z in RIGHT.items()]
+    whole, part = (
+        check(asked, ReadPaper("t", spots)),
+        check(asked, ReadPaper("t", [s for s in spots if s.name != "s2"])),
+    )
     assert not whole.unseen and whole.sentence.told("en") == "The drawing is right: velocity plan."
     found = as_json(part)
     assert part.unseen == ["s2"] and "not seen: s2" in found["sentence"]["en"]
@@ -142,7 +152,7 @@ def test_a_mistake_that_changes_nothing_is_not_named() -> None:
                 continue
             for off in (1.5 + 1j, -2 + 0.5j, 3j):
                 places = {label_of(m): complex(true[m]) + (off if m == step.makes else 0) for m in bench.marks}
-                spots = [Spot("p", 0j), *(Spot(n, z, 0.05) for n, z in places.items())]
-                assert check(bench.asked, Paper("t", spots)).mistake != "similarity_mirrored", (bench.asked, step)
+                spots = [ReadMark("p", 0j), *(ReadMark(n, z, 0.05) for n, z in places.items())]
+                assert check(bench.asked, ReadPaper("t", spots)).mistake != "similarity_mirrored", (bench.asked, step)
                 count += 1
     assert count

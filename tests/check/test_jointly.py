@@ -56,11 +56,19 @@ def test_the_persons_own_forces_sharpen_a_reckoned_one() -> None:
     assert found.judgement.misses[mark].worst < 0.4 * alone[mark].worst
 
 
-@pytest.mark.parametrize(("sample", "plan", "mistake", "mu_told"), [
-    ("assignment-12", "force:2-3", Mistake("weight_missing", "G_3"), True),  # a vector of 1 mm
-    ("assignment-12", "force:2-3", Mistake("force_doubled", "F_34"), False),  # only a weight of 1 mm tells the scale
-    ("six-link", "force:2-3", Mistake("moment_sign:G_3", "F_30t"), True),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("sample", "plan", "mistake", "mu_told"),
+    [
+        ("assignment-12", "force:2-3", Mistake("weight_missing", "G_3"), True),  # a vector of 1 mm
+        (
+            "assignment-12",
+            "force:2-3",
+            Mistake("force_doubled", "F_34"),
+            False,
+        ),  # only a weight of 1 mm tells the scale
+        ("six-link", "force:2-3", Mistake("moment_sign:G_3", "F_30t"), True),
+    ],
+)
 def test_small_signs_are_heeded(sample: str, plan: str, mistake: Mistake, mu_told: bool) -> None:
     easel = next(e for e in easels() if (e.sample, e.plan) == (sample, plan))
     for seed in range(3):

@@ -14,7 +14,7 @@ import pytest
 from planes.check import Outcome, check
 from planes.check.reading.dxf import read_dxf
 from planes.check.reading.matching import paper_of
-from planes.check.reading.strokes import Sketch
+from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.svg import read_svg
 from tests import confusion
 from tests.check import test_check
@@ -28,16 +28,18 @@ HEAD = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1
 PAGE = HEAD + 'width="200mm" height="100mm" viewBox="0 0 200 100">'
 
 
-def lines_of(sketch: Sketch) -> set[tuple[complex, complex]]:
+def lines_of(sketch: ReadDrawing) -> set[tuple[complex, complex]]:
     """Strokes from the place of the lowest left end, to a hundredth of a millimetre, as their heads point."""
     ways = sketch.ways or [1] * len(sketch.strokes)
     found = [(a, b) if way >= 0 else (b, a) for (a, b), way in zip(sketch.strokes, ways, strict=True)]
     corner = complex(min(z.real for s in found for z in s), min(z.imag for s in found for z in s))
-    return {tuple(complex(round((z - corner).real, 2) + 0.0, round((z - corner).imag, 2) + 0.0) for z in s)  # type: ignore[misc]
-            for s in found}  # fmt: skip
+    return {
+        tuple(complex(round((z - corner).real, 2) + 0.0, round((z - corner).imag, 2) + 0.0) for z in s)  # type: ignore[misc]
+        for s in found
+    }
 
 
-def svg(tmp_path: Path, text: str) -> Sketch:
+def svg(tmp_path: Path, text: str) -> ReadDrawing:
     file = tmp_path / "t.svg"
     file.write_text(text, encoding="utf-8")
     return read_svg(file)
@@ -57,28 +59,28 @@ SVGS = {
     '</g><path style="stroke:#000" transform="scale(-2)" d="M0,0 0,30"/></g></g></svg>',
     "skew and back": PAGE + '<g transform="skewX(30)">'
     '<g transform="skewX(-30) translate(20 90)" stroke="#000"><path d="M0 0 30-40 60 0"/><path d="M0 0h60"/></g>'
-    '</g></svg>',
-    "a matrix that squeezes": PAGE + ''
+    "</g></svg>",
+    "a matrix that squeezes": PAGE + ""
     '<g transform="matrix(2,0,0,.5,20,90)" stroke="#000"><path d="M0 0 15-80 30 0"/><path d="M0 0 30 0"/></g></svg>',
     "symbols and uses": PAGE + '<defs><g id="v" stroke="#000">'
     '<path d="M0 0 30-40"/></g></defs><use xlink:href="#v" x="20" y="90"/>'
     '<use href="#v" transform="matrix(1 0 0 -1 50 50)"/>'
     '<path stroke="#000" d="M20 90H80"/></svg>',
     "classes of Illustrator": HEAD + 'viewBox="0 0 200 100" width="200mm" height="100mm">'
-    '<style>.a,.b{stroke:#231f20}.a{fill:none}'
+    "<style>.a,.b{stroke:#231f20}.a{fill:none}"
     '.c{display:none}</style><polyline class="a" points="20 90 50 50 80 90"/>'
     '<line class="b" x1="20" y1="90" x2="80" y2="90"/>'
     '<line class="c a" x1="0" y1="0" x2="99" y2="99"/></svg>',
     "a picture in a picture": PAGE + '<svg x="10" y="10" width="190" '
     'height="90" viewBox="0 0 380 180" stroke="#000"><path d="M20 160 80 80 140 160"/><path d="M20 160H140"/></svg>'
-    '</svg>',
+    "</svg>",
     "lines written as curves": PAGE + '<g stroke="#000" fill="none">'
     '<path d="M20 90C30 76.6667 40 63.3333 50 50c10 13.3333 20 26.6667 30 40"/><path d="M20,90C40,90 60,90 80,90"/>'
-    '</g></svg>',
+    "</g></svg>",
     "hidden layers and ticks": PAGE + '<g stroke="#000">'
     '<path d="M20 90 50 50 80 90"/><path d="M20 90H80"/><g style="display:none"><path d="M0 0 90 90"/></g>'
     '<g visibility="hidden"><path d="M0 0 90 90"/></g><path d="M5 5 5.5 5"/><circle cx="9" cy="9" r="4"/></g></svg>',
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("written", SVGS.values(), ids=SVGS)
@@ -113,15 +115,19 @@ def test_arrowheads_say_which_way(written: str, tmp_path: Path) -> None:
 
 
 def test_dimension_lines_are_no_vectors_and_dots_are_no_heads(tmp_path: Path) -> None:
-    found = svg(tmp_path, PAGE + '<g stroke="#000">'
-                '<path d="M20 90 50 50" marker-end="url(#DotM)"/><path d="M20 95H80" marker-start="url(#a)" '
-                'marker-end="url(#a)"/></g><text x="45" y="94">60</text></svg>')  # fmt: skip
+    found = svg(
+        tmp_path,
+        PAGE + '<g stroke="#000">'
+        '<path d="M20 90 50 50" marker-end="url(#DotM)"/><path d="M20 95H80" marker-start="url(#a)" '
+        'marker-end="url(#a)"/></g><text x="45" y="94">60</text></svg>',
+    )
     assert len(found.strokes) == 1 and found.ways == [0]
 
 
 def test_a_short_vector_with_a_head_is_no_tick(tmp_path: Path) -> None:
-    found = svg(tmp_path, PAGE + '<g stroke="#000">'
-                '<path d="M20 90v-.6" marker-end="url(#a)"/><path d="M20 80v.6"/></g></svg>')  # fmt: skip
+    found = svg(
+        tmp_path, PAGE + '<g stroke="#000"><path d="M20 90v-.6" marker-end="url(#a)"/><path d="M20 80v.6"/></g></svg>'
+    )
     assert len(found.strokes) == 1
 
 
@@ -148,8 +154,10 @@ def test_a_polygon_on_a_sheet_full_of_other_lines(tmp_path: Path) -> None:
         text = line_drawings.inkscape(strokes, words, 200 + 150j)
         hatch = "".join(f'<path d="M{x} 5l4 4"/>' for x in range(10, 400, 2))
         block = "".join(f'<path d="M235 {y}h180"/>' for y in range(240, 290, 5)) + '<path d="M20 5h395v287h-395z"/>'
-        sizes = "".join(f'<path d="M{rng.uniform(30, 90):.1f} 260h20" marker-start="url(#a)" marker-end="url(#a)"/>'
-                        for _ in range(9))  # fmt: skip
+        sizes = "".join(
+            f'<path d="M{rng.uniform(30, 90):.1f} 260h20" marker-start="url(#a)" marker-end="url(#a)"/>'
+            for _ in range(9)
+        )
         file = tmp_path / "t.svg"
         file.write_text(text.replace("</svg>", f'<g stroke="#000">{hatch}{block}{sizes}</g></svg>'), encoding="utf-8")
         found = check(bench.asked, paper_of(read_svg(file), bench))
@@ -157,17 +165,20 @@ def test_a_polygon_on_a_sheet_full_of_other_lines(tmp_path: Path) -> None:
 
 
 def test_words_wherever_they_are_anchored(tmp_path: Path) -> None:
-    found = svg(tmp_path, PAGE + '<path stroke="#000" d="M0 0H50"/>'
-                '<text x="10" y="20" font-size="5"><tspan>n</tspan><tspan dy="1" font-size="3">CB</tspan></text>'
-                '<g transform="translate(60 20) rotate(90)">'
-                '<text style="font-size:5px;text-anchor:middle">b\'</text></g>'
-                "</svg>")  # fmt: skip
+    found = svg(
+        tmp_path,
+        PAGE + '<path stroke="#000" d="M0 0H50"/>'
+        '<text x="10" y="20" font-size="5"><tspan>n</tspan><tspan dy="1" font-size="3">CB</tspan></text>'
+        '<g transform="translate(60 20) rotate(90)">'
+        '<text style="font-size:5px;text-anchor:middle">b\'</text></g>'
+        "</svg>",
+    )
     assert [w.text for w in found.words] == ["nCB", "b'"]
     assert found.words[0].place == pytest.approx(10 - 20j, abs=0.01)
     assert found.words[1].along == pytest.approx(-1j)
 
 
-def drawn(build: Callable[[Any, Any], None], tmp_path: Path, units: int = 4) -> Sketch:
+def drawn(build: Callable[[Any, Any], None], tmp_path: Path, units: int = 4) -> ReadDrawing:
     """What is read from a DXF somebody built."""
     import ezdxf
 
@@ -226,8 +237,9 @@ def on_a_sheet(document: Any, _: Any) -> None:
     plain(document, document.layout("Layout1"))
 
 
-DXFS = {f.__name__: f for f in (
-    plain, old_polyline, turned_block, mirrored_block, array_of_blocks, dimensioned, on_a_sheet)}
+DXFS = {
+    f.__name__: f for f in (plain, old_polyline, turned_block, mirrored_block, array_of_blocks, dimensioned, on_a_sheet)
+}
 
 
 @pytest.mark.parametrize("build", DXFS.values(), ids=DXFS)

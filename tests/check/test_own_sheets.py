@@ -12,18 +12,18 @@ import numpy
 import pytest
 
 from planes.check import Outcome, check
-from planes.check.grading.bench import Asked, known_plans, prepare, variants_of
 from planes.check.grading.handwork import Hand, Variant
-from planes.check.grading.nudging import HAND
+from planes.check.grading.perturbing import HAND
+from planes.check.grading.prepared_plan import Asked, known_plans, prepare, variants_of
 from planes.check.reading.arrowheads import settle
 from planes.check.reading.dxf import read_dxf
 from planes.check.reading.parts import joined, parts, without_letters
 from planes.check.reading.pdf import read_pdf
-from planes.check.reading.strokes import Head, Nodes, Sketch, Words
+from planes.check.reading.strokes import Arrowhead, Nodes, ReadDrawing, Words
 from planes.check.reading.svg import read_svg
 from planes.check.reading.whole_page import paper_on
 from planes.documents import _mechanism_views, rendered, sheet_of
-from planes.documents.sheets import Drawn
+from planes.documents.sheets import DrawnPosition
 from planes.scene import Scene, load
 from planes.solving import Position
 from planes.words.names import label_of, mu_of
@@ -45,7 +45,7 @@ FAR_MM = 5.0  # a mistake that moves its mark by less is no mistake worth drawin
 def drawn(sample: str) -> tuple[Scene, Position]:
     """A sample's position as a sheet of one view draws it."""
     scene = load(str(SAMPLES / f"{sample}.yaml"))
-    return scene, Drawn(replace(scene, find=None), None, "ru").at(Sizes())
+    return scene, DrawnPosition(replace(scene, find=None), None, "ru").at(Sizes())
 
 
 def view(sample: str, plan: str, position: Position) -> Page:
@@ -85,11 +85,18 @@ def spoiled(sample: str, plan: str, seed: int) -> tuple[Position, Variant] | Non
 
 
 VIEWS = (
-    ("kind-1-rrr", "velocity", ".svg"), ("six-link", "velocity", ".pdf"), ("kind-4-prp", "velocity", ".dxf"),
-    ("kind-3-rpr", "acceleration", ".dxf"), ("six-link", "acceleration", ".svg"),
-    ("kind-2-rrp", "position", ".svg"), ("six-link", "position", ".pdf"), ("kind-5-rpp", "position", ".dxf"),
-    ("six-link", "force:2-3", ".dxf"), ("kind-5-rpp", "force:2-3", ".pdf"), ("kind-4-prp", "force:2-3", ".svg"),
-)  # fmt: skip
+    ("kind-1-rrr", "velocity", ".svg"),
+    ("six-link", "velocity", ".pdf"),
+    ("kind-4-prp", "velocity", ".dxf"),
+    ("kind-3-rpr", "acceleration", ".dxf"),
+    ("six-link", "acceleration", ".svg"),
+    ("kind-2-rrp", "position", ".svg"),
+    ("six-link", "position", ".pdf"),
+    ("kind-5-rpp", "position", ".dxf"),
+    ("six-link", "force:2-3", ".dxf"),
+    ("kind-5-rpp", "force:2-3", ".pdf"),
+    ("kind-4-prp", "force:2-3", ".svg"),
+)
 
 
 @pytest.mark.few(4)
@@ -107,10 +114,17 @@ def test_a_view_is_right_and_with_one_step_spoiled_wrong_there(
 
 
 CROWDED = (
-    ("01", "acceleration", ".svg"), ("33", "acceleration", ".dxf"), ("38", "velocity", ".pdf"),
-    ("38", "position", ".svg"), ("42", "acceleration", ".svg"), ("44", "acceleration", ".pdf"),
-    ("58", "velocity", ".dxf"), ("12", "force:4-5", ".dxf"), ("43", "force:2-3", ".svg"), ("02", "force:4-5", ".pdf"),
-)  # fmt: skip
+    ("01", "acceleration", ".svg"),
+    ("33", "acceleration", ".dxf"),
+    ("38", "velocity", ".pdf"),
+    ("38", "position", ".svg"),
+    ("42", "acceleration", ".svg"),
+    ("44", "acceleration", ".pdf"),
+    ("58", "velocity", ".dxf"),
+    ("12", "force:4-5", ".dxf"),
+    ("43", "force:2-3", ".svg"),
+    ("02", "force:4-5", ".pdf"),
+)
 
 
 @pytest.mark.few(3)
@@ -200,21 +214,21 @@ def test_every_plan_of_every_sheet_is_right(sample: str, number: int | None, tmp
 def test_two_vectors_from_one_place_are_no_open_head() -> None:
     """Short shafts that spread alike from the pole, each with its own head, stay vectors."""
     shafts = [(0j, 5 + 1j), (0j, 5 - 1j)]
-    heads = [Head(b + 2 * b / abs(b), b / abs(b), 4.0) for _, b in shafts]
-    sketch = Sketch(strokes=[*shafts, (0j, -30 + 0j)], heads=heads)
+    heads = [Arrowhead(b + 2 * b / abs(b), b / abs(b), 4.0) for _, b in shafts]
+    sketch = ReadDrawing(strokes=[*shafts, (0j, -30 + 0j)], heads=heads)
     settle(sketch)
     assert sketch.strokes == [(0j, heads[0].tip), (0j, heads[1].tip), (0j, -30 + 0j)] and sketch.ways == [1, 1, 0]
 
 
 def test_a_shaft_that_ends_within_its_head_reaches_the_tip() -> None:
     """A construction line that begins at the tip does not take the head away."""
-    sketch = Sketch(strokes=[(0j, 20 + 0j), (23 + 0j, 35 + 0j)], heads=[Head(23 + 0j, 1 + 0j, 3.75)])
+    sketch = ReadDrawing(strokes=[(0j, 20 + 0j), (23 + 0j, 35 + 0j)], heads=[Arrowhead(23 + 0j, 1 + 0j, 3.75)])
     settle(sketch)
     assert sketch.strokes[0] == (0j, 23 + 0j) and sketch.ways == [1, 0]
 
 
 def test_a_straight_polyline_with_a_middle_vertex_is_one_vector() -> None:
-    sketch = Sketch(strokes=[(0j, 20 + 0j), (20 + 0j, 40 + 0j)], heads=[Head(40 + 0j, 1 + 0j)])
+    sketch = ReadDrawing(strokes=[(0j, 20 + 0j), (20 + 0j, 40 + 0j)], heads=[Arrowhead(40 + 0j, 1 + 0j)])
     settle(sketch)
     assert sketch.strokes == [(0j, 40 + 0j)]
 
@@ -227,18 +241,23 @@ def test_lines_that_run_on_move_no_node() -> None:
 
 def test_letters_drawn_in_strokes_go_and_vectors_stay() -> None:
     letter = [(1 + 1j, 2 + 4j), (2 + 4j, 3 + 1j)]
-    sketch = Sketch(strokes=[*letter, (-20 + 2j, 20 + 2j)], words=[Words("A", 0.5 + 0.5j, 4.0, 3.0)])
+    sketch = ReadDrawing(strokes=[*letter, (-20 + 2j, 20 + 2j)], words=[Words("A", 0.5 + 0.5j, 4.0, 3.0)])
     without_letters(sketch)
     assert sketch.strokes == [(-20 + 2j, 20 + 2j)]
 
 
 def test_a_letter_and_its_indices_written_apart_are_one_name() -> None:
-    pieces = [Words("F", 0j, 5.0, 2.3), Words("21", 2.4 - 1.1j, 3.5, 2.8), Words("t", 2.4 + 2j, 3.5, 1.2),
-              Words("b", 30 + 0j, 5.0, 2.0), Words("′", 32.2 + 0j, 5.0, 0.6)]  # fmt: skip
+    pieces = [
+        Words("F", 0j, 5.0, 2.3),
+        Words("21", 2.4 - 1.1j, 3.5, 2.8),
+        Words("t", 2.4 + 2j, 3.5, 1.2),
+        Words("b", 30 + 0j, 5.0, 2.0),
+        Words("′", 32.2 + 0j, 5.0, 0.6),
+    ]
     assert [w.text for w in joined(pieces)] == ["F21t", "b′"]
 
 
 def test_what_stands_apart_on_a_page_is_another_part() -> None:
     strokes = [(0j, 30 + 0j), (30 + 0j, 30 + 20j), (100 + 0j, 130 + 0j), (130 + 0j, 130 + 30j), (130 + 30j, 100 + 0j)]
-    found = parts(Sketch(strokes=strokes, words=[Words("b", 31 + 21j)]))
+    found = parts(ReadDrawing(strokes=strokes, words=[Words("b", 31 + 21j)]))
     assert [len(p.strokes) for p in found] == [3, 2] and [len(p.words) for p in found] == [0, 1]

@@ -17,7 +17,7 @@ from tests import confusion
 cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
 
-from planes.check.sight.decoding import MOST_PAGE, load  # noqa: E402
+from planes.check.vision.decoding import MOST_PAGE, load  # noqa: E402
 from tests import picture_corpus as corpus  # noqa: E402
 from tests.helpers import photographs  # noqa: E402
 
@@ -64,8 +64,9 @@ def written(kind: str, grey: Any, file: Path) -> Path:
 
 
 @pytest.mark.few(2)
-@pytest.mark.parametrize("kind", ["see-through", "16-bit", "16-bit, see-through", "palette", "CMYK",
-                                  "turned in the camera"])  # fmt: skip
+@pytest.mark.parametrize(
+    "kind", ["see-through", "16-bit", "16-bit, see-through", "palette", "CMYK", "turned in the camera"]
+)
 def test_a_file_is_read_as_it_is_seen(kind: str, scan: Any, tmp_path: Path) -> None:
     found = load(written(kind, scan, tmp_path / "p"))
     assert found.shape == scan.shape and found.dtype == np.uint8
@@ -102,8 +103,15 @@ def test_what_is_no_picture_is_refused_in_a_sentence(
     file, whole = tmp_path / name, tmp_path / f"whole{Path(name).suffix}"
     Image.fromarray(scan).save(whole)
     data = whole.read_bytes()
-    file.write_bytes({"half": data[: len(data) // 2], "start": data[:20], "none": b"", "text": b"a letter",
-                      "tiny": cv2.imencode(".png", scan[:30, :30])[1].tobytes()}[file.stem])  # fmt: skip
+    file.write_bytes(
+        {
+            "half": data[: len(data) // 2],
+            "start": data[:20],
+            "none": b"",
+            "text": b"a letter",
+            "tiny": cv2.imencode(".png", scan[:30, :30])[1].tobytes(),
+        }[file.stem]
+    )
     assert main(["check", SIX, str(file), "--plan", "velocity", "--lang", "en"]) == 2
     told = capfd.readouterr()
     why = {"none": "the file is empty", "tiny": "the picture has only 30 × 30 pixels"}

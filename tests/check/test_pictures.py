@@ -22,21 +22,33 @@ import numpy as np  # noqa: E402
 
 from planes.check import Outcome, check  # noqa: E402
 from planes.check.fiducials import SHEET_MM  # noqa: E402
-from planes.check.grading.bench import Asked  # noqa: E402
+from planes.check.grading.prepared_plan import Asked  # noqa: E402
 from planes.check.report.rows import as_json  # noqa: E402
-from planes.check.sight.colours import plainest  # noqa: E402
-from planes.check.sight.frame import SIZES_MM, frame_corners, shape_of  # noqa: E402
-from planes.check.sight.photograph import paper_of_picture  # noqa: E402
-from planes.check.sight.picture import flatten  # noqa: E402
+from planes.check.vision.colours import plainest  # noqa: E402
+from planes.check.vision.frame import SIZES_MM, frame_corners, shape_of  # noqa: E402
+from planes.check.vision.photograph import paper_of_picture  # noqa: E402
+from planes.check.vision.picture import flatten  # noqa: E402
 from tests import picture_corpus as corpus  # noqa: E402
 from tests.helpers import photographs  # noqa: E402
 from tests.helpers.photographs import PHONE, SCAN, Camera  # noqa: E402
 
 SIX = str(SAMPLES / "six-link.yaml")
-MOTION = [("six-link", "velocity"), ("six-link", "acceleration"), ("kind-2-rrp", "acceleration"),
-          ("kind-4-prp", "acceleration"), ("kind-5-rpp", "velocity"), ("sliding-driver", "acceleration")]  # fmt: skip
-FORCES = [("six-link", "force:2-3"), ("six-link", "force:4-5"), ("bntu-4", "force:2-3"), ("kind-3-rpr", "force:1"),
-          ("kind-4-prp", "force:2-3"), ("sliding-driver", "force:1")]  # fmt: skip
+MOTION = [
+    ("six-link", "velocity"),
+    ("six-link", "acceleration"),
+    ("kind-2-rrp", "acceleration"),
+    ("kind-4-prp", "acceleration"),
+    ("kind-5-rpp", "velocity"),
+    ("sliding-driver", "acceleration"),
+]
+FORCES = [
+    ("six-link", "force:2-3"),
+    ("six-link", "force:4-5"),
+    ("bntu-4", "force:2-3"),
+    ("kind-3-rpr", "force:1"),
+    ("kind-4-prp", "force:2-3"),
+    ("sliding-driver", "force:1"),
+]
 
 
 @cache
@@ -83,10 +95,16 @@ def test_force_polygons_are_read_in_any_order(camera: Camera, tmp_path: Path) ->
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("camera", [
-    replace(SCAN, dpi=150, grid="millimetre", erased=3), replace(SCAN, dpi=300, grid="square", turn_deg=2),
-    replace(PHONE, grid="square", erased=3, shade=0.45), replace(SCAN, wobble_mm=0.2, noise=6, quality=50),
-], ids=["150 dpi", "300 dpi", "dark", "rough"])  # fmt: skip
+@pytest.mark.parametrize(
+    "camera",
+    [
+        replace(SCAN, dpi=150, grid="millimetre", erased=3),
+        replace(SCAN, dpi=300, grid="square", turn_deg=2),
+        replace(PHONE, grid="square", erased=3, shade=0.45),
+        replace(SCAN, wobble_mm=0.2, noise=6, quality=50),
+    ],
+    ids=["150 dpi", "300 dpi", "dark", "rough"],
+)
 def test_any_paper(camera: Camera, tmp_path: Path) -> None:
     """Grids, lines rubbed out, letters, uneven light: none of it is taken for the plan."""
     for sample, plan in (MOTION[1], FORCES[1]):
@@ -112,12 +130,19 @@ def test_lines_drawn_beyond_their_crossings(plan: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("plan", "mistake"), [
-    ("velocity", Mistake("omega1_reversed", "b")), ("velocity", Mistake("along_link", "c")),
-    ("acceleration", Mistake("normal_outward", "n_CB")), ("acceleration", Mistake("coriolis_half", "k_HL")),
-    ("force:4-5", Mistake("force_missing", "P_5")), ("force:2-3", Mistake("inertia_along_acceleration", "I_2")),
-    ("force:2-3", Mistake("tangential_reversed", "F_21t")), ("force:1", Mistake("not_closed", "F_10")),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("plan", "mistake"),
+    [
+        ("velocity", Mistake("omega1_reversed", "b")),
+        ("velocity", Mistake("along_link", "c")),
+        ("acceleration", Mistake("normal_outward", "n_CB")),
+        ("acceleration", Mistake("coriolis_half", "k_HL")),
+        ("force:4-5", Mistake("force_missing", "P_5")),
+        ("force:2-3", Mistake("inertia_along_acceleration", "I_2")),
+        ("force:2-3", Mistake("tangential_reversed", "F_21t")),
+        ("force:1", Mistake("not_closed", "F_10")),
+    ],
+)
 def test_mistakes_are_seen_and_named(plan: str, mistake: Mistake, tmp_path: Path) -> None:
     for camera in (SCAN, PHONE):
         _, found = looked(easel("six-link", plan), camera, tmp_path, mistake)
@@ -150,9 +175,11 @@ def test_the_frame_tells_the_format() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("size", "camera"), [
-    ("A4", SCAN), ("A3", replace(SCAN, dpi=150)), ("A3", replace(PHONE, dpi=150)),
-], ids=["A4", "A3", "A3 photo"])  # fmt: skip
+@pytest.mark.parametrize(
+    ("size", "camera"),
+    [("A4", SCAN), ("A3", replace(SCAN, dpi=150)), ("A3", replace(PHONE, dpi=150))],
+    ids=["A4", "A3", "A3 photo"],
+)
 @pytest.mark.parametrize("told", [False, True])
 def test_a_sheet_without_corner_marks(size: str, camera: Camera, told: bool, tmp_path: Path) -> None:
     """By the frame alone, its format guessed or told; the pole is where the plan fits."""
@@ -273,7 +300,7 @@ def coloured(easel_: Easel, camera: Camera, inks: tuple[float, float, float], fi
 @pytest.mark.parametrize(("lens", "curl_mm"), [(-0.08, 0), (-0.03, 0), (0.08, 0), (0, 4), (0.05, -3)])
 def test_a_lens_that_bends_and_paper_that_curls_are_told_by_the_frame(
     lens: float, curl_mm: float, tmp_path: Path
-) -> None:  # fmt: skip
+) -> None:
     errors, count = [], 0
     for sample, plan in MOTION[:3]:
         drawn, found = looked(easel(sample, plan), replace(PHONE, lens=lens, curl_mm=curl_mm), tmp_path)
@@ -298,8 +325,9 @@ def test_pixels_of_a_bent_picture_are_found_on_the_sheet() -> None:
 
 
 @pytest.mark.few(1)
-@pytest.mark.parametrize("inks", [(0.2, 1.2, 2.2), (0.5, 2.9, 3.8), (3.9, 2.9, 0.4)],
-                         ids=["blue", "dark blue", "dark orange"])  # fmt: skip
+@pytest.mark.parametrize(
+    "inks", [(0.2, 1.2, 2.2), (0.5, 2.9, 3.8), (3.9, 2.9, 0.4)], ids=["blue", "dark blue", "dark orange"]
+)
 @pytest.mark.parametrize("camera", [SCAN, PHONE], ids=["scan", "phone"])
 def test_a_coloured_grid_is_looked_past(camera: Camera, inks: tuple[float, float, float], tmp_path: Path) -> None:
     """Printed so dark that in grey it is as dark as a pencil."""

@@ -15,8 +15,8 @@ from tests.sample_oracle import SKETCHES
 
 cv2 = pytest.importorskip("cv2")
 from planes.check import Outcome, check  # noqa: E402
-from planes.check.grading.bench import Asked, Bench, prepare  # noqa: E402
-from planes.check.sight.photograph import blank_pole, paper_of_picture  # noqa: E402
+from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare  # noqa: E402
+from planes.check.vision.photograph import blank_pole, paper_of_picture  # noqa: E402
 from planes.scene import load  # noqa: E402
 from tests.helpers import photographs  # noqa: E402
 from tests.helpers import position_pictures as schemes  # noqa: E402
@@ -24,7 +24,7 @@ from tests.helpers.photographs import PHONE, SCAN, Camera  # noqa: E402
 
 
 @cache
-def bench(sample: str) -> Bench:
+def bench(sample: str) -> PreparedPlan:
     """The scheme at its own scale, told."""
     free = prepare(Asked(load(SAMPLES / f"{sample}.yaml"), "position"))
     return prepare(Asked(free.asked.scene, "position", mu=free.said_mu))
@@ -47,8 +47,9 @@ def off(drawn: schemes.Scheme, found: Outcome) -> list[float]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("camera", [replace(SCAN, grid="millimetre"), replace(PHONE, grid="square", erased=2)],
-                         ids=["scan", "phone"])  # fmt: skip
+@pytest.mark.parametrize(
+    "camera", [replace(SCAN, grid="millimetre"), replace(PHONE, grid="square", erased=2)], ids=["scan", "phone"]
+)
 def test_right_schemes_are_right_and_their_points_where_they_were_put(camera: Camera, tmp_path: Path) -> None:
     errors, count = [], 0
     for sample in SKETCHES:
@@ -82,21 +83,24 @@ def through_pivot(scene: dict[str, Any]) -> None:
     scene["frame"]["guides"]["q-q"]["through"] = [0, 0]
 
 
-@pytest.mark.parametrize(("sample", "mistake", "where", "made"), [
-    ("six-link", "other_assembly", "C", {"mirrored": "C"}),
-    ("kind-1-rrr", "other_assembly", "C", {"mirrored": "C"}),
-    ("sliding-driver", "other_assembly", "C", {"mirrored": "C"}),
-    ("kind-2-rrp", "guide_offset_ignored", "C", {"change": through_pivot}),
-    ("kind-2-rrp", "angle_sense", "B", {"phi": -15.0}),
-    ("kind-3-rpr", "angle_sense", "B", {"phi": 70.0}),
-    ("kind-4-prp", "angle_sense", "K", {"phi": 5.0}),
-    ("bntu-3", "angle_sense", "A", {"phi": 90.0}),
-    ("kind-5-rpp", "angle_sense", "A", {"phi": 130.0}),
-    ("kind-2-rrp", "link_scale", "C", {"change": scaled("2", "C", 0.85)}),
-    ("bntu-1", "link_scale", "B", {"change": scaled("2", "B", 0.9)}),
-    ("bntu-3", "link_scale", "C", {"change": scaled("3", "C", 0.9)}),
-    ("kind-4-prp", "link_scale", "K", {"change": scaled("1", "K", 1.15)}),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("sample", "mistake", "where", "made"),
+    [
+        ("six-link", "other_assembly", "C", {"mirrored": "C"}),
+        ("kind-1-rrr", "other_assembly", "C", {"mirrored": "C"}),
+        ("sliding-driver", "other_assembly", "C", {"mirrored": "C"}),
+        ("kind-2-rrp", "guide_offset_ignored", "C", {"change": through_pivot}),
+        ("kind-2-rrp", "angle_sense", "B", {"phi": -15.0}),
+        ("kind-3-rpr", "angle_sense", "B", {"phi": 70.0}),
+        ("kind-4-prp", "angle_sense", "K", {"phi": 5.0}),
+        ("bntu-3", "angle_sense", "A", {"phi": 90.0}),
+        ("kind-5-rpp", "angle_sense", "A", {"phi": 130.0}),
+        ("kind-2-rrp", "link_scale", "C", {"change": scaled("2", "C", 0.85)}),
+        ("bntu-1", "link_scale", "B", {"change": scaled("2", "B", 0.9)}),
+        ("bntu-3", "link_scale", "C", {"change": scaled("3", "C", 0.9)}),
+        ("kind-4-prp", "link_scale", "K", {"change": scaled("1", "K", 1.15)}),
+    ],
+)
 def test_mistakes_of_a_scheme_are_seen_and_named(
     sample: str, mistake: str, where: str, made: dict[str, Any], tmp_path: Path
 ) -> None:

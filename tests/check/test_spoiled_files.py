@@ -47,11 +47,16 @@ def refusal(capfd: pytest.CaptureFixture[str], file: Path, plan: str = "velocity
     return told.err
 
 
-@pytest.mark.parametrize("text", [
-    '<text x="foo" y="1">p</text><line x1="0" y1="0" x2="10" y2="10" stroke="black"/>',
-    '<text x="1" y="1" font-size="big">p</text>', '<g transform="matrix(1 2"><line x1="a" x2="9"/></g>',
-    "<style>" + "a" * 100_000 + "</style>", '<g transform="' + "(" * 300_000 + '"/>',
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "text",
+    [
+        '<text x="foo" y="1">p</text><line x1="0" y1="0" x2="10" y2="10" stroke="black"/>',
+        '<text x="1" y="1" font-size="big">p</text>',
+        '<g transform="matrix(1 2"><line x1="a" x2="9"/></g>',
+        "<style>" + "a" * 100_000 + "</style>",
+        '<g transform="' + "(" * 300_000 + '"/>',
+    ],
+)
 def test_words_where_numbers_are_due_are_no_numbers(text: str, tmp_path: Path) -> None:
     file = tmp_path / "t.svg"
     file.write_text(f"{HEAD}{text}</svg>", encoding="utf-8")
@@ -72,10 +77,11 @@ def test_entities_are_refused_wherever_they_stand(
 def test_what_no_plan_has_so_many_of_is_counted(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     path = "".join(f"L{k % 90} {k % 77}" for k in range(strokes.MOST + 9))
     texts = {
-        "strokes": f'<path stroke="black" d="M0 0{path}"/>', "elements": "<g/>" * (svg_tree.MOST + 1),
+        "strokes": f'<path stroke="black" d="M0 0{path}"/>',
+        "elements": "<g/>" * (svg_tree.MOST + 1),
         "levels of nesting": "<g>" * 300 + "</g>" * 300,
         "elements ": f'<defs><path id="a" d="M0 0{"C1 1 2 3 4 5 " * 20_000}"/></defs>' + '<use href="#a"/>' * 20_000,
-    }  # fmt: skip
+    }
     for what, text in texts.items():
         file = tmp_path / "t.svg"
         file.write_text(f"{HEAD}{text}</svg>", encoding="utf-8")

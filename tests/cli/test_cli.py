@@ -119,8 +119,11 @@ def test_json_has_exactly_the_agreed_keys(cli: Run) -> None:
     assert found.pop("failed", []) == [] and set(found) == {"planes", "scene", "variant", "structure", "positions"}
     assert found["planes"] == 1 and Path(found["scene"]).name == "six-link.yaml" and found["variant"] is None
     assert found["structure"] == {
-        "W": 1, "q": 6, "formula": "I(0;1) -> II(2;3) -> II(4;5)",
-        "groups": [{"links": ["2", "3"], "kind": 1, "name": "RRR"}, {"links": ["4", "5"], "kind": 4, "name": "PRP"}]}
+        "W": 1,
+        "q": 6,
+        "formula": "I(0;1) -> II(2;3) -> II(4;5)",
+        "groups": [{"links": ["2", "3"], "kind": 1, "name": "RRR"}, {"links": ["4", "5"], "kind": 4, "name": "PRP"}],
+    }
     (position,) = found["positions"]
     assert set(position) == {*POSITION, "phi_deg", "reactions", "balancing_moment", "zhukovsky_moment", "warnings"}
     for part, want in POSITION.items():
@@ -179,9 +182,18 @@ def line_of(path: str, word: str) -> int:
 # positions
 
 
-@pytest.mark.parametrize(("asked", "values"), [
-    ("0:90:30", [0, 30, 60, 90]), ("0:100:30", [0, 30, 60, 90]), ("10", [10]), ("1e1", [10]),
-    ("90:0:-45", [90, 45, 0]), ("0:0.3:0.1", [0, 0.1, 0.2, 0.3]), ("5:5:1", [5])])
+@pytest.mark.parametrize(
+    ("asked", "values"),
+    [
+        ("0:90:30", [0, 30, 60, 90]),
+        ("0:100:30", [0, 30, 60, 90]),
+        ("10", [10]),
+        ("1e1", [10]),
+        ("90:0:-45", [90, 45, 0]),
+        ("0:0.3:0.1", [0, 0.1, 0.2, 0.3]),
+        ("5:5:1", [5]),
+    ],
+)
 def test_ranges_include_their_end(cli: Run, asked: str, values: list[float]) -> None:
     found = solved(cli("solve", CRANK, "--json", "--phi", asked))
     assert [p["phi_deg"] for p in found["positions"]] == pytest.approx(values)
@@ -205,9 +217,9 @@ def test_bad_ranges(cli: Run, asked: str) -> None:
     assert "phi" in refused(cli("solve", CRANK, "--json", f"--phi={asked}"))
 
 
-@pytest.mark.parametrize("argv", [
-    (SIX, "--s", "0.1"), (SLIDING, "--phi", "30"),
-    (str(SAMPLES / "vectors.yaml"), "--phi", "30")])
+@pytest.mark.parametrize(
+    "argv", [(SIX, "--s", "0.1"), (SLIDING, "--phi", "30"), (str(SAMPLES / "vectors.yaml"), "--phi", "30")]
+)
 def test_a_drive_of_the_other_kind(cli: Run, argv: tuple[str, ...]) -> None:
     assert argv[1] in refused(cli("solve", *argv))
 
@@ -269,13 +281,21 @@ def test_vectors_alone(cli: Run) -> None:
 # bad input
 
 BAD = [
-    ("mass: 60", "weight: 60", "weight"), ("omega: -20", "omega: nan", "omega"),
+    ("mass: 60", "weight: 60", "weight"),
+    ("omega: -20", "omega: nan", "omega"),
     ("omega: -20", "omega: 0,5", "decimal"),
-    ("slides: CL", "slides: CM", "CM"), ("phi: phi_1", "phi: phi_2", "phi_2"), ("l_AB: 0.1", "l_AB: l_AB", "l_AB"),
-    ("mu: 30 mm/(m/s)", "mu: 30 mm/N", "mm/N"), ("assembly: {C: right}", "assembly: {C: up}", "up"),
-    ("assembly: {C: right}", "", "right"), ("gravity: 9.81", "gravity: 9.81\ngravity: 1", "gravity"),
-    ("planes: 1", "planes: 2", "2"), ("point: H", "point: K", "K"), ("link: 5, point", "link: 7, point", "7"),
-    ("phi: phi_1", "phi: 1/0", "phi"), ("frame:", "frame: {", ""),
+    ("slides: CL", "slides: CM", "CM"),
+    ("phi: phi_1", "phi: phi_2", "phi_2"),
+    ("l_AB: 0.1", "l_AB: l_AB", "l_AB"),
+    ("mu: 30 mm/(m/s)", "mu: 30 mm/N", "mm/N"),
+    ("assembly: {C: right}", "assembly: {C: up}", "up"),
+    ("assembly: {C: right}", "", "right"),
+    ("gravity: 9.81", "gravity: 9.81\ngravity: 1", "gravity"),
+    ("planes: 1", "planes: 2", "2"),
+    ("point: H", "point: K", "K"),
+    ("link: 5, point", "link: 7, point", "7"),
+    ("phi: phi_1", "phi: 1/0", "phi"),
+    ("frame:", "frame: {", ""),
     ("5: {points: {H: 0}, slides: y-y, mass: 50}", "5: {points: {H: 0}, mass: 50}", "W"),
 ]
 
@@ -290,7 +310,7 @@ def test_bad_scenes_are_refused_in_one_line_with_their_place(
             continue
         err = refused(cli(command[0], path, *command[1:]))
         assert word in err and path in err
-        place = err[err.index(path) + len(path):].split(":")
+        place = err[err.index(path) + len(path) :].split(":")
         assert place[1].isdigit(), err
 
 
@@ -307,8 +327,9 @@ def test_missing_files_and_folders(cli: Run, tmp_path: Path) -> None:
     assert "bytes.yaml:2" in refused(cli("solve", str(tmp_path / "bytes.yaml")))
 
 
-@pytest.mark.parametrize("argv", [(), ("solve",), ("nothing", SIX), ("solve", SIX, "--lang", "de"),
-                                  ("solve", SIX, "--what")])
+@pytest.mark.parametrize(
+    "argv", [(), ("solve",), ("nothing", SIX), ("solve", SIX, "--lang", "de"), ("solve", SIX, "--what")]
+)
 def test_wrong_options(cli: Run, argv: tuple[str, ...]) -> None:
     status, out, err = cli(*argv)
     assert status == 2 and out == "" and "usage" in err
@@ -327,17 +348,27 @@ def test_a_pencil_errs_and_says_by_how_much(cli: Run) -> None:
 
 
 def loaded(argv: list[str]) -> Iterator[str]:
-    program = ("import sys, io, contextlib; from planes.cli import main\n"
-               f"with contextlib.redirect_stdout(io.StringIO()): status = main({argv!r})\n"
-               "print(status, *sys.modules)")
+    program = (
+        "import sys, io, contextlib; from planes.cli import main\n"
+        f"with contextlib.redirect_stdout(io.StringIO()): status = main({argv!r})\n"
+        "print(status, *sys.modules)"
+    )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     status, *modules = done.stdout.split()
     assert status == "0"
     yield from modules
 
 
-@pytest.mark.parametrize("argv", [["solve", SIX], ["solve", SIX, "--json"], ["structure", SIX],
-                                  ["solve", str(SAMPLES / "vectors.yaml")], ["solve", CRANK, "--phi", "0:360:30"]])
+@pytest.mark.parametrize(
+    "argv",
+    [
+        ["solve", SIX],
+        ["solve", SIX, "--json"],
+        ["structure", SIX],
+        ["solve", str(SAMPLES / "vectors.yaml")],
+        ["solve", CRANK, "--phi", "0:360:30"],
+    ],
+)
 def test_solving_loads_nothing_heavy(argv: list[str]) -> None:
     heavy = {"numpy", "matplotlib", "shapely", "reportlab", "svgwrite", "scipy", "mpmath", "ezdxf", "render"}
     assert not heavy & {name.partition(".")[0] for name in loaded(argv)}

@@ -18,9 +18,9 @@ from typing import Any
 import pytest
 
 from planes.cli import main
-from planes.course import crowd, numbers
-from planes.documents import conducting
+from planes.course import random_numbers, workers
 from planes.documents import course as documents
+from planes.documents import course_run
 from planes.scene import load
 from planes.solving import solve
 from planes.words.errors import PlanesError
@@ -141,9 +141,11 @@ def test_one_students_fault_does_not_stop_the_others(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """With its own lengths assignment 66 makes no full turn: who is to get drawn numbers is told so."""
-    monkeypatch.setattr(numbers, "TRIES", 100)
-    course = ("course: 1\ndocuments: [task]\nvariants: drawn\ndraw: {phi_1: [30, 60]}\n"
-              "students: [{name: Первый, variant: А}, Второй]\n")  # fmt: skip
+    monkeypatch.setattr(random_numbers, "TRIES", 100)
+    course = (
+        "course: 1\ndocuments: [task]\nvariants: drawn\ndraw: {phi_1: [30, 60]}\n"
+        "students: [{name: Первый, variant: А}, Второй]\n"
+    )
     at = folder(tmp_path / "course", course, 1, "66")
     assert main(["course", str(at), "--jobs", "1", "--lang", "ru"]) == 1
     said = capsys.readouterr().err
@@ -157,7 +159,7 @@ def test_one_students_fault_does_not_stop_the_others(
 def test_there_must_be_numbers_for_everybody(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(conducting, "COPIES", 8)
+    monkeypatch.setattr(course_run, "COPIES", 8)
     course = "course: 1\ndocuments: [task]\nvariants: drawn\ndraw: {phi_1: [30, 60]}\n"
     at = folder(tmp_path / "course", course, 3)
     assert main(["course", str(at), "--jobs", "1", "--lang", "en"]) == 1
@@ -166,8 +168,9 @@ def test_there_must_be_numbers_for_everybody(
     assert sorted(r["phi_1 [°]"] for r in rows) == ["", "30", "60"]
 
 
-def test_a_slip_of_a_document_is_a_sentence(whole: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
-                                            capsys: pytest.CaptureFixture[str]) -> None:  # fmt: skip
+def test_a_slip_of_a_document_is_a_sentence(
+    whole: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     at = folder(tmp_path / "course", LIGHT.replace("task, blank, key", "task, lesson"), 1)
     assert main(["course", str(at), "--jobs", "1", "--lang", "en"]) == 0
     assert (at / "out/teacher/Студент-1/lesson.html").is_file() and capsys.readouterr().err == ""
@@ -204,19 +207,34 @@ def test_all_documents_in_all_formats(tmp_path: Path) -> None:
     assert run(at, at / "out", "--jobs", "1").returncode == 0
     names = {f.name for f in (at / "out").rglob("*") if f.is_file()}
     sheets = {f"sheet-{n}.{f}" for n in (1, 2) for f in ("pdf", "dxf", "svg")}
-    assert names == {"task.pdf", "blank.pdf", "key.pdf", "key.json", "scene.yaml", "lesson.html", "note.pdf",
-                     "summary.csv", "summary.html", "manifest.json", *sheets}  # fmt: skip
+    assert names == {
+        "task.pdf",
+        "blank.pdf",
+        "key.pdf",
+        "key.json",
+        "scene.yaml",
+        "lesson.html",
+        "note.pdf",
+        "summary.csv",
+        "summary.html",
+        "manifest.json",
+        *sheets,
+    }
     for pdf in (at / "out").rglob("*.pdf"):
         assert pdf.read_bytes().startswith(b"%PDF") and pdf.stat().st_size > 5000
 
 
-@pytest.mark.parametrize(("argv", "told"), [
-    (["course", "nowhere"], "nowhere: there is no such folder\n"),
-    (["course", ".", "--jobs", "0"], "--jobs 0: there must be at least one process\n"),
-    (["course", ".", "--jobs", "1"], "has no list of students; put students.csv or students.txt into it"),
-])  # fmt: skip
-def test_bad_input_is_one_sentence(argv: list[str], told: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
-                                   capsys: pytest.CaptureFixture[str]) -> None:  # fmt: skip
+@pytest.mark.parametrize(
+    ("argv", "told"),
+    [
+        (["course", "nowhere"], "nowhere: there is no such folder\n"),
+        (["course", ".", "--jobs", "0"], "--jobs 0: there must be at least one process\n"),
+        (["course", ".", "--jobs", "1"], "has no list of students; put students.csv or students.txt into it"),
+    ],
+)
+def test_bad_input_is_one_sentence(
+    argv: list[str], told: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "12.yaml").write_bytes((SAMPLES / "assignments/12.yaml").read_bytes())
     assert main([*argv, "--lang", "en"]) == 2
@@ -226,7 +244,7 @@ def test_bad_input_is_one_sentence(argv: list[str], told: str, tmp_path: Path, m
 
 
 def test_a_process_that_is_stopped_is_a_sentence() -> None:
-    with pytest.raises(PlanesError, match="the system stopped one of the processes"), crowd.crowd(2) as each:
+    with pytest.raises(PlanesError, match="the system stopped one of the processes"), workers.crowd(2) as each:
         list(each(os._exit, [1]))
 
 
@@ -237,11 +255,18 @@ def test_a_process_that_is_stopped_is_a_sentence() -> None:
 def cluster() -> Iterator[str]:
     """The address of a Dask scheduler of this machine with two workers, as processes of their own."""
     pytest.importorskip("distributed", reason="a Dask cluster needs distributed: pip install 'planes[dask]'")
-    program = ("import sys\nfrom distributed import LocalCluster\nif __name__ == '__main__':\n"
-               " with LocalCluster(n_workers=2, threads_per_worker=2, dashboard_address=None) as c:\n"
-               "  print(c.scheduler_address, flush=True)\n  sys.stdin.read()\n")  # fmt: skip
-    with subprocess.Popen([sys.executable, "-c", program], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                          stderr=subprocess.DEVNULL, text=True) as process:  # fmt: skip
+    program = (
+        "import sys\nfrom distributed import LocalCluster\nif __name__ == '__main__':\n"
+        " with LocalCluster(n_workers=2, threads_per_worker=2, dashboard_address=None) as c:\n"
+        "  print(c.scheduler_address, flush=True)\n  sys.stdin.read()\n"
+    )
+    with subprocess.Popen(
+        [sys.executable, "-c", program],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
+    ) as process:
         assert process.stdout and process.stdin
         yield process.stdout.readline().strip()
         process.stdin.close()
@@ -255,17 +280,21 @@ def test_a_cluster_makes_the_same_bytes(whole: Path, tmp_path: Path, cluster: st
 
 
 def test_a_cluster_that_fails_is_a_sentence(cluster: str) -> None:
-    program = ("import sys\nfrom planes.course.crowd import crowd\nfrom planes.words.errors import PlanesError\n"
-               "try:\n with crowd(scheduler=sys.argv[1]) as each: list(each(int, ['x']))\n"
-               "except PlanesError as error: print(error)")  # fmt: skip
+    program = (
+        "import sys\nfrom planes.course.workers import crowd\nfrom planes.words.errors import PlanesError\n"
+        "try:\n with crowd(scheduler=sys.argv[1]) as each: list(each(int, ['x']))\n"
+        "except PlanesError as error: print(error)"
+    )
     done = subprocess.run([sys.executable, "-c", program, cluster], capture_output=True, text=True, check=False)
     assert done.stdout.startswith("the cluster failed (ValueError: invalid literal for int()"), done.stderr
 
 
 def test_no_scheduler_is_a_sentence(whole: Path, tmp_path: Path) -> None:
     pytest.importorskip("distributed", reason="a Dask cluster needs distributed: pip install 'planes[dask]'")
-    program = ("import sys\nfrom planes.cli import main\nfrom planes.course import crowd\ncrowd.SECONDS = 0.5\n"
-               "sys.exit(main(sys.argv[1:]))")  # fmt: skip
+    program = (
+        "import sys\nfrom planes.cli import main\nfrom planes.course import workers\nworkers.SECONDS = 0.5\n"
+        "sys.exit(main(sys.argv[1:]))"
+    )
     argv = ["course", str(whole), "-o", str(tmp_path / "out"), "--lang", "ru", "--scheduler", "tcp://127.0.0.1:9"]
     done = subprocess.run([sys.executable, "-c", program, *argv], capture_output=True, text=True, check=False)
     assert done.returncode == 2 and done.stderr.count("\n") == 1, done.stderr
@@ -280,7 +309,7 @@ def test_no_scheduler_is_a_sentence(whole: Path, tmp_path: Path) -> None:
 def test_the_table_of_a_folder(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(crowd, "cores", lambda: 1)
+    monkeypatch.setattr(workers, "cores", lambda: 1)
     for name in ("28", "66"):
         (tmp_path / f"{name}.yaml").write_bytes((SAMPLES / "assignments" / f"{name}.yaml").read_bytes())
     assert main(["solve", str(tmp_path), "--lang", "en"]) == 0

@@ -20,8 +20,10 @@ REFUSALS = [
     (("mass: 1.8", "mass: -1.8"), "cannot be negative"),
     (("mass: 1.4", ""), "needs the key mass"),
     (("inertia: 0.0145", ""), "needs the key inertia"),
-    (("    exhaust: [[1, 0.26], [0.9, 0.15], [0.7, 0.118], [0.3, 0.112], [0, 0.11]]\n", ""),
-     "stage exhaust is missing"),
+    (
+        ("    exhaust: [[1, 0.26], [0.9, 0.15], [0.7, 0.118], [0.3, 0.112], [0, 0.11]]\n", ""),
+        "stage exhaust is missing",
+    ),
     (("[[0, 0.11], [0.15", "[[0.1, 0.11], [0.15"), "begins at s/S = 0"),
     (("[0.6, 0.162], [0.4", "[0.3, 0.162], [0.4"), "0.4 follows 0.3"),
     (("[0, 2.9]]\n    expansion", "[0, 2.5]]\n    expansion"), "they must meet"),
@@ -31,8 +33,13 @@ REFUSALS = [
     (("bore: 0.1 ", "bore: 0 "), "must be above zero"),
     (("bore: 0.02}", "bore: 0.06}"), "too thin"),
     (("flange: 0.006", "flange: 0.02"), "too thin"),
-    (("rod: {height: 0.034, width: 0.024, flange: 0.006, web: 0.006}",
-      "rod: {height: 0.008, width: 0.004, flange: 0.001, web: 0.001}"), "the rod's shank: the section is too thin"),
+    (
+        (
+            "rod: {height: 0.034, width: 0.024, flange: 0.006, web: 0.006}",
+            "rod: {height: 0.008, width: 0.004, flange: 0.001, web: 0.001}",
+        ),
+        "the rod's shank: the section is too thin",
+    ),
     (("journal: {diameter: 0.065}", "journal: {diameter: 0.02}"), "journal A: the section is too thin"),
     (("webs: 0.058", "webs: 0.11"), "find no place"),
     (("masses: {pin: m_pin", "masses: {pin: 2*m_pin"), "static moment"),
@@ -50,7 +57,7 @@ REFUSALS = [
     (("friction: {x-x: 0.08}", "friction: {x-x: 8}"), "locks with friction"),
     (("gravity: 9.81", "gravity: 9.81\nloads: [{link: 3, point: B, force: 5, direction: 0}]"), "remove loads"),
     (("flywheel:", "flywhel:"), "did you mean flywheel"),
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize("pair, words", REFUSALS)

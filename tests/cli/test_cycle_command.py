@@ -14,7 +14,7 @@ import pytest
 from planes.cli import main
 from planes.documents.cycle import Turned, ends
 from planes.documents.graphs import over_cycle
-from planes.plans import state
+from planes.plans import plans_of
 from planes.scene import load, loads
 from render.paper.curve_names import lettered_curve
 from render.paper.names import Naming
@@ -99,7 +99,7 @@ def test_pictures(suffix: str, tmp_path: Path) -> None:
 def test_what_is_drawn_is_split_at_dead_points_and_marked_at_extremes() -> None:
     scene = loads(crank(0.0, 20.0) + "loads: [{link: 3, point: B, force: 500, against: motion}]\n", "scene.yaml")
     assert scene.mechanism
-    plans = state(scene.mechanism)
+    plans = plans_of(scene.mechanism)
     turned = Turned(scene, plans, None, ["F_21", "v_slide_3"], ["F_21"])
     panel = turned.panel(["F_21"])
     ((name, runs, marked),) = panel.curves
@@ -117,19 +117,33 @@ def test_the_sheet_draws_what_its_scene_asks_for() -> None:
     scene = loads(text + "sheet: {diagrams: [vq_slide_3, M_1, F_21], hodographs: 'F_21, v_S2'}\n", "scene.yaml")
     assert scene.mechanism
     angles = [5.0 * k for k in range(73)]
-    curves, loops = over_cycle(scene, state(scene.mechanism), angles, Naming("ru"))
+    curves, loops = over_cycle(scene, plans_of(scene.mechanism), angles, Naming("ru"))
     assert [(c.name, c.unit) for c in curves] == [("v_{q3}", "m"), ("M_{ур}", "N·m"), ("F_{21}", "N")]
     assert [loop.name for loop in loops] == ["F_{21}", "v_{S2}"]
     assert len(jumps(curves[2])) == 1 and jumps(curves[2])[0][0] == pytest.approx(180, abs=1e-4)
     assert not [a for a, y, z in jumps(curves[0]) if abs(y - z) > 1e-7]
-    assert over_cycle(loads(text, "s"), state(scene.mechanism), angles, Naming("ru")) == ((), ())
+    assert over_cycle(loads(text, "s"), plans_of(scene.mechanism), angles, Naming("ru")) == ((), ())
 
 
-@pytest.mark.parametrize(("name", "lettered"), [
-    ("vq_C", "v_{qC}"), ("u_31", "u_{31}"), ("epsilonq_3", "ε_{q3}"), ("s_5", "s_{5}"), ("r_C_x", "x_{C}"),
-    ("aq_slide_5", "a_{q5}"), ("F_21", "F_{21}"), ("F_21_x", "F_{21x}"), ("F_50_arm", "h_{56}"), ("M_1", "M_{b}"),
-    ("v_S2_y", "v_{S2y}"), ("F_11_10", "F_{11,10}"), ("F_11_10_y", "F_{11,10y}"), ("coriolis_4", "a^{k}_{4}"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("name", "lettered"),
+    [
+        ("vq_C", "v_{qC}"),
+        ("u_31", "u_{31}"),
+        ("epsilonq_3", "ε_{q3}"),
+        ("s_5", "s_{5}"),
+        ("r_C_x", "x_{C}"),
+        ("aq_slide_5", "a_{q5}"),
+        ("F_21", "F_{21}"),
+        ("F_21_x", "F_{21x}"),
+        ("F_50_arm", "h_{56}"),
+        ("M_1", "M_{b}"),
+        ("v_S2_y", "v_{S2y}"),
+        ("F_11_10", "F_{11,10}"),
+        ("F_11_10_y", "F_{11,10y}"),
+        ("coriolis_4", "a^{k}_{4}"),
+    ],
+)
 def test_letters_of_curves(name: str, lettered: str) -> None:
     assert lettered_curve(name, Naming("en", "6")) == lettered
 
@@ -145,16 +159,19 @@ def test_another_law_of_motion(capsys: Any) -> None:
     assert "ω1 = 3 rad/s, ε1 = 0 rad/s²" in out_of(capsys, TWELVE, "--omega", "3", "--epsilon", "0", "--lang", "en")
 
 
-@pytest.mark.parametrize(("argv", "words"), [
-    (["--show", "vq_Z", "-o", "x.csv"], "has no quantity vq_Z"),
-    (["--show", "vq_Z", "-o", "x.png"], "has no quantity vq_Z"),
-    (["--hodograph", "s_5", "-o", "x.png"], "has no quantity s_5"),
-    (["--path", "Q", "-o", "x.png"], "has no quantity r_Q"),
-    (["--listing", "--phi", "0:360:1"], "a listing is for a few positions, but 361 were asked for"),
-    (["-o", "x.txt"], "no table can be written"),
-    (["--graphical", "3"], "take from 6 to 72"),
-    (["--omega", "nan"], "must be finite numbers"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("argv", "words"),
+    [
+        (["--show", "vq_Z", "-o", "x.csv"], "has no quantity vq_Z"),
+        (["--show", "vq_Z", "-o", "x.png"], "has no quantity vq_Z"),
+        (["--hodograph", "s_5", "-o", "x.png"], "has no quantity s_5"),
+        (["--path", "Q", "-o", "x.png"], "has no quantity r_Q"),
+        (["--listing", "--phi", "0:360:1"], "a listing is for a few positions, but 361 were asked for"),
+        (["-o", "x.txt"], "no table can be written"),
+        (["--graphical", "3"], "take from 6 to 72"),
+        (["--omega", "nan"], "must be finite numbers"),
+    ],
+)
 def test_refusals(argv: list[str], words: str, capsys: Any, tmp_path: Path, monkeypatch: Any) -> None:
     monkeypatch.chdir(tmp_path)
     assert words in refused(capsys, TWELVE, *argv)

@@ -16,9 +16,9 @@ import numpy as np
 import pytest
 
 from planes.batch import Cycle
-from planes.batch.streams import Heading, opened
+from planes.batch.streams import TableHead, opened
 from planes.cli import main
-from planes.plans import state
+from planes.plans import plans_of
 from planes.scene import load
 from planes.scene.files import keep, save
 from planes.scene.ranges import Span
@@ -31,10 +31,15 @@ PLANES = [sys.executable, "-m", "planes"]
 MINUTES = 600  # s; a machine may be busy
 OLD = b"what was there before"
 BIG = [  # commands whose file is larger than what is left on the disk
-    (["cycle", RRR, "--phi", "0:360:0.1"], "t.csv"), (["cycle", RRR, "--phi", "0:360:0.1"], "t.npy"),
-    (["cycle", RRR, "--phi", "0:360:0.1"], "t.npz"), (["cycle", RRR], "p.png"), (["sheet", RRR], "s.dxf"),
-    (["lesson", RRR], "l.html"), (["note", RRR], "n.html"), (["crank-slider", ENGINE], "r.html"),
-]  # fmt: skip
+    (["cycle", RRR, "--phi", "0:360:0.1"], "t.csv"),
+    (["cycle", RRR, "--phi", "0:360:0.1"], "t.npy"),
+    (["cycle", RRR, "--phi", "0:360:0.1"], "t.npz"),
+    (["cycle", RRR], "p.png"),
+    (["sheet", RRR], "s.dxf"),
+    (["lesson", RRR], "l.html"),
+    (["note", RRR], "n.html"),
+    (["crank-slider", ENGINE], "r.html"),
+]
 POSIX = pytest.mark.skipif(os.name != "posix", reason="signals, limits and devices of POSIX")
 
 
@@ -154,8 +159,8 @@ def test_a_reader_that_has_gone_is_no_fault(argv: list[str]) -> None:
 
 
 def test_two_tables_of_one_name_are_each_whole(tmp_path: Path) -> None:
-    target, cycle = tmp_path / "x.csv", Cycle(state(load(RRR).mechanism, RRR))
-    heading = Heading(("phi", "°"), [(c.name, c.unit) for c in cycle.columns], cycle.reasons)
+    target, cycle = tmp_path / "x.csv", Cycle(plans_of(load(RRR).mechanism, RRR))
+    heading = TableHead(("phi", "°"), [(c.name, c.unit) for c in cycle.columns], cycle.reasons)
     with opened(target, heading, 90) as first:
         with opened(target, heading, 30) as second:
             for writer, count in ((first, 90), (second, 30)):
@@ -197,8 +202,10 @@ def test_a_name_no_file_can_have_is_refused_before_any_work(tmp_path: Path, name
     assert [p.name for p in tmp_path.iterdir()] == ["file"]
 
 
-@pytest.mark.parametrize("argv", [["course", "/dev/null"], ["course", "n" * 300], ["solve", "n" * 300],
-                                  ["solve", RRR, "--phi", "0:1e300:1e-300"]])  # fmt: skip
+@pytest.mark.parametrize(
+    "argv",
+    [["course", "/dev/null"], ["course", "n" * 300], ["solve", "n" * 300], ["solve", RRR, "--phi", "0:1e300:1e-300"]],
+)
 def test_a_path_the_system_refuses_is_a_sentence(capsys: pytest.CaptureFixture[str], argv: list[str]) -> None:
     assert main([*argv, "--lang", "en"]) == 2
     out, said = capsys.readouterr()

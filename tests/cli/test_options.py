@@ -14,14 +14,14 @@ import pytest
 from planes.batch import Cycle
 from planes.cli import main
 from planes.documents import sheet_of
-from planes.plans import state
+from planes.plans import plans_of
 from planes.scene import load, loads
 from planes.scene.settings import MOST_REVISIONS, SHEET_KEYS
 from planes.words import say
 from planes.words.errors import PlanesError, SceneError
 from render.files import svg
 from render.paper.form1 import REVISIONS
-from render.sheet.said import cells
+from render.sheet.title_block import cells
 from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"
@@ -38,19 +38,39 @@ drive: {link: 1, phi: phi_1, omega: 10}
 loads: [{link: 3, point: B, force: "3000*sin(phi_1)", against: motion}]
 """
 SOLVE = [["--json"], ["--pencil"], ["--seed", "4"], ["--explain"], ["--errors"], ["--phi", "20"], ["--s", "0.1"]]
-CYCLE = [["--show", "v_B"], ["--hodograph", "v_B"], ["--path", "B"], ["--listing"], ["--graphical"], ["--pole", "30"],
-         ["--omega", "3"], ["--epsilon", "5"], ["--json"], ["--errors"], ["--hodograph", "F_99"], ["--path", "Z"],
-         ["--show", ","]]  # fmt: skip
+CYCLE = [
+    ["--show", "v_B"],
+    ["--hodograph", "v_B"],
+    ["--path", "B"],
+    ["--listing"],
+    ["--graphical"],
+    ["--pole", "30"],
+    ["--omega", "3"],
+    ["--epsilon", "5"],
+    ["--json"],
+    ["--errors"],
+    ["--hodograph", "F_99"],
+    ["--path", "Z"],
+    ["--show", ","],
+]
 CASES = [
     *((["solve", CRANK, *base], option) for base in ([], ["--pencil"], ["--explain"], ["--json"]) for option in SOLVE),
     *((["solve", VECTORS], option) for option in (*SOLVE, ["--remedy"])),
-    *((["cycle", CRANK, *base, "--phi", "0:60:20"], option) for option in CYCLE
-      for base in ([], ["--listing"], ["-o", "t.csv"], ["-o", "t.csv", "--show", "a_B_x"], ["-o", "p.svg"])),
-    *((["cycle", CRANK, *base], option) for option in (*CYCLE, ["--phi", "0:60:20"])
-      for base in (["--graphical", "6"], ["--graphical", "6", "-o", "g.svg"])),
-    *((["sheet", VECTORS, "-o", "v.svg"], option) for option in
-      (["--sheet", "1"], ["--remedy"], ["--phi", "3"], ["--view", "equations"], ["--text", "strokes"])),
-]  # fmt: skip
+    *(
+        (["cycle", CRANK, *base, "--phi", "0:60:20"], option)
+        for option in CYCLE
+        for base in ([], ["--listing"], ["-o", "t.csv"], ["-o", "t.csv", "--show", "a_B_x"], ["-o", "p.svg"])
+    ),
+    *(
+        (["cycle", CRANK, *base], option)
+        for option in (*CYCLE, ["--phi", "0:60:20"])
+        for base in (["--graphical", "6"], ["--graphical", "6", "-o", "g.svg"])
+    ),
+    *(
+        (["sheet", VECTORS, "-o", "v.svg"], option)
+        for option in (["--sheet", "1"], ["--remedy"], ["--phi", "3"], ["--view", "equations"], ["--text", "strokes"])
+    ),
+]
 
 
 def said(argv: list[str], capsys, folder: Path) -> tuple[int, str, str, dict[str, bytes]]:
@@ -84,18 +104,24 @@ def test_an_option_has_an_effect_or_is_refused(base, option, capsys, tmp_path, m
         assert (status, out, files) != (ONCE[tuple(base)][0], ONCE[tuple(base)][1], ONCE[tuple(base)][3])
 
 
-@pytest.mark.parametrize(("argv", "words"), [
-    (["check", CRANK, "t.csv", "--plan", "velocity", "--pole", "1,2"], "--pole changes nothing in a table of numbers"),
-    (["check", CRANK, "t.csv", "--plan", "velocity", "--format", "A3"], "it is for a picture (.png, .jpg, .pdf)"),
-    (["check", CRANK, "t.svg", "--plan", "velocity", "--format", "A3"], "--format changes nothing in a drawing"),
-    (["check", CRANK, "--plan", "velocity", "--trace", "-o", "t.html", "--work", "cad"], "--work changes nothing"),
-    (["check", CRANK, "t.csv", "--plan", "velocity", "--phi", "0:90:30"], "one position is needed, but 4 were"),
-    (["blank", CRANK, "--phi", "0:90:30", "-o", "b.pdf"], "one position is needed, but 4 were"),
-    (["crank-slider", str(SAMPLES / "crank-slider.yaml"), "--phi", "30"], "--phi changes nothing without --sheet"),
-    (["solve", str(SAMPLES), "--pencil"], "--pencil changes nothing in the survey of a folder"),
-    (["solve", CRANK, "--pencil", "--seed", "-1"], "--seed -1: give a whole number, 0 or more"),
-    (["solve", CRANK, "--phi", "0,5"], "a decimal fraction is written with a point"),
-])
+@pytest.mark.parametrize(
+    ("argv", "words"),
+    [
+        (
+            ["check", CRANK, "t.csv", "--plan", "velocity", "--pole", "1,2"],
+            "--pole changes nothing in a table of numbers",
+        ),
+        (["check", CRANK, "t.csv", "--plan", "velocity", "--format", "A3"], "it is for a picture (.png, .jpg, .pdf)"),
+        (["check", CRANK, "t.svg", "--plan", "velocity", "--format", "A3"], "--format changes nothing in a drawing"),
+        (["check", CRANK, "--plan", "velocity", "--trace", "-o", "t.html", "--work", "cad"], "--work changes nothing"),
+        (["check", CRANK, "t.csv", "--plan", "velocity", "--phi", "0:90:30"], "one position is needed, but 4 were"),
+        (["blank", CRANK, "--phi", "0:90:30", "-o", "b.pdf"], "one position is needed, but 4 were"),
+        (["crank-slider", str(SAMPLES / "crank-slider.yaml"), "--phi", "30"], "--phi changes nothing without --sheet"),
+        (["solve", str(SAMPLES), "--pencil"], "--pencil changes nothing in the survey of a folder"),
+        (["solve", CRANK, "--pencil", "--seed", "-1"], "--seed -1: give a whole number, 0 or more"),
+        (["solve", CRANK, "--phi", "0,5"], "a decimal fraction is written with a point"),
+    ],
+)
 def test_what_would_change_nothing_is_refused(argv, words, capsys, tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
     status, out, err, files = said([*argv, "--lang", "en"], capsys, tmp_path)
@@ -108,12 +134,19 @@ def test_what_would_change_nothing_is_refused(argv, words, capsys, tmp_path, mon
 def test_a_pole_that_is_no_place(pole, words, capsys, tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
     main(["sheet", CRANK, "--view", "velocity-plan", "-o", "../v.svg"])
-    assert words in said(["check", CRANK, "../v.svg", "--plan", "velocity", "--pole", pole, "--lang", "en"],
-                         capsys, tmp_path)[2]
+    assert (
+        words
+        in said(["check", CRANK, "../v.svg", "--plan", "velocity", "--pole", pole, "--lang", "en"], capsys, tmp_path)[2]
+    )
 
 
-DRAWN = {"reactions": "from-on", "mu_convention": "unit_per_mm", "lettering": "slanted", "format": "A1",
-         "font": "DejaVu Serif"}  # fmt: skip
+DRAWN = {
+    "reactions": "from-on",
+    "mu_convention": "unit_per_mm",
+    "lettering": "slanted",
+    "format": "A1",
+    "font": "DejaVu Serif",
+}
 OF_SHEET_1 = ("positions", "diagrams", "hodographs")
 
 
@@ -134,14 +167,20 @@ def test_every_other_key_changes_the_sheet(key) -> None:
     assert ink(f"\nsheet: {{{key}: {DRAWN[key]}}}\n") != ink("")
 
 
-@pytest.mark.parametrize(("sheet", "words"), [
-    *((f"{key}: 3", f'sheet has no key "{key}"') for key in ("views", "layout", "lang", "language")),
-    ("format: A5", 'format of sheet cannot be "A5"; valid: auto, A4'), ("positions: 30", "valid: true, false, 12"),
-    ("title: {ru: a}", "title of sheet must be a word, not a table"), ("student: [A, B]", "must be a word, not a list"),
-    ("letter: У Э 1 2", "letter of sheet has 4 entries, more than there is room for; at most 3"),
-    ("revisions: [[1], [2], [3], [4], [5]]", "at most 4"), ("revisions: [{name: 1}]", 'has no key "name"'),
-    ("number: 1, designation: 2", "has both number and designation"),
-])
+@pytest.mark.parametrize(
+    ("sheet", "words"),
+    [
+        *((f"{key}: 3", f'sheet has no key "{key}"') for key in ("views", "layout", "lang", "language")),
+        ("format: A5", 'format of sheet cannot be "A5"; valid: auto, A4'),
+        ("positions: 30", "valid: true, false, 12"),
+        ("title: {ru: a}", "title of sheet must be a word, not a table"),
+        ("student: [A, B]", "must be a word, not a list"),
+        ("letter: У Э 1 2", "letter of sheet has 4 entries, more than there is room for; at most 3"),
+        ("revisions: [[1], [2], [3], [4], [5]]", "at most 4"),
+        ("revisions: [{name: 1}]", 'has no key "name"'),
+        ("number: 1, designation: 2", "has both number and designation"),
+    ],
+)
 def test_a_setting_of_the_sheet_is_heeded_or_refused(sheet, words) -> None:
     with pytest.raises(SceneError, match=re.escape(words)) as caught:
         loads(f"{LAW}sheet: {{{sheet}}}\n", "s.yaml")
@@ -156,12 +195,21 @@ def test_an_unknown_diagram_is_refused_on_every_sheet(key, name, number) -> None
         sheet_of(scene, None, "en", number)
 
 
-@pytest.mark.parametrize(("argv", "right"), [
-    (["solve"], True), (["solve", "--phi", "40"], True), (["solve", "--phi", "90"], False),
-    (["solve", "--phi", "40:60:10"], False), (["cycle"], False), (["cycle", "--show", "v_B", "-o", "t.csv"], True),
-    (["cycle", "--show", "F_21"], False), (["sheet", "-o", "s.svg"], True),
-    (["sheet", "-o", "s.svg", "--phi", "9"], False), (["lesson", "-o", "l.html"], False),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("argv", "right"),
+    [
+        (["solve"], True),
+        (["solve", "--phi", "40"], True),
+        (["solve", "--phi", "90"], False),
+        (["solve", "--phi", "40:60:10"], False),
+        (["cycle"], False),
+        (["cycle", "--show", "v_B", "-o", "t.csv"], True),
+        (["cycle", "--show", "F_21"], False),
+        (["sheet", "-o", "s.svg"], True),
+        (["sheet", "-o", "s.svg", "--phi", "9"], False),
+        (["lesson", "-o", "l.html"], False),
+    ],
+)
 def test_a_load_by_the_drives_own_angle_holds_there_alone(argv, right, capsys, tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
     scene = tmp_path.parent / "law.yaml"
@@ -171,12 +219,17 @@ def test_a_load_by_the_drives_own_angle_holds_there_alone(argv, right, capsys, t
     assert right or ("law.yaml:10: force of load 1 depends on phi_1" in err and "holds at phi = 40 alone" in err)
 
 
-@pytest.mark.parametrize(("old", "new", "laws"), [
-    ('"3000*sin(phi_1)"', "3000", 0), ("omega: 10", "omega: 10 + phi_1", 2), ('sin(phi_1)"', 'sin(beta)"', 0),
-    ("against: motion", "direction: phi_1 + 3", 2),
-    ("phi: phi_1", "phi: phi_1 + alpha", 1),  # either of two may be what moves
-    ("{y: 0}", "{through: O, angle: alpha}", 1),
-])
+@pytest.mark.parametrize(
+    ("old", "new", "laws"),
+    [
+        ('"3000*sin(phi_1)"', "3000", 0),
+        ("omega: 10", "omega: 10 + phi_1", 2),
+        ('sin(phi_1)"', 'sin(beta)"', 0),
+        ("against: motion", "direction: phi_1 + 3", 2),
+        ("phi: phi_1", "phi: phi_1 + alpha", 1),  # either of two may be what moves
+        ("{y: 0}", "{through: O, angle: alpha}", 1),
+    ],
+)
 def test_which_numbers_share_a_parameter_with_the_drive(old, new, laws) -> None:
     text = LAW.replace(old, new)
     assert len(loads(text).mechanism.laws) == laws
@@ -192,7 +245,7 @@ def test_parameters_of_a_scene_are_not_replaced_in_vain() -> None:
 
 
 def test_a_cycle_is_given_only_what_its_program_knows() -> None:
-    plans = state(load(str(SAMPLES / "six-link.yaml")).mechanism)
+    plans = plans_of(load(str(SAMPLES / "six-link.yaml")).mechanism)
     with pytest.raises(PlanesError, match=r"nothing called l_CD is given to this program; valid: .*did you mean l_DC"):
         Cycle(plans, ["v_C"], known={"l_CD": 0.2})
     one, two = (Cycle(plans, ["v_C"], known={"l_DC": x}) for x in (0.15, 0.16))
@@ -200,16 +253,20 @@ def test_a_cycle_is_given_only_what_its_program_knows() -> None:
 
 
 DOUBTS = [
-    ("phi_1: 40", "phi_1: pi/3", "drive", "looks like radians"), ("phi_1: 40", "phi_1: 1.047", "drive", "radians"),
-    ("phi: phi_1", "phi: -1.5708", "drive", "radians"), ("phi: phi_1", "phi: sin(phi_1)", "drive", "ratio of sides"),
+    ("phi_1: 40", "phi_1: pi/3", "drive", "looks like radians"),
+    ("phi_1: 40", "phi_1: 1.047", "drive", "radians"),
+    ("phi: phi_1", "phi: -1.5708", "drive", "radians"),
+    ("phi: phi_1", "phi: sin(phi_1)", "drive", "ratio of sides"),
     ("l_OA: 0.08", "l_OA: 80", "1:", "link 1 is 80 m long: lengths are in metres; if millimetres"),
     ("{B: 0}", "{B: 0, mass: 3}", "3:", "mass of link 3 stands under points"),
     ("loads", "gravity:\nloads", "gravity", "gravity has no value and so no effect"),
     ("loads", "gravity: 9.81\nloads", "", ""),
     ("A: l_OA}}", "A: l_OA}, centre: A, inertia: 2}", "1:", "link 1 has inertia but no mass"),
     ("loads", "friction: {x-x: 1.5}\nloads", "friction", "friction of x-x is 1.5"),
-    ("A: l_OA}}", "A: l_OA}, mass: 2}", "", ""), ("phi_1: 40", "phi_1: 180/pi*0.7", "", ""),
-    ("phi_1: 40", "phi_1: 1", "", ""), ("phi_1: 40", "phi_1: 22.5", "", ""),
+    ("A: l_OA}}", "A: l_OA}, mass: 2}", "", ""),
+    ("phi_1: 40", "phi_1: 180/pi*0.7", "", ""),
+    ("phi_1: 40", "phi_1: 1", "", ""),
+    ("phi_1: 40", "phi_1: 22.5", "", ""),
 ]
 
 
@@ -247,11 +304,15 @@ def test_no_sample_is_doubtful() -> None:
                 assert not scene.doubts and scene.mechanism and not scene.mechanism.laws, path
 
 
-@pytest.mark.parametrize(("old", "new", "words"), [
-    ("links:", "звенья:", "did you mean links?"), ("phi_1: 40", "φ_1: 40", "did you mean φ_1?"),
-    ("drive:", "note:", "the key drive is missing; for example: drive: {link: 1, phi: 30, omega: 10}"),
-    ("l_AB}}", "l_AB}, масса: 3}", "did you mean mass?"),
-])
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("links:", "звенья:", "did you mean links?"),
+        ("phi_1: 40", "φ_1: 40", "did you mean φ_1?"),
+        ("drive:", "note:", "the key drive is missing; for example: drive: {link: 1, phi: 30, omega: 10}"),
+        ("l_AB}}", "l_AB}, масса: 3}", "did you mean mass?"),
+    ],
+)
 def test_hints_say_what_was_meant(old, new, words) -> None:
     with pytest.raises(SceneError, match=re.escape(words)):
         loads(LAW.replace(old, new, 1))

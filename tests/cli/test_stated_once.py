@@ -30,7 +30,7 @@ COMMANDS = {
 def stated(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The files whose mechanisms were stated."""
     found: list[str] = []
-    state = room.state
+    state = room.plans_of
 
     def counted(mechanism: Any, file: str = "") -> room.Plans:
         found.append(file)

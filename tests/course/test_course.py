@@ -12,16 +12,17 @@ from pathlib import Path
 import numpy
 import pytest
 
-from planes.course import Choice, fingerprint, numbers
-from planes.course.giving import shares
+from planes.course import ParameterChoice, fingerprint
+from planes.course import random_numbers as numbers
 from planes.course.ledger import Ledger, digest
-from planes.course.numbers import around, choices_of, dice, draw_numbers
+from planes.course.numbers import again, main_answers, question, settle
+from planes.course.position import clearest
+from planes.course.random_numbers import around, choices_of, dice, draw_numbers
 from planes.course.reading import read_course
 from planes.course.scenes import own_scene, used_names
-from planes.course.settling import again, main_answers, question, settle
-from planes.course.showing import clearest
+from planes.course.shares import shares
 from planes.drafting.drawing import run
-from planes.plans import state
+from planes.plans import plans_of
 from planes.plans.scales import unit_scales
 from planes.scene import Scene, load, loads
 from planes.solving import solve
@@ -74,7 +75,14 @@ def test_the_sample_course() -> None:
     course = read_course(SAMPLES / "course")
     given = shares(course)
     assert [(s.assignment.name, s.variant) for s in given] == [
-        ("12", "А"), ("26", "А"), ("12", "Г"), ("12", "Б"), ("26", "Б"), ("43", "А"), ("26", "В")]  # fmt: skip
+        ("12", "А"),
+        ("26", "А"),
+        ("12", "Г"),
+        ("12", "Б"),
+        ("26", "Б"),
+        ("43", "А"),
+        ("26", "В"),
+    ]
     assert course.draw and course.draw["F_5"].values[0] == "500" and course.draw["l_AB"].percent == 10
 
 
@@ -179,7 +187,7 @@ def test_drawn_numbers_assemble_all_round_and_meet_sharply(folder: Make) -> None
     for share in shares(course):
         scene = loads(settle(question(course, share, "en")).scene)
         assert scene.mechanism
-        plans = state(scene.mechanism)
+        plans = plans_of(scene.mechanism)
         for phi in range(0, 360, 5):
             drawn = run(plans.program, {**plans.given, **unit_scales(plans), plans.drive_given: float(phi)})
             assert min(drawn.sharpness.values()) >= math.sin(math.radians(40)) - 1e-3
@@ -214,7 +222,7 @@ def test_the_shown_scheme_is_in_another_position(name: str) -> None:
     scene = load(SAMPLES / "assignments" / f"{name}.yaml")
     assert scene.mechanism
     for asked in (0.0, 100.0, 200.0):
-        shown = clearest(state(scene.mechanism), asked)
+        shown = clearest(plans_of(scene.mechanism), asked)
         assert abs((shown - asked + 180) % 360 - 180) >= 30
         links = solve(scene, [shown]).positions[0].results["links"]
         assert abs(math.sin(math.radians(links["1"]["angle_deg"] - links["2"]["angle_deg"]))) > 0.2
@@ -264,7 +272,7 @@ def test_what_is_drawn_when_nothing_is_said() -> None:
     found = choices_of(TWELVE.read_text("utf-8"), "12.yaml", None)
     assert len(found["phi_1"]) == 24 and "m_1" not in found and "epsilon_1" not in found
     assert found["omega_1"] == ("13", "14", "15", "16", "17", "18", "19")
-    only = choices_of(TWELVE.read_text("utf-8"), "12.yaml", {"l_AB": Choice(("0.1",))})
+    only = choices_of(TWELVE.read_text("utf-8"), "12.yaml", {"l_AB": ParameterChoice(("0.1",))})
     assert only == {"l_AB": ("0.1",)}
 
 

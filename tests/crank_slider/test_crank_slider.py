@@ -10,35 +10,39 @@ import numpy as np
 import pytest
 from scipy.interpolate import PchipInterpolator
 
-from planes.crank_slider.engine import Motion
+from planes.crank_slider.engine import EngineCycle
 from planes.crank_slider.forces import balance, classical, replaced
 from planes.crank_slider.indicator import monotone
 from planes.crank_slider.kinematics import as_plane_motion, as_points, swing
 from planes.crank_slider.misprints import printed
-from planes.crank_slider.shape import Shape
+from planes.crank_slider.shape import CrankSliderShape
 from tests.helpers.crank_slider_scenes import SAMPLE, calculated, changed, two_stroke
 
 VARYING = ("  flywheel:", "  speed: {unevenness: 0.1, waves: 2, phase: 40}\n  flywheel:")
-MASSLESS = Shape(
+MASSLESS = CrankSliderShape(
     "1", "2", "3", "O", "A", "B", "C", 0.1, 0.35, 0.105, 0.1, 20 / 9.81, 1e-15, 25 / 9.81, 0.0, 1e-15, 9.81, 0.0, 30.0
 )
 
 
-def still(phi_rad: float, omega: float = 30.0, epsilon: float = 0.0, gas: float = 0.0) -> Motion:
+def still(phi_rad: float, omega: float = 30.0, epsilon: float = 0.0, gas: float = 0.0) -> EngineCycle:
     one = np.ones(1)
-    return Motion(np.degrees(phi_rad) * one, omega * one, epsilon * one, gas * one)
+    return EngineCycle(np.degrees(phi_rad) * one, omega * one, epsilon * one, gas * one)
 
 
 @pytest.mark.parametrize(
     "text, variant",
     [
-        (SAMPLE, None), (SAMPLE, "А"), (SAMPLE, "Б"), (changed(VARYING), None), (two_stroke(), None),
+        (SAMPLE, None),
+        (SAMPLE, "А"),
+        (SAMPLE, "Б"),
+        (changed(VARYING), None),
+        (two_stroke(), None),
         (changed(("friction: {x-x: 0.08}", "friction: {x-x: 0}")), None),
         (changed(("l: 0.21", "l: 0.0605")), None),  # a rod hardly longer than the crank
         (changed(("0.3*l", "0.85*l"), ("inertia: 0.0145", "inertia: 0.05"), VARYING), None),
         (changed(("step: 1 ", "step: 0.5 ")), None),
     ],
-)  # fmt: skip
+)
 def test_the_closed_forms_equal_the_general_plans_over_the_cycle(text, variant):
     c = calculated(text if "0.0605" not in text else text.split("crank_slider:")[0] + _bare(text), variant)
     for part in (c.agreement.velocity, c.agreement.acceleration, c.agreement.omega, c.agreement.epsilon):
@@ -91,7 +95,7 @@ def centre_speed(shape, m):
 
 def test_the_instant_centre_gives_the_speed_of_c_even_across_the_guide():
     """At φ = 90° the centre is infinitely far, the rod moves without turning: v_C = v_A = ωr."""
-    m = Motion(np.linspace(0, 360, 73), np.full(73, 30.0), np.zeros(73), np.zeros(73))
+    m = EngineCycle(np.linspace(0, 360, 73), np.full(73, 30.0), np.zeros(73), np.zeros(73))
     assert np.abs(centre_speed(MASSLESS, m) - np.abs(as_points(MASSLESS, m).v["C"])).max() < 1e-13
     assert centre_speed(MASSLESS, m)[18] == pytest.approx(30 * 0.1, rel=1e-15)
 

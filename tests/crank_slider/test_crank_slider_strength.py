@@ -97,8 +97,15 @@ def test_stress_of_a_round_section_by_the_third_theory():
     """
     c, one = calculated(), np.ones(1)
     s = dataclasses.replace(c.supports, A1=one, A2=one, B1=one, B2=one, out=one, T=one)
-    name = Section("x", 0.0, 300 * one, 400 * one, 200 * one, np.hypot(300, 400) / Round(0.04).modulus * 1e-6 * one,
-                   200 / (2 * Round(0.04).modulus) * 1e-6 * one)  # fmt: skip
+    name = Section(
+        "x",
+        0.0,
+        300 * one,
+        400 * one,
+        200 * one,
+        np.hypot(300, 400) / Round(0.04).modulus * 1e-6 * one,
+        200 / (2 * Round(0.04).modulus) * 1e-6 * one,
+    )
     assert Round(0.04).modulus * 1e9 == pytest.approx(6283.19, abs=0.01)
     assert name.equivalent[0] == pytest.approx(85.707, abs=1e-3)
     cut = sections(c.given.shape, BAR, s)["crankpin"]

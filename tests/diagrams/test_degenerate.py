@@ -14,7 +14,7 @@ import pytest
 from planes.cli import main
 from planes.diagrams.summary import summary
 from planes.diagrams.text import as_json, report
-from planes.plans import state
+from planes.plans import plans_of
 from planes.plans.structure import analyse
 from planes.scene import loads
 from planes.words.errors import SceneError
@@ -48,19 +48,23 @@ def chain(dyads: int, backwards: bool = False) -> str:
     pivots = ", ".join(f"D{k}: [{0.4 * k:.6g}, 0]" for k in range(1, dyads + 1))
     made = ["  1: {points: {A: 0, B0: 0.08}, mass: 1, inertia: 0.01}\n"]
     for k in range(1, dyads + 1):
-        made.append(f"  {2 * k}: {{points: {{B{k - 1}: 0, B{k}: 0.4}}, mass: 1, inertia: 0.01}}\n"
-                    f"  {2 * k + 1}: {{points: {{D{k}: 0, B{k}: 0.25}}, mass: 1, inertia: 0.01}}\n")  # fmt: skip
+        made.append(
+            f"  {2 * k}: {{points: {{B{k - 1}: 0, B{k}: 0.4}}, mass: 1, inertia: 0.01}}\n"
+            f"  {2 * k + 1}: {{points: {{D{k}: 0, B{k}: 0.25}}, mass: 1, inertia: 0.01}}\n"
+        )
     sides = ", ".join(f"B{k}: left" for k in range(1, dyads + 1))
     links = "".join(reversed(made) if backwards else made)
-    return (f"planes: 1\nframe:\n  points: {{A: [0, 0], {pivots}}}\nlinks:\n{links}assembly: {{{sides}}}\n"
-            "drive: {link: 1, phi: 60, omega: 10, epsilon: 2}\ngravity: 9.81\n"
-            f"loads: [{{link: {2 * dyads + 1}, point: B{dyads}, force: 100, direction: 0}}]\n")  # fmt: skip
+    return (
+        f"planes: 1\nframe:\n  points: {{A: [0, 0], {pivots}}}\nlinks:\n{links}assembly: {{{sides}}}\n"
+        "drive: {link: 1, phi: 60, omega: 10, epsilon: 2}\ngravity: 9.81\n"
+        f"loads: [{{link: {2 * dyads + 1}, point: B{dyads}, force: 100, direction: 0}}]\n"
+    )
 
 
 def summed(text: str):  # type: ignore[no-untyped-def]
     scene = loads(text)
     assert scene.mechanism
-    return summary(scene, state(scene.mechanism))
+    return summary(scene, plans_of(scene.mechanism))
 
 
 # what turns, and what grows
@@ -102,7 +106,7 @@ def test_two_hinges_in_one_place_are_refused_in_a_sentence(link: str) -> None:
     mechanism = loads(text, "x.yaml").mechanism
     assert mechanism
     with pytest.raises(SceneError, match=rf"x\.yaml:{3 + int(link[0])}: hinges . and C of link {link[0]} coincide"):
-        state(mechanism, "x.yaml")
+        plans_of(mechanism, "x.yaml")
 
 
 def zeroed(names: tuple[str, ...]) -> Iterator[tuple[str, str, str]]:

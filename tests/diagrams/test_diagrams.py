@@ -16,9 +16,9 @@ from planes.diagrams.extremes import extremes
 from planes.diagrams.motion import dead_points, driven_grid
 from planes.diagrams.summary import Summary, summary
 from planes.diagrams.text import as_json, decimals, report
-from planes.diagrams.turn import Turn, grid, reach, span_of, turn_of, unwound
-from planes.diagrams.working import Span
-from planes.plans import Plans, state
+from planes.diagrams.turn import WholeTurn, grid, reach, span_of, turn_of, unwound
+from planes.diagrams.working_range import WorkingRange
+from planes.plans import Plans, plans_of
 from planes.scene import Scene, load, loads
 from planes.solving.nearest import trials
 from planes.words.errors import PlanesError
@@ -56,10 +56,10 @@ def scene_of(text: str) -> Scene:
     return loads(text, "scene.yaml")
 
 
-def plans_of(text: str) -> Plans:
+def plans_from(text: str) -> Plans:
     mechanism = scene_of(text).mechanism
     assert mechanism
-    return state(mechanism)
+    return plans_of(mechanism)
 
 
 def crank(e: float = 0.0, omega: float = 20.0, epsilon: float = 0.0) -> str:
@@ -67,7 +67,7 @@ def crank(e: float = 0.0, omega: float = 20.0, epsilon: float = 0.0) -> str:
 
 
 def summed(text: str) -> Summary:
-    return summary(scene_of(text), plans_of(text))
+    return summary(scene_of(text), plans_from(text))
 
 
 # analogues
@@ -80,7 +80,7 @@ def test_analogues_of_a_crank_slider_are_its_closed_forms() -> None:
     place = R * np.cos(f) + root
     first = -R * np.sin(f) - R**2 * np.sin(f) * np.cos(f) / root
     second = -R * np.cos(f) - R**2 * np.cos(2 * f) / root - R**4 * (np.sin(f) * np.cos(f)) ** 2 / root**3
-    turn = turn_of(plans_of(crank(omega=-7.0, epsilon=11.0)), ["s_3", "vq_slide_3", "aq_slide_3", "u_21", "vq_S2_x"])
+    turn = turn_of(plans_from(crank(omega=-7.0, epsilon=11.0)), ["s_3", "vq_slide_3", "aq_slide_3", "u_21", "vq_S2_x"])
     found = turn.sample(phi)
     read = {c.name: c.read(found) for c in turn.curves}
     for name, exact in (("s_3", place), ("vq_slide_3", first), ("aq_slide_3", second)):
@@ -103,7 +103,7 @@ def test_analogues_are_what_the_independent_solver_finds_for_a_unit_drive(seed: 
     truth = solve_independently(unit, case.guess)
     mechanism = loads(to_yaml(case.scene), "random.yaml").mechanism
     assert mechanism
-    plans = state(mechanism)
+    plans = plans_of(mechanism)
     turn = turn_of(plans)
     found = {c.name: float(np.ravel(c.read(turn.sample([plans.mechanism.drive.position])))[0]) for c in turn.curves}
     sizes: dict[str, float] = {}
@@ -111,8 +111,10 @@ def test_analogues_are_what_the_independent_solver_finds_for_a_unit_drive(seed: 
     for point, (_, v, a) in truth.points.items():
         for letter, vector in (("v", v), ("a", a)):
             if f"{letter}q_{point}_x" in found:
-                pairs += [(letter, found[f"{letter}q_{point}_x"], vector.real),
-                          (letter, found[f"{letter}q_{point}_y"], vector.imag)]  # fmt: skip
+                pairs += [
+                    (letter, found[f"{letter}q_{point}_x"], vector.real),
+                    (letter, found[f"{letter}q_{point}_y"], vector.imag),
+                ]
     for link, (_, omega, epsilon) in truth.links.items():
         name = next((n for n in (f"u_{link}{drive['link']}", f"omegaq_{link}") if n in found), None)
         if name:
@@ -130,13 +132,15 @@ def test_velocities_and_accelerations_follow_from_the_analogues(name: str) -> No
     """v = v_q·ω₁ and a = a_q·ω₁² + v_q·ε₁, everywhere and for everything that moves."""
     mechanism = load(str(SAMPLES / f"{name}.yaml")).mechanism
     assert mechanism
-    plans, drive = state(mechanism), mechanism.drive
+    plans, drive = plans_of(mechanism), mechanism.drive
     near = drive.position + np.linspace(-10, 10, 41) * (1.0 if drive.kind == "phi" else 0.005)
     turn = turn_of(plans)
     s = turn.sample(near)
     checked = 0
-    size = {key: max((np.nanmax(np.abs(row)) for n, row in s.items() if n.startswith(key)), default=0.0) for key in
-            ("v_", "a_", "omega_", "epsilon_")}  # fmt: skip
+    size = {
+        key: max((np.nanmax(np.abs(row)) for n, row in s.items() if n.startswith(key)), default=0.0)
+        for key in ("v_", "a_", "omega_", "epsilon_")
+    }
     for column in [n for n in s if n.startswith((f"{UNIT}v_", f"{UNIT}omega_"))]:
         own = column.removeprefix(UNIT)
         quick = own.replace("v_", "a_", 1) if own.startswith("v_") else own.replace("omega_", "epsilon_")
@@ -211,7 +215,7 @@ def test_the_largest_velocity_is_that_of_the_closed_form_and_not_of_a_grid() -> 
 
 
 def test_a_coarse_grid_gives_the_same_extremes_as_a_fine_one() -> None:
-    plans = plans_of(crank(0.05, 20.0, 40.0))
+    plans = plans_from(crank(0.05, 20.0, 40.0))
     names = ["s_3", "v_slide_3", "a_slide_3", "F_21", "F_30", "M_1"]
     some = [extremes(grid(turn_of(plans, names), 0.0, 360.0, count)) for count in (181, 1441)]
     for name, coarse, fine in zip(names, *some, strict=True):
@@ -242,11 +246,11 @@ def test_limits_of_assembly_are_found_and_what_grows_there_is_said() -> None:
 @pytest.mark.parametrize("seed", range(10))
 def test_a_driver_can_go_as_far_as_every_step_can_be_drawn(seed: int) -> None:
     rng = random.Random(seed)
-    plans = plans_of(to_yaml(make(rng, [KINDS[seed % 5]], friction=False).scene))
+    plans = plans_from(to_yaml(make(rng, [KINDS[seed % 5]], friction=False).scene))
     works = trials(plans)
     span, (low, high), drive = span_of(plans), reach(plans), plans.mechanism.drive
     assert span.start <= drive.position <= span.end
-    assert all(map(works, Span(span.start, span.end).inner(0.01).values(20)))
+    assert all(map(works, WorkingRange(span.start, span.end).inner(0.01).values(20)))
     assert span.whole or drive.kind == "s" or span.end - span.start < 360
     beside = 1e-5 * (high - low)
     for end, way, far in ((span.start, -1, low), (span.end, 1, high)):
@@ -273,10 +277,10 @@ def test_what_grows_where_a_sliding_driver_stops_is_said(capsys: Any) -> None:
 
 
 def test_dead_points_are_those_of_places_and_need_no_motion() -> None:
-    moving, resting = (dead_points(driven_grid(plans_of(crank(0.05, w)), 0.0, 360.0)) for w in (20.0, 0.0))
+    moving, resting = (dead_points(driven_grid(plans_from(crank(0.05, w)), 0.0, 360.0)) for w in (20.0, 0.0))
     assert moving == resting and len(moving) == 2
     assert moving[0] == pytest.approx(math.degrees(math.asin(0.05 / (L + R))), abs=1e-9)
-    turning_over = plans_of((SAMPLES / "assignments" / "57.yaml").read_text(encoding="utf-8"))
+    turning_over = plans_from((SAMPLES / "assignments" / "57.yaml").read_text(encoding="utf-8"))
     assert dead_points(driven_grid(turning_over, 30.0, 390.0)) == pytest.approx([360.0, 370.1618], abs=1e-4)
 
 
@@ -320,27 +324,44 @@ def test_angles_go_on_past_a_full_turn() -> None:
 
 def test_a_name_that_is_not_there() -> None:
     with pytest.raises(PlanesError, match=r"scene\.yaml: this mechanism has no quantity vq_Z.*vq_"):
-        turn_of(plans_of(crank()), ["vq_Z"], file="scene.yaml")
+        turn_of(plans_from(crank()), ["vq_Z"], file="scene.yaml")
     with pytest.raises(PlanesError, match="no quantity F_99"):
-        turn_of(plans_of(crank()), ["s_3"], ["F_99"])
+        turn_of(plans_from(crank()), ["s_3"], ["F_99"])
 
 
 def test_only_the_runs_that_are_needed_are_made() -> None:
-    plans = plans_of(crank())
+    plans = plans_from(crank())
     assert [prefix for prefix, _ in turn_of(plans, ["u_21"]).cycles] == [UNIT]
-    assert [prefix for prefix, _ in Turn(plans, [curves_of(plans)["M_1"]]).cycles] == [""]
+    assert [prefix for prefix, _ in WholeTurn(plans, [curves_of(plans)["M_1"]]).cycles] == [""]
 
 
 # the listing of assignment 12
 
 
 LISTED = {  # names of the printed listing -> those of the program
-    "xB": "r_B_x", "yB": "r_B_y", "phi3_deg": "phi_3", "xD": "r_D_x", "yD": "r_D_y", "xS3": "r_S3_x", "yS3": "r_S3_y",
-    "wq3": "u_31", "eq3": "epsilonq_3", "w3": "omega_3", "e3": "epsilon_3", "vD": "v_D", "vS3": "v_S3", "aD": "a_D",
+    "xB": "r_B_x",
+    "yB": "r_B_y",
+    "phi3_deg": "phi_3",
+    "xD": "r_D_x",
+    "yD": "r_D_y",
+    "xS3": "r_S3_x",
+    "yS3": "r_S3_y",
+    "wq3": "u_31",
+    "eq3": "epsilonq_3",
+    "w3": "omega_3",
+    "e3": "epsilon_3",
+    "vD": "v_D",
+    "vS3": "v_S3",
+    "aD": "a_D",
     "aS3": "a_S3",
-    **{f"{letter}{q}{p}{axis}": f"{letter}{q}_{p}_{axis}" for letter in "va" for q in ("q", "") for p in ("D", "S3")
-       for axis in "xy"},
-}  # fmt: skip
+    **{
+        f"{letter}{q}{p}{axis}": f"{letter}{q}_{p}_{axis}"
+        for letter in "va"
+        for q in ("q", "")
+        for p in ("D", "S3")
+        for axis in "xy"
+    },
+}
 
 
 @pytest.mark.parametrize("file", ["assignment-12", "assignments/12"])
@@ -363,6 +384,6 @@ def test_the_balancing_moment_does_the_work_of_the_load_over_a_cycle() -> None:
     step, loss = math.radians(0.5), 500 * 4 * R
     resisted = crank() + "loads: [{link: 3, point: B, force: 500, against: motion}]\n"
     for text, work, near in ((crank(), 0.0, 1e-10), (resisted, loss, 1e-4 * loss)):
-        turn = turn_of(plans_of(text), ["M_1"])
+        turn = turn_of(plans_from(text), ["M_1"])
         moment = turn.curves[0].read(turn.sample(phi))
         assert float(moment.sum()) * step == pytest.approx(work, abs=near)

@@ -14,7 +14,7 @@ from planes.drafting.drawing import run
 from planes.lesson import LANGS, Teller, value_of
 from planes.lesson.data import lesson_data
 from planes.lesson.formulas import fill
-from planes.plans import state
+from planes.plans import plans_of
 from planes.plans.scales import scales
 from planes.scene import load
 from planes.solving import position
@@ -95,7 +95,7 @@ def test_play_goes_on_by_itself(page: Any) -> None:
 def test_what_is_shown_at_any_position_is_what_is_solved(page: Any, index: int) -> None:
     page.evaluate(f"state.frame = data.frames.length - 1; state.index = {index}; draw()")
     scene = load(str(SIX))
-    plans = state(scene.mechanism)
+    plans = plans_of(scene.mechanism)
     drawn = position(scene, plans, None, float(index), None, "en")
     mus = scales(plans, scene.mu)
     shown = page.evaluate(
@@ -123,7 +123,7 @@ def test_every_sentence_at_other_positions_has_the_numbers_reckoned_there(
     target.write_text(written(exported, "en"), encoding="utf-8")
     page = browser.new_page()
     page.goto(target.as_uri())
-    plans, mus = state(scene.mechanism), exported["mus"]
+    plans, mus = plans_of(scene.mechanism), exported["mus"]
     teller = Teller(plans, run(plans.program, {**plans.given, **mus}), mus)
     teller.frames()
     for index in [i for i in range(0, 360, 23) if str(i) not in exported["failed"]]:
@@ -258,8 +258,9 @@ def test_practice_by_clicking_the_crossing(page: Any) -> None:
     page.click("#practise")
     page.evaluate("practice.index = data.practice.findIndex(t => t.mark === 'velocity:c'); practice.open()")
     page.evaluate("practice.stage = 1; draw()")
-    wrong = page.evaluate("practice.task.lines[0].options.findIndex(o => "
-                          "o.slips.some(s => s.mistake === 'along_link'))")
+    wrong = page.evaluate(
+        "practice.task.lines[0].options.findIndex(o => o.slips.some(s => s.mistake === 'along_link'))"
+    )
     page.click(f"#task [data-do=line{wrong}]")
     assert "вдоль звена" in page.inner_text("#task .said")
     for k in (0, 1):
@@ -333,8 +334,10 @@ def test_every_sample_steps_and_turns_without_complaint(browser: Any, tmp_path: 
     page.goto(target.as_uri())
     page.evaluate("data.frames.forEach((_, k) => go(k))")
     page.evaluate("for (let i = 0; i < data.drive.values.length; i += 5) { state.index = i; draw(); }")
-    page.evaluate("practice.toggle(); data.practice.forEach((_, k) => { practice.index = k; practice.open(); "
-                  "practice.order.forEach((_, s) => { practice.stage = s; draw(); }); })")
+    page.evaluate(
+        "practice.toggle(); data.practice.forEach((_, k) => { practice.index = k; practice.open(); "
+        "practice.order.forEach((_, s) => { practice.stage = s; draw(); }); })"
+    )
     page.evaluate("practice.toggle(); handout()")
     assert not page.evaluate("/NaN|undefined/.test(document.querySelector('main').innerHTML)")
     page.close()

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from planes.accuracy import methods, stability
-from planes.accuracy.bench import Bench
+from planes.accuracy.comparison import Comparison
 from planes.accuracy.limits import find
 from planes.cli import main
 from planes.documents.charts import axis, moving
@@ -42,8 +42,10 @@ def test_a_chart_and_its_table(tmp_path: Path, quick: None) -> None:
     assert [n for n in names if "pencil" in n][:2] == ["pencil, A4, 0.5 mm", "pencil, A4, 0.1 mm"]
     assert all(float(row[1]) > 0 and 0 < float(row[2]) < 10 for row in speed[1:])
     assert ways[0][:3] == [
-        "length l_BC: relative distance to 0.075 m (0.2 m in the scene), at φ = 150°", "sine of the meeting angle",
-        "claimed error"]  # fmt: skip
+        "length l_BC: relative distance to 0.075 m (0.2 m in the scene), at φ = 150°",
+        "sine of the meeting angle",
+        "claimed error",
+    ]
     assert [float(row[0]) for row in ways[1:]] == pytest.approx([1e-1, 1e-4, 1e-7, 1e-10, 1e-13], rel=0.02)
 
 
@@ -71,7 +73,7 @@ def test_where_nothing_leads_to_a_limit_the_chart_says_so(
     ],
 )
 def test_an_axis_says_what_is_altered(name: str, words: str) -> None:
-    limit = find(Bench(plans(name)))
+    limit = find(Comparison(plans(name)))
     assert limit and axis(limit, "en") == words
 
 

@@ -12,9 +12,9 @@ import pytest
 
 from planes.batch.tape import LEAVES, TESTS
 from planes.check import Outcome, check
-from planes.check.grading.bench import Asked, prepare, variants_of
 from planes.check.grading.grading import Grading, empty
-from planes.check.grading.paper import Paper, Spot, read_table
+from planes.check.grading.paper import ReadMark, ReadPaper, read_table
+from planes.check.grading.prepared_plan import Asked, prepare, variants_of
 from planes.check.report.regrading import SURELY_MM, exported, retrace
 from planes.cli.classes import Checked, Group
 from planes.documents.check import write_class, write_report
@@ -65,11 +65,13 @@ def graded(found: Outcome) -> Grading:
 
 def judged(page: Any) -> dict[str, Any]:
     """What the page finds: verdict, sentence and every mark's numbers."""
-    return dict(page.evaluate("""() => ({ verdict: found.verdict, first: found.first, sentence: found.sentence,
+    return dict(
+        page.evaluate("""() => ({ verdict: found.verdict, first: found.first, sentence: found.sentence,
         mistake: found.named ? found.named.mistake : null,
         marks: Object.fromEntries(marks.filter(m => m.read).map(m => { const f = found.marks[m.name];
             const sizes = [f.own, f.free].map(miss => miss.reach(found.limit));
-            return [m.key, [f.verdict, f.own.x, f.own.y, ...sizes]]; })) })"""))
+            return [m.key, [f.verdict, f.own.x, f.own.y, ...sizes]]; })) })""")
+    )
 
 
 def same(page: Any, found: Outcome) -> None:
@@ -125,7 +127,7 @@ def test_a_misread_mark_is_dragged_right(browser: Any, tmp_path: Path) -> None:
     found = handed_in("six-link", "velocity", None)
     place = next(s for s in found.paper.spots if s.name == "c").place
     pole = next(s for s in found.paper.spots if s.name == "p").place
-    found.paper.spots = [Spot(s.name, s.place + 20, s.error_mm) if s.name == "c" else s for s in found.paper.spots]
+    found.paper.spots = [ReadMark(s.name, s.place + 20, s.error_mm) if s.name == "c" else s for s in found.paper.spots]
     wrong = check(found.bench.asked, found.paper)
     assert wrong.first_wrong == "c"
     page, errors = opened(browser, wrong, tmp_path)
@@ -203,8 +205,8 @@ def test_marks_nobody_read_are_put_in_place(browser: Any, tmp_path: Path) -> Non
         page.evaluate(f"move({name!r}, {place.real}, {place.imag})")
     shown = judged(page)
     assert shown["verdict"] == "right" and len(shown["marks"]) == 5
-    spots = [Spot(s.name, s.place, SURELY_MM) if s.name in ("c", "h") else s for s in whole.paper.spots]
-    again = check(whole.bench.asked, Paper("t", spots))
+    spots = [ReadMark(s.name, s.place, SURELY_MM) if s.name in ("c", "h") else s for s in whole.paper.spots]
+    again = check(whole.bench.asked, ReadPaper("t", spots))
     for mark, miss in graded(again).judgement.misses.items():
         assert abs(complex(*shown["marks"][mark][1:3]) - miss.off) < 1e-6 + 0.01 * miss.reach(1.0)
     page.close()
@@ -224,7 +226,7 @@ def test_layers_and_a_telephone(browser: Any, tmp_path: Path) -> None:
 
 
 def test_a_table_of_numbers_has_nothing_to_move(browser: Any, tmp_path: Path) -> None:
-    paper = Paper("t", results=[("v_C", 72.1, "m/s")])
+    paper = ReadPaper("t", results=[("v_C", 72.1, "m/s")])
     page, errors = opened(browser, check(Asked(load(SAMPLES / "six-link.yaml"), "velocity"), paper), tmp_path)
     assert page.locator("svg").count() == 0 and "millimetres" in page.inner_text("#sentence")
     page.close()

@@ -96,8 +96,9 @@ def test_a_mechanism_built_in_python() -> None:
     points = {"A": 0j, "D": 0.3 + 0j}
     shapes = {"1": {"A": 0j, "B": 0.1}, "2": {"B": 0j, "C": 0.3}, "3": {"D": 0j, "C": 0.25}}
     links = {name: Link(name, shape) for name, shape in shapes.items()}
-    built = Mechanism(Link("0", points), MappingProxyType(links), Drive("1", "phi", 60.0, 10.0),
-                      assembly={"C": Assembly("left")})
+    built = Mechanism(
+        Link("0", points), MappingProxyType(links), Drive("1", "phi", 60.0, 10.0), assembly={"C": Assembly("left")}
+    )
     scene = planes.Scene.of(built, "four-bar")
     assert abs(planes.solve(scene).v["B"]) == pytest.approx(1.0)
     assert planes.loads(scene.to_yaml()).mechanism == scene.mechanism

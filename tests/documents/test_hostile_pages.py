@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 
 from planes.check import check
-from planes.check.grading.bench import Asked
 from planes.check.grading.paper import read_table
+from planes.check.grading.prepared_plan import Asked
 from planes.check.report import page_data
 from planes.check.report.tracing_paper import tracing_data
 from planes.cli import main
@@ -30,14 +30,31 @@ SAMPLES = ROOT / "samples"
 SIX = SAMPLES / "six-link.yaml"
 RUN = "window.XSS=1"
 NAMES = [
-    f"{{data}}<img src=x onerror={RUN}>", "{title}{words}{css}{js}{nobody}{0}{", "<!--<script>", "--><!-->",
-    f"</script><script>{RUN}</script>", f"</title></style><script>{RUN}</script>", f"]]><script>{RUN}</script>",
-    f"\"><svg onload={RUN}>", f"' onmouseover='{RUN}", f"\" autofocus onfocus=\"{RUN}", f"<svg/onload={RUN}><style>",
-    "<base href=//localhost/><link rel=stylesheet href=//localhost/x>", "<meta http-equiv=refresh content=0;url=x>",
-    f"<iframe srcdoc='<script>parent.XSS=1</script>'><object data=x><embed src=x>{RUN}", "<style>*{display:none}",
-    f"&lt;script&gt;{RUN}&lt;/script&gt;", f"\\u003cscript>{RUN}\\u003c/script>", "a\u2028b\u2029c", "$& $1 $` $' \\1",
-    f"javascript:{RUN}", "%s %(x)s {!r} ${x} `x`", "<plaintext>", "<textarea><noscript><template>", "⟨<b>⟩_{<b>}^{<i>}",
-]  # fmt: skip
+    f"{{data}}<img src=x onerror={RUN}>",
+    "{title}{words}{css}{js}{nobody}{0}{",
+    "<!--<script>",
+    "--><!-->",
+    f"</script><script>{RUN}</script>",
+    f"</title></style><script>{RUN}</script>",
+    f"]]><script>{RUN}</script>",
+    f'"><svg onload={RUN}>',
+    f"' onmouseover='{RUN}",
+    f'" autofocus onfocus="{RUN}',
+    f"<svg/onload={RUN}><style>",
+    "<base href=//localhost/><link rel=stylesheet href=//localhost/x>",
+    "<meta http-equiv=refresh content=0;url=x>",
+    f"<iframe srcdoc='<script>parent.XSS=1</script>'><object data=x><embed src=x>{RUN}",
+    "<style>*{display:none}",
+    f"&lt;script&gt;{RUN}&lt;/script&gt;",
+    f"\\u003cscript>{RUN}\\u003c/script>",
+    "a\u2028b\u2029c",
+    "$& $1 $` $' \\1",
+    f"javascript:{RUN}",
+    "%s %(x)s {!r} ${x} `x`",
+    "<plaintext>",
+    "<textarea><noscript><template>",
+    "⟨<b>⟩_{<b>}^{<i>}",
+]
 ALIVE = {  # what the page's own script has made
     "lesson": "document.querySelectorAll('#scheme *, #plan *').length > 9 && !!$('number').textContent",
     "trace": "document.querySelectorAll('#sheet *').length > 9",
@@ -72,20 +89,39 @@ def pages(told: dict[str, dict[str, Any]], name: str) -> dict[str, str]:
     """Every kind of page, the name in every place that takes any text."""
     trace_words = {k: say(f"trace_{k}", "en") for k in TRACE_WORDS}
     page_words = {k: say(f"check_page_{k}", "en") for k in PAGE_WORDS}
-    checked = {**told["report"], "title": name, "sentence": name, "notes": [name], "command": name,
-               "numbers": [["right", name, name, name, name]]}  # fmt: skip
-    table = document.Table(name, ((name,), (name,)))
-    blocks = [document.Heading(name, 0), *(document.Heading(name, k) for k in (1, 2)), table,
-              document.Paragraph(name, name), document.Paragraph(name, mistake=True), document.Formula("x", name),
-              document.Figure(document.Chart("x", "y", (document.Curve([0, 1], [0, 1]),)), name)]  # fmt: skip
+    checked = {
+        **told["report"],
+        "title": name,
+        "sentence": name,
+        "notes": [name],
+        "command": name,
+        "numbers": [["right", name, name, name, name]],
+    }
+    table = document.DocumentTable(name, ((name,), (name,)))
+    blocks = [
+        document.Heading(name, 0),
+        *(document.Heading(name, k) for k in (1, 2)),
+        table,
+        document.Paragraph(name, name),
+        document.Paragraph(name, mistake=True),
+        document.Formula("x", name),
+        document.Figure(document.Chart("x", "y", (document.PlottedLine([0, 1], [0, 1]),)), name),
+    ]
     return {
         "lesson": lesson_page.page({**told["lesson"], "title": {"ru": name, "en": name}}, "en"),
         "trace": trace_page.page({**told["trace"], "title": name, "command": name}, trace_words, "en"),
         "report": check_page.page(checked, page_words, "en"),
-        "class": class_page.page(name, [(name, 1)], [(name, [(name, name)])], [name, name],
-                                 [("wrong", name, [name, name])], {"common": name}, "en"),
+        "class": class_page.page(
+            name,
+            [(name, 1)],
+            [(name, [(name, name)])],
+            [name, name],
+            [("wrong", name, [name, name])],
+            {"common": name},
+            "en",
+        ),
         "note": rendered(blocks, ".html", Naming("en")).decode(),
-    }  # fmt: skip
+    }
 
 
 def visit(browser: Any, file: Path, kind: str) -> tuple[list[str], str]:

@@ -37,6 +37,7 @@ def trace(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def png(file: Path, width: int = 1600, height: int = 1400) -> None:
     """A white picture."""
+
     def chunk(name: bytes, data: bytes) -> bytes:
         return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
 

@@ -16,7 +16,7 @@ from planes.drafting.drawing import run
 from planes.drafting.program import Program
 from planes.drafting.steps import Aim, Carry, Cross, LayOff, Put, Step, Through, Turn
 from planes.drafting.steps.reckoning import Calculate, Measure, Product, Protractor
-from planes.plans import Plans, sliced, state
+from planes.plans import Plans, plans_of, sliced
 from planes.plans.quantities import asked
 from planes.scene import loads
 from planes.words.errors import ProgramError
@@ -32,10 +32,10 @@ loads: [{link: 3, point: C, force: 50, against: motion}, {link: 2, moment: 3}]
 )
 
 
-def plans_of(text: str) -> Plans:
+def plans_from(text: str) -> Plans:
     scene = loads(text)
     assert scene.mechanism
-    return state(scene.mechanism)
+    return plans_of(scene.mechanism)
 
 
 POLE = Put("velocity:p")
@@ -109,7 +109,7 @@ def kinds_drawn(plans: Plans) -> set[str]:
     ],
 )
 def test_only_what_leads_to_the_asked_is_drawn(wanted: list[str], plans: set[str]) -> None:
-    whole = plans_of(LOADED)
+    whole = plans_from(LOADED)
     cut = sliced(whole, [n for q in asked(whole, wanted) for n in q.needs])
     assert kinds_drawn(cut) == plans
     assert set(cut.program.steps) < set(whole.program.steps)
@@ -119,7 +119,7 @@ def test_only_what_leads_to_the_asked_is_drawn(wanted: list[str], plans: set[str
 
 
 def test_asking_for_a_place_takes_neither_masses_nor_speeds() -> None:
-    whole = plans_of(LOADED)
+    whole = plans_from(LOADED)
     cut = whole.program.sliced(["position:C"])
     assert not [g for g in cut.givens if g.startswith(("m_", "J_", "omega", "epsilon", "P_", "M_", "g", "mu_v"))]
     velocity = whole.program.sliced(["velocity:c"])
@@ -128,7 +128,7 @@ def test_asking_for_a_place_takes_neither_masses_nor_speeds() -> None:
 
 
 def test_the_force_plan_of_one_group_leaves_the_driver_out() -> None:
-    whole = plans_of(LOADED)
+    whole = plans_from(LOADED)
     r = whole.reactions["F_30"]
     cut = sliced(whole, [r.start, r.end])
     assert "force:2-3" in cut.drawn and "force:1" not in cut.drawn and "lever" not in cut.drawn
@@ -137,7 +137,7 @@ def test_the_force_plan_of_one_group_leaves_the_driver_out() -> None:
 def test_a_slice_gives_the_numbers_of_the_whole() -> None:
     for seed in range(20):
         case = make(random.Random(seed), random.Random(seed).choices(KINDS, k=2))
-        plans = plans_of(to_yaml(case.scene))
+        plans = plans_from(to_yaml(case.scene))
         given = {**plans.given, **{f"mu_{p}": 2.0 for p in plans.drawn}}
         whole = run(plans.program, given)
         names = [s.makes for s in plans.program.steps]
@@ -184,7 +184,7 @@ def test_a_program_depends_on_structure_alone(text: str, changes: dict[str, str]
     for old, new in changes.items():
         assert old in other
         other = other.replace(old, new)
-    one, two = plans_of(text), plans_of(other)
+    one, two = plans_from(text), plans_from(other)
     assert one.program == two.program and hash(one.program) == hash(two.program)
     assert one.equations == two.equations and one.moments == two.moments
     assert set(one.given) == set(two.given) and dict(one.given) != dict(two.given)
@@ -206,7 +206,7 @@ def test_changed_numbers_leave_a_random_program_the_same(case: Any) -> None:
             n: {k: v * 1.5 if k in ("mass", "inertia") else v for k, v in x.items()} for n, x in scene["links"].items()
         },
     }
-    assert plans_of(to_yaml(scene)).program == plans_of(to_yaml(changed)).program
+    assert plans_from(to_yaml(scene)).program == plans_from(to_yaml(changed)).program
 
 
 def all_steps() -> list[type[Step]]:
@@ -224,7 +224,7 @@ def test_steps_are_frozen_records_with_a_sentence_about_them(step: type[Step]) -
 def test_a_made_step_cannot_be_changed() -> None:
     with pytest.raises(dataclasses.FrozenInstanceError):
         POLE.makes = "x"  # type: ignore[misc]
-    program = plans_of(LOADED).program
+    program = plans_from(LOADED).program
     for step in program.steps:
         hash(step)
     with pytest.raises(dataclasses.FrozenInstanceError):
@@ -242,12 +242,12 @@ def test_whatever_the_points_are_called_the_numbers_are_the_same(one: str, other
     text = (
         text.replace("E", other) if other == "b" else "".join(part if part != one else other for part in _words(text))
     )
-    base = plans_of(
+    base = plans_from(
         LOADED.replace("inertia: 0.1}", "inertia: 0.1, centre: E}").replace(
             "{B: 0, C: 0.3}", "{B: 0, C: 0.3, E: [0.1, 0.1]}"
         )
     )
-    plans = plans_of(text)
+    plans = plans_from(text)
     numbers = []
     for p in (base, plans):
         drawing = run(p.program, {**p.given, **{f"mu_{x}": 1.0 for x in p.drawn}})

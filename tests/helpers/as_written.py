@@ -10,10 +10,10 @@ import numpy as np
 
 from planes.accuracy.digits import Long
 from planes.batch import Cycle
+from planes.batch.double_double import TWO_OPS, Two, twofold
 from planes.batch.reading import read
 from planes.batch.tracing import given_values, trace
-from planes.batch.twofold import TWO_OPS, Two, twofold
-from planes.plans import state, written
+from planes.plans import plans_of, written
 from planes.scene.mechanism import Mechanism
 
 FINE = 1e-28
@@ -44,7 +44,7 @@ def givens(mechanism: Mechanism) -> dict[str, Any]:
     """All that is given to the drawing, reckoned with long numbers."""
     kept, written.ARITHMETIC = written.ARITHMETIC, LONG  # type: ignore[assignment]
     try:
-        return dict(state(long(mechanism)).given)
+        return dict(plans_of(long(mechanism)).given)
     finally:
         written.ARITHMETIC = kept
 

@@ -11,7 +11,7 @@ from typing import Any
 import yaml
 
 from planes.drafting.drawing import Drawing, run
-from planes.plans import Plans, state
+from planes.plans import Plans, plans_of
 from planes.plans.scales import scales
 from planes.scene import Scene, loads
 from tests.helpers.mechanisms import Case, to_yaml
@@ -47,7 +47,7 @@ def draw(scene: Mapping[str, Any] | str, value: Any = None, mu: Mapping[str, flo
     """Draw a scene (its text or its numeric dict) at automatic scales, at a value (or values) of the drive."""
     read = loads(scene if isinstance(scene, str) else to_yaml(scene))
     assert read.mechanism
-    plans = state(read.mechanism)
+    plans = plans_of(read.mechanism)
     one = {plans.drive_given: value} if isinstance(value, (int, float)) else {}
     chosen = dict(mu or scales(plans, read.mu, one))
     moved = {} if value is None else {plans.drive_given: value}

@@ -319,8 +319,9 @@ def draw_velocity(m: Motion, hand: Hand, mu: float, scheme: Scheme, mistake: Mis
     return plan.sheet
 
 
-def finish(plan: Plan, link: str, bases: Mapping[str, tuple[str, str]], quick: bool,
-           tangential: Mapping[Any, complex]) -> None:
+def finish(
+    plan: Plan, link: str, bases: Mapping[str, tuple[str, str]], quick: bool, tangential: Mapping[Any, complex]
+) -> None:
     if link in bases:
         plan.likeness(link, quick, [bases[link]], tangential)
 
@@ -342,8 +343,9 @@ def turner(plan: Plan, link: str, bases: Mapping[str, tuple[str, str]]) -> str:
     return link
 
 
-def group_points(plan: Plan, task: Task, bases: dict[str, tuple[str, str]], quick: bool,
-                 tangential: Mapping[Any, complex]) -> None:
+def group_points(
+    plan: Plan, task: Task, bases: dict[str, tuple[str, str]], quick: bool, tangential: Mapping[Any, complex]
+) -> None:
     """All other points of the two links of a group."""
     m = plan.m
     pair = next((i, j) for i, j in m.model.groups if task.link in (i, j))
@@ -374,7 +376,8 @@ def cross_velocity(plan: Plan, task: Task) -> None:
     for k, leg in enumerate(task.legs):
         lines[k] = wrong_line(plan, task, leg, lines, k, label)
     if (one.known in plan.m.frame or not one.known) != (two.known in plan.m.frame or not two.known) and plan.is_now(
-            "relative_from_pole", label):
+        "relative_from_pole", label
+    ):
         start, other = other, start
     place = meet(start, plan.hand.ray(lines[0]), other, plan.hand.ray(lines[1]))
     moving = [leg for leg in task.legs if abs(plan.ends[leg.known]) > 1]
@@ -399,8 +402,9 @@ def wrong_line(plan: Plan, task: Task, leg: Leg, lines: list[complex], k: int, l
     return line
 
 
-def draw_acceleration(m: Motion, hand: Hand, mu: float, scheme: Scheme, velocity: Sheet, mu_v: float,
-                      mistake: Mistake | None = None) -> Sheet:
+def draw_acceleration(
+    m: Motion, hand: Hand, mu: float, scheme: Scheme, velocity: Sheet, mu_v: float, mistake: Mistake | None = None
+) -> Sheet:
     """An acceleration plan, its normal and Coriolis parts reckoned from a measured velocity plan."""
     plan = Plan(m, hand, mu, scheme, mistake)
     base = driver_points(plan, True)
@@ -420,8 +424,9 @@ def draw_acceleration(m: Motion, hand: Hand, mu: float, scheme: Scheme, velocity
     return plan.sheet
 
 
-def cross_acceleration(plan: Plan, task: Task, speeds: Mapping[str, complex], mu_v: float,
-                       tangential: dict[tuple[str, str], complex]) -> None:
+def cross_acceleration(
+    plan: Plan, task: Task, speeds: Mapping[str, complex], mu_v: float, tangential: dict[tuple[str, str], complex]
+) -> None:
     """The new point from the ends of the known parts."""
     label = plan.m.label(task.new, True)
     starts, lines = [], []
@@ -450,8 +455,9 @@ def measured(plan: Plan, one: complex, two: complex, mu_v: float) -> float:
     return plan.hand.read(abs(two - one) * mu_v) / mu_v
 
 
-def normal_part(plan: Plan, task: Task, leg: Leg, speeds: Mapping[str, complex], mu_v: float,
-                start: complex) -> complex:
+def normal_part(
+    plan: Plan, task: Task, leg: Leg, speeds: Mapping[str, complex], mu_v: float, start: complex
+) -> complex:
     """Lay a^n = v²/l off towards the hinge."""
     name = f"n_{task.new}{leg.hinge}"
     inward = plan.at(leg.hinge) - plan.at(task.place)
@@ -471,8 +477,9 @@ def normal_part(plan: Plan, task: Task, leg: Leg, speeds: Mapping[str, complex],
     return end
 
 
-def coriolis_part(plan: Plan, task: Task, leg: Leg, speeds: Mapping[str, complex], mu_v: float,
-                  start: complex) -> complex:
+def coriolis_part(
+    plan: Plan, task: Task, leg: Leg, speeds: Mapping[str, complex], mu_v: float, start: complex
+) -> complex:
     """Lay a^k = 2ωv off, the relative velocity turned by 90° in the sense of ω."""
     name = f"k_{task.new}{leg.known}"
     along = plan.m.direction(leg.guide) * drawn_turn(plan, leg)

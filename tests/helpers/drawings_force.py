@@ -152,7 +152,7 @@ class Forces:
 
 def draw_group(f: Forces, pair: tuple[str, str], mu: float, hand: Hand, mistake: Mistake | None = None) -> Polygon:
     """The polygon of one group, after those of the groups that hang on it."""
-    later = f.model.groups[f.model.groups.index(pair) + 1:]
+    later = f.model.groups[f.model.groups.index(pair) + 1 :]
     after = {n for g in later for n in g}
     halves = {n: f.half(n, pair[1 - k], after) for k, n in enumerate(pair)}
     inner = f.inner(*pair)
@@ -401,5 +401,3 @@ def rows(sheet: Polygon, origin: complex) -> list[tuple[str, complex]]:
         z += vector
         out.append((name, z))
     return out
-
-

@@ -73,8 +73,9 @@ def vector_labels(vectors: list[tuple[str, complex]], height: float = 3.5) -> li
     return out
 
 
-def beside_lines(words: list[tuple[str, complex]], strokes: list[Stroke], height: float = 3.5
-                 ) -> list[tuple[str, complex]]:  # fmt: skip
+def beside_lines(
+    words: list[tuple[str, complex]], strokes: list[Stroke], height: float = 3.5
+) -> list[tuple[str, complex]]:
     """The words moved as little as need be to stand on no stroke and on no other word, as a person writes them."""
     out: list[tuple[str, complex]] = []
     for text, corner in words:
@@ -85,8 +86,9 @@ def beside_lines(words: list[tuple[str, complex]], strokes: list[Stroke], height
     return out
 
 
-def _free(corner: complex, width: float, height: float, strokes: list[Stroke],
-          taken: list[tuple[complex, float]]) -> bool:  # fmt: skip
+def _free(
+    corner: complex, width: float, height: float, strokes: list[Stroke], taken: list[tuple[complex, float]]
+) -> bool:
     """Whether a word's box, with a millimetre around it, touches no stroke and no other word."""
     low, high = corner - (1 + 1.5j), corner + complex(width + 1, height + 1)
     for other, wide in taken:
@@ -111,18 +113,24 @@ def head(a: complex, b: complex) -> list[complex]:
 def inkscape(strokes: list[Stroke], words: list[tuple[str, complex]], origin: complex) -> str:
     """As Inkscape writes it: mm, a layer with a transform, paths with relative moves, markers, tspans."""
     size = 297.0
-    out = ['<?xml version="1.0" encoding="UTF-8"?>',
-           '<svg xmlns="http://www.w3.org/2000/svg" width="420mm" height="297mm" viewBox="0 0 420 297">',
-           '<defs><marker id="TriangleOutL"><path d="M0,0 L5,2 L0,4 z"/></marker></defs>',
-           f'<g transform="translate({origin.real},{size - origin.imag})"><g transform="scale(1,-1) rotate(0)">']
+    out = [
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        '<svg xmlns="http://www.w3.org/2000/svg" width="420mm" height="297mm" viewBox="0 0 420 297">',
+        '<defs><marker id="TriangleOutL"><path d="M0,0 L5,2 L0,4 z"/></marker></defs>',
+        f'<g transform="translate({origin.real},{size - origin.imag})"><g transform="scale(1,-1) rotate(0)">',
+    ]
     for a, b in strokes:
         d = b - a
-        out.append('<path style="fill:none;stroke:#000000;stroke-width:0.6;marker-end:url(#TriangleOutL)" '
-                   f'd="m {a.real:.3f},{a.imag:.3f} {d.real:.3f},{d.imag:.3f}"/>')
+        out.append(
+            '<path style="fill:none;stroke:#000000;stroke-width:0.6;marker-end:url(#TriangleOutL)" '
+            f'd="m {a.real:.3f},{a.imag:.3f} {d.real:.3f},{d.imag:.3f}"/>'
+        )
     out.append("</g>")
     for text, z in words:
-        out.append(f'<text style="font-size:4.8px" x="{z.real:.2f}" y="{-z.imag:.2f}"><tspan x="{z.real:.2f}" '
-                   f'y="{-z.imag:.2f}">{text}</tspan></text>')
+        out.append(
+            f'<text style="font-size:4.8px" x="{z.real:.2f}" y="{-z.imag:.2f}"><tspan x="{z.real:.2f}" '
+            f'y="{-z.imag:.2f}">{text}</tspan></text>'
+        )
     return "\n".join([*out, "</g></svg>"])
 
 
@@ -130,12 +138,16 @@ def illustrator(strokes: list[Stroke], words: list[tuple[str, complex]], origin:
     """Points at 72 dpi, polylines, symbols used, heads of their own shape, looks by class, matrices."""
     k = 72 / 25.4
     high = 297 * k
-    out = [f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" '
-           f'width="{420 * k:.2f}pt" height="{high:.2f}pt" viewBox="0 0 {420 * k:.2f} {high:.2f}">',
-           "<style>.h{fill:#231f20;} .l{fill:none;stroke:#000;}</style><defs>"]
+    out = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" '
+        f'width="{420 * k:.2f}pt" height="{high:.2f}pt" viewBox="0 0 {420 * k:.2f} {high:.2f}">',
+        "<style>.h{fill:#231f20;} .l{fill:none;stroke:#000;}</style><defs>",
+    ]
     for i, (a, b) in enumerate(strokes):
-        out.append(f'<polyline id="s{i}" class="l" points="{a.real * k:.3f},{-a.imag * k:.3f} '
-                   f'{b.real * k:.3f},{-b.imag * k:.3f}"/>')
+        out.append(
+            f'<polyline id="s{i}" class="l" points="{a.real * k:.3f},{-a.imag * k:.3f} '
+            f'{b.real * k:.3f},{-b.imag * k:.3f}"/>'
+        )
     out.append("</defs>")
     for i in range(len(strokes)):
         out.append(f'<use xlink:href="#s{i}" x="{origin.real * k:.3f}" y="{high - origin.imag * k:.3f}"/>')
@@ -144,8 +156,10 @@ def illustrator(strokes: list[Stroke], words: list[tuple[str, complex]], origin:
         out.append(f'<polygon class="h" points="{corners}"/>')
     for text, z in words:
         at = z + origin
-        out.append(f'<text transform="matrix(1 0 0 1 {at.real * k:.2f} {high - at.imag * k:.2f})" '
-                   f'font-size="13.6">{text}</text>')
+        out.append(
+            f'<text transform="matrix(1 0 0 1 {at.real * k:.2f} {high - at.imag * k:.2f})" '
+            f'font-size="13.6">{text}</text>'
+        )
     return "\n".join([*out, "</svg>"])
 
 

@@ -291,8 +291,7 @@ def spelled(rng: random.Random, z: complex, size: float) -> Any:
     return {"r": abs(z), "angle": math.degrees(cmath.phase(z))} if rng.random() < 0.3 else [z.real, z.imag]
 
 
-def loads_for(rng: random.Random, scene: Mapping[str, Any], sol: Solution,
-              size: float) -> list[dict[str, Any]]:
+def loads_for(rng: random.Random, scene: Mapping[str, Any], sol: Solution, size: float) -> list[dict[str, Any]]:
     """Up to two forces and a moment on every link, in every spelling; `motion` only where it moves."""
     links = list(scene["links"])
     out: list[dict[str, Any]] = []
@@ -317,10 +316,21 @@ def loads_for(rng: random.Random, scene: Mapping[str, Any], sol: Solution,
     return out
 
 
-def make(rng: random.Random, kinds: Sequence[str] = ("RRR",), *, sliding: bool | None = None,
-         size: float = 1.0, ill: float = 1.0, swapped: bool = True, friction: bool = False,
-         loads: bool = True, assembly: str | None = None, rest: bool = False, limit: float = 1e9,
-         every: bool = False) -> Case:
+def make(
+    rng: random.Random,
+    kinds: Sequence[str] = ("RRR",),
+    *,
+    sliding: bool | None = None,
+    size: float = 1.0,
+    ill: float = 1.0,
+    swapped: bool = True,
+    friction: bool = False,
+    loads: bool = True,
+    assembly: str | None = None,
+    rest: bool = False,
+    limit: float = 1e9,
+    every: bool = False,
+) -> Case:
     """A random mechanism of these groups in this order.
 
     `sliding`: the driver slides (None: one in four); `size`: half width of the field, m; `ill` < 1: one
@@ -340,8 +350,19 @@ def make(rng: random.Random, kinds: Sequence[str] = ("RRR",), *, sliding: bool |
     raise NoSolution(f"no mechanism of {kinds} was drawn")
 
 
-def attempt(rng: random.Random, kinds: Sequence[str], sliding: bool, size: float, ill: float, swapped: bool,
-            friction: bool, loads: bool, assembly: str | None, rest: bool, every: bool = False) -> Case:
+def attempt(
+    rng: random.Random,
+    kinds: Sequence[str],
+    sliding: bool,
+    size: float,
+    ill: float,
+    swapped: bool,
+    friction: bool,
+    loads: bool,
+    assembly: str | None,
+    rest: bool,
+    every: bool = False,
+) -> Case:
     """One try of `make`; raises NoSolution where the draw is of no use."""
     build = Builder(rng, size, ill, swapped, every)
     drive = build.drive(sliding)
@@ -455,8 +476,10 @@ def shape_of(scene: Mapping[str, Any]) -> list[str]:
         "coincident points": any(len(p) > len(set(p)) for p in places),
         "an offset": any(not isinstance(s, str) and s.get("offset") for s in slid),
         "no offset": any(isinstance(s, str) or not s.get("offset") for s in slid),
-        "friction": bool(scene.get("friction")), "no group": len(links) == 1, "at rest": drive.get("omega") == 0,
-    }  # fmt: skip
+        "friction": bool(scene.get("friction")),
+        "no group": len(links) == 1,
+        "at rest": drive.get("omega") == 0,
+    }
     return [name for name, true in found.items() if true]
 
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from planes.accuracy.digits import Digits
-from planes.batch import Cycle, fused
+from planes.batch import Cycle, compiled
 from planes.drafting.drawing import run
 from planes.scene import loads
 from planes.solving import plans_of, solve
@@ -104,10 +104,15 @@ def _slot_by(rng: random.Random) -> tuple[str, float]:
 
 
 FAMILIES: dict[str, Callable[[random.Random], tuple[str, float]]] = {
-    "four-bar limit": _four_bar_limit, "change point": _change_point, "kite": _kite, "crank limit": _crank_limit,
-    "crank fold": _crank_fold, "parallel guides": _parallel_guides, "slot through its pivot": _slot_through,
+    "four-bar limit": _four_bar_limit,
+    "change point": _change_point,
+    "kite": _kite,
+    "crank limit": _crank_limit,
+    "crank fold": _crank_fold,
+    "parallel guides": _parallel_guides,
+    "slot through its pivot": _slot_through,
     "slot by its pivot": _slot_by,
-}  # fmt: skip
+}
 
 
 def case(family: str, rng: random.Random, count: int) -> tuple[str, list[float]]:
@@ -146,7 +151,7 @@ def walk(family: str, seed: int, count: int) -> Counter[str]:
     text, values = case(family, random.Random(f"{family}{seed}"), count)
     scene = loads(text)
     c = Cycle(plans_of(scene)[0])
-    ways = {"arrays": False, "compiled": True} if fused.available() and seed == 0 else {"arrays": False}
+    ways = {"arrays": False, "compiled": True} if compiled.available() and seed == 0 else {"arrays": False}
     tables = {way: next(c.blocks(values, fast=fast)) for way, fast in ways.items()}
     tally = Counter[str](positions=count)
     for k, value in enumerate(values):
@@ -161,7 +166,12 @@ def walk(family: str, seed: int, count: int) -> Counter[str]:
             tally.update(wrong=wrong, unsaid=wrong and not p.results["warnings"], warned=bool(p.results["warnings"]))
         for way, block in tables.items():
             masked = np.isnan(block.table[:, k]) & ~np.isnan(true)
-            tally.update({f"{way} wrong": worst(c, block.table[:, k], true) > WRONG,
-                          f"{way} masked": bool(masked.any()), f"{way} numbers": block.table.shape[0],
-                          f"{way} left out": int(masked.sum())})  # fmt: skip
+            tally.update(
+                {
+                    f"{way} wrong": worst(c, block.table[:, k], true) > WRONG,
+                    f"{way} masked": bool(masked.any()),
+                    f"{way} numbers": block.table.shape[0],
+                    f"{way} left out": int(masked.sum()),
+                }
+            )
     return tally

@@ -34,8 +34,17 @@ from tests.helpers.oracle_forces import (
     velocity,
 )
 
-__all__ = ["FRAME", "NoSolution", "Solution", "follow", "power_balance", "reaction_key", "solve",
-           "unbalanced", "velocity"]
+__all__ = [
+    "FRAME",
+    "NoSolution",
+    "Solution",
+    "follow",
+    "power_balance",
+    "reaction_key",
+    "solve",
+    "unbalanced",
+    "velocity",
+]
 
 Scene = Mapping[str, Any]
 Pose = tuple[float, float, float]
@@ -131,8 +140,11 @@ def read(scene: Scene) -> Model:
     links = {str(k): v for k, v in scene["links"].items()}
     bodies: dict[str, Any] = {FRAME: scene["frame"], **links}
     points = {n: {str(k): place(v) for k, v in (b.get("points") or {}).items()} for n, b in bodies.items()}
-    lines = {str(k): (n, *guide_line(spec, points[n]))
-             for n, b in bodies.items() for k, spec in (b.get("guides") or {}).items()}
+    lines = {
+        str(k): (n, *guide_line(spec, points[n]))
+        for n, b in bodies.items()
+        for k, spec in (b.get("guides") or {}).items()
+    }
     rubbing = {str(k): float(v) for k, v in (scene.get("friction") or {}).items()}
     slides = []
     for n, b in links.items():
@@ -141,14 +153,25 @@ def read(scene: Scene) -> Model:
         spec = b["slides"] if isinstance(b["slides"], Mapping) else {"guide": b["slides"]}
         name = str(spec["guide"])
         owner, through, u = lines[name]
-        slides.append(Pair(name, n, owner, next(iter(points[n].values())), through, u,
-                           math.radians(float(spec.get("angle", 0))), float(spec.get("offset", 0)),
-                           rubbing.get(name, 0.0)))
-    size = max([abs(z) for ps in points.values() for z in ps.values()]
-               + [abs(z) for s in slides for z in (s.g, s.offset)]) or 1.0
+        slides.append(
+            Pair(
+                name,
+                n,
+                owner,
+                next(iter(points[n].values())),
+                through,
+                u,
+                math.radians(float(spec.get("angle", 0))),
+                float(spec.get("offset", 0)),
+                rubbing.get(name, 0.0),
+            )
+        )
+    size = (
+        max([abs(z) for ps in points.values() for z in ps.values()] + [abs(z) for s in slides for z in (s.g, s.offset)])
+        or 1.0
+    )
     points = {n: {k: z / size for k, z in ps.items()} for n, ps in points.items()}
-    slides = [Pair(s.name, s.i, s.j, s.p / size, s.g / size, s.u, s.turn, s.offset / size, s.friction)
-              for s in slides]
+    slides = [Pair(s.name, s.i, s.j, s.p / size, s.g / size, s.u, s.turn, s.offset / size, s.friction) for s in slides]
     drive = scene["drive"]
     driver, revolving = str(drive["link"]), "phi" in drive
     groups = order_of_groups(list(links), points, slides, driver)
@@ -158,16 +181,19 @@ def read(scene: Scene) -> Model:
         base, *others = [n for n in order if name in points[n]]
         hinges += [Pair(name, n, base, points[n][name], points[base][name]) for n in others]
     if revolving:
-        rates = (math.radians(float(drive["phi"])), float(drive.get("omega", 0)),
-                 float(drive.get("epsilon", 0)))
+        rates = (math.radians(float(drive["phi"])), float(drive.get("omega", 0)), float(drive.get("epsilon", 0)))
     else:
-        rates = (float(drive["s"]) / size, float(drive.get("velocity", 0)) / size,
-                 float(drive.get("acceleration", 0)) / size)
+        rates = (
+            float(drive["s"]) / size,
+            float(drive.get("velocity", 0)) / size,
+            float(drive.get("acceleration", 0)) / size,
+        )
     return Model(size, list(links), points, order, hinges, slides, driver, *rates, revolving, groups)
 
 
-def order_of_groups(links: list[str], points: Mapping[str, Mapping[str, complex]], slides: list[Pair],
-                    driver: str) -> list[tuple[str, str]]:
+def order_of_groups(
+    links: list[str], points: Mapping[str, Mapping[str, complex]], slides: list[Pair], driver: str
+) -> list[tuple[str, str]]:
     """Dyads in order of solving: each time the first two links, in file order, that can be solved."""
     solved, groups = {FRAME, driver}, []
     while len(solved) <= len(links):
@@ -198,7 +224,7 @@ def gap(m: Model, pair: Pair, q: Vector, w: Vector) -> tuple[complex, NDArray[np
             o[k], t[k] = complex(q[col], q[col + 1]), q[col + 2]
             vo[k], omega[k] = complex(w[col], w[col + 1]), w[col + 2]
     p, g = pair.p * cmath.rect(1.0, t[0]), pair.g * cmath.rect(1.0, t[1])
-    d, second = o[0] + p - o[1] - g, -omega[0] ** 2 * p + omega[1] ** 2 * g
+    d, second = o[0] + p - o[1] - g, -(omega[0] ** 2) * p + omega[1] ** 2 * g
     c, turning = 1 + 0j, -1j * g
     if pair.u is not None:
         dv = vo[0] + 1j * omega[0] * p - vo[1] - 1j * omega[1] * g
@@ -208,7 +234,7 @@ def gap(m: Model, pair: Pair, q: Vector, w: Vector) -> tuple[complex, NDArray[np
     row = np.zeros(len(q), dtype=np.complex128)
     for col, sign, b in zip(cols, (1, -1), (1j * p, turning), strict=True):
         if col is not None:
-            row[col:col + 3] = sign * c, sign * 1j * c, c * b
+            row[col : col + 3] = sign * c, sign * 1j * c, c * b
     return c * d, row, c * second
 
 
@@ -298,8 +324,11 @@ def solve(scene: Scene, guess: Mapping[str, Pose], *, balancing_at: str = "foot"
     for n in reversed(m.order):
         for k, z in m.points[n].items():
             e = z * m.size * cmath.rect(1.0, pos[n][1])
-            points[k] = (pos[n][0] + e, vel[n][0] + 1j * vel[n][1] * e,
-                         eps[n][0] + (1j * eps[n][1] - vel[n][1] ** 2) * e)
+            points[k] = (
+                pos[n][0] + e,
+                vel[n][0] + 1j * vel[n][1] * e,
+                eps[n][0] + (1j * eps[n][1] - vel[n][1] ** 2) * e,
+            )
     slides, guides, feet, speeds = {}, {}, {}, {}
     for s in m.slides:
         z, row, z2 = gap(m, s, q, w)
@@ -312,11 +341,24 @@ def solve(scene: Scene, guess: Mapping[str, Pose], *, balancing_at: str = "foot"
         feet[s.i] = first - 1j * u * s.offset * m.size
         speeds[s.i] = float((row @ moved).real) * m.size
     turns = {n: -math.degrees(math.remainder(-pos[n][1], math.tau)) for n in m.links}
-    sol = Solution({n: (pos[n][0].real, pos[n][0].imag, pos[n][1]) for n in m.links}, points,
-                   {n: (180.0 if turns[n] == -180 else turns[n], vel[n][1], eps[n][1]) for n in m.links},
-                   slides, {}, 0.0, [], feet, {n: origin(moved, n) for n in bodies},
-                   float(np.linalg.cond(a)), float(np.max(np.abs(error))), 0, m.groups, guides,
-                   {(h.i, h.j): points[h.name][0] for h in m.hinges}, speeds)
+    sol = Solution(
+        {n: (pos[n][0].real, pos[n][0].imag, pos[n][1]) for n in m.links},
+        points,
+        {n: (180.0 if turns[n] == -180 else turns[n], vel[n][1], eps[n][1]) for n in m.links},
+        slides,
+        {},
+        0.0,
+        [],
+        feet,
+        {n: origin(moved, n) for n in bodies},
+        float(np.linalg.cond(a)),
+        float(np.max(np.abs(error))),
+        0,
+        m.groups,
+        guides,
+        {(h.i, h.j): points[h.name][0] for h in m.hinges},
+        speeds,
+    )
     sol.actions = list(applied(scene, sol))
     find_forces(m, sol, balancing_at)
     return sol

@@ -88,7 +88,7 @@ def find_forces(m: Model, sol: Solution, balancing_at: str) -> None:
         if link != FRAME:
             k, (x, y, _) = 3 * m.links.index(link), sol.pose[link]
             turning = ((at - complex(x, y)).conjugate() * force).imag + moment
-            out[k:k + 3] = force.real, force.imag, turning / m.size
+            out[k : k + 3] = force.real, force.imag, turning / m.size
         return out
 
     def between(i: str, j: str, at: complex, force: complex, moment: float = 0.0) -> Vector:
@@ -106,16 +106,17 @@ def find_forces(m: Model, sol: Solution, balancing_at: str) -> None:
     if m.revolving:
         cols.append(wrench(m.driver, 0j, 0j, m.size))
     else:
-        at = sol.feet[m.driver] if balancing_at == "foot" else next(
-            sol.points[k][0] for k in m.points[m.driver])
+        at = sol.feet[m.driver] if balancing_at == "foot" else next(sol.points[k][0] for k in m.points[m.driver])
         cols.append(wrench(m.driver, at, sol.guides[m.driver][2]))
     a = np.array(cols).T
     b = -sum((wrench(x.link, x.place, x.force, x.moment) for x in sol.actions), np.zeros(n))
     smooth = refined(a, b)
     likely = tuple(math.copysign(1.0, smooth[normal[i]]) for i in rubs)
     fits = []
-    for signs in sorted(itertools.product((1.0, -1.0), repeat=len(rubs)),
-                        key=lambda s: sum(x != y for x, y in zip(s, likely, strict=True))):
+    for signs in sorted(
+        itertools.product((1.0, -1.0), repeat=len(rubs)),
+        key=lambda s: sum(x != y for x, y in zip(s, likely, strict=True)),
+    ):
         rough = a.copy()
         for (i, column), sign in zip(rubs.items(), signs, strict=True):
             rough[:, normal[i]] += sign * column
@@ -133,17 +134,23 @@ def find_forces(m: Model, sol: Solution, balancing_at: str) -> None:
         rub = -s.friction * abs(push) * math.copysign(1.0, sol.speeds[s.i]) if s.i in rubs else 0.0
         arm = couple / push if abs(push) > 1e-13 * largest else None
         sol.reactions[s.i, s.j] = (1j * push * u + rub * u, arm, couple)
-        sol.actions += [Action("friction", link, sol.feet[s.i], sign * rub * u)
-                        for link, sign in ((s.i, 1), (s.j, -1)) if rub]
+        sol.actions += [
+            Action("friction", link, sol.feet[s.i], sign * rub * u) for link, sign in ((s.i, 1), (s.j, -1)) if rub
+        ]
     sol.balancing = float(x[-1]) * (m.size if m.revolving else 1.0)
-    sol.actions.append(Action("balancing", m.driver, 0j, 0j, sol.balancing) if m.revolving else
-                       Action("balancing", m.driver, at, sol.balancing * sol.guides[m.driver][2]))
+    sol.actions.append(
+        Action("balancing", m.driver, 0j, 0j, sol.balancing)
+        if m.revolving
+        else Action("balancing", m.driver, at, sol.balancing * sol.guides[m.driver][2])
+    )
 
 
 def power_balance(sol: Solution) -> tuple[float, float]:
     """(sum, largest term) of F.v + M.omega over all actions, in `sol.motion`."""
-    terms = [(velocity(sol, x.link, x.place).conjugate() * x.force).real + x.moment * sol.motion[x.link][1]
-             for x in sol.actions]
+    terms = [
+        (velocity(sol, x.link, x.place).conjugate() * x.force).real + x.moment * sol.motion[x.link][1]
+        for x in sol.actions
+    ]
     return math.fsum(terms), max(abs(t) for t in terms)
 
 

@@ -45,17 +45,31 @@ PHONE = Camera(dpi=230, perspective=0.06, shade=0.35, noise=5, blur=0.9, wobble_
 
 def any_scan(rng: random.Random) -> Camera:
     """A scan of 150 to 300 dots per inch of any paper."""
-    return Camera(dpi=rng.choice((150, 200, 300)), shade=rng.uniform(0, 0.1), noise=rng.uniform(1, 4),
-                  blur=rng.uniform(0.4, 0.8), wobble_mm=rng.uniform(0.05, 0.15), grid=rng.choice(("", "", "square",
-                  "millimetre")), erased=rng.randrange(4), turn_deg=rng.uniform(-2, 2))  # fmt: skip
+    return Camera(
+        dpi=rng.choice((150, 200, 300)),
+        shade=rng.uniform(0, 0.1),
+        noise=rng.uniform(1, 4),
+        blur=rng.uniform(0.4, 0.8),
+        wobble_mm=rng.uniform(0.05, 0.15),
+        grid=rng.choice(("", "", "square", "millimetre")),
+        erased=rng.randrange(4),
+        turn_deg=rng.uniform(-2, 2),
+    )
 
 
 def any_phone(rng: random.Random) -> Camera:
     """A telephone's picture of any paper, from somewhere above it, in a lamp's light."""
-    return replace(PHONE, dpi=rng.choice((190, 230, 270)), perspective=rng.uniform(0.02, 0.09),
-                   shade=rng.uniform(0.1, 0.45), noise=rng.uniform(3, 6), blur=rng.uniform(0.6, 1.1),
-                   grid=rng.choice(("", "", "square", "millimetre")), erased=rng.randrange(4),
-                   turn_deg=rng.uniform(-6, 6))  # fmt: skip
+    return replace(
+        PHONE,
+        dpi=rng.choice((190, 230, 270)),
+        perspective=rng.uniform(0.02, 0.09),
+        shade=rng.uniform(0.1, 0.45),
+        noise=rng.uniform(3, 6),
+        blur=rng.uniform(0.6, 1.1),
+        grid=rng.choice(("", "", "square", "millimetre")),
+        erased=rng.randrange(4),
+        turn_deg=rng.uniform(-6, 6),
+    )
 
 
 class Page:
@@ -111,8 +125,9 @@ class Page:
     def word(self, text: str, z: complex) -> None:
         x, y = self.px(z)
         thick = max(1, round(0.35 * self.k))
-        cv2.putText(self.grey, text, (x // 16, y // 16), cv2.FONT_HERSHEY_SIMPLEX, self.k * 0.12, 60, thick,
-                    cv2.LINE_AA)  # fmt: skip
+        cv2.putText(
+            self.grey, text, (x // 16, y // 16), cv2.FONT_HERSHEY_SIMPLEX, self.k * 0.12, 60, thick, cv2.LINE_AA
+        )
 
     def square(self, number: int, centre: complex) -> None:
         """A corner mark."""
@@ -136,8 +151,14 @@ class Page:
                 self.line([pole - d, pole + d], PRINT, 0.25)
 
 
-def sheet(strokes: list[Stroke], words: list[tuple[str, complex]], pole: complex, camera: Camera,
-          rng: random.Random, size_mm: tuple[float, float] = SHEET_MM) -> Any:
+def sheet(
+    strokes: list[Stroke],
+    words: list[tuple[str, complex]],
+    pole: complex,
+    camera: Camera,
+    rng: random.Random,
+    size_mm: tuple[float, float] = SHEET_MM,
+) -> Any:
     """The sheet of a blank with the plan drawn on it, seen straight from above."""
     page = Page(camera.dpi, size_mm)
     if camera.grid:
@@ -208,8 +229,14 @@ def bent(picture: Any, lens: float) -> Any:
     return cv2.remap(picture, *maps, cv2.INTER_CUBIC, borderValue=90)
 
 
-def coloured(strokes: list[Stroke], words: list[tuple[str, complex]], pole: complex, camera: Camera, seed: int,
-             inks: tuple[float, float, float]) -> Any:
+def coloured(
+    strokes: list[Stroke],
+    words: list[tuple[str, complex]],
+    pole: complex,
+    camera: Camera,
+    seed: int,
+    inks: tuple[float, float, float],
+) -> Any:
     """A picture of paper with a coloured grid: how dark it is in blue, in green and in red light."""
     shades = []
     for ink in inks:

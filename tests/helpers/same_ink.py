@@ -33,8 +33,11 @@ def ink(easel: Easel, mistake: Mistake | None, order: tuple[str, ...] = ()) -> l
 def same_ink(easel: Easel, one: Mistake | None, two: Mistake | None, order: tuple[str, ...] = ()) -> bool:
     """Whether two drawings differ in the letters beside them alone, which nobody reads on a picture."""
     try:
-        pairs = [(ink(easel, one, way), ink(easel, two, other)) for way in orders(easel, one, order)
-                 for other in orders(easel, two, order)]  # fmt: skip
+        pairs = [
+            (ink(easel, one, way), ink(easel, two, other))
+            for way in orders(easel, one, order)
+            for other in orders(easel, two, order)
+        ]
     except ZeroDivisionError:
         return False
     return any(_same(easel, strokes, lines) for strokes, lines in pairs)
@@ -97,8 +100,11 @@ def _same_vectors(strokes: list[Stroke], lines: list[Stroke]) -> bool:
 def _drawn_too(strokes: list[Stroke], lines: list[Stroke]) -> bool:
     """Whether all ink of the strokes, and every head, is ink of the lines too."""
     for a, b in strokes:
-        alike_ways = (abs(b - d) < ALIKE_MM and ((b - a) / (d - c)).real > 0.95 * abs((b - a) / (d - c))
-                      for c, d in lines if abs(d - c) > photographs.HEADED_MM)  # fmt: skip
+        alike_ways = (
+            abs(b - d) < ALIKE_MM and ((b - a) / (d - c)).real > 0.95 * abs((b - a) / (d - c))
+            for c, d in lines
+            if abs(d - c) > photographs.HEADED_MM
+        )
         if abs(b - a) > photographs.HEADED_MM and not any(alike_ways):
             return False
     steps = [a + (b - a) * t / 20 for a, b in strokes for t in range(21)]

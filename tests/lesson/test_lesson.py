@@ -17,13 +17,13 @@ from planes.lesson import LANGS, Teller, needed, value_of
 from planes.lesson.data import lesson_data
 from planes.lesson.formulas import fill
 from planes.lesson.note import Note
-from planes.plans import state
-from planes.plans.measuring import Reader
+from planes.plans import plans_of
+from planes.plans.measuring import DrawingReader
 from planes.plans.quantities import catalogue
 from planes.plans.scales import scales
 from planes.scene import load
 from planes.solving import solve
-from planes.solving.document import Figure, Heading, Paragraph, Table
+from planes.solving.document import DocumentTable, Figure, Heading, Paragraph
 from planes.words.errors import PlanesError, SceneError
 from planes.words.names import at
 from render.page.lesson_page import page
@@ -52,7 +52,7 @@ def data(path: Path) -> dict:
 def told(path: Path):
     """The teller of a sample, its frames, and its drawing."""
     scene = load(str(path))
-    plans = state(scene.mechanism)
+    plans = plans_of(scene.mechanism)
     mus = scales(plans, scene.mu)
     drawing = run(plans.program, {**plans.given, **mus})
     teller = Teller(plans, drawing, mus)
@@ -119,7 +119,7 @@ def reckoned(text: str) -> float:
 @pytest.mark.parametrize("path", SAMPLES, ids=NAMES)
 def test_the_numbers_of_sentences_are_those_that_are_solved(path: Path) -> None:
     teller, frames, drawing = told(path)
-    reader, known = Reader(teller.plans, drawing, dict(teller.scales)), catalogue(teller.plans)
+    reader, known = DrawingReader(teller.plans, drawing, dict(teller.scales)), catalogue(teller.plans)
     compared = 0
     for name in needed(frames):
         plain = name.strip("|‖")
@@ -136,7 +136,7 @@ def test_the_numbers_of_sentences_are_those_that_are_solved(path: Path) -> None:
 
 def test_all_360_positions_are_within_a_tenth_of_a_millimetre_of_what_is_solved() -> None:
     exported, scene = data(SIX), load(str(SIX))
-    plans, values = state(scene.mechanism), exported["drive"]["values"]
+    plans, values = plans_of(scene.mechanism), exported["drive"]["values"]
     mus = scales(plans, scene.mu)
     worst = positions = 0
     solved = {p.at: p for p in solve(scene, values).positions}
@@ -240,8 +240,17 @@ def test_a_wrong_length_is_what_its_explanation_says(path: Path) -> None:
 def test_the_practice_names_the_mistakes_of_the_method() -> None:
     mistakes = {w["mistake"] for t in data(SIX)["practice"] for w in t["places"]}
     mistakes |= {w["mistake"] for t in data(SIX)["practice"] for q in t.get("turned", {}).values() for w in q}
-    assert {"normal_outward", "relative_reversed", "coriolis_reversed", "coriolis_half", "omega1_reversed",
-            "similarity_mirrored", "along_link", "epsilon1_ignored", "other_assembly"} <= mistakes  # fmt: skip
+    assert {
+        "normal_outward",
+        "relative_reversed",
+        "coriolis_reversed",
+        "coriolis_half",
+        "omega1_reversed",
+        "similarity_mirrored",
+        "along_link",
+        "epsilon1_ignored",
+        "other_assembly",
+    } <= mistakes
 
 
 def test_zones_say_where_and_why() -> None:
@@ -289,12 +298,16 @@ def test_a_note_stands_in_the_usual_order(path: Path, lang) -> None:
     scene = load(str(path))
     blocks = Note(scene, placed(scene, None, lang), lang).blocks()
     kinds = [type(b) for b in blocks]
-    assert isinstance(blocks[0], Heading) and blocks[0].level == 0 and {Heading, Paragraph, Figure, Table} == set(kinds)
+    assert (
+        isinstance(blocks[0], Heading)
+        and blocks[0].level == 0
+        and {Heading, Paragraph, Figure, DocumentTable} == set(kinds)
+    )
     numbers = [b.number for b in blocks if isinstance(b, Paragraph) and b.number]
     assert numbers == list(range(1, len(numbers) + 1))
     captions = [re.match(r"\D+(\d+)", b.caption)[1] for b in blocks if isinstance(b, Figure) and b.caption]
     assert captions == [str(k + 1) for k in range(len(captions))]
-    assert all(len(row) == len(b.rows[0]) for b in blocks if isinstance(b, Table) for row in b.rows)
+    assert all(len(row) == len(b.rows[0]) for b in blocks if isinstance(b, DocumentTable) for row in b.rows)
     assert not any("⟦" in b.text or "nan" in b.text for b in blocks if isinstance(b, Paragraph))
 
 

@@ -8,24 +8,33 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planes.plans import Plans, state
+from planes.plans import Plans, plans_of
 from planes.plans.alignment import CHOICES, _places, aligned, determinant, firm, pairs_of, steadily
 from planes.plans.self_aligning import FREEDOMS
 from planes.plans.structure import Pair
 from planes.scene import load
-from tests.diagrams.test_diagrams import ROCKER, plans_of
+from tests.diagrams.test_diagrams import ROCKER, plans_from
 from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"
-NAMES = ["six-link", "assignment-12", "kind-1-rrr", "kind-2-rrp", "kind-3-rpr", "kind-4-prp", "kind-5-rpp",
-         "sliding-driver", "crank-slider"]  # fmt: skip
+NAMES = [
+    "six-link",
+    "assignment-12",
+    "kind-1-rrr",
+    "kind-2-rrp",
+    "kind-3-rpr",
+    "kind-4-prp",
+    "kind-5-rpp",
+    "sliding-driver",
+    "crank-slider",
+]
 Z = np.array([0.0, 0.0, 1.0])
 
 
 def plans(name: str) -> Plans:
     mechanism = load(str(SAMPLES / f"{name}.yaml")).mechanism
     assert mechanism
-    return state(mechanism)
+    return plans_of(mechanism)
 
 
 # bodies in space: small displacements u + θ × r of every link, and what a pair forbids of them
@@ -81,7 +90,7 @@ def test_one_freedom_and_nothing_redundant_as_bodies_in_space(name: str) -> None
 def test_assignments_have_a_variant_that_holds_all_through_the_cycle(file: Path) -> None:
     mechanism = load(str(file)).mechanism
     assert mechanism
-    p = state(mechanism)
+    p = plans_of(mechanism)
     variant, cycle = aligned(p), _places(p, file.name)
     assert (variant.W, variant.q) == (1, 0)
     for group in p.structure.groups:
@@ -91,7 +100,7 @@ def test_assignments_have_a_variant_that_holds_all_through_the_cycle(file: Path)
 
 
 def test_a_rod_between_two_spheres_counts_right_and_is_refused() -> None:
-    p = plans_of(ROCKER)
+    p = plans_from(ROCKER)
     group, places = p.structure.groups[0], _places(p, "")[0]
     signs = ("S", "S", "R")  # the coupler may spin: one freedom too many, one constraint too many
     assert sum(FREEDOMS[s] for s in signs) - 3 == 4

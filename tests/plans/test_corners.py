@@ -79,7 +79,8 @@ SCENES: dict[str, str] = {
     "a driver of one point with a couple along its motion": TANGENT.replace("phi: 30, omega: 10", "phi: 0, epsilon: 3")
     + "loads: [{link: 1, moment: 4, against: motion}, {link: 2, moment: 3, along: motion}]\n",
     "a driver whose second point is its pivot but for rounding": TANGENT.replace(
-        "1: {points: {O: 0}", "1: {points: {O: {r: 0.1, angle: 40}, X: [0.07660444431189781, 0.0642787609686539]}"),
+        "1: {points: {O: 0}", "1: {points: {O: {r: 0.1, angle: 40}, X: [0.07660444431189781, 0.0642787609686539]}"
+    ),
     "a coupling of two sliders": OLDHAM,
     "a slider of a slider of a driver of one point": """\
 planes: 1

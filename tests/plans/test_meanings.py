@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from planes.accuracy.altering import alterable, altered
-from planes.check.grading.bench import Asked, marks_of, prepare
+from planes.accuracy.variation import alterable, altered
 from planes.check.grading.mistakes_force import force_variants
+from planes.check.grading.prepared_plan import Asked, marks_of, prepare
 from planes.drafting.steps.reckoning import Calculate
 from planes.lesson.data import lesson_data
-from planes.plans import Plans, state
+from planes.plans import Plans, plans_of
 from planes.scene import loads
 from planes.words.names import label_of
 from tests.helpers import ROOT
@@ -24,21 +24,21 @@ def renamed(old: str, new: str) -> str:
     return text
 
 
-def plans_of(text: str) -> Plans:
+def plans_from(text: str) -> Plans:
     mechanism = loads(text, "s.yaml").mechanism
     assert mechanism is not None
-    return state(mechanism)
+    return plans_of(mechanism)
 
 
 def test_a_point_named_with_a_minus_is_a_mark_like_any_other() -> None:
-    plain, odd = plans_of(RRP), plans_of(renamed("C", "C-"))
+    plain, odd = plans_from(RRP), plans_from(renamed("C", "C-"))
     for plan in plain.drawn:
         named = [label_of(m).replace("c-", "c").replace("C-", "C") for m in marks_of(odd, plan)]
         assert named == [label_of(m) for m in marks_of(plain, plan)] != []
 
 
 def test_trials_feet_and_places_of_guides_are_asked_of_nobody() -> None:
-    plans = plans_of(RRP)
+    plans = plans_from(RRP)
     helpers = {label_of(name): plans.means[name].quantity for name in plans.helpers}
     assert helpers == {"°q-q": "guide", "F_30+": "trial", "F_30-": "trial"}
     asked = {label_of(m) for plan in plans.drawn for m in marks_of(plans, plan)}
@@ -66,7 +66,7 @@ drive: {link: 1, phi: 60, omega: 1}
 
 def test_a_length_is_its_links_however_the_letters_run_together() -> None:
     """The crank A, BC and the rocker AB, C: both lengths are l_ABC."""
-    plans = plans_of(RUN_TOGETHER)
+    plans = plans_from(RUN_TOGETHER)
     names = alterable(plans, plans.lengths)
     assert {plans.means[n].link: plans.given[n] for n in names} == {"1": 0.1, "2": 0.35, "3": 0.32}
     for name in names:
@@ -75,15 +75,15 @@ def test_a_length_is_its_links_however_the_letters_run_together() -> None:
 
 
 def test_two_lengths_of_one_name_and_size_are_not_altered_as_one() -> None:
-    plans = plans_of(RUN_TOGETHER.replace("0.32", "0.1").replace("0.3,", "0.33,"))
+    plans = plans_from(RUN_TOGETHER.replace("0.32", "0.1").replace("0.3,", "0.33,"))
     assert [plans.means[n].link for n in alterable(plans, plans.lengths)] == ["2"]
 
 
 def test_a_point_called_as_a_part_of_an_acceleration_is_a_point() -> None:
     """n_1 and k_1 on the plans are the ends of the points N_1 and K_1, not of a normal or a Coriolis part."""
-    plain = plans_of(RRP)
+    plain = plans_from(RRP)
     for name in ("N_1", "K_1"):
-        odd = plans_of(renamed("C", name))
+        odd = plans_from(renamed("C", name))
         corners = [c.replace(f"{name}", "C") for c in map(label_of, sorted(odd.program.corners))]
         assert corners == [label_of(c) for c in sorted(plain.program.corners)] != []
         assert not any(odd.points[name].acceleration == c for c in odd.program.corners)
@@ -93,7 +93,7 @@ def test_the_arm_of_one_load_is_not_taken_for_that_of_another() -> None:
     """h_P_2_2_C is the arm of the second load on link 2 about C, not of the first about 2_C."""
     load = "\n  - {{link: 2, point: S2, force: {0}, direction: {0}}}"
     more = load.format(10) + load.format(20) + "\ngravity:"
-    plans = plans_of(RRP.replace("\ngravity:", more))
+    plans = plans_from(RRP.replace("\ngravity:", more))
     of = {n: m.of for n, m in plans.means.items() if m.quantity == "arm"}
     assert {name: of[name] for name in of if "P_2" in name} == {"h_P_2_C": "P_2", "h_P_2_2_C": "P_2_2"}
     bench = prepare(Asked(loads(RRP.replace("\ngravity:", more), "s.yaml"), "force:2-3"))

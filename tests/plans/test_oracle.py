@@ -20,18 +20,29 @@ SIX_LINK: dict[str, Any] = {
     "frame": {"points": {"A": [0, 0], "D": [-0.35, -0.27]}, "guides": {"y-y": {"x": -0.42}}},
     "links": {
         "1": {"points": {"A": 0, "B": 0.1}, "mass": 60, "inertia": 5},
-        "2": {"points": {"B": 0, "C": 0.3, "S2": 0.2}, "guides": {"CL": {"through": "C", "angle": -90}},
-              "centre": "S2", "mass": 40, "inertia": 2},
+        "2": {
+            "points": {"B": 0, "C": 0.3, "S2": 0.2},
+            "guides": {"CL": {"through": "C", "angle": -90}},
+            "centre": "S2",
+            "mass": 40,
+            "inertia": 2,
+        },
         "3": {"points": {"D": 0, "C": 0.15}, "mass": 70, "inertia": 0.5},
         "4": {"points": {"H": 0}, "slides": "CL"},
-        "5": {"points": {"H": 0}, "slides": "y-y", "mass": 50}},
+        "5": {"points": {"H": 0}, "slides": "y-y", "mass": 50},
+    },
     "assembly": {"C": "right"},
     "drive": {"link": "1", "phi": 150, "omega": -20, "epsilon": 80},
     "loads": [{"link": "5", "point": "H", "force": 6000, "against": "motion"}],
-    "gravity": 9.81}
-SIX_GUESS = {"1": (0.0, 0.0, math.radians(150)), "2": (-0.087, 0.05, math.radians(-145)),
-             "3": (-0.35, -0.27, math.radians(83)), "4": (-0.42, 0.0, math.radians(125)),
-             "5": (-0.42, 0.0, math.radians(90))}
+    "gravity": 9.81,
+}
+SIX_GUESS = {
+    "1": (0.0, 0.0, math.radians(150)),
+    "2": (-0.087, 0.05, math.radians(-145)),
+    "3": (-0.35, -0.27, math.radians(83)),
+    "4": (-0.42, 0.0, math.radians(125)),
+    "5": (-0.42, 0.0, math.radians(90)),
+}
 
 
 def cases(count: int, **options: Any) -> Iterator[Case]:
@@ -53,8 +64,9 @@ def test_the_pose_chosen_first_is_found(size: float) -> None:
         sol = case.solution
         assert sol.residual < 1e-13
         for name, (x, y, turn) in case.guess.items():
-            error = max(abs(sol.pose[name][0] - x) / size, abs(sol.pose[name][1] - y) / size,
-                        abs(sol.pose[name][2] - turn))
+            error = max(
+                abs(sol.pose[name][0] - x) / size, abs(sol.pose[name][1] - y) / size, abs(sol.pose[name][2] - turn)
+            )
             assert error < 4e-15 * sol.condition, (name, error, sol.condition)
 
 
@@ -82,7 +94,7 @@ def test_velocities_and_accelerations_against_differences() -> None:
     for case in cases(40, limit=200, loads=False):
         back, here, on = (moved(case, k * h, unit=True) for k in (-1, 0, 1))
         fast = max(abs(v) for _, v, _ in here.points.values())
-        hard = max(abs(a) for _, _, a in here.points.values()) + fast ** 2
+        hard = max(abs(a) for _, _, a in here.points.values()) + fast**2
         for k, (_, v, a) in here.points.items():
             assert near((on.points[k][0] - back.points[k][0]) / (2 * h), v, fast, 1e-6)
             assert near((on.points[k][1] - back.points[k][1]) / (2 * h), a, hard, 1e-6)
@@ -110,7 +122,7 @@ def test_relative_acceleration_of_a_slider_is_made_of_three_parts() -> None:
             if owner != "0":
                 r0, _, a0 = sol.points[first[owner]]
                 _, omega, eps = sol.links[owner]
-                carried = a0 + (1j * eps - omega ** 2) * (r - r0)
+                carried = a0 + (1j * eps - omega**2) * (r - r0)
             terms = [carried, a * u, coriolis]
             assert near(sum(terms), found, max(map(abs, [found, *terms])), 1e-10)
 
@@ -123,8 +135,17 @@ def test_power_and_equilibrium(case: Case) -> None:
     assert unbalanced(case.solution) < 1e-10
 
 
-@pytest.mark.parametrize("options", [{"friction": True}, {"rest": True}, {"size": 1e-6}, {"size": 1e6},
-                                     {"sliding": True, "friction": True}, {"ill": 1e-3}])
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"friction": True},
+        {"rest": True},
+        {"size": 1e-6},
+        {"size": 1e6},
+        {"sliding": True, "friction": True},
+        {"ill": 1e-3},
+    ],
+)
 def test_power_and_equilibrium_in_special_cases(options: dict[str, Any]) -> None:
     for case in cases(25, limit=1e5, **options):
         total, largest = power_balance(case.solution)
@@ -150,20 +171,25 @@ def test_slider_crank_in_closed_form() -> None:
     r, rod, e, phi, omega, eps, f = 0.1, 0.35, 0.04, 50.0, 12.0, -30.0, 0.1
     scene: dict[str, Any] = {
         "frame": {"points": {"O": 0}, "guides": {"x-x": {"y": 0}}},
-        "links": {"1": {"points": {"O": 0, "A": r}}, "2": {"points": {"A": 0, "B": rod}},
-                  "3": {"points": {"B": 0}, "slides": {"guide": "x-x", "offset": e}, "mass": 2}},
+        "links": {
+            "1": {"points": {"O": 0, "A": r}},
+            "2": {"points": {"A": 0, "B": rod}},
+            "3": {"points": {"B": 0}, "slides": {"guide": "x-x", "offset": e}, "mass": 2},
+        },
         "drive": {"link": "1", "phi": phi, "omega": omega, "epsilon": eps},
-        "loads": [{"link": "3", "point": "B", "force": 1000, "against": "motion"}], "friction": {"x-x": f}}
+        "loads": [{"link": "3", "point": "B", "force": 1000, "against": "motion"}],
+        "friction": {"x-x": f},
+    }
     t = math.radians(phi)
     y = e - r * math.sin(t)
-    c = math.sqrt(rod ** 2 - y ** 2)
+    c = math.sqrt(rod**2 - y**2)
     y1, y2 = -r * math.cos(t), r * math.sin(t)
     x = r * math.cos(t) + c
     x1 = -r * math.sin(t) - y * y1 / c
-    x2 = -r * math.cos(t) - (y1 ** 2 + y * y2) / c - (y * y1) ** 2 / c ** 3
+    x2 = -r * math.cos(t) - (y1**2 + y * y2) / c - (y * y1) ** 2 / c**3
     sol = solve(scene, {"1": (0, 0, t), "2": (0.07, 0.07, 0), "3": (0.4, e, 0)})
     place, v, a = sol.points["B"]
-    assert near(place, complex(x, e)) and near(v, x1 * omega) and near(a, x2 * omega ** 2 + x1 * eps, 10)
+    assert near(place, complex(x, e)) and near(v, x1 * omega) and near(a, x2 * omega**2 + x1 * eps, 10)
     assert x1 < 0 and sol.slides["3"][0] == pytest.approx(x1 * omega, rel=1e-12)
     # the rod pushes the slider with S along (c, y) / rod; friction f |S y / rod| points to +x
     push = 1000.0 - 2 * a.real
@@ -181,10 +207,13 @@ def test_sliders_on_a_driver_of_one_point_in_closed_form() -> None:
     phi, w, x = math.radians(30), 10.0, 0.3
     scene: dict[str, Any] = {
         "frame": {"points": {"O": 0}, "guides": {"y": {"x": x}}},
-        "links": {"1": {"points": {"O": 0}, "guides": {"r": {"through": "O", "angle": 0}}},
-                  "2": {"points": {"B": 0, "S": 0.1}, "slides": "r", "centre": "S", "mass": 2},
-                  "3": {"points": {"B": 0}, "slides": "y", "mass": 1}},
-        "drive": {"link": "1", "phi": 30, "omega": w}}
+        "links": {
+            "1": {"points": {"O": 0}, "guides": {"r": {"through": "O", "angle": 0}}},
+            "2": {"points": {"B": 0, "S": 0.1}, "slides": "r", "centre": "S", "mass": 2},
+            "3": {"points": {"B": 0}, "slides": "y", "mass": 1},
+        },
+        "drive": {"link": "1", "phi": 30, "omega": w},
+    }
     r, tan = x / math.cos(phi), math.tan(phi)
     b = complex(x, x * tan)
     sol = solve(scene, {"1": (0, 0, phi), "2": (b.real, b.imag, phi), "3": (b.real, b.imag, math.pi / 2)})
@@ -198,9 +227,11 @@ def test_sliders_on_a_driver_of_one_point_in_closed_form() -> None:
     push = sol.reactions["2", "1"]
     assert isinstance(push, tuple) and near(push[0], 1j * u * (2 * a.imag + a3) / math.cos(phi), 100)
     frame = {"points": {"O": 0, "C": 0.05}}
-    links = {"1": {"points": {"O": 0}, "guides": {"a": {"through": "O", "angle": 0}}},
-             "2": {"points": {"M": 0}, "slides": "a", "guides": {"b": {"through": "M", "angle": 90}}},
-             "3": {"points": {"C": 0}, "slides": "b"}}
+    links = {
+        "1": {"points": {"O": 0}, "guides": {"a": {"through": "O", "angle": 0}}},
+        "2": {"points": {"M": 0}, "slides": "a", "guides": {"b": {"through": "M", "angle": 90}}},
+        "3": {"points": {"C": 0}, "slides": "b"},
+    }
     phi, m = math.radians(40), 0.05 * math.cos(math.radians(40)) * cmath.rect(1.0, math.radians(40))
     pose = {"1": (0, 0, phi), "2": (m.real, m.imag, phi), "3": (0.05, 0, phi + math.pi / 2)}
     sol = solve({"frame": frame, "links": links, "drive": {"link": "1", "phi": 40, "omega": w}}, pose)
@@ -214,7 +245,8 @@ def test_six_link_worked_example() -> None:
         "B": (1.0 + 1.7320508075688772j, 30.641016151377546 - 26.92820323027551j),
         "C": (2.3885508115275518 - 0.27035698611185915j, 68.29711273634746 - 46.49822710940136j),
         "S2": (1.9257005410183676 + 0.3971122784483863j, 55.74508054135749 - 39.97488581635941j),
-        "H": (1.0011519662761537j, -50.07332690697975j)}
+        "H": (1.0011519662761537j, -50.07332690697975j),
+    }
     for name, (v, a) in expected.items():
         assert near(sol.points[name][1], v, 2) and near(sol.points[name][2], a, 80), name
     assert near(sol.points["C"][0], -0.3331294197700706 - 0.12095174096050126j)
@@ -224,26 +256,38 @@ def test_six_link_worked_example() -> None:
     v, a, coriolis = sol.slides["4"]
     assert near(coriolis, -32.118089427169615 - 22.27198639535533j, 40)
     assert abs(v) == pytest.approx(2.4059601791799547) and abs(a) == pytest.approx(46.038167003819595)
-    forces = {("4", "2"): 5749.35156560775 + 3986.8336546510122j, ("5", "0"): -5749.35156560775,
-              ("2", "1"): 9571.753638401578 + 2408.540610664644j,
-              ("3", "0"): -1592.5988511395296 + 1058.3976113319916j,
-              ("1", "0"): 9571.753638401578 + 2997.140610664644j}
+    forces = {
+        ("4", "2"): 5749.35156560775 + 3986.8336546510122j,
+        ("5", "0"): -5749.35156560775,
+        ("2", "1"): 9571.753638401578 + 2408.540610664644j,
+        ("3", "0"): -1592.5988511395296 + 1058.3976113319916j,
+        ("1", "0"): 9571.753638401578 + 2997.140610664644j,
+    }
     for pair2, force in forces.items():
         found = sol.reactions[pair2]
         assert near(found[0] if isinstance(found, tuple) else found, force, 1e4), pair2
     assert abs(sol.reactions["3", "2"]) == pytest.approx(1635.399099584214)  # type: ignore[arg-type]
     assert sol.balancing == pytest.approx(-287.17341740828566, rel=1e-12)
     assert near(sol.reactions["4", "2"][2], 0.0, 1e4) and set(sol.reactions) == {  # type: ignore[index]
-        *forces, ("3", "2"), ("5", "4")}
+        *forces,
+        ("3", "2"),
+        ("5", "4"),
+    }
     total, largest = power_balance(sol)
     assert abs(total) < 1e-12 * largest and unbalanced(sol) < 1e-12
     assert reaction_key("2", "1") == "F_21" and reaction_key("11", "10") == "F_11_10"
 
 
 def test_a_full_turn_by_continuation_comes_back() -> None:
-    scene = {"frame": {"points": {"A": 0, "D": [0.3, 0]}},
-             "links": {"1": {"points": {"A": 0, "B": 0.1}}, "2": {"points": {"B": 0, "C": 0.3}},
-                       "3": {"points": {"D": 0, "C": 0.25}}}, "drive": {"link": "1", "phi": 20, "omega": 1}}
+    scene = {
+        "frame": {"points": {"A": 0, "D": [0.3, 0]}},
+        "links": {
+            "1": {"points": {"A": 0, "B": 0.1}},
+            "2": {"points": {"B": 0, "C": 0.3}},
+            "3": {"points": {"D": 0, "C": 0.25}},
+        },
+        "drive": {"link": "1", "phi": 20, "omega": 1},
+    }
     start = solve(scene, {"1": (0, 0, 0.35), "2": (0.09, 0.03, 0.6), "3": (0.3, 0, 1.5)})
     end = follow(scene, start.pose, 380.0)
     assert start.points["C"][0].imag > 0 and near(end.points["C"][0], start.points["C"][0])
@@ -259,8 +303,11 @@ def test_side_words_say_what_the_pose_shows() -> None:
             if isinstance(word, dict):  # never asked for here
                 raise AssertionError(key)
             on = [n for n in sol.guides if sol.guides[n][0] == key]
-            group = next(g for g in sol.groups if (on and on[0] in g and sol.guides[on[0]][1] in g)
-                         or all(key in links[n]["points"] for n in g))
+            group = next(
+                g
+                for g in sol.groups
+                if (on and on[0] in g and sol.guides[on[0]][1] in g) or all(key in links[n]["points"] for n in g)
+            )
             ends = {i: r for (i, j), r in sol.hinges.items() if i in group and j not in group}
             if on:
                 _, owner, u = sol.guides[on[0]]
@@ -270,9 +317,10 @@ def test_side_words_say_what_the_pose_shows() -> None:
                 expected = "left" if ((c - a).conjugate() * (b - a)).imag > 0 else "right"
             else:
                 earlier = {"0", case.scene["drive"]["link"]}
-                earlier |= {n for g in sol.groups[:sol.groups.index(group)] for n in g}
-                u = next(u for n, (_, owner, u) in sol.guides.items()
-                         if {n, owner} & set(group) and {n, owner} & earlier)
+                earlier |= {n for g in sol.groups[: sol.groups.index(group)] for n in g}
+                u = next(
+                    u for n, (_, owner, u) in sol.guides.items() if {n, owner} & set(group) and {n, owner} & earlier
+                )
                 (a,), b = ends.values(), sol.points[key][0]
                 expected = "ahead" if ((b - a) * u.conjugate()).real > 0 else "behind"
             assert word == expected, (key, case.groups)
@@ -284,8 +332,7 @@ def plain(value: Any) -> Any:
     """A value as the YAML base loader gives it: text throughout."""
     if isinstance(value, dict):
         return {str(k): plain(v) for k, v in value.items()}
-    return [plain(v) for v in value] if isinstance(value, list) else \
-        value if isinstance(value, str) else repr(value)
+    return [plain(v) for v in value] if isinstance(value, list) else value if isinstance(value, str) else repr(value)
 
 
 def test_scene_files_and_the_spread_of_what_is_drawn() -> None:
@@ -293,8 +340,25 @@ def test_scene_files_and_the_spread_of_what_is_drawn() -> None:
     for case in cases(60):
         text = to_yaml(case.scene)
         assert yaml.load(text, Loader=yaml.BaseLoader) == plain(case.scene)
-        marks = ["{x:", "{y:", "through: [", "offset:", "near:", "left", "ahead", "{r:", "along:", "against:",
-                 "direction: {", "moment:", "phi:", "s:", "slides: g", "slides: {", "centre:"]
+        marks = [
+            "{x:",
+            "{y:",
+            "through: [",
+            "offset:",
+            "near:",
+            "left",
+            "ahead",
+            "{r:",
+            "along:",
+            "against:",
+            "direction: {",
+            "moment:",
+            "phi:",
+            "s:",
+            "slides: g",
+            "slides: {",
+            "centre:",
+        ]
         seen.update(mark for mark in marks if mark in text)
         loaded = {load["link"] for load in case.scene["loads"]}
         assert loaded == set(case.scene["links"])

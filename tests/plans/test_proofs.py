@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planes.batch import Cycle, fused
+from planes.batch import Cycle, compiled
 from planes.cli import main
 from planes.drafting.drawing import proved, run
 from planes.drafting.instruments import Pencil
@@ -19,7 +19,7 @@ from planes.drafting.steps import Similar
 from planes.drafting.steps.reckoning import Drop
 from planes.geometry import plane
 from planes.geometry.arithmetic import One
-from planes.plans import lever, state
+from planes.plans import lever, plans_of
 from planes.plans.kinematics import Rates
 from planes.plans.reactions import Statics
 from planes.scene import loads
@@ -85,28 +85,33 @@ def test_a_wrong_formula_is_refused_by_the_plans_themselves(
 ) -> None:
     found = loads(scene).mechanism
     assert found
-    state(found)
+    plans_of(found)
     spoil(monkeypatch)
     with pytest.raises(Contradiction) as caught:
-        state(found)
+        plans_of(found)
     assert caught.value.reason == reason and f"{plan} " in caught.value.told("en")
     assert "ошибка программы" in caught.value.told("ru")
 
 
 COMMANDS = {
-    "solve": ["solve", "{scene}"], "solve --json": ["solve", "{scene}", "--json"],
-    "solve --pencil": ["solve", "{scene}", "--pencil"], "solve --errors": ["solve", "{scene}", "--errors"],
-    "solve, one velocity": ["solve", "{slice}"], "sheet": ["sheet", "{scene}", "-o", "{out}/a.svg"],
+    "solve": ["solve", "{scene}"],
+    "solve --json": ["solve", "{scene}", "--json"],
+    "solve --pencil": ["solve", "{scene}", "--pencil"],
+    "solve --errors": ["solve", "{scene}", "--errors"],
+    "solve, one velocity": ["solve", "{slice}"],
+    "sheet": ["sheet", "{scene}", "-o", "{out}/a.svg"],
     "sheet 2": ["sheet", "{scene}", "--sheet", "2", "-o", "{out}/a.pdf"],
-    "lesson": ["lesson", "{scene}", "-o", "{out}/a.html"], "note": ["note", "{scene}", "-o", "{out}/a.html"],
-    "cycle": ["cycle", "{scene}"], "a table": ["cycle", "{scene}", "-o", "{out}/a.csv"],
+    "lesson": ["lesson", "{scene}", "-o", "{out}/a.html"],
+    "note": ["note", "{scene}", "-o", "{out}/a.html"],
+    "cycle": ["cycle", "{scene}"],
+    "a table": ["cycle", "{scene}", "-o", "{out}/a.csv"],
     "a table of one velocity": ["cycle", "{slice}", "--show", "v_C", "-o", "{out}/a.csv"],
     "blank": ["blank", "{scene}", "--plan", "velocity", "-o", "{out}/a.svg"],
     "check": ["check", "{scene}", "{table}", "--plan", "velocity"],
     "chart": ["chart", "{scene}", "-o", "{out}/a.svg"],
     "course": ["course", "{course}", "-o", "{out}/class", "--jobs", "1"],
     "crank-slider": ["crank-slider", "{engine}", "-o", "{out}/a.pdf"],
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("argv", COMMANDS.values(), ids=COMMANDS.keys())
@@ -144,14 +149,14 @@ def test_every_command_refuses(
 def cycle_of(text: str, names: list[str] | None = None) -> Cycle:
     found = loads(text).mechanism
     assert found
-    return Cycle(state(found), names)
+    return Cycle(plans_of(found), names)
 
 
 @pytest.mark.parametrize("fast", [False, True])
 def test_of_many_positions_the_wrong_ones_are_masked_with_the_reason(
     fast: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    if fast and not fused.available():
+    if fast and not compiled.available():
         pytest.skip("no compiler")
     draw_arm = Drop.draw
 
@@ -192,8 +197,9 @@ def test_rounding_is_never_refused_on_the_way_to_a_dead_point() -> None:
     drawn = 0
     for seed in range(40):
         rng = random.Random(seed)
-        case = make(rng, [KINDS[seed % 5], rng.choice(KINDS)], ill=1e-14, limit=1e300, friction=seed % 3 == 0,
-                    assembly="side")
+        case = make(
+            rng, [KINDS[seed % 5], rng.choice(KINDS)], ill=1e-14, limit=1e300, friction=seed % 3 == 0, assembly="side"
+        )
         try:
             d = draw(case.scene)
             proved(d.plans.program, {**d.plans.given, **d.mu})

@@ -76,10 +76,7 @@ def test_a_place_that_is_no_number_is_an_error_in_words(write: Callable[..., byt
 def test_svg_places_to_the_micrometre() -> None:
     root = ET.fromstring(svg.write(SHEET, SIZE, "План скоростей"))
     assert (root.get("width"), root.get("height"), root.get("viewBox")) == ("210mm", "297mm", "0 0 210 297")
-    assert (
-        root.get("role") == "img"
-        and root.get("aria-label") == root.findtext(f"{SVG}title") == "План скоростей"
-    )
+    assert root.get("role") == "img" and root.get("aria-label") == root.findtext(f"{SVG}title") == "План скоростей"
     groups = {group.get("id"): group for group in root.findall(f"{SVG}g")}
     assert list(groups) == [layer for layer in style.LAYERS if layer in groups]
     shaft, head = groups["plan"].findall(f".//{SVG}path")

@@ -34,7 +34,8 @@ def test_asked_diagrams_and_hodographs_stand_on_sheet_1_without_an_overlap(name:
     assert "Диаграммы за цикл" in said and any(t.startswith("Годограф F") for t in said)
     asked = ASKED[name]["diagrams"]
     assert sum(", μ" in t and not t.startswith(("Годограф", "Схема", "План")) for t in said) >= len(
-        asked if isinstance(asked, list) else asked.split(","))  # fmt: skip
+        asked if isinstance(asked, list) else asked.split(",")
+    )
 
 
 def test_a_construction_is_drawn_where_its_marks_are() -> None:

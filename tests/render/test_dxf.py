@@ -226,9 +226,7 @@ def picture(document, size):
 
     figure = plt.figure(figsize=(size[0] / 25.4, size[1] / 25.4))
     axes = figure.add_axes((0, 0, 1, 1))
-    config = Configuration(
-        background_policy=BackgroundPolicy.WHITE, lineweight_scaling=72 / 25.4, min_lineweight=0.01
-    )
+    config = Configuration(background_policy=BackgroundPolicy.WHITE, lineweight_scaling=72 / 25.4, min_lineweight=0.01)
     frontend = Frontend(RenderContext(document), MatplotlibBackend(axes), config)
     frontend.draw_layout(document.modelspace(), finalize=False)
     axes.set_axis_off()
@@ -247,9 +245,10 @@ def inked(data):
 
 
 @pytest.mark.few(1)
-@pytest.mark.parametrize(("name", "settings"), [
-    ("kind-1-rrr", {}), ("kind-2-rrp", {"lettering": "slanted"}), ("vectors", {"font": "DejaVu Serif"}),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("name", "settings"),
+    [("kind-1-rrr", {}), ("kind-2-rrp", {"lettering": "slanted"}), ("vectors", {"font": "DejaVu Serif"})],
+)
 def test_the_drawing_looks_as_the_sheet(name, settings):
     """All ink of either within 0.45 mm of ink of the other, but for spikes at corners: the renderer mitres them."""
     from scipy.ndimage import distance_transform_edt

@@ -109,9 +109,7 @@ def test_the_face_is_that_of_the_time_a_mark_is_made():
 
 # whole sheets
 
-SETTINGS = [
-    {"lettering": "slanted"}, {"font": "DejaVu Sans"}, {"font": "dejavu serif", "lettering": "slanted"},
-]  # fmt: skip
+SETTINGS = [{"lettering": "slanted"}, {"font": "DejaVu Sans"}, {"font": "dejavu serif", "lettering": "slanted"}]
 
 
 @pytest.mark.few(1)
@@ -190,11 +188,16 @@ def test_a_font_is_given_by_its_file_beside_the_scene(tmp_path):
     }
 
 
-@pytest.mark.parametrize(("setting", "said"), [
-    ("font: DejaVu San", 'шрифт "DejaVu San" не установлен'), ("font: DejaVu San", "имелось в виду DejaVu Sans?"),
-    ("font: нет/такого.ttf", 'файла "нет/такого.ttf" нет'), ("font: scene.otf", '"scene.otf" не читается как шрифт'),
-    ("lettering: italic", "upright"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("setting", "said"),
+    [
+        ("font: DejaVu San", 'шрифт "DejaVu San" не установлен'),
+        ("font: DejaVu San", "имелось в виду DejaVu Sans?"),
+        ("font: нет/такого.ttf", 'файла "нет/такого.ttf" нет'),
+        ("font: scene.otf", '"scene.otf" не читается как шрифт'),
+        ("lettering: italic", "upright"),
+    ],
+)
 def test_a_font_that_is_not_there_is_one_sentence_with_its_line(setting, said, tmp_path, capsys):
     path = scene_with(tmp_path, setting)
     (tmp_path / "scene.otf").write_text("not a font", encoding="utf-8")

@@ -33,13 +33,27 @@ def own_lines(size):
 
 def test_the_title_block_has_the_lines_of_the_standard():
     assert own_lines((420, 297)) == {
-        (0, 0, 0, 55, "thick"), (0, 55, 185, 55, "thick"), (0, 30, 65, 30, "thick"), (0, 35, 65, 35, "thick"),
-        (7, 30, 7, 55, "thick"), (17, 0, 17, 55, "thick"), (40, 0, 40, 55, "thick"), (55, 0, 55, 55, "thick"),
-        (65, 0, 65, 55, "thick"), (65, 15, 185, 15, "thick"), (65, 40, 185, 40, "thick"), (135, 0, 135, 40, "thick"),
-        (135, 20, 185, 20, "thick"), (135, 35, 185, 35, "thick"), (150, 20, 150, 40, "thick"),
-        (155, 15, 155, 20, "thick"), (167, 20, 167, 40, "thick"), (140, 20, 140, 35, "thin"),
-        (145, 20, 145, 35, "thin"), *((0, y, 65, y, "thin") for y in (5, 10, 15, 20, 25, 40, 45, 50)),
-    }  # fmt: skip
+        (0, 0, 0, 55, "thick"),
+        (0, 55, 185, 55, "thick"),
+        (0, 30, 65, 30, "thick"),
+        (0, 35, 65, 35, "thick"),
+        (7, 30, 7, 55, "thick"),
+        (17, 0, 17, 55, "thick"),
+        (40, 0, 40, 55, "thick"),
+        (55, 0, 55, 55, "thick"),
+        (65, 0, 65, 55, "thick"),
+        (65, 15, 185, 15, "thick"),
+        (65, 40, 185, 40, "thick"),
+        (135, 0, 135, 40, "thick"),
+        (135, 20, 185, 20, "thick"),
+        (135, 35, 185, 35, "thick"),
+        (150, 20, 150, 40, "thick"),
+        (155, 15, 155, 20, "thick"),
+        (167, 20, 167, 40, "thick"),
+        (140, 20, 140, 35, "thin"),
+        (145, 20, 145, 35, "thin"),
+        *((0, y, 65, y, "thin") for y in (5, 10, 15, 20, 25, 40, 45, 50)),
+    }
 
 
 @pytest.mark.parametrize("size", SIZES)
@@ -50,8 +64,12 @@ def test_no_line_runs_through_a_cell(size):
         for a, b, _ in lines:
             x0, x1 = sorted((a.real, b.real))
             y0, y1 = sorted((a.imag, b.imag))
-            apart = (x1 <= cell.x + 1e-9, x0 >= cell.x + cell.width - 1e-9,
-                     y1 <= cell.y + 1e-9, y0 >= cell.y + cell.height - 1e-9)  # fmt: skip
+            apart = (
+                x1 <= cell.x + 1e-9,
+                x0 >= cell.x + cell.width - 1e-9,
+                y1 <= cell.y + 1e-9,
+                y0 >= cell.y + cell.height - 1e-9,
+            )
             assert any(apart), cell
 
 
@@ -78,26 +96,53 @@ def test_the_columns_stand_where_the_standard_puts_them(name):
     cells, high = form1.cells(paper.size), paper.size[1]
     beside = {k: (c.x, c.y, c.width, c.height) for k, c in cells.items() if c.turn_deg == 90}
     assert beside == {
-        "inventory": (13, 5, 7, 25), "inventory_accepted": (13, 30, 7, 35), "replaces": (13, 65, 7, 25),
-        "duplicate": (13, 90, 7, 25), "duplicate_accepted": (13, 115, 7, 35),
-        "reference": (13, high - 125, 7, 60), "first_use": (13, high - 65, 7, 60),
-    }  # fmt: skip
+        "inventory": (13, 5, 7, 25),
+        "inventory_accepted": (13, 30, 7, 35),
+        "replaces": (13, 65, 7, 25),
+        "duplicate": (13, 90, 7, 25),
+        "duplicate_accepted": (13, 115, 7, 35),
+        "reference": (13, high - 125, 7, 60),
+        "first_use": (13, high - 65, 7, 60),
+    }
     top = cells["designation_turned"]
     assert (top.x, top.y + top.height, top.width, top.height, top.turn_deg) == (20, high - 5, 70, 14, 180)
     assert paper.taken[1] == (20, high - 19, 90, high - 5)
 
 
 EVERY = {
-    "student": "Иванов И. И.", "teacher": "Петров П. П.", "tech": "Сидоров С. С.", "role": "Консульт.",
-    "person": "Кузнецов К. К.", "checked": "Норман Н. Н.", "approved": "Главный Г. Г.", "date": "12.05.26",
-    "teacher_date": "13.05.26", "checked_date": "14.05.26", "approved_date": "15.05.26", "tech_date": "16.05.26",
-    "person_date": "17.05.26", "designation": "ТММ.01.12.000", "material": "Сталь 45", "mass": "12.5",
-    "scale_note": "'1:4'", "company": "БНТУ", "group": "103518", "letter": "[О, О1]", "sheet": "1", "sheets": "2",
-    "inventory": "'12345'", "inventory_accepted": "01.06.26", "replaces": "'321'", "duplicate": "'777'",
-    "duplicate_accepted": "01.07.26", "reference": "ТММ.01.00.000", "first_use": "ТММ.01.12.000 СБ",
-    "copied": "Иванова", "title": "Шестизвенный рычажный механизм",
+    "student": "Иванов И. И.",
+    "teacher": "Петров П. П.",
+    "tech": "Сидоров С. С.",
+    "role": "Консульт.",
+    "person": "Кузнецов К. К.",
+    "checked": "Норман Н. Н.",
+    "approved": "Главный Г. Г.",
+    "date": "12.05.26",
+    "teacher_date": "13.05.26",
+    "checked_date": "14.05.26",
+    "approved_date": "15.05.26",
+    "tech_date": "16.05.26",
+    "person_date": "17.05.26",
+    "designation": "ТММ.01.12.000",
+    "material": "Сталь 45",
+    "mass": "12.5",
+    "scale_note": "'1:4'",
+    "company": "БНТУ",
+    "group": "103518",
+    "letter": "[О, О1]",
+    "sheet": "1",
+    "sheets": "2",
+    "inventory": "'12345'",
+    "inventory_accepted": "01.06.26",
+    "replaces": "'321'",
+    "duplicate": "'777'",
+    "duplicate_accepted": "01.07.26",
+    "reference": "ТММ.01.00.000",
+    "first_use": "ТММ.01.12.000 СБ",
+    "copied": "Иванова",
+    "title": "Шестизвенный рычажный механизм",
     "revisions": "[['1', Зам., АБВ.1-26, '', 01.06.26], {change: '2', document: АБВ.2-26}]",
-}  # fmt: skip
+}
 
 
 def sheet(lang="ru", **settings):
@@ -120,11 +165,18 @@ def test_every_cell_is_filled_from_the_scene_and_fits():
     said = said_of(found)
     same = set(EVERY) - {"date", "scale_note", "company", "group", "letter", "revisions", "mass"}
     assert {key: said[key] for key in same} == {key: EVERY[key].strip("'") for key in same}
-    assert (said["student_date"], said["scale"], said["company"], said["mass"]) == \
-        ("12.05.26", "1:4", "БНТУ 103518", "12,5")  # fmt: skip
+    assert (said["student_date"], said["scale"], said["company"], said["mass"]) == (
+        "12.05.26",
+        "1:4",
+        "БНТУ 103518",
+        "12,5",
+    )
     assert (said["letter_1"], said["letter_2"], "letter_3" in said) == ("О", "О1", False)
-    assert (said["revision_1_sheet"], said["revision_1_date"], said["revision_2_document"]) == \
-        ("Зам.", "01.06.26", "АБВ.2-26")  # fmt: skip
+    assert (said["revision_1_sheet"], said["revision_1_date"], said["revision_2_document"]) == (
+        "Зам.",
+        "01.06.26",
+        "АБВ.2-26",
+    )
     assert said["designation_turned"] == said["designation"] == "ТММ.01.12.000"
     assert said["format"] == found.paper.name
     cells = form1.cells(found.size)

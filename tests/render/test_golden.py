@@ -142,8 +142,10 @@ def of_dxf(data):
     from ezdxf.disassemble import recursive_decompose
 
     entities = list(recursive_decompose(ezdxf.read(io.StringIO(data.decode())).modelspace()))
-    of = {kind: [e for e in entities if e.dxftype() == kind] for kind in
-          ("LINE", "LWPOLYLINE", "SOLID", "CIRCLE", "TEXT", "ATTRIB")}  # fmt: skip
+    of = {
+        kind: [e for e in entities if e.dxftype() == kind]
+        for kind in ("LINE", "LWPOLYLINE", "SOLID", "CIRCLE", "TEXT", "ATTRIB")
+    }
     points = [flat(z) for e in of["LINE"] for z in (e.dxf.start, e.dxf.end)]
     points += [flat(z) for e in of["LWPOLYLINE"] for z in e.get_points()]
     points += [flat(z) for e in of["SOLID"] for z in e.vertices()]

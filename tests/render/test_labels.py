@@ -104,7 +104,5 @@ def test_conflicts_are_found_and_said() -> None:
         assert found.kind == "stroke" and str(found).startswith("'B' lies on '")
     assert conflicts([text], [Line((40 + 49.5j, 60 + 49.5j))]) == ()
     assert conflicts([text], [Line((40 + 49.8j, 60 + 49.8j))])  # 0.2 mm below, but half a pen is 0.3
-    assert [str(z) for z in conflicts([text], [], (0, 0, 52, 100))] == [
-        "'B' sticks out of 'field' at (50.0; 50.0) mm"
-    ]
+    assert [str(z) for z in conflicts([text], [], (0, 0, 52, 100))] == ["'B' sticks out of 'field' at (50.0; 50.0) mm"]
     assert conflicts([], [Line((0.2 + 5j, 9 + 5j))], (0, 0, 10, 10))[0].kind == "field"

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from planes.lesson.data import lesson_data
-from planes.plans import state
+from planes.plans import plans_of
 from planes.plans.lettering import lettering
 from planes.scene import Scene, loads
 from render.page.lesson_page import page
@@ -32,7 +32,7 @@ def scene_of(text: str) -> Scene:
 def naming(text: str) -> Naming:
     scene = scene_of(text)
     assert scene.mechanism is not None
-    return Naming("ru", **lettering(scene, state(scene.mechanism)))
+    return Naming("ru", **lettering(scene, plans_of(scene.mechanism)))
 
 
 @cache
@@ -43,11 +43,19 @@ def written(text: str) -> dict[str, Any]:
     return json.loads(found[1])  # type: ignore[no-any-return]
 
 
-@pytest.mark.parametrize(("text", "name", "lettered"), [
-    (RRP, "v_C", "v_{C}"), (RRP, "v_CC0", "v_{CC6}"), (RRP, "a_CC0", "a_{CC6}"),
-    (ODD, "v_C10", "v_{C10}"), (ODD, "a_C10", "a_{C10}"), (ODD, "a_C10B^n", "a_{C10B}^{n}"),
-    (ODD, "v_C10C100", "v_{C10C106}"), (ODD, "F_30", "F_{36}"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("text", "name", "lettered"),
+    [
+        (RRP, "v_C", "v_{C}"),
+        (RRP, "v_CC0", "v_{CC6}"),
+        (RRP, "a_CC0", "a_{CC6}"),
+        (ODD, "v_C10", "v_{C10}"),
+        (ODD, "a_C10", "a_{C10}"),
+        (ODD, "a_C10B^n", "a_{C10B}^{n}"),
+        (ODD, "v_C10C100", "v_{C10C106}"),
+        (ODD, "F_30", "F_{36}"),
+    ],
+)
 def test_a_point_may_end_with_a_nought_and_the_frame_has_its_number(text: str, name: str, lettered: str) -> None:
     assert naming(text).vector(name) == lettered
 

@@ -21,7 +21,7 @@ from render.paper.marks import Arrow, Line, Text
 from render.paper.names import Naming
 from render.paper.typeset import plain
 from render.views.diagrams import pieces
-from render.views.many import Many, Numbered, Placed
+from render.views.many import ManyPositions, Numbered, PlacedMechanism
 from render.views.scheme import Scheme
 from tests.helpers import ROOT
 from tests.render.test_sheet import clashes
@@ -123,8 +123,8 @@ def test_a_link_in_a_thin_position_has_the_shape_of_the_scheme(name):
     thick = [m for m in (*scheme.bars, *scheme.guides) if isinstance(m, Line)]
     lines = [[*m.points, *m.points[: m.closed]] for m in thick]
     inked = shapely.union_all([shapely.LineString([(z.real, z.imag) for z in line]) for line in lines]).buffer(0.05)
-    here = Placed(drawn.r, {name: f.number for name, f in drawn.of("links", "angle_deg").items()})
-    many = Many(drawn.plans, [Numbered("1", here)], [here], drawn.scales["mu_position"])
+    here = PlacedMechanism(drawn.r, {name: f.number for name, f in drawn.of("links", "angle_deg").items()})
+    many = ManyPositions(drawn.plans, [Numbered("1", here)], [here], drawn.scales["mu_position"])
     for one in many.marks():
         if one.style == "construction":
             line = [(z.real, z.imag) for z in (*one.points, *one.points[: one.closed])]

@@ -19,8 +19,8 @@ from render.paper.names import Naming
 from render.paper.typeset import plain
 from render.sheet.composer import Composer
 from render.sheet.sizes import Sizes, grown
-from render.views.diagrams import Curve, cut_off
-from render.views.given import Given
+from render.views.diagrams import DiagramCurve, cut_off
+from render.views.given import GivenTable
 from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"
@@ -39,7 +39,7 @@ def words(sheet):
 
 def given(scene, value=None):
     position = solve(replace(scene, find=None), None if value is None else [value]).positions[0]
-    return {name: (number, unit) for name, number, unit in Given(position, Naming(), scene.parameters).rows()}
+    return {name: (number, unit) for name, number, unit in GivenTable(position, Naming(), scene.parameters).rows()}
 
 
 def test_given_values_are_those_of_the_scene_each_once():
@@ -100,7 +100,7 @@ def test_the_range_of_a_rocking_driver_ends_where_it_stops():
 
 
 def test_ends_of_a_range_are_cut_off_and_peaks_within_are_kept():
-    curve = Curve("ω", "rad/s", (90.0, 1.0, 2.0, 12.0, 2.0, 1.0, None, 50.0))
+    curve = DiagramCurve("ω", "rad/s", (90.0, 1.0, 2.0, 12.0, 2.0, 1.0, None, 50.0))
     assert cut_off(curve).values == (None, 1.0, 2.0, 12.0, 2.0, 1.0, None, None)
 
 
@@ -147,7 +147,7 @@ def test_the_field_is_well_filled(name, number):
 def test_round_scales_only():
     text = (SAMPLES / "assignments" / "61.yaml").read_text(encoding="utf-8")
     for size in (Sizes(), Sizes(1.25), Sizes(1.6)):
-        from planes.documents.sheets import Drawn
+        from planes.documents.sheets import DrawnPosition
 
-        mu = Drawn(loads(text), None, "ru").at(size).scales["mu_position"]
+        mu = DrawnPosition(loads(text), None, "ru").at(size).scales["mu_position"]
         assert f"{mu:.3g}" == f"{mu:g}"

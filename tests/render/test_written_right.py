@@ -26,7 +26,7 @@ from render.paper.marks import Line, Text
 from render.paper.names import Naming
 from render.paper.typeset import plain
 from render.views.loading import Arms
-from render.views.tables import Grid
+from render.views.tables import TableGrid
 from tests.helpers import ROOT
 
 SAMPLES = {path.stem: path for path in sorted((ROOT / "samples").glob("*.yaml"))}
@@ -162,7 +162,7 @@ def test_labels_on_labels_and_strokes_are_told_by_their_letters() -> None:
 @pytest.mark.parametrize("letter", [2.5, 3.5, 5.0])
 @pytest.mark.parametrize("cell", ["a_{E5E}^{k}", "F_{21}^{t}", "12,5", "S_{2}"])
 def test_cells_keep_clear_of_the_rules(letter: float, cell: str) -> None:
-    marks = Grid(letter).drawn(["", "a"], [[cell, "1"], ["G_{2}", cell]])
+    marks = TableGrid(letter).drawn(["", "a"], [[cell, "1"], ["G_{2}", cell]])
     rules = ink([m for m in marks if isinstance(m, Line)])
     for text in (m for m in marks if isinstance(m, Text)):
         assert len(rules.within(np.array([letters(text)]), 0.3)[0]) == 0

@@ -18,7 +18,7 @@ import yaml
 
 from planes.course.survey import lines_of
 from planes.drafting.drawing import run
-from planes.plans import state
+from planes.plans import plans_of
 from planes.plans.scales import scales
 from planes.scene import load
 from tests.helpers import ROOT
@@ -33,38 +33,66 @@ CLOSE = 1e-9
 
 # What the command ``planes solve samples/assignments --lang en`` lists, in all six variants; the rest is in full.
 NO_TURN = "the driver 1 makes no full turn: the mechanism does not assemble from 224.4° to 315.6°"
-EXCEPTIONS = {28: "links 4 and 5: the table gives them neither lengths nor coordinates",
-              29: "the table gives no mass m_4", 66: NO_TURN, 68: NO_TURN}
+EXCEPTIONS = {
+    28: "links 4 and 5: the table gives them neither lengths nor coordinates",
+    29: "the table gives no mass m_4",
+    66: NO_TURN,
+    68: NO_TURN,
+}
 
 # Kinds of the groups of links 2, 3 and 4, 5: 1 RRR, 2 RRP, 3 RPR, 4 PRP, 5 RPP.
 GROUPS = {
-    (2, 3): [1, 2, 16, 23, 24, 33], (2, 4): [3, 4, 5, 6, 9, 40, 41], (1, 4): [7, 8, 17, 18, 22, 25, 26, 34, 62, 63],
-    (2, 5): [10, 36], (3, 5): [11, 12, 31], (3, 2): [13, 14, 15, 19, 20, 27, 29, 32, 46], (3, 4): [30, 45],
-    (3, 1): [43, 44], (1, 3): [21, 38, 39, 57, 58, 59, 60, 61], (1,): [28],
-    (1, 2): [35, 37, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56], (2, 2): [42, 64, 65, 66, 67, 68],
-}  # fmt: skip
+    (2, 3): [1, 2, 16, 23, 24, 33],
+    (2, 4): [3, 4, 5, 6, 9, 40, 41],
+    (1, 4): [7, 8, 17, 18, 22, 25, 26, 34, 62, 63],
+    (2, 5): [10, 36],
+    (3, 5): [11, 12, 31],
+    (3, 2): [13, 14, 15, 19, 20, 27, 29, 32, 46],
+    (3, 4): [30, 45],
+    (3, 1): [43, 44],
+    (1, 3): [21, 38, 39, 57, 58, 59, 60, 61],
+    (1,): [28],
+    (1, 2): [35, 37, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56],
+    (2, 2): [42, 64, 65, 66, 67, 68],
+}
 # Where a point must be, seen from another one, in all six variants.
 SIDES = {
-    **dict.fromkeys((1, 2, 5, 6, 23, 24), "C above A"), **dict.fromkeys((3, 9), "C left of A"),
-    **dict.fromkeys((4, 10, 16, 33, 36, 40, 41, 42), "C right of A"), **dict.fromkeys(range(49, 64), "B above C"),
-    **dict.fromkeys(range(64, 69), "B right of A"), 26: "C above D", 7: "C above D",
-}  # fmt: skip
+    **dict.fromkeys((1, 2, 5, 6, 23, 24), "C above A"),
+    **dict.fromkeys((3, 9), "C left of A"),
+    **dict.fromkeys((4, 10, 16, 33, 36, 40, 41, 42), "C right of A"),
+    **dict.fromkeys(range(49, 64), "B above C"),
+    **dict.fromkeys(range(64, 69), "B right of A"),
+    26: "C above D",
+    7: "C above D",
+}
 # How far the point of the block is from a point of its line, from and to, m, over the six variants.
 RANGES = {
-    1: ("D", "E", 0.41, 0.61), 3: ("E", "B", 0.2, 0.4), 4: ("E", "C", 0.32, 0.34), 7: ("K", "C", 0.172, 0.211),
-    8: ("K", "B", 0.053, 0.268), 16: ("B", "D", 0.3, 0.7), 17: ("K", "D", 0.2, 0.303), 18: ("K", "C", 0.316, 0.336),
-    20: ("D", "B", 0.2106, 0.5107), 21: ("E", "H", 0.106, 0.231), 22: ("E", "D", 0.2, 0.264),
+    1: ("D", "E", 0.41, 0.61),
+    3: ("E", "B", 0.2, 0.4),
+    4: ("E", "C", 0.32, 0.34),
+    7: ("K", "C", 0.172, 0.211),
+    8: ("K", "B", 0.053, 0.268),
+    16: ("B", "D", 0.3, 0.7),
+    17: ("K", "D", 0.2, 0.303),
+    18: ("K", "C", 0.316, 0.336),
+    20: ("D", "B", 0.2106, 0.5107),
+    21: ("E", "H", 0.106, 0.231),
+    22: ("E", "D", 0.2, 0.264),
     23: ("E", "H", 0.47, 0.85),
-    25: ("E", "D", 0.3, 0.455), 26: ("E", "D", 0.1, 0.151), 34: ("E", "D", 0.2, 0.278), 35: ("E", "D", 0.283, 0.335),
-    40: ("D", "C", 0.45, 0.481), 41: ("D", "C", 0.45, 0.474), 42: ("D", "B", 0.217, 0.454), 43: ("C", "B", 0.18, 0.42),
-    44: ("C", "B", 0.19, 0.43), 49: ("D", "A", 1.044, 1.045),
-}  # fmt: skip
+    25: ("E", "D", 0.3, 0.455),
+    26: ("E", "D", 0.1, 0.151),
+    34: ("E", "D", 0.2, 0.278),
+    35: ("E", "D", 0.283, 0.335),
+    40: ("D", "C", 0.45, 0.481),
+    41: ("D", "C", 0.45, 0.474),
+    42: ("D", "B", 0.217, 0.454),
+    43: ("C", "B", 0.18, 0.42),
+    44: ("C", "B", 0.19, 0.43),
+    49: ("D", "A", 1.044, 1.045),
+}
 
 TEXTS = ("link", "point", "against", "centre")  # keys whose values are names, never numbers
-FUNCTIONS = {
-    "sin": lambda x: math.sin(math.radians(x)),
-    "cos": lambda x: math.cos(math.radians(x)),
-}
+FUNCTIONS = {"sin": lambda x: math.sin(math.radians(x)), "cos": lambda x: math.cos(math.radians(x))}
 
 
 def number(value: Any, names: Mapping[str, float]) -> Any:
@@ -89,7 +117,7 @@ def drawn(path: Path, variant: str) -> Drawn:
     """The variant drawn at automatic scales."""
     scene = load(path, variant)
     assert scene.mechanism
-    plans = state(scene.mechanism)
+    plans = plans_of(scene.mechanism)
     mu = dict(scales(plans, scene.mu, {}))
     return Drawn(scene, plans, mu, run(plans.program, {**plans.given, **mu}))
 
@@ -150,7 +178,7 @@ def test_groups_are_those_of_the_reconstruction() -> None:
     for path in FILES:
         scene = load(path)
         assert scene.mechanism
-        s, n = state(scene.mechanism).structure, int(path.stem)
+        s, n = plans_of(scene.mechanism).structure, int(path.stem)
         assert s.W == 1 and tuple(g.kind for g in s.groups) == kinds[n], path.stem
         pairs = [{"2", "3"}, {"4", "5"}][: len(s.groups)]
         assert [set(g.links) for g in s.groups] == pairs and (len(pairs) == 2 or n == 28)

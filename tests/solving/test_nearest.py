@@ -76,9 +76,12 @@ def test_a_range_narrower_than_the_last_place_is_found_and_told() -> None:
 
 @pytest.mark.parametrize(
     "text, value",
-    [(PRP.format(r=0.3, e=0.7), 180.0), (RPR.format(r=0.2, d=0.2), 0.0),
-     (RRR.format(r=0.1, rod=0.4, q=0.1, d=0.4), 0.0)],
-)  # fmt: skip
+    [
+        (PRP.format(r=0.3, e=0.7), 180.0),
+        (RPR.format(r=0.2, d=0.2), 0.0),
+        (RRR.format(r=0.1, rod=0.4, q=0.1, d=0.4), 0.0),
+    ],
+)
 def test_a_place_that_fails_alone_has_a_neighbour_a_little_away(text: str, value: float) -> None:
     (failed,) = solve(loads(text), [value]).failed
     printed = re.search(r"the nearest that works: φ = (.*)°", failed["error"])

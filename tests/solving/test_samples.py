@@ -68,16 +68,27 @@ def names(position: Position) -> dict[str, Any]:
     points, links, slides = found["points"], found["links"], found["slides"]
     reactions = {k: r["force"] if isinstance(r, dict) else r for k, r in found["reactions"].items()}
     segments = {s["name"]: s["value"] for p in found["plans"].values() for s in p["segments"].values()}
-    vectors = {s.name: (position.drawing[at(s.plan, s.end)] - position.drawing[at(s.plan, s.start)])
-               / position.scales[f"mu_{s.plan}"] for s in position.plans.segments if s.plan in found["plans"]}
+    vectors = {
+        s.name: (position.drawing[at(s.plan, s.end)] - position.drawing[at(s.plan, s.start)])
+        / position.scales[f"mu_{s.plan}"]
+        for s in position.plans.segments
+        if s.plan in found["plans"]
+    }
     drive = position.plans.mechanism.drive
     return FUNCTIONS | {
-        "abs": abs, **{k: {n: complex(*p[k]) for n, p in points.items()} for k in "rva"},
-        "phi": {n: w["angle_deg"] for n, w in links.items()}, "omega": {n: w["omega"] for n, w in links.items()},
-        "epsilon": {n: w["epsilon"] for n, w in links.items()}, "F": {k: complex(*z) for k, z in reactions.items()},
-        "coriolis": {n: complex(*s["coriolis"]) for n, s in slides.items()}, "M": found.get("balancing_moment"),
-        "segment": segments, "vector": vectors, "value": Value(position),
-        "q": 1 / drive.velocity if drive.velocity else math.nan}
+        "abs": abs,
+        **{k: {n: complex(*p[k]) for n, p in points.items()} for k in "rva"},
+        "phi": {n: w["angle_deg"] for n, w in links.items()},
+        "omega": {n: w["omega"] for n, w in links.items()},
+        "epsilon": {n: w["epsilon"] for n, w in links.items()},
+        "F": {k: complex(*z) for k, z in reactions.items()},
+        "coriolis": {n: complex(*s["coriolis"]) for n, s in slides.items()},
+        "M": found.get("balancing_moment"),
+        "segment": segments,
+        "vector": vectors,
+        "value": Value(position),
+        "q": 1 / drive.velocity if drive.velocity else math.nan,
+    }
 
 
 @pytest.mark.parametrize("name", PUBLISHED)
@@ -97,8 +108,15 @@ def test_published_examples(name: str) -> None:
 
 def test_how_much_was_published() -> None:
     counted = {name: len(stored(name)["quantities"]) for name in PUBLISHED}
-    assert counted == {"six-link": 52, "assignment-12": 31, "bntu-1": 7, "bntu-2": 9, "bntu-3": 5, "bntu-4": 10,
-                       "bntu-5": 12}
+    assert counted == {
+        "six-link": 52,
+        "assignment-12": 31,
+        "bntu-1": 7,
+        "bntu-2": 9,
+        "bntu-3": 5,
+        "bntu-4": 10,
+        "bntu-5": 12,
+    }
     absolute = [row.get("tolerance_abs") for row in stored("assignment-12")["quantities"]]
     assert all(t is not None and t < 5.2e-6 for t in absolute)
 
@@ -106,8 +124,10 @@ def test_how_much_was_published() -> None:
 def test_six_link_signed_vectors_moments_and_transmission() -> None:
     known, rows = names(solved("six-link").positions[0]), stored("six-link")["signed"]
     exact = [complex(*row["exact"]) if isinstance(row["exact"], list) else row["exact"] for row in rows]
-    scale = {unit: max(abs(e) for e, row in zip(exact, rows, strict=True) if row["unit"] == unit)
-             for unit in {row["unit"] for row in rows}}
+    scale = {
+        unit: max(abs(e) for e, row in zip(exact, rows, strict=True) if row["unit"] == unit)
+        for unit in {row["unit"] for row in rows}
+    }
     for row, want in zip(rows, exact, strict=True):
         assert abs(eval(row["read"], known) - want) <= NEAR * scale[row["unit"]], row["read"]
     assert len(rows) == 30
@@ -197,8 +217,9 @@ def from_pose(name: str, value: float, found: dict[str, Any]) -> Solution:
     case = numeric(name)
     drive = case["drive"]
     firsts = {link: next(iter(body["points"])) for link, body in case["links"].items()}
-    guess = {link: (*found["points"][p]["r"], math.radians(found["links"][link]["angle_deg"]))
-             for link, p in firsts.items()}
+    guess = {
+        link: (*found["points"][p]["r"], math.radians(found["links"][link]["angle_deg"])) for link, p in firsts.items()
+    }
     return oracle_solve(case | {"drive": drive | {"phi" if "phi" in drive else "s": value}}, guess)
 
 
@@ -222,9 +243,11 @@ def test_vectors_in_closed_form() -> None:
     """v_C = v_B + v_CB with two lines of action: by the law of sines."""
     out = solve_vectors(scene("vectors")).json()["vectors"]
     turn = {name: math.radians(a) for name, a in (("v_B", 120), ("v_CB", 35), ("v_C", 80))}
-    want = {"v_B": 2.0,
-            "v_C": 2 * math.sin(turn["v_B"] - turn["v_CB"]) / math.sin(turn["v_C"] - turn["v_CB"]),
-            "v_CB": 2 * math.sin(turn["v_B"] - turn["v_C"]) / math.sin(turn["v_C"] - turn["v_CB"])}
+    want = {
+        "v_B": 2.0,
+        "v_C": 2 * math.sin(turn["v_B"] - turn["v_CB"]) / math.sin(turn["v_C"] - turn["v_CB"]),
+        "v_CB": 2 * math.sin(turn["v_B"] - turn["v_C"]) / math.sin(turn["v_C"] - turn["v_CB"]),
+    }
     for name, size in want.items():
         z = complex(*out[name]["xy"])
         assert abs(z - size * complex(math.cos(turn[name]), math.sin(turn[name]))) <= 4e-9, name

@@ -86,8 +86,13 @@ def test_every_kind_on_every_side(hidden, sides, turn):
 
 
 def test_minus_signs_close_a_polygon_too():
-    found = solve_vectors(loads(scene_of("F_1: {value: 3, direction: 0}, F_30: {direction: 90}, F_21: {direction: 45}",
-                                         "F_1 + F_30 = -F_21")))
+    found = solve_vectors(
+        loads(
+            scene_of(
+                "F_1: {value: 3, direction: 0}, F_30: {direction: 90}, F_21: {direction: 45}", "F_1 + F_30 = -F_21"
+            )
+        )
+    )
     assert found.vectors()["F_30"] == pytest.approx(3j) and found.vectors()["F_21"] == pytest.approx(-3 - 3j)
 
 
@@ -105,26 +110,48 @@ def test_a_vector_found_before_may_stand_alone_on_its_side():
     assert abs(total("v_L = v_D + v_LD", found)) < 1e-12
 
 
-@pytest.mark.parametrize(("names", "quantity", "unit"), [
-    ("F_1 F_2 F_3", "force", "mm/N"), ("v_B v_CB v_C", "velocity", "mm/(m/s)"), ("r_1 r_2 r_3", "position", "mm/m"),
-    ("a_B a_CB a_C", "acceleration", "mm/(m/s²)"), ("a b c", "vectors", "mm/unit"), ("P R F_1", "force", "mm/N"),
-    ("Φ_2 G_2 N", "force", "mm/N"),
-])
+@pytest.mark.parametrize(
+    ("names", "quantity", "unit"),
+    [
+        ("F_1 F_2 F_3", "force", "mm/N"),
+        ("v_B v_CB v_C", "velocity", "mm/(m/s)"),
+        ("r_1 r_2 r_3", "position", "mm/m"),
+        ("a_B a_CB a_C", "acceleration", "mm/(m/s²)"),
+        ("a b c", "vectors", "mm/unit"),
+        ("P R F_1", "force", "mm/N"),
+        ("Φ_2 G_2 N", "force", "mm/N"),
+    ],
+)
 def test_the_unit_is_told_by_the_names(names, quantity, unit):
     one, two, three = names.split()
-    found = solve_vectors(loads(scene_of(f"{one}: {{value: 2, direction: 120}}, {two}: {{direction: 35}}, "
-                                         f"{three}: {{direction: 80}}", f"{three} = {one} + {two}")))
+    found = solve_vectors(
+        loads(
+            scene_of(
+                f"{one}: {{value: 2, direction: 120}}, {two}: {{direction: 35}}, {three}: {{direction: 80}}",
+                f"{three} = {one} + {two}",
+            )
+        )
+    )
     assert found.quantity == quantity and found.json()["plans"]["vectors"]["mu"].endswith(unit)
 
 
-@pytest.mark.parametrize(("text", "words"), [
-    (scene_of("v_B: {value: 2, direction: 60}, v_C: {}, a_B: {value: 4, direction: 10}, a_C: {}",
-              "v_C = v_B", "a_C = a_B"), ("s.yaml:2: v_B belongs on the velocity plan and a_B on the acceleration",)),
-    (FORCES + "mu: 30 mm/(m/s)\n", ("s.yaml:10: mu does not fit F_21^t", "mm/N or N/mm")),
-    (CHAIN.replace("v_L: {}", "v_L: {}, v_X: {value: 1, direction: 3}"), ("v_X stands in no equation",)),
-    (CHAIN.replace("v_C: {", "v_C: {near: 5, "), ("near of vector v_C decides nothing",)),
-    (CHAIN + "find: [v_Q]\n", ("s.yaml:6: ", "v_Q", "valid: v_C, v_B")),
-])
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (
+            scene_of(
+                "v_B: {value: 2, direction: 60}, v_C: {}, a_B: {value: 4, direction: 10}, a_C: {}",
+                "v_C = v_B",
+                "a_C = a_B",
+            ),
+            ("s.yaml:2: v_B belongs on the velocity plan and a_B on the acceleration",),
+        ),
+        (FORCES + "mu: 30 mm/(m/s)\n", ("s.yaml:10: mu does not fit F_21^t", "mm/N or N/mm")),
+        (CHAIN.replace("v_L: {}", "v_L: {}, v_X: {value: 1, direction: 3}"), ("v_X stands in no equation",)),
+        (CHAIN.replace("v_C: {", "v_C: {near: 5, "), ("near of vector v_C decides nothing",)),
+        (CHAIN + "find: [v_Q]\n", ("s.yaml:6: ", "v_Q", "valid: v_C, v_B")),
+    ],
+)
 def test_what_would_change_nothing_is_refused(text, words):
     with pytest.raises(SceneError) as caught:
         solve_vectors(loads(text, "s.yaml"))

@@ -13,8 +13,20 @@ from planes.words.spreadsheet import as_csv, cell
 from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"
-FORMULAS = ["=1+1", "=cmd|'C calc'!A0", '=HYPERLINK("http://localhost")', "@SUM(1)", "+1+cmd", "-2+3", "-", "\t=1",
-            " =1", "＝1+1", "-Иванов", "+7 900"]  # fmt: skip
+FORMULAS = [
+    "=1+1",
+    "=cmd|'C calc'!A0",
+    '=HYPERLINK("http://localhost")',
+    "@SUM(1)",
+    "+1+cmd",
+    "-2+3",
+    "-",
+    "\t=1",
+    " =1",
+    "＝1+1",
+    "-Иванов",
+    "+7 900",
+]
 PLAIN = ["", "Иванов", "a=b", "1", "-1.5", "+3", "-1e-9", "−5", "M-1", "c: 5 mm", "φ"]
 
 

@@ -8,35 +8,70 @@ from planes.geometry.degrees import acos_deg, asin_deg, atan2_deg, atan_deg, cos
 from planes.words.units import PLANS, UnitError, mu_text, plan_of_mu, quantity, read_mu, standard_mu, standard_scale
 
 READ = [
-    ("250 mm/m", "position", 250.0), ("250mm/m", "position", 250.0), ("0.004 m/mm", "position", 250.0),
-    ("2.5 mm/cm", "position", 250.0), ("0.25 mm/mm", "position", 250.0), ("250 мм/м", "position", 250.0),
-    ("1:4", "position", 250.0), ("2.5 : 1", "position", 2500.0), ("1 мм/см", "position", 100.0),
-    ("30 mm/(m/s)", "velocity", 30.0), ("0.04 (m/s)/mm", "velocity", 25.0), ("25 мм/(м/с)", "velocity", 25.0),
-    ("25 мм/(м·с⁻¹)", "velocity", 25.0), ("25 mm·s/m", "velocity", 25.0),
-    ("0.025 mm/(mm/s)", "velocity", 25.0), ("0.04 м·с⁻¹/мм", "velocity", 25.0),
-    ("0.04 м/(с·мм)", "velocity", 25.0), ("40 (mm/s)/mm", "velocity", 25.0),
-    ("0.04 m/s/mm", "velocity", 25.0), ("25 mm/(m s^-1)", "velocity", 25.0),
-    ("2 mm/(m/s²)", "acceleration", 2.0), ("2 mm/(m/s^2)", "acceleration", 2.0),
-    ("2 mm/(m/s2)", "acceleration", 2.0), ("2 мм/(м·с⁻²)", "acceleration", 2.0),
-    ("2 мм·с²/м", "acceleration", 2.0), ("0.5 (m/s²)/mm", "acceleration", 2.0),
-    ("0.5 м·с^-2/мм", "acceleration", 2.0), ("2e0 mm/(m·s−2)", "acceleration", 2.0),
-    ("0.01 mm/N", "force", 0.01), ("100 N/mm", "force", 0.01), ("10 mm/kN", "force", 0.01),
-    ("0.1 kN/mm", "force", 0.01), ("0.01 мм/Н", "force", 0.01), ("0.1 кН/мм", "force", 0.01),
-    ("1e-2 mm/N", "force", 0.01), (".01 mm / N", "force", 0.01), ("25 mm/(m/s)", "vectors", 25.0),
+    ("250 mm/m", "position", 250.0),
+    ("250mm/m", "position", 250.0),
+    ("0.004 m/mm", "position", 250.0),
+    ("2.5 mm/cm", "position", 250.0),
+    ("0.25 mm/mm", "position", 250.0),
+    ("250 мм/м", "position", 250.0),
+    ("1:4", "position", 250.0),
+    ("2.5 : 1", "position", 2500.0),
+    ("1 мм/см", "position", 100.0),
+    ("30 mm/(m/s)", "velocity", 30.0),
+    ("0.04 (m/s)/mm", "velocity", 25.0),
+    ("25 мм/(м/с)", "velocity", 25.0),
+    ("25 мм/(м·с⁻¹)", "velocity", 25.0),
+    ("25 mm·s/m", "velocity", 25.0),
+    ("0.025 mm/(mm/s)", "velocity", 25.0),
+    ("0.04 м·с⁻¹/мм", "velocity", 25.0),
+    ("0.04 м/(с·мм)", "velocity", 25.0),
+    ("40 (mm/s)/mm", "velocity", 25.0),
+    ("0.04 m/s/mm", "velocity", 25.0),
+    ("25 mm/(m s^-1)", "velocity", 25.0),
+    ("2 mm/(m/s²)", "acceleration", 2.0),
+    ("2 mm/(m/s^2)", "acceleration", 2.0),
+    ("2 mm/(m/s2)", "acceleration", 2.0),
+    ("2 мм/(м·с⁻²)", "acceleration", 2.0),
+    ("2 мм·с²/м", "acceleration", 2.0),
+    ("0.5 (m/s²)/mm", "acceleration", 2.0),
+    ("0.5 м·с^-2/мм", "acceleration", 2.0),
+    ("2e0 mm/(m·s−2)", "acceleration", 2.0),
+    ("0.01 mm/N", "force", 0.01),
+    ("100 N/mm", "force", 0.01),
+    ("10 mm/kN", "force", 0.01),
+    ("0.1 kN/mm", "force", 0.01),
+    ("0.01 мм/Н", "force", 0.01),
+    ("0.1 кН/мм", "force", 0.01),
+    ("1e-2 mm/N", "force", 0.01),
+    (".01 mm / N", "force", 0.01),
+    ("25 mm/(m/s)", "vectors", 25.0),
 ]
 BAD = [
     ("30 mm/m", "velocity", "position plan); write it in mm/(m/s) or (m/s)/mm"),
-    ("0 mm/m", "position", "positive"), ("30 mm/m/s", "velocity", "does not fit"),
-    ("30 mm", "velocity", "does not fit"), ("30", "force", "no unit"), ("-2 mm/m", "position", "positive"),
-    ("nan mm/m", "position", "positive finite"), ("inf mm/m", "position", "positive finite"),
-    ("1e999 mm/m", "position", "finite"), ("1e-320 m/mm", "position", "finite"),
-    ("0,5 mm/m", "position", "decimal point: 0.5 mm/m"), ("", "force", "a number"),
-    ("mm/m", "position", "a number"), ("30 mm/(m/s", "velocity", "fit"), ("30 mm//m", "position", "fit"),
-    ("30 mm/m)", "position", "fit"), ("30 kgf/mm", "force", "mm/N or N/mm"), ("1:0", "position", "positive"),
+    ("0 mm/m", "position", "positive"),
+    ("30 mm/m/s", "velocity", "does not fit"),
+    ("30 mm", "velocity", "does not fit"),
+    ("30", "force", "no unit"),
+    ("-2 mm/m", "position", "positive"),
+    ("nan mm/m", "position", "positive finite"),
+    ("inf mm/m", "position", "positive finite"),
+    ("1e999 mm/m", "position", "finite"),
+    ("1e-320 m/mm", "position", "finite"),
+    ("0,5 mm/m", "position", "decimal point: 0.5 mm/m"),
+    ("", "force", "a number"),
+    ("mm/m", "position", "a number"),
+    ("30 mm/(m/s", "velocity", "fit"),
+    ("30 mm//m", "position", "fit"),
+    ("30 mm/m)", "position", "fit"),
+    ("30 kgf/mm", "force", "mm/N or N/mm"),
+    ("1:0", "position", "positive"),
     ("1:4", "velocity", "only the scale of the position plan"),
     ("9" * 100 + " mm/m", "position", "not a number with a unit"),
-    ("30 mm/m", "volume", "no plan named volume"), ("5 N", "vectors", "mm/(m/s)"),
-    ("30 m m", "position", "fit"), ("30 /mm", "position", "fit"), ("30 mm/()m", "position", "fit"),
+    ("30 mm/m", "volume", "no plan named volume"),
+    ("5 N", "vectors", "mm/(m/s)"),
+    ("30 m m", "position", "fit"),
+    ("30 /mm", "position", "fit"),
+    ("30 mm/()m", "position", "fit"),
 ]
 
 
@@ -54,7 +89,10 @@ def test_mu_is_refused_in_words(text, plan, piece):
 
 def test_mu_is_written_in_both_conventions():
     assert [mu_text(mu, plan) for mu, plan in ((250, "position"), (30, "velocity"), (2, "acceleration"))] == [
-        "250 mm/m", "30 mm/(m/s)", "2 mm/(m/s²)"]
+        "250 mm/m",
+        "30 mm/(m/s)",
+        "2 mm/(m/s²)",
+    ]
     assert mu_text(30.0, "velocity", "ru") == "30 мм/(м·с⁻¹)"
     assert mu_text(2.5, "acceleration", "ru") == "2.5 мм/(м·с⁻²)"
     assert mu_text(30.0, "velocity", "en", "unit_per_mm") == "0.0333 (m/s)/mm"
@@ -73,26 +111,72 @@ def test_what_is_written_reads_back_exactly(plan, lang, mu):
     assert read_mu(mu_text(mu, plan, lang, "unit_per_mm"), plan) == pytest.approx(mu, rel=5e-3)
 
 
-@pytest.mark.parametrize(("largest", "fit", "mu"), [
-    (0.1, 30, 250), (3, 70, 20), (2, 60, 25), (1, 1, 1), (1, 0.999, 0.5), (6000, 60, 0.01), (7, 49, 5), (7, 48.9, 5),
-    (-2, 60, 25), (0, 50, 1), (math.inf, 50, 1), (math.nan, 50, 1), (1, 0, 1), (0.3, 0.3, 1), (1, 249, 200)])
+@pytest.mark.parametrize(
+    ("largest", "fit", "mu"),
+    [
+        (0.1, 30, 250),
+        (3, 70, 20),
+        (2, 60, 25),
+        (1, 1, 1),
+        (1, 0.999, 0.5),
+        (6000, 60, 0.01),
+        (7, 49, 5),
+        (7, 48.9, 5),
+        (-2, 60, 25),
+        (0, 50, 1),
+        (math.inf, 50, 1),
+        (math.nan, 50, 1),
+        (1, 0, 1),
+        (0.3, 0.3, 1),
+        (1, 249, 200),
+    ],
+)
 def test_standard_mu(largest, fit, mu):
     assert standard_mu(largest, fit) == mu
 
 
-@pytest.mark.parametrize(("largest", "fit", "scale"), [
-    (0.1, 100, 1000), (1, 200, 200), (1, 260, 250), (0.01, 100, 10000), (0.04, 100, 2500), (0.3, 50, 1000 / 10),
-    (0, 100, 1000), (1e9, 100, 1e-7), (0.001, 100, 1e5), (0.0001, 79, 7e5), (2, 100, 50), (3, 199, 1000 / 20)])
+@pytest.mark.parametrize(
+    ("largest", "fit", "scale"),
+    [
+        (0.1, 100, 1000),
+        (1, 200, 200),
+        (1, 260, 250),
+        (0.01, 100, 10000),
+        (0.04, 100, 2500),
+        (0.3, 50, 1000 / 10),
+        (0, 100, 1000),
+        (1e9, 100, 1e-7),
+        (0.001, 100, 1e5),
+        (0.0001, 79, 7e5),
+        (2, 100, 50),
+        (3, 199, 1000 / 20),
+    ],
+)
 def test_standard_scale(largest, fit, scale):
     assert standard_scale(largest, fit) == pytest.approx(scale, rel=1e-12)
 
 
-@pytest.mark.parametrize(("args", "text"), [
-    ((2.34567, "m/s"), "2.346 m/s"), ((6000.0, "N"), "6000 N"), ((12345.6, "N"), "12346 N"), ((0.0, "m"), "0 m"),
-    ((-0.0, "m"), "0 m"), ((-2.5,), "-2.5"), ((-2.5, "m", 4, True), "−2.5 m"), ((30.0, "°"), "30°"),
-    ((0.00012345, "m"), "0.0001234 m"), ((1e9, "N"), "1·10⁹ N"),
-    ((1.5e-7, "m"), "1.5·10⁻⁷ m"), ((9.9999, "m", 3), "10 m"),
-    ((math.nan, "m"), "— m"), ((-math.inf, ""), "-∞"), ((-1e-13, "m", 4, True), "−1·10⁻¹³ m"), ((0.99996,), "1")])
+@pytest.mark.parametrize(
+    ("args", "text"),
+    [
+        ((2.34567, "m/s"), "2.346 m/s"),
+        ((6000.0, "N"), "6000 N"),
+        ((12345.6, "N"), "12346 N"),
+        ((0.0, "m"), "0 m"),
+        ((-0.0, "m"), "0 m"),
+        ((-2.5,), "-2.5"),
+        ((-2.5, "m", 4, True), "−2.5 m"),
+        ((30.0, "°"), "30°"),
+        ((0.00012345, "m"), "0.0001234 m"),
+        ((1e9, "N"), "1·10⁹ N"),
+        ((1.5e-7, "m"), "1.5·10⁻⁷ m"),
+        ((9.9999, "m", 3), "10 m"),
+        ((math.nan, "m"), "— m"),
+        ((-math.inf, ""), "-∞"),
+        ((-1e-13, "m", 4, True), "−1·10⁻¹³ m"),
+        ((0.99996,), "1"),
+    ],
+)
 def test_quantity(args, text):
     assert quantity(*args) == text
 
@@ -104,7 +188,13 @@ def test_sines_are_exact_where_the_answer_is_round():
             assert cos_deg(angle + 90.0 + 360.0 * turns) == -sine
     assert [tan_deg(x) for x in (0, 45, 135, 180, 225, -45)] == [0, 1, -1, 0, 1, -1]
     assert [asin_deg(0.5), asin_deg(-0.5), acos_deg(0.5), acos_deg(-0.5), acos_deg(1.0), atan_deg(1.0)] == [
-        30, -30, 60, 120, 0, 45]
+        30,
+        -30,
+        60,
+        120,
+        0,
+        45,
+    ]
     assert atan2_deg(1.0, -1.0) == 135.0
     with pytest.raises(ValueError, match="90"):
         tan_deg(90.0)

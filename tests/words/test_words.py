@@ -27,8 +27,15 @@ HOUSES = [Path(words.__file__).parents[1], Path(words.__file__).parents[2] / "re
 SOURCES = [p for house in HOUSES for p in house.rglob("*.py") if not p.name.startswith("words")]
 TREES = {f"{p.parent.name}/{p.name}": ast.parse(p.read_text(encoding="utf-8")) for p in SOURCES}
 TELLERS = ("Phrase", "say", "PlanFailure", "_help", "help_of")
-REFUSALS = ("PlanesError", "SceneError", "StructureError", "EquationError", "ExpressionError", "UnitError",
-            "ProgramError")
+REFUSALS = (
+    "PlanesError",
+    "SceneError",
+    "StructureError",
+    "EquationError",
+    "ExpressionError",
+    "UnitError",
+    "ProgramError",
+)
 
 FOUR_BAR = """\
 planes: 1
@@ -52,7 +59,8 @@ links:
 drive: {link: 1, phi: 60}
 """
 BAD_MECHANISMS = [
-    (FOUR_BAR, "assembly: {C: left}\n", "", "двумя способами"), (FOUR_BAR, "left", "ahead", "группе RRR"),
+    (FOUR_BAR, "assembly: {C: left}\n", "", "двумя способами"),
+    (FOUR_BAR, "left", "ahead", "группе RRR"),
     (FOUR_BAR, "D: 0, C", "D: 0, E", "не хватает звена или пары"),
     (FOUR_BAR, "D: 0, C", "D: 0, A: 1, C", "лишних связей 2: проверьте имена"),
     (FOUR_BAR, "link: 1", "link: 2", "шарнир на стойке, а со стойкой его соединяют: нет"),
@@ -66,8 +74,11 @@ BAD_PLANS_OF_VECTORS = [
     ("a: {value: 1, direction: 2}, b: {value: 1, direction: 2}", "a = b", "неизвестные: нет"),
     ("a: , b: ", "a = b + cc", "нет вектора cc; допустимо: a, b"),
     ("a: {value: 1, direction: 0}, b: {value: 2}, c: {value: 2}", "a = b + c", "near: 75.52 или near: -75.52"),
-    ("a: {value: 1, direction: 0}, b: {value: 3}, c: {value: 1}", "a = b + c",
-     "один из векторов b и c длиннее, чем нужно, на 1"),
+    (
+        "a: {value: 1, direction: 0}, b: {value: 3}, c: {value: 1}",
+        "a = b + c",
+        "один из векторов b и c длиннее, чем нужно, на 1",
+    ),
 ]
 
 
@@ -91,8 +102,12 @@ def test_both_languages_hold_the_same_names_and_numbers(key):
 def keys_told():
     """Keys that the program tells, as patterns: from constants, "a" if … else "b", and f"kind_{…}"."""
     for file, tree in TREES.items():
-        ours = {name.asname or name.name for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)
-                and node.module in ("planes.words", "planes.words.errors") for name in node.names}
+        ours = {
+            name.asname or name.name
+            for node in ast.walk(tree)
+            if isinstance(node, ast.ImportFrom) and node.module in ("planes.words", "planes.words.errors")
+            for name in node.names
+        }
         for node in ast.walk(tree):
             name = node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
             if name in TELLERS and (name in ours or name == "_help") and node.args:
@@ -116,10 +131,20 @@ def test_every_key_that_is_told_is_in_the_table():
 
 
 def test_no_key_is_left_over():
-    said = {re.escape(n.value) for tree in TREES.values() for n in ast.walk(tree)
-            if isinstance(n, ast.Constant) and isinstance(n.value, str)}
-    made = {one for tree in TREES.values() for n in ast.walk(tree) if isinstance(n, ast.JoinedStr)
-            for one in patterns(n) if re.match("[a-z_]+_\\[", one)}
+    said = {
+        re.escape(n.value)
+        for tree in TREES.values()
+        for n in ast.walk(tree)
+        if isinstance(n, ast.Constant) and isinstance(n.value, str)
+    }
+    made = {
+        one
+        for tree in TREES.values()
+        for n in ast.walk(tree)
+        if isinstance(n, ast.JoinedStr)
+        for one in patterns(n)
+        if re.match("[a-z_]+_\\[", one)
+    }
     known = re.compile("|".join({*said, *made, "usage_.*"}))
     assert not [key for key in TABLE if not known.fullmatch(key)]
 
@@ -159,9 +184,13 @@ def refused(ask, *given):
     return check_both(caught.value)
 
 
-@pytest.mark.parametrize(("text", "old", "new", "line"), [
-    *((SIX_LINK, old, new, line) for old, new, _, line in BAD),
-    *((VECTORS, old, new, line) for old, new, _, line in BAD_VECTORS)])
+@pytest.mark.parametrize(
+    ("text", "old", "new", "line"),
+    [
+        *((SIX_LINK, old, new, line) for old, new, _, line in BAD),
+        *((VECTORS, old, new, line) for old, new, _, line in BAD_VECTORS),
+    ],
+)
 def test_a_bad_scene_in_both_languages(text, old, new, line):
     told = refused(loads, changed(old, new, text), "s.yaml")
     assert re.match(f"s.yaml:{line or ''}", told) and re.match(r"s\.yaml:\d+: \S", told)
@@ -227,18 +256,31 @@ def test_every_error_tells_itself():
     assert PlanesError("as it is").told("ru") == "as it is"
 
 
-@pytest.mark.parametrize(("home", "lang", "words"), [
-    ("uk_UA.UTF-8", [], "такого файла нет"), ("C", [], "there is no such file"),
-    ("C", ["--lang", "ru"], "такого файла нет"), ("be_BY", ["--lang", "en"], "there is no such file")])
+@pytest.mark.parametrize(
+    ("home", "lang", "words"),
+    [
+        ("uk_UA.UTF-8", [], "такого файла нет"),
+        ("C", [], "there is no such file"),
+        ("C", ["--lang", "ru"], "такого файла нет"),
+        ("be_BY", ["--lang", "en"], "there is no such file"),
+    ],
+)
 def test_the_command_refuses_in_the_language_asked(monkeypatch, capsys, home, lang, words):
     monkeypatch.setenv("LC_ALL", home)
     assert cli.main(["solve", "no.yaml", *lang]) == 2
     assert capsys.readouterr().err == f"no.yaml: {words}\n"
 
 
-@pytest.mark.parametrize(("home", "given", "words"), [
-    ("ru_RU", ["--help"], "планы"), ("C", ["--help"], "usage: planes"), ("ru_RU", ["solve"], "не указано: SCENE"),
-    ("C", ["solve"], "required: SCENE"), ("ru_RU", ["sovle"], "не подходит 'sovle'")])
+@pytest.mark.parametrize(
+    ("home", "given", "words"),
+    [
+        ("ru_RU", ["--help"], "планы"),
+        ("C", ["--help"], "usage: planes"),
+        ("ru_RU", ["solve"], "не указано: SCENE"),
+        ("C", ["solve"], "required: SCENE"),
+        ("ru_RU", ["sovle"], "не подходит 'sovle'"),
+    ],
+)
 def test_the_command_line_speaks_the_home_language(monkeypatch, capsys, home, given, words):
     monkeypatch.setenv("LC_ALL", home)
     with pytest.raises(SystemExit):

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from planes.check.grading.bench import Bench, marks_of
-from planes.check.grading.paper import Paper, Spot
+from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.polygons import Rebuilt, rebuild
+from planes.check.grading.prepared_plan import PreparedPlan, marks_of
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.names import POLE, kind_of, label_of, mu_of
 from planes.words.spelling import Names
 
 
-def align(bench: Bench, plan: str, paper: Paper) -> tuple[dict[str, Spot], Rebuilt | None, list[str]]:
+def align(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[dict[str, ReadMark], Rebuilt | None, list[str]]:
     """The paper's marks by label, from the pole; the rebuilt polygon of a force plan; names that are no marks."""
     names = Names(label_of(m) for m in marks_of(bench.plans, plan))
     pole = next((s for s in paper.spots if names.find(s.name) == POLE), None)
@@ -22,7 +22,7 @@ def align(bench: Bench, plan: str, paper: Paper) -> tuple[dict[str, Spot], Rebui
             raise PlanesError(Phrase("check_no_pole"))
         rebuilt = rebuild(bench.plans, plan, paper.spots, paper.whole)
         return rebuilt.spots, rebuilt, rebuilt.unknown
-    found: dict[str, Spot] = {}
+    found: dict[str, ReadMark] = {}
     unknown = []
     for spot in paper.spots:
         name = names.find(spot.name) or names.find(_bare(bench, spot.name))
@@ -31,22 +31,28 @@ def align(bench: Bench, plan: str, paper: Paper) -> tuple[dict[str, Spot], Rebui
         elif name and name != POLE:
             found.setdefault(name, spot)
     origin = pole.place if pole else _origin(bench, plan, found)
-    moved = {n: Spot(n, s.place - origin, s.error_mm) for n, s in found.items()}
+    moved = {n: ReadMark(n, s.place - origin, s.error_mm) for n, s in found.items()}
     return moved, None, unknown
 
 
-def _bare(bench: Bench, name: str) -> str:
+def _bare(bench: PreparedPlan, name: str) -> str:
     """n_AO as the plan has it, n_A, where O is a fixed point."""
-    return next((name.removesuffix(p) for p in bench.plans.mechanism.frame.points
-                 if name.startswith("n_") and name.endswith(p) and len(name) > len(p) + 2), name)  # fmt: skip
+    return next(
+        (
+            name.removesuffix(p)
+            for p in bench.plans.mechanism.frame.points
+            if name.startswith("n_") and name.endswith(p) and len(name) > len(p) + 2
+        ),
+        name,
+    )
 
 
-def _fixed(bench: Bench, name: str) -> bool:
+def _fixed(bench: PreparedPlan, name: str) -> bool:
     """Whether a name is that of a fixed point, which stands at the pole of a motion plan."""
     return Names(bench.plans.mechanism.frame.points).find(name) is not None
 
 
-def _origin(bench: Bench, plan: str, found: Mapping[str, Spot]) -> complex:
+def _origin(bench: PreparedPlan, plan: str, found: Mapping[str, ReadMark]) -> complex:
     """Where the pole is when it was not read: from a fixed point of the scheme."""
     if plan != "position":
         raise PlanesError(Phrase("check_no_pole"))

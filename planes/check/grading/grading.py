@@ -7,12 +7,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from planes.check.grading.aligning import align
-from planes.check.grading.bench import Bench, variants_of
 from planes.check.grading.evidence import SURE, by_chance, nothing_drawn, size_of
 from planes.check.grading.handwork import Hand, Miss, Taken
 from planes.check.grading.judging import WARN, Judgement, judge, verdicts
-from planes.check.grading.paper import Paper
+from planes.check.grading.paper import ReadPaper
 from planes.check.grading.polygons import Rebuilt
+from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.check.grading.scaling import own_scales
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.steps import Cross, CrossArc, CrossArcs, LayOff, Same, Step
@@ -56,7 +56,7 @@ class Grading:
         gap = self.rebuilt.gap if self.rebuilt else None
         if gap is None:
             return None
-        return self.judgement.limit * math.sqrt(2 * self.hand.tool.skill.point_mm ** 2 + 2 * gap.error_mm ** 2)
+        return self.judgement.limit * math.sqrt(2 * self.hand.tool.skill.point_mm**2 + 2 * gap.error_mm**2)
 
     @property
     def left_out(self) -> str | None:
@@ -78,8 +78,11 @@ class Grading:
         """Marks that were not read and that nothing read was drawn from: wherever they are, nobody has looked."""
         used, steps = self._used(), {s.makes: s for s in self.hand.program.steps}
         absent = self.rebuilt.absent if self.rebuilt else ()
-        return [label_of(m) for m in self.marks
-                if m not in used and not isinstance(steps[m], Same) and label_of(m) not in absent]  # fmt: skip
+        return [
+            label_of(m)
+            for m in self.marks
+            if m not in used and not isinstance(steps[m], Same) and label_of(m) not in absent
+        ]
 
     def _used(self) -> set[str]:
         """Marks that were read, and those they were drawn from."""
@@ -108,7 +111,7 @@ class Grading:
         return verdicts(self.judgement, self.marks, strayed)
 
 
-def grade(bench: Bench, paper: Paper) -> Grading | None:
+def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
     """Grade a paper of marks at the scale that explains it best; None when no mark of the plan was read."""
     plan = bench.asked.plan
     spots, rebuilt, unknown = align(bench, plan, paper)
@@ -157,7 +160,7 @@ def _worth(found: Grading) -> float:
     return found.judgement.score
 
 
-def _earlier(bench: Bench) -> dict[str, Taken]:
+def _earlier(bench: PreparedPlan) -> dict[str, Taken]:
     """Marks of earlier plans that were handed in too."""
     found: dict[str, Taken] = {}
     for plan, paper in bench.asked.others.items():
@@ -166,7 +169,7 @@ def _earlier(bench: Bench) -> dict[str, Taken]:
     return found
 
 
-def _grade_at(bench: Bench, mu: float, share: float, taken: Mapping[str, Taken], absent: set[str]) -> Grading:
+def _grade_at(bench: PreparedPlan, mu: float, share: float, taken: Mapping[str, Taken], absent: set[str]) -> Grading:
     """Grade at one scale."""
     plan, skill = bench.asked.plan, bench.asked.skill
     name = mu_of(plan)
@@ -190,7 +193,7 @@ def _apart(free: Hand, mark: str, own: Taken) -> Miss:
     return Miss(miss.off, (xx + own.error_mm**2, xy, yy + own.error_mm**2))
 
 
-def empty(bench: Bench) -> Grading:
+def empty(bench: PreparedPlan) -> Grading:
     """The grading of a drawing of which no mark is read yet, at the stated scale."""
     return _grade_at(bench, bench.said_mu, 0.0, _earlier(bench), set())
 

@@ -11,7 +11,7 @@ from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from planes.check.grading.nudging import Columns, Nudged, Skill
+from planes.check.grading.perturbing import Columns, Nudged, Skill
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
 from planes.drafting.steps import Aim, Same, Step, Turn
@@ -85,9 +85,7 @@ class Variant:
     weight: float = 1.0
     about: Mapping[str, str | Written] = field(default_factory=dict)  # names for the sentence
 
-    def drawn(
-        self, program: Program, things: Mapping[str, Any], tool: Tool, fixed: Container[str]
-    ) -> dict[str, Any]:
+    def drawn(self, program: Program, things: Mapping[str, Any], tool: Tool, fixed: Container[str]) -> dict[str, Any]:
         """What the steps it touches make of things drawn without it; marks that are ``fixed`` stay where they are."""
         steps = program.touched(self.givens, self.swaps, fixed)
         return draw_steps(steps, {**things, **self.givens}, tool, self.swaps)
@@ -142,9 +140,13 @@ class Hand:
     """A program run on a person's marks (``taken``), with the errors of ``skill`` carried through it."""
 
     def __init__(
-        self, program: Program, given: Mapping[str, Any], skill: Skill, taken: Mapping[str, Taken],
+        self,
+        program: Program,
+        given: Mapping[str, Any],
+        skill: Skill,
+        taken: Mapping[str, Taken],
         unsure: Mapping[str, float] | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.program, self.taken = program, taken
         self.given, self.unsure = {n: given[n] for n in program.givens}, unsure or {}
         columns = Columns.of(program.steps, [*taken, *self.unsure])

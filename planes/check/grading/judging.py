@@ -82,7 +82,7 @@ def _mixed(miss: Miss, broad: float) -> float:
 
 
 @dataclass(frozen=True)
-class Named:
+class ScoredHypothesis:
     """A hypothesis with its logarithmic score against "correct but for noise", and the misses under it."""
 
     score: float
@@ -100,7 +100,7 @@ class _Weighing:
         self.limit = limit_of(len(self.plain))
         self.misses = given_before(self.plain, self.order, self.limit)
 
-    def ranked(self, variants: Iterable[Variant], drawn: set[str], suspects: Collection[str]) -> list[Named]:
+    def ranked(self, variants: Iterable[Variant], drawn: set[str], suspects: Collection[str]) -> list[ScoredHypothesis]:
         """The mistakes that touch a suspected mark, the likeliest first."""
         scored = []
         for variant in variants:
@@ -110,7 +110,7 @@ class _Weighing:
                 continue  # what was left out shows by not being there
             under = given_before({**self.plain, **touched}, self.order, self.limit)
             gain = sum(_mixed(miss, self.broad) - _mixed(self.misses[m], self.broad) for m, miss in under.items())
-            scored.append(Named(gain + math.log(variant.weight * _likely(variant, drawn)), variant, under))
+            scored.append(ScoredHypothesis(gain + math.log(variant.weight * _likely(variant, drawn)), variant, under))
         return _by_mistake(scored)
 
     def _shows(self, touched: Mapping[str, Miss]) -> bool:
@@ -119,7 +119,7 @@ class _Weighing:
         return any(not miss.sigmas <= self.limit for miss in apart)
 
 
-def _name(found: Judgement, ranked: Sequence[Named], broad: float) -> None:
+def _name(found: Judgement, ranked: Sequence[ScoredHypothesis], broad: float) -> None:
     """Keep the likeliest mistake if it is good enough to explain the first wrong mark."""
     if not ranked:
         return
@@ -127,14 +127,14 @@ def _name(found: Judgement, ranked: Sequence[Named], broad: float) -> None:
     _keep(found, ranked, ranked[0].score >= max(0.0, other))
 
 
-def _look_closer(found: Judgement, ranked: Sequence[Named]) -> None:
+def _look_closer(found: Judgement, ranked: Sequence[ScoredHypothesis]) -> None:
     """No mark is wrong by itself, but some are close calls: a mistake may explain them too well for chance."""
     if ranked and ranked[0].score >= TOO_WELL:
         found.wrong = [m for m in found.misses if label_of(m) == ranked[0].variant.blames]
         _keep(found, ranked, True)
 
 
-def _keep(found: Judgement, ranked: Sequence[Named], good: bool) -> None:
+def _keep(found: Judgement, ranked: Sequence[ScoredHypothesis], good: bool) -> None:
     """Name the likeliest mistake if it is good enough and well ahead of the next."""
     best, rest = ranked[0], ranked[1:]
     if not good or (rest and best.score - rest[0].score < MARGIN):
@@ -151,9 +151,9 @@ def _likely(variant: Variant, drawn: set[str]) -> float:
     return 1.0 if (variant.blames in drawn) != variant.mistake.endswith(LEFT_OUT) else UNDRAWN
 
 
-def _by_mistake(scored: Sequence[Named]) -> list[Named]:
+def _by_mistake(scored: Sequence[ScoredHypothesis]) -> list[ScoredHypothesis]:
     """The best variant of every mistake, the best mistake first; its variants' likelihoods added up."""
-    groups: dict[str, list[Named]] = {}
+    groups: dict[str, list[ScoredHypothesis]] = {}
     for one in scored:
         groups.setdefault(one.variant.mistake, []).append(one)
     merged = []

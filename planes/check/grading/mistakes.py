@@ -7,14 +7,14 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from planes.check.grading.handwork import Variant
-from planes.check.grading.ways import Ways
+from planes.check.grading.plan_steps import PlanSteps
 from planes.drafting.steps import Carry, Cross, Image, LayOff, Read, Same, Similar, Step
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.drafting.tools import Env, Tool
 from planes.words.names import POLE, at, label_of, mu_of, plan_of
 
 
-def motion_variants(w: Ways) -> Iterator[Variant]:
+def motion_variants(w: PlanSteps) -> Iterator[Variant]:
     """Mistakes of a velocity or acceleration plan."""
     quick = w.plan == "acceleration"
     yield from _driver(w, quick)
@@ -29,12 +29,15 @@ def motion_variants(w: Ways) -> Iterator[Variant]:
             yield w.variant("along_link", step, replace(step, along=line), about={"line": line})
 
 
-def _driver(w: Ways, quick: bool) -> Iterator[Variant]:
+def _driver(w: PlanSteps, quick: bool) -> Iterator[Variant]:
     """The driver's own motion taken with the wrong sense, or left out."""
     drive = w.plans.mechanism.drive
     turning = drive.kind == "phi"
-    name = (f"epsilon_{drive.link}" if turning else "a_drive") if quick else (
-        f"omega_{drive.link}" if turning else "v_drive")
+    name = (
+        (f"epsilon_{drive.link}" if turning else "a_drive")
+        if quick
+        else (f"omega_{drive.link}" if turning else "v_drive")
+    )
     if name not in w.program.givens:
         return
     mark = next((s.makes for s in w.own if isinstance(s, LayOff) and _leads(w, name, s.length)), None)
@@ -47,12 +50,12 @@ def _driver(w: Ways, quick: bool) -> Iterator[Variant]:
         yield Variant("epsilon1_ignored", label, {}, {name: 0.0}, 1.0, about)
 
 
-def _leads(w: Ways, value: str, length: str) -> bool:
+def _leads(w: PlanSteps, value: str, length: str) -> bool:
     step = w.steps.get(length)
     return value == length or (step is not None and any(n == value for n, _ in step.reads()))
 
 
-def _crossed(w: Ways, step: Cross, quick: bool) -> Iterator[Variant]:
+def _crossed(w: PlanSteps, step: Cross, quick: bool) -> Iterator[Variant]:
     """A mark where two lines cross: one of them in a wrong direction, or from a wrong place."""
     sides = (("along", step.along), ("across", step.across))
     for side, direction in sides:
@@ -78,7 +81,7 @@ def _with(step: Cross, side: str, direction: str) -> Cross:
     return replace(step, along=direction) if side == "along" else replace(step, across=direction)
 
 
-def _displaced(w: Ways, step: Cross) -> Iterator[Variant]:
+def _displaced(w: PlanSteps, step: Cross) -> Iterator[Variant]:
     """The two lines drawn from each other's ends, or the relative velocity laid off backwards."""
     starts = (step.start, step.other)
     if w.pole in starts and step.start != step.other:
@@ -91,7 +94,7 @@ def _displaced(w: Ways, step: Cross) -> Iterator[Variant]:
         yield w.variant("relative_reversed", step, replace(step, makes=met), Carry(step.makes, known, met, known))
 
 
-def _similar(w: Ways, step: Similar | Image, quick: bool) -> Iterator[Variant]:
+def _similar(w: PlanSteps, step: Similar | Image, quick: bool) -> Iterator[Variant]:
     """A mark by similarity: mirrored, divided from the wrong end, or built on another segment."""
     start, end = (step.start, step.end) if isinstance(step, Similar) else step.image
     yield from _mirrored(w, step)
@@ -119,7 +122,7 @@ def _on(step: Similar | Image, start: str, end: str) -> Step:
     return replace(step, start=start, image=(start, end))
 
 
-def _normals(w: Ways, start: str, end: str) -> Iterator[str]:
+def _normals(w: PlanSteps, start: str, end: str) -> Iterator[str]:
     """Ends of normal parts laid off from ``start`` on the way to ``end``."""
     meets = w.steps.get(end)
     for step in w.own:
@@ -128,7 +131,7 @@ def _normals(w: Ways, start: str, end: str) -> Iterator[str]:
             yield step.makes
 
 
-def _mirrored(w: Ways, step: Similar | Image) -> Iterator[Variant]:
+def _mirrored(w: PlanSteps, step: Similar | Image) -> Iterator[Variant]:
     """The similar figure turned over about its base."""
     name = f"mirrored {step.makes}"
     label = label_of(step.makes)
@@ -157,7 +160,7 @@ class Mirror(Step):
         return env[a] + along * ((env[b] - env[a]) / along).conjugate()
 
 
-def _laid_quick(w: Ways, step: LayOff) -> Iterator[Variant]:
+def _laid_quick(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     if step.quantity == "normal":
         yield from _normal(w, step)
     elif step.quantity == "coriolis":
@@ -166,7 +169,7 @@ def _laid_quick(w: Ways, step: LayOff) -> Iterator[Variant]:
         yield w.variant("tangential_along_link", step, replace(step, along=line), about={"line": line})
 
 
-def _normal(w: Ways, step: LayOff) -> Iterator[Variant]:
+def _normal(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     """A normal part: outward, left out, with another velocity, from the pole."""
     yield w.variant("normal_outward", step, *w.reversed_length(step))
     yield w.variant("normal_missing", step, Same(step.makes, step.start))
@@ -186,7 +189,7 @@ def _normal(w: Ways, step: LayOff) -> Iterator[Variant]:
             yield w.variant("normal_wrong_velocity", step, *swap, weight=1 / len(others), about=about)
 
 
-def _velocities(w: Ways, step: LayOff, but: str) -> Iterator[tuple[str, tuple[Step, ...]]]:
+def _velocities(w: PlanSteps, step: LayOff, but: str) -> Iterator[tuple[str, tuple[Step, ...]]]:
     """Other speeds of the velocity plan, with the step that reads each where none does yet."""
     for name, made in w.steps.items():
         plain = isinstance(made, Measure) and plan_of(made.start) == "velocity" and "slide" not in name
@@ -198,7 +201,7 @@ def _velocities(w: Ways, step: LayOff, but: str) -> Iterator[tuple[str, tuple[St
             yield tag, (Measure(tag, at("velocity", POLE), name, None, mu_of("velocity")),)
 
 
-def _coriolis(w: Ways, step: LayOff) -> Iterator[Variant]:
+def _coriolis(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     """A Coriolis part: left out, reversed, halved, with another ω, along the guide."""
     yield w.variant("coriolis_missing", step, Same(step.makes, step.start))
     yield w.variant("coriolis_reversed", step, *w.reversed_length(step))

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from planes.check.grading.handwork import Variant
-from planes.check.grading.ways import Ways
+from planes.check.grading.plan_steps import PlanSteps
 from planes.drafting.steps import Cross, LayOff, Same, Step, Through
 from planes.drafting.steps.reckoning import Calculate, Drop, Lean, Measure, Product
 from planes.words.names import label_of, plan_of
 
 
-def force_variants(w: Ways) -> Iterator[Variant]:
+def force_variants(w: PlanSteps) -> Iterator[Variant]:
     """Mistakes of the plan of one group or of the driver."""
     for step in w.own:
         if isinstance(step, LayOff):
@@ -22,7 +22,7 @@ def force_variants(w: Ways) -> Iterator[Variant]:
     yield from _friction(w)
 
 
-def _force(w: Ways, step: LayOff) -> Iterator[Variant]:
+def _force(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     if step.quantity == "tangential":
         yield w.variant("reaction_along_loaded_link", step, Same(step.makes, step.start))
         yield w.variant("tangential_reversed", step, *w.reversed_length(step))
@@ -40,7 +40,7 @@ def _force(w: Ways, step: LayOff) -> Iterator[Variant]:
         yield from _both(w, step, "reaction_not_reversed", w.reversed_length(step), -1.0)
 
 
-def _both(w: Ways, step: LayOff, mistake: str, swap: tuple[Step, ...], factor: float) -> Iterator[Variant]:
+def _both(w: PlanSteps, step: LayOff, mistake: str, swap: tuple[Step, ...], factor: float) -> Iterator[Variant]:
     """A force wrong in the polygon alone, or in the equation of moments too."""
     alone = w.variant(mistake, step, *swap, weight=0.5)
     yield alone
@@ -49,7 +49,7 @@ def _both(w: Ways, step: LayOff, mistake: str, swap: tuple[Step, ...], factor: f
         yield replace(alone, swaps={**alone.swaps, **swaps})
 
 
-def _in_moments(w: Ways, step: LayOff, factor: float) -> dict[str, tuple[Step, ...]]:
+def _in_moments(w: PlanSteps, step: LayOff, factor: float) -> dict[str, tuple[Step, ...]]:
     """The plan's moment equations with the terms of one force multiplied."""
     arms = {n for n, m in w.plans.means.items() if m.quantity == "arm" and step.means and m.of == step.means.of}
     found: dict[str, tuple[Step, ...]] = {}
@@ -63,7 +63,7 @@ def _in_moments(w: Ways, step: LayOff, factor: float) -> dict[str, tuple[Step, .
     return found
 
 
-def _formulas(w: Ways) -> Iterator[Calculate]:
+def _formulas(w: PlanSteps) -> Iterator[Calculate]:
     """Moment equations whose result is laid off on this plan."""
     for step in w.own:
         formula = w.steps.get(step.length) if isinstance(step, LayOff) else None
@@ -71,7 +71,7 @@ def _formulas(w: Ways) -> Iterator[Calculate]:
             yield formula
 
 
-def _mass(w: Ways, step: LayOff) -> Iterator[Variant]:
+def _mass(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     """Kilograms laid off for newtons."""
     weight = w.steps.get(step.length)
     if isinstance(weight, Calculate):
@@ -83,7 +83,7 @@ def _mass(w: Ways, step: LayOff) -> Iterator[Variant]:
                 yield replace(alone, swaps={**alone.swaps, **_in_moments(w, step, 1.0 / gravity)})
 
 
-def _moments(w: Ways, step: LayOff) -> Iterator[Variant]:
+def _moments(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     """Mistakes of the equation of moments behind a tangential reaction."""
     formula = w.steps.get(step.length)
     if not isinstance(formula, Calculate):
@@ -105,13 +105,13 @@ def _moments(w: Ways, step: LayOff) -> Iterator[Variant]:
         yield _of_moments(w, step, "arm_wrong", (scaled,), 0.2, "mm")
 
 
-def _longer(w: Ways, term: Product) -> Product:
+def _longer(w: PlanSteps, term: Product) -> Product:
     """A term with its arm in millimetres of paper."""
     drop = next((w.steps[n] for n, _ in term.factors if isinstance(w.steps.get(n), Drop)), None)
     return replace(term, factors=(*term.factors, (drop.mu, 1))) if isinstance(drop, Drop) else term
 
 
-def _arm(w: Ways, step: LayOff, formula: Calculate, index: int, arm: str, force: str) -> Iterator[Variant]:
+def _arm(w: PlanSteps, step: LayOff, formula: Calculate, index: int, arm: str, force: str) -> Iterator[Variant]:
     """The distance between two points, or the wrong leg of the triangle, taken for the arm."""
     drop, term = w.steps[arm], formula.terms[index]
     assert isinstance(drop, Drop)
@@ -128,7 +128,9 @@ def _replaced(formula: Calculate, index: int, term: Product) -> Calculate:
     return replace(formula, terms=tuple(term if i == index else t for i, t in enumerate(formula.terms)))
 
 
-def _of_moments(w: Ways, step: LayOff, mistake: str, steps: tuple[Step, ...], weight: float, force: str) -> Variant:
+def _of_moments(
+    w: PlanSteps, step: LayOff, mistake: str, steps: tuple[Step, ...], weight: float, force: str
+) -> Variant:
     label = label_of(step.makes)
     return Variant(mistake, label, {step.length: steps}, {}, weight, {"mark": label, "force": _shown(force)})
 
@@ -137,7 +139,7 @@ def _shown(value: str) -> str:
     return value.strip("|").replace("MI_", "M_И")
 
 
-def _reaction(w: Ways, step: Cross) -> Iterator[Variant]:
+def _reaction(w: PlanSteps, step: Cross) -> Iterator[Variant]:
     """The lines of the unknown reactions in a wrong direction."""
     for side in ("along", "across"):
         direction = step.along if side == "along" else step.across
@@ -151,14 +153,14 @@ def _reaction(w: Ways, step: Cross) -> Iterator[Variant]:
                 yield w.variant("guide_reaction_not_normal", step, swap, weight=weight, about=about)
 
 
-def _links(w: Ways, step: Cross) -> list[str]:
+def _links(w: PlanSteps, step: Cross) -> list[str]:
     """Directions of links on the scheme."""
     own = (step.along, step.across)
     rays = [s for s in w.program.steps if isinstance(s, Through) and plan_of(s.start) == "position"]
     return [s.makes for s in rays if s.makes not in own]
 
 
-def _friction(w: Ways) -> Iterator[Variant]:
+def _friction(w: PlanSteps) -> Iterator[Variant]:
     """Friction drawn the way of the motion."""
     leans = [s for s in w.program.steps if isinstance(s, Lean) and _used(w, s.makes)]
     trial = next((s for s in w.own if label_of(s.makes)[-1:] in "+-" and isinstance(s, Cross)), None)
@@ -172,7 +174,5 @@ def _friction(w: Ways) -> Iterator[Variant]:
     yield Variant("friction_along_motion", label, swaps, {}, 1.0, {"mark": label})
 
 
-def _used(w: Ways, lean: str) -> bool:
+def _used(w: PlanSteps, lean: str) -> bool:
     return any(isinstance(s, Cross) and lean in (s.along, s.across) for s in w.own)
-
-

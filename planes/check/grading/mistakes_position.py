@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from planes.check.grading.handwork import Taken, Variant
-from planes.check.grading.ways import Ways
+from planes.check.grading.plan_steps import PlanSteps
 from planes.drafting.steps import CrossArc, CrossArcs, LayOff, Step
 from planes.words import Written
 from planes.words.names import label_of
@@ -16,7 +16,7 @@ LEAST_OFFSET = 1e-6  # relative: a guide nearer to the pivot passes through it
 LEAST_SCALE = 0.04  # a link drawn longer or shorter by less is a matter of care, not of scale
 
 
-def position_variants(w: Ways, taken: Mapping[str, Taken], mu: float) -> Iterator[Variant]:
+def position_variants(w: PlanSteps, taken: Mapping[str, Taken], mu: float) -> Iterator[Variant]:
     """Mistakes of a position plan; the person's own marks say in which scale a link may have been drawn."""
     yield from _angle(w)
     for name, value in w.plans.given.items():
@@ -32,7 +32,7 @@ def position_variants(w: Ways, taken: Mapping[str, Taken], mu: float) -> Iterato
         yield from _scales(w, step, taken, mu)
 
 
-def _centred(w: Ways) -> Iterator[Variant]:
+def _centred(w: PlanSteps) -> Iterator[Variant]:
     """A guide of the frame drawn through the driver's pivot, as if it were not offset."""
     mechanism = w.plans.mechanism
     driver = mechanism.links[mechanism.drive.link]
@@ -44,14 +44,14 @@ def _centred(w: Ways) -> Iterator[Variant]:
             yield from _marked(w, "guide_offset_ignored", users, {place: w.plans.given[pivot]})
 
 
-def _apart(w: Ways, place: str, pivot: str, angle: str) -> bool:
+def _apart(w: PlanSteps, place: str, pivot: str, angle: str) -> bool:
     """Whether the line of a guide misses a point."""
     way = cmath.rect(1.0, math.radians(float(w.plans.given[angle])))
     off = (complex(w.plans.given[pivot]) - complex(w.plans.given[place])) * way.conjugate()
     return abs(off.imag) > LEAST_OFFSET * max(abs(complex(w.plans.given[place])), 1e-9)
 
 
-def _angle(w: Ways) -> Iterator[Variant]:
+def _angle(w: PlanSteps) -> Iterator[Variant]:
     """φ measured from the wrong axis or in the wrong sense."""
     given = w.plans.drive_given
     if w.plans.mechanism.drive.kind != "phi":
@@ -65,7 +65,7 @@ def _angle(w: Ways) -> Iterator[Variant]:
 
 
 def _marked(
-    w: Ways, mistake: str, users: Sequence[Step], givens: Mapping[str, complex], weight: float = 1.0
+    w: PlanSteps, mistake: str, users: Sequence[Step], givens: Mapping[str, complex], weight: float = 1.0
 ) -> Iterator[Variant]:
     """A variant blamed at the first mark of the plan that the changed givens lead to."""
     dirty = {u.makes for u in users}
@@ -78,7 +78,7 @@ def _marked(
                 return
 
 
-def _scales(w: Ways, step: Step, taken: Mapping[str, Taken], mu: float) -> Iterator[Variant]:
+def _scales(w: PlanSteps, step: Step, taken: Mapping[str, Taken], mu: float) -> Iterator[Variant]:
     """A length drawn in another scale, the one the person's own mark shows."""
     own = taken.get(step.makes)
     if own is None:

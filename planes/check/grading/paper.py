@@ -33,7 +33,7 @@ LARGEST_MM = 10_000.0  # no sheet is larger
 
 
 @dataclass(frozen=True)
-class Spot:
+class ReadMark:
     """A mark where it was read, mm of paper, y up, any origin, with the error of its reading (each way)."""
 
     name: str
@@ -42,11 +42,11 @@ class Spot:
 
 
 @dataclass
-class Paper:
+class ReadPaper:
     """Everything read from what was handed in, in its order. It is ``whole`` if nothing can have been overlooked."""
 
     file: str = ""
-    spots: list[Spot] = field(default_factory=list)
+    spots: list[ReadMark] = field(default_factory=list)
     segments: list[tuple[str, float]] = field(default_factory=list)
     results: list[tuple[str, float, str]] = field(default_factory=list)
     scale_mark: str | None = None  # the vector the picture's scale was taken from
@@ -62,9 +62,9 @@ class Paper:
         return PlanesError(Phrase(key, file=self.file, **parts))
 
 
-def read_table(path: str | Path) -> Paper:
+def read_table(path: str | Path) -> ReadPaper:
     """A CSV or JSON file as a paper; :class:`PlanesError` where it cannot be read."""
-    paper = Paper(str(path))
+    paper = ReadPaper(str(path))
     try:
         text = contents(path, LARGEST).decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -82,11 +82,14 @@ def _split(text: str) -> list[tuple[int, list[str]]]:
     first = lines[0] if lines else ""
     mark = next((c for c in (";", "\t") if c in first), ",")
     rows = csv.reader(io.StringIO("\n".join(text.splitlines())), delimiter=mark)
-    return [(rows.line_num, [c.strip() for c in row]) for row in rows if any(c.strip() for c in row)
-            and not row[0].lstrip().startswith("#")]  # fmt: skip
+    return [
+        (rows.line_num, [c.strip() for c in row])
+        for row in rows
+        if any(c.strip() for c in row) and not row[0].lstrip().startswith("#")
+    ]
 
 
-def _read_rows(paper: Paper, rows: Sequence[tuple[int, list[str]]]) -> None:
+def _read_rows(paper: ReadPaper, rows: Sequence[tuple[int, list[str]]]) -> None:
     """Rows under one header or more: a new header begins a new table."""
     columns: list[str] | None = None
     for line, row in rows:
@@ -109,7 +112,7 @@ def _header(row: Sequence[str]) -> list[str] | None:
     return None
 
 
-def _add(paper: Paper, row: Mapping[str, Any], line: int) -> None:
+def _add(paper: ReadPaper, row: Mapping[str, Any], line: int) -> None:
     """One row of whichever table."""
     if len(paper.spots) + len(paper.segments) + len(paper.results) >= MOST:
         raise too_many(paper.file, "rows", MOST)
@@ -120,7 +123,7 @@ def _add(paper: Paper, row: Mapping[str, Any], line: int) -> None:
         x, y = (_length(paper, c, line) for c in cells)
         said = row.get("error_mm") or None
         error = abs(_length(paper, said, line)) if said is not None else max(_rounding(c) for c in cells)
-        paper.spots.append(Spot(str(row["mark"]), complex(x, y), error))
+        paper.spots.append(ReadMark(str(row["mark"]), complex(x, y), error))
     elif "segment" in row and row.get("mm") is not None:
         paper.segments.append((str(row["segment"]), abs(_length(paper, row["mm"], line))))
     elif "result" in row and row.get("value") is not None:
@@ -129,7 +132,7 @@ def _add(paper: Paper, row: Mapping[str, Any], line: int) -> None:
         raise paper.refuse("check_row", line=line)
 
 
-def _number(paper: Paper, cell: Any, line: int) -> float:
+def _number(paper: ReadPaper, cell: Any, line: int) -> float:
     try:
         number = float(str(cell).replace(",", ".").replace("−", "-").replace(" ", "").replace("\u00a0", ""))
     except ValueError:
@@ -139,7 +142,7 @@ def _number(paper: Paper, cell: Any, line: int) -> float:
     return number
 
 
-def _length(paper: Paper, cell: Any, line: int) -> float:
+def _length(paper: ReadPaper, cell: Any, line: int) -> float:
     """A length on a sheet, mm."""
     found = _number(paper, cell, line)
     if abs(found) > LARGEST_MM:
@@ -156,7 +159,7 @@ def _rounding(cell: Any) -> float:
     return float(max(10.0**-digits / _ROUNDED, 0.02))
 
 
-def _read_json(paper: Paper, text: str) -> None:
+def _read_json(paper: ReadPaper, text: str) -> None:
     """The same tables as JSON: a list of rows, or an object of "marks", "segments" and "results"."""
     try:
         data = json.loads(text)

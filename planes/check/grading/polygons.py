@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from planes.check.grading.paper import Spot
+from planes.check.grading.paper import ReadMark
 from planes.drafting.steps import LayOff
 from planes.plans import Plans
 from planes.words.names import POLE, label_of, plan_of
@@ -29,8 +29,8 @@ class Side:
 class Rebuilt:
     """Marks of the program's polygon by label, and what does not close."""
 
-    spots: dict[str, Spot] = field(default_factory=dict)
-    gap: Spot | None = None
+    spots: dict[str, ReadMark] = field(default_factory=dict)
+    gap: ReadMark | None = None
     closing: str = ""
     absent: set[str] = field(default_factory=set)  # known forces that are not there
     unknown: list[str] = field(default_factory=list)
@@ -53,7 +53,7 @@ def loads_of(plans: Plans, plan: str) -> set[str]:
     return {label_of(s.makes) for s in plans.program.steps if isinstance(s, LayOff) and plan_of(s.makes) == plan}
 
 
-def rebuild(plans: Plans, plan: str, spots: Sequence[Spot], whole: bool = True) -> Rebuilt:
+def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], whole: bool = True) -> Rebuilt:
     """The person's vectors, each from the end of the row before it, laid off in the program's order.
 
     Of a ``whole`` polygon what is not listed is not there; else it may have been overlooked.
@@ -81,7 +81,7 @@ def rebuild(plans: Plans, plan: str, spots: Sequence[Spot], whole: bool = True) 
 
 def _lay(
     out: Rebuilt, sides: dict[str, Side], vectors: dict[str, tuple[complex, float]], loads: set[str], whole: bool
-) -> None:  # fmt: skip
+) -> None:
     """Marks from vectors: a side of which one end is known gives the other; a second way to a mark gives the gap."""
     places: dict[str, complex] = {POLE: 0j}
     hidden: set[str] = set()  # left out, or hidden in the next vector
@@ -97,19 +97,19 @@ def _lay(
             hidden.add(side.end)
             if whole:
                 out.absent.add(side.end)
-                out.spots[side.end] = Spot(side.end, places[side.end], 0.0)
+                out.spots[side.end] = ReadMark(side.end, places[side.end], 0.0)
             continue
         vector, error = vectors[name]
         if side.start in places and side.end in places:
             gap = places[side.start] + vector - places[side.end]
             if (whole or not hidden & {side.start, side.end}) and (out.gap is None or abs(gap) > abs(out.gap.place)):
-                out.gap, out.closing = Spot(name, gap, error), name
+                out.gap, out.closing = ReadMark(name, gap, error), name
         elif side.start in places:
             places[side.end] = places[side.start] + vector
-            out.spots[side.end] = Spot(side.end, places[side.end], error)
+            out.spots[side.end] = ReadMark(side.end, places[side.end], error)
         else:
             places[side.start] = places[side.end] - vector
-            out.spots[side.start] = Spot(side.start, places[side.start], error)
+            out.spots[side.start] = ReadMark(side.start, places[side.start], error)
 
 
 def _ready(side: Side, places: dict[str, complex], read: bool, loads: set[str]) -> bool:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from planes.check.grading.bench import Bench
 from planes.check.grading.handwork import Hand, Taken
+from planes.check.grading.prepared_plan import PreparedPlan
 from planes.drafting.steps import LayOff
 from planes.words.names import POLE, at, kind_of
 
@@ -14,7 +14,7 @@ AGREE = 0.02  # vectors whose scales differ by less speak of one
 MOST = 8
 
 
-def own_scales(bench: Bench, taken: Mapping[str, Taken]) -> list[tuple[float, float]]:
+def own_scales(bench: PreparedPlan, taken: Mapping[str, Taken]) -> list[tuple[float, float]]:
     """Scales (mm per unit) worth trying with their relative errors, the stated one first.
 
     Then what most vectors agree on, taken from the one drawn most surely.
@@ -33,7 +33,7 @@ def own_scales(bench: Bench, taken: Mapping[str, Taken]) -> list[tuple[float, fl
     return found[:MOST]
 
 
-def _ratios(bench: Bench, taken: Mapping[str, Taken]) -> list[tuple[float, float]]:
+def _ratios(bench: PreparedPlan, taken: Mapping[str, Taken]) -> list[tuple[float, float]]:
     """Drawn to true lengths, with what drafting and reading may have done to them: of the vectors of a force plan,
     of others from the pole."""
     hand = Hand(bench.program, bench.given, bench.asked.skill, {})

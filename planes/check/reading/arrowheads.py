@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from planes.check.reading.strokes import Head, Sketch, Stroke
+from planes.check.reading.strokes import Arrowhead, ReadDrawing, Stroke
 
 LARGEST_MM = 8.0  # a closed figure no larger may be a head
 NEAR_MM = 0.7  # a tip is at the end of its stroke, or that end is within the head
@@ -23,7 +23,7 @@ SLIM = 0.1  # how far from a head's middle line its shaft may end, in lengths of
 STRAIGHT = 0.94  # the cosine of the angle between a head and its stroke, at the least
 
 
-def head_of(points: Sequence[complex]) -> Head | None:
+def head_of(points: Sequence[complex]) -> Arrowhead | None:
     """The head a small closed figure is: its tip is the corner farthest from the middle, or between equal sides."""
     corners = [a for a, b in pairwise([*points, points[0]]) if abs(b - a) > 0.02]
     if not 3 <= len(corners) <= 12:
@@ -38,7 +38,7 @@ def head_of(points: Sequence[complex]) -> Head | None:
     u = way / abs(way)
     across = [((z - tip) * u.conjugate()).imag for z in others]
     long = max(((tip - z) * u.conjugate()).real for z in others)
-    return Head(tip, u, long) if 0.02 * size < max(across) - min(across) < 1.3 * size else None
+    return Arrowhead(tip, u, long) if 0.02 * size < max(across) - min(across) < 1.3 * size else None
 
 
 def _apex(corners: Sequence[complex]) -> complex | None:
@@ -50,7 +50,7 @@ def _apex(corners: Sequence[complex]) -> complex | None:
     return corners[even[0]] if len(even) == 1 else None
 
 
-def settle(sketch: Sketch) -> None:
+def settle(sketch: ReadDrawing) -> None:
     """Open heads become heads; each goes to its stroke; short strokes that have none, and dimension lines, go."""
     shafts = given(sketch.strokes, sketch.heads)[0] if sketch.heads else []
     free = [s for k, s in enumerate(sketch.strokes) if not (shafts and shafts[k])]
@@ -65,7 +65,7 @@ def settle(sketch: Sketch) -> None:
     _join(sketch)
 
 
-def _join(sketch: Sketch) -> None:
+def _join(sketch: ReadDrawing) -> None:
     """Strokes without heads that a stroke with a head goes straight on from, where nothing else meets, join it."""
     if len(sketch.strokes) > MOST_JOINED:
         return
@@ -99,7 +99,7 @@ def _reaching(stroke: Stroke, way: int, tip: complex | None) -> Stroke:
     return (stroke[0], tip) if way > 0 else (tip, stroke[1])
 
 
-def given(strokes: Sequence[Stroke], heads: Sequence[Head]) -> tuple[list[int], dict[int, complex]]:
+def given(strokes: Sequence[Stroke], heads: Sequence[Arrowhead]) -> tuple[list[int], dict[int, complex]]:
     """Which end of each stroke has a head: +1 the second, -1 the first, 0 neither, 2 both; a head has one stroke.
 
     With them the tips of those strokes that end within their heads.
@@ -117,7 +117,7 @@ def given(strokes: Sequence[Stroke], heads: Sequence[Head]) -> tuple[list[int], 
     return found, tips
 
 
-def _candidates(strokes: Sequence[Stroke], head: Head) -> list[tuple[float, int, int]]:
+def _candidates(strokes: Sequence[Stroke], head: Arrowhead) -> list[tuple[float, int, int]]:
     """Ends of strokes a head may belong to: how far it is (less than nothing if within it), which stroke, which end."""
     tip, way, long = head
     found = []
@@ -132,14 +132,18 @@ def _candidates(strokes: Sequence[Stroke], head: Head) -> list[tuple[float, int,
     return found
 
 
-def _open(strokes: Sequence[Stroke], free: Sequence[Stroke]) -> list[tuple[Head, tuple[Stroke, Stroke]]]:
+def _open(strokes: Sequence[Stroke], free: Sequence[Stroke]) -> list[tuple[Arrowhead, tuple[Stroke, Stroke]]]:
     """Pairs of short strokes, of those ``free``, that spread alike from the end of a longer one."""
     short = [s for s in free if abs(s[1] - s[0]) <= LARGEST_MM]
     found = []
     if len(short) > 400:
         return []
-    spread = [(head, wings, far) for i, one in enumerate(short) for wings in ((one, two) for two in short[:i])
-              for head, far in _spread(*wings)]  # fmt: skip
+    spread = [
+        (head, wings, far)
+        for i, one in enumerate(short)
+        for wings in ((one, two) for two in short[:i])
+        for head, far in _spread(*wings)
+    ]
     if len(strokes) * len(spread) > MOST_PAIRS:
         return []
     for head, wings, far in spread:
@@ -149,14 +153,14 @@ def _open(strokes: Sequence[Stroke], free: Sequence[Stroke]) -> list[tuple[Head,
     return found
 
 
-def _spread(one: Stroke, two: Stroke) -> Iterator[tuple[Head, float]]:
+def _spread(one: Stroke, two: Stroke) -> Iterator[tuple[Arrowhead, float]]:
     """The open head two strokes make, and how long it is, if they spread alike from where they meet."""
     tip, ends = _corner(one, two)
     if tip is None or abs(abs(ends[0] - tip) - abs(ends[1] - tip)) > 0.15 * abs(ends[0] - tip):
         return
     middle = tip - (ends[0] + ends[1]) / 2
     if 0.12 < abs(ends[0] - ends[1]) / max(abs(ends[0] - tip), 1e-9) < 1.3:
-        yield Head(tip, middle / abs(middle)), abs(ends[0] - tip)
+        yield Arrowhead(tip, middle / abs(middle)), abs(ends[0] - tip)
 
 
 def _corner(one: Stroke, two: Stroke) -> tuple[complex | None, tuple[complex, complex]]:
@@ -168,16 +172,16 @@ def _corner(one: Stroke, two: Stroke) -> tuple[complex | None, tuple[complex, co
     return None, (0j, 0j)
 
 
-def tapered(points: Sequence[complex], widths: Sequence[tuple[float, float]]) -> tuple[list[complex], list[Head]]:
+def tapered(points: Sequence[complex], widths: Sequence[tuple[float, float]]) -> tuple[list[complex], list[Arrowhead]]:
     """A polyline some of whose segments narrow to nothing: those are heads, the line goes on to their tips."""
-    kept, heads = [points[0]], list[Head]()
+    kept, heads = [points[0]], list[Arrowhead]()
     for (a, b), (wide, narrow) in zip(pairwise(points), widths, strict=False):
         small = 0 < abs(b - a) <= LARGEST_MM
         if small and wide == 0 < narrow:
-            heads.append(Head(a, (a - b) / abs(a - b)))
+            heads.append(Arrowhead(a, (a - b) / abs(a - b)))
             continue  # the shaft goes on from the tip
         if small and narrow == 0 < wide:
-            heads.append(Head(b, (b - a) / abs(b - a)))
+            heads.append(Arrowhead(b, (b - a) / abs(b - a)))
             if len(kept) > 1 and _on(kept[-2], kept[-1], b):
                 kept.pop()  # the shaft reaches the tip
         kept.append(b)

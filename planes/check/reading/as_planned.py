@@ -12,13 +12,13 @@ from dataclasses import replace
 from itertools import combinations
 from typing import Any
 
-from planes.check.grading.bench import Bench
 from planes.check.grading.grading import grade, readable
-from planes.check.grading.paper import Paper, Spot
+from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.chains import true_vectors
 from planes.check.reading.lone_vectors import arrows_of, others
 from planes.check.reading.parts import NEAR_WORD_MM
-from planes.check.reading.strokes import SHORT_MM, Sketch, Stroke
+from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke
 from planes.check.reading.words_near import LEADER_MM, Candidates
 from planes.drafting.drawing import run
 from planes.words.errors import PlanesError
@@ -32,7 +32,7 @@ EXCHANGED_MM, VECTORS_MM = 6.0, 3.0  # two words so much nearer to each other's 
 UPON_MM = 1.0  # of two vectors upon each other no distance tells which name is whose
 
 
-def marks_as_planned(sketch: Sketch, bench: Bench, near: Candidates, poles: Iterable[complex]) -> Paper:
+def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates, poles: Iterable[complex]) -> ReadPaper:
     """The marks of a motion plan or a scheme; none where it is not drawn whole and rightly."""
     truth = {label_of(m): complex(run(bench.program, bench.given)[m]) for m in bench.marks}
     scheme = kind_of(bench.asked.plan) == "position"
@@ -42,8 +42,9 @@ def marks_as_planned(sketch: Sketch, bench: Bench, near: Candidates, poles: Iter
     words = [(n, w) for w in sketch.words if (n := names.find(w.text)) in truth]
     plain = [way for k, s in enumerate(sketch.strokes) if not sketch.ways or not sketch.ways[k] for way in (s, s[::-1])]
     plain = [(a, b) for a, b in plain if all(abs(a - z) > SHORT_MM for z in tips)]  # no leader begins at a mark
-    words += [(n, replace(w, place=b, height=0.1, width=0.1)) for n, w in words for a, b in plain
-              if w.distance(a) < LEADER_MM]  # fmt: skip
+    words += [
+        (n, replace(w, place=b, height=0.1, width=0.1)) for n, w in words for a, b in plain if w.distance(a) < LEADER_MM
+    ]
 
     def word(name: str, z: complex) -> float:
         far = min(w.distance(z) for n, w in words if n == name)
@@ -56,20 +57,20 @@ def marks_as_planned(sketch: Sketch, bench: Bench, near: Candidates, poles: Iter
         ends = [pole, *found.values()]
         there = all(abs(found[n] - pole - z) <= REACH_MM for n, z in truth.items())
         if there and all(abs(_nearest(z, ends) - z) <= REACH_MM for arrow in arrows for z in arrow):
-            spots = [Spot(n, z, sketch.error_mm) for n, z in {POLE: pole, **found}.items()]
-            paper = Paper(sketch.file, spots, whole=False)
+            spots = [ReadMark(n, z, sketch.error_mm) for n, z in {POLE: pole, **found}.items()]
+            paper = ReadPaper(sketch.file, spots, whole=False)
             if _named(found, near.keys() & truth, word) and is_right(bench, paper):
                 return paper
-    return Paper(sketch.file, whole=False)
+    return ReadPaper(sketch.file, whole=False)
 
 
 def _nearest(z: complex, places: Sequence[complex]) -> complex:
     return min(places, key=lambda w: abs(w - z))
 
 
-def vectors_as_planned(sketch: Sketch, bench: Bench) -> Paper:
+def vectors_as_planned(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     """The vectors of a force plan, each a row of its own; none where one is not drawn, or an arrow is over."""
-    sides, nothing = true_vectors(bench), Paper(sketch.file, whole=False)
+    sides, nothing = true_vectors(bench), ReadPaper(sketch.file, whole=False)
     arrows, spelt = arrows_of(sketch), bench.written(sides)
     words = [(spelt.find(w.text), w) for w in sketch.words]
 
@@ -89,8 +90,8 @@ def vectors_as_planned(sketch: Sketch, bench: Bench) -> Paper:
             return nothing
     known = [*sides.values(), *others(bench).values()]
     over = any(not _alike(s, t) and not _alike(s[::-1], t) for s in arrows for t in [_like(s, known)])
-    spots = [Spot(n, z, sketch.error_mm) for name, (a, b) in rows.items() for n, z in ((POLE, a), (name, b))]
-    paper = Paper(sketch.file, spots, whole=len(rows) == len(sides))
+    spots = [ReadMark(n, z, sketch.error_mm) for name, (a, b) in rows.items() for n, z in ((POLE, a), (name, b))]
+    paper = ReadPaper(sketch.file, spots, whole=len(rows) == len(sides))
     over = over or any(max(abs(a - d), abs(b - c)) < UPON_MM for (a, b), (c, d) in combinations(rows.values(), 2))
     return paper if not over and _named(rows, rows, word, VECTORS_MM) and is_right(bench, paper) else nothing
 
@@ -108,15 +109,16 @@ def _like(stroke: Stroke, known: Sequence[complex]) -> complex:
 
 def _named(
     found: Mapping[str, Any], words: Iterable[str], word: Callable[[str, Any], float], nearer: float = EXCHANGED_MM
-) -> bool:  # fmt: skip
+) -> bool:
     """Whether the word of all that have one is beside it, and no two are exchanged; ``word`` tells how far it is."""
     own = {n: word(n, found[n]) for n in words}
     return all(map(math.isfinite, own.values())) and not any(
         word(one, found[two]) + word(two, found[one]) + nearer < own[one] + own[two]
-        for one, two in combinations(own, 2))  # fmt: skip
+        for one, two in combinations(own, 2)
+    )
 
 
-def is_right(bench: Bench, paper: Paper) -> bool:
+def is_right(bench: PreparedPlan, paper: ReadPaper) -> bool:
     """Whether a paper is right."""
     try:
         found = grade(bench, paper)

@@ -7,10 +7,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise
 
-from planes.check.grading.bench import Bench
-from planes.check.grading.paper import Paper, Spot
+from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.polygons import sides_of
-from planes.check.reading.strokes import Nodes, Sketch, Words
+from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.reading.strokes import Nodes, ReadDrawing, Words
 from planes.drafting.drawing import run
 from planes.words.names import POLE, at
 from planes.words.spelling import Names
@@ -41,7 +41,7 @@ class Edge:
 Trail = list[tuple[Edge, int]]  # lines passed, each with the node it is left at
 
 
-def force_chain(sketch: Sketch, nodes: Nodes, bench: Bench, paper: Paper) -> Paper:
+def force_chain(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
     """The polygon as rows: the pole, then the end of every vector in the order they were drawn."""
     truth = true_vectors(bench)
     pole = _pole(sketch.words, nodes)
@@ -52,7 +52,7 @@ def force_chain(sketch: Sketch, nodes: Nodes, bench: Bench, paper: Paper) -> Pap
         if not edges or len(edges) > MOST_LINES:
             continue
         words = beside(sketch.words, nodes, edges, bench.written(truth))
-        best: tuple[float, list[Spot], bool] | None = None
+        best: tuple[float, list[ReadMark], bool] | None = None
         for start, trail in _trails(edges, pole):
             rows = _rows(start, trail, nodes, words, truth, sketch.error_mm)
             whole = trail[-1][1] == start and len(trail) == len(edges)
@@ -64,7 +64,7 @@ def force_chain(sketch: Sketch, nodes: Nodes, bench: Bench, paper: Paper) -> Pap
     return paper
 
 
-def true_vectors(bench: Bench) -> dict[str, complex]:
+def true_vectors(bench: PreparedPlan) -> dict[str, complex]:
     """Every vector of the right plan by name."""
     plan = bench.asked.plan
     made = run(bench.program, bench.given)
@@ -75,7 +75,7 @@ def true_vectors(bench: Bench) -> dict[str, complex]:
     return found
 
 
-def _edges(sketch: Sketch, nodes: Nodes, split: bool) -> list[Edge]:
+def _edges(sketch: ReadDrawing, nodes: Nodes, split: bool) -> list[Edge]:
     """Nodes joined by strokes; if ``split``, a stroke through a node is two."""
     found: list[Edge] = []
     for k, (a, b) in enumerate(sketch.strokes):
@@ -168,9 +168,13 @@ def _trails(edges: Sequence[Edge], pole: int | None) -> Iterator[tuple[int, Trai
 
 
 def _rows(
-    pole: int, trail: Trail, nodes: Nodes, words: Mapping[str, Mapping[tuple[Edge, int], float]],
-    truth: Mapping[str, complex], error_mm: float,
-) -> tuple[float, list[Spot]] | None:  # fmt: skip
+    pole: int,
+    trail: Trail,
+    nodes: Nodes,
+    words: Mapping[str, Mapping[tuple[Edge, int], float]],
+    truth: Mapping[str, complex],
+    error_mm: float,
+) -> tuple[float, list[ReadMark]] | None:
     """A trail's vectors named by the words beside them and by their likeness, with how well all this fits."""
     ends = [nodes.places[i] for i in (pole, *(node for _, node in trail))]
     vectors = [b - a for a, b in pairwise(ends)]
@@ -183,8 +187,8 @@ def _rows(
     if not any(names):
         return None
     score = sum(TOO_FAR - cost[n] for n, cost in zip(names, costs, strict=True) if n)
-    start = Spot(POLE, ends[0], error_mm)
-    rows = [Spot(n or f"?{i}", z, error_mm) for i, (n, z) in enumerate(zip(names, ends[1:], strict=True))]
+    start = ReadMark(POLE, ends[0], error_mm)
+    rows = [ReadMark(n or f"?{i}", z, error_mm) for i, (n, z) in enumerate(zip(names, ends[1:], strict=True))]
     return (score - 3 * names.count(None)) / TOO_FAR, [start, *rows]
 
 

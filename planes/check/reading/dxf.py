@@ -12,7 +12,7 @@ from typing import Any
 from planes.check.reading.arrowheads import head_of, settle, tapered
 from planes.check.reading.opened import MB, contents, too_many
 from planes.check.reading.parts import joined, without_letters
-from planes.check.reading.strokes import ROUND_MM, Head, Sketch, Words
+from planes.check.reading.strokes import ROUND_MM, Arrowhead, ReadDrawing, Words
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
 
@@ -24,7 +24,7 @@ DEEPEST = 30  # blocks within blocks
 MEASURES = ("DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION", "TOLERANCE", "VIEWPORT")  # no vectors
 
 
-def read_dxf(path: str | Path) -> Sketch:
+def read_dxf(path: str | Path) -> ReadDrawing:
     """The strokes of a file's model space in mm, of its sheets where that is empty.
 
     :class:`PlanesError` where it is not a DXF.
@@ -44,8 +44,8 @@ def read_dxf(path: str | Path) -> Sketch:
     return found
 
 
-def _sketch(document: Any, space: Any, scale: float, file: str) -> Sketch:
-    found = Sketch(file)
+def _sketch(document: Any, space: Any, scale: float, file: str) -> ReadDrawing:
+    found = ReadDrawing(file)
     unseen = {layer.dxf.name.casefold() for layer in document.layers if layer.is_off() or layer.is_frozen()}
     for entity in _taken_apart(space, unseen, 0, _Counted(file)):
         try:
@@ -89,7 +89,7 @@ def _taken_apart(entities: Iterable[Any], unseen: set[str], depth: int, counted:
                 yield from one.attribs
 
 
-def _entity(found: Sketch, entity: Any, scale: float) -> None:
+def _entity(found: ReadDrawing, entity: Any, scale: float) -> None:
     """One entity, if it is straight, a head or a text."""
     match entity.dxftype():
         case "LINE":
@@ -102,7 +102,7 @@ def _entity(found: Sketch, entity: Any, scale: float) -> None:
             places = [_z(v, scale) for v in entity.vertices]
             found.add(places)
             if entity.dxf.get("has_arrowhead", 1) and len(places) > 1 and places[0] != places[1]:
-                found.heads.append(Head(places[0], (places[0] - places[1]) / abs(places[0] - places[1])))
+                found.heads.append(Arrowhead(places[0], (places[0] - places[1]) / abs(places[0] - places[1])))
         case "SOLID" | "TRACE":
             _head(found, [_z(p, scale) for p in entity.wcs_vertices()])
         case "HATCH":
@@ -120,7 +120,7 @@ def _entity(found: Sketch, entity: Any, scale: float) -> None:
             _words(found, text, insert - along * width * back, height, along, width)
 
 
-def _polyline(found: Sketch, entity: Any, scale: float) -> None:
+def _polyline(found: ReadDrawing, entity: Any, scale: float) -> None:
     """A polyline: a vector or several, perhaps with heads of its own, or a hollow head."""
     if entity.dxftype() == "LWPOLYLINE":
         points = [_z(p, scale) for p in entity.vertices_in_wcs()]
@@ -128,8 +128,10 @@ def _polyline(found: Sketch, entity: Any, scale: float) -> None:
         closed = bool(entity.closed)
     else:
         points = [_z(p, scale) for p in entity.points_in_wcs()]
-        rows = [(v.dxf.get("start_width", 0.0), v.dxf.get("end_width", 0.0), v.dxf.get("bulge", 0.0))
-                for v in entity.vertices]  # fmt: skip
+        rows = [
+            (v.dxf.get("start_width", 0.0), v.dxf.get("end_width", 0.0), v.dxf.get("bulge", 0.0))
+            for v in entity.vertices
+        ]
         closed = bool(entity.is_closed)
     if head := head_of(points) if closed or (len(points) > 3 and abs(points[0] - points[-1]) < 1e-6) else None:
         found.heads.append(head)
@@ -146,7 +148,7 @@ def _polyline(found: Sketch, entity: Any, scale: float) -> None:
     found.add(points, closed)
 
 
-def _head(found: Sketch, places: list[complex]) -> None:
+def _head(found: ReadDrawing, places: list[complex]) -> None:
     if len(places) > 2 and (head := head_of(places)):
         found.heads.append(head)
 
@@ -161,7 +163,7 @@ def _boundary(entity: Any, path: Any, scale: float) -> list[complex]:
     return [_z(ocs.to_wcs((x, y, 0)), scale) for x, y, *_ in corners]
 
 
-def _text(found: Sketch, entity: Any, scale: float) -> None:
+def _text(found: ReadDrawing, entity: Any, scale: float) -> None:
     """A line of text: where its lower left corner is depends on how it is aligned."""
     along = cmath.rect(1, math.radians(entity.dxf.get("rotation", 0.0)))
     across, up = entity.dxf.get("halign", 0), entity.dxf.get("valign", 0)
@@ -178,7 +180,7 @@ def _text(found: Sketch, entity: Any, scale: float) -> None:
     _words(found, text, _z(at, scale) - along * (width * back + 1j * height * down), height, along, width)
 
 
-def _words(found: Sketch, text: str, place: complex, height: float, along: complex, width: float) -> None:
+def _words(found: ReadDrawing, text: str, place: complex, height: float, along: complex, width: float) -> None:
     if text.strip() and len(text) <= LONGEST:
         found.words.append(Words(text.strip(), place, height, width, along))
 

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from planes.check.grading.bench import Bench
-from planes.check.grading.paper import Spot
+from planes.check.grading.paper import ReadMark
+from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.chains import FAR_WORD, NEAR_MM, NO_WORD, TOO_FAR, UNLIKE, named_best, true_vectors
-from planes.check.reading.strokes import Sketch, Stroke, headed
+from planes.check.reading.strokes import ReadDrawing, Stroke, headed
 from planes.drafting.drawing import run
 from planes.words.names import POLE, at
 
@@ -25,27 +25,31 @@ HEADLESS_MM = 2.0  # a shorter vector may be drawn without a head
 Costs = list[dict[str, float]]
 
 
-def lone_vectors(sketch: Sketch, bench: Bench) -> tuple[list[Spot], bool]:
+def lone_vectors(sketch: ReadDrawing, bench: PreparedPlan) -> tuple[list[ReadMark], bool]:
     """The plan's vectors, each as a row of its own, and whether nothing can have been overlooked."""
     arrows = arrows_of(sketch)
-    bare = [s for stroke in sketch.strokes if abs(stroke[1] - stroke[0]) < HEADLESS_MM and stroke not in arrows
-            and stroke[::-1] not in arrows for s in (stroke, stroke[::-1])]  # fmt: skip
+    bare = [
+        s
+        for stroke in sketch.strokes
+        if abs(stroke[1] - stroke[0]) < HEADLESS_MM and stroke not in arrows and stroke[::-1] not in arrows
+        for s in (stroke, stroke[::-1])
+    ]
     sides = true_vectors(bench)
     names = _named([*arrows, *bare], sketch, bench, {**others(bench), **sides})
     rows = [(n, a, b) for n, (a, b) in zip(names, [*arrows, *bare], strict=True) if n in sides]
-    spots = [Spot(n, z, sketch.error_mm) for name, a, b in rows for n, z in ((POLE, a), (name or "", b))]
+    spots = [ReadMark(n, z, sketch.error_mm) for name, a, b in rows for n, z in ((POLE, a), (name or "", b))]
     seen = all(n in names for n, v in sides.items() if abs(v) < HEADLESS_MM)
     return spots, bool(arrows) and all(names[: len(arrows)]) and seen
 
 
-def arrows_of(sketch: Sketch) -> list[Stroke]:
+def arrows_of(sketch: ReadDrawing) -> list[Stroke]:
     """Strokes with arrowheads, each towards its head."""
     return [s if sketch.ways[k] > 0 else s[::-1] for k in headed(sketch) if (s := sketch.strokes[k])]
 
 
 def _named(
-    arrows: Sequence[Stroke], sketch: Sketch, bench: Bench, known: Mapping[str, complex]
-) -> list[str | None]:  # fmt: skip
+    arrows: Sequence[Stroke], sketch: ReadDrawing, bench: PreparedPlan, known: Mapping[str, complex]
+) -> list[str | None]:
     """The arrows' names, at the size that explains them best: it is the drawer's choice."""
     lengths = [abs(t) for t in known.values() if abs(t) > HEADLESS_MM]
     sizes: list[float] = []
@@ -62,14 +66,17 @@ def _named(
     return best[1] if best else []
 
 
-def others(bench: Bench) -> dict[str, complex]:
+def others(bench: PreparedPlan) -> dict[str, complex]:
     """Vectors that may be drawn beside the polygon's own: whole reactions, inner ones."""
     plan, made = bench.asked.plan, run(bench.plans.program, bench.given)
-    return {s.name.replace("^", ""): complex(made[at(plan, s.end)] - made[at(plan, s.start)])
-            for s in bench.plans.segments if s.plan == plan}  # fmt: skip
+    return {
+        s.name.replace("^", ""): complex(made[at(plan, s.end)] - made[at(plan, s.start)])
+        for s in bench.plans.segments
+        if s.plan == plan
+    }
 
 
-def _costs(arrows: Sequence[Stroke], sketch: Sketch, bench: Bench, known: Mapping[str, complex]) -> Costs:
+def _costs(arrows: Sequence[Stroke], sketch: ReadDrawing, bench: PreparedPlan, known: Mapping[str, complex]) -> Costs:
     """What it costs each arrow to have each name: how far its word stands, and how unlike the true vector it is."""
     spelt = bench.written(known)
     words = [(spelt.find(w.text), w) for w in sketch.words]
@@ -83,8 +90,13 @@ def _costs(arrows: Sequence[Stroke], sketch: Sketch, bench: Bench, known: Mappin
                 near[name] = min(near[name], far)
         unlike = {n: _unlike(b - a, t) for n, t in known.items()}
         short = abs(b - a) < HEADLESS_MM  # without its head
-        out.append({n: near[n] + (NAMED if n in written else UNLIKE) * unlike[n] for n in known
-                    if not short or abs(known[n]) < HEADLESS_MM})  # fmt: skip
+        out.append(
+            {
+                n: near[n] + (NAMED if n in written else UNLIKE) * unlike[n]
+                for n in known
+                if not short or abs(known[n]) < HEADLESS_MM
+            }
+        )
     return [{n: c for n, c in row.items() if c < TOO_FAR} for row in out]
 
 

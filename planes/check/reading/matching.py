@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from planes.check.grading.bench import Bench, variants_of
 from planes.check.grading.handwork import Hand, Taken
-from planes.check.grading.paper import Paper, Spot
+from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.check.reading.as_planned import is_right, marks_as_planned, vectors_as_planned
 from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
 from planes.check.reading.lone_vectors import lone_vectors
 from planes.check.reading.sizing import sized
-from planes.check.reading.strokes import LOOSE_MM, Nodes, Sketch, Words, covered, headed, hinged
+from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, covered, headed, hinged
 from planes.check.reading.words_near import Candidates, by_words, led, origin_of, pole_of
 from planes.drafting.drawing import run
 from planes.words import Phrase
@@ -32,9 +32,9 @@ LOOSE = 0.2  # of how far joined ends are apart, the error of where they are
 ALONG = 0.7  # the share of a vector that must be drawn for its end to count
 
 
-def paper_of(sketch: Sketch, bench: Bench, pole: complex | None = None) -> Paper:
+def paper_of(sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None = None) -> ReadPaper:
     """The marks of a plan found on a sketch; its pole may be known beforehand."""
-    paper = Paper(sketch.file, whole=False)
+    paper = ReadPaper(sketch.file, whole=False)
     if pole is not None:
         sketch.strokes = [(_at(pole, a), _at(pole, b)) for a, b in sketch.strokes if _at(pole, a) != _at(pole, b)]
     sketch = replace(sketch, words=[one for w in sketch.words for one in w.listed()])
@@ -70,12 +70,12 @@ def paper_of(sketch: Sketch, bench: Bench, pole: complex | None = None) -> Paper
     if found.spots:
         return found
     places = _marks(bench, sketch, nodes, origin, near)
-    paper.spots = [Spot(POLE, origin, sketch.error_mm)]
-    paper.spots += [Spot(n, places[n], sketch.error_mm) for n in labels if n in places]
+    paper.spots = [ReadMark(POLE, origin, sketch.error_mm)]
+    paper.spots += [ReadMark(n, places[n], sketch.error_mm) for n in labels if n in places]
     return paper
 
 
-def _polygon(sketch: Sketch, nodes: Nodes, bench: Bench, paper: Paper) -> Paper:
+def _polygon(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
     """The vectors of a force plan: as the chain they make up, else each by its arrowhead and name."""
     paper = force_chain(sketch, nodes, bench, paper)
     if not paper.whole and 0 < len(headed(sketch)) <= MOST_LINES:
@@ -95,12 +95,14 @@ def _at(pole: complex, z: complex) -> complex:
     return pole if abs(z - pole) < POLE_MM else z
 
 
-def _marks(bench: Bench, sketch: Sketch, nodes: Nodes, origin: complex, near: Candidates) -> dict[str, complex]:
+def _marks(
+    bench: PreparedPlan, sketch: ReadDrawing, nodes: Nodes, origin: complex, near: Candidates
+) -> dict[str, complex]:
     """Every mark in order of drawing, looked for where its word stands and where its step may lead."""
     worded = len(near) >= WORDED * (len(bench.marks) + 1)
     near = {n: dict(nodes_near) for n, nodes_near in near.items()}
     for _ in range(len(bench.marks)):
-        desk = _Desk(bench, sketch, nodes, origin, _tips(sketch, nodes), worded)
+        desk = _MarkSearch(bench, sketch, nodes, origin, _tips(sketch, nodes), worded)
         for mark in bench.marks:
             desk.look(mark, near.get(label_of(mark)))
         better = desk.exchange()
@@ -110,7 +112,7 @@ def _marks(bench: Bench, sketch: Sketch, nodes: Nodes, origin: complex, near: Ca
     return desk.found
 
 
-def _tips(sketch: Sketch, nodes: Nodes) -> set[int] | None:
+def _tips(sketch: ReadDrawing, nodes: Nodes) -> set[int] | None:
     """Nodes with an arrowhead, or with the circle of a point; None where too few have one for that to tell anything."""
     if sketch.rounds:
         found = (nodes.nearest(z, nodes.near) for z, _ in sketch.rounds)
@@ -120,11 +122,11 @@ def _tips(sketch: Sketch, nodes: Nodes) -> set[int] | None:
 
 
 @dataclass
-class _Desk:
+class _MarkSearch:
     """A drawing on which marks are looked for, one after another."""
 
-    bench: Bench
-    sketch: Sketch
+    bench: PreparedPlan
+    sketch: ReadDrawing
     nodes: Nodes
     origin: complex
     tips: set[int] | None
@@ -195,7 +197,6 @@ class _Desk:
         odd += USED if self._strange(node, guesses) else 0.0
         return odd + (2.0 if self.tips is not None and node not in self.tips else 0.0)
 
-
     def _strange(self, node: int, guesses: list[tuple[complex, float]]) -> bool:
         """Whether another mark is at a node already, where the two should not be together."""
         place, reach = guesses[0]
@@ -203,7 +204,7 @@ class _Desk:
         return not self._fresh(node) and not together
 
 
-def _guesses(bench: Bench, hand: Hand, mark: str) -> Iterator[tuple[complex, float]]:
+def _guesses(bench: PreparedPlan, hand: Hand, mark: str) -> Iterator[tuple[complex, float]]:
     """Where a mark should be, and where each mistake would put it; with how far to look around."""
     yield hand.number(mark), 1.0
     for variant in variants_of(bench, hand, bench.said_mu):
@@ -218,8 +219,8 @@ def _starts(step: object) -> list[str]:
 
 
 def scaled(
-    sketch: Sketch, bench: Bench, pole: complex | None, marks: Mapping[str, complex]
-) -> tuple[Sketch, str | None]:
+    sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None, marks: Mapping[str, complex]
+) -> tuple[ReadDrawing, str | None]:
     """The sketch with its scale set by a named pole and a named vector; the vector's name."""
     named = next(iter(marks), None)
     if pole is None or named is None:
@@ -229,9 +230,11 @@ def scaled(
         return sketch, None
     truth = run(bench.program, bench.given)
     factor = abs(truth[at(bench.asked.plan, name)]) / abs(marks[named] - pole)
-    words = [replace(w, place=(w.place - pole) * factor, height=w.height * factor, width=w.width * factor)
-             for w in sketch.words]  # fmt: skip
+    words = [
+        replace(w, place=(w.place - pole) * factor, height=w.height * factor, width=w.width * factor)
+        for w in sketch.words
+    ]
     words.append(Words("p", 0j, 0.1, 0.1))
     words += [Words(n, (z - pole) * factor, 0.1, 0.1) for n, z in marks.items()]
     strokes = [((a - pole) * factor, (b - pole) * factor) for a, b in sketch.strokes]
-    return Sketch(sketch.file, strokes, words, sketch.error_mm, sketch.ways), name
+    return ReadDrawing(sketch.file, strokes, words, sketch.error_mm, sketch.ways), name

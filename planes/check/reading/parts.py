@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from planes.check.reading.strokes import Round, Sketch, Stroke, Words
+from planes.check.reading.strokes import ReadDrawing, Round, Stroke, Words
 
 TOGETHER_MM = 2.3  # strokes no farther apart belong together: a force is drawn this far beside another one
 NEAR_WORD_MM = 12.0  # a word farther off names something else
@@ -41,11 +41,12 @@ def _goes_on(first: Words, whole: Words, word: Words) -> bool:
     small = word.height < INDEX * first.height or set(word.text) <= set("'′’")
     level = RISE[0] * first.height < local.imag < RISE[1] * first.height
     along = abs(word.along - first.along) < 0.02 and any(
-        GAP[0] * first.height < local.real - end < GAP[1] * first.height for end in (first.width, whole.width))
+        GAP[0] * first.height < local.real - end < GAP[1] * first.height for end in (first.width, whole.width)
+    )
     return small and level and along
 
 
-def without_letters(sketch: Sketch) -> None:
+def without_letters(sketch: ReadDrawing) -> None:
     """Strokes within the box of a word, that touch nothing beyond it, are the letters of that word."""
     import numpy
 
@@ -76,7 +77,7 @@ def _touched(ends: Any, inside: Any, tips: Sequence[complex]) -> Any:
     return found
 
 
-def parts(sketch: Sketch) -> list[Sketch]:
+def parts(sketch: ReadDrawing) -> list[ReadDrawing]:
     """The sketch by pieces that hang together, those with most strokes first; what is smaller than a plan goes."""
     if len(sketch.strokes) > MOST:
         return []
@@ -110,7 +111,7 @@ def _shapes(strokes: Sequence[Stroke], rounds: Sequence[Round]) -> Any:
     return numpy.array([*lines, *(disc.buffer(r) for disc, (_, r) in zip(discs, rounds, strict=True))], object)
 
 
-def _part(sketch: Sketch, held: list[int]) -> Sketch | None:
+def _part(sketch: ReadDrawing, held: list[int]) -> ReadDrawing | None:
     """Some of the strokes, with the words and circles near them."""
     strokes = [sketch.strokes[k] for k in held]
     xs, ys = [z.real for s in strokes for z in s], [z.imag for s in strokes for z in s]
@@ -120,8 +121,14 @@ def _part(sketch: Sketch, held: list[int]) -> Sketch | None:
     far = _distances(strokes, [w.middle for w in words])
     words = [w for w, d in zip(words, far, strict=True) if d < NEAR_WORD_MM + w.width / 2]
     rounds = [r for r, d in zip(rounds, _distances(strokes, [z for z, _ in rounds]), strict=True) if d < NEAR_ROUND_MM]
-    return Sketch(sketch.file, strokes, words, sketch.error_mm, [sketch.ways[k] for k in held] if sketch.ways else [],
-                  rounds=rounds)  # fmt: skip
+    return ReadDrawing(
+        sketch.file,
+        strokes,
+        words,
+        sketch.error_mm,
+        [sketch.ways[k] for k in held] if sketch.ways else [],
+        rounds=rounds,
+    )
 
 
 def _distances(strokes: Sequence[Stroke], places: Sequence[complex]) -> list[float]:

@@ -9,7 +9,7 @@ from typing import Any
 from xml.etree import ElementTree
 
 from planes.check.reading.opened import MB, contents
-from planes.check.reading.strokes import Sketch
+from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.svg import sketch_of
 
 LARGEST = 200 * MB
@@ -19,7 +19,7 @@ FEWEST = 4  # with fewer lines the page is a picture
 PICTURE = 0.5  # an image over so much of the page is what the page shows
 
 
-def read_pdf(path: str | Path, page: int = 0) -> Sketch | None:
+def read_pdf(path: str | Path, page: int = 0) -> ReadDrawing | None:
     """The strokes of a page in mm, y up; None where it shows a picture, or cannot be read."""
     import pypdfium2
 

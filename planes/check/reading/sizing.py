@@ -7,9 +7,9 @@ import statistics
 from collections.abc import Mapping
 from itertools import combinations
 
-from planes.check.grading.bench import Bench
+from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.chains import true_vectors
-from planes.check.reading.strokes import Nodes, Sketch
+from planes.check.reading.strokes import Nodes, ReadDrawing
 from planes.drafting.drawing import run
 from planes.words.names import POLE, kind_of, label_of
 
@@ -19,7 +19,9 @@ ALIKE = math.log(1.15)  # lengths that speak of one scale
 NEAR_MM = 9.0
 
 
-def sized(bench: Bench, sketch: Sketch, nodes: Nodes, near: Mapping[str, Mapping[int, float]]) -> Bench:
+def sized(
+    bench: PreparedPlan, sketch: ReadDrawing, nodes: Nodes, near: Mapping[str, Mapping[int, float]]
+) -> PreparedPlan:
     """The plan at the scale most of the named marks or vectors show, unless the scale was told."""
     if bench.asked.mu:
         return bench
@@ -30,7 +32,7 @@ def sized(bench: Bench, sketch: Sketch, nodes: Nodes, near: Mapping[str, Mapping
     return bench.at(bench.said_mu * math.exp(ratio))
 
 
-def _of_marks(bench: Bench, nodes: Nodes, near: Mapping[str, Mapping[int, float]]) -> list[float]:
+def _of_marks(bench: PreparedPlan, nodes: Nodes, near: Mapping[str, Mapping[int, float]]) -> list[float]:
     """Logarithms of drawn to stated distances from the pole, of a scheme between its points."""
     truth = {label_of(m): run(bench.program, bench.given)[m] for m in bench.marks} | {POLE: 0j}
     place = {n: nodes.places[min(held, key=lambda i: held[i])] for n, held in near.items() if n in truth}
@@ -42,7 +44,7 @@ def _of_marks(bench: Bench, nodes: Nodes, near: Mapping[str, Mapping[int, float]
     return found
 
 
-def _of_vectors(bench: Bench, sketch: Sketch) -> list[float]:
+def _of_vectors(bench: PreparedPlan, sketch: ReadDrawing) -> list[float]:
     """Logarithms of drawn to stated lengths of the vectors nearest to their words."""
     truth = true_vectors(bench)
     known, found = bench.written(truth), []

@@ -24,7 +24,7 @@ HEADED, FEWEST_HEADS = 0.25, 2  # of all lines, how many must have heads for tha
 CROWD = 0.03  # nodes per mm² beyond which any place would do for a mark
 
 
-class Head(NamedTuple):
+class Arrowhead(NamedTuple):
     """An arrowhead: its tip, the unit way it points, and how far back from its tip it is filled."""
 
     tip: complex
@@ -60,7 +60,7 @@ class Words:
 
 
 @dataclass
-class Sketch:
+class ReadDrawing:
     """What was found on a drawing. ``error_mm`` is how surely an end of a stroke is where it was found."""
 
     file: str = ""
@@ -68,7 +68,7 @@ class Sketch:
     words: list[Words] = field(default_factory=list)
     error_mm: float = 0.05
     ways: list[int] = field(default_factory=list)  # which end of each stroke has a head: +1, -1, 0 unknown; or none
-    heads: list[Head] = field(default_factory=list)
+    heads: list[Arrowhead] = field(default_factory=list)
     short: list[Stroke] = field(default_factory=list)  # vectors if they have heads, else ticks and pieces of letters
     mm: Callable[[complex], complex] = lambda z: z  # from the file's own units to mm, y up
     rounds: list[Round] = field(default_factory=list)
@@ -88,13 +88,13 @@ def _finite(z: complex) -> bool:
     return math.isfinite(z.real) and math.isfinite(z.imag)
 
 
-def headed(sketch: Sketch) -> list[int]:
+def headed(sketch: ReadDrawing) -> list[int]:
     """The strokes with arrowheads, where so many have one that a vector is told from a construction line by it."""
     found = [k for k, way in enumerate(sketch.ways) if way]
     return found if len(found) >= max(FEWEST_HEADS, HEADED * len(sketch.strokes)) else []
 
 
-def hinged(sketch: Sketch) -> Sketch:
+def hinged(sketch: ReadDrawing) -> ReadDrawing:
     """The sketch with strokes that end at the circle of a hinge drawn on to its middle."""
 
     def on(z: complex) -> complex:
@@ -130,9 +130,12 @@ class Nodes:
     """
 
     def __init__(
-        self, strokes: Sequence[Stroke], near: float | None = None, vectors: Sequence[int] = (),
+        self,
+        strokes: Sequence[Stroke],
+        near: float | None = None,
+        vectors: Sequence[int] = (),
         points: Iterable[complex] = (),
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.near = near or reach_of(strokes, vectors)
         self.places: list[complex] = []
         self.weights: list[int] = []
@@ -162,7 +165,8 @@ class Nodes:
         """Whether an end of a stroke meets an end of another one."""
         z = strokes[k][j]
         return bool(self.within(z, self.near)) or any(
-            abs(z - w) <= self.near for i, other in enumerate(strokes) if i != k for w in other)
+            abs(z - w) <= self.near for i, other in enumerate(strokes) if i != k for w in other
+        )
 
     def _add(self, z: complex, but: int = -1, fixed: bool = False) -> int:
         found = next((i for i in self.within(z, self.near) if i != but), None)
@@ -186,8 +190,13 @@ class Nodes:
             return []
         cx, cy = self._cell(z)
         steps = math.ceil(reach / 4) + 1
-        found = [i for dx in range(-steps, steps + 1) for dy in range(-steps, steps + 1)
-                 for i in self.cells.get((cx + dx, cy + dy), ()) if abs(self.places[i] - z) <= reach]  # fmt: skip
+        found = [
+            i
+            for dx in range(-steps, steps + 1)
+            for dy in range(-steps, steps + 1)
+            for i in self.cells.get((cx + dx, cy + dy), ())
+            if abs(self.places[i] - z) <= reach
+        ]
         return sorted(found, key=lambda i: abs(self.places[i] - z))
 
     def nearest(self, z: complex, reach: float) -> int | None:

@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 from planes.check.reading.arrowheads import head_of, settle
 from planes.check.reading.opened import MB, contents, too_many
 from planes.check.reading.parts import without_letters
-from planes.check.reading.strokes import ROUND_MM, Head, Sketch, Words
+from planes.check.reading.strokes import ROUND_MM, Arrowhead, ReadDrawing, Words
 from planes.check.reading.svg_shapes import NUMBER, Looks, circles, looks_of, number, outline, rings, style_rules
 from planes.check.reading.svg_tree import MOST, tree
 from planes.words import Phrase
@@ -27,7 +27,7 @@ SAME: Affine = (0j, 1 + 0j, 1j)
 _HREF = "{http://www.w3.org/1999/xlink}href"
 
 
-def read_svg(path: str | Path) -> Sketch:
+def read_svg(path: str | Path) -> ReadDrawing:
     """The strokes of a file in mm, y up. :class:`PlanesError` where it is not an SVG."""
     root = tree(contents(path, LARGEST), str(path))
     if _tag(root) != "svg":
@@ -35,11 +35,11 @@ def read_svg(path: str | Path) -> Sketch:
     return sketch_of(root, str(path))
 
 
-def sketch_of(root: ElementTree.Element, file: str) -> Sketch:
+def sketch_of(root: ElementTree.Element, file: str) -> ReadDrawing:
     """What a picture's tree holds, in mm, y up."""
     named = {e.get("id", ""): e for e in root.iter() if e.get("id")}
     page = _page(root)
-    reader = _Reader(Sketch(file, mm=lambda z: _at(page, z)), named, style_rules(root))
+    reader = _Reader(ReadDrawing(file, mm=lambda z: _at(page, z)), named, style_rules(root))
     reader.walk(root, page, 0, {})
     without_letters(reader.sketch)
     settle(reader.sketch)
@@ -108,7 +108,7 @@ def _transform(text: str | None) -> Affine:
 class _Reader:
     """Walks the tree; what a group sets holds for all in it."""
 
-    def __init__(self, sketch: Sketch, named: dict[str, ElementTree.Element], rules: Mapping[str, Looks]) -> None:
+    def __init__(self, sketch: ReadDrawing, named: dict[str, ElementTree.Element], rules: Mapping[str, Looks]) -> None:
         self.sketch, self.named, self.rules, self.count = sketch, named, rules, 0
 
     def walk(self, e: ElementTree.Element, m: Affine, depth: int, looks: Looks, used: bool = False) -> None:
@@ -171,7 +171,7 @@ class _Reader:
         for key, tip, before in (("marker-start", places[0], places[1]), ("marker-end", places[-1], places[-2])):
             named = looks.get(key, looks.get("marker", "none")).lower()
             if named != "none" and tip != before and not any(word in named for word in NO_HEADS):
-                self.sketch.heads.append(Head(tip, (tip - before) / abs(tip - before)))
+                self.sketch.heads.append(Arrowhead(tip, (tip - before) / abs(tip - before)))
 
     def _text(self, e: ElementTree.Element, m: Affine) -> None:
         text = "".join(e.itertext()).strip()

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from planes.check.reading.strokes import Sketch, Words
+from planes.check.reading.strokes import ReadDrawing, Words
 from planes.words.units import UnitError, read_mu
 
 FAR_MM = 40.0  # a title farther over a plan is that of something else
@@ -14,7 +14,7 @@ GAP = 2.0  # how far a piece of a title may be from the piece before it, in heig
 _MU = re.compile(r"[μµ]\s*_?\w*\s*=\s*(\d.*)")
 
 
-def mu_over(words: Sequence[Words], part: Sketch, kind: str) -> float | None:
+def mu_over(words: Sequence[Words], part: ReadDrawing, kind: str) -> float | None:
     """μ in the nearest title over a part of a page, if it is that of such a plan."""
     ends = [z for stroke in part.strokes for z in stroke]
     if not ends:
@@ -37,8 +37,13 @@ def _titles(words: Sequence[Words]) -> Iterator[Words]:
         if not set("μµ") & set(word.text):
             continue
         end = word.place + word.width
-        goes_on = (w for w in words if w.text.startswith("=") and abs(w.place.imag - end.imag) < word.height / 2
-                   and abs(w.place.real - end.real) < GAP * word.height)  # fmt: skip
+        goes_on = (
+            w
+            for w in words
+            if w.text.startswith("=")
+            and abs(w.place.imag - end.imag) < word.height / 2
+            and abs(w.place.real - end.real) < GAP * word.height
+        )
         more = None if "=" in word.text else next(goes_on, None)
         if more is not None:
             word = replace(word, text=word.text + more.text, width=more.width + (more.place - word.place).real)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from planes.check.grading.bench import Bench
 from planes.check.grading.grading import grade
-from planes.check.grading.paper import Paper
+from planes.check.grading.paper import ReadPaper
+from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.chains import true_vectors
 from planes.check.reading.matching import paper_of
 from planes.check.reading.parts import parts
-from planes.check.reading.strokes import Sketch
+from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.titles import mu_over
 from planes.words.errors import PlanesError
 from planes.words.names import POLE, kind_of, label_of
@@ -21,13 +21,13 @@ OPEN = 2.0  # what it costs a force polygon not to close, in marks
 NAMED = 0.1  # what a name of the plan beside a part is worth, in marks drawn rightly
 
 
-def paper_on(sketch: Sketch, bench: Bench) -> Paper:
+def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     """The marks of the plan on a page that may show other things too."""
     found = parts(sketch)
     force = kind_of(bench.asked.plan) == "force"
     known = bench.written(true_vectors(bench)) if force else Names(map(label_of, bench.marks))
 
-    def named(part: Sketch) -> int:
+    def named(part: ReadDrawing) -> int:
         words = [one.text for w in part.words for one in w.listed()]
         return len({n for w in words if (n := known.find(w)) and (n == POLE or tidy(n) == tidy(w))} - {None})
 
@@ -37,7 +37,7 @@ def paper_on(sketch: Sketch, bench: Bench) -> Paper:
     return max(papers, key=lambda p: _worth(bench, p[0]) + NAMED * p[1])[0] if len(papers) > 1 else papers[0][0]
 
 
-def _paper_of(part: Sketch, bench: Bench, page: Sketch) -> Paper:
+def _paper_of(part: ReadDrawing, bench: PreparedPlan, page: ReadDrawing) -> ReadPaper:
     """The marks of a plan on a part of a page, at the scale its title says."""
     mu = None if bench.asked.mu else mu_over(page.words, part, kind_of(bench.asked.plan))
     paper = paper_of(part, bench.at(mu, told=True) if mu else bench)
@@ -45,7 +45,7 @@ def _paper_of(part: Sketch, bench: Bench, page: Sketch) -> Paper:
     return paper
 
 
-def _worth(bench: Bench, paper: Paper) -> float:
+def _worth(bench: PreparedPlan, paper: ReadPaper) -> float:
     """How many marks of a paper are where their steps lead, less those that are not."""
     bench = bench.at(paper.mu, told=True) if paper.mu else bench
     try:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from planes.check.grading.bench import Bench
+from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.parts import NEAR_WORD_MM
-from planes.check.reading.strokes import CROSSINGS, Nodes, Sketch, Words
+from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, Words
 from planes.drafting.drawing import run
 from planes.words.names import POLE, label_of
 from planes.words.spelling import Names, tidy
@@ -33,7 +33,7 @@ def by_words(words: Iterable[Words], nodes: Nodes, labels: Iterable[str]) -> Can
     return found
 
 
-def led(sketch: Sketch, nodes: Nodes) -> Iterator[Words]:
+def led(sketch: ReadDrawing, nodes: Nodes) -> Iterator[Words]:
     """Words with a line from them to what they name, as if they stood there."""
     places = nodes.places[: nodes.corners]
     for k, stroke in enumerate(sketch.strokes if len(sketch.strokes) <= CROSSINGS else ()):
@@ -43,8 +43,11 @@ def led(sketch: Sketch, nodes: Nodes) -> Iterator[Words]:
                 continue
             if any(_between(w, *stroke) for i, w in enumerate(places) if i != at_node):
                 continue
-            yield from (replace(w, place=nodes.places[at_node], height=0.1, width=0.1)
-                        for w in sketch.words if w.distance(z) < LEADER_MM)  # fmt: skip
+            yield from (
+                replace(w, place=nodes.places[at_node], height=0.1, width=0.1)
+                for w in sketch.words
+                if w.distance(z) < LEADER_MM
+            )
 
 
 def _between(z: complex, a: complex, b: complex) -> bool:
@@ -53,7 +56,7 @@ def _between(z: complex, a: complex, b: complex) -> bool:
     return abs(local.imag) < LEADER_MM / 2 and LEADER_MM / 2 < local.real < abs(b - a) - LEADER_MM / 2
 
 
-def pole_of(nodes: Nodes, bench: Bench, near: Candidates) -> complex | None:
+def pole_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
     """The node from which the true plan would meet most nodes, one beside the word p if there is any."""
     truth = run(bench.program, bench.given)
     ends = [truth[m] for m in bench.marks if abs(truth[m]) > 1]
@@ -69,7 +72,7 @@ def pole_of(nodes: Nodes, bench: Bench, near: Candidates) -> complex | None:
     return nodes.places[best[2]] if beside or best[0] >= max(2, 0.5 * len(ends)) else None
 
 
-def origin_of(nodes: Nodes, bench: Bench, near: Candidates) -> complex | None:
+def origin_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
     """The origin of a scheme's axes: so that the frame's points, then most others, stand beside their words."""
     truth = {label_of(m): complex(run(bench.program, bench.given)[m]) for m in bench.marks}
     places = [(nodes.places[i] - truth[n], far) for n, held in near.items() if n in truth for i, far in held.items()]

@@ -10,7 +10,6 @@ from typing import Any
 
 from planes.check import Outcome
 from planes.check.fiducials import SHEET_MM
-from planes.check.grading.bench import variants_of
 from planes.check.grading.grading import READABLE, Grading, empty, key_marks
 from planes.check.grading.handwork import LEAST_MM, Variant
 from planes.check.grading.jointly import order_of_reckoning
@@ -25,12 +24,13 @@ from planes.check.grading.judging import (
     WARN,
     breadth,
 )
-from planes.check.grading.nudging import HAND
+from planes.check.grading.perturbing import HAND
 from planes.check.grading.polygons import sides_of
+from planes.check.grading.prepared_plan import variants_of
 from planes.check.report.regrading import SURELY_MM, exported, retrace
 from planes.check.report.rows import mark_rows, result_rows
 from planes.check.report.shown import own_marks, own_order, shown_plans, vectors
-from planes.check.sight.photograph import blank_pole
+from planes.check.vision.photograph import blank_pole
 from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
 from planes.plans.scales import extent
@@ -93,11 +93,16 @@ def page_data(found: Outcome, lang: Lang) -> dict[str, Any]:
     """All a page shows and judges by. Without marks there is nothing to move, so no tape."""
     marks, numbers = heads(lang)
     data: dict[str, Any] = {
-        "verdict": found.verdict, "title": title(found, lang), "sentence": found.sentence.told(lang),
-        "notes": [n.told(lang) for n in found.notes], "head": marks,
-        "rows": rows_of(found, lang), "number_head": numbers, "numbers": numbers_of(found, lang),
+        "verdict": found.verdict,
+        "title": title(found, lang),
+        "sentence": found.sentence.told(lang),
+        "notes": [n.told(lang) for n in found.notes],
+        "head": marks,
+        "rows": rows_of(found, lang),
+        "number_head": numbers,
+        "numbers": numbers_of(found, lang),
         "command": command(found),
-    }  # fmt: skip
+    }
     grading = found.grading or (empty(found.bench) if found.paper.picture else None)
     if grading:
         data["page"] = _moved(found, grading, lang)
@@ -125,24 +130,35 @@ def _moved(found: Outcome, grading: Grading, lang: Lang) -> dict[str, Any]:
     traced = retrace(grading, variants)
     truth = {label_of(m): complex(grading.truth[m]) for m in grading.marks}
     taken = grading.hand.taken
-    earlier = {f"{m}.{axis}": value for m, t in taken.items() if plan_of(m) != plan
-               for axis, value in zip("xy", _pair(t.place), strict=True)}  # fmt: skip
+    earlier = {
+        f"{m}.{axis}": value
+        for m, t in taken.items()
+        if plan_of(m) != plan
+        for axis, value in zip("xy", _pair(t.place), strict=True)
+    }
     force = kind_of(plan) == "force"
     return {
-        "lettering": lettering(bench.asked.scene, bench.plans), "kind": kind_of(plan),
+        "lettering": lettering(bench.asked.scene, bench.plans),
+        "kind": kind_of(plan),
         "marks": [_mark(grading, m, traced.misses[m]) for m in grading.marks],
-        "vectors": vectors(bench), "truth": {POLE: [0.0, 0.0], **{n: _pair(z) for n, z in truth.items()}},
-        "rows": [(s.name, s.start, s.end) for s in sides_of(bench.plans, plan)] if force
+        "vectors": vectors(bench),
+        "truth": {POLE: [0.0, 0.0], **{n: _pair(z) for n, z in truth.items()}},
+        "rows": [(s.name, s.start, s.end) for s in sides_of(bench.plans, plan)]
+        if force
         else [(n, POLE, n) for n in truth],
-        "chained": force, "earlier": earlier, "order": [(s.name, s.start, s.end) for s in own_order(found)],
+        "chained": force,
+        "earlier": earlier,
+        "order": [(s.name, s.start, s.end) for s in own_order(found)],
         "tape": exported(traced.tape, traced.sources),
         "variants": [_variant(v, under, lang) for v, under in zip(variants, traced.under, strict=True) if under],
-        "rule": _rule(grading), "said": _said(found, lang), "otherwise": _otherwise(found, grading, lang),
+        "rule": _rule(grading),
+        "said": _said(found, lang),
+        "otherwise": _otherwise(found, grading, lang),
         "words": {k: say(f"verdict_{k}", lang) for k in ("right", "wrong", "follows", "unread")}
         | {"close": say("check_close", lang)},
         "strokes": [[*_pair(a), *_pair(b)] for a, b in found.paper.strokes],
         **_shown(found, truth),
-    }  # fmt: skip
+    }
 
 
 def _mark(grading: Grading, mark: str, miss: tuple[int, int]) -> dict[str, Any]:
@@ -153,15 +169,27 @@ def _mark(grading: Grading, mark: str, miss: tuple[int, int]) -> dict[str, Any]:
     error = taken.error_mm if taken else SURELY_MM
     xx, xy, yy = grading.loose.miss(grading.loose.things[mark], true).cov
     return {
-        "name": label, "key": mark, "x": place.real, "y": place.imag, "read": taken is not None, "error": error,
-        "miss": miss, "true": [true.real, true.imag], "free": [xx + error**2, xy, yy + error**2],
-    }  # fmt: skip
+        "name": label,
+        "key": mark,
+        "x": place.real,
+        "y": place.imag,
+        "read": taken is not None,
+        "error": error,
+        "miss": miss,
+        "true": [true.real, true.imag],
+        "free": [xx + error**2, xy, yy + error**2],
+    }
 
 
 def _variant(v: Variant, under: Mapping[str, tuple[int, int]], lang: Lang) -> dict[str, Any]:
     said = Phrase(f"mistake_{v.mistake}", **{"mark": v.blames, **v.about}).told(lang)
-    return {"mistake": v.mistake, "blames": v.blames, "weight": v.weight, "said": said,
-            "under": {label_of(m): places for m, places in under.items()}}  # fmt: skip
+    return {
+        "mistake": v.mistake,
+        "blames": v.blames,
+        "weight": v.weight,
+        "said": said,
+        "under": {label_of(m): places for m, places in under.items()},
+    }
 
 
 def _rule(grading: Grading) -> dict[str, Any]:
@@ -169,12 +197,21 @@ def _rule(grading: Grading) -> dict[str, Any]:
     absent = grading.rebuilt.absent if grading.rebuilt else set()
     plan = plan_of(grading.marks[0])
     return {
-        "false_alarm": FALSE_ALARM, "least": LEAST_MM, "slip": SLIP, "other": OTHER_CAUSE, "undrawn": UNDRAWN,
-        "left_out": LEFT_OUT, "margin": MARGIN, "too_well": TOO_WELL, "warn": WARN,
+        "false_alarm": FALSE_ALARM,
+        "least": LEAST_MM,
+        "slip": SLIP,
+        "other": OTHER_CAUSE,
+        "undrawn": UNDRAWN,
+        "left_out": LEFT_OUT,
+        "margin": MARGIN,
+        "too_well": TOO_WELL,
+        "warn": WARN,
         "broad": breadth(extent(grading.truth, plan)),
-        "readable": READABLE, "key": [label_of(m) for m in key_marks(grading)], "absent": sorted(absent),
+        "readable": READABLE,
+        "key": [label_of(m) for m in key_marks(grading)],
+        "absent": sorted(absent),
         "order": [label_of(m) for m in order_of_reckoning(grading.hand.program.steps, grading.marks)],
-    }  # fmt: skip
+    }
 
 
 def _said(found: Outcome, lang: Lang) -> dict[str, str]:

@@ -49,7 +49,7 @@ class Checked:
 
 
 @dataclass
-class Group:
+class ClassWork:
     """All drawings of a folder."""
 
     title: str

@@ -17,7 +17,7 @@ from planes.batch.tape import Tape
 from planes.batch.tracing import Recording, Source, TracingTool
 from planes.check.grading.grading import Grading
 from planes.check.grading.handwork import Person, Variant
-from planes.check.grading.nudging import Skill
+from planes.check.grading.perturbing import Skill
 from planes.drafting.drawing import draw_steps
 from planes.drafting.steps import Same
 
@@ -45,7 +45,7 @@ class _Plain(Recording):
 
 
 @dataclass
-class _Marking(Person, TracingTool):
+class _TapeHand(Person, TracingTool):
     """A person at work on a tape; marks that may yet be read are looked up only if they are."""
 
     late: Container[str] = ()
@@ -73,7 +73,7 @@ class _Desk:
         late = [m for m in grading.marks if m not in hand.taken]
         self.program, self.taken = hand.program, hand.taken
         self.tape = Tape()
-        self.tool = _Marking(_Plain(), True, tape=self.tape, errors=errors, late=late)
+        self.tool = _TapeHand(_Plain(), True, tape=self.tape, errors=errors, late=late)
         self.own = {mark: self._read(mark) for mark in (*hand.taken, *late) if mark in hand.program.made}
         self.tool.own, self.tool.values = self.own, hand.given
         self.things: Things = dict(hand.given)
@@ -112,8 +112,10 @@ def _short(found: Retraced) -> Retraced:
     pairs = [*found.misses.values(), *(p for one in found.under for p in one.values())]
     order = found.tape.needed([p for pair in pairs for p in pair])
     new = {place: k for k, place in enumerate(order)}
-    tape = Tape([(op, tuple(new[a] for a in args)) for op, args in (found.tape.ops[p] for p in order)],
-                {new[p]: v for p, v in found.tape.values.items() if p in new})  # fmt: skip
+    tape = Tape(
+        [(op, tuple(new[a] for a in args)) for op, args in (found.tape.ops[p] for p in order)],
+        {new[p]: v for p, v in found.tape.values.items() if p in new},
+    )
 
     def moved(one: Mapping[str, tuple[int, int]]) -> dict[str, tuple[int, int]]:
         return {m: (new[x], new[y]) for m, (x, y) in one.items()}

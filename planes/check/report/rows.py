@@ -19,16 +19,24 @@ def mark_rows(out: Outcome) -> list[dict[str, Any]]:
     rows = []
     for mark, verdict in g.verdicts.items():
         own, miss = g.hand.taken.get(mark), g.judgement.misses.get(mark)
-        row: dict[str, Any] = {"mark": label_of(mark), "read_mm": None, "read_error_mm": None, "deviation_mm": None,
-                               "tolerance_mm": None, "verdict": verdict}  # fmt: skip
+        row: dict[str, Any] = {
+            "mark": label_of(mark),
+            "read_mm": None,
+            "read_error_mm": None,
+            "deviation_mm": None,
+            "tolerance_mm": None,
+            "verdict": verdict,
+        }
         absent = g.rebuilt is not None and label_of(mark) in g.rebuilt.absent
         if own and miss and not (absent and verdict == "right"):
             free = g.free[mark]
             sizes = {
-                "read_error_mm": own.error_mm, "deviation_mm": abs(free.off),
-                "tolerance_mm": free.reach(g.judgement.limit), "own_deviation_mm": abs(miss.off),
+                "read_error_mm": own.error_mm,
+                "deviation_mm": abs(free.off),
+                "tolerance_mm": free.reach(g.judgement.limit),
+                "own_deviation_mm": abs(miss.off),
                 "own_tolerance_mm": miss.reach(g.judgement.limit),
-            }  # fmt: skip
+            }
             row["read_mm"] = [round(own.place.real, 3), round(own.place.imag, 3)]
             row |= {key: round(mm, 3) if math.isfinite(mm) else None for key, mm in sizes.items()}
             if verdict == "right" and close_call(miss, g.judgement.limit):
@@ -43,8 +51,14 @@ def mark_rows(out: Outcome) -> list[dict[str, Any]]:
 
 def _segment_row(s: Any) -> dict[str, Any]:
     off = abs(abs(s.figure.given) - s.true)
-    row = {"mark": s.figure.name, "read_mm": s.figure.given, "read_error_mm": 0.35, "deviation_mm": round(off, 3),
-           "tolerance_mm": round(3 * s.sigma, 3), "verdict": s.verdict}  # fmt: skip
+    row = {
+        "mark": s.figure.name,
+        "read_mm": s.figure.given,
+        "read_error_mm": 0.35,
+        "deviation_mm": round(off, 3),
+        "tolerance_mm": round(3 * s.sigma, 3),
+        "verdict": s.verdict,
+    }
     return row | ({"warning": Phrase("check_close").told("en")} if s.close else {})
 
 
@@ -65,12 +79,17 @@ def as_json(out: Outcome, lang: Lang = "en") -> dict[str, Any]:
     unreadable = out.verdict == "unreadable"
     unseen = [Phrase("check_unseen", names=", ".join(out.unseen))] if out.unseen and out.verdict == "right" else []
     return {
-        "planes": 1, "scene": asked.scene.file, "variant": asked.scene.variant,
+        "planes": 1,
+        "scene": asked.scene.file,
+        "variant": asked.scene.variant,
         "phi_deg" if plans.mechanism.drive.kind == "phi" else "s": value,
-        "plan": asked.plan, "verdict": out.verdict, "marks": mark_rows(out),
+        "plan": asked.plan,
+        "verdict": out.verdict,
+        "marks": mark_rows(out),
         "first_wrong": None if unreadable else out.first_wrong,
-        "mistake": out.mistake, "runner_up": None if unreadable else out.runner_up,
+        "mistake": out.mistake,
+        "runner_up": None if unreadable else out.runner_up,
         "sentence": {one: out.sentence.told(one) for one in ("ru", "en")},
-        "results": result_rows(out), "warnings": [n.told(lang) for n in (*out.notes, *unseen)],
-    }  # fmt: skip
-
+        "results": result_rows(out),
+        "warnings": [n.told(lang) for n in (*out.notes, *unseen)],
+    }

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from planes.check import Outcome
-from planes.check.grading.bench import Bench
 from planes.check.grading.judging import WARN
-from planes.check.grading.paper import Spot
+from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import Side, sides_of
+from planes.check.grading.prepared_plan import PreparedPlan
 from planes.drafting.drawing import run
 from planes.words.names import POLE, kind_of, label_of, plan_of
 from planes.words.spelling import Names
@@ -18,7 +18,7 @@ from planes.words.spelling import Names
 Vector = tuple[complex, complex]
 
 
-def vectors(bench: Bench) -> list[tuple[str, str]]:
+def vectors(bench: PreparedPlan) -> list[tuple[str, str]]:
     """Vectors of the plan by the labels of their ends; of a scheme, its links."""
     plan = bench.asked.plan
     if kind_of(plan) == "force":
@@ -30,7 +30,7 @@ def vectors(bench: Bench) -> list[tuple[str, str]]:
     return [pair for pair in found if set(pair) <= drawn]
 
 
-def _bars(bench: Bench, drawn: Collection[str]) -> list[tuple[str, str]]:
+def _bars(bench: PreparedPlan, drawn: Collection[str]) -> list[tuple[str, str]]:
     """Lines of a scheme: from point to point of a link, and along a link's guide to the slider on it."""
     mechanism = bench.plans.mechanism
     found = [p for link in mechanism.links.values() for p in pairwise(n for n in link.points if n in drawn)]
@@ -79,8 +79,12 @@ def shown_plans(found: Outcome) -> Shown:
     laid = own_sides(sides, found.paper.spots) if order else between(sides, at_own)
     right = chained(order, at_true) if order else between(sides, at_true)
     marks = {n: z for n, z in ends(laid).items() if n in own}
-    return Shown([(s.start, s.end) for s in laid], [(s.start, s.end) for s in right], marks,
-                 {s.side.name: (s.start, s.end) for s in laid})  # fmt: skip
+    return Shown(
+        [(s.start, s.end) for s in laid],
+        [(s.start, s.end) for s in right],
+        marks,
+        {s.side.name: (s.start, s.end) for s in laid},
+    )
 
 
 def leads(found: Outcome, shown: Mapping[str, complex]) -> list[Vector]:
@@ -88,13 +92,16 @@ def leads(found: Outcome, shown: Mapping[str, complex]) -> list[Vector]:
     if found.grading is None:
         return []
     misses, verdicts = found.grading.judgement.misses, found.grading.verdicts
-    off = {label_of(m): miss.off for m, miss in misses.items() if miss.sigmas > WARN
-           and not (verdicts[m] == "right" and miss.sigmas > found.grading.judgement.limit)}  # fmt: skip
+    off = {
+        label_of(m): miss.off
+        for m, miss in misses.items()
+        if miss.sigmas > WARN and not (verdicts[m] == "right" and miss.sigmas > found.grading.judgement.limit)
+    }
     return [(shown[n], shown[n] - by) for n, by in off.items() if n in shown]
 
 
 @dataclass(frozen=True)
-class Laid:
+class LaidSide:
     """A side where it lies, mm from the pole."""
 
     side: Side
@@ -116,31 +123,31 @@ def own_order(found: Outcome) -> list[Side]:
     return [sides[n] for n in dict.fromkeys([*read[1:], *missing]) if n in sides]
 
 
-def own_sides(sides: Sequence[Side], spots: Sequence[Spot]) -> list[Laid]:
+def own_sides(sides: Sequence[Side], spots: Sequence[ReadMark]) -> list[LaidSide]:
     """The vectors as they were read."""
     by_name = {s.name: s for s in sides}
     names, pole = Names(by_name), spots[0].place
     rows = [(names.find(b.name), a.place - pole, b.place - pole) for a, b in pairwise(spots)]
-    return [Laid(by_name[name], a, b) for name, a, b in rows if name in by_name]
+    return [LaidSide(by_name[name], a, b) for name, a, b in rows if name in by_name]
 
 
-def chained(order: Sequence[Side], places: Mapping[str, complex]) -> list[Laid]:
+def chained(order: Sequence[Side], places: Mapping[str, complex]) -> list[LaidSide]:
     """The sides of another drawing of the polygon, by its marks, laid in that order."""
     out, z = [], 0j
     for side in order:
         if side.start in places and side.end in places:
             v = places[side.end] - places[side.start]
-            out.append(Laid(side, z, z + v))
+            out.append(LaidSide(side, z, z + v))
             z += v
     return out
 
 
-def between(sides: Sequence[Side], places: Mapping[str, complex]) -> list[Laid]:
+def between(sides: Sequence[Side], places: Mapping[str, complex]) -> list[LaidSide]:
     """The sides between their marks."""
-    return [Laid(s, places[s.start], places[s.end]) for s in sides if s.start in places and s.end in places]
+    return [LaidSide(s, places[s.start], places[s.end]) for s in sides if s.start in places and s.end in places]
 
 
-def ends(laid: Sequence[Laid]) -> dict[str, complex]:
+def ends(laid: Sequence[LaidSide]) -> dict[str, complex]:
     """Where the marks stand: each at the end of the first side that leads to it."""
     found: dict[str, complex] = {}
     for one in laid:

@@ -6,8 +6,8 @@ import shlex
 from dataclasses import replace
 from typing import Any
 
-from planes.check.grading.bench import Asked, Bench, known_plans, prepare
 from planes.check.grading.polygons import sides_of
+from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare
 from planes.check.report.shown import vectors
 from planes.drafting.drawing import run
 from planes.plans.lettering import lettering
@@ -24,26 +24,31 @@ def tracing_data(asked: Asked, lang: Lang) -> dict[str, Any]:
     benches = [bench, *(prepare(replace(asked, plan=p, mu=None)) for p in others)]
     scene = asked.scene
     return {
-        "title": scene.title.get(lang, "") or scene.file, "lettering": lettering(scene, bench.plans),
+        "title": scene.title.get(lang, "") or scene.file,
+        "lettering": lettering(scene, bench.plans),
         "plans": [_plan(b, lang) for b in benches],
-    }  # fmt: skip
+    }
 
 
-def _plan(bench: Bench, lang: Lang) -> dict[str, Any]:
+def _plan(bench: PreparedPlan, lang: Lang) -> dict[str, Any]:
     plan, kind = bench.asked.plan, kind_of(bench.asked.plan)
     truth = run(bench.program, bench.given)
     marks = {label_of(m): complex(truth[m]) for m in bench.marks}
     said = say_plan(plan, lang)
     names = [(s.name, s.start, s.end) for s in sides_of(bench.plans, plan)] if kind == "force" else []
     return {
-        "key": plan, "kind": kind, "title": f"{said[:1].upper()}{said[1:]}, μ = {mu_text(bench.said_mu, kind, lang)}",
+        "key": plan,
+        "kind": kind,
+        "title": f"{said[:1].upper()}{said[1:]}, μ = {mu_text(bench.said_mu, kind, lang)}",
         "marks": {POLE: [0.0, 0.0], **{n: [round(z.real, 4), round(z.imag, 4)] for n, z in marks.items()}},
-        "far": max(marks, key=lambda n: abs(marks[n])), "vectors": vectors(bench), "names": names,
+        "far": max(marks, key=lambda n: abs(marks[n])),
+        "vectors": vectors(bench),
+        "names": names,
         "command": _command(bench),
-    }  # fmt: skip
+    }
 
 
-def _command(bench: Bench) -> str:
+def _command(bench: PreparedPlan) -> str:
     """How to check the picture itself; the page puts in its name and the places of two points."""
     asked, kind = bench.asked, bench.plans.mechanism.drive.kind
     words = ["planes", "check", asked.scene.file, "⟦file⟧", "--plan", asked.plan]

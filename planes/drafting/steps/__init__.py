@@ -11,9 +11,23 @@ from planes.drafting.tools import Env, Tool
 from planes.geometry import plane
 
 __all__ = [
-    "Aim", "Carry", "Cross", "CrossArc", "CrossArcs", "Image", "Kind", "LayOff", "Put", "Read", "Same", "Similar",
-    "Step", "Through", "Touch", "Turn",
-]  # fmt: skip
+    "Aim",
+    "Carry",
+    "Cross",
+    "CrossArc",
+    "CrossArcs",
+    "Image",
+    "Kind",
+    "LayOff",
+    "Put",
+    "Read",
+    "Same",
+    "Similar",
+    "Step",
+    "Through",
+    "Touch",
+    "Turn",
+]
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,114 @@
+"""A program as one compiled loop over positions (the extra ``planes[fast]``): made from a tape, kept in memory.
+
+The compiler is the one inside numba, spoken to directly: a tape has no types to guess and no branches to follow.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache, cached_property
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+
+from planes.batch.llvm_ir import EXTRA, module, row_of
+from planes.batch.reading import read
+from planes.batch.tracing import Trace
+
+
+def available() -> bool:
+    """Whether the compiler is installed."""
+    return find_spec("llvmlite") is not None
+
+
+@dataclass(frozen=True)
+class Fused:
+    """A compiled trace: ``inputs`` names the givens that change from position to position; of these it works ``row``
+    at once."""
+
+    trace: Trace
+    inputs: tuple[str, ...]
+    fixed: tuple[int, ...]
+    text: str
+    row: int
+
+    def bound(self, given: Mapping[str, Any]) -> Bound:
+        """The loop with the numbers that stay the same in all positions."""
+        tape = self.trace.tape
+        found = read(tape, tape.needed(list(self.fixed)), given)
+        return Bound(self, np.array([float(found[p]) for p in self.fixed] or [0.0]))
+
+
+@dataclass(frozen=True)
+class Bound:
+    """A compiled loop ready to run."""
+
+    fused: Fused
+    fixed: Any
+
+    @cached_property
+    def run(self) -> Callable[[int, int], float]:
+        """The machine code: where the rows begin, and how many positions; not 0 where one of them failed."""
+        code, fixed = _compiled(self.fused.text), self.fixed.ctypes.data
+        return lambda rows, count: code(rows, fixed, count)
+
+    def __call__(self, rows: Any) -> tuple[Any, Any]:
+        """Outputs (a row for each) and reason codes (None: nothing failed), of one block of positions (``rows``: a
+        row for each input).
+
+        What is done here is done for every block, so it is little: rows of inputs, outputs and codes share one piece of
+        memory, and its address is taken the short way (``array.ctypes`` is six times as long).
+        """
+        inputs, count = len(self.fused.inputs), rows.shape[1]
+        whole: Any = np.empty((inputs + len(self.fused.trace.outputs) + 1, self.fused.row + EXTRA))
+        whole[:inputs, :count] = rows
+        failed = self.run(ctypes.addressof(ctypes.c_char.from_buffer(whole)), count)
+        return whole[inputs:-1, :count], whole[-1, :count].astype(np.int16) if failed else None
+
+
+_CALL = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)
+
+
+def fuse(trace: Trace, inputs: tuple[str, ...]) -> Fused:
+    """Write the loop of a trace; it is compiled when first run."""
+    tape = trace.tape
+    codes = [place for _, _, place in trace.requires]
+    wanted = [*trace.outputs, *codes]
+    moved = tape.moved_by(frozenset(inputs))
+    still = frozenset(range(len(tape.ops))) - moved
+    order = tape.needed(wanted, stop=still)
+    fixed = tuple(p for p in order if p in still and tape.ops[p][0] != "const")
+    places = trace.givens()
+    rows = [places[name] for name in inputs if name in places]
+    row = row_of(len(rows) + len(trace.outputs) + 1)
+    moving = [p for p in order if p in moved]
+    text = module(tape, moving, rows, list(fixed), list(trace.outputs), codes, row + EXTRA)
+    return Fused(trace, tuple(n for n in inputs if n in places), fixed, text, row)
+
+
+@cache
+def _compiled(text: str) -> Callable[[int, int, int], float]:
+    """The compiled loop; compiled once for each structure."""
+    import llvmlite.binding as llvm
+
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    target = llvm.Target.from_default_triple()
+    features = llvm.get_host_cpu_features().flatten()
+    machine = target.create_target_machine(cpu=llvm.get_host_cpu_name(), features=features, opt=3)
+    parsed = llvm.parse_assembly(text)
+    parsed.verify()
+    options = llvm.create_pipeline_tuning_options(speed_level=3)
+    options.loop_vectorization = True
+    builder = llvm.create_pass_builder(machine, options)
+    builder.getModulePassManager().run(parsed, builder)
+    engine = llvm.create_mcjit_compiler(parsed, machine)
+    engine.finalize_object()
+    _ENGINES.append(engine)
+    return _CALL(engine.get_function_address("run"))
+
+
+_ENGINES: list[Any] = []  # kept alive: their code runs

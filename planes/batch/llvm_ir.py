@@ -1,0 +1,135 @@
+"""The text of one fused loop, in LLVM's own language, that goes through a tape for every position.
+
+Everything is branchless, so that the compiler takes several positions at once.
+"""
+
+from __future__ import annotations
+
+from planes.batch.llvm_functions import Lines, arctangent, cosine, gap, literal, sine
+from planes.batch.tape import TESTS, Tape
+
+LONGEST = 2048
+"""Positions worked at once, at most: a row of every input and output."""
+ROOM = 900_000
+"""Bytes of all rows together: more than the cache holds is slow, and is asked of the system anew each time."""
+EXTRA = 8
+"""From row to row in memory is no power of two, or all rows would fight for the same few lines of the cache."""
+
+
+def row_of(count: int) -> int:
+    """How many positions are worked at once in so many rows."""
+    row = LONGEST
+    while row > LONGEST // 8 and 8 * count * (row + EXTRA) > ROOM:
+        row //= 2
+    return row
+
+
+INTRINSICS = {"sqrt": 1, "fabs": 1, "floor": 1, "copysign": 2, "fma": 3}
+
+
+class LoopText:
+    """The loop being written: places of the tape to names in the loop."""
+
+    def __init__(self, tape: Tape, names: dict[int, str]) -> None:
+        self.tape, self.names, self.t = tape, names, Lines()
+
+    def name(self, place: int) -> str:
+        """What stands for a place: its name in the loop, or the constant itself."""
+        if place in self.names:
+            return self.names[place]
+        value = self.tape.values[place]
+        return str(value).lower() if isinstance(value, bool) else literal(value)
+
+    def write(self, place: int) -> None:
+        """One operation."""
+        op, args = self.tape.ops[place]
+        if op not in ("const", "given"):
+            self.names[place] = self._line(op, [self.name(a) for a in args], args)
+
+    def _line(self, op: str, a: list[str], args: tuple[int, ...]) -> str:
+        t = self.t
+        match op:
+            case "add" | "sub" | "mul":
+                return t.op("f" + op, a[0], a[1])
+            case "inv":
+                return t.op("fdiv", literal(1.0), a[0])
+            case "neg":
+                return t(f"fneg double {a[0]}")
+            case "abs" | "floor":
+                return t.call({"abs": "llvm.fabs.f64", "floor": "llvm.floor.f64"}[op], a[0])
+            case "sqrt":
+                below = t(f"fcmp olt double {a[0]}, {literal(0.0)}")
+                return t.call("llvm.sqrt.f64", t.select(below, literal(0.0), a[0]))
+            case "hypot":
+                return t.call("llvm.sqrt.f64", t.op("fadd", t.op("fmul", a[0], a[0]), t.op("fmul", a[1], a[1])))
+            case "max" | "min":
+                return t.select(t(f"fcmp {'ugt' if op == 'max' else 'ult'} double {a[0]}, {a[1]}"), a[0], a[1])
+            case "sel":
+                return t.select(*a)
+            case "and" | "or":
+                return t(f"{op} i1 {a[0]}, {a[1]}")
+            case "not":
+                return t(f"xor i1 {a[0]}, true")
+            case "eq" if self.tape.ops[args[0]][0] in TESTS:
+                return t(f"icmp eq i1 {a[0]}, {a[1]}")
+            case "lt" | "le" | "eq":
+                return t(f"fcmp o{op} double {a[0]}, {a[1]}")
+        return t.call({"sin": "ksin", "cos": "kcos", "atan2": "katan2", "gap": "kgap"}[op], *a)
+
+
+def _row(t: Lines, begin: int) -> str:
+    index = t(f"add nuw nsw i64 %i, {begin}")
+    return t(f"getelementptr inbounds double, ptr %rows, i64 {index}")
+
+
+def module(
+    tape: Tape, order: list[int], inputs: list[int], fixed: list[int], outputs: list[int], codes: list[int], stride: int
+) -> str:
+    """The module of a function run(rows, fixed, n): rows of ``inputs`` first, then it fills rows of ``outputs``, and
+    last the number of the first of the conditions ``codes`` that does not hold (0: all hold); returns the sum of these.
+    Rows are ``stride`` numbers apart.
+    """
+    head = Lines()
+    names = {}
+    for k, place in enumerate(fixed):
+        pointer = head(f"getelementptr inbounds double, ptr %fixed, i64 {k}")
+        loaded = head(f"load double, ptr {pointer}, align 8")
+        names[place] = head(f"fcmp une double {loaded}, {literal(0.0)}") if tape.ops[place][0] in TESTS else loaded
+    text = LoopText(tape, {place: name.replace("%v", "%c") for place, name in names.items()})
+    for k, place in enumerate(inputs):
+        text.names[place] = text.t(f"load double, ptr {_row(text.t, k * stride)}, align 8")
+    for place in order:
+        if place not in text.names:
+            text.write(place)
+    code = literal(0.0)
+    for k in range(len(codes), 0, -1):
+        code = text.t.select(text.name(codes[k - 1]), code, literal(float(k)))
+    stores = []
+    for k, name in enumerate([*map(text.name, outputs), code], len(inputs)):
+        stores.append(f"  store double {name}, ptr {_row(text.t, k * stride)}, align 8")
+    stores.append(f"  %sum = fadd reassoc double %sofar, {code}")
+    opening = [line.replace("%v", "%c") for line in head.lines]
+    return "\n".join([*_frame(), *opening, *OPEN, *text.t.lines, *stores, *CLOSE])
+
+
+def _frame() -> list[str]:
+    declared = [
+        f"declare double @llvm.{name}.f64({', '.join(['double'] * count)})" for name, count in INTRINSICS.items()
+    ]
+    start = "define double @run(ptr noalias %rows, ptr noalias %fixed, i64 %n) {\nentry:"
+    return [*declared, sine(), cosine(), arctangent(), gap(), start]
+
+
+OPEN = (
+    "  br label %loop\nloop:",
+    "  %i = phi i64 [ 0, %entry ], [ %next, %loop ]",
+    f"  %sofar = phi double [ {literal(0.0)}, %entry ], [ %sum, %loop ]",
+)
+CLOSE = (
+    "  %next = add nuw nsw i64 %i, 1",
+    "  %more = icmp slt i64 %next, %n",
+    "  br i1 %more, label %loop, label %done, !llvm.loop !0",
+    "done:\n  ret double %sum\n}",
+    "!0 = distinct !{!0, !1}",
+    '!1 = !{!"llvm.loop.vectorize.enable", i1 true}',
+)

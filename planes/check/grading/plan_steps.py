@@ -1,0 +1,61 @@
+"""One plan of a program, and what a mistake in it may take for something else."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from planes.check.grading.handwork import Variant
+from planes.drafting.program import Program
+from planes.drafting.steps import LayOff, Step, Turn
+from planes.drafting.steps.reckoning import Calculate, Product
+from planes.plans import Plans
+from planes.words.names import POLE, at, label_of, plan_of
+
+Words = Mapping[str, str]  # names for the sentence about a mistake
+
+
+@dataclass
+class PlanSteps:
+    """One plan of a program, and what a mistake in it may take for something else."""
+
+    plans: Plans
+    program: Program
+    plan: str
+
+    def __post_init__(self) -> None:
+        self.steps: dict[str, Step] = {s.makes: s for s in self.program.steps}
+        self.order = {s.makes: i for i, s in enumerate(self.program.steps)}
+        self.pole = at(self.plan, POLE)
+        self.own = [s for s in self.program.steps if s.kind == "mark" and plan_of(s.makes) == self.plan]
+
+    def before(self, name: str, step: Step) -> bool:
+        """Whether a thing is there when the step is drawn."""
+        return name in self.order and self.order[name] < self.order[step.makes]
+
+    def link_line(self, direction: str) -> str | None:
+        """The direction a perpendicular was raised on, if the direction is one."""
+        step = self.steps.get(direction)
+        return step.of if isinstance(step, Turn) and step.quarter == 1 and not step.angle else None
+
+    def perpendiculars(self) -> list[str]:
+        """Perpendiculars to links among the program's directions."""
+        found = [d for d in self.steps if (of := self.link_line(d)) and not of.startswith("∥")]
+        return [d for d in found if not d.startswith("⊥∥")]
+
+    def reversed_length(self, step: LayOff, factor: float = -1.0) -> tuple[Step, ...]:
+        """The same length laid off times a number (backwards, twice, half)."""
+        name = f"{step.makes} ×{factor:g}"
+        calculation = Calculate(name, (Product(factor, ((step.length, 1),)),))
+        return calculation, replace(step, length=name)
+
+    def square(self, of: str, name: str) -> Turn:
+        """A perpendicular of another name."""
+        return Turn(name, of, 1)
+
+    def variant(
+        self, mistake: str, step: Step, *swap: Step, weight: float = 1.0, about: Words | None = None
+    ) -> Variant:
+        """A mistake made at one step."""
+        label = label_of(step.makes)
+        return Variant(mistake, label, {step.makes: swap}, {}, weight, {"mark": label, **(about or {})})

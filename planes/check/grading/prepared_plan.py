@@ -1,0 +1,127 @@
+"""A plan of a scene made ready for checking drawings of it: program, marks, scale, and the mistakes it may hold."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from planes.check.grading.handwork import Hand, Variant
+from planes.check.grading.mistakes import motion_variants
+from planes.check.grading.mistakes_force import force_variants
+from planes.check.grading.mistakes_position import position_variants
+from planes.check.grading.paper import ReadPaper
+from planes.check.grading.perturbing import HAND, Skill
+from planes.check.grading.plan_steps import PlanSteps
+from planes.drafting.drawing import draw_steps
+from planes.drafting.program import Program
+from planes.drafting.steps import Step
+from planes.drafting.tools import Env, Tool
+from planes.geometry.arithmetic import One
+from planes.plans import Plans, mechanism_plans
+from planes.plans.scales import scales
+from planes.scene import Scene
+from planes.words import Phrase
+from planes.words.errors import PlanesError, valid_names
+from planes.words.names import POLE, kind_of, label_of, mu_of, parted, plan_of
+from planes.words.spelling import Names
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What is checked: a plan of a scene at a value of the drive, and what is known of the drawing beforehand."""
+
+    scene: Scene
+    plan: str
+    value: float | None = None
+    mu: float | None = None
+    skill: Skill = HAND
+    others: Mapping[str, ReadPaper] = field(default_factory=dict)  # drawings of earlier plans
+    spelt: Callable[[str], str] = str  # how the scene's sheets letter a vector: F_56 for F_50
+
+
+@dataclass
+class PreparedPlan:
+    """All that does not depend on the drawing's scale."""
+
+    asked: Asked
+    plans: Plans
+    given: dict[str, Any]
+    program: Program
+    marks: list[str]
+    said_mu: float
+
+    def written(self, vectors: Iterable[str]) -> Names:
+        """Names of vectors of a force plan as sheets of the scene letter them, and as the program does."""
+        return Names(vectors, spelt=lambda name: self.asked.spelt(parted(name)))
+
+    def at(self, mu: float, told: bool = False) -> PreparedPlan:
+        """The same at another scale; ``told``, if no other is to be thought of."""
+        asked = replace(self.asked, mu=mu) if told else self.asked
+        return replace(self, asked=asked, given={**self.given, mu_of(asked.plan): mu}, said_mu=mu)
+
+    def ways(self) -> PlanSteps:
+        """The steps a mistake may change."""
+        return PlanSteps(self.plans, self.program, self.asked.plan)
+
+
+def prepare(asked: Asked) -> PreparedPlan:
+    """The program of the plan, its marks and its stated scale. Errors name the plans there are."""
+    if asked.scene.mechanism is None:
+        raise PlanesError(Phrase("check_vectors", file=asked.scene.file))
+    plans = mechanism_plans(asked.scene)
+    known = known_plans(plans)
+    if asked.plan not in known:
+        raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=valid_names(asked.plan, known)))
+    moved = {} if asked.value is None else plans.at(asked.value)
+    given = {**plans.given, **scales(plans, asked.scene.mu, moved), **moved}
+    if asked.mu:
+        given[mu_of(asked.plan)] = asked.mu
+    marks = marks_of(plans, asked.plan)
+    speeds = marks_of(plans, "velocity") if asked.plan == "acceleration" else []  # any may be taken for another
+    program = plans.program.sliced([*marks, *speeds])
+    return PreparedPlan(asked, plans, given, program, marks, given[mu_of(asked.plan)])
+
+
+def known_plans(plans: Plans) -> list[str]:
+    """The plans a person draws."""
+    return [p for p in plans.drawn if p not in ("lever", "motion")]
+
+
+def marks_of(plans: Plans, plan: str) -> list[str]:
+    """The marks of a plan that a person draws, in order of drawing."""
+    own = [s.makes for s in plans.program.steps if s.kind == "mark" and plan_of(s.makes) == plan and not s.helper]
+    return [m for m in own if label_of(m) != POLE]
+
+
+def variants_of(bench: PreparedPlan, hand: Hand, mu: float) -> Sequence[Variant]:
+    """Every mistake of the catalogue that could be made in the plan."""
+    ways = bench.ways()
+    match kind_of(bench.asked.plan):
+        case "position":
+            return list(position_variants(ways, hand.taken, mu))
+        case "force":
+            return list(force_variants(ways))
+    return list(motion_variants(ways))
+
+
+@dataclass
+class _Snapping(Tool):
+    """Draws exactly, but goes on from where things are on the picture."""
+
+    snap: Callable[[Step, Any], Any] = lambda _, made: made
+
+    def make(self, step: Step, way: Sequence[Step], things: Env) -> Any:
+        made = super().make(step, way, things)
+        things[step.makes] = self.snap(step, made)
+        return made
+
+
+def redrawn(bench: PreparedPlan, variant: Variant | None, snap: Callable[[Step, Any], Any]) -> dict[str, Any] | None:
+    """The program drawn exactly, every thing passed through ``snap``; None where that cannot be drawn."""
+    things = {**bench.given, **(variant.givens if variant else {})}
+    try:
+        draw_steps(bench.program.steps, things, _Snapping(One(), snap=snap), variant.swaps if variant else {})
+    except PlanesError:
+        return None
+    return things

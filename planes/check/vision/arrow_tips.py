@@ -1,0 +1,196 @@
+"""Arrowheads along lines of ink: told by how the ink grows wide and narrow again, and fitted to it as triangles."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from planes.check.vision.heads import heads_of
+from planes.check.vision.ink import LIGHT, Ink
+from planes.check.vision.line_fitting import Fitted, Tip
+
+USUAL_MM = 3.0  # about how long a head is
+STEP_MM, CELL_MM = 0.2, 0.1  # along a line and across
+SOFT_MM = 0.18  # half of how far an edge is blurred
+OUTSIDE_MM = 0.08  # how far outside of a line's ink its edges are
+LENGTH_MM, HALF_MM = (1.5, 6.0), (0.35, 1.6)  # of a head, and half of its width
+ASKEW = 0.25  # of a head to its line
+NEEDED, CLEAR = 0.35, 0.75  # of the ink that no line explains, the share a head must, and one that is seen well
+TIE_MM = 0.3  # of a head beside its line
+END_MM, AT_END_MM = 0.08, 1.5  # σ of where a line is seen to end; how far its head's tip may seem to be from there
+ENOUGH, EVEN, UNEVEN = 3, 0.02, 0.08  # heads that tell how alike all are, and how alike they may be; fewer do not
+SHAPE_MM = (0.2, 0.03)  # σ of a fitted head's length and half of its width
+ERROR = 20.0  # the error of a fit by how much ink it leaves: places of a picture err together
+NUDGES = (0.05, 0.03, 0.02, 0.1, 0.04)
+LEAST_MM = 0.1  # no tip is surer
+
+
+def find_heads(ink: Ink, lines: Sequence[Fitted]) -> None:
+    """Put to every line the arrowheads along it: all are of one hand, so those less well seen are taken to be alike."""
+    import numpy
+
+    sights = [sight for line in lines for sight in _sights(ink, line, lines)]
+    for sight in sights:
+        sight.fit(None)
+    clear = [x.p for x in sights if x.clear]
+    if clear:
+        shapes = numpy.array(clear)[:, 3:]
+        usual = numpy.median(shapes, axis=0)
+        spread = 1.5 * numpy.median(numpy.abs(shapes - usual), axis=0)
+        least = (EVEN if len(clear) >= ENOUGH else UNEVEN) * usual
+        like = (usual, numpy.sqrt(numpy.maximum(spread**2 - numpy.square(SHAPE_MM), least**2)))
+        for sight in sights:
+            sight.fit(like)
+    for line in lines:
+        line.heads = []
+    for sight in sorted((x for x in sights if x.good), key=lambda x: -x.gain):
+        line, head = sight.line, sight.tip
+        if line.low - 1.5 < head.s < line.high + 1.5 and all(abs(head.s - k.s) > 1 for k in line.heads):
+            line.heads.append(head)
+
+
+def _sights(ink: Ink, line: Fitted, lines: Sequence[Fitted]) -> Iterator[Sight]:
+    """Where heads may be along a line."""
+    import numpy
+
+    s = numpy.arange(line.low - 8, line.high + 8, STEP_MM)
+    t = numpy.arange(-1.5, 1.51, CELL_MM)
+    z = line.at(s)[:, None] + 1j * line.along * t[None, :]
+    dark = ink.at(z)
+    others = [x for x in lines if x is not line]
+    for found in heads_of(ink, line):
+        tip, sign, thin = found.tip, found.sign, replace(line, width=min(line.width, found.width))
+        base = tip - sign * USUAL_MM
+        near = (sign * (s - base) > -3.0) & (sign * (s - tip) < 2.5)
+        x, y = numpy.broadcast_arrays(sign * s[near, None], t[None, :])
+        end = sign * (line.high if sign > 0 else line.low)
+        free = line.clear[(sign + 1) // 2] and abs(sign * tip - end) < AT_END_MM
+        start = numpy.array([end if free else sign * tip, 0.0, 0.0, abs(tip - base), 0.7])
+        known = _known(z[near], [thin, *others])
+        yield Sight(line, thin.width, sign, x, y, dark[near], known, start, end if free else None)
+
+
+def _known(z: Any, lines: Sequence[Fitted]) -> Any:
+    """How dark the lines alone make places."""
+    import numpy
+
+    dark = numpy.zeros(z.shape)
+    for line in lines:
+        p = (z - line.origin) * line.along.conjugate()
+        s = numpy.clip(p.real, line.low, line.high)
+        far = numpy.hypot(p.real - s, p.imag - line.bow(s))
+        dark = numpy.maximum(dark, _shade(far - line.width / 2 - OUTSIDE_MM))
+    return dark
+
+
+def _shade(far: Any) -> Any:
+    """Darkness at a distance outside of an edge."""
+    import numpy
+
+    return numpy.clip(0.5 - far / (2 * SOFT_MM), 0, 1)
+
+
+def _head(x: Any, y: Any, p: Any, width: float) -> Any:
+    """Darkness of a head and of the line it ends: tip at p[0], p[1], turned by p[2], p[3] long, p[4] half as wide."""
+    import numpy
+
+    dx, dy = x - p[0], y - p[1]
+    u, v = dx * math.cos(p[2]) + dy * math.sin(p[2]), numpy.abs(dy * math.cos(p[2]) - dx * math.sin(p[2]))
+    slope = p[4] / p[3]
+    side = (v + slope * u) / math.hypot(1, slope)
+    head = numpy.maximum(side, -p[3] - u)
+    shaft = numpy.hypot(numpy.maximum(u, 0), v) - width / 2 - OUTSIDE_MM
+    return _shade(numpy.minimum(head, shaft))
+
+
+@dataclass
+class Sight:
+    """A piece of ink along a line that may be an arrowhead, x towards its tip; what the lines alone make of it."""
+
+    line: Fitted
+    width: float  # of the line behind the head
+    sign: int
+    x: Any
+    y: Any
+    dark: Any
+    known: Any
+    p: Any  # of the head: where its tip is along and aside, its turn, its length, half of its width
+    end: float | None = None  # where the line ends, if nothing else does there
+    sigma: float = 1.0
+    gain: float = 0.0  # how much of the ink that no line explains it does
+    error: float = 2.0  # of its ink, in which places err together
+
+    def off(self, p: Any, like: tuple[Any, Any] | None) -> Any:
+        """What such a head is off the ink, and off what heads are like."""
+        import numpy
+
+        model = numpy.maximum(_head(self.x, self.y, p, self.width), self.known)
+        ties = [p[1] / TIE_MM, 2 * p[2] / ASKEW]
+        if self.end is not None:
+            ties.append((p[0] - self.end) / END_MM)
+        if like is not None:
+            ties.extend((p[3:] - like[0]) / like[1])
+        return numpy.append((_seen(model) - self.dark).ravel(), self.error * numpy.array(ties))
+
+    def fit(self, like: tuple[Any, Any] | None) -> None:
+        """The head that fits best (Levenberg and Marquardt's way)."""
+        import numpy
+
+        p, damp = self.p.copy(), 0.1
+        left = self.off(p, like)
+        for _ in range(12):
+            slope = numpy.stack([(self.off(p + d, like) - left) / d.sum() for d in numpy.diag(NUDGES)], axis=1)
+            normal = slope.T @ slope + 1e-3 * numpy.eye(5)
+            move = numpy.linalg.solve(normal + damp * numpy.diag(numpy.diag(normal)), -slope.T @ left)
+            trial = p + numpy.clip(move, -0.5, 0.5)
+            trial[3:] = numpy.clip(trial[3:], (LENGTH_MM[0], HALF_MM[0]), (LENGTH_MM[1], HALF_MM[1]))
+            new = self.off(trial, like)
+            if new @ new < left @ left:
+                done = numpy.abs(trial - p).max() < 0.005
+                p, left, damp = trial, new, damp / 3
+                if done:
+                    break
+            else:
+                damp *= 5
+        self.p = p
+        self._weigh(settled=like is not None)
+        self.sigma = self.error * math.sqrt(float(numpy.linalg.inv(normal)[0, 0]))
+
+    def _weigh(self, settled: bool) -> None:
+        """How much of the ink the head explains, and (but once) how far ink can be believed."""
+        import numpy
+
+        p = self.p
+        about = numpy.abs(self.x - p[0] + p[3] / 2) < p[3] / 2 + 0.5
+        about &= numpy.abs(self.y - p[1]) < p[4] + 0.4
+        model = numpy.maximum(_head(self.x, self.y, p, self.width), self.known)
+        left_over, without = (((_seen(m) - self.dark)[about] ** 2).mean() for m in (model, self.known))
+        self.gain = 1 - float(left_over) / max(float(without), 1e-9)
+        if not settled:
+            self.error = min(max(ERROR * math.sqrt(float(left_over)), 1.0), 6.0)
+
+    @property
+    def good(self) -> bool:
+        """Whether it is an arrowhead at all."""
+        _, aside, turn, length, half = self.p.tolist()
+        return self.gain > NEEDED and abs(turn) < ASKEW and abs(aside) < 0.8 and half < 0.6 * length
+
+    @property
+    def clear(self) -> bool:
+        """Whether it tells what heads are like."""
+        inside = LENGTH_MM[0] < self.p[3] < LENGTH_MM[1] and HALF_MM[0] < self.p[4] < HALF_MM[1]
+        return self.good and inside and self.gain > CLEAR and self.end is not None
+
+    @property
+    def tip(self) -> Tip:
+        """Its tip."""
+        s = self.sign * float(self.p[0])
+        z = complex(self.line.at(s)) + 1j * self.line.along * float(self.p[1])
+        return Tip(s, self.sign, z, max(self.sigma, LEAST_MM), float(self.p[3]))
+
+
+def _seen(dark: Any) -> Any:
+    """Darkness as :meth:`Ink.at` tells it, of which the lightest part is taken for paper."""
+    return (dark - LIGHT).clip(0) / (1 - LIGHT)

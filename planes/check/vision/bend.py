@@ -1,0 +1,202 @@
+"""How a picture of a sheet is bent, by its lens and by paper that does not lie flat: told by the printed frame.
+
+Four corner marks give the sheet's place and slant alone. The frame's sides are straight on the sheet; where they are
+seen bent, the lens is fitted that makes them straight, and what is then left is taken for the paper's, evenly between
+opposite sides.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+LEFT_MM, OTHER_MM = 20.0, 5.0  # of the frame from the sheet's edges
+REACH_MM, ACROSS_MM, ALONG_MM = 6.0, 0.125, 2.0  # how far from its place a side is looked for, and how closely
+BENT_MM = 0.3  # of a side: less is not worth mending
+SEEN = 0.6  # of a side, at least, must be seen
+CONTRAST = 8.0  # of a line, in greys, to be one
+MOST_BENT = 0.25  # of a lens, at a picture's corner
+
+
+@dataclass
+class Bend:
+    """A lens about a picture's middle, then the view of the sheet (pixels of the flat picture), then its paper."""
+
+    middle: complex
+    half: float  # of the picture's diagonal
+    lens: tuple[float, float]
+    view: Any
+    size_px: tuple[float, float]
+    shrink: float = 1.0  # by which the picture was made smaller before it was looked at
+    sides: Any = None  # how far the paper moves the left, right, lower, upper side outwards, px, at even steps
+
+    def straight(self, z: Any) -> Any:
+        """Pixels of the picture as they would be without the lens's bend."""
+        d = z - self.middle
+        r2 = (abs(d) / self.half) ** 2
+        return self.middle + d * (1 + self.lens[0] * r2 + self.lens[1] * r2 * r2)
+
+    def seen(self, z: Any) -> Any:
+        """Where the lens puts what should be at ``z``."""
+        d, out = z - self.middle, z - self.middle
+        for _ in range(12):
+            r2 = (abs(out) / self.half) ** 2
+            out = d / (1 + self.lens[0] * r2 + self.lens[1] * r2 * r2)
+        return self.middle + out
+
+    def paper(self, z: Any) -> Any:
+        """How much the paper moves a place of the flat picture."""
+        import numpy
+
+        if self.sides is None:
+            return 0 * z
+        u, v = z.real / self.size_px[0], z.imag / self.size_px[1]
+        steps = numpy.linspace(0, 1, self.sides.shape[1])
+        shares = zip((v, v, u, u), self.sides, strict=True)
+        left, right, upper, lower = (numpy.interp(share, steps, side) for share, side in shares)
+        return (1 - u) * left + u * right + 1j * ((1 - v) * upper + v * lower)
+
+    def flat(self, z: Any) -> Any:
+        """Where on the flat picture a pixel of the picture as it was is."""
+        place = through(self.view, self.straight(z * self.shrink))
+        return place - self.paper(place)
+
+    def source(self, z: Any) -> Any:
+        """Which pixel of the picture a place of the flat picture is seen at."""
+        import numpy
+
+        return self.seen(through(numpy.linalg.inv(self.view), z + self.paper(z)))
+
+
+def through(view: Any, z: Any) -> Any:
+    """Places through a homography."""
+    w = view[2, 0] * z.real + view[2, 1] * z.imag + view[2, 2]
+    x = view[0, 0] * z.real + view[0, 1] * z.imag + view[0, 2]
+    return (x + 1j * (view[1, 0] * z.real + view[1, 1] * z.imag + view[1, 2])) / w
+
+
+def bend_of(grey: Any, view: Any, scale: float, size_mm: tuple[float, float]) -> Bend | None:
+    """The bend of a picture seen by ``view`` (its pixels to ``scale`` a mm); None where there is none to speak of."""
+    height, width = grey.shape
+    size = size_mm[0] * scale, size_mm[1] * scale
+    bend = Bend(complex(width, height) / 2, abs(complex(width, height)) / 2, (0.0, 0.0), view, size)
+    seen = _sides(grey, bend, scale, size_mm)
+    if seen is None or max(float(abs(off).max()) for _, off in seen) < BENT_MM:
+        return None
+    bend.lens = _lens(bend, [z for z, _ in seen])
+    return bend
+
+
+def add_paper(bend: Bend, grey: Any, scale: float, size_mm: tuple[float, float]) -> None:
+    """Put to a bend what its lens leaves for the paper."""
+    import numpy
+
+    seen = _sides(grey, bend, scale, size_mm)
+    if seen is None or max(float(abs(off).max()) for _, off in seen) < BENT_MM:
+        return
+    steps = numpy.linspace(0, 1, 41)
+    rows = []
+    for (_, off), (a, b) in zip(seen, _ends(size_mm), strict=True):
+        upright = abs((b - a).real) < 1
+        share = numpy.linspace((a.imag if upright else a.real), (b.imag if upright else b.real), len(off))
+        share = 1 - share / size_mm[1] if upright else share / size_mm[0]
+        smooth = numpy.polynomial.Polynomial.fit(share, off, 4)
+        inside = numpy.clip(steps, share.min(), share.max())
+        rows.append(smooth(inside) * scale)
+    bend.sides = numpy.array(rows)
+
+
+def _ends(size_mm: tuple[float, float]) -> list[tuple[complex, complex]]:
+    """The frame's sides, mm, y up: left, right, upper, lower."""
+    w, h = size_mm
+    left, right, low, high = LEFT_MM, w - OTHER_MM, OTHER_MM, h - OTHER_MM
+    corners = complex(left, low), complex(right, low), complex(right, high), complex(left, high)
+    return [(corners[0], corners[3]), (corners[1], corners[2]), (corners[3], corners[2]), (corners[0], corners[1])]
+
+
+def _sides(grey: Any, bend: Bend, scale: float, size_mm: tuple[float, float]) -> list[tuple[Any, Any]] | None:
+    """The frame's sides as they are seen: pixels, and how far they are off (mm, in x or down); None if not all are."""
+    import numpy
+
+    out = []
+    for a, b in _ends(size_mm):
+        count = int(abs(b - a) / ALONG_MM)
+        places = a + (b - a) * numpy.linspace(0.03, 0.97, count)
+        across = 1.0 if abs((b - a).real) < 1 else -1j
+        t = numpy.arange(-REACH_MM, REACH_MM + 1e-9, ACROSS_MM)
+        z = places[:, None] + across * t[None, :]
+        flat = (z.real + 1j * (size_mm[1] - z.imag)) * scale
+        off, good = _line(_sampled(grey, bend.source(flat)))
+        if good.mean() < SEEN:
+            return None
+        smooth = numpy.polynomial.Polynomial.fit(places[good].real + places[good].imag, off[good], 5)
+        off = smooth(places.real + places.imag)
+        middle = places + across * off
+        out.append((bend.source((middle.real + 1j * (size_mm[1] - middle.imag)) * scale), off))
+    return out
+
+
+def _sampled(grey: Any, z: Any) -> Any:
+    """Grey at places between pixels."""
+    import numpy
+
+    h, w = grey.shape
+    x, y = numpy.clip(z.real, 0, w - 1.001), numpy.clip(z.imag, 0, h - 1.001)
+    i, j = x.astype(int), y.astype(int)
+    u, v = x - i, y - j
+    upper = grey[j, i] * (1 - u) + grey[j, i + 1] * u
+    lower = grey[j + 1, i] * (1 - u) + grey[j + 1, i + 1] * u
+    return upper * (1 - v) + lower * v
+
+
+def _line(rows: Any) -> tuple[Any, Any]:
+    """Where across each row a thin dark line runs that goes on from row to row, mm, and in which rows it is seen."""
+    import numpy
+
+    wide = rows.shape[1]
+    rim = int(0.75 / ACROSS_MM)
+    padded = numpy.pad(rows, ((0, 0), (rim, rim)), mode="edge")
+    paper = numpy.minimum(padded[:, :wide], padded[:, 2 * rim :])
+    dark = numpy.clip(paper - rows, 0, 120)
+    best, back = dark[0].copy(), []
+    moves = range(-2, 3)
+    for row in dark[1:]:
+        wider = numpy.pad(best, 2, constant_values=-1e9)
+        shifted = numpy.stack([wider[2 - m : 2 - m + wide] - 2.0 * abs(m) for m in moves])
+        choice = shifted.argmax(axis=0)
+        back.append(choice)
+        best = shifted[choice, numpy.arange(wide)] + row
+    path = [int(best.argmax())]
+    for choice in reversed(back):
+        path.append(path[-1] - moves[choice[path[-1]]])
+    at = numpy.array(path[::-1])
+    near = numpy.clip(at[:, None] + numpy.arange(-3, 4)[None, :], 0, wide - 1)
+    mass = numpy.take_along_axis(dark, near, axis=1)
+    middle = (mass * near).sum(axis=1) / numpy.maximum(mass.sum(axis=1), 1e-6)
+    good = numpy.take_along_axis(dark, at[:, None], axis=1)[:, 0] > CONTRAST
+    return middle * ACROSS_MM - REACH_MM, good
+
+
+def _lens(bend: Bend, sides: list[Any]) -> tuple[float, float]:
+    """The lens that makes the frame's sides straight (Gauss and Newton's way), but for what bends opposite sides the
+    same way: that is the paper's."""
+    import numpy
+
+    def crooked(k: Any) -> Any:
+        bend.lens = float(k[0]), float(k[1])
+        found = []
+        for side in sides:
+            z = bend.straight(side)
+            z = z - z.mean()
+            u = numpy.exp(0.5j * numpy.angle((z * z).sum()))
+            u = u if ((z[-1] - z[0]) * u.conjugate()).real > 0 else -u
+            found.append((z * u.conjugate()).imag)
+        left, right, upper, lower = found
+        return numpy.concatenate([left - right, upper - lower, 2.0 * k / MOST_BENT])
+
+    k = numpy.zeros(2)
+    for _ in range(8):
+        left = crooked(k)
+        slope = numpy.stack([(crooked(k + d) - left) / 1e-4 for d in 1e-4 * numpy.eye(2)], axis=1)
+        k = numpy.clip(k - numpy.linalg.lstsq(slope, left, rcond=None)[0], -MOST_BENT, MOST_BENT)
+    return float(k[0]), float(k[1])

@@ -1,0 +1,108 @@
+"""Pictures and pages of PDF decoded within bounds: what a header promises is looked at before any memory is taken."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+from typing import Any
+
+from planes.check.reading.opened import MB, contents, hushed
+from planes.check.vision.colours import in_one_shade, plainest
+from planes.check.vision.picture import cv
+from planes.words import Phrase
+from planes.words.errors import PlanesError, guarded
+
+LARGEST = 200 * MB
+MOST_BYTES = 320 * MB  # to decode a picture: 64 million pixels, half of that where all must be held several times over
+MOST_PAGE = 34_000_000
+LEAST_PX = 40
+ROWS = 256
+PAGE_DPI = 200
+PDF_IMAGES, PDF_DEPTH = 1000, 5
+PNG, PNG_END = b"\x89PNG", b"IEND"
+
+
+def load(path: str | Path) -> Any:
+    """A picture (or the first page of a PDF) in one shade. :class:`PlanesError` where it is none, or is too large."""
+    cv()  # or a sentence that it is missing
+    data = contents(path, LARGEST)
+    if not data:
+        raise PlanesError(Phrase("check_empty", file=str(path)))
+    with guarded("check_picture", path), hushed():
+        found = _page(data, str(path)) if data[:5] == b"%PDF-" else _decoded(data, str(path))
+    if found is None:
+        raise PlanesError(Phrase("check_picture", file=str(path)))
+    if min(found.shape) < LEAST_PX:
+        raise PlanesError(Phrase("check_small_picture", file=str(path), size=f"{found.shape[1]} × {found.shape[0]}"))
+    return found
+
+
+def _decoded(data: bytes, file: str) -> Any:
+    """The pixels in grey, on white paper where they are transparent; None where the file is no whole picture."""
+    import numpy
+
+    see_through = _looked_into(data, file)
+    cv2, bits = cv(), numpy.frombuffer(data, numpy.uint8)
+    if data[:4] == PNG and PNG_END not in data[-64:]:
+        return None  # it was cut short
+    told = cv2.utils.logging.getLogLevel()
+    cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
+    try:
+        whole = cv2.imdecode(bits, cv2.IMREAD_UNCHANGED) if see_through else None
+        if whole is None or whole.ndim < 3 or whole.shape[2] != 4:
+            return in_one_shade(cv2, bits)
+        return _on_paper(cv2, whole)
+    finally:
+        cv2.utils.logging.setLogLevel(told)
+
+
+def _looked_into(data: bytes, file: str) -> bool:
+    """Whether a picture may be transparent, by its header alone; refused if decoding it would take too much memory."""
+    import warnings
+
+    from PIL import Image
+
+    with warnings.catch_warnings(), guarded("check_picture", file):
+        warnings.simplefilter("ignore")
+        try:
+            head = Image.open(io.BytesIO(data), formats=("PNG", "JPEG", "MPO", "BMP", "TIFF", "WEBP"))
+        except Image.DecompressionBombError:
+            raise PlanesError(Phrase("check_large_picture", file=file, size="> 10⁸")) from None
+    see_through = head.format in ("PNG", "WEBP") and ("A" in head.mode or "transparency" in head.info)
+    tiles = getattr(head, "tag_v2", {})
+    pixels = max(head.width * head.height, int(tiles.get(322, 0)) * int(tiles.get(323, 0)))
+    each = 10 if see_through or head.format == "TIFF" or "progressive" in head.info else 5
+    if pixels * each > MOST_BYTES:
+        raise PlanesError(Phrase("check_large_picture", file=file, size=f"{head.width} × {head.height}"))
+    return bool(see_through)
+
+
+def _on_paper(cv2: Any, whole: Any) -> Any:
+    """A transparent picture on white paper in grey, some rows at a time."""
+    import numpy
+
+    most, out = numpy.iinfo(whole.dtype).max, numpy.empty(whole.shape[:2], numpy.uint8)
+    for top in range(0, len(whole), ROWS):
+        rows = whole[top : top + ROWS]
+        cover = rows[..., 3].astype(numpy.float32) / most
+        grey = cv2.cvtColor(rows[..., :3], cv2.COLOR_BGR2GRAY).astype(numpy.float32) * (255 / most)
+        out[top : top + ROWS] = (255 - cover * (255 - grey)).round()
+    return out
+
+
+def _page(data: bytes, file: str) -> Any:
+    """A page of a PDF at 200 pixels per inch (fewer of a very large one), in one shade."""
+    import numpy
+    import pypdfium2
+
+    page = pypdfium2.PdfDocument(data)[0]
+    images = page.get_objects(filter=[pypdfium2.raw.FPDF_PAGEOBJ_IMAGE], max_depth=PDF_DEPTH)
+    for count, image in enumerate(images):
+        width, height = image.get_px_size()
+        if width * height * 5 > MOST_BYTES or count > PDF_IMAGES:
+            raise PlanesError(Phrase("check_large_picture", file=file, size=f"{width} × {height}"))
+    w, h = page.get_size()
+    scale = min(PAGE_DPI / 72, (MOST_PAGE / max(w * h, 1.0)) ** 0.5, 30_000 / max(w, h, 1.0))
+    if min(w, h) * scale < LEAST_PX:
+        raise PlanesError(Phrase("check_small_picture", file=file, size=f"{w * scale:.0f} × {h * scale:.0f}"))
+    return plainest(cv(), numpy.ascontiguousarray(page.render(scale=scale).to_numpy()[..., :3]))

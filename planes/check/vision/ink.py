@@ -1,0 +1,161 @@
+"""Ink on a flat picture: its light made even, printed marks taken out, and how dark any place of the sheet is."""
+
+from __future__ import annotations
+
+import statistics
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from planes.check.fiducials import ARM_MM, SIDE_MM, centres
+from planes.check.vision.picture import Flat, cv
+
+LETTER_MM = 7.5  # smaller separate marks of ink are letters
+SPECK_MM, USUAL_MM, LIKE = 1.5, 3.5, 1.3  # smaller ones are none; their usual size; how much larger one may be
+DARK = 0.4  # of a pencil's darkness: less is paper, a grid's line, or a line rubbed out
+LIGHT = 0.3  # of a pencil's darkness: is paper
+HEART_MM, RIM_MM = 1.0, 0.35  # about a printed cross's middle, where lines are drawn from; about its arms
+FRAME_MM = (21.5, 8.5)  # how much of a sheet is its frame: at the left, and at the other edges
+
+
+@dataclass
+class Ink:
+    """A sheet's ink: ``even`` is the picture with even light, 255 where there is none but a pencil's lines may be."""
+
+    flat: Flat
+    even: Any
+    paper: float  # the grey at which paper (with a grid or what was rubbed out) ends
+    pencil: float  # the grey of the darkest lines
+    letters: Any = None  # where there may be letters, or short vectors
+
+    @property
+    def mask(self) -> Any:
+        """Where there is ink: ones and zeros, a pixel each."""
+        import numpy
+
+        return (self.even < self.paper - DARK * (self.paper - self.pencil)).astype(numpy.uint8)
+
+    def at(self, z: Any) -> Any:
+        """Darkness of places in mm (an array of complex numbers of one or two axes): 0 of paper, 1 of a line."""
+        import numpy
+
+        x, y = ((z - self.flat.corner) * self.flat.scale).real, ((z - self.flat.corner) * self.flat.scale).imag
+        rows = numpy.atleast_2d(x), numpy.atleast_2d(self.even.shape[0] - y)
+        across, down = (numpy.ascontiguousarray(r, numpy.float32) for r in rows)
+        cv2 = cv()
+        grey = cv2.remap(self.even, across, down, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=255)
+        dark = (self.paper - grey.astype(numpy.float32)) / (self.paper - self.pencil)
+        return numpy.clip(dark, 0, 1).reshape(numpy.shape(z))
+
+    def lettered(self, z: Any) -> Any:
+        """Whether there may be letters at places in mm (an array of complex numbers)."""
+        import numpy
+
+        local = (numpy.atleast_1d(z) - self.flat.corner) * self.flat.scale
+        if self.letters is None:
+            return numpy.zeros(len(local), bool)
+        down = numpy.clip(self.even.shape[0] - local.imag, 0, self.even.shape[0] - 1).astype(int)
+        across = numpy.clip(local.real, 0, self.even.shape[1] - 1).astype(int)
+        return self.letters[down, across]
+
+    def covered(self, a: complex, b: complex, reach: float = 0.45) -> float:
+        """The share of the way from ``a`` to ``b`` along which there is ink, ``reach`` mm to either side."""
+        import numpy
+
+        length = abs(b - a)
+        if length < 2 * reach:
+            return 1.0
+        along = numpy.linspace(a, b, max(4, int(length / 0.3)))
+        across = 1j * (b - a) / length * numpy.linspace(-reach, reach, 7)
+        dark: Any = self.at(along[:, None] + across[None, :]).max(axis=1) > DARK
+        return float(dark.mean())
+
+
+def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
+    """The ink of a flat picture, without letters and printed marks; a cross may be printed at a place."""
+    import numpy
+
+    even = evened(flat)
+    if flat.by == "marks":
+        _whiten_printed(flat, even)
+    elif flat.by == "frame":
+        _whiten_frame(flat, even)
+    paper, pencil = _levels(even)
+    ink = Ink(flat, even, paper, pencil)
+    labels, sizes = _pieces(ink, ink.mask)
+    ink.even[~_spread(sizes[labels] >= LETTER_MM)] = 255
+    ink.even = numpy.ascontiguousarray(ink.even)
+    if cross is not None:
+        ink.letters = _joined(ink, cross, [mm for mm in sizes if SPECK_MM < mm < LETTER_MM])
+    return ink
+
+
+def evened(flat: Flat) -> Any:
+    """The picture as if the light were the same everywhere: paper is 255."""
+    import numpy
+
+    cv2 = cv()
+    small = cv2.resize(flat.grey, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA)
+    light = cv2.dilate(small, numpy.ones((7, 7), numpy.uint8))
+    light = cv2.GaussianBlur(light, (0, 0), 0.7 * flat.scale)
+    light = cv2.resize(light, flat.grey.shape[::-1], interpolation=cv2.INTER_LINEAR)
+    even = numpy.minimum(cv2.divide(flat.grey, light, scale=250.0), 255)
+    return cv2.GaussianBlur(even, (0, 0), 0.8)
+
+
+def _levels(even: Any) -> tuple[float, float]:
+    """The greys of paper and of a pencil's lines; a grid and what was rubbed out are paper."""
+    import numpy
+
+    counts = numpy.bincount(even.ravel(), minlength=256).astype(float)
+    dark = counts[:150].copy()
+    share = numpy.cumsum(dark) / max(dark.sum(), 1.0)
+    pencil = float(numpy.searchsorted(share, 0.3)) if dark.sum() > 400 else 120.0
+    pencil = min(max(pencil, 20.0), 140.0)
+    return 255.0 - LIGHT * (255.0 - pencil), pencil
+
+
+def _joined(ink: Ink, cross: complex, letters: Sequence[float]) -> Any:
+    """Where there is ink no larger than letters (so large are the others) that but a printed cross joins to lines."""
+    import numpy
+
+    mask = ink.mask
+    for way in (1, -1, 1j, -1j):  # without the arms; lines are drawn from the cross's middle
+        arm = numpy.array([ink.flat.px(cross + way * mm) for mm in (HEART_MM, ARM_MM)]).round().astype(numpy.int32)
+        cv().polylines(mask, [arm], False, 0, round(2 * RIM_MM * ink.flat.scale))
+    parts, sizes = _pieces(ink, mask)
+    return (parts > 0) & (sizes[parts] < LIKE * statistics.median(letters or [USUAL_MM]))
+
+
+def _pieces(ink: Ink, mask: Any) -> tuple[Any, Any]:
+    """Separate pieces of ink: the number of each pixel's, and how large each is, mm (0: no ink)."""
+    import numpy
+
+    _, labels, stats, _ = cv().connectedComponentsWithStats(mask, connectivity=8)
+    sizes = numpy.maximum(stats[:, 2], stats[:, 3]) / ink.flat.scale
+    sizes[0] = 0.0
+    return labels, sizes
+
+
+def _spread(where: Any) -> Any:
+    """The places, and those around them where ink fades."""
+    import numpy
+
+    return cv().dilate(where.astype(numpy.uint8), numpy.ones((9, 9), numpy.uint8)) > 0
+
+
+def _whiten_printed(flat: Flat, even: Any) -> None:
+    """Paint over the corner marks, the frame and what lies outside of it."""
+    cv2 = cv()
+    for z in centres((even.shape[1] / flat.scale, even.shape[0] / flat.scale)):
+        x, y = flat.px(z)
+        r = (SIDE_MM / 2 + 2) * flat.scale
+        cv2.rectangle(even, (int(x - r), int(y - r)), (int(x + r), int(y + r)), 255, -1)
+    _whiten_frame(flat, even)
+
+
+def _whiten_frame(flat: Flat, even: Any) -> None:
+    """Paint over the frame and what lies outside of it."""
+    left, other = (int(mm * flat.scale) for mm in FRAME_MM)
+    even[:other], even[-other:] = 255, 255
+    even[:, :left], even[:, -other:] = 255, 255

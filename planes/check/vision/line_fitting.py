@@ -1,0 +1,194 @@
+"""A pencil's line fitted to the grey of a picture: the middle of its ink, slightly bent, and where it ends.
+
+Across the line the middle of the ink is found every fifth of a millimetre, wherever nothing else is near, and a
+straight (if long: slightly bent) line is laid through these robustly. The ends are where the ink ends.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from planes.check.vision.cross_sections import CELL_MM, Rows, nearest
+from planes.check.vision.ink import DARK, Ink
+
+STEP_MM = 0.2
+DRIFT_MM = 0.1  # how far off a line the ink of its end may be
+ASKEW = 0.25  # lines that run more askew only cross
+LEAST_CLEAR = 0.15  # of a line beside others, the share that must be told apart from them
+BEYOND_MM = 25.0  # how far past its ends a line is looked for
+GAP_MM = 1.2  # of a line's ink that is nothing but a poor stroke
+TORN_MM, OWN_MM = 0.3, 0.6  # a longer gap must have so much of plainly the same line beyond it
+WHITE = 0.25  # of a pencil's darkness: where nothing is
+BEND_MM = 0.3  # σ of how far a long line's middle is off its chord
+MOST_BENT_MM = 0.7  # a line that is bent more is two that lie side by side
+UNSTEADY_MM = 0.05  # σ of what a hand does beside bending
+
+
+@dataclass(frozen=True)
+class Tip:
+    """An arrowhead's tip: how far along its line, +1 if it points to its high end, the place, its σ along; and how
+    long the head is."""
+
+    s: float
+    sign: int
+    z: complex
+    sigma: float
+    length: float
+
+
+@dataclass
+class Fitted:
+    """A line's middle as ``origin + along·s + i·along·(c0 + c1·s + c2·s²)``, s in mm from ``low`` to ``high``."""
+
+    origin: complex
+    along: complex
+    shape: tuple[float, float, float]
+    low: float
+    high: float
+    sigma: float  # lateral, mm
+    width: float
+    clear: list[bool] = field(default_factory=lambda: [True, True])  # whether nothing else is where it ends
+    heads: list[Tip] = field(default_factory=list)
+
+    @property
+    def length(self) -> float:
+        return self.high - self.low
+
+    def at(self, s: Any) -> Any:
+        """The place at s (a number or an array)."""
+        return self.origin + self.along * (s + 1j * self.bow(s))
+
+    def bow(self, s: Any) -> Any:
+        """How far to the left of its chord the line is at s (a number or an array)."""
+        c0, c1, c2 = self.shape
+        return c0 + c1 * s + c2 * s * s
+
+    def direction(self, s: Any) -> Any:
+        """The unit direction at s (a number or an array)."""
+        u = 1 + 1j * (self.shape[1] + 2 * self.shape[2] * s)
+        return self.along * u / abs(u)
+
+    def local(self, z: complex) -> tuple[float, float]:
+        """How far along the line a place is, and how far to the left of it."""
+        p = (z - self.origin) * self.along.conjugate()
+        s = min(max(p.real, self.low - 3), self.high + 3)
+        _, c1, c2 = self.shape
+        return p.real, p.imag - self.bow(s) - (c1 + 2 * c2 * s) * (p.real - s)
+
+    @property
+    def ends(self) -> tuple[complex, complex]:
+        return self.at(self.low), self.at(self.high)
+
+
+def fitted(ink: Ink, a: complex, b: complex, beside: Sequence[Fitted] = ()) -> Fitted | None:
+    """The line of ink from about ``a`` to about ``b``, with others ``beside`` it; None where there is none."""
+    import numpy
+
+    length = abs(b - a)
+    along = (b - a) / length
+    s = numpy.arange(-BEYOND_MM, length + BEYOND_MM, STEP_MM)
+    t = numpy.arange(-1.5, 1.51, CELL_MM)
+    dark = ink.at((a + along * s)[:, None] + (1j * along * t)[None, :])
+    inside = (s >= 0) & (s <= length)
+    others = _others(a + along * s, along, beside)
+    shape, sigma, width = numpy.zeros(3), 0.2, 0.5
+    for reach in (0.8, 0.55, 0.55):
+        middle = shape[0] + shape[1] * s + shape[2] * s * s
+        rows = Rows(dark, t, middle, *nearest(others - middle), reach)
+        lone = inside & (rows.mass > 0.08) & (rows.left > 1.2) & (rows.right > 1.2)
+        if (inside & (rows.mass > 0.08)).sum() < 4:
+            return None
+        if lone.sum() > 10 or not beside:
+            width = float(numpy.median(rows.mass[lone]))
+        good, found = rows.middles(width)
+        good &= inside
+        if good.sum() < (LEAST_CLEAR * inside.sum() if beside else 5):
+            if beside:
+                return None
+            good, found = inside & (rows.mass > 0.4 * width), rows.centroid
+        shape, sigma = _laid(s[good], found[good], length)
+    line = Fitted(a, along, (float(shape[0]), float(shape[1]), float(shape[2])), 0.0, length, sigma, width)
+    _extend(line, s, t, dark)
+    sagitta = abs(line.shape[2]) * line.length**2 / 4
+    return line if line.length > 1.0 and sagitta < MOST_BENT_MM else None
+
+
+def _others(z: Any, along: complex, beside: Sequence[Fitted]) -> Any:
+    """How far to the left of places on a line the others are that run along it: a row each, nan where there is none."""
+    import numpy
+
+    found = numpy.full((len(beside) + 1, len(z)), numpy.nan)
+    for k, line in enumerate(beside):
+        turn = along * line.along.conjugate()
+        if abs(turn.imag) < ASKEW:
+            p = (z - line.origin) * line.along.conjugate()
+            s = numpy.clip(p.real, line.low, line.high)
+            off = -(p.imag - line.bow(s)) / turn.real
+            found[k] = numpy.where(abs(p.real - s) < 0.5, off, numpy.nan)
+    return found
+
+
+def _laid(s: Any, found: Any, length: float) -> tuple[Any, float]:
+    """Coefficients of the line laid robustly through places across it, and its lateral error."""
+    import numpy
+
+    middle, half = length / 2, max(length / 2, 1.0)
+    x = (s - middle) / half
+    rows = numpy.stack([numpy.ones_like(x), x, x * x - 1], axis=1)
+    bend = 0.08 / (BEND_MM if length > 12 else 0.003)  # how much a bend has to be believed in
+    ridge = numpy.diag([1e-9, 1e-6, bend**2])
+    weight, c = numpy.ones_like(x), numpy.zeros(3)
+    for _ in range(6):
+        c = numpy.linalg.solve((rows * weight[:, None]).T @ rows + ridge, (rows * weight[:, None]).T @ found)
+        left = found - rows @ c
+        scale = max(1.5 * float(numpy.median(numpy.abs(left))), 0.02)
+        weight = numpy.where(numpy.abs(left) < 4 * scale, (1 - (left / (4 * scale)) ** 2) ** 2, 0.0)
+    count = max(len(x) * STEP_MM / 1.0, 1.0)  # places nearer than a millimetre err together
+    sigma = math.hypot(2 * scale / math.sqrt(count), UNSTEADY_MM)
+    k = float(c[2]) / half**2
+    first = c[0] - c[1] * middle / half + k * (middle**2 - half**2)
+    return numpy.array([first, c[1] / half - 2 * k * middle, k]), sigma
+
+
+def _extend(line: Fitted, s: Any, t: Any, dark: Any) -> None:
+    """Move the ends to where the ink ends."""
+    import numpy
+
+    off = t[None, :] - line.bow(s)[:, None]
+    core = (dark * (numpy.abs(off) < 0.21)).max(axis=1)
+    flank = numpy.maximum(*((dark * (k * off > 0.55) * (k * off < 1.1)).max(axis=1) for k in (1, -1)))
+    ends = []
+    for sign in (-1, 1):
+        inner = line.low + (0.5 + 0.2 * sign) * line.length
+        last = _last(core, flank < DARK, int(numpy.argmin(numpy.abs(s - inner))), sign)
+        end = float(s[last])
+        if 0 < last + sign < len(s) and core[last] > core[last + sign]:  # where the ink is half as dark
+            end += sign * STEP_MM * float((core[last] - 0.5) / (core[last] - core[last + sign]))
+        beyond = slice(last + 2, last + 8) if sign > 0 else slice(max(last - 7, 0), max(last - 1, 0))
+        white = slice(last + 2, last + 4) if sign > 0 else slice(max(last - 3, 0), max(last - 1, 0))
+        within = slice(max(last - 4, 0), last + 1) if sign > 0 else slice(last, last + 5)
+        ink = dark[within] * (numpy.abs(off[within]) < 0.55)
+        drift = float((ink * off[within]).sum() / max(ink.sum(), 1e-9))  # off the line it is another's, met askew
+        lone = (core[white] < WHITE).all() and (flank[within] < DARK).all() and abs(drift) < DRIFT_MM
+        line.clear[(sign + 1) // 2] = bool(lone or (flank[beyond] < DARK).all())
+        ends.append(end - sign * min(line.width / 2, 0.4))
+    line.low, line.high = ends
+
+
+def _last(core: Any, alone: Any, i: int, sign: int) -> int:
+    """The last row of a line's ink; beyond a gap that is only what is plainly its own, and not another's it meets."""
+    last, white, own, torn = i, 0.0, 0, False
+    while 0 <= i < len(core) and white < GAP_MM and abs(i - last) * STEP_MM < 2 * GAP_MM:
+        if core[i] > 0.5:
+            own += bool(alone[i])
+            if not torn or own * STEP_MM >= OWN_MM:
+                last, white, torn = i, 0.0, False
+        else:
+            white += STEP_MM
+            if white > TORN_MM:
+                torn, own = True, 0
+        i += sign
+    return last

@@ -1,0 +1,240 @@
+"""A force polygon on a picture: its vectors told apart by laying every way it may have been drawn on the ink.
+
+Forces known beforehand may stand in any order; the closing reactions come after them, of whatever length. From the
+pole each vector that is left is tried: where it would lead there must be a place where something ends, and ink on the
+way there. Rightly drawn, with each mistake of the catalogue, or with one vector anywhere: what leaves the least ink
+unexplained tells the names. What is hidden (too small, or between two vectors of one direction) is put where it
+should be, with the error of drawing it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import permutations
+
+from planes.check.grading.handwork import Miss
+from planes.check.grading.paper import ReadMark
+from planes.check.grading.polygons import loads_of, sides_of
+from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.vision.costs import ANYWHERE, COVERED, DOUBTFUL, GATE, NO_END, VAGUE, sigmas_of
+from planes.check.vision.ink_cover import InkCover
+from planes.check.vision.places import Place, Seen
+from planes.check.vision.poles import pole_on
+from planes.check.vision.polygon_cover import Guess, guesses, polygon_of, spread_of
+from planes.words.names import POLE
+
+NOTHING_MM = 0.3  # a vector shorter than this is not drawn
+TINY_MM = 1.6  # a vector shorter than this may be hidden where two others meet
+MOST_HIDDEN = 3.5
+MOST_COST = 60.0  # of a chain that explains a picture at all
+POOR, POORLY = 8.0, 2.0  # a polygon that costs more than this, and this for each vector, is not surely one
+HIDDEN = 1.5  # what it costs to believe in an end that is not seen, for a vector of a millimetre
+NO_INK = 5.0  # what it costs if no ink is on its way
+OPEN = 6.0  # what a polygon costs that does not close
+GAP_MM = 1.2  # ends nearer than this to the pole are at it
+NOTHING = 1.0  # what it costs to believe in a closing vector of no length
+MOST_STEPS = 4000
+
+
+@dataclass
+class LaidChain:
+    """A chain of vectors laid on the picture: (name, where it ends, how surely)."""
+
+    cost: float
+    rows: list[tuple[str, complex, float]] = field(default_factory=list)
+    hidden: tuple[str, ...] = ()
+    steps: int = 0  # of ink, and heads, that the vectors account for: bits
+    heads: int = 0
+
+
+@dataclass
+class SoughtPolygon:
+    """A plan's polygon looked for on a sheet."""
+
+    seen: Seen
+    pole: Place
+    spread: dict[str, Miss]
+    steps: int = 0
+    best: LaidChain | None = None
+    most: float = 0.0
+    known: dict[tuple[frozenset[str], complex], list[LaidChain]] = field(default_factory=dict)
+    ways: dict[tuple[complex, complex], float] = field(default_factory=dict)
+    ink: InkCover = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.ink = InkCover(self.seen, self.pole.z)
+
+    def covered(self, a: complex, b: complex) -> float:
+        """The share of the way that is ink (remembered)."""
+        key = (a, b)
+        if key not in self.ways:
+            self.ways[key] = self.seen.ink.covered(a, b)
+        return self.ways[key]
+
+    def lay(self, guess: Guess, most: float) -> LaidChain | None:
+        """The best chain of a guess that costs less than ``most``."""
+        self.best, self.most, self.steps = None, most, 0
+        self.known.clear()
+        self._lay_known(guess, dict(guess.known), LaidChain(guess.cost), self.pole.z, 0.0)
+        return self.best
+
+    def _lay_known(self, guess: Guess, left: Mapping[str, complex], chain: LaidChain, z: complex, loose: float) -> None:
+        """Every order of the known vectors that the ink allows, then the closing ones."""
+        self.steps += 1
+        if chain.cost >= self.most or self.steps > MOST_STEPS or self._outdone(frozenset(left), chain, z):
+            return
+        if not left:
+            for order in permutations(guess.closing):
+                self._lay_closing(guess, order, chain, z)
+        for name, v in left.items():
+            rest = {n: w for n, w in left.items() if n != name}
+            for price, place, sigma, hidden in self._ends(guess, name, v, z, loose):
+                now = math.hypot(loose, sigma) if hidden else 0.0
+                unseen = (*chain.hidden, name) if hidden and abs(v) > NOTHING_MM else chain.hidden
+                self._lay_known(guess, rest, self._longer(chain, z, price, (name, place, sigma), unseen), place, now)
+
+    def _outdone(self, left: frozenset[str], chain: LaidChain, z: complex) -> bool:
+        """Whether the same place was come to more cheaply, with no ink accounted for the less."""
+        found = self.known.setdefault((left, complex(round(z.real, 1), round(z.imag, 1))), [])
+        if any(c.cost <= chain.cost and not (chain.steps & ~c.steps or chain.heads & ~c.heads) for c in found):
+            return True
+        found.append(chain)
+        return False
+
+    def _longer(
+        self, chain: LaidChain, z: complex, price: float, row: tuple[str, complex, float], hidden: tuple[str, ...] = ()
+    ) -> LaidChain:
+        """The chain with one more vector, from z."""
+        steps, heads = self.ink.along(z, row[1])
+        cost = chain.cost + price + self.ink.bare(z, row[1])
+        return LaidChain(cost, [*chain.rows, row], hidden or chain.hidden, chain.steps | steps, chain.heads | heads)
+
+    def _ends(
+        self, guess: Guess, name: str, v: complex, z: complex, loose: float
+    ) -> list[tuple[float, complex, float, bool]]:
+        """Where a vector from z may end: its price, the place, its σ, and whether it is hidden; the likeliest first."""
+        if name == guess.free:
+            free = [p for p in self._ended() if not p.doubtful and abs(p.z - z) > 2]
+            free = [p for p in free if self.covered(z, p.z) > COVERED]
+            return [(VAGUE * p.sigma, p.z, p.sigma, False) for p in sorted(free, key=lambda p: p.sigma)]
+        if abs(v) < NOTHING_MM:
+            return [(0.0, z + v, NOTHING_MM, True)]
+        goal = z + v
+        found: list[tuple[float, complex, float, bool]] = []
+        closer = self.seen.closer(z, goal)
+        for p in [*self.seen.within(goal, min(4.0 + 0.08 * abs(v), 12.0)), self.pole, *([closer] if closer else [])]:
+            sigmas = sigmas_of(p.z - goal, self.spread[name], math.hypot(p.sigma, loose))
+            if sigmas < GATE and (abs(v) < 2 or self.covered(z, p.z) > COVERED):
+                price = sigmas**2 / 2 + VAGUE * p.sigma + DOUBTFUL * p.doubtful
+                price += 0.0 if p.ended or p is self.pole or (p.tip and self.ink.pointed(z, p.z)) else NO_END
+                found.append((price, p.z, p.sigma, False))
+        found.sort(key=lambda f: f[0])
+        least = found[0][0] if found else math.inf
+        if least > 1.0 + HIDDEN * min(abs(v), 2.0) and (abs(v) < TINY_MM or self.covered(z, goal) > 1 - 0.8 / abs(v)):
+            price = min(1.0 + HIDDEN * abs(v), MOST_HIDDEN) + NO_INK * (1 - self.covered(z, goal))
+            found.append((price, goal, self.spread[name].worst, True))
+        return found
+
+    def _ended(self) -> list[Place]:
+        return [p for p in self.seen.places if p.ended]
+
+    def _lay_closing(self, guess: Guess, order: tuple[str, ...], chain: LaidChain, z: complex) -> None:
+        """The closing vectors after the known ones, the last to the pole (or not, which is a mistake)."""
+        if not order:
+            chain.cost += self.ink.over(chain.steps, chain.heads)
+            if chain.cost < self.most:
+                self.best, self.most = chain, chain.cost
+            return
+        name, last = order[0], len(order) == 1
+        u = None if len(guess.closing) == 1 and guess.known else guess.closing[name]
+        for p in [self.pole, *self._ended()]:
+            way, closed = p.z - z, p is self.pole or not last
+            price = self._aside(way, u) + (0.0 if closed else OPEN)
+            if p is not self.pole:
+                price += VAGUE * p.sigma + DOUBTFUL * p.doubtful
+                if last and abs(p.z - self.pole.z) < GAP_MM:
+                    continue
+            elif last and abs(way) > 2 and self._goes_on(z, chain):
+                price += OPEN
+            if price + chain.cost >= self.most or price > 12 + OPEN:
+                continue
+            if abs(way) < 1 or self.covered(z, p.z) > COVERED:
+                self._lay_closing(guess, order[1:], self._longer(chain, z, price, (name, p.z, p.sigma)), p.z)
+        if not last:  # a closing vector of no length
+            self._lay_closing(guess, order[1:], self._longer(chain, z, NOTHING, (name, z, NOTHING_MM)), z)
+
+    def _goes_on(self, z: complex, chain: LaidChain) -> bool:
+        """Whether the line from z to the pole ends beyond it, where no other vector does."""
+        way = self.pole.z - z
+        for p in self._ended():
+            w = p.z - z
+            if abs(w) < abs(way) + 2.4 or (w * way.conjugate()).real < 0:
+                continue
+            if any(abs(p.z - end) < GAP_MM for _, end, _ in chain.rows) or self.seen.ink.lettered(p.z)[0]:
+                continue
+            if abs((way * w.conjugate()).imag) < 1.2 * abs(w) and self.covered(z, p.z) > 0.9:
+                return True
+        return False
+
+    def _aside(self, way: complex, u: complex | None) -> float:
+        """What it costs that a closing vector is not quite in its direction."""
+        if u is None:
+            return 0.0
+        aside = abs((way * u.conjugate()).imag)
+        return 0.5 * (aside / (0.35 + 0.012 * abs(way))) ** 2
+
+
+def _left_out(name: str, laid: LaidChain, right: Guess, pole: complex) -> bool:
+    """Whether a known vector of some length is laid with none: nobody drew it."""
+    k = next(i for i, row in enumerate(laid.rows) if row[0] == name)
+    drawn = abs(laid.rows[k][1] - (laid.rows[k - 1][1] if k else pole))
+    true = abs(right.known.get(name, 0j))
+    return true > 1 and drawn < min(0.4 * true, 0.8)
+
+
+def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadMark], bool, float, tuple[str, ...]]:
+    """Rows of the polygon, whether nothing can have been overlooked, the share of ink explained, and ends not seen.
+
+    No rows where it cannot surely be told what was drawn.
+    """
+    plan = bench.asked.plan
+    sides = polygon_of(sides_of(bench.plans, plan), plan)
+    polygon = SoughtPolygon(seen, pole_on(seen, near), spread_of(bench, sides))
+    right, *wrong = guesses(bench, sides, loads_of(bench.plans, plan))
+    plain = polygon.lay(right, MOST_COST)
+    best = _likelier(polygon, plain, right, wrong, len(sides))
+    if best is None:
+        return [], False, 0.0, ()
+    if best.cost > _most(best, plain, len(sides), polygon.pole.z):
+        return [], False, 1.0, ()
+    explained = polygon.ink.explained(best.steps)
+    rows = [ReadMark(POLE, polygon.pole.z, polygon.pole.sigma)]
+    rows += [ReadMark(n, z, sigma) for n, z, sigma in best.rows if not _left_out(n, best, right, polygon.pole.z)]
+    return rows, explained > 0.9, explained, best.hidden
+
+
+def _likelier(
+    polygon: SoughtPolygon, plain: LaidChain | None, right: Guess, wrong: Sequence[Guess], count: int
+) -> LaidChain | None:
+    """The likeliest chain: the right one if it fits well, else a mistake's, at last one with a vector anywhere."""
+    best = plain
+    if best is None or best.cost > min((guess.cost for guess in wrong), default=math.inf):
+        for guess in wrong:
+            best = polygon.lay(guess, best.cost if best else MOST_COST) or best
+    if best is None or best.cost > ANYWHERE + 4.0 + count:
+        for name in right.known:
+            free = Guess(right.known, right.closing, ANYWHERE, name)
+            best = polygon.lay(free, best.cost if best else MOST_COST) or best
+    return best
+
+
+def _most(best: LaidChain, plain: LaidChain | None, count: int, pole: complex) -> float:
+    """What the likeliest polygon may cost to be one at all."""
+    return POOR + POORLY * count + (OPEN * _gapes(best, pole) if best is plain else ANYWHERE)
+
+
+def _gapes(laid: LaidChain, pole: complex) -> bool:
+    """Whether a chain does not close."""
+    return bool(laid.rows) and laid.rows[-1][1] != pole

@@ -1,0 +1,238 @@
+"""Which place of a picture is which mark of a motion plan: every way the plan may have been drawn is tried on the ink.
+
+Drawn rightly, or with one mistake of the catalogue, or with one mark anywhere: each time the program is drawn once
+more, every mark snapped to the place where the person has it before the next is drawn from it. The way that leaves
+the least ink unexplained, with the fewest marks missing, tells the names of the places. It only names them: whether
+the drawing is right is judged afterwards, from the places.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import reduce
+from operator import or_
+from types import MappingProxyType
+from typing import Any
+
+from planes.check.grading.handwork import Hand, Miss, Taken, Variant
+from planes.check.grading.judging import LEFT_OUT
+from planes.check.grading.paper import ReadMark
+from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
+from planes.check.vision.costs import (
+    ANYWHERE,
+    COVERED,
+    DOUBTFUL,
+    GATE,
+    NO_END,
+    NO_LINE,
+    NO_MARK,
+    VAGUE,
+    sigmas_of,
+    slip,
+)
+from planes.check.vision.ink_cover import InkCover
+from planes.check.vision.places import Place, Seen
+from planes.check.vision.poles import pole_on
+from planes.drafting.drawing import run
+from planes.drafting.steps import Step
+from planes.words.names import POLE, at, label_of, plan_of
+
+NEARLY, CLOSE = 3.0, 12.0  # how much dearer a place may be, and a whole way, to be looked at again
+EVEN_MM = 0.9  # marks nearer than this may be one
+
+
+@dataclass
+class LaidPlan:
+    """One way the plan may have been drawn, laid on the picture."""
+
+    cost: float
+    found: dict[str, Place] = field(default_factory=dict)  # by mark
+    variant: Variant | None = None
+    vanished: bool = False  # whether a mark that should be elsewhere came to the pole, where it leaves no trace
+    others: list[tuple[str, Place]] = field(default_factory=list)  # nearly as likely places of marks
+
+
+@dataclass
+class Search:
+    """The plan's marks looked for on a sheet from a known pole."""
+
+    bench: PreparedPlan
+    seen: Seen
+    pole: Place
+    own: dict[str, Miss]
+    true: Mapping[str, complex]
+    vectors: list[tuple[str, str]]
+    ink: InkCover
+
+    def settled(self, variant: Variant | None, cost: float = 0.0, most: float = math.inf) -> LaidPlan | None:
+        """The plan drawn so, with marks put to their next likely places as long as that explains the picture better."""
+        best, chosen = self.way(variant, None, cost), dict[str, Place]()
+        tried = set[tuple[str, int]]()
+        while best and best.cost < most + CLOSE:
+            mark, place = next(((m, p) for m, p in best.others if (m, id(p)) not in tried), ("", None))
+            if place is None:
+                break
+            tried.add((mark, id(place)))
+            trial = self.way(variant, None, cost, {**chosen, mark: place})
+            if trial and trial.cost < best.cost:
+                best, chosen[mark] = trial, place
+        return best
+
+    def way(
+        self,
+        variant: Variant | None,
+        fixed: tuple[str, Place] | None = None,
+        cost: float = 0.0,
+        chosen: Mapping[str, Place] = MappingProxyType({}),
+    ) -> LaidPlan | None:
+        """The plan drawn so, snapped to the picture; ``fixed`` puts one mark where it cannot be expected."""
+        out = LaidPlan(cost, {}, variant)
+        places: dict[str, complex] = {}
+        lost: list[complex] = []
+
+        def snap(step: Step, drawn: Any) -> Any:
+            if step.makes not in self.own or drawn != drawn or any(abs(drawn - z) < 1e-9 for z in lost):
+                return drawn  # the same place is looked for but once
+            goal = self.pole.z + complex(drawn)
+            if fixed and step.makes == fixed[0]:
+                found: Place | None = fixed[1]
+            else:
+                likely = self._likely(step, goal, places, out.found)
+                price, found = next((one for one in likely if one[1] is chosen.get(step.makes)), likely[0])
+                out.cost += price
+                out.others += [(step.makes, p) for dear, p in likely[1:] if p and dear < price + NEARLY]
+            if found is None:
+                lost.append(complex(drawn))
+                return drawn
+            out.found[step.makes] = found
+            places[step.makes] = found.z
+            out.vanished |= found is self.pole and abs(drawn) > EVEN_MM and abs(self.true[step.makes]) > 3
+            return found.z - self.pole.z
+
+        if redrawn(self.bench, variant, snap) is None:
+            return None
+        out.cost += NO_LINE * out.vanished
+        out.cost += self.ink.price(self.routes(out))
+        return out
+
+    def _likely(
+        self, step: Step, goal: complex, places: Mapping[str, complex], found: Mapping[str, Place]
+    ) -> list[tuple[float, Place | None]]:
+        """The places that a mark may mean that should be at ``goal``, or none, and what believing it costs."""
+        used = {id(p) for p in found.values()}
+        likely: list[tuple[float, Place | None]] = []
+        for place in [*self.seen.within(goal, 12.0), self.pole, *self._closer(step.makes, goal, places)]:
+            sigmas = sigmas_of(place.z - goal, self.own[step.makes], place.sigma)
+            if sigmas > GATE:
+                continue
+            price = sigmas**2 / 2 + self._doubt(place, goal, used)
+            price += 0.0 if self._led_to(step, place.z, places) else NO_LINE
+            if price <= NO_MARK:
+                likely.append((price, place))
+        return sorted(likely, key=lambda one: one[0]) or [(self._missing(step.makes), None)]
+
+    def _led_to(self, step: Step, z: complex, places: Mapping[str, complex]) -> bool:
+        """Whether a line leads to a place from where its mark is found from, or from the pole."""
+        starts = [self.pole.z, *(places.get(n, self.pole.z) for n in _starts(step))]
+        return any(self.seen.ink.covered(s, z) >= COVERED for s in starts)
+
+    def _missing(self, mark: str) -> float:
+        """What it costs that a mark is nowhere."""
+        return NO_MARK
+
+    def _closer(self, mark: str, goal: complex, places: Mapping[str, complex]) -> Iterator[Place]:
+        """Heads about a goal that the vectors to a mark may have."""
+        for start, end in self.vectors:
+            z = self.pole.z if start == POLE else places.get(at(plan_of(mark), start))
+            found = self.seen.closer(z, goal) if end == label_of(mark) and z is not None else None
+            if found:
+                yield found
+
+    def _doubt(self, place: Place, goal: complex, used: Collection[int]) -> float:
+        """What it costs to believe that a place is a mark's, however near it is."""
+        if id(place) in used or place is self.pole:
+            return 0.0 if abs(place.z - goal) < EVEN_MM else NO_END
+        price = VAGUE * place.sigma + (DOUBTFUL if place.doubtful else 0.0)
+        return price + (0.0 if place.ended or place.tip else NO_END)
+
+    def routes(self, way: LaidPlan) -> list[tuple[complex, complex]]:
+        """The vectors of the plan, those whose ends were found."""
+        ends = {POLE: self.pole.z, **{label_of(m): p.z for m, p in way.found.items()}}
+        return [(ends[a], ends[b]) for a, b in self.vectors if a in ends and b in ends and ends[a] != ends[b]]
+
+    def explained(self, way: LaidPlan) -> float:
+        """The share of the ink that vectors run along."""
+        steps = reduce(or_, (self.ink.along(a, b)[0] for a, b in self.routes(way)), 0)
+        return self.ink.explained(steps)
+
+    def free_marks(self, way: LaidPlan) -> Iterator[tuple[str, Place]]:
+        """Marks that may be elsewhere, with places where lines end that the way does not use."""
+        used = {id(p) for p in way.found.values()} | {id(self.pole)}
+        free = [
+            p
+            for p in self.seen.places
+            if p.ended and id(p) not in used and abs(p.z - self.pole.z) > 2 and p.sigma < 0.6 and not p.doubtful
+        ]
+        steps = {s.makes: s for s in self.bench.program.steps}
+        for mark in self.bench.marks:
+            starts = [way.found[n].z for n in _starts(steps[mark]) if n in way.found]
+            for place in free:
+                if any(self.seen.ink.covered(z, place.z) > COVERED for z in (*starts, self.pole.z)):
+                    yield mark, place
+
+
+def _starts(step: Step) -> list[str]:
+    return [getattr(step, k) for k in ("start", "other", "end") if isinstance(getattr(step, k, None), str)]
+
+
+def ends_of(bench: PreparedPlan) -> list[tuple[str, str]]:
+    """Vectors of a motion plan by the labels of their ends."""
+    plan = bench.asked.plan
+    return list(dict.fromkeys((s.start, s.end) for s in bench.plans.segments if s.plan == plan and s.start != s.end))
+
+
+def search_of(bench: PreparedPlan, seen: Seen, pole: Place) -> Search:
+    """A search from a pole, with the errors of a hand at every mark."""
+    truth = run(bench.program, bench.given)
+    true = {m: complex(truth[m]) for m in bench.marks}
+    hand = Hand(bench.program, bench.given, bench.asked.skill, {m: Taken(z, 0.1) for m, z in true.items()})
+    return Search(bench, seen, pole, hand.misses(bench.marks), true, ends_of(bench), InkCover(seen, pole.z))
+
+
+def best_way(search: Search) -> LaidPlan | None:
+    """The way that explains the picture best."""
+    bench = search.bench
+    ways = [w for w in (search.settled(None),) if w]
+    free = Hand(bench.program, bench.given, bench.asked.skill, {})
+    variants = list(variants_of(bench, free, bench.said_mu))
+    if not ways or len(ways[0].found) < len(bench.marks) or ways[0].cost > slip(len(variants)):
+        ways += _wrong_ways(search, variants, min((w.cost for w in ways), default=math.inf))
+        best = min(ways, key=lambda w: w.cost, default=None)
+        if best and best.cost > ANYWHERE + 4.0 + len(bench.marks):
+            ways += [w for w in (search.way(None, f, ANYWHERE) for f in search.free_marks(best)) if w]
+    return min(ways, key=lambda w: w.cost, default=None)
+
+
+def _wrong_ways(search: Search, variants: Sequence[Variant], most: float) -> Iterator[LaidPlan]:
+    """The plan drawn with every mistake."""
+    for variant in variants:
+        way = search.settled(variant, slip(len(variants)), most)
+        if way:
+            most = min(most, way.cost)
+            yield way
+
+
+def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadMark], float]:
+    """The marks of a motion plan with its pole near a place, and the share of the ink they explain."""
+    search = search_of(bench, seen, pole_on(seen, near))
+    way = best_way(search)
+    if way is None or not way.found:
+        return [], 0.0
+    plan = bench.asked.plan
+    spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
+    left_out = way.variant.blames if way.variant and way.variant.mistake.endswith(LEFT_OUT) else None
+    names = [label_of(m) for m in bench.marks if m in way.found and label_of(m) != left_out]
+    spots += [ReadMark(n, way.found[at(plan, n)].z, way.found[at(plan, n)].sigma) for n in names]
+    return spots, search.explained(way)

@@ -1,0 +1,134 @@
+"""Lines drawn by hand on a flat picture of paper, roughly: found by their two edges, and joined where they go on."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from planes.check.vision.drawn_lines import lines_on
+from planes.check.vision.ink import ink_of
+from planes.check.vision.picture import Flat, cv
+from planes.check.vision.places import Seen, places_of
+from planes.check.vision.residual_ink import patches
+
+WIDEST_MM = 1.4  # of a stroke
+SHORTEST_MM = 1.5
+MOST = 250  # lines; of more nothing can be told
+
+
+@dataclass
+class CentreLine:
+    """A centre line by its ends, mm."""
+
+    a: complex
+    b: complex
+
+    @property
+    def along(self) -> complex:
+        return (self.b - self.a) / abs(self.b - self.a)
+
+
+def sheet_of(flat: Flat, cross: complex | None = None) -> Seen | None:
+    """What is seen on a flat picture with a cross printed at a place; None if more lines than a plan can have."""
+    ink = ink_of(flat, cross)
+    edges = _edges(ink.even)
+    if len(edges) > 12 * MOST:
+        return None
+    lines = [CentreLine(flat.mm(*a), flat.mm(*b)) for a, b in _centres(edges, flat.scale)]
+    lines = [x for x in lines if abs(x.b - x.a) > SHORTEST_MM]
+    if len(lines) > 4 * MOST:
+        return None
+    lines = joined(lines)
+    if len(lines) > MOST:
+        return None
+    rims = [(flat.mm(a.real, a.imag), flat.mm(b.real, b.imag)) for a, b in edges]
+    found = lines_on(ink, [(x.a, x.b) for x in lines], rims)
+    return Seen(ink, found, places_of(found), patches(ink, found))
+
+
+def _edges(ink: Any) -> list[tuple[complex, complex]]:
+    """Both edges of every stroke, in pixels, the ink to their right as one sees it."""
+    found = cv().createLineSegmentDetector(2, scale=0.8).detect(ink)[0]
+    if found is None:
+        return []
+    return [(complex(x1, y1), complex(x2, y2)) for x1, y1, x2, y2 in found.reshape(-1, 4).tolist()]
+
+
+Pixel = tuple[float, float]
+
+
+def _centres(edges: list[tuple[complex, complex]], scale: float) -> list[tuple[Pixel, Pixel]]:
+    """Pairs of opposite edges as centre lines."""
+    import numpy
+
+    if not edges:
+        return []
+    a, b = numpy.array([e[0] for e in edges]), numpy.array([e[1] for e in edges])
+    length = numpy.abs(b - a)
+    u = (b - a) / numpy.maximum(length, 1e-9)
+    found = []
+    for i in numpy.argsort(-length):
+        if length[i] < 1.0 * scale:
+            continue
+        turn = u * u[i].conjugate()
+        p, q = (a - a[i]) * u[i].conjugate(), (b - a[i]) * u[i].conjugate()
+        apart = (p.imag + q.imag) / 2
+        low, high = numpy.maximum(q.real, 0), numpy.minimum(p.real, length[i])
+        fits = (turn.real < -0.99) & (apart > 0.1 * scale) & (apart < WIDEST_MM * scale)
+        fits &= (high - low) > 0.35 * numpy.minimum(length, length[i])
+        for j in numpy.flatnonzero(fits):
+            if length[j] > length[i] or (length[j] == length[i] and j <= i):
+                continue
+            start, end = min(float(q[j].real), 0.0), max(float(p[j].real), float(length[i]))
+            start, end = max(start, -2 * scale), min(end, float(length[i]) + 2 * scale)
+            middle = 0.5j * apart[j]
+            lean = u[i] * numpy.exp(0.5j * numpy.angle(-turn[j]))
+            centre = a[i] + u[i] * (float(low[j] + high[j]) / 2 + middle)
+            half0, half1 = start - float(low[j] + high[j]) / 2, end - float(low[j] + high[j]) / 2
+            one, two = centre + lean * half0, centre + lean * half1
+            found.append(((one.real, one.imag), (two.real, two.imag)))
+    return found
+
+
+def joined(lines: list[CentreLine]) -> list[CentreLine]:
+    """Lines that continue each other as one; what lies on a longer one is part of it."""
+    left = sorted(lines, key=lambda x: -abs(x.b - x.a))
+    out: list[CentreLine] = []
+    while left:
+        line = left.pop(0)
+        grown = True
+        while grown:
+            grown = False
+            for other in left:
+                if _continues(line, other):
+                    line = _merged(line, other)
+                    left.remove(other)
+                    grown = True
+                    break
+        out.append(line)
+    return out
+
+
+def _continues(line: CentreLine, other: CentreLine) -> bool:
+    long, short = abs(line.b - line.a), abs(other.b - other.a)
+    turn = abs(math.asin(max(-1.0, min(1.0, float((line.along.conjugate() * other.along).imag)))))
+    if turn > math.radians(4.0 if short > 8 else 9.0) or abs((line.along.conjugate() * other.along).real) < 0.9:
+        return False
+    p, q = ((z - line.a) * line.along.conjugate() for z in (other.a, other.b))
+    low, high = sorted((p.real, q.real))
+    gap = max(low - long, -high, 0.0)
+    side = max(abs(p.imag), abs(q.imag))
+    return gap < 1.6 and side < 0.55 + 0.012 * min(short, long) and not (gap <= 0 and side > 0.7)
+
+
+def _merged(line: CentreLine, other: CentreLine) -> CentreLine:
+    """The straight line of both, weighted by their lengths."""
+    import numpy
+
+    pairs = [(line.a, line.b), (other.a, other.b)]
+    z = numpy.concatenate([numpy.linspace(a, b, max(3, int(abs(b - a) * 2))) for a, b in pairs])
+    middle = z.mean()
+    u = numpy.exp(0.5j * numpy.angle(((z - middle) ** 2).sum()))
+    along = ((z - middle) * u.conjugate()).real
+    return CentreLine(complex(middle + u * along.min()), complex(middle + u * along.max()))

@@ -1,0 +1,145 @@
+"""From a picture of a plan to the marks of a person: made flat, its lines found, matched to the plan."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from planes.check.fiducials import SHEET_MM, pole_place
+from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.vision.decoding import load
+from planes.check.vision.frame import by_frame
+from planes.check.vision.match_force import vectors_on
+from planes.check.vision.match_motion import marks_on
+from planes.check.vision.match_scheme import points_on
+from planes.check.vision.pencil_lines import sheet_of
+from planes.check.vision.picture import Flat, by_points, cv, flatten
+from planes.check.vision.poles import pole_found, pole_on
+from planes.drafting.drawing import run
+from planes.words import Phrase
+from planes.words.errors import PlanesError
+from planes.words.names import at, kind_of, label_of
+from planes.words.spelling import Names
+
+MOST_LINES = 120  # a plan has far fewer
+EXPLAINED = 0.6  # the share of a picture's lines that must be the plan's
+
+
+@dataclass
+class Look:
+    """One way of looking at a picture: made flat so, and what was found."""
+
+    flat: Flat
+    pole: complex
+    spots: list[ReadMark] = field(default_factory=list)
+    whole: bool = False
+    explained: float = -1.0
+    hidden: tuple[str, ...] = ()  # vectors whose ends are not seen
+    bare: bool = False  # whether there are no lines at all
+    crowd: bool = False  # whether there are too many to look at
+
+    def box(self, bench: PreparedPlan) -> tuple[float, float, float, float]:
+        """Where the flat picture lies, mm from the pole: left, bottom, right, top."""
+        printed = not self.spots and self.flat.by == "marks"
+        low = self.flat.corner - (blank_pole(bench) if printed else self.pole)
+        h, w = self.flat.grey.shape[:2]
+        high = low + complex(w, h) / self.flat.scale
+        return low.real, low.imag, high.real, high.imag
+
+
+def paper_of_picture(
+    file: str,
+    bench: PreparedPlan,
+    pole: complex | None = None,
+    marks: Mapping[str, complex] | None = None,
+    format_: str | None = None,
+) -> ReadPaper:
+    """What a picture shows of a plan: made flat by corner marks, else by two named points, else by the sheet's frame.
+
+    ``pole`` and ``marks`` are places in pixels (y down), ``format_`` is "A4" to "A1". :class:`PlanesError` where it is
+    no picture or has nothing to measure by.
+    """
+    grey = load(file)
+    paper, best = ReadPaper(file, whole=False), None
+    for flat, named in _flats(bench, grey, pole, marks or {}, format_):
+        look = looked(bench, flat, 0j if named else None if pole is None else flat.place(pole))
+        if best is None or look.explained > best.explained:
+            best, paper.scale_mark = look, named
+    if best is None:
+        raise PlanesError(Phrase("check_no_marks"))
+    paper.notes = list(best.flat.notes)
+    paper.picture, paper.box = shown(best.flat), best.box(bench)
+    if best.crowd:
+        paper.notes.append(Phrase("check_crowd", count=f"> {2 * MOST_LINES}"))
+    elif best.bare:
+        paper.notes.append(Phrase("check_no_lines"))
+    elif best.explained < EXPLAINED:
+        paper.notes.append(Phrase("check_no_plan_seen", share=f"{100 * max(best.explained, 0.0):.0f}"))
+    else:
+        paper.spots, paper.whole = best.spots, best.whole
+        if not best.spots:
+            paper.notes.append(Phrase("check_force_unsure"))
+        if best.hidden:
+            paper.notes.append(Phrase("check_hidden", names=", ".join(best.hidden)))
+    return paper
+
+
+def _flats(
+    bench: PreparedPlan, grey: Any, pole: complex | None, marks: Mapping[str, complex], format_: str | None
+) -> Iterator[tuple[Flat, str | None]]:
+    """Ways the picture may be made flat; with the vector its scale is taken from, if it is."""
+    if pole is not None and marks:
+        yield _by_hand(bench, grey, pole, marks)
+        return
+    flat = flatten(grey) if format_ is None else None
+    if flat is not None:
+        yield flat, None
+        return
+    for flat in by_frame(grey, format_):
+        yield flat, None
+
+
+def looked(bench: PreparedPlan, flat: Flat, pole: complex | None) -> Look:
+    """What a flat picture shows; the pole may be named, is printed on a blank, or must be found."""
+    printed = blank_pole(bench) if flat.size_mm == SHEET_MM else None
+    seen = sheet_of(flat, printed)
+    if seen is None or len(seen.lines) > MOST_LINES:
+        return Look(flat, 0j, crowd=True)
+    if not seen.lines:
+        return Look(flat, 0j, explained=0.0, bare=True)
+    near = pole if pole is not None else printed
+    if near is None or (flat.by == "frame" and pole is None and not pole_on(seen, near).ended):
+        near = pole_found(bench, seen)
+    if near is None:
+        return Look(flat, 0j, explained=0.0)
+    if kind_of(bench.asked.plan) == "force":
+        return Look(flat, near, *vectors_on(bench, seen, near))
+    find = points_on if kind_of(bench.asked.plan) == "position" else marks_on
+    spots, explained = find(bench, seen, near)
+    return Look(flat, near, spots, False, explained)
+
+
+def shown(flat: Flat) -> bytes:
+    """The flat picture, small enough for a page."""
+    cv2 = cv()
+    small = cv2.resize(flat.grey, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
+    return bytes(cv2.imencode(".jpg", small, [cv2.IMWRITE_JPEG_QUALITY, 75])[1])
+
+
+def _by_hand(bench: PreparedPlan, grey: Any, pole: complex, marks: Mapping[str, complex]) -> tuple[Flat, str]:
+    """Scale by a named pole and vector."""
+    labels = [label_of(m) for m in bench.marks]
+    name = next((n for n in (Names(labels).find(k) for k in marks) if n and n != "p"), None)
+    if name is None:
+        raise PlanesError(Phrase("check_no_marks"))
+    where = next(z for k, z in marks.items() if Names(labels).find(k) == name)
+    length = abs(run(bench.program, bench.given)[at(bench.asked.plan, name)])
+    return by_points(grey, pole, where, float(length)), name
+
+
+def blank_pole(bench: PreparedPlan) -> complex:
+    """Where the blank of this plan has its pole."""
+    truth = run(bench.program, bench.given)
+    return pole_place([complex(truth[m]) for m in bench.marks])

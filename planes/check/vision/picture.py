@@ -1,0 +1,173 @@
+"""A photograph or scan of a plan on paper, made straight and to scale by the blank's corner marks or by two points."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, centres
+from planes.check.vision.bend import Bend, add_paper, bend_of
+from planes.words import Phrase
+from planes.words.errors import PlanesError
+
+PX_PER_MM = 8.0
+LARGEST_PX = 3200  # the longer side beyond which a picture is made smaller before it is looked at
+MOST_FLAT = 34_000_000  # pixels of the largest sheet, A1
+
+
+@dataclass
+class Flat:
+    """A picture made flat: grey, ``scale`` pixels to a millimetre, its lower left corner at ``corner`` (mm)."""
+
+    grey: Any
+    scale: float
+    corner: complex = 0j
+    by: str = "marks"  # what it was made flat by: "marks" of a blank, "points" named, the "frame"
+    warp: Any = None
+    notes: list[Phrase] = field(default_factory=list)
+    bend: Bend | None = None  # instead of ``warp``, where the picture's lens or paper bends it
+
+    @property
+    def size_mm(self) -> tuple[float, float]:
+        """Width and height."""
+        return self.grey.shape[1] / self.scale, self.grey.shape[0] / self.scale
+
+    def place(self, pixel: complex) -> complex:
+        """Where a pixel of the source (x right, y down) is on the sheet."""
+        import numpy
+
+        if self.bend is not None:
+            z = complex(self.bend.flat(pixel))
+            return self.mm(z.real, z.imag)
+        x, y, w = (self.warp @ numpy.array([pixel.real, pixel.imag, 1.0])).tolist()
+        return self.mm(x / w, y / w)
+
+    def mm(self, x: float, y: float) -> complex:
+        """Pixels to millimetres, y up."""
+        return self.corner + complex(x, self.grey.shape[0] - y) / self.scale
+
+    def px(self, z: complex) -> tuple[float, float]:
+        """Millimetres to pixels."""
+        local = (z - self.corner) * self.scale
+        return local.real, self.grey.shape[0] - local.imag
+
+
+def cv() -> Any:
+    """OpenCV, or a sentence that says how to get it."""
+    try:
+        import cv2
+    except ImportError:
+        raise PlanesError(Phrase("check_needs", what="opencv-python-headless")) from None
+    return cv2
+
+
+def dictionary() -> Any:
+    """The blank's corner marks for OpenCV's detector."""
+    import numpy
+
+    aruco = cv().aruco
+    rows = [numpy.array([[bits >> (4 - c) & 1 for c in range(5)] for bits in p], numpy.uint8) for p in PATTERNS]
+    table = numpy.concatenate([aruco.Dictionary.getByteListFromBits(r) for r in rows])
+    return aruco.Dictionary(table, 5, 3)
+
+
+def find_marks(grey: Any) -> dict[int, Any]:
+    """Corners of the blank's marks in pixels, by their numbers."""
+    cv2 = cv()
+    parameters = cv2.aruco.DetectorParameters()
+    parameters.adaptiveThreshWinSizeMin, parameters.adaptiveThreshWinSizeMax = 13, 53
+    parameters.adaptiveThreshWinSizeStep = 20
+    parameters.minMarkerPerimeterRate = 0.07  # a mark's outline is a sixth of the sheet's length; a grid's cell is none
+    detector = cv2.aruco.ArucoDetector(dictionary(), parameters)
+    found: dict[int, Any] = {}
+    for longest in (1100, 700, 2000, 3200):  # small is quick, and hides the grain
+        factor = min(1.0, longest / max(grey.shape))
+        if len(found) < 4:
+            small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA) if factor < 1 else grey
+            corners, numbers, _ = detector.detectMarkers(small)
+            for quad, number in zip(corners, [] if numbers is None else numbers.ravel(), strict=False):
+                found.setdefault(int(number), _sharpened(grey, (quad.reshape(4, 2) + 0.5) / factor - 0.5))
+    return found
+
+
+def _sharpened(grey: Any, quad: Any) -> Any:
+    """Corners of a mark to a fraction of a pixel, where its edges meet in the whole picture."""
+    import numpy
+
+    cv2 = cv()
+    side = float(numpy.linalg.norm(quad - numpy.roll(quad, 1, axis=0), axis=1).mean())
+    reach = int(min(max(side / CELLS * 0.6, 2), 12))
+    stop = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 30, 0.005)
+    start = numpy.ascontiguousarray(quad, numpy.float32).reshape(-1, 1, 2)
+    return cv2.cornerSubPix(grey, start, (reach, reach), (-1, -1), stop).reshape(4, 2)
+
+
+def flatten(grey: Any, size_mm: tuple[float, float] = SHEET_MM) -> Flat | None:
+    """The sheet seen straight from above, if its corner marks (three at least) are found."""
+    import numpy
+
+    cv2 = cv()
+    factor = min(1.0, LARGEST_PX / max(grey.shape))
+    small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA) if factor < 1 else grey
+    marks = find_marks(small)
+    if len(marks) < 3:
+        return None
+    half, high = SIDE_MM / 2, size_mm[1]
+    seen, true = [], []
+    turns = (-half + 1j * half, half + 1j * half, half - 1j * half, -half - 1j * half)
+    for number, quad in marks.items():
+        z = centres(size_mm)[number]
+        for corner, d in zip(quad, turns, strict=True):
+            seen.append(corner)
+            true.append(((z + d).real * PX_PER_MM, (high - (z + d).imag) * PX_PER_MM))
+    warp, _ = cv2.findHomography(numpy.array(seen), numpy.array(true), cv2.RANSAC, 0.6 * PX_PER_MM)
+    if warp is None:
+        return None
+    bend = bend_of(small, warp, PX_PER_MM, size_mm)
+    if bend is not None:
+        unbent = _unbent(small, bend, seen, true, size_mm)
+        return Flat(unbent, PX_PER_MM, 0j, "marks", None, _few(marks), replace(bend, shrink=factor))
+    width, height = (round(s * PX_PER_MM) for s in size_mm)
+    flat = cv2.warpPerspective(small, warp, (width, height), flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
+    whole = warp @ numpy.diag([factor, factor, 1.0])  # from the picture as it was
+    return Flat(flat, PX_PER_MM, 0j, "marks", whole, _few(marks))
+
+
+def _unbent(grey: Any, bend: Bend, seen: list[Any], true: list[Any], size_mm: tuple[float, float]) -> Any:
+    """The flat picture of a bent one, by its corner marks as they would be seen without the lens's bend."""
+    import numpy
+
+    cv2 = cv()
+    straight = bend.straight(numpy.array(seen, float) @ numpy.array([1, 1j]))
+    bend.view, _ = cv2.findHomography(numpy.stack([straight.real, straight.imag], axis=1), numpy.array(true))
+    add_paper(bend, grey, PX_PER_MM, size_mm)
+    width, height = (round(s * PX_PER_MM) for s in size_mm)
+    cell = 16  # a map that is so smooth need not be told for every pixel
+    across, down = (numpy.arange(n // cell + 1) * cell + (cell - 1) / 2 for n in (width, height))
+    source = bend.source(across[None, :] + 1j * down[:, None])
+    size = len(across) * cell, len(down) * cell
+    maps = (
+        cv2.resize(m.astype(numpy.float32), size, interpolation=cv2.INTER_LINEAR)[:height, :width]
+        for m in (source.real, source.imag)
+    )
+    return cv2.remap(grey, *maps, cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
+
+
+def _few(marks: Mapping[int, Any]) -> list[Phrase]:
+    return [] if len(marks) == 4 else [Phrase("check_three_marks")]
+
+
+def by_points(grey: Any, pole: complex, mark: complex, length_mm: float) -> Flat:
+    """The picture as it is, its scale from two points in pixels (x right, y down); the pole becomes the origin."""
+    cv2 = cv()
+    apart = abs(mark - pole)
+    if apart < 10 or length_mm <= 0:
+        raise PlanesError(Phrase("check_points"))
+    factor = PX_PER_MM * length_mm / apart
+    if not 0.05 < factor < 8 or grey.size * factor * factor > MOST_FLAT:
+        raise PlanesError(Phrase("check_points"))
+    how = cv2.INTER_AREA if factor < 1 else cv2.INTER_CUBIC
+    flat = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=how)
+    corner = -complex(pole.real * factor, flat.shape[0] - pole.imag * factor) / PX_PER_MM
+    return Flat(flat, PX_PER_MM, corner, "points")

@@ -1,0 +1,191 @@
+"""Lines of a sheet and the places where they end, meet and cross: each with how surely it is known."""
+
+from __future__ import annotations
+
+import math
+import statistics
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+from planes.check.vision.drawn_lines import on
+from planes.check.vision.heads import head_at
+from planes.check.vision.ink import Ink
+from planes.check.vision.line_fitting import Fitted
+
+END_MM = 2.2  # a line that stops nearer than this to a crossing may end there
+CLEAR_MM, DIM_MM = 0.2, 1.2  # σ along a line of an end that stands free, of one within other ink
+HEAD_MM, TIP_REACH_MM = 1.0, 1.5  # how far an arrowhead's tip may be from where it belongs, and from its line's end
+HIDDEN_MM = 9.0  # the most of a line's end that is hidden in another line's ink
+PASSING_MM = 0.3  # σ of what was put on a line, off it
+TIP_MM = 0.3  # σ of a head's tip that was only looked for
+CLOSER_MM = 2.0  # how far from where a vector should end its head is looked for
+HEADED_MM = 4.5  # shorter vectors have no head, twice as long ones surely do
+HEADS = 3  # that tell how long all are
+SAME_MM = 0.4  # places nearer than this are one
+
+
+@dataclass
+class Place:
+    """A place in mm, its σ in the worst direction, and the lines that end there: (number, side 0 or 1)."""
+
+    z: complex
+    sigma: float
+    ended: frozenset[tuple[int, int]]
+    tip: bool = False
+    doubtful: bool = False  # the line that ends here is better known to end elsewhere
+
+
+@dataclass
+class Seen:
+    """What is seen on a sheet."""
+
+    ink: Ink
+    lines: list[Fitted]
+    places: list[Place] = field(default_factory=list)
+    patches: list[complex] = field(default_factory=list)  # places of ink that is on no line
+    spots: Any = None  # the places as an array
+    looked: dict[tuple[complex, complex], Place | None] = field(default_factory=dict)
+
+    def within(self, z: complex, reach: float) -> list[Place]:
+        """Places no farther than ``reach``."""
+        import numpy
+
+        if self.spots is None:
+            self.spots = numpy.array([p.z for p in self.places], complex)
+        return [self.places[i] for i in numpy.flatnonzero(numpy.abs(self.spots - z) <= reach)]
+
+    def closer(self, start: complex, end: complex) -> Place | None:
+        """The tip of the head a vector from start to end has about its end, looked for along it (remembered)."""
+        key = complex(round(start.real, 1), round(start.imag, 1)), complex(round(end.real, 1), round(end.imag, 1))
+        if key not in self.looked:
+            found = head_at(self.ink, start, end, CLOSER_MM, self.head_mm) if abs(end - start) > HEADED_MM else None
+            self.looked[key] = Place(found, TIP_MM, frozenset(), True, self._short(start, found)) if found else None
+        return self.looked[key]
+
+    @cached_property
+    def head_mm(self) -> float | None:
+        """How long heads are; None where too few are seen."""
+        found = [head.length for line in self.lines for head in line.heads]
+        return statistics.median(found) if len(found) >= HEADS else None
+
+    def _short(self, start: complex, tip: complex) -> bool:
+        """Whether a line is better known to end but a little beyond the tip of a vector from start."""
+        way = (tip - start) / abs(tip - start)
+        for p in self.within(tip, TIP_REACH_MM):
+            beyond = (p.z - tip) * way.conjugate()
+            if p.ended and p.sigma < TIP_MM and beyond.real > HEAD_MM / 2 and abs(beyond.imag) < HEAD_MM / 2:
+                return True
+        return False
+
+    @property
+    def ink_mm(self) -> float:
+        """The length of all lines."""
+        return sum(x.length for x in self.lines)
+
+
+@dataclass
+class Normal:
+    """Equations for a place: lines it lies on with their weights, summed up."""
+
+    xx: float = 0.0
+    xy: float = 0.0
+    yy: float = 0.0
+    x: float = 0.0
+    y: float = 0.0
+
+    def add(self, z: complex, n: complex, sigma: float) -> None:
+        """The place is on the line through z across n, within sigma."""
+        w, d = sigma**-2, (z * n.conjugate()).real
+        self.xx += w * n.real * n.real
+        self.xy += w * n.real * n.imag
+        self.yy += w * n.imag * n.imag
+        self.x += w * n.real * d
+        self.y += w * n.imag * d
+
+    def solved(self) -> tuple[complex, float]:
+        """The place and its σ in the worst direction."""
+        det = self.xx * self.yy - self.xy**2
+        z = complex(self.yy * self.x - self.xy * self.y, self.xx * self.y - self.xy * self.x) / det
+        least = (self.xx + self.yy) / 2 - math.hypot((self.xx - self.yy) / 2, self.xy)
+        return z, least**-0.5 if least > 0 else math.inf
+
+
+def crossing(one: Fitted, two: Fitted) -> complex | None:
+    """Where two lines cross; None where they are nearly parallel."""
+    s = (one.low + one.high) / 2
+    r = (two.low + two.high) / 2
+    for _ in range(3):
+        a, u, b, w = one.at(s), one.direction(s), two.at(r), two.direction(r)
+        turn = (u.conjugate() * w).imag
+        if abs(turn) < 0.06:
+            return None
+        z = complex(a + u * ((b - a).conjugate() * w).imag / turn)
+        s = min(max(one.local(z)[0], one.low - 3), one.high + 3)
+        r = min(max(two.local(z)[0], two.low - 3), two.high + 3)
+    return z
+
+
+def places_of(lines: Sequence[Fitted]) -> list[Place]:
+    """All places, the surest of those that are one."""
+    starts: list[complex] = []
+    for i, one in enumerate(lines):
+        starts += one.ends
+        for two in lines[:i]:
+            z = crossing(one, two)
+            if z is not None and all(x.low - END_MM < x.local(z)[0] < x.high + END_MM for x in (one, two)):
+                starts.append(z)
+    found = [_place(lines, z) for z in starts]
+    found += [Place(h.z, h.sigma, frozenset(), True) for x in lines for h in x.heads]
+    kept: list[Place] = []
+    for one_place in sorted(found, key=lambda p: (p.tip, -len(p.ended), p.sigma)):
+        if all(abs(one_place.z - k.z) > (SAME_MM if not one_place.tip else 2 * SAME_MM) for k in kept):
+            sharper = (k for k in kept if k.ended & one_place.ended and k.sigma < 0.5 * one_place.sigma)
+            one_place.doubtful = any(abs(k.z - one_place.z) < 1.5 * END_MM for k in sharper)
+            kept.append(one_place)
+    return kept
+
+
+def _place(lines: Sequence[Fitted], start: complex) -> Place:
+    """The place near ``start`` where the lines there meet best."""
+    z, sigma, ended = start, 0.3, frozenset[tuple[int, int]]()
+    for reach in (0.8, 0.45):
+        eqs, ended_now = Normal(), set[tuple[int, int]]()
+        near = [k for k, x in enumerate(lines) if on(x, z, reach, END_MM)]
+        for k in near:
+            line = lines[k]
+            s, _ = line.local(z)
+            side = 0 if abs(s - line.low) < abs(s - line.high) else 1
+            if abs(s - (line.low, line.high)[side]) < END_MM:
+                ended_now.add((k, side))
+                _add_end(eqs, line, side)
+            elif any(_hidden(line, side, s, lines[j]) for j in near if j != k):
+                ended_now.add((k, side))
+            heads = [h for h in line.heads if abs(h.s - s) < HEAD_MM and (k, side) not in ended_now]
+            for head in heads:  # a vector ends here, and another goes on
+                eqs.add(head.z, line.direction(s), head.sigma)
+            lateral = line.sigma if (k, side) in ended_now else math.hypot(line.sigma, PASSING_MM)
+            eqs.add(heads[0].z if heads else line.at(s), 1j * line.direction(s), lateral)
+        eqs.add(start, 1 + 0j, 30.0)
+        eqs.add(start, 1j, 30.0)
+        z, sigma = eqs.solved()
+        ended = frozenset(ended_now)
+        if abs(z - start) > 1.5:
+            return Place(start, 0.5, frozenset())
+    return Place(z, min(sigma, 2.0), ended)
+
+
+def _add_end(eqs: Normal, line: Fitted, side: int) -> None:
+    """That a line ends here, by its ink and by its arrowhead."""
+    s = (line.low, line.high)[side]
+    eqs.add(line.at(s), line.direction(s), CLEAR_MM if line.clear[side] else DIM_MM)
+    for head in () if line.clear[side] else line.heads:
+        if head.sign == 2 * side - 1 and abs(head.s - s) < TIP_REACH_MM:
+            eqs.add(line.at(head.s), line.direction(s), head.sigma)
+
+
+def _hidden(line: Fitted, side: int, s: float, other: Fitted) -> bool:
+    """Whether what is left of a line beyond s lies within another line's ink, so that it may well end at s."""
+    end = (line.low, line.high)[side]
+    return abs(end - s) < HIDDEN_MM and not line.clear[side] and abs(other.local(line.at(end))[1]) < 0.8

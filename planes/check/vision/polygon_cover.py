@@ -1,0 +1,105 @@
+"""Ways a force polygon may have been drawn: rightly, or with a mistake of the catalogue; as vectors by name."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from planes.check.grading.handwork import Hand, Miss, Variant
+from planes.check.grading.polygons import Side
+from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
+from planes.check.vision.costs import slip
+from planes.drafting.steps import Cross, Step
+from planes.words.names import POLE, at, label_of, links_of, plan_of
+
+WILDEST_MM = 400.0  # nobody draws a longer vector on a sheet
+
+
+@dataclass(frozen=True)
+class Guess:
+    """One way the polygon may have been drawn: its known vectors, the closing ones, what believing it costs."""
+
+    known: Mapping[str, complex]
+    closing: Mapping[str, complex]  # unit directions
+    cost: float = 0.0
+    free: str = ""  # a vector that may be anywhere
+
+
+def polygon_of(sides: Iterable[Side], plan: str) -> list[Side]:
+    """The sides of the outer polygon: the longest way round from the pole; reactions within the group are chords."""
+    links = links_of(plan)
+    inner = {f"F_{a}{mid}{b}" for a in links for b in links for mid in ("", "_")}
+    sides = [s for s in sides if s.name.rstrip("nt") not in inner]
+    best: list[Side] = []
+
+    def walk(z: str, way: list[Side]) -> None:
+        nonlocal best
+        for s in sides:
+            if s.start == z and s.end not in [w.end for w in way]:
+                if s.end == POLE:
+                    best = max(best, [*way, s], key=len)
+                else:
+                    walk(s.end, [*way, s])
+
+    walk(POLE, [])
+    return best
+
+
+def guesses(bench: PreparedPlan, sides: list[Side], loads: set[str]) -> list[Guess]:
+    """The right polygon first, then one of every mistake, none twice."""
+    hand = Hand(bench.program, bench.given, bench.asked.skill, {})
+    found: list[Guess] = []
+    seen: set[tuple[complex, ...]] = set()
+    variants: list[Variant | None] = [None, *variants_of(bench, hand, bench.said_mu)]
+    for variant in variants:
+        vectors = _vectors(bench, sides, variant)
+        if vectors is None:
+            continue
+        known = {s.name: vectors[s.name] for s in sides if s.end in loads}
+        closing = {s.name: vectors[f"|{s.name}"] for s in sides if s.end not in loads}
+        key = tuple(complex(round(v.real * 2), round(v.imag * 2)) for v in known.values())
+        key += tuple(complex(round((u * u).real * 20), round((u * u).imag * 20)) for u in closing.values())
+        if key not in seen and max(map(abs, known.values()), default=0.0) < WILDEST_MM:
+            seen.add(key)
+            found.append(Guess(known, closing))
+    return found[:1] + [replace(guess, cost=slip(len(found) - 1)) for guess in found[1:]]
+
+
+def _vectors(bench: PreparedPlan, sides: list[Side], variant: Variant | None) -> dict[str, complex] | None:
+    """Every vector by name, and the direction of every closing one by |name."""
+    things = redrawn(bench, variant, lambda step, made: made)
+    if things is None:
+        return None
+    plan = bench.asked.plan
+    ends = {n: 0j if n == POLE else complex(things[at(plan, n)]) for s in sides for n in (s.start, s.end)}
+    out = {s.name: ends[s.end] - ends[s.start] for s in sides}
+    swaps = variant.swaps if variant else {}
+    lines = _lines([one for step in bench.program.steps for one in swaps.get(step.makes, (step,))], plan)
+    for s in sides:
+        u = out[s.name] if abs(out[s.name]) > 1 else 0j
+        for pair in ((s.start, s.end), (s.end, s.start)):
+            u = things[lines[pair]] if pair in lines else u
+        out[f"|{s.name}"] = complex(u) / abs(u) if u else 1 + 0j
+    return out if all(math.isfinite(abs(v)) for v in out.values()) else None
+
+
+def _lines(steps: Iterable[Step], plan: str) -> dict[tuple[str, str], str]:
+    """The directions of crossed lines by the labels of the marks they lead between."""
+    found = {}
+    for step in steps:
+        if isinstance(step, Cross) and plan_of(step.makes) == plan:
+            found[label_of(step.start), label_of(step.makes)] = step.along
+            found[label_of(step.other), label_of(step.makes)] = step.across
+    return found
+
+
+def spread_of(bench: PreparedPlan, sides: list[Side]) -> dict[str, Miss]:
+    """The covariance of every vector as a hand would draw it."""
+    hand, plan = Hand(bench.program, bench.given, bench.asked.skill, {}), bench.asked.plan
+
+    def end(name: str) -> Any:
+        return 0j if name == POLE else hand.things[at(plan, name)]
+
+    return {s.name: hand.miss(0j, end(s.end) - end(s.start)) for s in sides}

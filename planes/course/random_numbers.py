@@ -1,0 +1,153 @@
+"""Numbers drawn at random for a student: round ones around the scene's own, kept if the method works with them.
+
+The mechanism must assemble for every value of the drive, and no lines of any plan may meet at less than the limit,
+all the way round; in the position the student works with, nothing may need a warning.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import math
+import random
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+
+from planes.course import ParameterChoice
+from planes.drafting.drawing import run
+from planes.plans import Plans, mechanism_plans
+from planes.plans.scales import unit_scales
+from planes.scene import Scene
+from planes.scene.source import SourceScalar, SourceTable
+from planes.scene.source import parse as parse_text
+from planes.solving import solve
+from planes.words import Phrase
+from planes.words.errors import Contradiction, PlanesError, SceneError
+
+TRIES = 1000  # sets of numbers, before it is said that there are none
+ROUND = tuple(float(k) for k in range(0, 360, 2))  # the driver's angles a mechanism is tried at, degrees
+_ANGLES = tuple(f"{k}" for k in range(0, 360, 15))
+_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
+_SHARES = (("l_", 10.0), ("x_", 10.0), ("y_", 10.0), ("omega_", 20.0), ("F_", 20.0), ("M_", 20.0), ("P_", 20.0))
+
+
+@dataclass(frozen=True)
+class TriedTurn:
+    """A mechanism tried all the way round: where it cannot be drawn, and how sharply lines meet at the worst."""
+
+    failed: tuple[float, ...]
+    sharpness_deg: float
+
+
+def turn(plans: Plans, values: tuple[float, ...] = ROUND) -> TriedTurn:
+    """Draw everything at every value of the drive (degrees)."""
+    tried = around_turn(plans, values)
+    whole = [angle for angle in tried.values() if angle is not None]
+    return TriedTurn(tuple(v for v, angle in tried.items() if angle is None), min(whole, default=0.0))
+
+
+def around_turn(plans: Plans, values: tuple[float, ...]) -> dict[float, float | None]:
+    """The least angle (degrees) at which lines meet at each value of the drive, None where it cannot be drawn."""
+    import numpy as np
+
+    drawing = run(plans.program, {**plans.given, **unit_scales(plans), plans.drive_given: np.array(values)})
+    failed, least = drawing.failed(), np.ones(len(values))
+    for found in drawing.sharpness.values():
+        least = np.fmin(least, np.broadcast_to(found, least.shape))
+    bad = np.broadcast_to(False if failed is None else failed, least.shape)
+    angles = np.degrees(np.arcsin(np.clip(least, 0.0, 1.0)))
+    return {v: None if b else float(a) for v, b, a in zip(values, bad, angles, strict=True)}
+
+
+def choices_of(text: str, file: str, draw: Mapping[str, ParameterChoice] | None) -> dict[str, tuple[str, ...]]:
+    """What each drawn parameter of a scene may be, as it is written, in the order of the scene."""
+    table = parse_text(text, file)
+    parameters = table.entries.get("parameters")
+    own = parameters.entries if isinstance(parameters, SourceTable) else {}
+    plain = {k: float(v.text) for k, v in own.items() if isinstance(v, SourceScalar) and _NUMBER.fullmatch(v.text)}
+    asked = _usual(table, plain) if draw is None else {k: c for k, c in draw.items() if k in own}
+    found = {}
+    for name, choice in asked.items():
+        if choice.percent is not None and name not in plain:
+            raise SceneError(Phrase("course_not_plain", name=name), file, own[name].line)
+        found[name] = choice.values if choice.percent is None else around(plain[name], choice.percent)
+    if not found:
+        raise SceneError(Phrase("course_nothing_drawn"), file, 1)
+    return {name: found[name] for name in own if name in found}
+
+
+def _usual(table: SourceTable, plain: Mapping[str, float]) -> dict[str, ParameterChoice]:
+    """What is drawn when nothing is said: the driver's place, lengths and coordinates, its speed, loads."""
+    drive = table.entries["drive"]
+    at = drive.entries.get("phi") if isinstance(drive, SourceTable) else None
+    angle = at.text if isinstance(at, SourceScalar) else ""
+    found = {}
+    for name, value in plain.items():
+        percent = next((p for head, p in _SHARES if name.startswith(head)), None)
+        if name == angle:
+            found[name] = ParameterChoice(_ANGLES)
+        elif percent is not None and value:
+            found[name] = ParameterChoice(percent=percent)
+    return found
+
+
+def around(value: float, percent: float) -> tuple[str, ...]:
+    """Round numbers within so many per cent of a value: multiples of 1, 2 or 5 units of some digit, four or more."""
+    reach = abs(value) * percent / 100
+    if not reach:
+        return (f"{value:.10g}",)
+    power = math.floor(math.log10(reach / 2))
+    unit, by = next((u, k) for u, k in _steps(power) if k * 10.0**u <= reach / 2 * (1 + 1e-9))
+    step = by * 10.0**unit
+    first, last = math.ceil((value - reach) / step - 1e-9), math.floor((value + reach) / step + 1e-9)
+    return tuple(f"{round(k * step, max(0, -unit)):.10g}" for k in range(first, last + 1))
+
+
+def _steps(power: int) -> Iterator[tuple[int, int]]:
+    yield from ((power, 5), (power, 2), (power, 1))
+
+
+def dice(seed: int, *names: object) -> random.Random:
+    """Chance that depends on the seed and the names alone: the same everywhere."""
+    text = "\0".join(map(str, (seed, *names)))
+    return random.Random(int.from_bytes(hashlib.sha256(text.encode()).digest()[:8]))
+
+
+def draw_numbers(
+    choices: Mapping[str, tuple[str, ...]],
+    make: Callable[[Mapping[str, str]], Scene],
+    least_deg: float,
+    chance: random.Random,
+) -> dict[str, str]:
+    """The first set of numbers drawn with which the method works all the way round; ``make`` gives their scene."""
+    apart = blunt = 0
+    for _ in range(TRIES):
+        numbers = {name: values[int(chance.random() * len(values))] for name, values in choices.items()}
+        try:
+            scene = make(numbers)
+            fault = _fault(scene, least_deg)
+        except Contradiction:  # no fault of the numbers
+            raise
+        except PlanesError:
+            fault = "apart"
+        if fault is None:
+            return numbers
+        apart, blunt = apart + (fault == "apart"), blunt + (fault == "blunt")
+    raise PlanesError(Phrase("course_none", count=TRIES, apart=apart, blunt=blunt, limit=least_deg))
+
+
+def _fault(scene: Scene, least_deg: float) -> str | None:
+    """What is wrong with a scene as a student's: nothing, or that it does not assemble, or meets too bluntly."""
+    plans = mechanism_plans(scene)
+    if plans.mechanism.drive.kind == "phi":
+        found = turn(plans)
+        if found.failed:
+            return "apart"
+        if found.sharpness_deg < least_deg:
+            return "blunt"
+    solved = solve(scene)
+    if not solved.positions:
+        return "apart"
+    position = solved.positions[0]
+    worst = min(position.drawing.sharpness.values(), default=1.0)
+    return "blunt" if position.results["warnings"] or worst < math.sin(math.radians(least_deg)) else None

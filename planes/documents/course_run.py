@@ -1,0 +1,232 @@
+"""The whole course in one run: numbers settled, documents made by many workers, each file kept as soon as it is there.
+
+Only this process writes. What an earlier run has finished is verified by its hash and kept, if it was made from the
+same; so a run that was cut short goes on where it was.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import closing
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from planes.course import Course
+from planes.course.fingerprint import fingerprint
+from planes.course.ledger import Ledger, digest
+from planes.course.numbers import Question, Settled, again, question, settle
+from planes.course.scenes import used_names
+from planes.course.shares import Share, shares
+from planes.course.summary import StudentRow, as_blocks, as_csv
+from planes.course.workers import Each
+from planes.documents.course import Made, Order, make, names_of
+from planes.scene import loads
+from planes.words import Lang, Phrase
+from render.paper.names import Naming
+
+COPIES = 100  # how often numbers may fall together with somebody else's before it is said that there are too few
+SCENE, KEY = "scene.yaml", "key.json"
+
+Step = Callable[[int, int], None]
+
+
+@dataclass
+class Report:
+    """What a run did: files made, files kept, and (place, file, sentence) of what could not be made; ``said``: of files
+    that are there, what must be said of them."""
+
+    made: int = 0
+    kept: int = 0
+    faults: list[tuple[str, str, str]] = field(default_factory=list)
+    said: list[tuple[str, str, str]] = field(default_factory=list)
+
+
+@dataclass
+class Conductor:
+    """One run over one folder. ``program`` is what workers elsewhere must have, "" where they are this very one."""
+
+    course: Course
+    ledger: Ledger
+    each: Each
+    lang: Lang
+    step: Step | None = None
+    program: str = ""
+    report: Report = field(default_factory=Report)
+    done: int = 0
+    total: int = 0
+
+    def run(self) -> Report:
+        """Everything, and the manifest."""
+        given, names = shares(self.course), names_of(self.course)
+        self.total = len(given) * (len(names) + 2)
+        self.tell(0)
+        settled = self.settle(given)
+        orders = dict(self.orders(given, settled, names))
+        self.documents(orders, names)
+        wanted = [self.place(s, n, names) for s in orders for n in (SCENE, KEY, *names)]
+        self.ledger.close([*wanted, *self.summary(given, settled)])
+        self.report.faults.sort()
+        self.report.said = sorted(
+            (s.place, n, sentence)
+            for s in orders
+            for n in names
+            for sentence in self.ledger.said(self.place(s, n, names))
+        )
+        return self.report
+
+    def place(self, share: Share, name: str, names: dict[str, str]) -> str:
+        """A file's name within the folder."""
+        return f"{names.get(name, 'teacher')}/{share.place}/{name}"
+
+    # numbers
+
+    def settle(self, given: Sequence[Share]) -> dict[Share, Settled]:
+        """Everybody's numbers, no two alike in one assignment."""
+        asked = {s: question(self.course, s, self.lang) for s in given}
+        settled: dict[Share, Settled] = {}
+        todo = list(given)
+        for _ in range(COPIES):
+            settled |= self.answered({s: asked[s] for s in todo})
+            todo = list(alike(given, settled))
+            if not todo:
+                break
+            asked |= {s: again(asked[s]) for s in todo}
+        too_few = Phrase("course_too_few").told(self.lang)
+        settled |= {s: Settled(fault=too_few) for s in todo}
+        for share in given:
+            self.kept_or_written(share, asked[share], settled[share])
+        return settled
+
+    def answered(self, asked: dict[Share, Question]) -> dict[Share, Settled]:
+        """Answers read from the folder where they are there, worked out where not."""
+        found = {s: Settled(*read) for s, q in asked.items() if (read := self.read(s, q))}
+        todo = [s for s in asked if s not in found]
+        for k, answer in self.each(settle, [replace(asked[s], program=self.program) for s in todo]):
+            found[todo[k]] = answer
+        return found
+
+    def read(self, share: Share, q: Question) -> tuple[str, str] | None:
+        """Scene and key of an earlier run."""
+        names = [self.place(share, name, {}) for name in (SCENE, KEY)]
+        if not all(self.ledger.fresh(name, made_of(q, "")) for name in names):
+            return None
+        scene, key = ((self.ledger.folder / name).read_text("utf-8") for name in names)
+        return scene, key
+
+    def kept_or_written(self, share: Share, q: Question, answer: Settled) -> None:
+        """The scene and the key in the folder; or the fault."""
+        if answer.fault:
+            self.report.faults.append((share.place, "", answer.fault))
+            return
+        for name, text in ((SCENE, answer.scene), (KEY, answer.key)):
+            self.keep(self.place(share, name, {}), made_of(q, ""), text.encode())
+
+    def keep(self, name: str, source: str, data: bytes, said: tuple[str, ...] = ()) -> None:
+        """Write a file, unless it is there."""
+        if self.ledger.fresh(name, source):
+            self.report.kept += 1
+        else:
+            self.ledger.keep(name, source, data, said)
+            self.report.made += 1
+        self.tell(1)
+
+    def tell(self, more: int) -> None:
+        """Move the bar on."""
+        self.done += more
+        if self.step:
+            self.step(self.done, self.total)
+
+    # documents
+
+    def orders(
+        self, given: Sequence[Share], settled: dict[Share, Settled], names: dict[str, str]
+    ) -> Iterator[tuple[Share, Order]]:
+        """What is to be made for everybody."""
+        for share in given:
+            if not (answer := settled[share]).fault:
+                yield (
+                    share,
+                    Order(
+                        answer.scene,
+                        self.heads(share, answer.scene),
+                        used_names(answer.scene, SCENE),
+                        tuple(names),
+                        self.course.plans,
+                        self.lang,
+                    ),
+                )
+
+    def heads(self, share: Share, text: str) -> tuple[str, ...]:
+        """What stands above a task: the scene's title, the course, the student, the variant."""
+        scene = loads(text, SCENE)
+        who = Phrase("task_student", name=share.student.name).told(self.lang)
+        if group := scene.sheet.get("group"):
+            who += Phrase("task_group", group=str(group)).told(self.lang)
+        own = Phrase("task_variant", variant=share.variant) if share.variant else Phrase("task_drawn")
+        title = scene.title.get(self.lang) or share.assignment.name
+        return title, self.course.title.get(self.lang, ""), f"{who}. {own.told(self.lang)}."
+
+    def documents(self, orders: dict[Share, Order], names: dict[str, str]) -> None:
+        """Every document that is not there yet."""
+        todo: list[tuple[Share, Order]] = []
+        for share, order in orders.items():
+            left = tuple(n for n in order.files if not self.fresh(share, order, n, names))
+            self.report.kept += len(order.files) - len(left)
+            self.tell(len(order.files) - len(left))
+            if left:
+                todo.append((share, replace(order, files=left, program=self.program)))
+        for k, made in self.each(make, [order for _, order in todo]):
+            self.written(todo[k][0], orders[todo[k][0]], made, names)
+
+    def fresh(self, share: Share, order: Order, name: str, names: dict[str, str]) -> bool:
+        """Whether a document is there, made from the same."""
+        return self.ledger.fresh(self.place(share, name, names), made_of(replace(order, files=()), name))
+
+    def written(self, share: Share, order: Order, made: Made, names: dict[str, str]) -> None:
+        """One student's documents in the folder."""
+        for name, data in made.files.items():
+            source = made_of(replace(order, files=()), name)
+            self.keep(self.place(share, name, names), source, data, made.said.get(name, ()))
+        for name, sentence in made.faults.items():
+            self.ledger.forget(self.place(share, name, names))  # an earlier one would be of other numbers
+            self.report.faults.append((share.place, name, sentence))
+
+    def summary(self, given: Sequence[Share], settled: dict[Share, Settled]) -> list[str]:
+        """The teacher's table, as CSV and as a page."""
+        from render.report import rendered
+
+        rows = [StudentRow.of(s, settled[s].scene, settled[s].key, settled[s].fault) for s in given]
+        title = self.course.title.get(self.lang, "")
+        html = rendered(list(as_blocks(rows, title, self.lang)), ".html", Naming(self.lang))
+        made = {"teacher/summary.csv": as_csv(rows, self.lang).encode(), "teacher/summary.html": html}
+        for name, data in made.items():
+            if not self.ledger.fresh(name, digest(data)):
+                self.ledger.keep(name, digest(data), data)
+        return list(made)
+
+
+def made_of(thing: object, name: str) -> str:
+    """The hash of all a file depends on."""
+    return digest(repr((thing, name, fingerprint())).encode())
+
+
+def alike(given: Sequence[Share], settled: dict[Share, Settled]) -> Iterator[Share]:
+    """Who drew the numbers somebody before has."""
+    seen = set()
+    for share in sorted(given, key=lambda s: s.variant is None):  # given variants stay what they are
+        if (answer := settled[share]).fault:
+            continue
+        numbers = json.dumps([share.assignment.name, *loads(answer.scene, SCENE).parameters.items()])
+        if numbers in seen and share.variant is None:
+            yield share
+        seen.add(numbers)
+
+
+def conduct(
+    course: Course, folder: Path, each: Each, lang: Lang, step: Step | None = None, abroad: bool = False
+) -> Report:
+    """Make the whole course in a folder; ``abroad`` where workers may have a program of their own."""
+    ledger = Ledger(folder)
+    with closing(ledger.journal):
+        return Conductor(course, ledger, each, lang, step, fingerprint() if abroad else "").run()

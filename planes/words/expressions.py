@@ -1,0 +1,170 @@
+"""Words for files, expressions and scales that cannot be read: key to Russian and English."""
+
+TEXT: dict[str, tuple[str, str]] = {
+    # files
+    "is_folder": ("это папка, а не файл сцены", "this is a folder, not a scene file"),
+    "not_ordinary": ("это не обычный файл", "this is not an ordinary file"),
+    "no_file": ("такого файла нет", "there is no such file"),
+    "unreadable_file": ("файл не читается: {reason}", "the file cannot be read: {reason}"),
+    "no_permission": ("нет прав на чтение", "Permission denied"),
+    "name_too_long": ("слишком длинное имя файла", "File name too long"),
+    "bad_file_name": ("такого имени у файла быть не может", "the name cannot be a file's"),
+    "file_large": (
+        "файл больше {size} МБ, это слишком много для сцены",
+        "the file is larger than {size} MB, too large for a scene",
+    ),
+    "text_long": (
+        "текст длиннее {limit} знаков, это слишком много для сцены",
+        "the text is longer than {limit} characters, too long for a scene",
+    ),
+    "utf_16": ("файл в кодировке UTF-16; сохраните его в UTF-8", "the file is in UTF-16; save it as UTF-8"),
+    "not_utf_8": (
+        "байт 0x{byte:02x} не из UTF-8; сохраните файл в кодировке UTF-8",
+        "byte 0x{byte:02x} is not UTF-8; save the file as UTF-8",
+    ),
+    "slow_file": ("файл читается слишком долго", "the file takes too long to read"),
+    "deep_file": ("в файле больше {most} уровней вложенности", "the file is nested deeper than {most} levels"),
+    "empty_file": ("файл пуст", "the file is empty"),
+    "not_keys": (
+        "сцена состоит из строк «ключ: значение», а этот файл нет",
+        "a scene is made of lines 'key: value'; this file is not",
+    ),
+    "control_character": (
+        "управляющий символ U+{code:04X} в сцене недопустим",
+        "the control character U+{code:04X} cannot stand in a scene",
+    ),
+    "second_document": (
+        "здесь начинается второй документ, а в файле сцены он один",
+        "a second document starts here; a scene file holds one",
+    ),
+    "alias": (
+        "ссылка *{name} недопустима; впишите само значение",
+        "the alias *{name} is not allowed; write the value out",
+    ),
+    "anchor": ("якорь &{name} недопустим; уберите его", "the anchor &{name} is not allowed; remove it"),
+    "tag": ("тег {name} недопустим; уберите его", "the tag {name} is not allowed; remove it"),
+    "key_not_word": (
+        "ключом может быть только слово, а не список или таблица",
+        "a key must be a word, not a list or a table",
+    ),
+    "key_absent": ("перед «:» нет ключа", "a key is missing before ':'"),
+    "key_twice": ("ключ {key} записан дважды в строке {line}", "the key {key} stands twice, in line {line}"),
+    "key_twice_apart": (
+        "ключ {key} записан дважды, в строке {line} и в строке {second}",
+        "the key {key} stands twice, in line {line} and in line {second}",
+    ),
+    "quotes_needed": (
+        "внутри {{ }} выражение с запятыми берут в кавычки: {written}",
+        "between {{ }} an expression with commas needs quotes: {written}",
+    ),
+    # what is not YAML
+    "colon_missing": ("после ключа нет «:»", "a ':' is missing after a key"),
+    "colon_after": ("{text}: после ключа {key} нет «:»", "{text}: a ':' is missing after the key {key}"),
+    "colon_second": (
+        "второе «:» в одном значении или неверный отступ; такой текст берут в кавычки",
+        "a second ':' in one value, or wrong indentation; put such a text in quotes",
+    ),
+    "list_open": (
+        "список [ ] не закрыт, или между его элементами нет запятой",
+        "a list [ ] is not closed, or a comma between its items is missing",
+    ),
+    "table_open": (
+        "таблица {{ }} не закрыта, или между её элементами нет запятой",
+        "a table {{ }} is not closed, or a comma between its items is missing",
+    ),
+    "indentation": ("здесь неверный отступ", "the indentation is wrong here"),
+    "list_item": ("элемент списка «-» здесь стоять не может", "a list item '-' cannot stand here"),
+    "after_end": ("после конца сцены ещё что-то написано", "there is something after the end of the scene"),
+    "quote_open": ("кавычка не закрыта", "a quote is not closed"),
+    "escape": (
+        "в двойных кавычках неизвестное сочетание с \\; возьмите одинарные",
+        "an unknown escape \\ in double quotes; use single quotes",
+    ),
+    "value_absent": ("здесь нет значения", "a value is missing here"),
+    "colon_here": (
+        "«:» здесь стоять не может; такой текст берут в кавычки",
+        "a ':' cannot stand here; put such a text in quotes",
+    ),
+    "tab": ("здесь табуляция; ставьте пробелы", "a tab stands here; use spaces"),
+    "value_begins": (
+        "значение не может начинаться с {char}; возьмите его в кавычки",
+        "a value cannot begin with {char}; put it in quotes",
+    ),
+    "not_yaml": ("это не YAML: {problem}", "not valid YAML: {problem}"),
+    "tab_in_indentation": ("табуляция в отступе", "found a tab character that violates indentation"),
+    "other_yaml": ("документ другой версии", "found incompatible YAML document"),
+    "unreadable": ("текст не читается", "unreadable"),
+    # expressions
+    "value_large": ("значение слишком велико", "the value is too large"),
+    "expression_long": ("длиннее {most} знаков", "longer than {most} characters"),
+    "not_finite": ("нужно конечное число", "a finite number is needed"),
+    "degree_sign": ("углы и так в градусах; уберите °", "angles are in degrees already; leave out °"),
+    "write_star": ("вместо {char} пишите *", "write * instead of {char}"),
+    "stray": ("{char} в выражении недопустимо", "{char} cannot stand in an expression"),
+    "number_absent": ("нет числа", "a number is missing"),
+    "division_by_zero": ("деление на ноль", "division by zero"),
+    "decimal_point": ("пишите десятичную точку: {number}", "write a decimal point: {number}"),
+    "end_absent": ("в конце чего-то не хватает", "something is missing at the end"),
+    "unexpected": ("{word} здесь лишнее", "{word} is not expected here"),
+    "unexpected_operand": (
+        "{word} здесь лишнее; возможно, пропущен знак действия",
+        "{word} is not expected here; is an operator missing?",
+    ),
+    "expression_deep": ("больше {most} уровней вложенности", "nested deeper than {most} levels"),
+    "no_power": (
+        "{base:g} в степени {exponent:g} не имеет значения",
+        "{base:g} to the power {exponent:g} has no value",
+    ),
+    "bracket_absent": ("не хватает )", "a ) is missing"),
+    "no_function": ("нет функции {name}{valid}", "there is no function {name}{valid}"),
+    "not_defined": ("имя {name} не определено{valid}", "the name {name} is not defined{valid}"),
+    "needs_brackets": (
+        "аргумент {name} пишут в скобках: {name}(...)",
+        "{name} needs its argument in brackets: {name}(...)",
+    ),
+    "takes_one": ("{name} берётся от одного числа{hint}", "{name} takes one number{hint}"),
+    "takes_count": ("у {name} чисел должно быть {count}{hint}", "{name} takes {count} numbers{hint}"),
+    "takes_more": ("у {name} чисел должно быть два или больше{hint}", "{name} takes two or more numbers{hint}"),
+    "hint_point": ("; десятичную дробь пишут через точку", "; for a decimal point write ."),
+    "call_without_value": ("{name}({given}) не имеет значения", "{name}({given}) has no value"),
+    "unit_written": (
+        "{word} здесь лишнее: единиц не пишут, все значения в СИ, углы в градусах",
+        "{word} is not expected here: units are not written, all values are in SI, angles in degrees",
+    ),
+    "circle_of_one": ("параметр {name} определён через самого себя", "{name} refers to itself"),
+    "circle": (
+        "параметры определены друг через друга по кругу: {names: -> }",
+        "the parameters define one another in a circle: {names: -> }",
+    ),
+    # scales
+    "mu_no_plan": ("плана {plan} нет; допустимо: {names}", "there is no plan named {plan}; valid: {names}"),
+    "mu_not_number": (
+        'μ "{mu}": это не число с единицей; запишите в {units}',
+        'μ "{mu}" is not a number with a unit; write it in {units}',
+    ),
+    "mu_comma": ('μ "{mu}": пишите десятичную точку: {number}', 'μ "{mu}": write a decimal point: {number}'),
+    "mu_range": (
+        'μ "{mu}": с таким масштабом ничего не начертить; возьмите значение ближе к обычным, например {units}',
+        'μ "{mu}": nothing can be drawn at this scale; take a more usual value, for example {units}',
+    ),
+    "mu_scale": (
+        'μ "{mu}": так пишут только масштаб плана положения; для {plan:of} запишите в {units}',
+        'μ "{mu}": only the scale of the position plan is written so; that of the {plan} is in {units}',
+    ),
+    "mu_not_positive": ('μ "{mu}": нужно положительное конечное число', 'μ "{mu}" must be a positive finite number'),
+    "mu_no_unit": ('μ "{mu}": нет единицы; запишите в {units}', 'μ "{mu}" has no unit; write it in {units}'),
+    "mu_unit": (
+        'μ "{mu}": единица "{unit}" не подходит{other}; запишите в {units}',
+        'μ "{mu}": the unit "{unit}" does not fit{other}; write it in {units}',
+    ),
+    "mu_other": (" (это масштаб {plan:of})", " (it is a scale of the {plan})"),
+    "units_position": ("мм/м или м/мм", "mm/m or m/mm"),
+    "units_velocity": ("мм/(м/с) или (м/с)/мм", "mm/(m/s) or (m/s)/mm"),
+    "units_acceleration": ("мм/(м/с²) или (м/с²)/мм", "mm/(m/s²) or (m/s²)/mm"),
+    "units_force": ("мм/Н или Н/мм", "mm/N or N/mm"),
+    "scale_position": ("план положения|плана положения", "position plan"),
+    "scale_velocity": ("план скоростей|плана скоростей", "velocity plan"),
+    "scale_acceleration": ("план ускорений|плана ускорений", "acceleration plan"),
+    "scale_force": ("план сил|плана сил", "force plan"),
+    "scale_vectors": ("план векторов|плана векторов", "vectors plan"),
+}

@@ -1,0 +1,108 @@
+"""A tape records a program once; the loop compiled from it does what the tape says."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from planes.batch import compiled
+from planes.batch.reading import read
+from planes.batch.symbols import Num, Vec, number, place_of
+from planes.batch.tape import Tape
+from planes.batch.tracing import Recording, Trace
+from tests.helpers import ROOT
+
+needs_compiler = pytest.mark.skipif(not compiled.available(), reason="the extra planes[fast] is not installed")
+AR = Recording()
+
+
+def given(tape: Tape, name: str) -> Num:
+    return Num(tape, tape.leaf("given", name))
+
+
+def test_what_is_known_is_folded_away_and_nothing_is_recorded_twice() -> None:
+    tape = Tape()
+    x, y = given(tape, "x"), given(tape, "y")
+    assert (x + 0.0).at == x.at and (1 * x).at == x.at and x * 0.0 == 0.0 and x - x == 0.0 and x / x == 1.0
+    assert (x + y).at == (y + x).at and (-1 * -x).at == x.at and (x - y).at == (-y + x).at
+    before = len(tape.ops)
+    assert (x * y + y * x).at == number(tape, "add", x * y, x * y).at and len(tape.ops) == before + 2
+    turned = Vec(x, y) * 1j
+    assert turned.real.at == (-y).at and turned.imag.at == x.at
+    assert abs(Vec(x, 0.0)).at == abs(x).at
+
+
+def compiled(tape: Tape, outputs: list[Any], **inputs: Any) -> Any:
+    trace = Trace(tape, tuple(place_of(tape, x) for x in outputs), (), (), ())
+    loop = compiled.fuse(trace, tuple(inputs)).bound({})
+    return loop(np.array(list(inputs.values())))[0]
+
+
+@needs_compiler
+def test_sines_are_right_to_the_last_place() -> None:
+    tape, degrees = Tape(), np.linspace(-360, 360, 1441)
+    turned = AR.cis_deg(given(tape, "phi"))
+    cos, sin = compiled(tape, [turned.real, turned.imag], phi=degrees)
+    exact = np.array([AR.one.cis_deg(float(d)) for d in degrees])
+    assert np.abs(cos - exact.real).max() <= 2.3e-16 and np.abs(sin - exact.imag).max() <= 2.3e-16
+    quarters = degrees % 90 == 0
+    assert (cos[quarters] == exact.real[quarters]).all() and (sin[quarters] == exact.imag[quarters]).all()
+
+
+@needs_compiler
+def test_arctangents_are_right_to_the_last_place() -> None:
+    tape, angles = Tape(), np.radians(np.linspace(-179.9, 180, 2000))
+    x, y = given(tape, "x"), given(tape, "y")
+    (found,) = compiled(tape, [AR.angle_deg(Vec(x, y))], x=3 * np.cos(angles), y=3 * np.sin(angles))
+    exact = np.degrees(np.arctan2(3 * np.sin(angles), 3 * np.cos(angles)))
+    assert np.abs(found - exact).max() <= 6e-14
+    axes = np.array([1, 0, -1, 0, -1.0]), np.array([0, 1, 0, -1, -0.0])
+    (edges,) = compiled(tape, [AR.angle_deg(Vec(x, y))], x=axes[0], y=axes[1])
+    assert list(edges) == [0, 90, 180, -90, 180]
+
+
+@needs_compiler
+def test_the_loop_does_what_the_tape_says() -> None:
+    tape, rng = Tape(), np.random.default_rng(2)
+    x, y = given(tape, "x"), given(tape, "y")
+    outputs = [
+        AR.sqrt(x),
+        AR.maximum(x, y),
+        AR.minimum(x, y),
+        AR.sign(x),
+        abs(Vec(x, y)),
+        AR.power(x, 2),
+        AR.power(y, -1),
+        AR.where((x > 0) & ~(y <= 0.5) | (x == y), x, y),
+        abs(x),
+        x - 2.0 * y,
+        AR.where(x < y, math.nan, x),
+        x * y + 3.0,
+        AR.gap(Vec(x, y), 0.25 + 0j, y, x * 0.5),
+    ]
+    inputs = {"x": rng.normal(size=1000), "y": rng.normal(size=1000)}
+    found = compiled(tape, outputs, **inputs)
+    places = [place_of(tape, o) for o in outputs]
+    expected = read(tape, tape.needed(places), inputs)
+    for row, place in zip(found, places, strict=True):
+        assert np.allclose(row, expected[place], rtol=1e-15, atol=0, equal_nan=True), tape.ops[place]
+
+
+@needs_compiler
+def test_a_structure_is_compiled_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    from planes.batch import Cycle
+    from planes.plans import plans_of
+    from planes.scene import load
+
+    texts = []
+    for variant in ("160", "150"):
+        mechanism = load(str(ROOT / "samples" / "six-link.yaml")).mechanism
+        assert mechanism
+        c = Cycle(plans_of(mechanism), ["v_C"], {"omega_1": float(variant)})
+        texts.append(c.compiled.fused.text)
+        (block,) = c.blocks([150.0], fast=True)
+        assert abs(block.table[0, 0]) == pytest.approx(2.3885508115275518 * float(variant) / 20, rel=1e-12)
+    assert texts[0] == texts[1]
