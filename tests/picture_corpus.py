@@ -196,9 +196,10 @@ def told(count: Count) -> str:
     errors = sorted(count.errors) or [0.0]
     lost = count.unreadable
     read = (count.right - lost["right"], count.wrong - lost["wrong"])
+    accepted, readable = share(count.accepted, count.right), share(count.accepted, read[0])
     return "\n".join(
         [
-            f"  right accepted    {share(count.accepted, count.right)}; of the readable {share(count.accepted, read[0])}",
+            f"  right accepted    {accepted}; of the readable {readable}",
             f"  mistakes found    {share(count.found, count.wrong)}; of the readable {share(count.found, read[1])}",
             f"  right step blamed {share(count.blamed, count.wrong)}; of the readable {share(count.blamed, read[1])}",
             f"  named             {share(count.named, count.wrong)}; of the readable {share(count.named, read[1])}",

@@ -5,15 +5,14 @@ from __future__ import annotations
 import argparse
 from typing import NoReturn
 
-from planes.words import say
+from planes.words import say, table
 from planes.words.options import home_lang
-from planes.words.usage import USAGE
 
 
 def at_home(text: str) -> str:
     """A text of the reader of options, its own words replaced piece by piece."""
     lang = home_lang()
-    for key in USAGE if lang != "en" else ():
+    for key in table("en", "usage") if lang != "en" else ():
         text = text.replace(say(key), say(key, lang))
     return text
 

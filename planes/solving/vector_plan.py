@@ -10,7 +10,7 @@ from planes.drafting.draft import Draft
 from planes.drafting.equations import Equation, Term, unknown
 from planes.scene import Scene, VectorGiven
 from planes.scene.statement import Sides, ends, read_equation
-from planes.words import TABLE, Phrase, Told
+from planes.words import Phrase, Told, table
 from planes.words.errors import EquationError, PlanFailure, SceneError, choices
 from planes.words.names import POLE, at, label_of, mu_of
 from planes.words.things import name_in_words
@@ -105,7 +105,7 @@ class VectorPlan:
         """What an equation cannot be drawn for, in words of vectors."""
         index, text = self.solved.get(str(failure.numbers.get("makes")), (0, self.scene.equations[0]))
         key = f"vectors_{failure.reason}"
-        if key not in TABLE:
+        if key not in table("en"):
             return self.error(index, Phrase("about", what=text, why=failure.phrase))
         return self.error(index, Phrase(key, **{**failure.numbers, "text": text}))
 

@@ -6,9 +6,8 @@ import html
 from collections.abc import Iterator
 from typing import Any
 
-from planes.words import TABLE
+from planes.words import table
 from planes.words.names import label_of
-from planes.words.pages import PAGES
 from render.page import web_page
 from render.paper.letters import NAME, written
 
@@ -24,8 +23,8 @@ NOSCRIPT = (
 
 def page(data: dict[str, Any], lang: str) -> str:
     """The whole page; ``data`` is what :func:`planes.lesson.data.lesson_data` exports."""
-    keys = {key.removeprefix("page_"): key for key in PAGES} | SHARED
-    words = {key: dict(zip(("ru", "en"), TABLE[name], strict=True)) for key, name in keys.items()}
+    keys = {key.removeprefix("page_"): key for key in table("en", "pages")} | SHARED
+    words = {key: {"ru": table("ru")[name], "en": table("en")[name]} for key, name in keys.items()}
     title = data["title"].get(lang, "")
     parts = {
         "title": html.escape(title),

@@ -9,7 +9,7 @@ import pytest
 
 import planes
 from planes.scene import _COMMON, _MECHANISM, _VECTORS
-from planes.words import TABLE
+from planes.words import table
 from tests.helpers import ROOT
 
 SCENE, JSON, CHECKING = ((ROOT / "docs" / f"{name}.md").read_text("utf-8") for name in ("scene", "json", "checking"))
@@ -39,4 +39,4 @@ def test_the_object_has_the_keys_that_are_printed() -> None:
 def test_every_mistake_has_its_name() -> None:
     listed = CHECKING[CHECKING.index("- position:") : CHECKING.index("**Names of marks")]
     told = set(re.findall(r"`([a-z0-9]+(?:_[a-z0-9]+)+)`", listed))
-    assert told == {key.removeprefix("mistake_") for key in TABLE if key.startswith("mistake_")}
+    assert told == {key.removeprefix("mistake_") for key in table("en", "mistakes") if key.startswith("mistake_")}

@@ -1,6 +1,7 @@
 """Floor 2: one table of words, and every refusal told from it in both languages with the same names and numbers."""
 
 import ast
+import json
 import re
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from planes.scene.source import parse
 from planes.scene.statement import read_equation
 from planes.solving import solve
 from planes.solving.vectors import solve_vectors
-from planes.words import TABLE, Phrase, say
+from planes.words import Phrase, say, table
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.units import read_mu
 from tests.helpers.scene_texts import SIX_LINK, VECTORS, changed
@@ -22,7 +23,8 @@ from tests.scene import test_expressions, test_source
 from tests.scene.test_scene_refusals import BAD, BAD_VECTORS
 from tests.words import test_units
 
-TABLES = [table for name, table in vars(words).items() if name.isupper() and name != "TABLE"]
+FOLDERS = {lang: Path(words.__file__).parent / lang for lang in ("ru", "en")}
+TABLE = {key: (table("ru")[key], table("en")[key]) for key in table("en")}
 HOUSES = [Path(words.__file__).parents[1], Path(words.__file__).parents[2] / "render"]
 SOURCES = [p for house in HOUSES for p in house.rglob("*.py") if not p.name.startswith("words")]
 TREES = {f"{p.parent.name}/{p.name}": ast.parse(p.read_text(encoding="utf-8")) for p in SOURCES}
@@ -88,7 +90,16 @@ def places(template):
 
 
 def test_no_key_stands_in_two_tables():
-    assert len(TABLES) >= 5 and len(TABLE) == sum(map(len, TABLES))
+    for lang, folder in FOLDERS.items():
+        pairs = [
+            pair for file in folder.iterdir() for pair in json.loads(file.read_text("utf-8"), object_pairs_hook=list)
+        ]
+        assert len(pairs) == len(dict(pairs)) == len(table(lang)) > 1000
+
+
+def test_the_files_of_all_languages_hold_the_same_keys_in_one_order():
+    ru, en = ({f.name: list(json.loads(f.read_text("utf-8"))) for f in folder.iterdir()} for folder in FOLDERS.values())
+    assert ru == en
 
 
 @pytest.mark.parametrize("key", TABLE)
@@ -145,7 +156,7 @@ def test_no_key_is_left_over():
         for one in patterns(n)
         if re.match("[a-z_]+_\\[", one)
     }
-    known = re.compile("|".join({*said, *made, "usage_.*"}))
+    known = re.compile("|".join({*said, *made, "usage_.*", "page_.*"}))
     assert not [key for key in TABLE if not known.fullmatch(key)]
 
 

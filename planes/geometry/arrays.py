@@ -1,0 +1,20 @@
+"""Names for arrays in annotations; numpy itself is imported only where it is used."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+    Complexes = NDArray[np.complex128]
+    Booleans = NDArray[np.bool_]
+    Indices = NDArray[np.intp]
+    Floats = float | Array
+    """A number of one position, or an array with one for each of many."""
+    Points = complex | Complexes
+    """A place or a vector of one position, or an array with one for each of many."""
+else:
+    Array = Complexes = Booleans = Indices = Floats = Points = object
