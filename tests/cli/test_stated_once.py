@@ -36,7 +36,7 @@ def stated(monkeypatch: pytest.MonkeyPatch) -> list[str]:
         found.append(file)
         return state(mechanism, file)
 
-    monkeypatch.setattr(room, "state", counted)
+    monkeypatch.setattr(room, "plans_of", counted)
     return found
 
 
