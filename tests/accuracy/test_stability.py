@@ -53,6 +53,7 @@ def ours(name: str) -> np.ndarray:
     return np.max([way(name).errors[key] for key in OURS], axis=0)
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("name", list(LIMITS))
 def test_every_sample_comes_to_a_limit(name: str) -> None:
     """By its drive; a crank that turns all round by an altered length, a yoke by the angle of its slot."""

@@ -199,6 +199,7 @@ def test_the_same_persons_velocities_count() -> None:
     assert alone.verdict != "right" and both.verdict == "right"
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     "text",
     [
@@ -292,7 +293,7 @@ def test_noise_is_never_right(seed: int, tmp_path: Path) -> None:
     assert check(b.asked, paper_of(read_svg(file), b)).verdict == "unreadable"
 
 
-@pytest.mark.few(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("what", ["empty", "noise", "face", "text", "blank"])
 def test_pictures_of_something_else(what: str, tmp_path: Path) -> None:
     cv2 = pytest.importorskip("cv2")

@@ -78,6 +78,7 @@ def test_small_signs_are_heeded(sample: str, plan: str, mistake: Mistake, mu_tol
         assert (named.mistake, named.blames) == (mistake.name.partition(":")[0], mistake.where)
 
 
+@pytest.mark.slow
 def test_right_drawings_of_a_shaky_hand_are_seldom_refused() -> None:
     """The limits are for a hand as shaky as this one: of a hundred right drawings two may be refused."""
     refused = []

@@ -156,6 +156,7 @@ def test_a_plan_at_another_scale_than_its_title_says_is_not_right(plan: str, suf
 SHEETS = (("crank-slider", None, "acceleration", ".dxf"), ("kind-4-prp", 2, "force:2-3", ".svg"))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("sample", "number", "plan", "suffix"), SHEETS)
 def test_a_plan_of_a_crowded_sheet_is_right(
     sample: str, number: int | None, plan: str, suffix: str, tmp_path: Path

@@ -60,6 +60,7 @@ def test_the_summary_as_json(capsys: Any) -> None:
     assert found["curves"]["u_31"]["unit"] == "1" and found["assembles"] == [[0, 360]]
 
 
+@pytest.mark.slow
 def test_a_sliding_driver_goes_through_its_working_range(capsys: Any) -> None:
     said = out_of(capsys, str(SAMPLES / "sliding-driver.yaml"), "--lang", "en")
     assert "s1 = " in said and "omegaq_3" in said and "1/m" in said
@@ -87,6 +88,7 @@ def test_a_table_of_chosen_curves(tmp_path: Path, capsys: Any) -> None:
     capsys.readouterr()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("suffix", ["png", "svg", "pdf"])
 def test_pictures(suffix: str, tmp_path: Path) -> None:
     some = [tmp_path / f"{k}.{suffix}" for k in range(2)]

@@ -157,6 +157,7 @@ def test_every_key_of_the_title_block_fills_a_cell(key) -> None:
     assert filled != bare and REVISIONS == MOST_REVISIONS
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("key", DRAWN)
 def test_every_other_key_changes_the_sheet(key) -> None:
     def ink(more: str) -> str:
@@ -296,6 +297,7 @@ def test_doubts_go_to_stderr_and_into_json(capsys, tmp_path) -> None:
     assert json.loads(told.out)["positions"][0]["warnings"][:2] == told.err.splitlines()
 
 
+@pytest.mark.slow
 def test_no_sample_is_doubtful() -> None:
     for path in SAMPLES.rglob("*.yaml"):
         if "planes: 1" in (text := path.read_text(encoding="utf-8")) and "\ndrive" in text:

@@ -196,6 +196,7 @@ def test_drawn_numbers_assemble_all_round_and_meet_sharply(folder: Make) -> None
         assert moved and all(abs(v - base[k]) <= 0.2001 * abs(base[k]) for k, v in moved.items() if k != "phi_1")
 
 
+@pytest.mark.slow
 def test_numbers_are_ones_own_whoever_else_is_there(folder: Make) -> None:
     few = read_course(folder("course: 1\nvariants: drawn\n", "Иванов\nПетров\n"))
     many = read_course(folder("course: 1\nvariants: drawn\n", "Абрамов\nИванов\nКим\nПетров\n"))

@@ -84,6 +84,7 @@ def test_the_address_opens_a_frame(page: Any, lesson: str) -> None:
     assert page.inner_text("#sentence").startswith("Measure")
 
 
+@pytest.mark.slow
 def test_play_goes_on_by_itself(page: Any) -> None:
     page.click("#play")
     until(page, "document.getElementById('number').textContent.startsWith('2 /')")

@@ -66,7 +66,7 @@ def darkest(photo: Photo, at: complex, across: complex) -> float:
     return float((dark * steps).sum() / dark.sum())
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("plan", ["velocity", "force:2-3"])
 def test_the_picture_lies_beneath_the_person_s_own_plan(plan: str, tmp_path: Path) -> None:
     """Each line of the person's own plan is drawn on the pencil's, in whatever order the forces are."""
@@ -123,6 +123,7 @@ def test_what_nobody_could_read_is_printed_whole(tmp_path: Path) -> None:
     assert any(isinstance(m, Arrow) and m.style == "truth" for m in marks)
 
 
+@pytest.mark.slow
 def test_the_page_lays_the_picture_under_the_marks(
     browser: Any, scan: tuple[Path, corpus.Drawn, complex], tmp_path: Path
 ) -> None:
@@ -147,6 +148,7 @@ def test_the_page_lays_the_picture_under_the_marks(
     assert errors == []
 
 
+@pytest.mark.slow
 def test_marks_of_a_picture_nobody_could_read_are_named_by_hand(browser: Any, tmp_path: Path) -> None:
     """An empty blank: every mark waits at the edge; put where a plan is, they are judged."""
     easel = next(e for e in confusion.easels() if (e.sample, e.plan) == ("six-link", "velocity"))

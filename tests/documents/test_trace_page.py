@@ -62,6 +62,7 @@ def drag(page: Any, name: str, to: complex) -> None:
     page.mouse.up()
 
 
+@pytest.mark.slow
 def test_two_handles_lay_the_plan_over_a_picture(browser: Any, trace: Path, tmp_path: Path) -> None:
     page = browser.new_page()
     errors = watched(page)

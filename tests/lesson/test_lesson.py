@@ -134,6 +134,7 @@ def test_the_numbers_of_sentences_are_those_that_are_solved(path: Path) -> None:
     assert compared
 
 
+@pytest.mark.slow
 def test_all_360_positions_are_within_a_tenth_of_a_millimetre_of_what_is_solved() -> None:
     exported, scene = data(SIX), load(str(SIX))
     plans, values = plans_of(scene.mechanism), exported["drive"]["values"]
@@ -311,6 +312,7 @@ def test_a_note_stands_in_the_usual_order(path: Path, lang) -> None:
     assert not any("⟦" in b.text or "nan" in b.text for b in blocks if isinstance(b, Paragraph))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("suffix", [".html", ".pdf", ".docx"])
 def test_the_command_writes_a_note(tmp_path: Path, suffix: str) -> None:
     if suffix == ".docx":

@@ -41,6 +41,7 @@ def each_force(scene: dict[str, Any], change: Any) -> None:
         change(load)
 
 
+@pytest.mark.slow
 @FEW
 @given(RUBBED, st.floats(-180, 180))
 def test_turned_by_any_angle(case: Case, angle: float) -> None:
@@ -207,6 +208,7 @@ def test_links_reordered(case: Case, seed: int) -> None:
         assert abs(found["balancing"].value - want["balancing"].value) <= 1e-9 * largest / other.sharpest
 
 
+@pytest.mark.slow
 @FEW
 @given(RUBBED, st.sampled_from(["{}", "L{}", "{}0", "{}_1", "z_{}"]))
 def test_links_renumbered(case: Case, form: str) -> None:

@@ -23,6 +23,7 @@ SAMPLES = {path.stem: path for path in sorted((ROOT / "samples").glob("*.yaml"))
 CROWDED = {"assignment-12": None, "kind-5-rpp": None, "crank-slider": None, "kind-3-rpr": 2, "kind-4-prp": 2}
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("name", "number"), list(CROWDED.items()))
 def test_every_short_vector_is_drawn_again_larger(name, number):
     found = sheet_of(load(SAMPLES[name]), None, "ru", number)

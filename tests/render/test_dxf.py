@@ -49,6 +49,7 @@ def apart(document):
     return list(recursive_decompose(document.modelspace()))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ["six-link", "kind-1-rrr", "kind-4-prp", "vectors"])
 @pytest.mark.parametrize("text", ["text", "strokes"])
 def test_the_file_has_no_errors_and_is_in_millimetres(name, text):
@@ -121,6 +122,7 @@ def test_the_same_bytes_twice_and_a_file_by_its_suffix(tmp_path):
     assert (tmp_path / "a.dxf").read_bytes() == one
 
 
+@pytest.mark.slow
 def test_the_same_bytes_whatever_python_makes_its_sets_of():
     program = (
         "import hashlib\nfrom planes.documents import sheet_of\nfrom planes.scene import load\n"
@@ -206,6 +208,7 @@ def test_a_font_gives_its_own_style():
     assert {e.dxf.style for e in document.modelspace().query("TEXT")} == {"DejaVu Sans"}
 
 
+@pytest.mark.slow
 def test_the_command_takes_strokes(tmp_path):
     path = tmp_path / "a.dxf"
     assert main(["sheet", str(SAMPLES["kind-1-rrr"]), "--text", "strokes", "-o", str(path)]) == 0
@@ -244,7 +247,7 @@ def inked(data):
         return np.asarray(image.convert("L")) < 215
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "settings"),
     [("kind-1-rrr", {}), ("kind-2-rrp", {"lettering": "slanted"}), ("vectors", {"font": "DejaVu Serif"})],
@@ -268,7 +271,7 @@ def test_the_drawing_looks_as_the_sheet(name, settings):
 # cost
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", ["svg", "dxf"])
 def test_a_full_a1_sheet_is_drawn_within_so_many_calls(suffix, tmp_path):
     text = SAMPLES["six-link"].read_text(encoding="utf-8")

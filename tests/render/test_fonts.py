@@ -122,7 +122,7 @@ def test_nothing_overlaps_in_any_face(name, settings):
     assert clashes(found) == []
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("settings", SETTINGS, ids=str)
 def test_the_formats_draw_the_same_letters_in_the_same_places(settings):
     found = sheet("kind-2-rrp", **settings)
@@ -133,7 +133,7 @@ def test_the_formats_draw_the_same_letters_in_the_same_places(settings):
     assert agree([z for _, z in texts], starts)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("settings", SETTINGS, ids=str)
 def test_text_is_found_again(settings):
     found = sheet("kind-1-rrr", **settings)
@@ -180,6 +180,7 @@ def scene_with(tmp_path, setting):
     return path
 
 
+@pytest.mark.slow
 def test_a_font_is_given_by_its_file_beside_the_scene(tmp_path):
     shutil.copy(dejavu().with_name("DejaVuSerif.ttf"), tmp_path / "мой.ttf")
     found = sheet_of(load(scene_with(tmp_path, "font: мой.ttf")), None)

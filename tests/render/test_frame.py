@@ -195,6 +195,7 @@ def test_graph_26_is_upside_down_and_the_columns_are_read_from_the_right():
     assert turned["cell inventory"] == turned["cell first_use"] == 90
 
 
+@pytest.mark.slow
 def test_words_of_the_form_are_in_the_language_of_the_sheet():
     ru = {m.text for m in sheet().marks if isinstance(m, Text)}
     en = {m.text for m in sheet("en").marks if isinstance(m, Text)}

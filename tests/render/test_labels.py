@@ -36,6 +36,7 @@ def distance(text: Text, point: complex) -> float:
     return abs(complex(dx, dy))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", range(3))
 def test_a_crowded_sheet_has_no_conflict(seed: int) -> None:
     labels, marks = scene(60, 90, seed)

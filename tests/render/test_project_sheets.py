@@ -43,7 +43,7 @@ def words(sheet):
     return {plain(m.text) for m in sheet.marks if isinstance(m, Text)}
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("name", "number"), NUMBERED)
 def test_nothing_overlaps_and_every_letter_is_known(name, number):
     found = sheet(name, number)
@@ -51,7 +51,7 @@ def test_nothing_overlaps_and_every_letter_is_known(name, number):
     assert lettering.missing("".join(words(found))) == ""
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "number"), NUMBERED)
 @pytest.mark.parametrize("value", [45.0, 200.0])
 def test_other_positions_do_not_overlap_either(name, number, value):
@@ -96,6 +96,7 @@ def test_twelve_positions_are_numbered_from_an_extreme_one():
     assert sum(isinstance(m, Line) and m.style == "dash" for m in sheet("kind-2-rrp", 1).marks) >= 2
 
 
+@pytest.mark.slow
 def test_the_title_block_numbers_the_sheets():
     for number in (1, 2):
         said = {m.name: m.text for m in sheet("six-link", number).marks if isinstance(m, Text)}

@@ -50,14 +50,14 @@ def clashes(sheet):
     return [c for c in found if " lies on 'line of text" not in c]
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("lang", ["ru", "en"])
 def test_nothing_overlaps_and_nothing_leaves_the_frame(name, lang):
     assert clashes(sheet(name, lang)) == []
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_bars_and_underlines_cross_no_letter(name):
     found = sheet(name)
@@ -115,6 +115,7 @@ def test_points_marks_forces_and_results_are_all_named(name):
     assert {"Исходные данные", "Реакции"} <= said
 
 
+@pytest.mark.slow
 def test_titles_name_the_plan_and_its_scale():
     said = words(sheet("six-link"))
     assert "План скоростей, μv = 30 мм/(м·с⁻¹)" in said
@@ -156,7 +157,7 @@ TURNING = [n for n in NAMES if n not in ("vectors", "sliding-driver")]
 POSITIONS = [(n, 30.0 * k) for n in TURNING for k in range(12) if not n.startswith("bntu") or k % 4 == 1]
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("name", "value"), POSITIONS)
 def test_twelve_positions_have_no_clashes(name, value):
     try:
@@ -167,7 +168,7 @@ def test_twelve_positions_have_no_clashes(name, value):
     assert clashes(found) == []
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["six-link", "kind-3-rpr", "vectors"])
 def test_the_same_bytes_twice(name):
     path = SAMPLES[NAMES.index(name)]

@@ -82,6 +82,7 @@ def test_both_extreme_positions_are_marked():
         assert max(abs(z - ends[0]) for z in path) <= abs(ends[1] - ends[0]) * (1 + 1e-9), end
 
 
+@pytest.mark.slow
 def test_a_sliding_driver_has_its_stroke():
     span = span_of(plans_of(SLIDING)[0])
     assert span.start < 0.15 < span.end and not span.whole
@@ -135,6 +136,7 @@ def test_the_smallest_plan_grows_first_and_none_beyond_the_limit():
     assert grown(Sizes(), extents, 100.0, lambda _: False) == Sizes()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("name", "number"), [("kind-3-rpr", 1), ("kind-3-rpr", 2), ("assignments/12", 1)])
 def test_the_field_is_well_filled(name, number):
     from tests.sheets_run import empty, full
