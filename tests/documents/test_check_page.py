@@ -89,7 +89,7 @@ def same(page: Any, found: Outcome) -> None:
         assert free == pytest.approx(grading.free[mark].reach(grading.judgement.limit), rel=0.05)
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("sample", "plan", "mistake"), CASES)
 def test_the_page_judges_as_the_program_does(
     browser: Any, tmp_path: Path, sample: str, plan: str, mistake: Mistake | None

@@ -193,6 +193,7 @@ def test_every_proof_holds_to_rounding_and_shared_scenes_have_them_all() -> None
             assert size < 1e-9 or gap <= 1e-13 * size, (proof, gap, size)
 
 
+@pytest.mark.slow
 def test_rounding_is_never_refused_on_the_way_to_a_dead_point() -> None:
     drawn = 0
     for seed in range(40):

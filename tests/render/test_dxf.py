@@ -192,6 +192,7 @@ def test_strokes_instead_of_texts_have_the_width_of_their_pen():
     assert [e.dxf.lineweight for e in near] == [50]  # a tenth of 5 mm
 
 
+@pytest.mark.slow
 def test_slanted_lettering_is_oblique():
     document = read(sheet("kind-1-rrr", lettering="slanted"))
     assert document.styles.get("GOST slanted").dxf.oblique == 15
@@ -200,6 +201,7 @@ def test_slanted_lettering_is_oblique():
     assert pytest.approx(np.tan(np.radians(15))) == lettering.SLANT
 
 
+@pytest.mark.slow
 def test_a_font_gives_its_own_style():
     document = read(sheet("kind-1-rrr", font="DejaVu Sans"))
     style = document.styles.get("DejaVu Sans")

@@ -95,6 +95,7 @@ def test_a_sliding_driver_has_its_stroke():
     assert sum(isinstance(m, Line) and m.layer == "construction" and m.style == "thin" for m in scheme.marks) >= 4
 
 
+@pytest.mark.slow
 def test_the_range_of_a_rocking_driver_ends_where_it_stops():
     span = span_of(plans_of(load(SAMPLES / "six-link.yaml"))[0])
     assert (span.start, span.end) == pytest.approx((129.5, 305.8), abs=0.1)

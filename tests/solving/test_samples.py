@@ -229,6 +229,7 @@ def bluntest(found: dict[str, Any]) -> float:
     return float(min([1.0, *(s for plan in found["plans"].values() for s in plan["sharpness"].values() if s > 0)]))
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("variant", "АБВГДЕ")
 def test_variants_of_assignment_12(variant: str) -> None:
     chosen = scene("assignment-12", variant)
