@@ -23,11 +23,11 @@ from planes.scene import Scene
 from planes.scene.files import keep, sayable
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
+from planes.words.lettering import Naming
 from planes.words.names import POLE, kind_of, parted
 from planes.words.units import mu_text
 from render.files import pdf, png, svg
 from render.page import check_page, class_page, trace_page
-from render.paper.names import Naming
 from render.paper.numbers import decimal
 from render.paper.photo import Photo
 from render.sheet import blank, check_sheet

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from html import escape
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
+from planes.words.lettering import Naming
 from render.page import web_page
 from render.paper.letters import tagged
-from render.paper.names import Naming
 from render.report.figures import Studio
 from render.report.mathematics import formula
 

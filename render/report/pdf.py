@@ -17,8 +17,8 @@ from reportlab.platypus import Flowable, SimpleDocTemplate
 from reportlab.platypus import Paragraph as Words
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
+from planes.words.lettering import Naming
 from render.paper.letters import tagged
-from render.paper.names import Naming
 from render.paper.outlines import dejavu
 from render.report.figures import Shown, Studio
 from render.report.html import is_number

@@ -10,8 +10,8 @@ from docx import Document
 from docx.shared import Mm, Pt
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
+from planes.words.lettering import Naming
 from render.paper.letters import pieces
-from render.paper.names import Naming
 from render.report.figures import Shown, Studio, raster
 from render.report.html import is_number
 from render.report.mathematics import formula

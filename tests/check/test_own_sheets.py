@@ -26,8 +26,8 @@ from planes.documents import _mechanism_views, rendered, sheet_of
 from planes.documents.sheets import DrawnPosition
 from planes.scene import Scene, load
 from planes.solving import Position
+from planes.words.lettering import Naming
 from planes.words.names import label_of, mu_of
-from render.paper.names import Naming
 from render.sheet import Sheet
 from render.sheet.composer import Composer
 from render.sheet.single import Page, page

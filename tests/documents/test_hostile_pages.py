@@ -20,8 +20,8 @@ from planes.lesson.data import lesson_data
 from planes.scene import load
 from planes.solving import document
 from planes.words import say
+from planes.words.lettering import Naming
 from render.page import check_page, class_page, lesson_page, trace_page, web_page
-from render.paper.names import Naming
 from render.report import rendered
 from tests.helpers import ROOT
 from tests.helpers.browser import chromium

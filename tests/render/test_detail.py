@@ -10,8 +10,8 @@ import pytest
 from planes.documents import sheet_of
 from planes.scene import load
 from planes.solving import solve
+from planes.words.lettering import Naming
 from render.paper.marks import Arc, Arrow, Text
-from render.paper.names import Naming
 from render.views.detail import ENLARGED, SHORT_MM, details, letters
 from render.views.plotted import of_position
 from render.views.polygon import SAME_MM, Polygon

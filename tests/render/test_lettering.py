@@ -9,7 +9,7 @@ from itertools import pairwise
 import pytest
 
 from render.paper import lettering
-from render.paper.lettering.signs import SAME, SHIFTED
+from render.paper.lettering import SAME, SHIFTED
 
 RUSSIAN = "АБВГДЕЁЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯ"
 BELARUSIAN = "АБВГДЕЁЖЗІЙКЛМНОПРСТУЎФХЦЧШЫЬЭЮЯ"

@@ -16,9 +16,9 @@ from planes.documents.graphs import known
 from planes.scene import load
 from planes.solving import solve
 from planes.words.errors import PlanesError
+from planes.words.lettering import Naming
 from render.paper import lettering
 from render.paper.marks import Arrow, Line, Text
-from render.paper.names import Naming
 from render.paper.typeset import plain
 from render.views.diagrams import pieces
 from render.views.many import ManyPositions, Numbered, PlacedMechanism

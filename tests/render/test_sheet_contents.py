@@ -14,8 +14,8 @@ from planes.documents import sheet_of
 from planes.documents.turning import turned_once
 from planes.scene import load, loads
 from planes.solving import plans_of, solve
+from planes.words.lettering import Naming
 from render.paper.marks import Arrow, Line, Text
-from render.paper.names import Naming
 from render.paper.typeset import plain
 from render.sheet.composer import Composer
 from render.sheet.sizes import Sizes, grown
