@@ -224,17 +224,6 @@ def width(text: str, height_mm: float) -> float:
     return _layout(text)[0] * PEN * height_mm
 
 
-def box(text: str, height_mm: float, slant: bool = False) -> tuple[float, float, float, float]:
-    """Bounds (x0, y0, x1, y1) of the ink in mm, half the pen width included; zeros for no ink."""
-    drawn = zip(strokes(text, height_mm, slant), pens(text, height_mm), strict=True)
-    edges = [(z, pen / 2) for line, pen in drawn for z in line]
-    if not edges:
-        return 0.0, 0.0, 0.0, 0.0
-    low, high = [z - complex(half, half) for z, half in edges], [z + complex(half, half) for z, half in edges]
-    x0, y0 = min(z.real for z in low), min(z.imag for z in low)
-    return x0, y0, max(z.real for z in high), max(z.imag for z in high)
-
-
 def missing(text: str) -> str:
     """Characters of the text that have no glyph, each once, in order; blanks need none."""
     drawn = (GLYPHS, SAME, SHIFTED)

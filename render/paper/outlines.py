@@ -116,10 +116,3 @@ def contours(text: str, height_mm: float, path: str) -> tuple[Line, ...]:
     if not 0 < height_mm < math.inf:
         raise ValueError(f"letter height must be a positive number of mm, not {height_mm!r}")
     return tuple(tuple([z * height_mm for z in line]) for line in _laid(text, path)[1])
-
-
-def missing(text: str, path: str) -> str:
-    """Characters of the text that neither the font nor its stand-in draws, each once, in order."""
-    fonts = opened(path), opened(str(dejavu()))
-    unknown = (c for c in text if not c.isspace() and not any(f.has(c) for f in fonts))
-    return "".join(dict.fromkeys(unknown))

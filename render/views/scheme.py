@@ -113,7 +113,7 @@ class Scheme:
             return
         size = self.size(link)
         side = self.rail_side(foot, along)
-        self.rails += symbols.frame_guide(foot, angle, RAIL_MM, RAIL_MM, "rail", side, size[1])
+        self.rails += symbols.rail(foot, angle, RAIL_MM, side, size[1])
         self.rails += symbols.block(foot, angle, size=size)
         reach = RAIL_MM + 4
         self.axes.append(Line((foot - reach * along, foot + reach * along), "axis", "axis"))

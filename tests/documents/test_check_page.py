@@ -15,8 +15,8 @@ from planes.check import Outcome, check
 from planes.check.grading.grading import Grading, empty
 from planes.check.grading.paper import ReadMark, ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, prepare, variants_of
+from planes.check.report.classes import Checked, ClassWork
 from planes.check.report.regrading import SURELY_MM, exported, retrace
-from planes.cli.classes import Checked, Group
 from planes.documents.check import write_class, write_report
 from planes.scene import load
 from planes.words.errors import PlanesError
@@ -248,7 +248,7 @@ def test_the_page_reads_every_operation_of_a_tape() -> None:
 
 
 def test_the_page_of_a_class_tells_whose_mistakes_and_is_sorted_at_will(browser: Any, tmp_path: Path) -> None:
-    group = Group("11")
+    group = ClassWork("11")
     for name, mistake in (("anna", None), ("boris", CASES[0][2]), ("gleb", CASES[0][2])):
         group.all.append(Checked(f"{name}.jpg", handed_in("six-link", "velocity", mistake)))
     group.all.append(Checked("vera.jpg", refused=PlanesError("vera.jpg: no picture")))
