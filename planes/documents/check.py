@@ -20,7 +20,7 @@ from planes.check.vision.photograph import blank_pole
 from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
 from planes.scene import Scene
-from planes.scene.files import keep, sayable
+from planes.scene.files import keep, save, sayable
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
@@ -73,7 +73,7 @@ def _write(marks: list[Any], title: str, output: str, lang: Lang, under: Photo |
     writers = {".svg": svg.write, ".pdf": pdf.write}
     with sayable(output):
         if suffix in writers:
-            writers[suffix](marks, SHEET_MM, title, output, lang=lang, under=under)
+            save(writers[suffix](marks, SHEET_MM, title, lang=lang, under=under), output)
         elif suffix == ".png":
             png.write(marks, SHEET_MM, title, output, under=under)
         else:

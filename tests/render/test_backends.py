@@ -14,6 +14,7 @@ import pypdfium2
 import pytest
 from PIL import Image
 
+from planes.scene.files import keep
 from render.files import pdf, png, svg
 from render.paper import style
 from render.paper.ink import arrow_parts, flattened, hatch_strokes
@@ -60,7 +61,8 @@ def ink_box(marks: tuple[Mark, ...], dpi: float = 1016.0) -> tuple[float, float,
 
 @pytest.mark.parametrize("write", WRITERS)
 def test_the_same_bytes_twice_and_in_the_file(write: Callable[..., bytes], tmp_path: Path) -> None:
-    first = write(SHEET, SIZE, "План скоростей", tmp_path / "sheet")
+    first = write(SHEET, SIZE, "План скоростей")
+    keep(first, tmp_path / "sheet")
     assert first == write(SHEET, SIZE, "План скоростей")
     assert (tmp_path / "sheet").read_bytes() == first
     assert [path.name for path in tmp_path.iterdir()] == ["sheet"]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
 
 import pytest
 
@@ -21,16 +20,14 @@ from render.sheet.composer import Composer
 from render.sheet.sizes import Sizes, grown
 from render.views.diagrams import DiagramCurve, cut_off
 from render.views.given import GivenTable
-from tests.helpers import ROOT
+from tests.helpers import ROOT, sheets
 
 SAMPLES = ROOT / "samples"
 SLIDING, RPR, RRP = (load(SAMPLES / f"{name}.yaml") for name in ("sliding-driver", "kind-3-rpr", "kind-2-rrp"))
 
 
-@cache
 def sheet(name, number):
-    scene = load(SAMPLES / f"{name}.yaml")
-    return sheet_of(replace(scene, sheet={**scene.sheet, "positions": 12.0}), None, "ru", number)
+    return sheets.sheet(name, number=number, positions=12.0)
 
 
 def words(sheet):
