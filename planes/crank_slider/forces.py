@@ -8,15 +8,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
-from planes.crank_slider.engine import EngineCycle
-from planes.crank_slider.kinematics import RodMotion, swing
+from planes.crank_slider.engine import EngineCycle, RodMotion
+from planes.crank_slider.kinematics import swing
 from planes.crank_slider.shape import CrankSliderShape
-
-Array = Any
+from planes.geometry.arrays import Array, Complexes
 
 
 @dataclass(frozen=True)
@@ -33,9 +31,9 @@ class CycleForces:
     T: Array
     K: Array
     rubbing: Array
-    on_rod_at_b: Array
-    on_pin: Array
-    on_crank_from_frame: Array
+    on_rod_at_b: Complexes
+    on_pin: Complexes
+    on_crank_from_frame: Complexes
     torque: Array
 
 
@@ -60,7 +58,7 @@ def balance(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleFor
     )
 
 
-def _crank_acceleration(shape: CrankSliderShape, m: EngineCycle) -> Array:
+def _crank_acceleration(shape: CrankSliderShape, m: EngineCycle) -> Complexes:
     return shape.s * (1j * m.epsilon - m.omega**2) * np.exp(1j * m.phi)
 
 

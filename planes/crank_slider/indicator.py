@@ -8,16 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+
+from planes.geometry.arrays import Array
 
 FOUR = ("intake", "compression", "expansion", "exhaust")
 TWO = ("compression", "expansion")
 UNITS = {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "bar": 1e5}
 AWAY = ("intake", "expansion")  # the stages in which the piston goes away from its top dead centre
 
-Array = Any
 Points = tuple[tuple[float, float], ...]
 
 

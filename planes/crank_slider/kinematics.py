@@ -6,26 +6,11 @@ crank stands across the guide (cos φ = 0); here ω_AB is taken from (5*), which
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
-
 import numpy as np
 
-from planes.crank_slider.engine import EngineCycle
+from planes.crank_slider.engine import EngineCycle, RodMotion
 from planes.crank_slider.shape import CrankSliderShape
-
-Array = Any
-
-
-@dataclass(frozen=True)
-class RodMotion:
-    """Places, velocities, accelerations of A, B, C as complex numbers; ω_AB, ε_AB, counter-clockwise positive."""
-
-    r: dict[str, Array]
-    v: dict[str, Array]
-    a: dict[str, Array]
-    omega: Array
-    epsilon: Array
+from planes.geometry.arrays import Array, Complexes
 
 
 def swing(shape: CrankSliderShape, phi: Array) -> Array:
@@ -74,12 +59,12 @@ def as_plane_motion(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
     return RodMotion(r_of, {"A": v_a, "B": v_b, "C": v_c}, a_of, -turning, tangent_b / l)
 
 
-def text_acceleration(shape: CrankSliderShape, m: EngineCycle) -> Array:
+def text_acceleration(shape: CrankSliderShape, m: EngineCycle) -> Complexes:
     """a_B by the text's (3) as printed, without the terms with ε: how wrong it is when ω varies."""
     still = EngineCycle(m.phi_deg, m.omega, np.zeros_like(m.epsilon), m.gas)
     return as_points(shape, still).a["B"]
 
 
-def apart(one: dict[str, Array], other: dict[str, Array], unit: Array) -> float:
+def apart(one: dict[str, Complexes], other: dict[str, Complexes], unit: float) -> float:
     """The largest difference of two ways over all points and angles, in parts of ``unit``."""
     return max(float(np.max(np.abs(one[n] - other[n]) / unit)) for n in ("A", "B", "C"))

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
+import numpy as np
+
+from planes.geometry.arrays import Array
 from planes.solving.document import (
     Block,
     Chart,
@@ -69,15 +71,18 @@ class ChapterWriter:
         value = 0.0 if abs(value) < 1e-12 * near else value
         return decimal(quantity(float(value), digits=digits, true_minus=True), self.lang)
 
-    def tex(self, value: float, digits: int = 4, bracket: bool = False) -> str:
-        """A number as it stands in a formula, in brackets if it is negative and ``bracket`` asks so."""
-        text = quantity(float(value), digits=digits)
+    def tex(self, value: float) -> str:
+        """A number as it stands in a formula."""
+        text = quantity(float(value), digits=4)
         mantissa, times, power = text.partition("·10")
         if times:
             plain = power.translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
             text = f"{mantissa}\\cdot10^{{{plain}}}"
-        text = text.replace(".", "{,}") if self.lang == "ru" else text
-        return f"({text})" if bracket and value < 0 else text
+        return text.replace(".", "{,}") if self.lang == "ru" else text
+
+    def bracketed(self, value: float) -> str:
+        """The same, in brackets if it is negative."""
+        return f"({self.tex(value)})" if value < 0 else self.tex(value)
 
     def head(self, key: str, level: int = 2) -> None:
         self.blocks.append(Heading(self.say(key), level))
@@ -107,5 +112,18 @@ class ChapterWriter:
         self.charts += 1
         self.blocks.append(Figure(of, f"{self.say('figure')} {self.charts}. {self.say(key, **parts)}"))
 
-    def chart(self, key: str, x: str, y: str, curves: Sequence[PlottedLine], **more: Any) -> None:
-        self.figure(key, Chart(self.say(x), self.say(y), tuple(curves), **more))
+    def chart(
+        self, key: str, x: str, y: str, curves: Sequence[PlottedLine], *, ticks: float = 0.0, height_mm: float = 62.0
+    ) -> None:
+        self.figure(key, Chart(self.say(x), self.say(y), tuple(curves), ticks=ticks, height_mm=height_mm))
+
+    def over_cycle(self, key: str, steps: range, columns: Mapping[str, Array]) -> None:
+        """A table of numbers at some steps of the cycle."""
+        noise = [float(np.max(np.abs(x))) for x in columns.values()]
+        rows = [[self.number(x[i], near=n) for x, n in zip(columns.values(), noise, strict=True)] for i in steps]
+        self.table(key, list(columns), rows)
+
+
+def lines(x: Array, named: Mapping[str, Array]) -> list[PlottedLine]:
+    """Curves over the same x, each in the next look."""
+    return [PlottedLine(x, y, name, k) for k, (name, y) in enumerate(named.items())]

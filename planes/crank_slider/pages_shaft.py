@@ -6,9 +6,9 @@ import numpy as np
 
 from planes.crank_slider.calculation import Calculation
 from planes.crank_slider.given import Shaft
-from planes.crank_slider.pages import ChapterWriter
+from planes.crank_slider.pages import ChapterWriter, lines
 from planes.crank_slider.shaft import Section, Supports, along
-from planes.solving.document import Chart, PlottedLine, ShaftSketch
+from planes.solving.document import Chart, ShaftSketch
 
 CASES = ("I", "II")
 
@@ -78,27 +78,19 @@ def _bearings(w: ChapterWriter, c: Calculation, shaft: Shaft, s: Supports) -> No
 
 
 def _case(w: ChapterWriter, c: Calculation, shaft: Shaft, s: Supports, name: str, k: int) -> None:
-    t = w.tex
+    t, b = w.tex, w.bracketed
     n, m, span = shaft.pin_from_b, shaft.webs, shaft.span
     out, a1, a2, b1, b2, load = (float(v[k]) for v in (s.out, s.A1, s.A2, s.B1, s.B2, s.T))
     left, right = s.web - s.left_weight, s.web - s.right_weight
     w.text("s_case_at", case=name, phi=float(c.motion.phi_deg[k]))
     w.formula(
-        rf"A'=\frac{{{t(left)}\cdot{t(span - m)}+{t(out, bracket=True)}\cdot{t(n)}+{t(right, bracket=True)}"
-        rf"\cdot{t(m)}}}"
-        rf"{{{t(span)}}}={t(a1)}[N],\quad A''=\frac{{{t(load)}\cdot{t(n)}}}{{{t(span)}}}={t(a2)}[N],"
+        rf"A'=\frac{{{t(left)}\cdot{t(span - m)}+{b(out)}\cdot{t(n)}+{b(right)}\cdot{t(m)}}}{{{t(span)}}}={t(a1)}[N],"
+        rf"\quad A''=\frac{{{t(load)}\cdot{t(n)}}}{{{t(span)}}}={t(a2)}[N],"
     )
-    w.formula(
-        rf"B'={t(out)}+{t(left, bracket=True)}+{t(right, bracket=True)}-{t(a1, bracket=True)}={t(b1)}[N],\quad"
-        rf"B''={t(load)}-{t(a2, bracket=True)}={t(b2)}[N]"
-    )
+    w.formula(rf"B'={t(out)}+{b(left)}+{b(right)}-{b(a1)}={t(b1)}[N],\quadB''={t(load)}-{b(a2)}={t(b2)}[N]")
     d = along(c.given.shape, shaft, s, k)
-    curves = (
-        PlottedLine(d.x, d.z, w.say("l_Mz"), 0),
-        PlottedLine(d.x, d.y, w.say("l_My"), 1),
-        PlottedLine(d.x, d.torque, w.say("l_Mx"), 2),
-    )
-    w.figure("f_moments", Chart(w.say("x_shaft"), w.say("y_Nm"), curves, height_mm=58), case=name)
+    curves = lines(d.x, {w.say("l_Mz"): d.z, w.say("l_My"): d.y, w.say("l_Mx"): d.torque})
+    w.figure("f_moments", Chart(w.say("x_shaft"), w.say("y_Nm"), tuple(curves), height_mm=58), case=name)
 
 
 def _static(w: ChapterWriter, c: Calculation) -> None:
@@ -126,8 +118,7 @@ def _static(w: ChapterWriter, c: Calculation) -> None:
     sign = r"\leq" if top <= allowed else ">"
     w.formula(
         rf"\sigma_§eq§=\sqrt{{{t(sigma)}^2+4\cdot{t(tau)}^2}}={t(top)}[MPa]\ {sign}\ [\sigma]="
-        rf"\frac{{{t(steel.yields)}}}"
-        rf"{{{t(limits.static)}}}={t(allowed)}[MPa]",
+        rf"\frac{{{t(steel.yields)}}}{{{t(limits.static)}}}={t(allowed)}[MPa]",
         "34",
     )
     w.text("s_ok" if top <= allowed else "s_bad")
@@ -163,9 +154,8 @@ def _fatigue(w: ChapterWriter, c: Calculation) -> None:
     steel = c.given.materials["shaft"]
     w.text("s_fatigue_at", section=w.say(f"x_{f.section}"))
     w.formula(
-        rf"n_\sigma=\frac{{{t(steel.fatigue)}}}{{\frac{{{t(k.k_sigma)}}}{{{t(k.size_sigma)}}}"
-        rf"\cdot{t(f.sigma_a)}+{t(steel.psi)}"
-        rf"\cdot{t(max(f.sigma_m, 0.0))}}}={t(f.n_sigma)},\quad n={t(f.n)}"
+        rf"n_\sigma=\frac{{{t(steel.fatigue)}}}{{\frac{{{t(k.k_sigma)}}}{{{t(k.size_sigma)}}}\cdot{t(f.sigma_a)}"
+        rf"+{t(steel.psi)}\cdot{t(max(f.sigma_m, 0.0))}}}={t(f.n_sigma)},\quad n={t(f.n)}"
     )
     w.text("s_limits", low=low, high=high)
     w.text("s_fat_low" if f.n < low else "s_fat_high" if f.n > high else "s_fat_ok", n=f.n)
