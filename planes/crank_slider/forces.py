@@ -49,17 +49,13 @@ def balance(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleFor
     on_pin = on_rod + inertia
     turned = on_pin * np.exp(-1j * m.phi)
     pull = np.exp(1j * m.phi)
-    crank = shape.m1 * (-_crank_acceleration(shape, m) - 1j * shape.g)
+    crank = shape.m1 * (-(shape.s * (1j * m.epsilon - m.omega**2) * pull) - 1j * shape.g)
     spin = shape.s * (pull.real * crank.imag - pull.imag * crank.real) - shape.j1 * m.epsilon
     along_rod = -(on_rod * np.exp(1j * beta)).real
     torque = turned.imag * shape.r + spin
     return CycleForces(
         -along - rub, push, along_rod, turned.imag, -turned.real, rub, on_rod, on_pin, -on_pin - crank, torque
     )
-
-
-def _crank_acceleration(shape: CrankSliderShape, m: EngineCycle) -> Complexes:
-    return shape.s * (1j * m.epsilon - m.omega**2) * np.exp(1j * m.phi)
 
 
 def _push(shape: CrankSliderShape, way: RodMotion, along: Array, own: Array, beta: Array) -> tuple[Array, Array]:

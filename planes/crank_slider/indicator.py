@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from planes.geometry.arrays import Array
+from planes.geometry.arrays import Array, Indices
 
 FOUR = ("intake", "compression", "expansion", "exhaust")
 TWO = ("compression", "expansion")
@@ -75,7 +75,7 @@ def monotone(x: list[float], y: list[float]) -> Callable[[Array], Array]:
 
     def value(at: Array) -> Array:
         at = np.clip(at, xs[0], xs[-1])
-        k = np.clip(np.searchsorted(xs, at, side="right") - 1, 0, len(h) - 1)
+        k: Indices = np.clip(np.searchsorted(xs, at, side="right") - 1, 0, len(h) - 1)
         t, one = (at - xs[k]) / h[k], h[k]
         rise = t * t * (3.0 - 2.0 * t)
         bend = t * (1.0 - t) ** 2 * slopes[k] - t * t * (1.0 - t) * slopes[k + 1]

@@ -25,7 +25,11 @@ def as_points(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
     root = np.sqrt(l**2 - r**2 * sin**2)
     drop = -(r**2) * sin * cos / root  # d root / dφ
     bend = -(r**2) * (cos**2 - sin**2) / root - (r**2 * sin * cos) ** 2 / root**3
-    place = {"A": r * (cos + 1j * sin), "B": r * cos + root + 0j, "C": r * cos + k * root + 1j * (1 - k) * r * sin}
+    place = {
+        "A": r * (cos + 1j * sin),
+        "B": (r * cos + root).astype(complex),
+        "C": r * cos + k * root + 1j * (1 - k) * r * sin,
+    }
     first = {"A": r * (-sin + 1j * cos), "B": -r * sin + drop + 0j, "C": -r * sin + k * drop + 1j * (1 - k) * r * cos}
     second = {"A": -r * (cos + 1j * sin), "B": -r * cos + bend + 0j, "C": -r * cos + k * bend - 1j * (1 - k) * r * sin}
     turn = -r * cos / root  # dβ/dφ with the sign of the rod's turning
@@ -53,7 +57,7 @@ def as_plane_motion(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
     reach = l * np.exp(-1j * beta)
     r_of = {"A": place, "B": place + reach, "C": place + share * reach}
     v_a = 1j * w * place
-    v_b = -w * r * np.sin(beta + phi) / np.cos(beta) + 0j  # (6)
+    v_b = (-w * r * np.sin(beta + phi) / np.cos(beta)).astype(complex)  # (6)
     v_c = v_a - 1j * turning * share * reach
     a_of = {"A": -left - 1j * down, "B": -a_b + 0j, "C": -a_cx - 1j * a_cy}
     return RodMotion(r_of, {"A": v_a, "B": v_b, "C": v_c}, a_of, -turning, tangent_b / l)

@@ -105,7 +105,8 @@ def _bending(shape: CrankSliderShape, way: RodMotion, beta: Array) -> Array:
     across = 1j * np.exp(-1j * beta)
     q_a, q_b = ((-(way.a[n] * across.conj()).real * shape.m2 / shape.l) for n in ("A", "B"))
     x = np.linspace(0.0, shape.l, 201)[:, None]
-    return np.abs(moment_along(q_a, q_b, x, shape.l)).max(axis=0)
+    largest: Array = np.abs(moment_along(q_a, q_b, x, shape.l)).max(axis=0)
+    return largest
 
 
 def moment_along(q_a: Array, q_b: Array, x: Array, length: float) -> Array:
