@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from html import escape
-from typing import Any, get_args
+from typing import get_args
 
 from planes.words import Lang
 from planes.words.lettering import Naming
+from planes.words.records import Json
 
 NAME = re.compile(r"⟨([^⟩]*)⟩")
 _PIECE = re.compile(r"([_^])\{([^}]*)\}")
@@ -40,7 +41,7 @@ def tagged(text: str, naming: Naming, plan: str = "") -> str:
     return found
 
 
-def written(names: Iterable[str], lettering: Mapping[str, Any]) -> dict[str, dict[str, list[tuple[str, str]]]]:
+def written(names: Iterable[str], lettering: Json) -> dict[str, dict[str, list[tuple[str, str]]]]:
     """Names for a page's script, in both languages: pieces of text, each lowered ("sub"), raised or neither."""
     namings, names = [Naming(lang, **lettering) for lang in get_args(Lang)], dict.fromkeys(names)
     pole = {"acceleration:p": [("π", "")]}

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import io
 from collections.abc import Sequence
-from typing import Any
 
 from docx import Document
+from docx.document import Document as WordFile
 from docx.shared import Mm, Pt
+from docx.text.paragraph import Paragraph as Words
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.lettering import Naming
@@ -22,7 +23,7 @@ LETTER = 13
 
 def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     """The whole file."""
-    paper: Any = Document()
+    paper = Document()
     page = paper.sections[0]
     page.page_width, page.page_height = Mm(210), Mm(297)
     page.left_margin, page.right_margin, page.top_margin, page.bottom_margin = Mm(25), Mm(10), Mm(20), Mm(20)
@@ -37,7 +38,7 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
 
 
 class _Writer:
-    def __init__(self, paper: Any, naming: Naming) -> None:
+    def __init__(self, paper: WordFile, naming: Naming) -> None:
         self.paper, self.naming, self.studio = paper, naming, Studio(naming.lang)
 
     def put(self, block: Block) -> None:
@@ -64,7 +65,7 @@ class _Writer:
                 if pictures and caption:
                     self.runs(self.paper.add_paragraph(), caption).alignment = 1
 
-    def runs(self, paragraph: Any, text: str, plan: str = "", italic: bool = False) -> Any:
+    def runs(self, paragraph: Words, text: str, plan: str = "", italic: bool = False) -> Words:
         """Text at the end of a paragraph."""
         for piece in pieces(text, self.naming, plan):
             run = paragraph.add_run(piece.text)
@@ -82,7 +83,7 @@ class _Writer:
                 self.runs(cell.paragraphs[0], text).alignment = 2 if is_number(text) else 0
         self.paper.add_paragraph()
 
-    def picture(self, picture: Shown) -> Any:
+    def picture(self, picture: Shown) -> Words:
         """A paragraph that holds a picture, made smaller if it is larger than the column."""
         scale = min(1.0, WIDTH / picture.width, HEIGHT / picture.height)
         self.paper.add_picture(io.BytesIO(raster(picture)), width=Pt(picture.width * scale))
