@@ -79,7 +79,8 @@ def monotone(x: list[float], y: list[float]) -> Callable[[Array], Array]:
         t, one = (at - xs[k]) / h[k], h[k]
         rise = t * t * (3.0 - 2.0 * t)
         bend = t * (1.0 - t) ** 2 * slopes[k] - t * t * (1.0 - t) * slopes[k + 1]
-        return ys[k] + rise * (ys[k + 1] - ys[k]) + one * bend
+        found: Array = ys[k] + rise * (ys[k + 1] - ys[k]) + one * bend
+        return found
 
     return value
 

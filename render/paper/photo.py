@@ -72,7 +72,8 @@ def _lit(grey: Image) -> Array:
 
     size = max(grey.width // SHADOW_PX, 1), max(grey.height // SHADOW_PX, 1)
     paper = grey.resize(size).filter(ImageFilter.MaxFilter(5)).filter(ImageFilter.GaussianBlur(2)).resize(grey.size)
-    return np.minimum(np.asarray(grey, float) / np.maximum(np.asarray(paper, float), 16) / CLEAN, 1.0)
+    share: Array = np.minimum(np.asarray(grey, float) / np.maximum(np.asarray(paper, float), 16) / CLEAN, 1.0)
+    return share
 
 
 def _pale(grey: Image) -> NDArray[np.uint8]:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from docx import Document
 from docx.document import Document as WordFile
+from docx.enum.text import WD_PARAGRAPH_ALIGNMENT as Side
 from docx.shared import Mm, Pt
 from docx.text.paragraph import Paragraph as Words
 
@@ -61,9 +62,9 @@ class _Writer:
             case Figure():
                 pictures, caption = self.studio.shown(block)
                 for picture in pictures:
-                    self.picture(picture).alignment = 1
+                    self.picture(picture).alignment = Side.CENTER
                 if pictures and caption:
-                    self.runs(self.paper.add_paragraph(), caption).alignment = 1
+                    self.runs(self.paper.add_paragraph(), caption).alignment = Side.CENTER
 
     def runs(self, paragraph: Words, text: str, plan: str = "", italic: bool = False) -> Words:
         """Text at the end of a paragraph."""
@@ -80,7 +81,7 @@ class _Writer:
         table = self.paper.add_table(rows=0, cols=len(rows[0]), style="Table Grid")
         for row in rows:
             for cell, text in zip(table.add_row().cells, row, strict=True):
-                self.runs(cell.paragraphs[0], text).alignment = 2 if is_number(text) else 0
+                self.runs(cell.paragraphs[0], text).alignment = Side.RIGHT if is_number(text) else Side.LEFT
         self.paper.add_paragraph()
 
     def picture(self, picture: Shown) -> Words:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import random
 import re
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +22,6 @@ from planes.words.errors import PlanesError
 from tests import confusion
 from tests.documents.test_browser import watched
 from tests.helpers import ROOT
-from tests.helpers.browser import chromium
 from tests.helpers.drawings import Care, Mistake
 
 SAMPLES = ROOT / "samples"
@@ -34,12 +32,6 @@ CASES = [
     ("kind-3-rpr", "acceleration", Mistake("normal_missing", "n_B")),
     ("kind-5-rpp", "force:2-3", None),
 ]
-
-
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    with chromium(tmp_path_factory.mktemp("profile"), viewport={"width": 1200, "height": 1000}) as context:
-        yield context
 
 
 def handed_in(sample: str, plan: str, mistake: Mistake | None, without: tuple[str, ...] = ()) -> Outcome:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,7 +12,6 @@ import pytest
 from planes.cli import main
 from tests import confusion
 from tests.documents.test_browser import watched
-from tests.helpers.browser import chromium
 
 cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
@@ -33,12 +31,6 @@ SIX = str(confusion.SAMPLES / "six-link.yaml")
 
 def corpus_easel(plan: str) -> confusion.Easel:
     return next(e for e in confusion.easels() if (e.sample, e.plan) == ("six-link", plan))
-
-
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    with chromium(tmp_path_factory.mktemp("profile"), viewport={"width": 1200, "height": 1000}) as context:
-        yield context
 
 
 @pytest.fixture(scope="module")
