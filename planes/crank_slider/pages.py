@@ -24,30 +24,6 @@ from planes.solving.document import (
 from planes.words import Lang, decimal, say
 from planes.words.units import quantity
 
-SUBSCRIPTS: dict[str, tuple[str, str]] = {
-    "cw": ("пр", "cw"),
-    "rod": ("ш", "rod"),
-    "eq": ("экв", "eq"),
-    "b": ("и", "b"),
-    "t": ("кр", "t"),
-    "p": ("п", "p"),
-    "fr": ("тр", "fr"),
-    "m": ("ср", "m"),
-    "gas": ("г", "g"),
-    "fly": ("м", "fl"),
-    "max": ("наиб", "max"),
-    "min": ("наим", "min"),
-    "cr": ("кр", "cr"),
-    "Y": ("т", "y"),
-    "B": ("в", "u"),
-    "bush": ("вт", "bush"),
-    "boss": ("б", "boss"),
-    "tr": ("пост", "tr"),
-    "c": ("сж", "c"),
-    "tens": ("р", "t"),
-}
-"""Subscripts of formulas, written §cw§, in both languages."""
-
 UNITS = ("m/s²", "m/s", "rad/s²", "rad/s", "MPa", "N·m", "N", "kgm2", "kg", "J", "m", "kW")
 """Units of formulas, written [kW]."""
 
@@ -95,8 +71,7 @@ class ChapterWriter:
 
     def formula(self, tex: str, number: str = "") -> None:
         """A formula; ``§key§`` in it is a subscript of the table."""
-        for key, pair in SUBSCRIPTS.items():
-            tex = tex.replace(f"§{key}§", f"\\mathrm{{{pair[0 if self.lang == 'ru' else 1]}}}")
+        tex = re.sub("§(\\w+)§", lambda place: f"\\mathrm{{{self.say(f'sub_{place[1]}')}}}", tex)
         for unit in UNITS:
             tex = tex.replace(f"[{unit}]", f"\\ \\mathrm{{{say(unit, self.lang)}}}")
         tex = tex.replace(r"\frac", r"\dfrac").replace(r"\tan", r"\,\mathrm{tg}\," if self.lang == "ru" else r"\,\tan ")

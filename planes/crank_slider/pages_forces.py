@@ -162,7 +162,7 @@ def _cycle(w: ChapterWriter, c: Calculation) -> None:
         lever=w.number(a.lever, 2),
     )
     inertia = c.given.shape.m3 * c.plane.a["B"].real
-    phi, (gas, whole) = m.phi_deg, ("гп" if w.lang == "ru" else "gp")
+    phi, (gas, whole) = m.phi_deg, (w.say("sub_gas"), w.say("sub_p"))
     forces = {
         f"P_{{{gas}}}": m.gas,
         "m_{3}a_{B}": inertia,

@@ -41,7 +41,7 @@ def _rod(w: ChapterWriter, c: Calculation, r: RodStrength, of: Shank) -> None:
         (w.say(f"b_plane_{i}"), *(w.number(v) for v in (b.mu, b.slenderness, b.critical, r.sigma_c, b.n)))
         for i, b in enumerate(r.planes)
     ]
-    cr, sq = ("кр", "сж") if w.lang == "ru" else ("cr", "c")
+    cr, sq = w.say("sub_cr"), w.say("sub_c")
     w.table("t_buckling", [w.say("c_plane"), "μ", "Λ", f"σ_{{{cr}}}", f"σ_{{{sq}}}", "n"], rows)
     w.text("s_n_ok" if min(b.n for b in r.planes) >= need else "s_n_bad", need=need)
 

@@ -37,18 +37,8 @@ def _materials(w: ChapterWriter, c: Calculation) -> None:
     for key, m in c.given.materials.items():
         values = (m.strength, m.yields, m.fatigue, m.fatigue_torsion, m.psi, m.psi_torsion)
         rows.append((w.say(f"p_{key}"), m.name, *map(w.number, values)))
-    ru = w.lang == "ru"
-    head = [
-        w.say("c_part"),
-        w.say("c_steel"),
-        "σ_{в}" if ru else "σ_{u}",
-        "σ_{т}" if ru else "σ_{y}",
-        "σ_{−1}",
-        "τ_{−1}",
-        "ψ_{σ}",
-        "ψ_{τ}",
-    ]
-    w.table("t_material", head, rows)
+    sigmas = (f"σ_{{{w.say('sub_B')}}}", f"σ_{{{w.say('sub_Y')}}}", "σ_{−1}")
+    w.table("t_material", [w.say("c_part"), w.say("c_steel"), *sigmas, "τ_{−1}", "ψ_{σ}", "ψ_{τ}"], rows)
     w.text("s_material")
 
 
@@ -57,7 +47,7 @@ def _bearings(w: ChapterWriter, c: Calculation, shaft: Shaft, s: Supports) -> No
     w.head("h_shaft")
     w.text("s_shaft")
     weights = c.given.counterweights
-    cw = "пр" if w.lang == "ru" else "cw"
+    cw = w.say("sub_cw")
     labels = {"load": "N_{c1}, P_{t1}", "web": "Φ", "weight_0": f"Φ_{{1{cw}}}", "weight_1": f"Φ_{{2{cw}}}"}
     radius = weights.radius if weights else c.given.shape.r
     sketch = ShaftSketch(shaft.span, shaft.span - shaft.pin_from_b, shaft.webs, c.given.shape.r, radius, labels)
@@ -108,8 +98,7 @@ def _static(w: ChapterWriter, c: Calculation) -> None:
         columns = (s.bending_z, s.bending_y, s.torsion, s.sigma, s.tau, s.equivalent)
         for name, k in steps.items():
             rows.append((f"{w.say(f'x_{s.name}')}, {name}", *(w.number(float(v[k])) for v in columns)))
-    eq = "экв" if w.lang == "ru" else "eq"
-    w.table("t_static", [w.say("c_section"), "M_{z}", "M_{y}", "M_{x}", "σ", "τ", f"σ_{{{eq}}}"], rows)
+    w.table("t_static", [w.say("c_section"), "M_{z}", "M_{y}", "M_{x}", "σ", "τ", f"σ_{{{w.say('sub_eq')}}}"], rows)
     worst = dangerous(c)
     at = int(np.argmax(worst.equivalent))
     w.text("s_dangerous", section=w.say(f"x_{worst.name}"), phi=float(c.motion.phi_deg[at]), n=limits.static)

@@ -11,17 +11,8 @@ from planes.words import Lang, say
 from planes.words.names import parted
 
 PRIME = "′"
-_GREEK = {
-    "omega": "ω",
-    "epsilon": "ε",
-    "phi": "φ",
-    "alpha": "α",
-    "beta": "β",
-    "gamma": "γ",
-    "delta": "δ",
-    "psi": "ψ",
-    "theta": "θ",
-}
+_SPELT = ("omega", "epsilon", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta")
+_GREEK = dict(zip(_SPELT, "ωεφαβγδψθ", strict=True))
 _INDEXED = re.compile(r"([^\W\d_]+)(\d+)")
 
 

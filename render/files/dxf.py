@@ -26,18 +26,13 @@ if TYPE_CHECKING:
     from ezdxf.document import Drawing
 
 OWN_FONT = "isocpeur.ttf"  # a single-stroke font with Cyrillic letters that AutoCAD brings; others put a like one
-LAYER_STYLES = {
+LAYER_STYLES: dict[str, str] = dict.fromkeys(LAYERS, "thin") | {
     "construction": "construction",
     "axis": "axis",
-    "hatch": "thin",
-    "table": "thin",
-    "dimension": "thin",
     "frame": "frame",
     "scheme": "thick",
-    "plan": "thin",
     "force": "thick",
     "result": "result",
-    "text": "thin",
 }
 """The line type and width of each layer; a mark says its own only where it differs."""
 
