@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from ezdxf.document import Drawing
 
 OWN_FONT = "isocpeur.ttf"  # a single-stroke font with Cyrillic letters that AutoCAD brings; others put a like one
-LAYER_STYLES: dict[str, str] = dict.fromkeys(LAYERS, "thin") | {
+LAYER_STYLES = dict.fromkeys(map(str, LAYERS), "thin") | {
     "construction": "construction",
     "axis": "axis",
     "frame": "frame",
