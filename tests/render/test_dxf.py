@@ -12,7 +12,7 @@ import pytest
 from PIL import Image
 
 from planes.cli import main
-from planes.documents import draw_sheet
+from planes.documents import draw_sheet, rendered
 from planes.scene import load
 from render.files import png
 from render.paper import form1, lettering, symbols
@@ -115,15 +115,16 @@ def test_the_same_bytes_twice_and_a_file_by_its_suffix(tmp_path):
 
 
 def test_the_same_bytes_whatever_python_makes_its_sets_of():
+    """Of every format that is written from marks; this process has a seed of its own."""
     program = (
-        "import sys\nfrom render.files import dxf\nfrom tests.helpers.sheets import sheet\n"
-        "found = sheet('kind-1-rrr')\nsys.stdout.buffer.write(dxf.write(found.marks, found.size, found.title))\n"
+        "import sys\nfrom planes.documents import rendered\nfrom tests.helpers.sheets import sheet\n"
+        "found = sheet('kind-1-rrr')\nfor suffix in ('.dxf', '.svg', '.pdf'):\n"
+        "    sys.stdout.buffer.write(rendered(found, suffix, 'ru'))\n"
     )
     run = [sys.executable, "-c", program]
     seeds = ({**os.environ, "PYTHONPATH": str(ROOT), "PYTHONHASHSEED": seed} for seed in "12")
-    found = sheet("kind-1-rrr")
     told = {subprocess.run(run, env=e, capture_output=True, check=True).stdout for e in seeds}
-    assert told == {dxf.write(found.marks, found.size, found.title)}  # and this process has a seed of its own
+    assert told == {b"".join(rendered(sheet("kind-1-rrr"), suffix, "ru") for suffix in (".dxf", ".svg", ".pdf"))}
 
 
 # blocks
