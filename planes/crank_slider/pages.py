@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
 
 import numpy as np
 
@@ -78,6 +81,11 @@ class ChapterWriter:
         tex = re.sub(r"\\(sin|cos)(?=[^a-z]|$)", r"\\,\\\1\\,", tex).replace(r"\,^", "^")
         self.blocks.append(Formula(tex, number))
 
+    def formulas(self, group: str) -> None:
+        """A group of the text's formulas, which have no numbers put in."""
+        for tex, *number in _formulas()[group]:
+            self.formula(tex, *number)
+
     def table(self, key: str, head: Sequence[str], rows: Sequence[Sequence[str]], **parts: object) -> None:
         self.tables += 1
         title = f"{self.say('table')} {self.tables}. {self.say(key, **parts)}"
@@ -97,6 +105,13 @@ class ChapterWriter:
         noise = [float(np.max(np.abs(x))) for x in columns.values()]
         rows = [[self.number(x[i], near=n) for x, n in zip(columns.values(), noise, strict=True)] for i in steps]
         self.table(key, list(columns), rows)
+
+
+@cache
+def _formulas() -> dict[str, list[list[str]]]:
+    """Groups of formulas, each with its number in the text if it has one."""
+    groups: dict[str, list[list[str]]] = json.loads(Path(__file__).with_name("formulas.json").read_text("utf-8"))
+    return groups
 
 
 def lines(x: Array, named: Mapping[str, Array]) -> list[PlottedLine]:

@@ -103,12 +103,7 @@ def _inertia(w: ChapterWriter, c: Calculation) -> None:
 def _equations(w: ChapterWriter, c: Calculation) -> None:
     w.head("h_balance")
     w.text("s_balance")
-    w.formula(
-        r"P_§p§=P_§gas§+m_3a_{Bx}+f\,|N|\,\mathrm{sgn}\,v_{Bx},\quad N=m_3g+P_§p§\tan\beta-\frac{M_A}{l\cos\beta},"
-    )
-    w.formula(r"M_A=-m_2\left[(x_C-x_A)(a_{Cy}+g)-(y_C-y_A)\,a_{Cx}\right]-J_C\varepsilon_{AB}")
-    w.formula(r"X_B=-P_§p§,\quad Y_B=N-m_3g,\quad S=-X_B\cos\beta+Y_B\sin\beta,")
-    w.formula(r"X_A=X_B-m_2a_{Cx},\quad Y_A=Y_B-m_2(a_{Cy}+g),")
+    w.formulas("forces")
     spin = r"-(J_1+m_1\,OS_1^2)\,\varepsilon" if c.given.speed.unevenness else ""
     w.formula(
         rf"T=-X_A\sin\varphi+Y_A\cos\varphi,\quad K=-X_A\cos\varphi-Y_A\sin\varphi,\quad M=T\,r-m_1g\,x_{{S1}}{spin}"

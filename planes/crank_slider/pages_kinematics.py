@@ -89,30 +89,9 @@ def _points(w: ChapterWriter, c: Calculation) -> None:
     s, k = c.given.shape, c.at(chosen(c))
     w.head("h_points")
     w.text("k_points", k=s.c / s.l)
-    w.formula(
-        r"x_A=r\cos\varphi,\quad y_A=r\sin\varphi,\quad x_B=r\cos\varphi+\sqrt{l^2-r^2\sin^2\varphi},\quad y_B=0,"
-    )
-    w.formula(r"x_C=r\cos\varphi+k\,l\cos\beta,\quad y_C=(1-k)\,r\sin\varphi", "1")
+    w.formulas("places")
     w.text("k_derive")
-    w.formula(
-        r"v_{xA}=-\omega r\sin\varphi,\quad v_{yA}=\omega r\cos\varphi,\quad"
-        r"v_B=-\omega r\sin\varphi-\omega\,\frac{r^2\sin\varphi\cos\varphi}{s},"
-    )
-    w.formula(
-        r"v_{xC}=-\omega r\sin\varphi-k\,\omega\,\frac{r^2\sin\varphi\cos\varphi}{s},\quad"
-        r"v_{yC}=(1-k)\,\omega r\cos\varphi",
-        "2",
-    )
-    w.formula(
-        r"a_B=-\omega^2\left[r\cos\varphi+\frac{r^2\cos 2\varphi}{s}+\frac{r^4\sin^2\varphi\cos^2\varphi}{s^3}\right]-"
-        r"\varepsilon\left[r\sin\varphi+\frac{r^2\sin\varphi\cos\varphi}{s}\right],",
-        "3",
-    )
-    w.formula(
-        r"a_{xC}=-\omega^2\left[r\cos\varphi+k\frac{r^2\cos 2\varphi}{s}+k\frac{r^4\sin^2\varphi\cos^2\varphi}{s^3}"
-        r"\right]-\varepsilon\left[r\sin\varphi+k\frac{r^2\sin\varphi\cos\varphi}{s}\right],"
-    )
-    w.formula(r"a_{yC}=(1-k)\,r\,(\varepsilon\cos\varphi-\omega^2\sin\varphi)", "3")
+    w.formulas("rates")
     _mistake_3(w, c)
     _numbers(w, c, k)
 
@@ -164,27 +143,10 @@ def _plane(w: ChapterWriter, c: Calculation) -> None:
     turning = -float(c.plane.omega[k])
     w.head("h_plane")
     w.text("k_plane")
-    w.formula(r"v_A=\omega r", "4")
-    w.formula(
-        r"AP=\frac{l\cos\beta}{|\cos\varphi|},\quad BP=\frac{l\,|\sin(\varphi+\beta)|}{|\cos\varphi|},\quad"
-        r"\omega_{AB}=\frac{v_A}{AP}=\frac{\omega r|\cos\varphi|}{l\cos\beta}",
-        "5",
-    )
-    w.formula(
-        r"v_B=\omega r\,\frac{\sin(\varphi+\beta)}{\cos\beta},\quad v_C=\omega_{AB}\cdot CP,\quad"
-        r"CP^2=AC^2+AP^2-2\,AC\cdot AP\cos(\varphi+\beta)",
-        "6, 7",
-    )
+    w.formulas("instant_centre")
     w.mistake("m_5")
     w.text("k_accel")
-    w.formula(r"a_A^n=\omega^2r,\quad a_A^\tau=\varepsilon r,\quad a_{BA}^n=\omega_{AB}^2\,l,", "8, 9")
-    w.formula(
-        r"a_{BA}^\tau=\frac{a_A^n\sin\varphi-a_A^\tau\cos\varphi-a_{BA}^n\sin\beta}{\cos\beta},\quad"
-        r"a_B=a_A^n\cos\varphi+a_A^\tau\sin\varphi+a_{BA}^n\cos\beta-a_{BA}^\tau\sin\beta",
-        "11",
-    )
-    w.formula(r"a_{Cx}=a_A^n\cos\varphi+a_A^\tau\sin\varphi+k\,(a_{BA}^n\cos\beta-a_{BA}^\tau\sin\beta),")
-    w.formula(r"a_{Cy}=a_A^n\sin\varphi-a_A^\tau\cos\varphi-k\,(a_{BA}^n\sin\beta+a_{BA}^\tau\cos\beta)", "13")
+    w.formulas("accelerations")
     w.text("k_at", phi=phi, omega=omega, eps=eps)
     tangent = float(c.plane.epsilon[k]) * s.l
     w.formula(

@@ -57,8 +57,7 @@ def _bearings(w: ChapterWriter, c: Calculation, shaft: Shaft, s: Supports) -> No
         rf"\Phi_1=m_1R_§cw§\,\omega^2={t(s.left_weight)}[N],\quad\Phi_2={t(s.right_weight)}[N]"
     )
     w.text("s_reactions")
-    w.formula(r"A'=\frac{(\Phi-\Phi_1)(L-m)+N_{c1}n+(\Phi-\Phi_2)\,m}{L},\quad A''=\frac{P_{t1}n}{L},", "31")
-    w.formula(r"B'=N_{c1}+2\Phi-\Phi_1-\Phi_2-A',\quad B''=P_{t1}-A''", "32")
+    w.formulas("bearings")
     w.mistake("m_32")
     k, j = cases(c)
     phi = c.motion.phi_deg
@@ -87,11 +86,7 @@ def _static(w: ChapterWriter, c: Calculation) -> None:
     limits, steel = c.given.limits, c.given.materials["shaft"]
     w.head("h_static")
     w.text("s_static")
-    w.formula(
-        r"\sigma_§eq§=\sqrt{\sigma_§b§^2+4\tau_§t§^2}\leq[\sigma],\quad\sigma_§b§=\frac{M_§b§}{W},\quad"
-        r"\tau_§t§=\frac{M_§t§}{2W},\quad W=\frac{\pi d^3}{32}(1-\alpha^4)",
-        "33, 34",
-    )
+    w.formulas("static")
     steps = dict(zip(CASES, cases(c), strict=True))
     rows = []
     for s in c.sections.values():
@@ -123,12 +118,7 @@ def _fatigue(w: ChapterWriter, c: Calculation) -> None:
     t = w.tex
     w.head("h_fatigue")
     w.text("s_fatigue")
-    w.formula(
-        r"n_\sigma=\frac{\sigma_{-1}}{\frac{k_\sigma}{\varepsilon_\sigma}\sigma_a+\psi_\sigma\sigma_m},\quad"
-        r"n_\tau=\frac{\tau_{-1}}{\frac{k_\tau}{\varepsilon_\tau}\tau_a+\psi_\tau\tau_m},\quad"
-        r"n=\frac{n_\sigma n_\tau}{\sqrt{n_\sigma^2+n_\tau^2}}",
-        "35",
-    )
+    w.formulas("fatigue")
     rows = []
     for f in c.fatigue:
         values = (f.angle_deg, f.sigma_a, f.sigma_m, f.tau_a, f.tau_m, f.n_sigma, f.n_tau, f.n)
