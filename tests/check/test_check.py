@@ -83,7 +83,7 @@ def test_what_follows_is_not_blamed(tmp_path: Path, capsys: pytest.CaptureFixtur
 
 
 def test_names_of_all_alphabets_and_a_missing_normal(tmp_path: Path) -> None:
-    easel = next(e for e in easels() if e.sample == "kind-1-rrr" and e.plan == "acceleration")
+    easel = confusion.easel("kind-1-rrr", "acceleration")
     marks, _ = easel.draw(Mistake("normal_missing", "n_CB"), Hand(drawings.NONE, random.Random(1)))
     odd = {"n_B": "n_В", "b'": "b’", "c'": "с′", "n_CD": "n CD"}
     file = tmp_path / "a.csv"
@@ -184,7 +184,7 @@ def test_the_scale_is_free_but_a_stated_one_is_not() -> None:
 
 def test_the_same_persons_velocities_count() -> None:
     """Normals are judged from the velocities the person really drew."""
-    easel = next(e for e in easels() if e.sample == "kind-1-rrr" and e.plan == "acceleration")
+    easel = confusion.easel("kind-1-rrr", "acceleration")
     m, hand = confusion.motion("kind-1-rrr"), Hand(drawings.NONE, random.Random(1))
     mu_scheme = confusion.bench("kind-1-rrr", "acceleration").given["mu_position"]
     scheme = drawings.draw_scheme(m, hand, mu_scheme)
@@ -228,7 +228,7 @@ def test_bad_tables_are_one_sentence(tmp_path: Path, text: str) -> None:
 
 def test_another_drawing_is_unreadable() -> None:
     for other in ("kind-1-rrr", "kind-2-rrp"):
-        easel = next(e for e in easels() if e.sample == other and e.plan == "velocity")
+        easel = confusion.easel(other, "velocity")
         paper = confusion.hand_in(easel, None, Care(), random.Random(1))
         found = as_json(check(Asked(load(SIX), "velocity", mu=30.0), paper))
         assert found["verdict"] == "unreadable" and found["first_wrong"] is None, other

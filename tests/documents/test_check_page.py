@@ -35,7 +35,7 @@ CASES = [
 
 
 def handed_in(sample: str, plan: str, mistake: Mistake | None, without: tuple[str, ...] = ()) -> Outcome:
-    easel = next(e for e in confusion.easels() if (e.sample, e.plan) == (sample, plan))
+    easel = confusion.easel(sample, plan)
     paper = confusion.hand_in(easel, mistake, Care(), random.Random(4))
     paper.spots = [s for s in paper.spots if s.name not in without]
     return check(Asked(load(SAMPLES / f"{sample}.yaml"), plan, mu=easel.mu), paper)
