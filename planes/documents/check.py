@@ -20,14 +20,14 @@ from planes.check.vision.photograph import blank_pole
 from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
 from planes.scene import Scene
-from planes.scene.files import keep, sayable
+from planes.scene.files import keep, save, sayable
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
+from planes.words.lettering import Naming
 from planes.words.names import POLE, kind_of, parted
 from planes.words.units import mu_text
 from render.files import pdf, png, svg
 from render.page import check_page, class_page, trace_page
-from render.paper.names import Naming
 from render.paper.numbers import decimal
 from render.paper.photo import Photo
 from render.sheet import blank, check_sheet
@@ -73,7 +73,7 @@ def _write(marks: list[Any], title: str, output: str, lang: Lang, under: Photo |
     writers = {".svg": svg.write, ".pdf": pdf.write}
     with sayable(output):
         if suffix in writers:
-            writers[suffix](marks, SHEET_MM, title, output, lang=lang, under=under)
+            save(writers[suffix](marks, SHEET_MM, title, lang=lang, under=under), output)
         elif suffix == ".png":
             png.write(marks, SHEET_MM, title, output, under=under)
         else:

@@ -23,7 +23,7 @@ from planes.course.workers import Each
 from planes.documents.course import Made, Order, make, names_of
 from planes.scene import loads
 from planes.words import Lang, Phrase
-from render.paper.names import Naming
+from planes.words.lettering import Naming
 
 COPIES = 100  # how often numbers may fall together with somebody else's before it is said that there are too few
 SCENE, KEY = "scene.yaml", "key.json"

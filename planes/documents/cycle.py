@@ -20,8 +20,8 @@ from planes.scene.files import sayable
 from planes.scene.ranges import Span
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
+from planes.words.lettering import Naming
 from render.charts.cycle_charts import DriveAxis, Loop, Panel, draw
-from render.paper.names import Naming
 
 
 def draw_cycle(

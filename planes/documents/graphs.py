@@ -11,8 +11,7 @@ from planes.scene import Scene
 from planes.solving import Position
 from planes.words import Phrase, say
 from planes.words.errors import SceneError, choices
-from render.paper.curve_names import lettered_curve
-from render.paper.names import Naming
+from planes.words.lettering import Naming, lettered_curve
 from render.sheet.composer import Composer
 from render.sheet.single import LETTER_MM, Makers
 from render.views import View, view

@@ -19,10 +19,9 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 from planes.words import Lang, say
+from planes.words.lettering import Naming, lettered_curve
 from render.charts import LOOKS, STYLE
 from render.charts.chart_files import save
-from render.paper.curve_names import lettered_curve
-from render.paper.names import Naming
 from render.paper.numbers import number, with_unit
 
 LOOK: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path", "axes.grid": False}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import re
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING
 
 from planes.solving.document import Chart, DrawnViews, Figure, ShaftSketch
 from planes.words import Lang
@@ -19,6 +19,9 @@ from render.views import View, bounds, stacked, view
 from render.views.plotted import Plotted, of_position
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme
+
+if TYPE_CHECKING:
+    from reportlab.pdfgen.canvas import Canvas
 
 WIDTH_MM = 170.0
 GAP_MM = 8.0
@@ -48,7 +51,7 @@ class MarkedFigure:
         text = svg.write(self.marks, self.size, label).decode()
         return re.sub(r' (id|xml:lang|lang)="[^"]*"', "", re.sub(r"^<\?xml[^>]*>\s*", "", text)).strip()
 
-    def draw(self, canvas: Any) -> None:
+    def draw(self, canvas: Canvas) -> None:
         """Draw on a reportlab canvas, the lower left corner in its origin."""
         canvas.scale(POINTS_PER_MM, POINTS_PER_MM)
         draw_marks(canvas, self.marks)

@@ -12,9 +12,9 @@ from planes.scene import Scene
 from planes.solving import Position
 from planes.solving.vectors import PLAN, VectorResults
 from planes.words import Lang, say
+from planes.words.lettering import Naming
 from planes.words.names import kind_of, links_of, mu_of
 from planes.words.units import mu_text
-from render.paper.names import Naming
 from render.paper.numbers import decimal
 from render.views import View, stacked, view
 from render.views.formulas import Formulas

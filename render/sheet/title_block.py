@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from planes.scene import Scene
 from planes.words import Lang, say
-from render.paper.form1 import LOWER, UPPER
+from render.paper.form1 import BESIDE
 from render.paper.numbers import decimal
 
 _SAME = (
@@ -23,7 +23,7 @@ _SAME = (
     "material",
     "mass",
     "copied",
-    *(key for key, _, _ in (*LOWER, *UPPER)),
+    *BESIDE,
 )
 """Keys of the scene that are names of cells."""
 

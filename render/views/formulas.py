@@ -9,10 +9,10 @@ from dataclasses import dataclass, field
 
 from planes.drafting.equations import Equation, Term
 from planes.words import say
+from planes.words.lettering import Naming
 from planes.words.names import written
 from planes.words.units import UNIT
 from render.paper.marks import Line, Mark, Text
-from render.paper.names import Naming
 from render.paper.numbers import number
 from render.paper.typeset import extent, over
 from render.views.plotted import Plotted

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from planes.scene.mechanism import Guide, Link
 from planes.solving import Position
-from render.paper.names import Naming, greek
+from planes.words.lettering import Naming, greek
 from render.paper.numbers import number, unit
 
 RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m")

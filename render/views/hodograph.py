@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from planes.words import say
+from planes.words.lettering import Naming
 from planes.words.units import standard_mu
 from render import labels
 from render.paper.marks import Arrow, Line, Mark
-from render.paper.names import Naming
 from render.paper.numbers import scale
 from render.paper.symbols import dot
 from render.views import View, view

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 from planes.drafting.steps.reckoning import Drop
 from planes.solving import Position
+from planes.words.lettering import Naming
 from planes.words.names import POLE, at
 from render import labels
 from render.paper.marks import Arrow, Line, Mark
-from render.paper.names import Naming
 from render.paper.symbols import dot
 from render.views.loading import Arms
 from render.views.plotted import of_position

@@ -9,12 +9,12 @@ from planes.drafting.draft import Moments
 from planes.drafting.steps.reckoning import Drop
 from planes.plans.bodies import SCHEME
 from planes.solving import Position
+from planes.words.lettering import Naming
 from planes.words.names import at
 from render import labels
 from render.labels.footprints import ink
 from render.paper import symbols
 from render.paper.marks import Arrow, Line, Mark
-from render.paper.names import Naming
 from render.paper.style import BLOCK_MM
 from render.views.places import Places
 

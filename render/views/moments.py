@@ -8,8 +8,8 @@ from planes.drafting.draft import Moments
 from planes.drafting.steps.reckoning import Calculate
 from planes.solving import Position
 from planes.words import say
+from planes.words.lettering import Naming, flat
 from render.paper.marks import Mark
-from render.paper.names import Naming, flat
 from render.paper.numbers import number
 from render.views.formulas import Setter, Word
 

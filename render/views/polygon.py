@@ -8,10 +8,10 @@ from dataclasses import dataclass, field
 from planes.drafting.equations import Term
 from planes.drafting.steps import Image, Similar
 from planes.words import say
+from planes.words.lettering import Naming
 from planes.words.names import POLE, at, label_of, plan_of
 from render import labels
 from render.paper.marks import Arrow, Layer, Line, Mark
-from render.paper.names import Naming
 from render.paper.numbers import number
 from render.paper.symbols import dot
 from render.paper.typeset import plain

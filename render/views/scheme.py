@@ -9,11 +9,11 @@ from dataclasses import dataclass, field
 
 from planes.scene.mechanism import FRAME, Link
 from planes.solving import Position
+from planes.words.lettering import Naming, lettered
 from render import labels
 from render.labels.footprints import ink
 from render.paper import symbols
 from render.paper.marks import Line, Mark
-from render.paper.names import Naming, lettered
 from render.paper.style import BLOCK_MM, HINGE_MM
 from render.views.places import NEAR_MM, Places, degrees, nearest, outline_of
 from render.views.senses import driver_arrows, parted, yielding
@@ -113,7 +113,7 @@ class Scheme:
             return
         size = self.size(link)
         side = self.rail_side(foot, along)
-        self.rails += symbols.frame_guide(foot, angle, RAIL_MM, RAIL_MM, "rail", side, size[1])
+        self.rails += symbols.rail(foot, angle, RAIL_MM, side, size[1])
         self.rails += symbols.block(foot, angle, size=size)
         reach = RAIL_MM + 4
         self.axes.append(Line((foot - reach * along, foot + reach * along), "axis", "axis"))

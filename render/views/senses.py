@@ -6,12 +6,12 @@ import cmath
 import math
 from collections.abc import Sequence
 
+from planes.words.lettering import Naming
 from render import labels
 from render.labels.footprints import ink, polygons
 from render.paper import symbols
 from render.paper.cutting import cut
 from render.paper.marks import Line, Mark, Shape, Text
-from render.paper.names import Naming
 from render.paper.typeset import layout
 from render.views.places import Places
 

@@ -11,12 +11,12 @@ from planes.drafting.draft import Segment
 from planes.solving import Position
 from planes.solving.vectors import VectorResults
 from planes.words import say
+from planes.words.lettering import Naming
 from planes.words.names import POLE, at, kind_of, label_of
 from planes.words.units import UNIT
 from render.paper import symbols
 from render.paper.ink import head as ink_head
 from render.paper.marks import Arc, Line, Mark, Shape, Text
-from render.paper.names import Naming
 from render.paper.numbers import number
 from render.paper.typeset import extent
 from render.views import View, remark, view

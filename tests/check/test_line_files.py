@@ -147,7 +147,7 @@ def test_thousands_of_lines_with_heads_are_refused_in_a_moment(tmp_path: Path) -
 
 def test_a_polygon_on_a_sheet_full_of_other_lines(tmp_path: Path) -> None:
     """A frame, a title block, hatching and dimensions beside the polygon change nothing."""
-    easel = next(e for e in easels() if (e.sample, e.plan) == ("six-link", "force:2-3"))
+    easel = confusion.easel("six-link", "force:2-3")
     bench, rng = confusion.bench("six-link", "force:2-3"), random.Random(1)
     for mistake in (None, drawings.Mistake("inertia_along_acceleration", "I_2")):
         strokes, words = test_check.sketch_of(easel, mistake)

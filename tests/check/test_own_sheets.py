@@ -26,13 +26,14 @@ from planes.documents import _mechanism_views, rendered, sheet_of
 from planes.documents.sheets import DrawnPosition
 from planes.scene import Scene, load
 from planes.solving import Position
+from planes.words.lettering import Naming
 from planes.words.names import label_of, mu_of
-from render.paper.names import Naming
 from render.sheet import Sheet
 from render.sheet.composer import Composer
 from render.sheet.single import Page, page
 from render.sheet.sizes import Sizes
 from tests.helpers import ROOT
+from tests.helpers.sheets import sheet
 
 SAMPLES = ROOT / "samples"
 READERS = {".svg": read_svg, ".dxf": read_dxf, ".pdf": read_pdf}
@@ -161,8 +162,7 @@ SHEETS = (("crank-slider", None, "acceleration", ".dxf"), ("kind-4-prp", 2, "for
 def test_a_plan_of_a_crowded_sheet_is_right(
     sample: str, number: int | None, plan: str, suffix: str, tmp_path: Path
 ) -> None:
-    sheet = sheet_of(drawn(sample)[0], None, number=number)
-    found = checked(sample, plan, sheet, tmp_path / f"sheet{suffix}")
+    found = checked(sample, plan, sheet(sample, number=number), tmp_path / f"sheet{suffix}")
     assert found.verdict == "right", found.sentence.told("en")
 
 
@@ -172,16 +172,10 @@ def test_a_plan_of_a_crowded_sheet_is_right(
 def test_every_plan_of_a_whole_sheet_is_right(suffix: str, tmp_path: Path) -> None:
     """Frame, title block, tables, equations and the other plans are not lines of the plan."""
     position = drawn("kind-1-rrr")[1]
-    sheet = whole_sheet()
+    whole = sheet("kind-1-rrr")
     for plan in known_plans(position.plans):
-        found = checked("kind-1-rrr", plan, sheet, tmp_path / f"sheet{suffix}")
+        found = checked("kind-1-rrr", plan, whole, tmp_path / f"sheet{suffix}")
         assert found.verdict == "right", (plan, found.sentence.told("en"))
-
-
-@cache
-def whole_sheet() -> Sheet:
-    """A sheet with everything on it."""
-    return sheet_of(drawn("kind-1-rrr")[0], None)
 
 
 @pytest.mark.slow

@@ -27,7 +27,7 @@ SIX = str(confusion.SAMPLES / "six-link.yaml")
 @pytest.fixture(scope="module")
 def scan() -> Any:
     """A right velocity plan on its blank, in grey."""
-    easel = next(e for e in confusion.easels() if (e.sample, e.plan) == ("six-link", "velocity"))
+    easel = confusion.easel("six-link", "velocity")
     rng = random.Random(5)
     drawn = corpus.drawn(easel, None, rng)
     assert drawn is not None

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import random
 from dataclasses import replace
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +12,7 @@ import pytest
 
 from planes.cli import main
 from tests import confusion
-from tests.confusion import SAMPLES, Easel, easels
+from tests.confusion import SAMPLES, Easel, easel
 from tests.helpers.counting import at_most
 from tests.helpers.drawings import Mistake
 
@@ -49,15 +48,6 @@ FORCES = [
     ("kind-4-prp", "force:2-3"),
     ("sliding-driver", "force:1"),
 ]
-
-
-@cache
-def every() -> dict[tuple[str, str], Easel]:
-    return {(e.sample, e.plan): e for e in easels()}
-
-
-def easel(sample: str, plan: str) -> Easel:
-    return every()[sample, plan]
 
 
 def looked(

@@ -12,7 +12,8 @@ from tests.helpers.drawings import Mistake
 
 pytest.importorskip("cv2")
 from tests import picture_corpus as corpus
-from tests.check.test_pictures import easel, looked
+from tests.check.test_pictures import looked
+from tests.confusion import easel
 from tests.helpers.photographs import PHONE, SCAN, Camera
 
 

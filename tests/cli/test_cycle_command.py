@@ -16,8 +16,7 @@ from planes.documents.cycle import Turned, ends
 from planes.documents.graphs import over_cycle
 from planes.plans import plans_of
 from planes.scene import load, loads
-from render.paper.curve_names import lettered_curve
-from render.paper.names import Naming
+from planes.words.lettering import Naming, lettered_curve
 from render.views.diagrams import jumps
 from tests.diagrams.test_diagrams import ROCKER, crank
 from tests.helpers import ROOT

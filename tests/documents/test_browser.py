@@ -20,19 +20,13 @@ from planes.scene import load
 from planes.solving import position
 from render.page.lesson_page import page as written
 from tests.helpers import ROOT
-from tests.helpers.browser import chromium, until
+from tests.helpers.browser import until
 
 HERE = ROOT / "samples"
 SIX = HERE / "six-link.yaml"
 SAMPLES = [p for p in sorted(HERE.glob("*.yaml")) if p.stem != "vectors"]
 WIDE = {"width": 1280, "height": 900}
 MOST_CHANGES = 300  # of the page by one drawing of the six links: what is drawn stays, and only what moves is set
-
-
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    with chromium(tmp_path_factory.mktemp("profile"), viewport=WIDE) as context:
-        yield context
 
 
 @pytest.fixture(scope="module")

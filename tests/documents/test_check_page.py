@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import random
 import re
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +22,6 @@ from planes.words.errors import PlanesError
 from tests import confusion
 from tests.documents.test_browser import watched
 from tests.helpers import ROOT
-from tests.helpers.browser import chromium
 from tests.helpers.drawings import Care, Mistake
 
 SAMPLES = ROOT / "samples"
@@ -36,14 +34,8 @@ CASES = [
 ]
 
 
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    with chromium(tmp_path_factory.mktemp("profile"), viewport={"width": 1200, "height": 1000}) as context:
-        yield context
-
-
 def handed_in(sample: str, plan: str, mistake: Mistake | None, without: tuple[str, ...] = ()) -> Outcome:
-    easel = next(e for e in confusion.easels() if (e.sample, e.plan) == (sample, plan))
+    easel = confusion.easel(sample, plan)
     paper = confusion.hand_in(easel, mistake, Care(), random.Random(4))
     paper.spots = [s for s in paper.spots if s.name not in without]
     return check(Asked(load(SAMPLES / f"{sample}.yaml"), plan, mu=easel.mu), paper)

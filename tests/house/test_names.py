@@ -24,8 +24,7 @@ LEFT = {
     "check": 20,  # directions by their signs; what a person calls a vector
     "lesson": 27,  # directions by their signs, sentences about a name
     "course": 2,  # names of parameters, which people give
-    "crank_slider": 1,
-    "render": 31,  # the lettering itself, in render/paper; parameters, which people name
+    "render": 15,  # directions by their signs; parameters, which people name
     "documents": 4,
 }
 

@@ -9,8 +9,8 @@ import pytest
 from planes.diagrams.motion import constructed
 from planes.documents import sheet_of, view_of
 from planes.scene import load
+from planes.words.lettering import Naming
 from render.paper.marks import Arc, Line, Text
-from render.paper.names import Naming
 from render.paper.numbers import scale, unit, with_unit
 from render.paper.typeset import plain
 from render.views.graphical import Graphical, cropped, smooth

@@ -4,26 +4,25 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from functools import cache
 
 import numpy as np
 import pytest
 import shapely
 
 from planes.diagrams.turn import unwound
-from planes.documents import draw_sheet, sheet_of
+from planes.documents import draw_sheet
 from planes.documents.graphs import known
 from planes.scene import load
 from planes.solving import solve
 from planes.words.errors import PlanesError
+from planes.words.lettering import Naming
 from render.paper import lettering
 from render.paper.marks import Arrow, Line, Text
-from render.paper.names import Naming
 from render.paper.typeset import plain
 from render.views.diagrams import pieces
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
 from render.views.scheme import Scheme
-from tests.helpers import ROOT
+from tests.helpers import ROOT, sheets
 from tests.render.test_sheet import clashes
 
 SAMPLES = sorted((ROOT / "samples").glob("*.yaml"))
@@ -33,10 +32,8 @@ ALL.pop("vectors")
 NUMBERED = [(name, number) for name in SCENES for number in (1, 2)]
 
 
-@cache
 def sheet(name, number, value=None):
-    scene = replace(SCENES[name], sheet={**SCENES[name].sheet, "positions": 12.0})
-    return sheet_of(scene, None if value is None else [value], "ru", number)
+    return sheets.sheet(name, value=value, number=number, positions=12.0)
 
 
 def words(sheet):

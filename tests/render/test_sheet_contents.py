@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
 
 import pytest
 
@@ -14,23 +13,21 @@ from planes.documents import sheet_of
 from planes.documents.turning import turned_once
 from planes.scene import load, loads
 from planes.solving import plans_of, solve
+from planes.words.lettering import Naming
 from render.paper.marks import Arrow, Line, Text
-from render.paper.names import Naming
 from render.paper.typeset import plain
 from render.sheet.composer import Composer
 from render.sheet.sizes import Sizes, grown
 from render.views.diagrams import DiagramCurve, cut_off
 from render.views.given import GivenTable
-from tests.helpers import ROOT
+from tests.helpers import ROOT, sheets
 
 SAMPLES = ROOT / "samples"
 SLIDING, RPR, RRP = (load(SAMPLES / f"{name}.yaml") for name in ("sliding-driver", "kind-3-rpr", "kind-2-rrp"))
 
 
-@cache
 def sheet(name, number):
-    scene = load(SAMPLES / f"{name}.yaml")
-    return sheet_of(replace(scene, sheet={**scene.sheet, "positions": 12.0}), None, "ru", number)
+    return sheets.sheet(name, number=number, positions=12.0)
 
 
 def words(sheet):

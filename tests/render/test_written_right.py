@@ -20,10 +20,10 @@ from planes.lesson.data import lesson_data
 from planes.scene import Scene, load, loads
 from planes.solving import Position, solve
 from planes.words.errors import PlanesError
+from planes.words.lettering import Naming
 from render.labels.footprints import ink, letters, overprinted
 from render.paper.letters import pieces
 from render.paper.marks import Line, Text
-from render.paper.names import Naming
 from render.paper.typeset import plain
 from render.views.loading import Arms
 from render.views.tables import TableGrid
