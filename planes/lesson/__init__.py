@@ -6,7 +6,7 @@ Numbers stand in slots (:mod:`planes.lesson.formulas`), so a frame serves every 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,13 +17,18 @@ from planes.drafting.equations import Equation
 from planes.drafting.steps.reckoning import Calculate
 from planes.lesson.formulas import SLOT, number, paper, unit, value
 from planes.lesson.moments import moment_words
-from planes.lesson.steps import StepWords, lettered, whole
+from planes.lesson.steps import StepWords, whole
 from planes.plans import Plans
 from planes.words import Lang, decimal, say
-from planes.words.names import POLE, at, force_plan, kind_of, label_of, mu_of, plan_of
+from planes.words.names import POLE, at, force_plan, kind_of, label_of, lettered, mu_of, plan_of
 from planes.words.units import mu_text
 
 LANGS: tuple[Lang, ...] = ("ru", "en")
+
+
+def in_both(told: Callable[[Lang], str]) -> dict[Lang, str]:
+    """What is told, in either language."""
+    return {lang: told(lang) for lang in LANGS}
 
 
 @dataclass(frozen=True)
@@ -97,7 +102,7 @@ class Teller:
 
     def fixed(self, put: list[s.Step]) -> Frame:
         """The fixed points together."""
-        names = ", ".join(f"⟨{label_of(p.makes).lstrip('°')}⟩" for p in put)
+        names = ", ".join(f"⟨{lettered(p.makes)}⟩" for p in put)
         return self.frame("fixed", "position", tuple(p.makes for p in put), (), names=names)
 
     def frame(

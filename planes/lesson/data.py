@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
+import numpy
+
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Cross, CrossArc, CrossArcs, Step
@@ -17,7 +19,7 @@ from planes.lesson.formulas import unit
 from planes.lesson.practice import Practice, told_values
 from planes.lesson.scheme import arms, feet, pivots, related, scheme
 from planes.lesson.steps import action, whole
-from planes.lesson.zones import reasons, zones
+from planes.lesson.zones import reasons, zone, zones
 from planes.plans import Plans, mechanism_plans
 from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
@@ -41,7 +43,12 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> dict[str, Any
     except PlanFailure as failure:
         raise SceneError(Phrase("lesson_fails", failure=failure.phrase), scene.file, 1) from None
     values, index = _values(plans)
-    cycle = _cycle(plans, given, values)
+    try:
+        moved, held = plans.at(numpy.array(values)), []
+    except SceneError as law:  # a number that holds where the drive stands in the file alone
+        values, index, held = [plans.mechanism.drive.position], 0, [zone(0, 0, "blunt", law.phrase.told)]
+        moved = plans.at(numpy.array(values))
+    cycle = run(plans.program, {**given, **moved})
     teller = Teller(plans, drawing, mus, cycle)
     frames = teller.frames()
     names = needed(frames)
@@ -64,7 +71,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> dict[str, Any
         "units": {n: {lang: unit(n, lang) for lang in LANGS} for n in names if unit(n, "en")},
         "practice": Practice(plans, given, drawing, frames).tasks(progress),
         **_turn(plans, cycle, len(values)),
-        "zones": zones(plans, cycle, values),
+        "zones": held + zones(plans, cycle, len(values)),
         "failed": reasons(plans, given, values, cycle, progress),
     }
 
@@ -78,12 +85,6 @@ def _values(plans: Plans) -> tuple[list[float], int]:
         return values, int(drive.position - start) % POSITIONS
     half = POSITIONS // 2
     return [drive.position + plans.reach * (i - half) / half for i in range(POSITIONS + 1)], half
-
-
-def _cycle(plans: Plans, given: Mapping[str, Any], values: list[float]) -> Drawing:
-    import numpy
-
-    return run(plans.program, {**given, **plans.at(numpy.array(values))})
 
 
 def _plan(plans: Plans, plan: str, mus: Mapping[str, float]) -> dict[str, Any]:
@@ -190,8 +191,6 @@ def _results(plans: Plans) -> list[dict[str, Any]]:
 
 def _columns(things: Mapping[str, Any], values: list[float], digits: int = 10) -> dict[str, Any]:
     """Values over the turn to so many digits; one number where it never changes."""
-    import numpy
-
     found: dict[str, Any] = {}
     for name, thing in things.items():
         full = numpy.broadcast_to(thing, (len(values),)).astype(float)
@@ -205,7 +204,6 @@ def _columns(things: Mapping[str, Any], values: list[float], digits: int = 10) -
 
 def _turn(plans: Plans, cycle: Drawing, count: int) -> dict[str, Any]:
     """Marks (mm) and directions (degrees) over the turn."""
-    import numpy
 
     def column(thing: Any) -> list[float | None]:
         full = numpy.broadcast_to(thing, (count,))

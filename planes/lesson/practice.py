@@ -24,11 +24,11 @@ from planes.drafting.steps import Cross, CrossArc, CrossArcs, Image, LayOff, Sim
 from planes.drafting.steps.reckoning import Choose
 from planes.lesson import LANGS, Frame
 from planes.lesson.formulas import slots
-from planes.lesson.steps import action, lettered, line_of
+from planes.lesson.steps import action, line_of
 from planes.plans import Plans
 from planes.words import Lang, say
 from planes.words.errors import PlanesError
-from planes.words.names import kind_of, mu_of, plan_of
+from planes.words.names import kind_of, lettered, mu_of, plan_of
 
 Said = dict[Lang, str]
 APART_MM = 2.5  # a wrong place nearer than this to the right one cannot be told from it

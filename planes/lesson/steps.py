@@ -14,16 +14,11 @@ from planes.drafting.steps.reckoning import Calculate, Choose, Measure
 from planes.lesson.formulas import formula, number, paper, sense, unit, value
 from planes.plans import Plans
 from planes.words import Lang, say
-from planes.words.names import kind_of, label_of, plan_of, written
+from planes.words.names import kind_of, label_of, lettered, plan_of, written
 
 Words = tuple[str, Any, dict[str, Any]]  # the key of the sentence, of the reason (or the reason), names
 _TOWARDS = re.compile(r"^(\w+)→(\w+)$")
 _MOVING = re.compile(r"^([-+])([va]q?_\w+)$")
-
-
-def lettered(name: str) -> str:
-    """A mark's label as it is told: without its plan, a guide by its own name."""
-    return label_of(name).lstrip("°")
 
 
 def line_of(direction: str) -> str:

@@ -56,6 +56,11 @@ def label_of(mark: str) -> str:
     return mark.rpartition(":")[2]
 
 
+def lettered(name: str) -> str:
+    """A mark, a guide or its direction by the name people give it, without its plan."""
+    return label_of(name).lstrip("°∥")
+
+
 def plan_of(mark: str) -> str:
     """The plan a mark is on; "" for a value, which is on none."""
     return mark.rpartition(":")[0]
