@@ -58,6 +58,7 @@ class Teller:
         self.plans, self.drawing, self.scales = plans, drawing, scales
         self.cycle = cycle or drawing
         self.made = {step.makes: step for step in drawing.program.steps}
+        self.rates = {rate for link in plans.links.values() for rate in (link.omega, link.epsilon)}
         self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
         self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured for the lesson alone
         self.trials = drawing.program.trials
@@ -98,7 +99,7 @@ class Teller:
 
     def tells(self, step: s.Step) -> bool:
         """Whether a value is told: angular rates, moment equations, balancing loads."""
-        return step.makes in self.moments or step.makes.startswith(("omega_", "epsilon_"))
+        return step.makes in self.moments or step.makes in self.rates
 
     def fixed(self, put: list[s.Step]) -> Frame:
         """The fixed points together."""
@@ -188,7 +189,8 @@ class Teller:
     def closing(self, plan: str) -> list[Frame]:
         """The reactions read off a force plan that has closed."""
         names = [r.key for r in self.plans.reactions.values() if r.plan == plan and self.span(r.key, plan)]
-        if self.plans.balancing.startswith("Fb_") and plan == force_plan(self.plans.mechanism.drive.link):
+        drive = self.plans.mechanism.drive
+        if drive.kind == "s" and plan == force_plan(drive.link):
             names.append(self.plans.balancing)
         names = list(dict.fromkeys(names))
         told = lambda lang: "; ".join(self.reading(n, plan, lang) for n in names)  # noqa: E731

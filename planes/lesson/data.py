@@ -18,7 +18,7 @@ from planes.lesson import LANGS, Teller, mu_said, needed, value_of
 from planes.lesson.formulas import unit
 from planes.lesson.practice import Practice, told_values
 from planes.lesson.scheme import arms, feet, pivots, related, scheme
-from planes.lesson.steps import action, whole
+from planes.lesson.steps import whole
 from planes.lesson.zones import reasons, zone, zones
 from planes.plans import Plans, mechanism_plans
 from planes.plans.lettering import lettering
@@ -64,7 +64,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> dict[str, Any
         "scheme": scheme(plans, cycle),
         "moments": arms(plans),
         "related": related(plans),
-        "equations": [_equation(e) for e in plans.equations],
+        "equations": [_equation(plans, e) for e in plans.equations],
         "frames": [_frame(f) for f in frames],
         "results": (results := _results(plans)),
         "values": _columns({n: value_of(n, teller, cycle) for n in (*names, *(r["value"] for r in results))}, values),
@@ -132,39 +132,34 @@ def _traces(drawing: Drawing) -> dict[str, Any]:
     return found
 
 
-def _equation(e: Equation) -> dict[str, Any]:
+def _equation(plans: Plans, e: Equation) -> dict[str, Any]:
     """An equation as it is written: without the vectors that are nothing, a vector along the frame's guide itself."""
     total: dict[str, Any] | None = {"name": e.total, "action": "", "known": 0} if e.total else None
     sides = []
     for chain in e.chains:
         alone = [t for t in chain if total and whole(e, t.name) == e.total and t.name != e.total]
         if alone and total:
-            total.update(action=_acted(alone[0]), known=alone[0].known)
+            total.update(action=_acted(plans, alone[0]), known=alone[0].known)
         elif chain:
-            sides.append([_term(e.plan, t) for t in chain])
+            sides.append([_term(plans, e.plan, t) for t in chain])
     return {"plan": e.plan, "total": total, "sides": sides}
 
 
-def _term(plan: str, t: Term) -> dict[str, Any]:
+def _term(plans: Plans, plan: str, t: Term) -> dict[str, Any]:
     ends = (t.start, t.end) if t.sign > 0 else (t.end, t.start)
     return {
         "name": t.name,
         "start": at(plan, ends[0]),
         "end": at(plan, ends[1]),
         "at": at(plan, t.end),
-        "action": _acted(t),
+        "action": _acted(plans, t),
         "known": t.known,
     }
 
 
-def _acted(t: Term) -> str:
+def _acted(plans: Plans, t: Term) -> str:
     """The line of action beneath a term."""
-    text = t.action
-    if text.startswith("∠⊥"):
-        return f"∠ρ {action(text[1:])}"
-    if text in ("", "=0") or text.startswith(("→", "∠", "l_")) or "→" in text:
-        return "" if text.startswith(("→", "∠")) else text
-    return text if text.startswith(("-", "+", "↓")) else action(text)
+    return plans.means[t.direction].action if t.direction else t.action
 
 
 def _frame(frame: Any) -> dict[str, Any]:

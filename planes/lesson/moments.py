@@ -9,6 +9,7 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.steps.reckoning import Calculate
 from planes.lesson.formulas import sides, unit, value
 from planes.words import Lang, say
+from planes.words.names import lettered
 
 NOISE = 1e-9  # of the largest term: nothing
 
@@ -17,9 +18,10 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, dict
     """The key of the sentence, what it says, and the forces it is about."""
     dropped = nothing(step, cycle)
     terms = tuple(name for i, (name, _) in enumerate(m.terms) if i not in dropped)
-    names: dict[str, Any] = {"about": m.about.lstrip("°"), "links": lambda lang: _links(m, lang)}
+    names: dict[str, Any] = {"about": lettered(m.about), "links": lambda lang: _links(m, lang)}
     if len(dropped) == len(step.terms):
-        return "moments_none", {**names, "force": m.unknown.removeprefix("MR_")}, (m.unknown.removeprefix("MR_"),)
+        force = step.means.of if step.means else m.unknown
+        return "moments_none", {**names, "force": force}, (force,)
     over = _over(step)
     forces = _named(m, step)
 
@@ -32,7 +34,7 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, dict
     lead = f"; ⟨{found}⟩" if over else ""
     told = lambda lang: f"{lead} = {value(found)} {unit(found, lang)}"  # noqa: E731
     more = {"head": head, "letters": letters, "numbers": numbers, "result": told}
-    own = (found,) if found.startswith("F_") else ()
+    own = (found,) if m.arm else ()
     return "moments", {**names, **more}, (*terms, *own)
 
 

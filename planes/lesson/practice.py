@@ -10,7 +10,7 @@ import cmath
 import math
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from planes.check.grading.handwork import Variant
@@ -24,11 +24,11 @@ from planes.drafting.steps import Cross, CrossArc, CrossArcs, Image, LayOff, Sim
 from planes.drafting.steps.reckoning import Choose
 from planes.lesson import LANGS, Frame
 from planes.lesson.formulas import slots
-from planes.lesson.steps import action, line_of
 from planes.plans import Plans
 from planes.words import Lang, say
 from planes.words.errors import PlanesError
-from planes.words.names import kind_of, lettered, mu_of, plan_of
+from planes.words.names import Meaning, kind_of, lettered, mu_of, plan_of
+from planes.words.records import Json
 
 Said = dict[Lang, str]
 APART_MM = 2.5  # a wrong place nearer than this to the right one cannot be told from it
@@ -42,7 +42,7 @@ PARTS = ("mark", "line", "other", "value", "ratio", "start", "end", "guide", "no
 @dataclass(frozen=True)
 class Wrong:
     """Where a mistake puts a mark, with its name and sentence; ``vector`` is what it lays off to there, ``untold``
-    whether it spoils a number that the question itself tells."""
+    whether it spoils a number that the question itself tells, and ``means`` what the directions drawn there mean."""
 
     mistake: str
     place: complex
@@ -50,6 +50,7 @@ class Wrong:
     step: Step | None
     vector: complex
     untold: bool
+    means: Mapping[str, Meaning]
 
     @property
     def slip(self) -> dict[str, Any]:
@@ -116,11 +117,16 @@ class Practice:
         if not cmath.isfinite(place) or abs(place - self.drawing[mark]) < APART_MM:
             return None
         untold = any(abs(abs(there[n]) - abs(self.drawing[n])) > 1e-6 * abs(self.drawing[n]) for n in told)
-        names = {"mark": variant.blames, "line": line_of(getattr(self.steps[mark], "along", "")), **variant.about}
+        names = {
+            "mark": variant.blames,
+            "line": self.plans.means[along].line if (along := getattr(self.steps[mark], "along", "")) else "",
+            **variant.about,
+        }
         shown = {**dict.fromkeys(PARTS, ""), **{k: f"⟨{str(v).lstrip('°')}⟩" if v else "" for k, v in names.items()}}
         said = {lang: say(f"mistake_{variant.mistake}", lang, **shown) for lang in LANGS}
         own = swap[-1] if mark in variant.swaps else None
-        return Wrong(variant.mistake, place, said, own, place - complex(there[start]), untold)
+        means = {**self.plans.means, **{s.makes: s.means for s in swap if s.means}}
+        return Wrong(variant.mistake, place, said, own, place - complex(there[start]), untold, means)
 
     def task(self, mark: str, wrongs: list[Wrong]) -> dict[str, Any] | None:
         """What is asked for one mark."""
@@ -178,15 +184,15 @@ class Practice:
 
     def options(self, step: Cross, direction: str, side: str, wrongs: list[Wrong]) -> list[dict[str, Any]]:
         """The right direction among wrong ones, in an order that gives nothing away."""
-        found: dict[str, dict[str, Any]] = {action(direction): {"right": True, "slips": []}}
+        right = self.plans.means[direction]
+        found: dict[str, Json] = {right.action: {"right": True, "slips": []}}
         for w in wrongs:
             other = getattr(w.step, side, direction) if isinstance(w.step, Cross) else direction
-            text = action(other.partition("~")[0])
+            text = w.means[other].action
             if other != direction and (len(found) < 4 or text in found):
                 found.setdefault(text, {"slips": []})["slips"].append(w.slip)
-        right = action(direction)
-        flipped = ("∥" if right.startswith("⊥") else "⊥") + right.lstrip("⊥∥")
-        found.setdefault(flipped, {"slips": []})
+        flipped = replace(right, quantity="along" if right.quantity == "across" else "across")
+        found.setdefault(flipped.action, {"slips": []})
         return [{"text": text, **more} for text, more in sorted(found.items())]
 
 
