@@ -26,7 +26,7 @@ from planes.plans.measuring import say_plan
 from planes.plans.scales import scales
 from planes.scene import Scene
 from planes.words import Phrase
-from planes.words.errors import PlanFailure, SceneError
+from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.names import at, kind_of, mu_of, plan_of
 
 POSITIONS = 360
@@ -46,7 +46,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> dict[str, Any
     try:
         moved, held = plans.at(numpy.array(values)), []
     except SceneError as law:  # a number that holds where the drive stands in the file alone
-        values, index, held = [plans.mechanism.drive.position], 0, [zone(0, 0, "blunt", law.phrase.told)]
+        values, index, held = [plans.mechanism.drive.position], 0, [zone(0, 0, "blunt", PlanesError(law.phrase).told)]
         moved = plans.at(numpy.array(values))
     cycle = run(plans.program, {**given, **moved})
     teller = Teller(plans, drawing, mus, cycle)

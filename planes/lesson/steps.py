@@ -64,7 +64,7 @@ class StepWords:
     def similar(self, step: s.Similar) -> Words:
         """Proportional division, or a similar figure."""
         ratio = complex(self.drawing[step.ratio])
-        names = {"first": lettered(step.start), "second": lettered(step.end)}
+        names: Names = {"first": lettered(step.start), "second": lettered(step.end)}
         if kind_of(step.makes) == "position":
             return "point", "along", names
         if abs(ratio.imag) > 1e-9 * abs(ratio):
@@ -85,7 +85,7 @@ class StepWords:
             "from": step.of[0],
             "own": step.of[1],
         }
-        names = {k: lettered(m) for k, m in marks.items()}
+        names: Names = {k: lettered(m) for k, m in marks.items()}
         reason = "similar" if key == "image" else lambda lang: say(f"why_{key}", lang, **names)
         return key, reason, names
 

@@ -108,8 +108,8 @@ class Acting:
             ends = at(self.motion.plan, POLE), self.motion.mark(point)
             moving = d.step(Sense(f"moves_{point}", *ends, None, tuple(self.motion.driven)))
             ends = ends if load.sense == "along" else (ends[1], ends[0])
-            sign, means = ("+", "with") if load.sense == "along" else ("-", "against")
-            along = d.through(f"{sign}{self.motion.letter}{point}", *ends, Meaning(means, f"v_{point}"))
+            means = Meaning("with" if load.sense == "along" else "against", f"v_{point}")
+            along = d.through(f"{'+' if load.sense == 'along' else '-'}{self.motion.letter}{point}", *ends, means)
             size = d.product(name, **{size: 1, moving: 1})
         elif load.direction_link and load.direction_link != FRAME:
             axis, angle = self._axis(load.direction_link), load.direction_deg or 0.0
