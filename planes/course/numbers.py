@@ -8,7 +8,6 @@ import traceback
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
 from planes.course import Course, ParameterChoice
 from planes.course.fingerprint import fingerprint
@@ -21,6 +20,7 @@ from planes.scene.source import Node, SourceScalar
 from planes.solving import solve
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
+from planes.words.records import Json
 
 FILE = "scene.yaml"
 
@@ -123,7 +123,7 @@ class Answer:
     unit: str = field(default="")
 
 
-def main_answers(scene: Scene, key: Mapping[str, Any]) -> list[Answer]:
+def main_answers(scene: Scene, key: Json) -> list[Answer]:
     """What a teacher compares first: links' ω and ε, sliders' v and a, the balancing load."""
     if not key["positions"] or scene.mechanism is None:
         return []

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from collections.abc import Iterator, Sequence
 
 from planes.drafting.draft import Segment
 from planes.lesson.formulas import number, unit
@@ -17,6 +16,7 @@ from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, He
 from planes.solving.tables import say_mu
 from planes.words import Lang, decimal, say
 from planes.words.names import POLE, at, kind_of, label_of, parts_of
+from planes.words.records import Json
 
 _ANGLES = {"alpha": "α", "beta": "β", "gamma": "γ"}
 NOISE_MM = 1e-6  # a segment shorter than this is nothing
@@ -125,7 +125,7 @@ def answers(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[
         yield Paragraph(worst)
 
 
-def segments(drawn: Position, name: str, plan: Mapping[str, Any], lang: Lang) -> DocumentTable | None:
+def segments(drawn: Position, name: str, plan: Json, lang: Lang) -> DocumentTable | None:
     """The segments of one plan: name, ends, millimetres, value."""
     rows = []
     for s in drawn.plans.segments:

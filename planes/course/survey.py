@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from planes.diagrams.summary import summary
 from planes.diagrams.working_range import FULL
@@ -16,6 +15,7 @@ from planes.solving.tables import table
 from planes.solving.vectors import solve_vectors
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError, guarded
+from planes.words.records import Json
 
 AGREE = 1e-9  # relative: how far the two balancing loads may be apart
 
@@ -46,7 +46,7 @@ class SurveyRow:
         """Whether it is solved and the loads agree."""
         return self.solved and (self.difference is None or self.difference <= AGREE)
 
-    def json(self) -> dict[str, Any]:
+    def json(self) -> Json:
         """The object for programs."""
         return {
             "scene": self.scene,

@@ -8,17 +8,18 @@ from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps.reckoning import Calculate, Product
 from planes.lesson.formulas import sides, unit, value
+from planes.lesson.steps import Names
 from planes.words import Lang, say
 from planes.words.names import lettered
 
 NOISE = 1e-9  # of the largest term: nothing
 
 
-def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, dict[str, object], tuple[str, ...]]:
+def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Names, tuple[str, ...]]:
     """The key of the sentence, what it says, and the forces it is about."""
     dropped = nothing(step, cycle)
     terms = tuple(name for i, (name, _) in enumerate(m.terms) if i not in dropped)
-    names = {"about": lettered(m.about), "links": lambda lang: _links(m, lang)}
+    names: Names = {"about": lettered(m.about), "links": lambda lang: _links(m, lang)}
     if len(dropped) == len(step.terms):
         force = step.means.of if step.means else m.unknown
         return "moments_none", {**names, "force": force}, (force,)
@@ -27,7 +28,7 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, dict
     forces = {term.factors[0][0]: force for (force, _), term in zip(m.terms, step.terms, strict=False)}
     letters, numbers = sides(step, lambda name: forces.get(name, name), over, dropped)
     found, lead = f"⟨{m.unknown}⟩", f"; ⟨{m.unknown}⟩" if over else ""
-    more = {
+    more: Names = {
         "head": f"{found} · ⟨{over}⟩" if over else found,
         "letters": letters,
         "numbers": numbers,

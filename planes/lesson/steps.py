@@ -14,9 +14,9 @@ from planes.plans import Plans
 from planes.words import Lang, say
 from planes.words.names import Meaning, kind_of, label_of, lettered, plan_of
 
-Names = dict[str, object]  # what a sentence says: texts, or what is told in each language
-Reason = str | Callable[[Lang], str]
-Words = tuple[str, Reason, Names]  # the key of the sentence, of the reason (or the reason), names
+Said = str | Callable[[Lang], str]  # a text, or what is told in each language
+Names = Mapping[str, Said]  # what a sentence says
+Words = tuple[str, Said, Names]  # the key of the sentence, of the reason (or the reason), names
 
 
 @dataclass
