@@ -17,7 +17,7 @@ from planes.scene.mechanism import FRAME
 from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
 from planes.solving.tables import difference_percent
-from planes.words import Lang, say
+from planes.words import Lang, decimal, say
 from planes.words.names import kind_of, links_of, mu_of, parts_of
 
 NOISE = 1e-12
@@ -64,7 +64,7 @@ class Note:
         yield Heading(f"{self.say('note')}. {title}" if title else self.say("note"), 0)
         yield Heading(self.say("note_given"))
         where = told(self.position.at, drive.kind, self.lang)
-        where = f"{'φ' if drive.kind == 'phi' else 's'} = {where.replace('.', ',') if self.lang == 'ru' else where}"
+        where = f"{'φ' if drive.kind == 'phi' else 's'} = {decimal(where, self.lang)}"
         yield Paragraph(self.say("note_task", title=title, drive=where))
         acting = {n for n, m in plans.means.items() if m.quantity in ("load", "couple")}
         rows = []

@@ -12,7 +12,11 @@ from tests.helpers import ROOT
 
 @pytest.mark.parametrize(
     "tool",
-    [["ruff", "check", "."], ["ruff", "format", "--check", "planes", "render", "tests"], pytest.param(["mypy"], marks=pytest.mark.slow)],
+    [
+        ["ruff", "check", "."],
+        ["ruff", "format", "--check", "planes", "render", "tests"],
+        pytest.param(["mypy"], marks=pytest.mark.slow),
+    ],
     ids=["ruff", "format", "mypy"],
 )
 def test_tool_is_clean(tool: list[str]) -> None:
