@@ -129,10 +129,10 @@ def _assignments(reader: Reader, node: Node | None, folder: Path) -> tuple[Assig
 
 def _path(reader: Reader, node: Node, what: Told, folder: Path) -> Path:
     """A file or a folder that the course names."""
-    path = folder / reader.text(node, what)
-    if not os.path.exists(path):
-        raise reader.error(Phrase("course_no_file", what=what, file=shown(str(path))), node)
-    return path
+    text = reader.text(node, what)
+    if not os.path.exists(folder / text):
+        raise reader.error(Phrase("course_no_file", what=what, file=shown(text)), node)
+    return folder / text
 
 
 def _scenes(folder: Path) -> list[Path]:

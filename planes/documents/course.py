@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -101,7 +100,8 @@ class Desk:
         """The contents of one file."""
         if sheet := self.sheet(name):
             return rendered(sheet, f".{name.rpartition('.')[2]}", self.order.lang)
-        return _MAKERS[name](self)
+        makers = {"task": self.task, "blank": self.blank, "key": self.key, "lesson": self.lesson, "note": self.note}
+        return makers[name.partition(".")[0]]()
 
     def said(self, name: str) -> tuple[str, ...]:
         """What must be said of a file."""
@@ -148,12 +148,3 @@ class Desk:
     def note(self) -> bytes:
         """The explanatory note."""
         return note(self.scene, None, ".pdf", self.order.lang)
-
-
-_MAKERS: Mapping[str, Callable[[Desk], bytes]] = {
-    "task.pdf": Desk.task,
-    "blank.pdf": Desk.blank,
-    "key.pdf": Desk.key,
-    "lesson.html": Desk.lesson,
-    "note.pdf": Desk.note,
-}
