@@ -12,9 +12,9 @@ from reportlab.lib.styles import ParagraphStyle
 from reportlab.lib.units import mm
 from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfbase.ttfonts import TTFont
-from reportlab.platypus import Table as Grid
 from reportlab.platypus import Flowable, SimpleDocTemplate
 from reportlab.platypus import Paragraph as Words
+from reportlab.platypus import Table as Grid
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
 from render.paper.letters import tagged
