@@ -72,7 +72,7 @@ class Construction:
         d = self.draft
         d.aim(RIGHT, 0.0)
         d.aim(UP, 90.0)
-        d.square("←", RIGHT, 2)
+        d.back("←", RIGHT)
         d.give(TIME, self.mu_t)
         d.give(PAPER, 1.0)
 

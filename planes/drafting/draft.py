@@ -95,7 +95,9 @@ class Draft:
     def ray(self, plan: str, one: str, two: str) -> str:
         """The direction from one mark of a plan to another, as first drawn."""
         if (plan, one, two) not in self.rays:
-            self.rays[plan, one, two] = self.through(f"{one}{two}", at(plan, one), at(plan, two))
+            self.rays[plan, one, two] = self.through(
+                f"{one}{two}", at(plan, one), at(plan, two), Meaning("along", one, two)
+            )
         return self.rays[plan, one, two]
 
     def has(self, plan: str, label: str) -> bool:
@@ -111,21 +113,28 @@ class Draft:
         off = 2.0**-50 * abs(place) if place.real and place.imag else 0.0
         return self.step(Put(at(plan, label), self.give(f"place_{label}", place, off), mu_of(plan), means=means))
 
-    def aim(self, name: str, angle_deg: float, means: Meaning | None = None) -> str:
-        """A direction at a given angle."""
-        return self.step(Aim(name, self.give(f"angle_{name}", angle_deg, means=means)))
+    def aim(self, name: str, angle_deg: float, means: Meaning | None = None, given: Meaning | None = None) -> str:
+        """A direction at an angle, which may itself be ``given`` as something."""
+        return self.step(Aim(name, self.give(f"angle_{name}", angle_deg, means=given), means=means))
 
-    def through(self, name: str, start: str, end: str) -> str:
+    def through(self, name: str, start: str, end: str, means: Meaning | None = None) -> str:
         """The direction from mark to mark."""
-        return self.step(Through(name, start, end))
+        return self.step(Through(name, start, end, means=means))
 
-    def square(self, name: str, of: str, quarter: int = 1) -> str:
-        """A direction turned by right angles with the set square."""
-        return self.step(Turn(name, of, quarter))
+    def square(self, of: str) -> str:
+        """A direction turned by a right angle with the set square."""
+        line = self.steps[of].means
+        return self.step(Turn(f"⊥{of}", of, 1, means=line and replace(line, quantity="across")))
 
-    def turn(self, name: str, of: str, angle_deg: float, off: float = 0.0, means: Meaning | None = None) -> str:
-        """A direction turned by a given angle."""
-        return self.step(Turn(name, of, 0, self.give(f"angle_{name}", angle_deg, off, means)))
+    def back(self, name: str, of: str, means: Meaning | None = None) -> str:
+        """The direction back along another."""
+        return self.step(Turn(name, of, 2, means=means))
+
+    def turn(
+        self, name: str, of: str, angle_deg: float, off: float, means: Meaning, given: Meaning | None = None
+    ) -> str:
+        """A direction turned by an angle, which may itself be ``given`` as something."""
+        return self.step(Turn(name, of, 0, self.give(f"angle_{name}", angle_deg, off, given), means=means))
 
     def lay_off(self, plan: str, label: str, start: str, along: str, length: str, means: Meaning | None = None) -> str:
         """A length (SI value by name) laid off from a mark."""
@@ -155,9 +164,9 @@ class Draft:
         """One product of powers of values, e.g. v²/l."""
         return self.total(name, [Product(coefficient, tuple(factors.items()))])
 
-    def total(self, name: str, terms: list[Product]) -> str:
+    def total(self, name: str, terms: list[Product], means: Meaning | None = None) -> str:
         """A sum of products."""
-        return self.step(Calculate(name, tuple(terms)))
+        return self.step(Calculate(name, tuple(terms), means=means))
 
     def show(self, plan: str, start: str, end: str, name: str) -> None:
         """Name a segment as the image of a quantity."""

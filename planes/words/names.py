@@ -26,6 +26,15 @@ Quantity = Literal[
     "length",
     "angle",
     "rate",
+    "along",
+    "across",
+    "towards",
+    "with",
+    "against",
+    "leaning",
+    "down",
+    "given",
+    "own",
 ]
 
 HELPERS = ("guide", "foot", "trial")
@@ -38,12 +47,38 @@ class Meaning:
 
     Of marks "guide" is the place of a guide or a place beside it, "foot" stands on it, "trial" is a supposition; at a
     "normal" or a "coriolis" ends that part of a vector.
+
+    Of directions "along" is a guide or the line of two points, "across" perpendicular to it and "leaning" from that by
+    friction, "towards" from a point to another, "with" and "against" a vector, "given" at an angle of the scene.
     """
 
     quantity: Quantity
     of: str = ""
     about: str = ""
     link: str = ""
+
+    @property
+    def line(self) -> str:
+        """What a direction is along or across: BC, y-y, or a vector."""
+        return self.of + self.about
+
+    @property
+    def action(self) -> str:
+        """A direction as it is written beneath a vector: ⊥BC, ∥y-y, C→B, -a_S2; "" where there is no line to name."""
+        if self.quantity == "towards":
+            return f"{self.of}→{self.about}"
+        sign = _SIGNS.get(self.quantity)
+        return "" if sign is None else sign + self.line
+
+
+_SIGNS = {"along": "∥", "across": "⊥", "leaning": "∠ρ ⊥", "with": "+", "against": "-", "down": "↓"}
+
+
+def parts_of(name: str) -> tuple[str, str, str]:
+    """The name of a value taken apart: its letter, what it is of, and its part: a, CB and n of a_CB^n."""
+    whole, _, part = name.strip("|‖").partition("^")
+    letter, _, index = whole.partition("_")
+    return letter, index, part
 
 
 def at(plan: str, label: str) -> str:
@@ -54,6 +89,11 @@ def at(plan: str, label: str) -> str:
 def label_of(mark: str) -> str:
     """The label of a mark without its plan."""
     return mark.rpartition(":")[2]
+
+
+def lettered(name: str) -> str:
+    """A mark, a guide or its direction by the name people give it, without its plan."""
+    return label_of(name).lstrip("°∥")
 
 
 def plan_of(mark: str) -> str:

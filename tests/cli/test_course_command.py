@@ -246,6 +246,25 @@ def test_bad_input_is_one_sentence(
     assert [f.name for f in tmp_path.iterdir()] == ["12.yaml"]
 
 
+def test_doubts_of_a_scene_are_told_once_whoever_gets_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A link of 20 m in the scene itself, and one of 12 m in one of its variants."""
+    at = folder(tmp_path / "course", LIGHT.replace("task, blank, key", "task"), 3)
+    text = (at / "scene.yaml").read_text("utf-8").replace("l_S5: 0.2", "l_S5: 20")
+    (at / "scene.yaml").write_text(text.replace("Б: {phi_1: 120}", "Б: {phi_1: 120, l_CD: 12}"), "utf-8")
+    main(["course", str(at), "--jobs", "1", "--lang", "en"])
+    said = [line for line in capsys.readouterr().err.splitlines() if "scene.yaml:" in line]
+    assert [line.split(": ")[1] for line in said] == ["link 5 is 20 m long", "link 3 is 12.1 m long"], said
+
+
+@pytest.mark.parametrize("key", ["students: lost.csv", "assignments: lost.yaml", "assignments: [scene.yaml, lost]"])
+def test_a_file_the_course_names_must_be_there(key: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    at = folder(tmp_path / "course", f"course: 1\n{key}\n", 1)
+    assert main(["course", str(at), "--jobs", "1", "--lang", "en"]) == 2
+    said = capsys.readouterr().err
+    assert said.startswith(f"{at / 'course.yaml'}:2: ") and "there is no " in said and "lost" in said
+    assert said.count("\n") == 1 and not (at / "out").exists()
+
+
 @pytest.mark.slow
 def test_a_process_that_is_stopped_is_a_sentence() -> None:
     with pytest.raises(PlanesError, match="the system stopped one of the processes"), workers.crowd(2) as each:

@@ -22,8 +22,6 @@ LEFT = {
     "solving": 2,
     "diagrams": 5,  # names of curves
     "check": 20,  # directions by their signs; what a person calls a vector
-    "lesson": 27,  # directions by their signs, sentences about a name
-    "course": 2,  # names of parameters, which people give
     "render": 15,  # directions by their signs; parameters, which people name
     "documents": 4,
 }

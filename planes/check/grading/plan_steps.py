@@ -51,7 +51,8 @@ class PlanSteps:
 
     def square(self, of: str, name: str) -> Turn:
         """A perpendicular of another name."""
-        return Turn(name, of, 1)
+        line = self.plans.means[of]
+        return Turn(name, of, 1, means=replace(line, quantity="across"))
 
     def variant(
         self, mistake: str, step: Step, *swap: Step, weight: float = 1.0, about: Words | None = None
