@@ -179,17 +179,14 @@ def _mu(mu: float, kind: str) -> Written:
 
 
 def _free(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, Taken]) -> Hand:
-    """The true plan with the errors of drafting carried through it, up to the wanted names."""
-    asked = bench.asked
-    program = bench.plans.program.sliced([*bench.marks, *(n for n in wanted if n)])
-    given = {**bench.given, mu_of(asked.plan): mu}
-    return Hand(program, given, asked.skill, taken)
+    """The true plan, with what its mistakes may read and the wanted names; errors of drafting are carried through it."""
+    program = bench.plans.program.sliced([*bench.program.made, *(n for n in wanted if n)])
+    return Hand(program, {**bench.given, mu_of(bench.asked.plan): mu}, bench.asked.skill, taken)
 
 
 def _segments(out: Outcome) -> None:
     bench = out.bench
-    labels = [label_of(m) for m in bench.marks]
-    figures, unknown = segment_figures(bench.plans, bench.asked.plan, labels, out.paper.segments)
+    figures, unknown = segment_figures(bench, out.paper.segments)
     out.notes += [Phrase("check_unknown", names=", ".join(unknown))] if unknown else []
     if not figures:
         return

@@ -51,6 +51,11 @@ class PreparedPlan:
     marks: list[str]
     said_mu: float
 
+    @property
+    def names(self) -> Names:
+        """Names of the plan's marks as people write them."""
+        return mark_names(self.plans, self.asked.plan)
+
     def written(self, vectors: Iterable[str]) -> Names:
         """Names of vectors of a force plan as sheets of the scene letter them, and as the program does."""
         return Names(vectors, spelt=lambda name: self.asked.spelt(parted(name)))
@@ -92,6 +97,13 @@ def marks_of(plans: Plans, plan: str) -> list[str]:
     """The marks of a plan that a person draws, in order of drawing."""
     own = [s.makes for s in plans.program.steps if s.kind == "mark" and plan_of(s.makes) == plan and not s.helper]
     return [m for m in own if label_of(m) != POLE]
+
+
+def mark_names(plans: Plans, plan: str) -> Names:
+    """Names of a plan's marks; the normal part of a driven point, n_A, may be written with its pivot too: n_AO."""
+    turning = {n: m for mark, m in plans.means.items() if m.quantity == "normal" and m.about and (n := label_of(mark))}
+    labels = [label_of(m) for m in marks_of(plans, plan)]
+    return Names(labels, spelt=lambda n: f"n_{turning[n].of}{turning[n].about}" if n in turning else n)
 
 
 def variants_of(bench: PreparedPlan, hand: Hand, mu: float) -> Sequence[Variant]:

@@ -23,7 +23,6 @@ from planes.check.reading.words_near import LEADER_MM, Candidates
 from planes.drafting.drawing import run
 from planes.words.errors import PlanesError
 from planes.words.names import POLE, kind_of, label_of
-from planes.words.spelling import Names
 
 REACH_MM = 1.5  # a hand's mark is no farther from where it should be; grading tells whether it is near enough
 SHARE = 0.015  # of a vector's length, by which it may be off besides
@@ -38,7 +37,7 @@ def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates,
     scheme = kind_of(bench.asked.plan) == "position"
     arrows = [] if scheme else arrows_of(sketch)
     tips = [z for z, _ in sketch.rounds] if scheme else [z for arrow in arrows for z in arrow]
-    names = Names(truth)
+    names = bench.names
     words = [(n, w) for w in sketch.words if (n := names.find(w.text)) in truth]
     plain = [way for k, s in enumerate(sketch.strokes) if not sketch.ways or not sketch.ways[k] for way in (s, s[::-1])]
     plain = [(a, b) for a, b in plain if all(abs(a - z) > SHORT_MM for z in tips)]  # no leader begins at a mark

@@ -10,7 +10,7 @@ from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, Words
 from planes.drafting.drawing import run
 from planes.words.names import POLE, label_of
-from planes.words.spelling import Names, tidy
+from planes.words.spelling import Names
 
 LEADER_MM = 2.5  # a line from a word ends so near it
 NEAR_POINT_MM = 1.5  # a point of a scheme is where it should be
@@ -18,12 +18,12 @@ NEAR_POINT_MM = 1.5  # a point of a scheme is where it should be
 Candidates = dict[str, dict[int, float]]
 
 
-def by_words(words: Iterable[Words], nodes: Nodes, labels: Iterable[str]) -> Candidates:
+def by_words(words: Iterable[Words], nodes: Nodes, names: Names) -> Candidates:
     """Nodes near the word of every mark, with the distance from the word."""
-    names, found = Names(labels), Candidates()
+    found = Candidates()
     for word in words:
-        name = names.find(word.text)
-        if name is None or (tidy(word.text) != tidy(name) and name != POLE):
+        name = names.exactly(word.text)
+        if name is None:
             continue
         for node in nodes.within(word.middle, NEAR_WORD_MM + word.width):
             distance = word.distance(nodes.places[node]) + (2.0 if node >= nodes.corners else 0.0)
