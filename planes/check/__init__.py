@@ -179,7 +179,7 @@ def _mu(mu: float, kind: str) -> Written:
 
 
 def _free(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, Taken]) -> Hand:
-    """The true plan, with what its mistakes may read and the wanted names; errors of drafting are carried through it."""
+    """The true plan with the errors of drafting carried through it, all its mistakes may read, and the wanted names."""
     program = bench.plans.program.sliced([*bench.program.made, *(n for n in wanted if n)])
     return Hand(program, {**bench.given, mu_of(bench.asked.plan): mu}, bench.asked.skill, taken)
 

@@ -54,9 +54,7 @@ def _figure(name: str, q: Quantity, value: float) -> WrittenNumber:
     return WrittenNumber(name, value, lambda things: one.take(things, None), not one.part, plan, one.value)
 
 
-def segment_figures(
-    bench: PreparedPlan, written: Iterable[tuple[str, float]]
-) -> tuple[list[WrittenNumber], list[str]]:
+def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -> tuple[list[WrittenNumber], list[str]]:
     """Figures of a table of segments ("pb", "bc"; of a force plan also "G_2"), and the names that mean nothing."""
     plan, labels = bench.asked.plan, [label_of(m) for m in bench.marks]
     ends = [n for n in (POLE, *labels) if at(plan, n) in bench.program.made]  # a scheme has no pole
