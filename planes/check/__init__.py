@@ -93,25 +93,20 @@ class Outcome:
             return self.unreadable
         first = self.first_wrong
         if first is None:
-            return self.when_right if not self.unseen else self.when_right_as_seen
+            return self.right(", ".join(self.unseen))
         if self.mistake:
             return Phrase(f"mistake_{self.mistake}", **self._about(first))
         return self._unclear(first)
-
-    @property
-    def when_right(self) -> Phrase:
-        """What is said of a right drawing of the plan."""
-        return Phrase("check_right", plan=plan_phrase(self.bench.asked.plan))
 
     @property
     def unseen(self) -> list[str]:
         """Marks of the plan that nobody has looked at."""
         return self.grading.unseen if self.grading and not self.unreadable else []
 
-    @property
-    def when_right_as_seen(self) -> Phrase:
-        """What is said of a drawing that is right where it was seen."""
-        return Phrase("check_right_as_seen", plan=plan_phrase(self.bench.asked.plan), names=", ".join(self.unseen))
+    def right(self, unseen: str) -> Phrase:
+        """What is said of a right drawing of the plan, or of one whose marks ``unseen`` nobody has looked at."""
+        plan = plan_phrase(self.bench.asked.plan)
+        return Phrase("check_right_as_seen", plan=plan, names=unseen) if unseen else Phrase("check_right", plan=plan)
 
     def _about(self, first: str) -> dict[str, object]:
         """Names for the sentence of the mistake."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from planes.check.grading.aligning import align
 from planes.check.grading.evidence import SURE, by_chance, nothing_drawn, size_of
@@ -63,7 +64,7 @@ class Grading:
         """A known force that is not in the polygon and that nothing read was drawn from."""
         if self.rebuilt is None or self.judgement.wrong:
             return None
-        used = self._used()
+        used = set[str]().union(*(self._roots[m] for m in self.judgement.misses))
         for mark in self.marks:
             step = next(s for s in self.hand.program.steps if s.makes == mark)
             sure = label_of(mark) in self.rebuilt.absent or _long(self, step)  # what is short may be there, unseen
@@ -76,21 +77,24 @@ class Grading:
     @property
     def unseen(self) -> list[str]:
         """Marks that were not read and that nothing read was drawn from: wherever they are, nobody has looked."""
-        used, steps = self._used(), {s.makes: s for s in self.hand.program.steps}
-        absent = self.rebuilt.absent if self.rebuilt else ()
-        return [
-            label_of(m)
-            for m in self.marks
-            if m not in used and not isinstance(steps[m], Same) and label_of(m) not in absent
-        ]
+        return [label_of(m) for m, by in self.shown_by.items() if self.judgement.misses.keys().isdisjoint(by)]
 
-    def _used(self) -> set[str]:
-        """Marks that were read, and those they were drawn from."""
-        used = set(self.judgement.misses)
-        for step in reversed(self.hand.program.steps):
-            if step.makes in used:
-                used.update(n for n, kind in step.reads() if kind == "mark" and n not in self.judgement.misses)
-        return used
+    @property
+    def shown_by(self) -> dict[str, list[str]]:
+        """By mark what shows where it is: it and the marks drawn from it. What stands on another one needs no look."""
+        steps = {s.makes: s for s in self.hand.program.steps}
+        there = [m for m in self.marks if not isinstance(steps[m], Same)]
+        absent = self.rebuilt.absent if self.rebuilt else ()
+        return {m: [k for k in self.marks if m in self._roots[k]] for m in there if label_of(m) not in absent}
+
+    @cached_property
+    def _roots(self) -> dict[str, set[str]]:
+        """Every thing drawn with the marks it was drawn from, itself among them."""
+        found: dict[str, set[str]] = {}
+        for step in self.hand.program.steps:
+            marks = (n for n, kind in step.reads() if kind == "mark")
+            found[step.makes] = {step.makes}.union(*(found[n] for n in marks))
+        return found
 
     @property
     def strays(self) -> str | None:

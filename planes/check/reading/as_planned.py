@@ -15,7 +15,7 @@ from typing import Any
 from planes.check.grading.grading import grade, readable
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.reading.chains import true_vectors
+from planes.check.reading.chains import SURELY_MM, back_and_forth, true_vectors
 from planes.check.reading.lone_vectors import arrows_of, others
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke
@@ -92,7 +92,11 @@ def vectors_as_planned(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     spots = [ReadMark(n, z, sketch.error_mm) for name, (a, b) in rows.items() for n, z in ((POLE, a), (name, b))]
     paper = ReadPaper(sketch.file, spots, whole=len(rows) == len(sides))
     over = over or any(max(abs(a - d), abs(b - c)) < UPON_MM for (a, b), (c, d) in combinations(rows.values(), 2))
-    return paper if not over and _named(rows, rows, word, VECTORS_MM) and is_right(bench, paper) else nothing
+
+    def nearer(one: str, two: str) -> float:
+        return SURELY_MM if back_and_forth(*rows[one], *rows[two]) else VECTORS_MM
+
+    return paper if not over and _named(rows, rows, word, nearer) and is_right(bench, paper) else nothing
 
 
 def _alike(stroke: Stroke, true: complex) -> bool:
@@ -107,12 +111,16 @@ def _like(stroke: Stroke, known: Sequence[complex]) -> complex:
 
 
 def _named(
-    found: Mapping[str, Any], words: Iterable[str], word: Callable[[str, Any], float], nearer: float = EXCHANGED_MM
+    found: Mapping[str, Any],
+    words: Iterable[str],
+    word: Callable[[str, Any], float],
+    nearer: Callable[[str, str], float] = lambda _, __: EXCHANGED_MM,
 ) -> bool:
-    """Whether the word of all that have one is beside it, and no two are exchanged; ``word`` tells how far it is."""
+    """Whether the word of all that have one is beside it, and no two are exchanged; ``word`` tells how far it is, and
+    ``nearer`` by how much two words must be nearer to each other's places for that."""
     own = {n: word(n, found[n]) for n in words}
     return all(map(math.isfinite, own.values())) and not any(
-        word(one, found[two]) + word(two, found[one]) + nearer < own[one] + own[two]
+        word(one, found[two]) + word(two, found[one]) + nearer(one, two) < own[one] + own[two]
         for one, two in combinations(own, 2)
     )
 

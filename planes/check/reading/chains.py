@@ -18,6 +18,7 @@ from planes.words.spelling import Names
 NEAR_MM = 9.0
 NO_WORD, FAR_WORD, UNLIKE, TOO_FAR = 5.0, 9.0, 7.0, 13.0  # what a name may cost, mm of distance from its word
 NAMED_UNLIKE = 3.0  # what is written counts for more than what is likely
+SURELY_MM = 0.5  # of two vectors there and back a name is that of the one so much nearer
 TIP = 8.0  # of two vectors upon each other a name belongs to the one whose tip is nearer
 LONGEST = 26  # vectors in a polygon
 MOST_LINES = 4 * LONGEST
@@ -128,10 +129,12 @@ def beside(
 
 def _there_and_back(nodes: Nodes, one: Edge, two: Edge) -> bool:
     """Whether two lines lie upon each other, one going where the other comes from."""
-    if one is two:
-        return False
-    a, b, c, d = (nodes.places[n] for n in (one.start, one.end, two.end, two.start))
-    return max(abs(a - c), abs(b - d)) < 0.1 * abs(b - a)
+    return one is not two and back_and_forth(*(nodes.places[n] for n in (one.start, one.end, two.start, two.end)))
+
+
+def back_and_forth(a: complex, b: complex, c: complex, d: complex) -> bool:
+    """Whether a vector from c to d goes back where one from a to b came from."""
+    return max(abs(a - d), abs(b - c)) < 0.1 * abs(b - a)
 
 
 def _pole(words: Sequence[Words], nodes: Nodes) -> int | None:
@@ -186,10 +189,26 @@ def _rows(
     names = named_best(costs)
     if not any(names):
         return None
+    _by_words(names, trail, ends, words)
     score = sum(TOO_FAR - cost[n] for n, cost in zip(names, costs, strict=True) if n)
     start = ReadMark(POLE, ends[0], error_mm)
     rows = [ReadMark(n or f"?{i}", z, error_mm) for i, (n, z) in enumerate(zip(names, ends[1:], strict=True))]
     return (score - 3 * names.count(None)) / TOO_FAR, [start, *rows]
+
+
+def _by_words(
+    names: list[str | None],
+    trail: Trail,
+    ends: Sequence[complex],
+    words: Mapping[str, Mapping[tuple[Edge, int], float]],
+) -> None:
+    """Of two vectors there and back each is what stands nearer to it: likeness would tell of a reversed one nothing."""
+    for i, j in combinations(range(len(trail)), 2):
+        near = [words.get(n or "", {}) for n in (names[i], names[j])]
+        if all(near) and back_and_forth(ends[i], ends[i + 1], ends[j], ends[j + 1]):
+            as_named = near[0].get(trail[i], FAR_WORD) + near[1].get(trail[j], FAR_WORD)
+            if near[1].get(trail[i], FAR_WORD) + near[0].get(trail[j], FAR_WORD) < as_named - SURELY_MM:
+                names[i], names[j] = names[j], names[i]
 
 
 def named_best(costs: Sequence[Mapping[str, float]]) -> list[str | None]:

@@ -10,6 +10,7 @@ from typing import Any
 
 from planes.check import Outcome
 from planes.check.fiducials import SHEET_MM
+from planes.check.grading.evidence import SMALLEST, SURE
 from planes.check.grading.grading import READABLE, Grading, empty, key_marks
 from planes.check.grading.handwork import LEAST_MM, Variant
 from planes.check.grading.jointly import order_of_reckoning
@@ -31,6 +32,7 @@ from planes.check.report.regrading import SURELY_MM, exported, retrace
 from planes.check.report.rows import mark_rows, result_rows
 from planes.check.report.shown import own_marks, own_order, shown_plans, vectors
 from planes.check.vision.photograph import blank_pole
+from planes.drafting.steps import Same
 from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
 from planes.plans.scales import extent
@@ -194,8 +196,8 @@ def _variant(v: Variant, under: Mapping[str, tuple[int, int]], lang: Lang) -> di
 
 def _rule(grading: Grading) -> dict[str, Any]:
     """The numbers judging goes by."""
-    absent = grading.rebuilt.absent if grading.rebuilt else set()
-    plan = plan_of(grading.marks[0])
+    absent, gap = (grading.rebuilt.absent, grading.rebuilt.gap) if grading.rebuilt else (set[str](), None)
+    plan, point = plan_of(grading.marks[0]), grading.hand.tool.skill.point_mm
     return {
         "false_alarm": FALSE_ALARM,
         "least": LEAST_MM,
@@ -210,6 +212,14 @@ def _rule(grading: Grading) -> dict[str, Any]:
         "readable": READABLE,
         "key": [label_of(m) for m in key_marks(grading)],
         "absent": sorted(absent),
+        "shown_by": [(label_of(m), [label_of(k) for k in by]) for m, by in grading.shown_by.items()],
+        "same": [
+            label_of(s.makes) for s in grading.hand.program.steps if isinstance(s, Same) and s.makes in grading.marks
+        ],
+        "smallest": SMALLEST * point,
+        "sure": SURE,
+        "free": not grading.said_mu,
+        "gap": math.sqrt(2 * point**2 + 2 * gap.error_mm**2) if gap else None,
         "order": [label_of(m) for m in order_of_reckoning(grading.hand.program.steps, grading.marks)],
     }
 
@@ -217,7 +227,10 @@ def _rule(grading: Grading) -> dict[str, Any]:
 def _said(found: Outcome, lang: Lang) -> dict[str, str]:
     """Sentences a page may come to, with places for names and numbers."""
     phrases = {
-        "right": found.when_right,
+        "right": found.right(""),
+        "as_seen": found.right("⟦names⟧"),
+        "nothing_drawn": Phrase("check_nothing_drawn", size="⟦size⟧"),
+        "by_chance": Phrase("check_by_chance", size="⟦size⟧", count="⟦count⟧"),
         "nothing": Phrase("check_nothing_read", names="⟦names⟧"),
         "too_little": Phrase("check_too_little", found="⟦found⟧", count="⟦count⟧", names="⟦names⟧"),
         "other": Phrase("check_other_drawing", count="⟦count⟧", wrong="⟦wrong⟧"),
