@@ -55,7 +55,7 @@ def force_chain(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: R
         words = beside(sketch.words, nodes, edges, bench.written(truth))
         best: tuple[float, list[ReadMark], bool] | None = None
         for start, trail in _trails(edges, pole):
-            rows = _rows(start, trail, nodes, words, truth, sketch.error_mm)
+            rows = _rows(start, trail, nodes, words, truth, sketch)
             whole = trail[-1][1] == start and len(trail) == len(edges)
             if rows and (best is None or rows[0] + WHOLE * whole > best[0]):
                 best = rows[0] + WHOLE * whole, rows[1], whole
@@ -137,6 +137,11 @@ def back_and_forth(a: complex, b: complex, c: complex, d: complex) -> bool:
     return max(abs(a - d), abs(b - c)) < 0.1 * abs(b - a)
 
 
+def upon(a: complex, b: complex, c: complex, d: complex) -> bool:
+    """Whether one vector lies upon another, whichever way it goes."""
+    return back_and_forth(a, b, c, d) or back_and_forth(a, b, d, c)
+
+
 def _pole(words: Sequence[Words], nodes: Nodes) -> int | None:
     names = Names([])
     for word in words:
@@ -176,7 +181,7 @@ def _rows(
     nodes: Nodes,
     words: Mapping[str, Mapping[tuple[Edge, int], float]],
     truth: Mapping[str, complex],
-    error_mm: float,
+    sketch: ReadDrawing,
 ) -> tuple[float, list[ReadMark]] | None:
     """A trail's vectors named by the words beside them and by their likeness, with how well all this fits."""
     ends = [nodes.places[i] for i in (pole, *(node for _, node in trail))]
@@ -189,10 +194,10 @@ def _rows(
     names = named_best(costs)
     if not any(names):
         return None
-    _by_words(names, trail, ends, words)
+    _by_words(names, trail, ends, words, sketch)
     score = sum(TOO_FAR - cost[n] for n, cost in zip(names, costs, strict=True) if n)
-    start = ReadMark(POLE, ends[0], error_mm)
-    rows = [ReadMark(n or f"?{i}", z, error_mm) for i, (n, z) in enumerate(zip(names, ends[1:], strict=True))]
+    start = ReadMark(POLE, ends[0], sketch.error_mm)
+    rows = [ReadMark(n or f"?{i}", z, sketch.error_mm) for i, (n, z) in enumerate(zip(names, ends[1:], strict=True))]
     return (score - 3 * names.count(None)) / TOO_FAR, [start, *rows]
 
 
@@ -201,11 +206,13 @@ def _by_words(
     trail: Trail,
     ends: Sequence[complex],
     words: Mapping[str, Mapping[tuple[Edge, int], float]],
+    sketch: ReadDrawing,
 ) -> None:
-    """Of two vectors there and back each is what stands nearer to it: likeness would tell of a reversed one nothing."""
+    """Of two vectors there and back, and no third beside them, each is what stands nearer to it, were it reversed."""
     for i, j in combinations(range(len(trail)), 2):
         near = [words.get(n or "", {}) for n in (names[i], names[j])]
-        if all(near) and back_and_forth(ends[i], ends[i + 1], ends[j], ends[j + 1]):
+        a, b, c, d = *ends[i : i + 2], *ends[j : j + 2]
+        if all(near) and back_and_forth(a, b, c, d) and sum(upon(a, b, *s) for s in sketch.strokes) == 2:
             as_named = near[0].get(trail[i], FAR_WORD) + near[1].get(trail[j], FAR_WORD)
             if near[1].get(trail[i], FAR_WORD) + near[0].get(trail[j], FAR_WORD) < as_named - SURELY_MM:
                 names[i], names[j] = names[j], names[i]

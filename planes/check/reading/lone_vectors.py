@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.chains import FAR_WORD, NEAR_MM, NO_WORD, TOO_FAR, UNLIKE, named_best, true_vectors
-from planes.check.reading.strokes import ReadDrawing, Stroke, headed
+from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke, headed
 from planes.drafting.drawing import run
 from planes.words.names import POLE, at
 
@@ -34,7 +34,7 @@ def lone_vectors(sketch: ReadDrawing, bench: PreparedPlan) -> tuple[list[ReadMar
     rows = [(n, *stroke) for n, stroke in named if n in sides]
     spots = [ReadMark(n, z, sketch.error_mm) for name, a, b in rows for n, z in ((POLE, a), (name or "", b))]
     names = [n for n, _ in named]
-    seen = all(n in names for n, v in sides.items() if abs(v) < HEADLESS_MM)
+    seen = all(n in names for n, v in sides.items() if SHORT_MM < abs(v) < HEADLESS_MM)
     return spots, bool(arrows) and all(names[: len(arrows)]) and seen
 
 
