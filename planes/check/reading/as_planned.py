@@ -15,7 +15,7 @@ from typing import Any
 from planes.check.grading.grading import grade, readable
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.reading.chains import SURELY_MM, true_vectors, upon
+from planes.check.reading.chains import SURELY_MM, alongside, true_vectors
 from planes.check.reading.lone_vectors import arrows_of, others
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke
@@ -94,8 +94,10 @@ def vectors_as_planned(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     over = over or any(max(abs(a - d), abs(b - c)) < UPON_MM for (a, b), (c, d) in combinations(rows.values(), 2))
 
     def nearer(one: str, two: str) -> float:
-        beside = sum(upon(*rows[one], *arrow) for arrow in arrows)  # with a third the words stand where there is room
-        return SURELY_MM if beside == 2 and upon(*rows[one], *rows[two]) else VECTORS_MM
+        beside = sum(
+            alongside(*rows[one], *arrow) for arrow in arrows
+        )  # with a third the words stand where there is room
+        return SURELY_MM if beside == 2 and alongside(*rows[one], *rows[two]) else VECTORS_MM
 
     return paper if not over and _named(rows, rows, word, nearer) and is_right(bench, paper) else nothing
 
