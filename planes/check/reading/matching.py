@@ -17,7 +17,7 @@ from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
 from planes.check.reading.lone_vectors import lone_vectors
 from planes.check.reading.sizing import sized
 from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, covered, headed, hinged
-from planes.check.reading.words_near import Candidates, by_words, led, origin_of, pole_of
+from planes.check.reading.words_near import Candidates, begun, by_words, led, origin_of, pole_of
 from planes.drafting.drawing import run
 from planes.words import Phrase
 from planes.words.names import POLE, at, kind_of, label_of
@@ -61,7 +61,8 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None = No
         paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))
         return paper
     find = origin_of if kind_of(bench.asked.plan) == "position" else pole_of
-    origin = pole if pole is not None else find(nodes, bench, near)
+    beside = near | ({POLE: begun(sketch, nodes) | near[POLE]} if POLE in near else {})
+    origin = pole if pole is not None else find(nodes, bench, beside)
     if origin is None:
         return paper
     poles = dict.fromkeys([origin, *(nodes.places[i] for i in near.get(POLE, ()))])
