@@ -191,6 +191,14 @@ def test_two_forces_there_and_back_are_told_apart_by_their_words(number: str, su
     assert (found.verdict, found.first_wrong) == ("wrong", "F_12"), found.sentence.told("en")
 
 
+def test_a_force_that_is_nowhere_on_its_plan_is_left_out_however_unsure_its_size(tmp_path: Path) -> None:
+    sample, plan = "assignments/27", "force:1"
+    k = next(k for k, v in enumerate(mistakes(sample, plan)) if (v.mistake, v.blames) == ("force_missing", "F_12"))
+    wrong = made(sample, plan, drawn(sample)[1], k)[0]
+    found = checked(sample, plan, view(sample, plan, wrong), tmp_path / "t.dxf")
+    assert (found.first_wrong, found.mistake) == ("F_12", "force_missing"), found.sentence.told("en")
+
+
 SHEETS = (
     ("crank-slider", None, "acceleration", ".dxf"),
     ("kind-4-prp", 2, "force:2-3", ".svg"),

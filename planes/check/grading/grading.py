@@ -65,13 +65,14 @@ class Grading:
         if self.rebuilt is None or self.judgement.wrong:
             return None
         used = set[str]().union(*(self._roots[m] for m in self.judgement.misses))
+        steps = {s.makes: s for s in self.hand.program.steps}
         for mark in self.marks:
-            step = next(s for s in self.hand.program.steps if s.makes == mark)
-            sure = label_of(mark) in self.rebuilt.absent or _long(self, step)  # what is short may be there, unseen
-            if isinstance(step, LayOff) and mark not in used and sure:
-                miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
-                if miss.sigmas > self.judgement.limit:
-                    return label_of(mark)
+            step = steps[mark]
+            if not isinstance(step, LayOff) or not _long(self, step):
+                continue  # what is short may be there, unseen
+            miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
+            if label_of(mark) in self.rebuilt.absent or (mark not in used and miss.sigmas > self.judgement.limit):
+                return label_of(mark)
         return None
 
     @property
