@@ -64,7 +64,7 @@ class Outcome:
         if g and g.judgement.first_wrong:
             return g.judgement.named.mistake if g.judgement.named else None
         if g and g.left_out:
-            return "weight_missing" if g.left_out.startswith("G_") else "force_missing"
+            return g.left_out_mistake
         if g and g.gap_wrong:
             return "not_closed"
         table = self._table

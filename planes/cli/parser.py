@@ -67,4 +67,4 @@ class CommandParser(Parser):
 
 
 def _is_whole(word: str) -> bool:
-    return word.removeprefix("-").isdecimal()
+    return word.lstrip("-").isdecimal()

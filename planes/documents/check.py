@@ -177,7 +177,7 @@ def _tables(found: Outcome, name: Callable[[str], str], naming: Naming) -> list[
     head = [say(k, lang) for k in ("check_mark", "check_deviation", "check_tolerance", "check_verdict")]
     rows = [[name(label), off, limit, told] for _, label, off, limit, _, told in report.rows_of(found, lang)]
     numbers = [
-        [naming.vector(n), decimal(given, lang), decimal(true, lang), told.partition(":")[0]]
+        [naming.vector(n), decimal(given, lang), decimal(true, lang), told.split(":")[0]]
         for _, n, given, true, told in report.numbers_of(found, lang)
     ]
     return [(head, rows), (report.heads(lang)[1], numbers)]

@@ -21,12 +21,11 @@ LEFT = {
     "batch": 1,
     "solving": 2,
     "diagrams": 5,  # names of curves
-    "check": 20,  # directions by their signs; what a person calls a vector
     "lesson": 27,  # directions by their signs, sentences about a name
     "course": 2,  # names of parameters, which people give
     "crank_slider": 1,
     "render": 31,  # the lettering itself, in render/paper; parameters, which people name
-    "documents": 4,
+    "documents": 3,
 }
 
 

@@ -10,7 +10,7 @@ from planes.check.grading.handwork import Hand
 from planes.drafting.steps import LayOff
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.plans import Plans
-from planes.words.names import mu_of
+from planes.words.names import letter_of, mu_of
 
 SHARE = 0.03  # a number within 3 % is right, however steady the hand
 Things = Mapping[str, Any]
@@ -66,13 +66,13 @@ def _slips(f: WrittenNumber, true: float, free: Hand, plans: Plans) -> Iterable[
         yield "mm_for_value", true * mu
         yield "mu_inverted", true * mu * mu
         yield "mu_inverted", true / (mu * mu)
-    if f.value.startswith(("omega", "epsilon")):
+    if letter_of(f.value) in ("omega", "epsilon"):
         scheme = float(free.number(mu_of("position"))) if mu_of("position") in free.things else 0.0
         for factor in (1 / scheme if scheme else 0.0, mu / scheme if scheme else 0.0, 1e-3):
             yield "omega_without_mu_l", true * factor
         if mu:
             yield "mu_inverted", true * mu * mu
-    if f.value.startswith("epsilon"):
+    if letter_of(f.value) == "epsilon":
         yield "epsilon_from_total", _from_total(f.value, free, plans)
 
 

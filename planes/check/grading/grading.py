@@ -20,7 +20,7 @@ from planes.drafting.steps import Cross, CrossArc, CrossArcs, LayOff, Same, Step
 from planes.plans import Plans
 from planes.plans.scales import extent
 from planes.words import Phrase, Written
-from planes.words.names import at, kind_of, label_of, mu_of, plan_of
+from planes.words.names import at, kind_of, label_of, letter_of, mu_of, plan_of
 
 OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
 LONG_MM = 3.0  # a shorter vector shows no scale
@@ -74,6 +74,11 @@ class Grading:
             if label_of(mark) in self.rebuilt.absent or (mark not in used and miss.sigmas > self.judgement.limit):
                 return label_of(mark)
         return None
+
+    @property
+    def left_out_mistake(self) -> str:
+        """What it is called to leave that force out."""
+        return "weight_missing" if letter_of(self.left_out or "") == "G" else "force_missing"
 
     @property
     def unseen(self) -> list[str]:

@@ -243,8 +243,8 @@ def _otherwise(found: Outcome, grading: Grading, lang: Lang) -> dict[str, Any] |
     """What is wrong though no mark is: a force that is not there, a polygon that does not close."""
     left = grading.left_out
     if left:
-        mistake = "weight_missing" if left.startswith("G_") else "force_missing"
-        return {"first": left, "mark": left, "said": Phrase(f"mistake_{mistake}", mark=left).told(lang)}
+        said = Phrase(f"mistake_{grading.left_out_mistake}", mark=left)
+        return {"first": left, "mark": left, "said": said.told(lang)}
     if grading.gap_wrong and grading.rebuilt:
         said = Phrase("mistake_not_closed", gap=Written(f"{grading.gap_wrong:.1f}"), mark=grading.rebuilt.closing)
         return {"first": grading.rebuilt.closing, "mark": None, "said": said.told(lang)}
