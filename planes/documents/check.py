@@ -6,7 +6,6 @@ import json
 from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 from urllib.parse import quote
 
 from planes.check import Outcome, report
@@ -27,6 +26,7 @@ from planes.words.names import POLE, kind_of, parted
 from planes.words.units import mu_text
 from render.files import pdf, png, svg
 from render.page import check_page, class_page, trace_page
+from render.paper.marks import Mark
 from render.paper.names import Naming
 from render.paper.numbers import decimal
 from render.paper.photo import Photo
@@ -58,7 +58,7 @@ def write_blank(asked: Asked, output: str, lang: Lang) -> None:
     _write(marks, title, output, lang)
 
 
-def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Any], str]:
+def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Mark], str]:
     """The marks of a sheet to draw a plan on, and its title; ``more`` lines stand beneath it."""
     bench = prepare(asked)
     title = asked.scene.title.get(lang, "") or asked.scene.file
@@ -68,7 +68,7 @@ def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Any], str]:
     return blank.compose(SHEET_MM, squares, blank_pole(bench), texts), title
 
 
-def _write(marks: list[Any], title: str, output: str, lang: Lang, under: Photo | None = None) -> None:
+def _write(marks: list[Mark], title: str, output: str, lang: Lang, under: Photo | None = None) -> None:
     suffix = Path(output).suffix.lower()
     writers = {".svg": svg.write, ".pdf": pdf.write}
     with sayable(output):

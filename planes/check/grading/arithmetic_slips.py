@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from planes.check.grading.handwork import Hand
 from planes.drafting.steps import LayOff
 from planes.drafting.steps.reckoning import Calculate, Measure
+from planes.geometry.arithmetic import Real
 from planes.plans import Plans
 from planes.words.names import letter_of, mu_of
 
 SHARE = 0.03  # a number within 3 % is right, however steady the hand
-Things = Mapping[str, Any]
+Things = Mapping[str, Real]
 
 
 @dataclass(frozen=True)
@@ -22,7 +22,7 @@ class WrittenNumber:
 
     name: str
     given: float
-    read: Callable[[Things], Any]
+    read: Callable[[Things], Real]
     signed: bool = False
     plan: str = ""
     value: str = ""  # the program's name of it, if it has one
@@ -100,7 +100,7 @@ def _first_point(free: Hand, mark: str) -> complex:
     return complex(free.number(mark))
 
 
-def first_of(value: Any) -> float:
+def first_of(value: Real) -> float:
     """A value without the columns of its errors."""
     shape = getattr(value, "shape", None)
     return float(value[0] if shape else value)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Any
 
 from planes.check.grading.handwork import Variant
 from planes.check.grading.plan_steps import PlanSteps
 from planes.drafting.steps import Carry, Cross, Image, LayOff, Read, Same, Similar, Step
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.drafting.tools import Env, Tool
+from planes.geometry.arithmetic import Point
 from planes.words.names import POLE, at, guide_of, label_of, letter_of, mu_of, plan_of
 
 
@@ -155,7 +155,7 @@ class Mirror(Step):
     def reads(self) -> tuple[Read, ...]:
         return tuple((n, "mark") for n in (*self.of, *self.like))
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Point:
         (a, b), (c, d) = self.of, self.like
         along = env[d] - env[c]
         return env[a] + along * ((env[b] - env[a]) / along).conjugate()

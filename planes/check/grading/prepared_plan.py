@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 from planes.check.grading.handwork import Hand, Variant
 from planes.check.grading.mistakes import motion_variants
@@ -17,7 +16,7 @@ from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
-from planes.geometry.arithmetic import One
+from planes.geometry.arithmetic import One, Point
 from planes.plans import Plans, mechanism_plans
 from planes.plans.scales import scales
 from planes.scene import Scene
@@ -46,7 +45,7 @@ class PreparedPlan:
 
     asked: Asked
     plans: Plans
-    given: dict[str, Any]
+    given: Env
     program: Program
     marks: list[str]
     said_mu: float
@@ -121,15 +120,15 @@ def variants_of(bench: PreparedPlan, hand: Hand, mu: float) -> Sequence[Variant]
 class _Snapping(Tool):
     """Draws exactly, but goes on from where things are on the picture."""
 
-    snap: Callable[[Step, Any], Any] = lambda _, made: made
+    snap: Callable[[Step, Point], Point] = lambda _, made: made
 
-    def make(self, step: Step, way: Sequence[Step], things: Env) -> Any:
+    def make(self, step: Step, way: Sequence[Step], things: Env) -> Point:
         made = super().make(step, way, things)
         things[step.makes] = self.snap(step, made)
         return made
 
 
-def redrawn(bench: PreparedPlan, variant: Variant | None, snap: Callable[[Step, Any], Any]) -> dict[str, Any] | None:
+def redrawn(bench: PreparedPlan, variant: Variant | None, snap: Callable[[Step, Point], Point]) -> Env | None:
     """The program drawn exactly, every thing passed through ``snap``; None where that cannot be drawn."""
     things = {**bench.given, **(variant.givens if variant else {})}
     try:

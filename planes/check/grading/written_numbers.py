@@ -6,12 +6,12 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import permutations
-from typing import Any
 
 from planes.check.grading.arithmetic_slips import SHARE, Scored, Things, WrittenNumber, first_of, number_mistake
 from planes.check.grading.handwork import Hand, Variant
 from planes.check.grading.judging import MARGIN
 from planes.check.grading.prepared_plan import PreparedPlan
+from planes.geometry.arithmetic import Real
 from planes.plans import Plans
 from planes.plans.quantities import Quantity
 from planes.words.names import POLE, at, label_of, mu_of, plan_of
@@ -73,7 +73,7 @@ def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -
     return found, unknown
 
 
-def _millimetres(plan: str, start: str, end: str) -> Callable[[Things], Any]:
+def _millimetres(plan: str, start: str, end: str) -> Callable[[Things], Real]:
     return lambda things: abs(things[at(plan, end)] - things[at(plan, start)])
 
 

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
-from typing import Any
+from typing import TypeVar
 
 from planes.check.grading.grading import grade, readable
 from planes.check.grading.paper import ReadMark, ReadPaper
@@ -113,10 +113,13 @@ def _like(stroke: Stroke, known: Sequence[complex]) -> complex:
     return min(known, key=lambda t: min(abs(v - t), abs(v + t)))
 
 
+Place = TypeVar("Place", complex, Stroke)
+
+
 def _named(
-    found: Mapping[str, Any],
+    found: Mapping[str, Place],
     words: Iterable[str],
-    word: Callable[[str, Any], float],
+    word: Callable[[str, Place], float],
     nearer: Callable[[str, str], float] = lambda _, __: EXCHANGED_MM,
 ) -> bool:
     """Whether the word of all that have one is beside it, and no two are exchanged; ``word`` tells how far it is, and

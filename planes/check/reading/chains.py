@@ -131,7 +131,8 @@ def beside(
 
 def _there_and_back(nodes: Nodes, one: Edge, two: Edge) -> bool:
     """Whether two lines lie upon each other, one going where the other comes from."""
-    return one is not two and back_and_forth(*(nodes.places[n] for n in (one.start, one.end, two.start, two.end)))
+    a, b, c, d = (nodes.places[n] for n in (one.start, one.end, two.start, two.end))
+    return one is not two and back_and_forth(a, b, c, d)
 
 
 def back_and_forth(a: complex, b: complex, c: complex, d: complex, share: float = NARROW) -> bool:

@@ -6,7 +6,6 @@ import base64
 import math
 import shlex
 from collections.abc import Mapping
-from typing import Any
 
 from planes.check import Outcome
 from planes.check.fiducials import SHEET_MM
@@ -33,11 +32,13 @@ from planes.check.report.rows import mark_rows, result_rows
 from planes.check.report.shown import own_marks, own_order, shown_plans, vectors
 from planes.check.vision.photograph import blank_pole
 from planes.drafting.steps import Same
+from planes.geometry.arithmetic import Real
 from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
 from planes.plans.scales import extent
 from planes.words import Lang, Phrase, Written, decimal, say
 from planes.words.names import POLE, kind_of, label_of, plan_of
+from planes.words.records import Json
 from planes.words.units import mu_text
 
 Pair = list[float]
@@ -64,7 +65,7 @@ def rows_of(found: Outcome, lang: Lang) -> list[list[str]]:
     rows = []
     for r in mark_rows(found):
         free = r["deviation_mm"], r["tolerance_mm"]
-        sizes = r.get("own_deviation_mm", free[0]), r.get("own_tolerance_mm", free[1])
+        sizes: tuple[Real, Real] = r.get("own_deviation_mm", free[0]), r.get("own_tolerance_mm", free[1])
         if r["verdict"] == "right" and None not in sizes and sizes[0] > sizes[1]:
             sizes = free
         close = f" ({say('check_close', lang)})" if "warning" in r else ""
@@ -91,10 +92,10 @@ def heads(lang: Lang) -> tuple[list[str], list[str]]:
     return [say(k, lang) for k in marks], [say(k, lang) for k in numbers]
 
 
-def page_data(found: Outcome, lang: Lang) -> dict[str, Any]:
+def page_data(found: Outcome, lang: Lang) -> Json:
     """All a page shows and judges by. Without marks there is nothing to move, so no tape."""
     marks, numbers = heads(lang)
-    data: dict[str, Any] = {
+    data: Json = {
         "verdict": found.verdict,
         "title": title(found, lang),
         "sentence": found.sentence.told(lang),
@@ -124,7 +125,7 @@ def command(found: Outcome) -> str:
     return shlex.join(words)
 
 
-def _moved(found: Outcome, grading: Grading, lang: Lang) -> dict[str, Any]:
+def _moved(found: Outcome, grading: Grading, lang: Lang) -> Json:
     """What a page needs to judge marks that are moved."""
     bench = found.bench
     plan = bench.asked.plan
@@ -163,7 +164,7 @@ def _moved(found: Outcome, grading: Grading, lang: Lang) -> dict[str, Any]:
     }
 
 
-def _mark(grading: Grading, mark: str, miss: tuple[int, int]) -> dict[str, Any]:
+def _mark(grading: Grading, mark: str, miss: tuple[int, int]) -> Json:
     """A mark: where it is, if it was read, and what it is judged by."""
     taken, label = grading.hand.taken.get(mark), label_of(mark)
     true = grading.truth[mark]
@@ -183,7 +184,7 @@ def _mark(grading: Grading, mark: str, miss: tuple[int, int]) -> dict[str, Any]:
     }
 
 
-def _variant(v: Variant, under: Mapping[str, tuple[int, int]], lang: Lang) -> dict[str, Any]:
+def _variant(v: Variant, under: Mapping[str, tuple[int, int]], lang: Lang) -> Json:
     said = Phrase(f"mistake_{v.mistake}", **{"mark": v.blames, **v.about}).told(lang)
     return {
         "mistake": v.mistake,
@@ -194,7 +195,7 @@ def _variant(v: Variant, under: Mapping[str, tuple[int, int]], lang: Lang) -> di
     }
 
 
-def _rule(grading: Grading) -> dict[str, Any]:
+def _rule(grading: Grading) -> Json:
     """The numbers judging goes by."""
     absent, gap = (grading.rebuilt.absent, grading.rebuilt.gap) if grading.rebuilt else (set[str](), None)
     plan, point = plan_of(grading.marks[0]), grading.hand.tool.skill.point_mm
@@ -239,7 +240,7 @@ def _said(found: Outcome, lang: Lang) -> dict[str, str]:
     return {k: p.told(lang) for k, p in phrases.items()}
 
 
-def _otherwise(found: Outcome, grading: Grading, lang: Lang) -> dict[str, Any] | None:
+def _otherwise(found: Outcome, grading: Grading, lang: Lang) -> Json | None:
     """What is wrong though no mark is: a force that is not there, a polygon that does not close."""
     left = grading.left_out
     if left:
@@ -251,7 +252,7 @@ def _otherwise(found: Outcome, grading: Grading, lang: Lang) -> dict[str, Any] |
     return None
 
 
-def _shown(found: Outcome, truth: Mapping[str, complex]) -> dict[str, Any]:
+def _shown(found: Outcome, truth: Mapping[str, complex]) -> Json:
     """The picture where there is one, and the part of the paper to show."""
     paper = found.paper
     if paper.picture:

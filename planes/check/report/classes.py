@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
 
 from planes.check import STATUS, Outcome
 from planes.check.report.rows import as_json
 from planes.words import Lang, say
 from planes.words.errors import PlanesError
+from planes.words.records import Json
 
 
 @dataclass
@@ -41,7 +41,7 @@ class Checked:
         """File, verdict, mark, sentence."""
         return [self.file, say(f"verdict_{self.verdict}", lang), self.first, self.said(lang)]
 
-    def as_json(self, lang: Lang) -> dict[str, Any]:
+    def as_json(self, lang: Lang) -> Json:
         """The object of the drawing, with its file."""
         if self.found:
             return {"file": self.file, **as_json(self.found, lang)}

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shlex
 from dataclasses import replace
-from typing import Any
 
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare
@@ -14,10 +13,11 @@ from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
 from planes.words import Lang
 from planes.words.names import POLE, kind_of, label_of
+from planes.words.records import Json
 from planes.words.units import mu_text
 
 
-def tracing_data(asked: Asked, lang: Lang) -> dict[str, Any]:
+def tracing_data(asked: Asked, lang: Lang) -> Json:
     """All plans of a scene, the one asked for first, mm from their poles."""
     bench = prepare(asked)
     others = [p for p in known_plans(bench.plans) if p != asked.plan]
@@ -30,7 +30,7 @@ def tracing_data(asked: Asked, lang: Lang) -> dict[str, Any]:
     }
 
 
-def _plan(bench: PreparedPlan, lang: Lang) -> dict[str, Any]:
+def _plan(bench: PreparedPlan, lang: Lang) -> Json:
     plan, kind = bench.asked.plan, kind_of(bench.asked.plan)
     truth = run(bench.program, bench.given)
     marks = {label_of(m): complex(truth[m]) for m in bench.marks}
