@@ -11,7 +11,7 @@ from urllib.parse import quote
 from planes.check import Outcome, report
 from planes.check.fiducials import SHEET_MM, SIDE_MM, cells, centres
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.check.report.classes import Checked, ClassWork
+from planes.check.report.classes import Checked, ClassWork, heads
 from planes.check.report.rows import as_json, mark_rows
 from planes.check.report.shown import leads, shown_plans
 from planes.check.report.tracing_paper import tracing_data
@@ -117,11 +117,10 @@ def write_class(group: ClassWork, output: str, lang: Lang) -> None:
             common.setdefault(_unmarked(one, lang), []).append((Path(one.file).stem, quote(one.report)))
     often = sorted(common.items(), key=lambda said: -len(said[1]))[:MOST_COMMON]
     told = [(say(f"verdict_{v}", lang), counts[v]) for v in ("right", "wrong", "unreadable")]
-    head = [say(k, lang) for k in ("check_file", "check_verdict", "check_mark", "check_first")]
     rows = [(one.verdict, quote(one.report), [*one.row(lang)[:-1], _unmarked(one, lang)]) for one in group.all]
     words = {"common": say("check_common", lang)}
     title = f"{say('check_class', lang)}: {group.title}"
-    write_text(class_page.page(title, told, often, head, rows, words, lang), output)
+    write_text(class_page.page(title, told, often, heads(lang), rows, words, lang), output)
 
 
 def _unmarked(one: Checked, lang: Lang) -> str:

@@ -86,18 +86,12 @@ def _from_total(name: str, free: Hand, plans: Plans) -> float:
         part = steps.get(value)
         if power == 1 and isinstance(part, Measure) and part.start in steps and part.mu in free.things:
             normal, scale = steps[part.start], abs(first_of(free.things[part.mu]))
-            whole = (
-                abs(_first_point(free, part.end) - _first_point(free, normal.start)) / scale
-                if isinstance(normal, LayOff)
-                else 0.0
-            )
+            if not isinstance(normal, LayOff):
+                return 0.0
+            whole = abs(free.number(part.end) - free.number(normal.start)) / scale
             tangential = abs(first_of(free.things[value]))
-            return abs(first_of(free.things[name])) * whole / tangential if tangential else 0.0
+            return float(abs(first_of(free.things[name])) * whole / tangential) if tangential else 0.0
     return 0.0
-
-
-def _first_point(free: Hand, mark: str) -> complex:
-    return complex(free.number(mark))
 
 
 def first_of(value: Real) -> float:

@@ -133,7 +133,7 @@ def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
     for mu, share in own_scales(bench, taken):
         found = _grade_at(bench, mu, share, taken, rebuilt.absent if rebuilt else set())
         said = mu == bench.said_mu
-        score = _worth(found) + (0.0 if said else OWN_SCALE)
+        score = found.judgement.score + (0.0 if said else OWN_SCALE)
         found.said_mu = said
         if best is None or score > best[0] + 1e-9:
             best = score, found
@@ -163,11 +163,6 @@ def _rescaled(found: Grading) -> bool:
 def _long(found: Grading, step: Step) -> bool:
     """Whether a vector is long enough to be told from none, or to show another scale."""
     return isinstance(step, LayOff) and bool(abs(found.truth[step.makes] - found.truth[step.start]) > LONG_MM)
-
-
-def _worth(found: Grading) -> float:
-    """How much a grading is to be believed: how likely the drawing is, with the mistake named or without any."""
-    return found.judgement.score
 
 
 def _earlier(bench: PreparedPlan) -> dict[str, Taken]:

@@ -38,6 +38,13 @@ class Asked:
     others: Mapping[str, ReadPaper] = field(default_factory=dict)  # drawings of earlier plans
     spelt: Callable[[str], str] = str  # how the scene's sheets letter a vector: F_56 for F_50
 
+    def line(self, file: str) -> list[str]:
+        """The words of the command that checks a file so."""
+        words = ["planes", "check", self.scene.file, file, "--plan", self.plan]
+        words += ["--variant", self.scene.variant] if self.scene.variant else []
+        drive = self.scene.mechanism.drive if self.scene.mechanism and self.value is not None else None
+        return [*words, f"--{drive.kind}={self.value:g}"] if drive else words
+
 
 @dataclass
 class PreparedPlan:

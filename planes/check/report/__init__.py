@@ -114,10 +114,8 @@ def page_data(found: Outcome, lang: Lang) -> Json:
 
 def command(found: Outcome) -> str:
     """The command that checks the table a page saves."""
-    asked, plans = found.bench.asked, found.bench.plans
-    words = ["planes", "check", asked.scene.file, "marks.csv", "--plan", asked.plan]
-    words += ["--variant", asked.scene.variant] if asked.scene.variant else []
-    words += [f"--{plans.mechanism.drive.kind}={asked.value:g}"] if asked.value is not None else []
+    asked = found.bench.asked
+    words = asked.line("marks.csv")
     words += ["--mu", mu_text(asked.mu, kind_of(asked.plan))] if asked.mu else []
     words += ["--work", "cad"] if asked.skill != HAND else []
     for plan, paper in asked.others.items():

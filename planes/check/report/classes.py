@@ -11,6 +11,11 @@ from planes.words.errors import PlanesError
 from planes.words.records import Json
 
 
+def heads(lang: Lang) -> list[str]:
+    """Names of the columns of a table of drawings."""
+    return [say(k, lang) for k in ("check_file", "check_verdict", "check_mark", "check_first")]
+
+
 @dataclass
 class Checked:
     """One drawing of the folder: what was found in it, or why nothing could be."""

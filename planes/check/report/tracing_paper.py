@@ -35,6 +35,7 @@ def _plan(bench: PreparedPlan, lang: Lang) -> Json:
     truth = run(bench.program, bench.given)
     marks = {label_of(m): complex(truth[m]) for m in bench.marks}
     said = say_plan(plan, lang)
+    line = shlex.join(bench.asked.line("⟦file⟧")).replace("'⟦file⟧'", "⟦file⟧")
     names = [(s.name, s.start, s.end) for s in sides_of(bench.plans, plan)] if kind == "force" else []
     return {
         "key": plan,
@@ -44,14 +45,5 @@ def _plan(bench: PreparedPlan, lang: Lang) -> Json:
         "far": max(marks, key=lambda n: abs(marks[n])),
         "vectors": vectors(bench),
         "names": names,
-        "command": _command(bench),
+        "command": f"{line} --pole ⟦pole⟧ --mark ⟦mark⟧",  # the page puts in the picture and the places of two points
     }
-
-
-def _command(bench: PreparedPlan) -> str:
-    """How to check the picture itself; the page puts in its name and the places of two points."""
-    asked, kind = bench.asked, bench.plans.mechanism.drive.kind
-    words = ["planes", "check", asked.scene.file, "⟦file⟧", "--plan", asked.plan]
-    words += ["--variant", asked.scene.variant] if asked.scene.variant else []
-    words += [f"--{kind}={asked.value:g}"] if asked.value is not None else []
-    return f"{shlex.join(words)} --pole ⟦pole⟧ --mark ⟦mark⟧".replace("'⟦file⟧'", "⟦file⟧")
