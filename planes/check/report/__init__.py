@@ -1,4 +1,4 @@
-"""What the reports of a checked drawing show, as plain data: rows of tables, what a page shows, how it is checked again."""
+"""What the reports of a checked drawing show, as plain data: rows of tables, what a page shows, its command."""
 
 from __future__ import annotations
 
