@@ -13,7 +13,7 @@ from typing import Any
 
 from planes.cli.idle import check_needs, check_options
 from planes.cli.options import add_blank_options, add_check_options, add_course_options, add_cycle_options
-from planes.cli.parser import Parser, help_of
+from planes.cli.parser import CommandParser, Parser, help_of
 from planes.cli.positions import add_positions, range_of, value_of, values_of
 from planes.scene import Scene, load
 from planes.scene.ranges import read_span
@@ -56,7 +56,7 @@ def _json(thing: object) -> str:
 def _parser() -> argparse.ArgumentParser:
     parser = Parser(prog="planes", description=help_of("help_planes"))
     parser.add_argument("--version", action="version", version=f"planes {sys.modules['planes'].__version__}")
-    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    commands = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=CommandParser)
     solve = _command(commands, "solve", _solve, help_of("help_solve"))
     add_positions(solve)
     solve.add_argument("--json", action="store_true", help=help_of("help_json"))

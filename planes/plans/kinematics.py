@@ -219,10 +219,10 @@ def swing(r: Rates, body: Body, spot: BodyPoint) -> None:
     normal = d.product(f"{name}^n", **{f"omega_{body.root}": 2, length: 1})
     tangential = d.product(f"{name}^t", **{f"epsilon_{body.root}": 1, length: 1})
     inwards = d.back(f"{spot.place}→{centre.place}", ray, Meaning("towards", spot.place, centre.place))
-    middle = "n_" + name.removeprefix(r.letter)
+    middle, turning = "n_" + name.removeprefix(r.letter), Meaning("normal", spot.name, centre.name)
     chain = (
         *base,
-        Term(f"{name}^n", start, middle, length=normal, direction=inwards, action=inwards, means=Meaning("normal")),
+        Term(f"{name}^n", start, middle, length=normal, direction=inwards, action=inwards, means=turning),
         Term(f"{name}^t", middle, end, length=tangential, direction=across, action=across),
     )
     d.draw(Equation(r.plan, (chain, ()), total))

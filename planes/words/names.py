@@ -116,6 +116,16 @@ def force_plan(*links: str) -> str:
     return at("force", "-".join(links))
 
 
+def letter_of(value: str) -> str:
+    """The letter a value is written by: omega of omega_2, v of v_CB, m of m_3."""
+    return value.partition("_")[0]
+
+
+def guide_of(direction: str) -> str | None:
+    """The guide a direction is drawn along; None of any other direction."""
+    return direction.removeprefix("∥") if direction.startswith("∥") else None
+
+
 def written(direction: str) -> str:
     """A direction as people write it."""
     return direction.rstrip(AGAIN).replace("⊥∥", "⊥")

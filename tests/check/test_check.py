@@ -24,6 +24,7 @@ from planes.cli import main
 from planes.drafting.drawing import run as run_program
 from planes.scene import load
 from planes.words.errors import PlanesError
+from planes.words.names import label_of
 from tests import confusion
 from tests.confusion import SAMPLES, Easel, easels, run_all, told
 from tests.helpers import drawings, line_drawings
@@ -90,6 +91,32 @@ def test_names_of_all_alphabets_and_a_missing_normal(tmp_path: Path) -> None:
     file.write_text(csv({"π": 0j, **{odd.get(n, n): z for n, z in marks.items()}}, ";", ","), encoding="utf-8")
     found = check(Asked(load(SAMPLES / "kind-1-rrr.yaml"), "acceleration"), read_table(file))
     assert (found.first_wrong, found.mistake) == ("n_CB", "normal_missing")
+
+
+NORMALS = ("n_BA", "nBA", "n_{BA}", "n_ВА", "n_B", "nB")
+
+
+@pytest.mark.parametrize("written", NORMALS)
+def test_the_normal_part_of_a_driven_point_is_written_with_its_pivot_or_without(written: str, tmp_path: Path) -> None:
+    """In a table of marks, in one of segments, and beside a vector of a drawing."""
+    easel = next(e for e in easels() if (e.sample, e.plan) == ("six-link", "acceleration"))
+    bench = prepare(asked("acceleration", mu=easel.mu))
+    true = {label_of(m): complex(run_program(bench.program, bench.given)[m]) for m in bench.marks}
+    spots = [ReadMark(written if n == "n_B" else n, z + 7) for n, z in {"p": 0j, **true}.items()]
+    found = check(bench.asked, ReadPaper("t", spots))
+    assert found.verdict == "right" and found.grading and not found.notes and not found.unseen
+    assert found.grading.hand.taken["acceleration:n_B"].place == pytest.approx(true["n_B"])
+    spots = [ReadMark(s.name, 7 - true["n_B"]) if s.name == written else s for s in spots]
+    assert check(bench.asked, ReadPaper("t", spots)).first_wrong == "n_B"
+    lengths = [(f"p{written}", abs(true["n_B"])), (f"{written}b'", abs(true["b'"] - true["n_B"])), ("pb'", 1.0)]
+    table = check(bench.asked, ReadPaper("t", segments=lengths))
+    assert not table.notes and [s["mark"] for s in as_json(table)["marks"]] == ["pn_B", "n_Bb'", "pb'"]
+    strokes, words = sketch_of(easel, None)
+    file = tmp_path / "plan.svg"
+    words = [(written if n == "n_B" else n, z) for n, z in words]
+    file.write_text(line_drawings.inkscape(strokes, words, 0j), encoding="utf-8")
+    paper = paper_of(read_svg(file), bench)
+    assert "n_B" in {s.name for s in paper.spots} and check(bench.asked, paper).verdict == "right"
 
 
 @pytest.mark.parametrize(

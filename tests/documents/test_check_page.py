@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import random
 import re
 from pathlib import Path
@@ -17,6 +18,7 @@ from planes.check.grading.prepared_plan import Asked, prepare, variants_of
 from planes.check.report.classes import Checked, ClassWork
 from planes.check.report.regrading import SURELY_MM, exported, retrace
 from planes.documents.check import write_class, write_report
+from planes.drafting.drawing import run
 from planes.scene import load
 from planes.words.errors import PlanesError
 from tests import confusion
@@ -203,6 +205,45 @@ def test_marks_nobody_read_are_put_in_place(browser: Any, tmp_path: Path) -> Non
         assert abs(complex(*shown["marks"][mark][1:3]) - miss.off) < 1e-6 + 0.01 * miss.reach(1.0)
     page.close()
     assert errors == []
+
+
+UNSEEN = [("six-link", "velocity", ("s2",)), ("six-link", "acceleration", ("s2'",)), ("kind-1-rrr", "velocity", ("e",))]
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize(("sample", "plan", "without"), UNSEEN)
+def test_the_page_names_what_nobody_has_seen(
+    browser: Any, tmp_path: Path, sample: str, plan: str, without: tuple[str, ...]
+) -> None:
+    whole, found = handed_in(sample, plan, None), handed_in(sample, plan, None, without)
+    assert found.verdict == "right" and found.unseen == list(without)
+    page, errors = opened(browser, found, tmp_path)
+    same(page, found)
+    assert f"not seen: {', '.join(without)}" in page.evaluate("found.sentence")
+    pole = whole.paper.spots[0].place
+    for k, name in enumerate(without):
+        place = next(s for s in whole.paper.spots if s.name == name).place - pole
+        page.evaluate(f"move({json.dumps(name)}, {place.real}, {place.imag})")
+        left = ", ".join(without[k + 1 :])
+        assert (f"not seen: {left}" if left else "The drawing is right") in page.inner_text("#sentence")
+    page.close()
+    assert errors == []
+
+
+def test_the_page_says_where_too_little_is_seen_to_judge_by(browser: Any, tmp_path: Path) -> None:
+    """A mark near the pole, one by itself at the stated scale, one at a scale of its own, one that tells something."""
+    bench = prepare(Asked(load(SAMPLES / "kind-1-rrr.yaml"), "velocity"))
+    c = complex(run(bench.program, bench.given)["velocity:c"])
+    keys = []
+    for size, mu in ((0.1, bench.said_mu * 0.1), (0.2, bench.said_mu * 0.2), (0.4, None), (0.4, bench.said_mu * 0.4)):
+        spots = [ReadMark("p", 0j), ReadMark("c", c * size)]
+        found = check(Asked(bench.asked.scene, "velocity", mu=mu), ReadPaper("t", spots))
+        page, errors = opened(browser, found, tmp_path)
+        same(page, found)
+        page.close()
+        assert errors == []
+        keys.append(found.sentence.key)
+    assert keys == ["check_nothing_drawn", "check_by_chance", "check_by_chance", "check_right_as_seen"]
 
 
 def test_layers_and_a_telephone(browser: Any, tmp_path: Path) -> None:

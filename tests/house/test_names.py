@@ -21,9 +21,8 @@ LEFT = {
     "batch": 1,
     "solving": 2,
     "diagrams": 5,  # names of curves
-    "check": 20,  # directions by their signs; what a person calls a vector
     "render": 15,  # directions by their signs; parameters, which people name
-    "documents": 4,
+    "documents": 3,
 }
 
 
