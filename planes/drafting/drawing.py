@@ -9,7 +9,7 @@ from typing import Any
 
 from planes.drafting.instruments import Exact, Instrument, Shaken
 from planes.drafting.program import Program
-from planes.drafting.proofs import TOLD_APART, Proof, Twofold
+from planes.drafting.proofs import TOLD_APART, Proof, Twofold, speeds
 from planes.drafting.steps.base import Step
 from planes.drafting.tools import Env, Tool
 from planes.words import Phrase
@@ -120,9 +120,11 @@ def proved(program: Program, given: Mapping[str, Any], drawn: Drawing | None = N
 def _prove(drawing: Drawing, given: Mapping[str, Any], proofs: Sequence[Proof]) -> None:
     """Refuse, or mask, what is apart by more than a drawing a thousand times blunter can tell."""
     tool = drawing.tool
+    with tool.quiet():
+        speed = speeds(proofs, drawing.things)
     for proof in proofs:
         with tool.quiet():
-            gap, size = proof.gap(drawing.things, tool.ar)
+            gap, size = proof.gap(drawing.things, tool.ar, speed[proof.beside])
         wrong = gap > TOLD_APART * size + LEAST
         if not (wrong.any() if tool.many else wrong):
             continue

@@ -6,8 +6,8 @@ vectors are what was stated) or with another way to the same number (the force p
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
 from typing import Any, ClassVar, Protocol
 
 from planes.geometry import plane
@@ -34,14 +34,15 @@ class Proof:
 
     plan: str
     about: str
+    beside: tuple[str, ...] = field(default=(), kw_only=True)  # the marks its plan is driven by: how fast things move
     reason: ClassVar[str]
 
     def reads(self) -> tuple[str, ...]:
         """Names of the program it looks at."""
         raise NotImplementedError
 
-    def gap(self, things: Things, ar: Arithmetic) -> Gap:
-        """How far the two sides are apart, beside the size of what they are made of (SI)."""
+    def gap(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Gap:
+        """How far the two sides are apart, beside the size of what they are made of (SI), ``speed`` of their plan."""
         raise NotImplementedError
 
     def numbers(self, things: Things, gap: Gap) -> dict[str, object]:
@@ -62,7 +63,7 @@ class Twofold(Proof):
     def reads(self) -> tuple[str, ...]:
         return (self.one, self.two, *(name for t in self.terms for name, _ in t.factors))
 
-    def gap(self, things: Things, ar: Arithmetic) -> Gap:
+    def gap(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Gap:
         one, two = things[self.one], things[self.two]
         size = abs(one) + abs(two)
         for term in self.terms:
@@ -84,7 +85,7 @@ class VectorProof(Proof):
     def reads(self) -> tuple[str, ...]:
         return tuple(n for start, end, along, _, length in self.rows for n in (start, end, along, length) if n)
 
-    def gap(self, things: Things, ar: Arithmetic) -> Gap:
+    def gap(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Gap:
         mu, open_, size = things[mu_of(self.plan)], 0.0, 0.0
         for start, end, along, sign, length in self.rows:
             vector = (things[end] - things[start]) / mu
@@ -147,8 +148,10 @@ def _si(things: Things, mark: str) -> Any:
     return things[mark] / things[mu_of(plan_of(mark))]
 
 
-def _largest(things: Things, marks: tuple[str, ...]) -> Any:
-    return sum(abs(_si(things, mark)) for mark in marks if mark in things)
+def speeds(proofs: Iterable[Proof], things: Things) -> dict[tuple[str, ...], Real]:
+    """How large the marks are together that plans are driven by."""
+    every = {proof.beside for proof in proofs}
+    return {marks: sum(abs(_si(things, mark)) for mark in marks if mark in things) for marks in every}
 
 
 @dataclass(frozen=True)
@@ -157,14 +160,13 @@ class Rigid(Proof):
 
     body: LinkMotion
     points: tuple[Point, ...]
-    beside: tuple[str, ...]  # the marks its plan is driven by: how fast the mechanism moves
     reason: ClassVar[str] = "link_bent"
 
     def reads(self) -> tuple[str, ...]:
         return (*self.body.names, *(n for p in self.points for n in p.names))
 
-    def gap(self, things: Things, ar: Arithmetic) -> Gap:
-        bent, size = 0.0, _largest(things, self.beside)
+    def gap(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Gap:
+        bent, size = 0.0, speed
         for p in self.points:
             place = _si(things, p.place)
             seen = _si(things, p.on(self.plan))
@@ -184,13 +186,12 @@ class Slid(Proof):
     through: complex
     turn: complex  # the guide's direction in its link's axes
     offset: float
-    beside: tuple[str, ...]
     reason: ClassVar[str] = "slider_off"
 
     def reads(self) -> tuple[str, ...]:
         return (*self.owner.names, *self.slider.names)
 
-    def gap(self, things: Things, ar: Arithmetic) -> Gap:
+    def gap(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Gap:
         owner, place = self.owner, _si(things, self.slider.place)
         along = self.turn * (things[owner.axis] if owner.axis else 1.0)
         if self.plan == "position":
@@ -203,7 +204,7 @@ class Slid(Proof):
             a, coriolis = _si(things, self.slider.rates[1]), 2 * owner.spin("velocity", things) * relative
             relative, size = a - owner.at(self.plan, things, 0j, place) - coriolis, abs(a) + abs(coriolis)
         reach = abs(place) + abs(self.through)
-        size += _largest(things, self.beside) + abs(relative) + abs(owner.spin(self.plan, things)) * reach
+        size += speed + abs(relative) + abs(owner.spin(self.plan, things)) * reach
         return abs(plane.cross(along, relative)), size
 
 
@@ -221,7 +222,7 @@ class Balanced(Proof):
         of_reactions = (n for start, end, _, point, couple in self.reactions for n in (start, end, point, couple))
         return (*(n for f in self.forces for n in f), *filter(None, of_reactions), *(n for n, _ in self.couples))
 
-    def gap(self, things: Things, ar: Arithmetic) -> Gap:
+    def gap(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Gap:
         """Forces, with the moments about the pole divided by the largest distance from it."""
         acting = [(things[size] * things[along], _si(things, point)) for size, along, point in self.forces]
         couples = [sign * things[name] for name, sign in self.couples]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 from planes.drafting.draft import Draft, Moments, Segment
@@ -25,7 +26,7 @@ from planes.scene import Scene
 from planes.scene.mechanism import FRAME, Law, Mechanism
 from planes.words import Phrase
 from planes.words.errors import ProgramError, SceneError
-from planes.words.names import HELPERS, Meaning, at, mu_of, plan_of
+from planes.words.names import HELPERS, Meaning, at, mu_of
 
 
 @dataclass(frozen=True)
@@ -90,6 +91,14 @@ class Plans:
                     raise error
         return {self.drive_given: value}
 
+    @cached_property
+    def segments_of(self) -> dict[str, list[Segment]]:
+        """The measured segments of each plan."""
+        found: dict[str, list[Segment]] = {}
+        for segment in self.segments:
+            found.setdefault(segment.plan, []).append(segment)
+        return found
+
     @property
     def helpers(self) -> frozenset[str]:
         """Marks that are drawn and never asked of anybody."""
@@ -108,7 +117,7 @@ class Plans:
     @property
     def drawn(self) -> tuple[str, ...]:
         """Plans in the order they are drawn: position, velocity, acceleration, force:2-3, …, force:1."""
-        return tuple(dict.fromkeys(plan_of(s.makes) for s in self.program.steps if s.kind == "mark"))
+        return tuple(self.program.marks)
 
 
 def plans_of(mechanism: Mechanism, file: str = "") -> Plans:

@@ -220,7 +220,7 @@ def _reaction(plans: Plans, r: Reaction) -> tuple[Column, ...]:
     force = _vector(r.key, "N", (r.start, r.end))
     if r.pair.kind == "R":
         return force
-    marks = tuple(s.makes for s in plans.program.steps if plan_of(s.makes) == r.plan)
+    marks = tuple(s.makes for s in plans.program.marks.get(r.plan, ()))
     arm = Column(f"{r.key}_arm", "m", r.arm, beside=(r.normal, *marks))
     return (*force, arm, Column(f"{r.key}_moment", "N·m", r.moment))
 

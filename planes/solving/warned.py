@@ -32,7 +32,7 @@ def warnings(
 def _blunt(reader: DrawingReader, lang: Lang) -> dict[str, list[str]]:
     """Marks where lines meet bluntly, by the angle."""
     found: dict[str, list[str]] = {}
-    for plan in reader.st.drawn:
+    for plan in reader.stated.drawn:
         for label, sharpness in reader.sharpness(plan).items():
             if sharpness < BLUNT:
                 angle = f"{math.degrees(math.asin(min(1.0, sharpness))):.2g}"
@@ -44,7 +44,7 @@ def _faint(reader: DrawingReader) -> Iterator[str]:
     """Rates of points of which rounding leaves no digit: not zero, yet nothing beside the largest of their plan."""
     for letter, plan in (("v", "velocity"), ("a", "acceleration")):
         sizes = {}
-        for point, marks in reader.st.points.items():
+        for point, marks in reader.stated.points.items():
             mark = marks.velocity if letter == "v" else marks.acceleration
             if mark in reader.drawing:
                 sizes[point] = abs(reader.drawing[mark])
@@ -61,18 +61,18 @@ def _doubts(
     if drawn.tool.doubt_mm:
         return [], []
     small = _small(reader)
-    if not small and clear(drawn.program, drawn.things, drawn.tool) and not far_apart(reader.st.given):
+    if not small and clear(drawn.program, drawn.things, drawn.tool) and not far_apart(reader.stated.given):
         return [], []
     from planes.batch.doubts import doubts
 
-    return doubts(reader.st, wanted, drawn, given, small)
+    return doubts(reader.stated, wanted, drawn, given, small)
 
 
 def _small(reader: DrawingReader) -> list[str]:
     """Reactions that are nothing beside the largest force of their plan."""
-    drawn, largest = reader.drawing, dict.fromkeys(reader.st.drawn, 0.0)
+    drawn, largest = reader.drawing, dict.fromkeys(reader.stated.drawn, 0.0)
     for step in drawn.program.steps:
         if kind_of(plan := plan_of(step.makes)) == "force":
             largest[plan] = max(largest[plan], abs(drawn[step.makes]))
-    there = {k: r for k, r in reader.st.reactions.items() if r.start in drawn and r.end in drawn}
+    there = {k: r for k, r in reader.stated.reactions.items() if r.start in drawn and r.end in drawn}
     return [k for k, r in there.items() if abs(drawn[r.end] - drawn[r.start]) <= NOTHING * largest[r.plan] > 0]
