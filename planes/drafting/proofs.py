@@ -8,14 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, ClassVar, Protocol
+from typing import ClassVar, Protocol
 
+from planes.drafting.tools import Thing
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Real
+from planes.geometry.arithmetic import Point as Complex
 from planes.words.names import mu_of, plan_of
 
 TOLD_APART = 1e-9  # relative: nearer than this, two ways to a number agree
-Things = Mapping[str, Any]
+Things = Mapping[str, Thing]
 Gap = tuple[Real, Real]  # how far apart the two sides are, and how large what they are made of is
 
 
@@ -25,7 +27,7 @@ class StatedProduct(Protocol):
     @property
     def factors(self) -> tuple[tuple[str, int], ...]: ...
 
-    def value(self, env: Things, ar: Arithmetic) -> Any: ...
+    def value(self, env: Things, ar: Arithmetic) -> Real: ...
 
 
 @dataclass(frozen=True)
@@ -131,20 +133,20 @@ class LinkMotion:
     def names(self) -> tuple[str, ...]:
         return (*self.origin.names, *(n for n in (self.axis, self.omega, self.epsilon) if n))
 
-    def at(self, plan: str, things: Things, local: complex, place: Any) -> Any:
+    def at(self, plan: str, things: Things, local: complex, place: Complex) -> Complex:
         """What the plan must show, in SI, for the point of this link that lies at ``local`` or at ``place``."""
         start = _si(things, self.origin.on(plan))
         if plan == "position":
             return start + (things[self.axis] if self.axis else 1.0) * (local - self.origin.local)
         return start + self.spin(plan, things) * (place - _si(things, self.origin.place))
 
-    def spin(self, plan: str, things: Things) -> Any:
+    def spin(self, plan: str, things: Things) -> Complex:
         """iω, or iε - ω²: what the rate of a point is beside its distance."""
         omega, epsilon = (things[n] if n else 0.0 for n in (self.omega, self.epsilon))
         return 1j * omega if plan == "velocity" else 1j * epsilon - omega**2
 
 
-def _si(things: Things, mark: str) -> Any:
+def _si(things: Things, mark: str) -> Complex:
     return things[mark] / things[mu_of(plan_of(mark))]
 
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Container, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 from planes.drafting.draft import Draft, Moments, Segment
 from planes.drafting.drawing import proved
 from planes.drafting.equations import Equation
 from planes.drafting.program import Program
 from planes.drafting.steps.reckoning import Protractor
+from planes.drafting.tools import Thing
+from planes.geometry.arithmetic import Real
 from planes.plans.assembly import AssemblyChoice, resolve
 from planes.plans.bodies import SCHEME, Bodies, Body
 from planes.plans.kinematics import Rates, SlideReading
@@ -54,7 +55,7 @@ class Plans:
     mechanism: Mechanism
     structure: Structure
     program: Program
-    given: Mapping[str, Any]
+    given: Mapping[str, Thing]
     equations: tuple[Equation, ...]
     moments: tuple[Moments, ...]
     segments: tuple[Segment, ...]
@@ -77,7 +78,7 @@ class Plans:
         drive = self.mechanism.drive
         return f"angle_x_{drive.link}" if drive.kind == "phi" else "s"
 
-    def at(self, value: Any, program: Program | None = None, known: Container[str] = ()) -> dict[str, Any]:
+    def at(self, value: Real, program: Program | None = None, known: Container[str] = ()) -> dict[str, Thing]:
         """The given of the drive at one value or many, for a program that overrides the ``known`` givens.
 
         :class:`SceneError` where the program reads a number that would have to change with the drive, and cannot.

@@ -153,7 +153,9 @@ class Bodies:
         if by is None:
             return start
         normal = self.draft.square(f"⊥{direction}", direction)
-        return self.draft.lay_off(SCHEME, label, start, normal, self.draft.give(f"e_{label}", *by), means)
+        return self.draft.lay_off(
+            SCHEME, label, start, normal, self.draft.give(f"e_{label}", *by, Meaning("offset", label)), means
+        )
 
     def foot(self, pair: Pair) -> str:
         """The foot of the slider's first point on the guide line."""

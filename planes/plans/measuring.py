@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any
 
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
@@ -13,6 +12,7 @@ from planes.plans.quantities import Column, Measured, Quantity
 from planes.words import Lang
 from planes.words.errors import PlanFailure
 from planes.words.names import at, kind_of, label_of, mu_of
+from planes.words.records import Json
 from planes.words.things import plan_phrase
 from planes.words.units import UNIT, mu_text
 
@@ -55,9 +55,9 @@ class DrawingReader:
                     found[key] = s
         return found
 
-    def plans(self, names: set[str] | None = None, errors: dict[str, float] | None = None) -> dict[str, Any]:
+    def plans(self, names: set[str] | None = None, errors: dict[str, float] | None = None) -> Json:
         """What was measured on each plan: μ, segments in mm and in SI, sharpness of the crossings."""
-        out: dict[str, Any] = {}
+        out: Json = {}
         for plan in self.stated.drawn:
             if plan in ("lever", "motion"):
                 continue
@@ -76,7 +76,7 @@ class DrawingReader:
             }
         return out
 
-    def segment(self, s: Segment, bluntest: float, error_mm: float | None = None) -> dict[str, Any]:
+    def segment(self, s: Segment, bluntest: float, error_mm: float | None = None) -> Json:
         """One segment as measured with the instrument, on a plan whose bluntest crossing has this sharpness."""
         tool, mu = self.drawing.tool, self.scales[mu_of(s.plan)]
         start, end = (self.drawing[at(s.plan, end)] for end in (s.start, s.end))

@@ -130,7 +130,7 @@ def _place_slider(b: Bodies, pair: Pair, name: str, base: str, direction: str) -
 def _place_rpr(b: Bodies, g: Group) -> None:
     one, two, pair = g.first_outer.point, g.last_outer.point, g.inner
     offset = difference(b.offset(pair, g.first, one), b.offset(pair, g.last, two))
-    given = None if offset is None else b.draft.give(f"e_{one}{two}", *offset)
+    given = None if offset is None else b.draft.give(f"e_{one}{two}", *offset, Meaning("offset", one, two))
     side = _side(b, pair.guide, g)
     ends = at(SCHEME, two), at(SCHEME, one)
     direction = b.draft.step(Touch(f"∥{pair.guide}", *ends, given, "mu_position", side))

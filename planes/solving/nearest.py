@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any
 
 from planes.drafting.drawing import run
+from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.scales import unit_scales
 from planes.words.errors import PlanFailure
@@ -51,7 +51,7 @@ class _Side:
         """The first value that works on the way."""
         import numpy
 
-        offsets = numpy.arange(STEPS + 1) * self.step
+        offsets = numpy.arange(STEPS + 1.0) * self.step
         missing = self.missing(offsets)
         missing[0] = missing[0] or math.inf  # alone it fails, whatever it does among others
         good = numpy.flatnonzero(missing == 0)
@@ -62,7 +62,7 @@ class _Side:
                 return self.told(edge)
         return None
 
-    def missing(self, offsets: Any) -> Any:
+    def missing(self, offsets: Array) -> Array:
         """By how much the mechanism falls short of working: 0 where it works, infinite where that is not told."""
         import numpy
 

@@ -4,25 +4,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
 
 from planes.drafting.clearness import clear, far_apart
+from planes.drafting.tools import Thing
 from planes.plans.measuring import BLUNT, DrawingReader, say_plan
 from planes.plans.quantities import Quantity
 from planes.words import Lang, say
-from planes.words.names import kind_of, plan_of
+from planes.words.names import kind_of, mover, plan_of
 
 NOTHING = 4e-15  # beside the largest of a plan
 
 
 def warnings(
-    reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Mapping[str, Any], lang: Lang
+    reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Mapping[str, Thing], lang: Lang
 ) -> list[str]:
     """The sentences, those of a kind together."""
     blunt = _blunt(reader, lang).items()
     said = [say("blunt", lang, makes=", ".join(marks), angle_deg=angle) for angle, marks in blunt]
     for reason, step, _ in reader.drawing.tool.notes:
-        said.append(say(reason, lang, makes=str(getattr(step, "makes", "")).partition("_")[2]))
+        said.append(say(reason, lang, makes=mover(str(getattr(step, "makes", "")))))
     rough, none = _doubts(reader, wanted, given)
     if faint := [*_faint(reader), *none]:
         said.append(say("faint", lang, makes=", ".join(faint)))
@@ -53,7 +53,7 @@ def _faint(reader: DrawingReader) -> Iterator[str]:
 
 
 def _doubts(
-    reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Mapping[str, Any]
+    reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Mapping[str, Thing]
 ) -> tuple[Sequence[str], Sequence[str]]:
     """Results of an exact drawing with less than three digits, and reactions with none; the running bound is asked only
     where there is something in doubt."""
@@ -61,7 +61,11 @@ def _doubts(
     if drawn.tool.doubt_mm:
         return [], []
     small = _small(reader)
-    if not small and clear(drawn.program, drawn.things, drawn.tool) and not far_apart(reader.stated.given):
+    if (
+        not small
+        and clear(drawn.program, drawn.things, drawn.tool)
+        and not far_apart(reader.stated.given, reader.stated.means)
+    ):
         return [], []
     from planes.batch.doubts import doubts
 

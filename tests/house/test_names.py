@@ -17,9 +17,7 @@ NAMED = re.compile(r"(\w+_|[\^_:][tn]?|[-+]|_given|slide|h|°|[°∥⊥~∠→|�
 """What a name of a program begins or ends with; "." of a file, "#" of a comment and the like are nobody's name."""
 
 LEFT = {
-    "drafting": 2,  # lengths among givens that no plans explain
     "batch": 1,
-    "solving": 2,
     "diagrams": 5,  # names of curves
     "check": 20,  # directions by their signs; what a person calls a vector
     "lesson": 27,  # directions by their signs, sentences about a name

@@ -10,6 +10,7 @@ from typing import Any
 from planes.check.grading.arithmetic_slips import SHARE, Scored, Things, WrittenNumber, first_of, number_mistake
 from planes.check.grading.handwork import Hand, Variant
 from planes.check.grading.judging import MARGIN
+from planes.geometry.arithmetic import One
 from planes.plans import Plans
 from planes.plans.quantities import Quantity
 from planes.words.names import POLE, at, mu_of, plan_of
@@ -49,7 +50,7 @@ def _figure(name: str, q: Quantity, value: float) -> WrittenNumber:
     """How a quantity of the catalogue is read off a drawing."""
     one = q.whole
     plan = plan_of(one.end) if one.part else {"omega": "velocity", "epsilon": "acceleration"}.get(q.key, "")
-    return WrittenNumber(name, value, lambda things: one.take(things, None), not one.part, plan, one.value)
+    return WrittenNumber(name, value, lambda things: one.take(things, One()), not one.part, plan, one.value)
 
 
 def segment_figures(
