@@ -99,7 +99,7 @@ class Cycle:
     @cached_property
     def dim(self) -> bool:
         """Whether no position is clear of rounding."""
-        return far_apart(self.plans.given)
+        return far_apart(self.plans.given, self.plans.means)
 
     @cached_property
     def compiled(self) -> compiled_loop.Bound:

@@ -7,13 +7,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any
 
 from planes.drafting.program import Program
 from planes.drafting.steps import Through, Touch
-from planes.drafting.tools import Tool
-from planes.geometry.arithmetic import Real, Truth
-from planes.words.names import kind_of, plan_of
+from planes.drafting.tools import Thing, Tool
+from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
+from planes.words.names import Meaning, kind_of, plan_of
 
 BLUNT, CLEAR = 0.1, 0.01
 """A sharpness of ``BLUNT`` takes nothing away; all together may leave no less than ``CLEAR`` of it. An acceleration
@@ -22,7 +21,7 @@ FAR = 1e6  # lengths as many times longer than the shortest: digits go where no 
 _AGAIN = ("velocity", "motion", "acceleration", "lever")  # plans whose lines are those of the scheme
 
 
-def clear(program: Program, things: Mapping[str, Any], tool: Tool) -> Truth:
+def clear(program: Program, things: Mapping[str, Thing], tool: Tool) -> Truth:
     """Whether a drawing is clear: of one position, of many, or on a tape."""
     ar, scheme, forces = tool.ar, 1.0, 1.0
     for name, sharpness in tool.sharpness.items():
@@ -40,13 +39,13 @@ def clear(program: Program, things: Mapping[str, Any], tool: Tool) -> Truth:
     return ok
 
 
-def far_apart(given: Mapping[str, Any]) -> bool:
-    """Whether lengths of a mechanism are of such different sizes that no position is clear."""
-    lengths = [abs(v) for n, v in given.items() if n.startswith(("l_", "e_", "place_"))]
-    short = min((abs(v) for n, v in given.items() if n.startswith("l_") and v), default=math.inf)
-    return max(lengths, default=0.0) > FAR * short
+def far_apart(given: Mapping[str, Thing], means: Mapping[str, Meaning]) -> bool:
+    """Whether given lengths of a mechanism are of such different sizes that no position is clear."""
+    sizes = [(means[n].quantity, abs(v)) for n, v in given.items() if n in means]
+    longest = max((size for what, size in sizes if what in ("length", "offset", "place")), default=0.0)
+    return longest > FAR * min((size for what, size in sizes if what == "length" and size), default=math.inf)
 
 
-def _size(z: Any, ar: Any) -> Real:
+def _size(z: Point, ar: Arithmetic) -> Real:
     """The larger side of the box about a vector: near enough its length, and quicker."""
     return ar.maximum(abs(z.real), abs(z.imag))

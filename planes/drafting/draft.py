@@ -7,11 +7,11 @@ the name back; asking twice for the same direction makes one step.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Aim, Cross, CrossArc, CrossArcs, LayOff, Put, Similar, Step, Through, Turn
 from planes.drafting.steps.reckoning import Calculate, Drop, Measure, Product
+from planes.drafting.tools import Thing
 from planes.scene.mechanism import Law
 from planes.words import Phrase, Told
 from planes.words.errors import ProgramError
@@ -60,7 +60,7 @@ class Draft:
 
     def __init__(self) -> None:
         self.steps: dict[str, Step] = {}
-        self.given: dict[str, Any] = {}
+        self.given: dict[str, Thing] = {}
         self.means: dict[str, Meaning] = {}  # of givens and vectors
         self.off: dict[str, float] = {}  # how far reckoned givens may be from what the scene's decimals make of them
         self.equations: list[Equation] = []
@@ -69,7 +69,7 @@ class Draft:
         self.laws: dict[str, Law] = {}  # givens that hold where the drive stands in the file alone
         self.rays: dict[tuple[str, str, str], str] = {}  # (plan, label, label) -> direction
 
-    def give(self, name: str, value: Any, off: float = 0.0, means: Meaning | None = None) -> str:
+    def give(self, name: str, value: Thing, off: float = 0.0, means: Meaning | None = None) -> str:
         """State a given value (SI, degrees, ±1) or place (complex, m); a name taken by another is primed. What is
         reckoned of the scene's numbers may be ``off``."""
         while name in self.steps or self.given.setdefault(name, value) != value:
@@ -111,7 +111,14 @@ class Draft:
     def put(self, plan: str, label: str, place: complex, means: Meaning | None = None) -> str:
         """A mark at a given place of the scheme (m), off as one is that was written by radius and angle."""
         off = 2.0**-50 * abs(place) if place.real and place.imag else 0.0
-        return self.step(Put(at(plan, label), self.give(f"place_{label}", place, off), mu_of(plan), means=means))
+        return self.step(
+            Put(
+                at(plan, label),
+                self.give(f"place_{label}", place, off, Meaning("place", label)),
+                mu_of(plan),
+                means=means,
+            )
+        )
 
     def aim(self, name: str, angle_deg: float, means: Meaning | None = None, given: Meaning | None = None) -> str:
         """A direction at an angle, which may itself be ``given`` as something."""

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 from planes.drafting.instruments import Exact, Instrument, Shaken
 from planes.drafting.program import Program
-from planes.drafting.proofs import TOLD_APART, Proof, Twofold
+from planes.drafting.proofs import TOLD_APART, Proof, Twofold, speeds
 from planes.drafting.steps.base import Step
-from planes.drafting.tools import Env, Tool
+from planes.drafting.tools import Env, Thing, Tool
+from planes.geometry.arithmetic import Real, Truth
 from planes.words import Phrase
 from planes.words.errors import Contradiction, PlanFailure, ProgramError, valid_names
 from planes.words.pictures import Pictured
@@ -28,10 +28,10 @@ class Drawing(Pictured):
     """What was drawn: everything by name, and the tool that drew it."""
 
     program: Program
-    things: dict[str, Any]
+    things: dict[str, Thing]
     tool: Tool
 
-    def __getitem__(self, name: str) -> Any:
+    def __getitem__(self, name: str) -> Thing:
         try:
             return self.things[name]
         except KeyError:
@@ -42,11 +42,11 @@ class Drawing(Pictured):
         return name in self.things
 
     @property
-    def sharpness(self) -> dict[str, Any]:
+    def sharpness(self) -> dict[str, Real]:
         """How sharply lines met at each crossed mark: the sine of the angle."""
         return self.tool.sharpness
 
-    def failed(self) -> Any:
+    def failed(self) -> Truth | None:
         """Of many drawings, which failed: a mask (None when every one came out)."""
         mask = None
         for _, _, ok, _ in self.tool.failures:
@@ -54,7 +54,7 @@ class Drawing(Pictured):
         return mask
 
 
-def run(program: Program, given: Mapping[str, Any], instrument: Instrument | None = None) -> Drawing:
+def run(program: Program, given: Mapping[str, Thing], instrument: Instrument | None = None) -> Drawing:
     """Draw every step. With an array among the givens many drawings are made at once.
 
     Raises :class:`ProgramError` when something is not given, :class:`PlanFailure` when a single drawing cannot go on,
@@ -68,7 +68,7 @@ def run(program: Program, given: Mapping[str, Any], instrument: Instrument | Non
 
 
 def reached(
-    program: Program, given: Mapping[str, Any], instrument: Instrument | None = None
+    program: Program, given: Mapping[str, Thing], instrument: Instrument | None = None
 ) -> tuple[Drawing, PlanFailure | None]:
     """A drawing as far as it goes, and why it goes no further."""
     missing = [n for n in program.givens if n not in given]
@@ -91,7 +91,7 @@ def reached(
     return drawing, None
 
 
-def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead = NOTHING) -> dict[str, Any]:
+def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead = NOTHING) -> dict[str, Thing]:
     """Draw steps one after another into ``things``, in the place of some those of ``instead``; what each has made.
 
     What is drawn on from is what the tool leaves in ``things``; of many drawings, those in which a step fails are NaN.
@@ -107,7 +107,7 @@ def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead 
     return made
 
 
-def proved(program: Program, given: Mapping[str, Any], drawn: Drawing | None = None) -> None:
+def proved(program: Program, given: Mapping[str, Thing], drawn: Drawing | None = None) -> None:
     """Refuse a single position whose exact drawing (``drawn``, if it is there already) fails any proof; one that cannot
     be drawn proves nothing."""
     try:
@@ -117,12 +117,14 @@ def proved(program: Program, given: Mapping[str, Any], drawn: Drawing | None = N
     _prove(drawing, given, program.proofs)
 
 
-def _prove(drawing: Drawing, given: Mapping[str, Any], proofs: Sequence[Proof]) -> None:
+def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]) -> None:
     """Refuse, or mask, what is apart by more than a drawing a thousand times blunter can tell."""
     tool = drawing.tool
+    with tool.quiet():
+        speed = speeds(proofs, drawing.things)
     for proof in proofs:
         with tool.quiet():
-            gap, size = proof.gap(drawing.things, tool.ar)
+            gap, size = proof.gap(drawing.things, tool.ar, speed[proof.beside])
         wrong = gap > TOLD_APART * size + LEAST
         if not (wrong.any() if tool.many else wrong):
             continue
@@ -134,9 +136,9 @@ def _prove(drawing: Drawing, given: Mapping[str, Any], proofs: Sequence[Proof]) 
             raise Contradiction(proof.reason, plan=plan_phrase(proof.plan), **numbers)
 
 
-def _doubt(program: Program, given: Mapping[str, Any], proof: Proof, gap: Any) -> Any:
+def _doubt(program: Program, given: Mapping[str, Thing], proof: Proof, gap: Real) -> Real:
     """How much a drawing a thousand times blunter than doubles moves a gap; without end where it cannot be drawn."""
-    most: Any = 0.0
+    most: Real = 0.0
     for seed in SHAKEN:
         try:
             drawing = run(program, given, Shaken(seed))
@@ -147,7 +149,7 @@ def _doubt(program: Program, given: Mapping[str, Any], proof: Proof, gap: Any) -
     return most
 
 
-def _mask(drawing: Drawing, proof: Proof, ok: Any) -> None:
+def _mask(drawing: Drawing, proof: Proof, ok: Truth) -> None:
     """Of many drawings, nothing is left of those a proof refuses."""
     tool, before = drawing.tool, len(drawing.tool.failures)
     tool.require(ok, proof, proof.reason)

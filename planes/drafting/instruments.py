@@ -67,7 +67,7 @@ class _Errors:
             self.array: Any = numpy.random.default_rng(seed)
         self.one = random.Random(seed)
 
-    def normal(self, shape: tuple[int, ...]) -> Any:
+    def normal(self, shape: tuple[int, ...]) -> Real:
         return self.array.standard_normal(shape) if shape else self.one.gauss(0.0, 1.0)
 
 

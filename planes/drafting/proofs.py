@@ -6,16 +6,18 @@ vectors are what was stated) or with another way to the same number (the force p
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Any, ClassVar, Protocol
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import ClassVar, Protocol
 
+from planes.drafting.tools import Thing
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Real
+from planes.geometry.arithmetic import Point as Complex
 from planes.words.names import mu_of, plan_of
 
 TOLD_APART = 1e-9  # relative: nearer than this, two ways to a number agree
-Things = Mapping[str, Any]
+Things = Mapping[str, Thing]
 Gap = tuple[Real, Real]  # how far apart the two sides are, and how large what they are made of is
 
 
@@ -25,7 +27,7 @@ class StatedProduct(Protocol):
     @property
     def factors(self) -> tuple[tuple[str, int], ...]: ...
 
-    def value(self, env: Things, ar: Arithmetic) -> Any: ...
+    def value(self, env: Things, ar: Arithmetic) -> Real: ...
 
 
 @dataclass(frozen=True)
@@ -34,14 +36,15 @@ class Proof:
 
     plan: str
     about: str
+    beside: tuple[str, ...] = field(default=(), kw_only=True)  # the marks its plan is driven by: how fast things move
     reason: ClassVar[str]
 
     def reads(self) -> tuple[str, ...]:
         """Names of the program it looks at."""
         raise NotImplementedError
 
-    def gap(self, things: Things, ar: Arithmetic) -> Gap:
-        """How far the two sides are apart, beside the size of what they are made of (SI)."""
+    def gap(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Gap:
+        """How far the two sides are apart, beside the size of what they are made of (SI), ``speed`` of their plan."""
         raise NotImplementedError
 
     def numbers(self, things: Things, gap: Gap) -> dict[str, object]:
@@ -62,7 +65,7 @@ class Twofold(Proof):
     def reads(self) -> tuple[str, ...]:
         return (self.one, self.two, *(name for t in self.terms for name, _ in t.factors))
 
-    def gap(self, things: Things, ar: Arithmetic) -> Gap:
+    def gap(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Gap:
         one, two = things[self.one], things[self.two]
         size = abs(one) + abs(two)
         for term in self.terms:
@@ -84,7 +87,7 @@ class VectorProof(Proof):
     def reads(self) -> tuple[str, ...]:
         return tuple(n for start, end, along, _, length in self.rows for n in (start, end, along, length) if n)
 
-    def gap(self, things: Things, ar: Arithmetic) -> Gap:
+    def gap(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Gap:
         mu, open_, size = things[mu_of(self.plan)], 0.0, 0.0
         for start, end, along, sign, length in self.rows:
             vector = (things[end] - things[start]) / mu
@@ -130,25 +133,27 @@ class LinkMotion:
     def names(self) -> tuple[str, ...]:
         return (*self.origin.names, *(n for n in (self.axis, self.omega, self.epsilon) if n))
 
-    def at(self, plan: str, things: Things, local: complex, place: Any) -> Any:
+    def at(self, plan: str, things: Things, local: complex, place: Complex) -> Complex:
         """What the plan must show, in SI, for the point of this link that lies at ``local`` or at ``place``."""
         start = _si(things, self.origin.on(plan))
         if plan == "position":
             return start + (things[self.axis] if self.axis else 1.0) * (local - self.origin.local)
         return start + self.spin(plan, things) * (place - _si(things, self.origin.place))
 
-    def spin(self, plan: str, things: Things) -> Any:
+    def spin(self, plan: str, things: Things) -> Complex:
         """iω, or iε - ω²: what the rate of a point is beside its distance."""
         omega, epsilon = (things[n] if n else 0.0 for n in (self.omega, self.epsilon))
         return 1j * omega if plan == "velocity" else 1j * epsilon - omega**2
 
 
-def _si(things: Things, mark: str) -> Any:
+def _si(things: Things, mark: str) -> Complex:
     return things[mark] / things[mu_of(plan_of(mark))]
 
 
-def _largest(things: Things, marks: tuple[str, ...]) -> Any:
-    return sum(abs(_si(things, mark)) for mark in marks if mark in things)
+def speeds(proofs: Iterable[Proof], things: Things) -> dict[tuple[str, ...], Real]:
+    """How large the marks are together that plans are driven by."""
+    every = {proof.beside for proof in proofs}
+    return {marks: sum(abs(_si(things, mark)) for mark in marks if mark in things) for marks in every}
 
 
 @dataclass(frozen=True)
@@ -157,14 +162,13 @@ class Rigid(Proof):
 
     body: LinkMotion
     points: tuple[Point, ...]
-    beside: tuple[str, ...]  # the marks its plan is driven by: how fast the mechanism moves
     reason: ClassVar[str] = "link_bent"
 
     def reads(self) -> tuple[str, ...]:
         return (*self.body.names, *(n for p in self.points for n in p.names))
 
-    def gap(self, things: Things, ar: Arithmetic) -> Gap:
-        bent, size = 0.0, _largest(things, self.beside)
+    def gap(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Gap:
+        bent, size = 0.0, speed
         for p in self.points:
             place = _si(things, p.place)
             seen = _si(things, p.on(self.plan))
@@ -184,13 +188,12 @@ class Slid(Proof):
     through: complex
     turn: complex  # the guide's direction in its link's axes
     offset: float
-    beside: tuple[str, ...]
     reason: ClassVar[str] = "slider_off"
 
     def reads(self) -> tuple[str, ...]:
         return (*self.owner.names, *self.slider.names)
 
-    def gap(self, things: Things, ar: Arithmetic) -> Gap:
+    def gap(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Gap:
         owner, place = self.owner, _si(things, self.slider.place)
         along = self.turn * (things[owner.axis] if owner.axis else 1.0)
         if self.plan == "position":
@@ -203,7 +206,7 @@ class Slid(Proof):
             a, coriolis = _si(things, self.slider.rates[1]), 2 * owner.spin("velocity", things) * relative
             relative, size = a - owner.at(self.plan, things, 0j, place) - coriolis, abs(a) + abs(coriolis)
         reach = abs(place) + abs(self.through)
-        size += _largest(things, self.beside) + abs(relative) + abs(owner.spin(self.plan, things)) * reach
+        size += speed + abs(relative) + abs(owner.spin(self.plan, things)) * reach
         return abs(plane.cross(along, relative)), size
 
 
@@ -221,7 +224,7 @@ class Balanced(Proof):
         of_reactions = (n for start, end, _, point, couple in self.reactions for n in (start, end, point, couple))
         return (*(n for f in self.forces for n in f), *filter(None, of_reactions), *(n for n, _ in self.couples))
 
-    def gap(self, things: Things, ar: Arithmetic) -> Gap:
+    def gap(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Gap:
         """Forces, with the moments about the pole divided by the largest distance from it."""
         acting = [(things[size] * things[along], _si(things, point)) for size, along, point in self.forces]
         couples = [sign * things[name] for name, sign in self.couples]

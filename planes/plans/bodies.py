@@ -158,8 +158,8 @@ class Bodies:
         """A helping mark ``by`` metres to the left of a line through ``start`` (that itself when it is nothing)."""
         if by is None:
             return start
-        normal = self.draft.square(direction)
-        return self.draft.lay_off(SCHEME, label, start, normal, self.draft.give(f"e_{label}", *by), means)
+        offset = self.draft.give(f"e_{label}", *by, Meaning("offset", label))
+        return self.draft.lay_off(SCHEME, label, start, self.draft.square(direction), offset, means)
 
     def foot(self, pair: Pair) -> str:
         """The foot of the slider's first point on the guide line."""

@@ -130,7 +130,7 @@ def _place_slider(b: Bodies, pair: Pair, name: str, base: str, direction: str) -
 def _place_rpr(b: Bodies, g: Group) -> None:
     one, two, pair = g.first_outer.point, g.last_outer.point, g.inner
     offset = difference(b.offset(pair, g.first, one), b.offset(pair, g.last, two))
-    given = None if offset is None else b.draft.give(f"e_{one}{two}", *offset)
+    given = None if offset is None else b.draft.give(f"e_{one}{two}", *offset, Meaning("offset", one, two))
     side = _side(b, pair.guide, g)
     ends = at(SCHEME, two), at(SCHEME, one)
     direction = b.draft.step(
@@ -145,7 +145,7 @@ def _place_rpr(b: Bodies, g: Group) -> None:
 def moving_name(b: Bodies, guide: str, point: str, link: str) -> str:
     """Name of the point of ``link`` that coincides with ``point``: the letter the guide gives it, or "H2"."""
     name = b.mechanism.guide(guide).mark if b.mechanism.owner(guide) == link else None
-    taken = {POLE, *(p for x in (b.mechanism.frame, *b.mechanism.links.values()) for p in x.points)}
+    taken = b.mechanism.names | {POLE}
     here = point, link
     if not name or name in taken or b.coincident.get(name, here) != here:
         name = f"{point}{link}"

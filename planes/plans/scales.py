@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from planes.drafting.drawing import Drawing, reached, run
 from planes.plans import Plans
-from planes.words.names import POLE, kind_of, label_of, mu_of, plan_of
+from planes.words.names import POLE, kind_of, label_of, mu_of
 from planes.words.units import standard_mu, standard_scale
 
 FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 110.0, "motion": 100.0}
@@ -49,8 +49,8 @@ def scales(
 
 def extent(drawing: Drawing, plan: str) -> float:
     """The larger side of the box around a plan's marks, in SI when drawn at unit scale."""
-    made = [s for s in drawing.program.steps if s.kind == "mark" and not s.loose]
-    marks = [drawing[s.makes] for s in made if plan_of(s.makes) == plan and label_of(s.makes) != POLE]
+    made = (s for s in drawing.program.marks.get(plan, ()) if not s.loose and label_of(s.makes) != POLE)
+    marks = [drawing[s.makes] for s in made]
     if plan != "position":
         marks.append(0j)
     marks = [m for m in marks if cmath.isfinite(m)]

@@ -24,6 +24,8 @@ Quantity = Literal[
     "reaction",
     "arm",
     "length",
+    "offset",
+    "place",
     "angle",
     "rate",
     "along",
@@ -134,6 +136,16 @@ def written(direction: str) -> str:
 def parted(label: str) -> str:
     """A mark of a force plan as the part of a vector that ends there: F_21t, F_21^t."""
     return re.sub(r"^(F_[^^]*)([tn])$", r"\1^\2", label)
+
+
+def is_scale(name: str) -> bool:
+    """Whether a value is the scale of a plan."""
+    return name.startswith("mu_")
+
+
+def mover(sense: str) -> str:
+    """The point or link whose sense of motion a value is: B of "moves_B", 3 of "turns_3"."""
+    return sense.partition("_")[2]
 
 
 def mu_of(plan: str) -> str:

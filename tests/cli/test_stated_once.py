@@ -16,6 +16,7 @@ RRR = str(ROOT / "samples" / "kind-1-rrr.yaml")
 COMMANDS = {
     "solve": ["--phi", "0:120:60", "--errors", "--remedy", "--json"],
     "solve --explain": ["--explain"],
+    "solve --pencil": ["--pencil", "--errors", "--remedy"],
     "structure": [],
     "sheet": ["--remedy", "-o", "sheet.svg"],
     "note": ["-o", "note.html"],

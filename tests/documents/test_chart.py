@@ -70,7 +70,7 @@ def test_where_nothing_leads_to_a_limit_the_chart_says_so(
     [
         ("six-link", "distance to φ = 129.5274°, rad"),
         ("sliding-driver", "distance to s = −0.1378775 m, m"),
-        ("kind-5-rpp", "angle of the guide slot: distance to 0° (75° in the scene), rad, at φ = −130°"),
+        ("kind-5-rpp", "angle of the guide n-n: distance to 0° (75° in the scene), rad, at φ = −130°"),
     ],
 )
 def test_an_axis_says_what_is_altered(name: str, words: str) -> None:

@@ -17,9 +17,7 @@ NAMED = re.compile(r"(\w+_|[\^_:][tn]?|[-+]|_given|slide|h|°|[°∥⊥~∠→|�
 """What a name of a program begins or ends with; "." of a file, "#" of a comment and the like are nobody's name."""
 
 LEFT = {
-    "drafting": 2,  # lengths among givens that no plans explain
     "batch": 1,
-    "solving": 2,
     "diagrams": 5,  # names of curves
     "render": 15,  # directions by their signs; parameters, which people name
     "documents": 3,

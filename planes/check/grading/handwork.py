@@ -117,7 +117,7 @@ class Person(Tool):
         if not isinstance(step, Measure) or own is False:
             made = step.draw(things, self)
             return self.ray(made) if by_protractor(step, self.values) else made
-        way, along = self.sure(things[step.end] - things[step.start]), self.sure(things[step.along])
+        way, along = self.sure(things[step.end] - things[step.start]), self.sure(things[step.along or ""])
         sign = self.ar.where(way.real * along.real + way.imag * along.imag < 0, -1.0, 1.0)
         lies = sign * replace(step, along=None).draw(things, self)
         return lies if own is True else self.ar.where(own, lies, step.draw(things, self))

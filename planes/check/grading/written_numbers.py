@@ -11,7 +11,7 @@ from planes.check.grading.arithmetic_slips import SHARE, Scored, Things, Written
 from planes.check.grading.handwork import Hand, Variant
 from planes.check.grading.judging import MARGIN
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.geometry.arithmetic import Real
+from planes.geometry.arithmetic import One, Real
 from planes.plans import Plans
 from planes.plans.quantities import Quantity
 from planes.words.names import POLE, at, label_of, mu_of, plan_of
@@ -51,7 +51,7 @@ def _figure(name: str, q: Quantity, value: float) -> WrittenNumber:
     """How a quantity of the catalogue is read off a drawing."""
     one = q.whole
     plan = plan_of(one.end) if one.part else {"omega": "velocity", "epsilon": "acceleration"}.get(q.key, "")
-    return WrittenNumber(name, value, lambda things: one.take(things, None), not one.part, plan, one.value)
+    return WrittenNumber(name, value, lambda things: one.take(things, One()), not one.part, plan, one.value)
 
 
 def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -> tuple[list[WrittenNumber], list[str]]:
