@@ -29,6 +29,8 @@ class Long:
             return self.mp.mpc(x)
         return self.mp.mpf(x) if isinstance(x, float | int) and not isinstance(x, bool) else x
 
+    size = staticmethod(abs)
+
     def sqrt(self, x: Any) -> Any:
         return self.mp.sqrt(x) if x > 0 else self.mp.zero
 

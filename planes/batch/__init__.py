@@ -14,14 +14,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from planes.batch import compiled as compiled_loop
-from planes.batch.columns import columns_of
+from planes.batch.columns import columns_of, sides_of
 from planes.batch.error_bounds import Claims
 from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
 from planes.drafting.clearness import clear, far_apart
 from planes.drafting.drawing import run
 from planes.drafting.instruments import Exact, Instrument
 from planes.drafting.program import Program
-from planes.drafting.proofs import Twofold
 from planes.plans import Plans
 from planes.plans.quantities import Column, asked
 from planes.plans.scales import unit_scales
@@ -84,7 +83,13 @@ class Cycle:
     def trace(self) -> Trace:
         """The program on a tape, drawn in SI, or at the scales that are given."""
         must = [not c.beside for c in self.columns]  # an arm ends where its force does
-        return trace(self.program, self.given, [c.take for c in self.columns], self.folded, must=must)
+        takes = [c.take for c in self.columns]
+        return trace(self.program, self.given, takes, self.folded, must=must, forces=self.forces)
+
+    @cached_property
+    def forces(self) -> frozenset[tuple[str, str]]:
+        """The ends of the forces among the columns."""
+        return sides_of(self.columns)
 
     @cached_property
     def reasons(self) -> tuple[Reason, ...]:
@@ -149,8 +154,9 @@ class Cycle:
 
     @cached_property
     def _suspected(self) -> list[int]:
-        """The codes of what the compiled loop cannot decide: two balancing loads that may be but rounded."""
-        return [k for k, r in enumerate(self.reasons, 1) if r.key == Twofold.reason]
+        """The codes of what the compiled loop cannot decide: what fails a proof may be but rounded."""
+        proofs = {p.reason for p in self.program.proofs}
+        return [k for k, r in enumerate(self.reasons, 1) if r.key in proofs]
 
     def _drawn(self, moving: dict[str, Any], count: int, instrument: Instrument | None) -> tuple[Any, Any]:
         """The same by arrays."""
@@ -161,7 +167,7 @@ class Cycle:
                 row[:] = column.take(drawing.things, drawing.tool.ar)
         numbered = {(r, makes): k for k, (r, makes, _) in enumerate(self.trace.requires, 1)}
         whole = np.array([not c.beside for c in self.columns])
-        codes = np.where(clear(self.program, drawing.things, drawing.tool), 0, numbered.get((UNCLEAR, ""), 0))
+        codes = np.where(clear(self.program, drawing.things, drawing.tool, self.forces), 0, numbered.get((UNCLEAR, ""), 0))
         codes = np.where(np.isfinite(table[whole].sum(axis=0)), codes, numbered.get(("no_digits", ""), 0))
         for reason, step, ok, _ in reversed(drawing.tool.failures):
             codes = np.where(ok, codes, numbered[reason, getattr(step, "makes", "")])
@@ -181,8 +187,9 @@ class Cycle:
         block.codes[where] = 0
         if len(where) and not bare:
             found = self.claims.bounds(block.values[where], start + where)
-            doubtful = self.claims.doubtful(block.table[:, where], found)
-            block.table[:, where] = np.where(doubtful, np.nan, block.table[:, where])
+            table = block.table[:, where]
+            doubtful = self.claims.doubtful(table, found) | self.claims.faint(table, found)
+            block.table[:, where] = np.where(doubtful, np.nan, table)
             block.codes[where[doubtful.any(axis=0)]] = self.reasons.index(Reason("no_digits", "")) + 1
         return block
 

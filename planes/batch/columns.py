@@ -29,3 +29,8 @@ def columns_of(plans: Plans, quantities: Iterable[Quantity] | None = None) -> li
     """The columns of the quantities asked, or of all but the bare segments of plans; each once."""
     chosen = results_of(plans) if quantities is None else once(quantities)
     return list({c.name: c for q in chosen for c in q.columns}.values())
+
+
+def sides_of(columns: Iterable[Column]) -> frozenset[tuple[str, str]]:
+    """The ends of the forces among columns, on their plans."""
+    return frozenset((c.start, c.end) for c in columns if c.part and c.unit == "N")

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from planes.batch.columns import Ready
+from planes.batch.columns import Ready, sides_of
 from planes.batch.reading import read
 from planes.batch.rounding import BLIND, LARGEST, USUAL, bent, rounding, unit_parts, whole_numbers
 from planes.batch.slopes import STIFF, Carrying, Values, times
@@ -212,3 +212,11 @@ class Claims:
             largest = np.fmax.reduce(sizes[rows], axis=0, initial=TURN if kind == "°" else 0.0)
             doubtful[rows] = ~(bounds[rows] <= DOUBT * largest) & np.isfinite(table[rows])
         return doubtful
+
+    def faint(self, table: Any, bounds: Any) -> Any:
+        """Which numbers are of a force without one certain digit."""
+        eaten, faint = (np.abs(table) <= bounds) & (bounds > 0), np.zeros(table.shape, bool)
+        for side in sides_of(self.cycle.columns):
+            rows = [k for k, c in enumerate(self.cycle.columns) if (c.start, c.end) == side]
+            faint[rows] = eaten[rows].all(axis=0)
+        return faint

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -12,9 +12,9 @@ from planes.batch.tape import Tape
 from planes.drafting.clearness import clear
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
-from planes.drafting.proofs import TOLD_APART, Twofold
+from planes.drafting.proofs import TOLD_APART, Proof
 from planes.drafting.tools import Tool
-from planes.geometry.arithmetic import One
+from planes.geometry.arithmetic import Arithmetic, One, size
 
 UNCLEAR = "unclear"
 
@@ -23,6 +23,7 @@ class Recording:
     """The arithmetic of a tape; what is known already is reckoned at once."""
 
     eps = One.eps
+    size = staticmethod(size)
 
     def __init__(self) -> None:
         self.one = One()
@@ -154,6 +155,7 @@ def trace(
     errors: tuple[float, float, float] | None = None,
     must: Sequence[bool] = (),
     fine: float | None = None,
+    forces: Iterable[tuple[str, str]] = (),
 ) -> Trace:
     """Record a program. ``given`` shows which givens are places; those in ``known`` are folded in as constants.
 
@@ -171,14 +173,21 @@ def trace(
     taken = [take(things, tool.ar) for take in takes]
     outputs = tuple(place_of(tape, x) for x in taken)
     if must:
-        for proof in program.proofs:
-            if isinstance(proof, Twofold):  # a loop only suspects: arrays find out
-                gap, size = proof.gap(things, tool.ar)
-                tool.require(gap <= TOLD_APART * size, proof, proof.reason)
+        for reason, holds in _proved(program.proofs, things, tool.ar).items():
+            tool.failures.append((reason, None, holds, {}))
         tool.require(_finite(tape, [x for x, m in zip(taken, must, strict=True) if m]), None, "no_digits")
-        tool.require(clear(program, things, tool), None, UNCLEAR)
+        tool.require(clear(program, things, tool, forces), None, UNCLEAR)
     requires = tuple((r, str(getattr(s, "makes", "")), place_of(tape, ok)) for r, s, ok, _ in tool.failures)
     return Trace(tape, outputs, requires, tuple(tool.sources), tuple(ar.turns))
+
+
+def _proved(proofs: Iterable[Proof], things: Mapping[str, Any], ar: Arithmetic) -> dict[str, Any]:
+    """Whether every proof of a reason holds; where it does not, a loop only suspects: arrays find out."""
+    found: dict[str, Any] = {}
+    for proof in proofs:
+        gap, size = proof.gap(things, ar)
+        found[proof.reason] = found.get(proof.reason, True) & (gap <= TOLD_APART * size)
+    return found
 
 
 def _finite(tape: Tape, numbers: list[Any]) -> Any:

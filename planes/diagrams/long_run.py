@@ -13,7 +13,7 @@ import numpy as np
 from planes.batch import Block, Cycle, Reason
 from planes.batch.streams import TableHead, opened
 from planes.diagrams.turn import WholeTurn
-from planes.drafting.drawing import run
+from planes.drafting.drawing import proved, run
 from planes.plans import Plans, mechanism_plans
 from planes.scene import Scene
 from planes.scene.ranges import Span
@@ -136,9 +136,9 @@ def tell(table: Cycle, reasons: tuple[Reason, ...], gaps: list[Gap], kind: str, 
 
 def reason(table: Cycle, reasons: tuple[Reason, ...], gap: Gap, lang: Lang) -> str:
     """The sentence of the first position of a range, drawn by itself at full size."""
-    full = dict.fromkeys(table.mus, 1000.0)
+    given = {**table.given, **dict.fromkeys(table.mus, 1000.0), table.plans.drive_given: gap.first}
     try:
-        run(table.program, {**table.given, **full, table.plans.drive_given: gap.first})
+        proved(table.program, given, run(table.program, given))
     except PlanFailure as failure:
         return failure.sentence(lang)
     why = reasons[gap.code - 1]

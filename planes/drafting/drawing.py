@@ -9,15 +9,17 @@ from typing import Any
 
 from planes.drafting.instruments import Exact, Instrument, Shaken
 from planes.drafting.program import Program
-from planes.drafting.proofs import TOLD_APART, Proof, Twofold
+from planes.drafting.proofs import TOLD_APART, Gap, Proof, Twofold
 from planes.drafting.steps.base import Step
 from planes.drafting.tools import Env, Tool
+from planes.geometry.arithmetic import Arithmetic, One
 from planes.words import Phrase
 from planes.words.errors import Contradiction, PlanFailure, ProgramError, valid_names
 from planes.words.pictures import Pictured
 from planes.words.things import name_in_words, plan_phrase
 
 LEAST = 1e-290  # SI: smaller numbers have fewer digits than doubles
+FEW = 64  # positions
 SHAKEN = range(4)  # seeds of the blunter drawings
 Instead = Mapping[str, Sequence[Step]]  # steps in the place of the one that makes the name; the last makes it too
 NOTHING: Instead = {}
@@ -87,8 +89,24 @@ def reached(
     except PlanFailure as failure:
         return replace(drawing, program=Program(tuple(s for s in program.steps if s.makes in drawing))), failure
     if isinstance(by, Exact):
-        _prove(drawing, given, [p for p in program.proofs if isinstance(p, Twofold)])
+        _prove(drawing, given, _doubted(drawing))
     return drawing, None
+
+
+def _doubted(drawing: Drawing) -> list[Proof]:
+    """The proofs looked at in each of many positions: the balancing loads; where positions are few, all; or else those
+    that fail for the last, which is quickly told. A single position is proved by who gives its numbers away."""
+    tool, proofs = drawing.tool, drawing.program.proofs
+    if tool.many and math.prod(tool.shape) <= FEW:
+        return list(proofs)
+    last = {n: v.item(-1) if getattr(v, "shape", ()) else v for n, v in drawing.things.items()} if tool.many else {}
+    return [p for p in proofs if isinstance(p, Twofold) or (tool.many and _apart(p, last, One())[0])]
+
+
+def _apart(proof: Proof, things: Mapping[str, Any], ar: Arithmetic) -> tuple[Any, Gap]:
+    """Whether a proof fails, if only by rounding; and its gap."""
+    gap, size = proof.gap(things, ar)
+    return gap > TOLD_APART * size + LEAST, (gap, size)
 
 
 def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead = NOTHING) -> dict[str, Any]:
@@ -101,7 +119,7 @@ def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead 
         with tool.quiet():
             for step in steps:
                 name = step.makes
-                made[name] = tool.make(step, instead.get(name) or (step,), things)
+                made[name] = tool.make(step, instead[name] if name in instead else (step,), things)
     except (OverflowError, ZeroDivisionError):  # numbers so far apart that no double holds them
         raise PlanFailure("no_digits", makes=name_in_words(name)) from None
     return made
@@ -122,8 +140,7 @@ def _prove(drawing: Drawing, given: Mapping[str, Any], proofs: Sequence[Proof]) 
     tool = drawing.tool
     for proof in proofs:
         with tool.quiet():
-            gap, size = proof.gap(drawing.things, tool.ar)
-        wrong = gap > TOLD_APART * size + LEAST
+            wrong, (gap, size) = _apart(proof, drawing.things, tool.ar)
         if not (wrong.any() if tool.many else wrong):
             continue
         wrong = wrong & (gap > _doubt(drawing.program, given, proof, gap))

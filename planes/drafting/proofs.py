@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache, reduce
 from typing import Any, ClassVar, Protocol
 
 from planes.geometry import plane
@@ -35,6 +36,7 @@ class Proof:
     plan: str
     about: str
     reason: ClassVar[str]
+    makes: ClassVar[str] = ""  # nothing of a position that is refused is to be trusted
 
     def reads(self) -> tuple[str, ...]:
         """Names of the program it looks at."""
@@ -57,7 +59,6 @@ class Twofold(Proof):
     two: str
     terms: tuple[StatedProduct, ...]
     reason: ClassVar[str] = "balance_apart"
-    makes: ClassVar[str] = ""  # nothing of a position with two balancing loads is to be trusted
 
     def reads(self) -> tuple[str, ...]:
         return (self.one, self.two, *(name for t in self.terms for name, _ in t.factors))
@@ -88,11 +89,11 @@ class VectorProof(Proof):
         mu, open_, size = things[mu_of(self.plan)], 0.0, 0.0
         for start, end, along, sign, length in self.rows:
             vector = (things[end] - things[start]) / mu
-            size += (abs(things[end]) + abs(things[start])) / mu
+            size += (ar.size(things[end]) + ar.size(things[start])) / mu
             if length:
                 size += abs(things[length])
             if length and along:
-                open_ += abs(vector - sign * things[length] * things[along])
+                open_ += ar.size(vector - sign * things[length] * things[along])
             elif along:
                 open_ += abs(plane.cross(things[along], vector))
             else:
@@ -144,11 +145,16 @@ class LinkMotion:
 
 
 def _si(things: Things, mark: str) -> Any:
-    return things[mark] / things[mu_of(plan_of(mark))]
+    return things[mark] / things[_scale(mark)]
 
 
-def _largest(things: Things, marks: tuple[str, ...]) -> Any:
-    return sum(abs(_si(things, mark)) for mark in marks if mark in things)
+@lru_cache(4096)
+def _scale(mark: str) -> str:
+    return mu_of(plan_of(mark))
+
+
+def _largest(things: Things, marks: tuple[str, ...], ar: Arithmetic) -> Any:
+    return sum(ar.size(_si(things, mark)) for mark in marks if mark in things)
 
 
 @dataclass(frozen=True)
@@ -164,14 +170,15 @@ class Rigid(Proof):
         return (*self.body.names, *(n for p in self.points for n in p.names))
 
     def gap(self, things: Things, ar: Arithmetic) -> Gap:
-        bent, size = 0.0, _largest(things, self.beside)
+        bent, size = 0.0, _largest(things, self.beside, ar)
         for p in self.points:
             place = _si(things, p.place)
             seen = _si(things, p.on(self.plan))
             due = self.body.at(self.plan, things, p.local, place)
-            bent, size = bent + abs(seen - due), size + abs(seen) + abs(due) + abs(due - seen)
-            reach = abs(place) + abs(p.local) + abs(self.body.origin.local)  # a link about its hinge is no less long
-            size += reach * (abs(self.body.spin(self.plan, things)) if self.plan != "position" else 1.0)
+            apart = ar.size(seen - due)
+            bent, size = bent + apart, size + ar.size(seen) + ar.size(due) + apart
+            reach = ar.size(place) + abs(p.local) + abs(self.body.origin.local)  # a link about its hinge is no less long
+            size += reach * (ar.size(self.body.spin(self.plan, things)) if self.plan != "position" else 1.0)
         return bent, size
 
 
@@ -195,15 +202,15 @@ class Slid(Proof):
         along = self.turn * (things[owner.axis] if owner.axis else 1.0)
         if self.plan == "position":
             due = owner.at(self.plan, things, self.through, place)
-            size = abs(place) + abs(due) + abs(place - due) + abs(self.through) + abs(self.offset)
+            size = ar.size(place) + ar.size(due) + ar.size(place - due) + abs(self.through) + abs(self.offset)
             return abs(plane.cross(along, place - due) - self.offset), size
         v = _si(things, self.slider.rates[0])
-        relative, size = v - owner.at("velocity", things, 0j, place), abs(v)
+        relative, size = v - owner.at("velocity", things, 0j, place), ar.size(v)
         if self.plan == "acceleration":
             a, coriolis = _si(things, self.slider.rates[1]), 2 * owner.spin("velocity", things) * relative
-            relative, size = a - owner.at(self.plan, things, 0j, place) - coriolis, abs(a) + abs(coriolis)
-        reach = abs(place) + abs(self.through)
-        size += _largest(things, self.beside) + abs(relative) + abs(owner.spin(self.plan, things)) * reach
+            relative, size = a - owner.at(self.plan, things, 0j, place) - coriolis, ar.size(a) + ar.size(coriolis)
+        reach = ar.size(place) + abs(self.through)
+        size += _largest(things, self.beside, ar) + ar.size(relative) + ar.size(owner.spin(self.plan, things)) * reach
         return abs(plane.cross(along, relative)), size
 
 
@@ -228,7 +235,8 @@ class Balanced(Proof):
         for start, end, sign, point, couple in self.reactions:
             acting.append((sign * (_si(things, end) - _si(things, start)), _si(things, point)))
             couples += [sign * things[couple]] if couple else []
-        far = max(abs(place) for _, place in acting) or 1.0
+        far = reduce(ar.maximum, (ar.size(place) for _, place in acting))
+        far = far + (far == 0)
         moments = [*(plane.cross(place, force) for force, place in acting), *couples]
-        gap = abs(sum(force for force, _ in acting)) + abs(sum(moments)) / far
-        return gap, sum(abs(force) for force, _ in acting) + sum(abs(m) for m in moments) / far
+        gap = ar.size(sum(force for force, _ in acting)) + abs(sum(moments)) / far
+        return gap, sum(ar.size(force) for force, _ in acting) + sum(abs(m) for m in moments) / far
