@@ -17,6 +17,7 @@ from planes.words.names import mu_of, plan_of
 
 TOLD_APART = 1e-9  # relative: nearer than this, two ways to a number agree
 Things = Mapping[str, Any]
+ORDER = {"position": 0, "velocity": 1, "acceleration": 2}
 Gap = tuple[Real, Real]  # how far apart the two sides are, and how large what they are made of is
 
 
@@ -109,9 +110,9 @@ class Point:
     place: str
     rates: tuple[str, str]
 
-    @property
-    def names(self) -> tuple[str, ...]:
-        return (self.place, *self.rates)
+    def names(self, plan: str) -> tuple[str, ...]:
+        """Its marks as far as a plan."""
+        return (self.place, *self.rates[: ORDER[plan]])
 
     def on(self, plan: str) -> str:
         """Its mark on a plan."""
@@ -127,9 +128,10 @@ class LinkMotion:
     omega: str = ""
     epsilon: str = ""
 
-    @property
-    def names(self) -> tuple[str, ...]:
-        return (*self.origin.names, *(n for n in (self.axis, self.omega, self.epsilon) if n))
+    def names(self, plan: str) -> tuple[str, ...]:
+        """What a plan says of it: how it lies, or how it turns."""
+        turns = (self.omega, self.epsilon)[: ORDER[plan]] or (self.axis,)
+        return (*self.origin.names(plan), *filter(None, turns))
 
     def at(self, plan: str, things: Things, local: complex, place: Any) -> Any:
         """What the plan must show, in SI, for the point of this link that lies at ``local`` or at ``place``."""
@@ -140,8 +142,10 @@ class LinkMotion:
 
     def spin(self, plan: str, things: Things) -> Any:
         """iω, or iε - ω²: what the rate of a point is beside its distance."""
-        omega, epsilon = (things[n] if n else 0.0 for n in (self.omega, self.epsilon))
-        return 1j * omega if plan == "velocity" else 1j * epsilon - omega**2
+        omega = things[self.omega] if self.omega else 0.0
+        if plan == "velocity":
+            return 1j * omega
+        return 1j * (things[self.epsilon] if self.epsilon else 0.0) - omega**2
 
 
 def _si(things: Things, mark: str) -> Any:
@@ -167,7 +171,7 @@ class Rigid(Proof):
     reason: ClassVar[str] = "link_bent"
 
     def reads(self) -> tuple[str, ...]:
-        return (*self.body.names, *(n for p in self.points for n in p.names))
+        return (*self.body.names(self.plan), *(n for p in self.points for n in p.names(self.plan)))
 
     def gap(self, things: Things, ar: Arithmetic) -> Gap:
         bent, size = 0.0, _largest(things, self.beside, ar)
@@ -195,7 +199,8 @@ class Slid(Proof):
     reason: ClassVar[str] = "slider_off"
 
     def reads(self) -> tuple[str, ...]:
-        return (*self.owner.names, *self.slider.names)
+        axis = (self.owner.axis,) if self.owner.axis else ()
+        return (*self.owner.names(self.plan), *axis, *self.slider.names(self.plan))
 
     def gap(self, things: Things, ar: Arithmetic) -> Gap:
         owner, place = self.owner, _si(things, self.slider.place)
