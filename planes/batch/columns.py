@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, Protocol
+from typing import Protocol
 
 from planes.drafting.program import Program
+from planes.geometry.arithmetic import Point
+from planes.geometry.arrays import Array, Floats, Indices
 from planes.plans import Plans
 from planes.plans.quantities import Column, Quantity, once, results_of
 
@@ -14,13 +16,13 @@ class Ready(Protocol):
     """A program ready to be drawn any number of times, and the columns read off each drawing."""
 
     program: Program
-    given: dict[str, Any]
+    given: dict[str, Point]
     folded: dict[str, float]
 
     @property
     def columns(self) -> Sequence[Column]: ...
 
-    def moving(self, values: Any, at: Any) -> Mapping[str, Any]:
+    def moving(self, values: Array, at: Indices | slice) -> Mapping[str, Floats]:
         """The givens that are other in the drawings numbered ``at``."""
         ...
 

@@ -119,7 +119,7 @@ def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead 
         with tool.quiet():
             for step in steps:
                 name = step.makes
-                made[name] = tool.make(step, instead[name] if name in instead else (step,), things)
+                made[name] = tool.make(step, instead.get(name, (step,)), things)
     except (OverflowError, ZeroDivisionError):  # numbers so far apart that no double holds them
         raise PlanFailure("no_digits", makes=name_in_words(name)) from None
     return made

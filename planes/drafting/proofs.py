@@ -181,7 +181,9 @@ class Rigid(Proof):
             due = self.body.at(self.plan, things, p.local, place)
             apart = ar.size(seen - due)
             bent, size = bent + apart, size + ar.size(seen) + ar.size(due) + apart
-            reach = ar.size(place) + abs(p.local) + abs(self.body.origin.local)  # a link about its hinge is no less long
+            reach = (
+                ar.size(place) + abs(p.local) + abs(self.body.origin.local)
+            )  # a link about its hinge is no less long
             size += reach * (ar.size(self.body.spin(self.plan, things)) if self.plan != "position" else 1.0)
         return bent, size
 

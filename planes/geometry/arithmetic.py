@@ -25,7 +25,7 @@ class Arithmetic(Protocol):
     def sqrt(self, x: Real) -> Real: ...
     def maximum(self, a: Real, b: Real) -> Real: ...
     def minimum(self, a: Real, b: Real) -> Real: ...
-    def where(self, ok: Truth, a: Any, b: Any) -> Any: ...
+    def where(self, ok: Truth, a: Point, b: Point) -> Point: ...
     def cis_deg(self, angle: Real) -> Point: ...
     def angle_deg(self, u: Point) -> Real: ...
     def sign(self, x: Real) -> Real: ...
@@ -53,7 +53,7 @@ class One:
     def minimum(self, a: float, b: float) -> float:
         return a if a <= b else b
 
-    def where(self, ok: bool, a: Any, b: Any) -> Any:
+    def where(self, ok: bool, a: Point, b: Point) -> Point:
         return a if ok else b
 
     def cis_deg(self, angle: float) -> complex:
@@ -92,33 +92,33 @@ class Many:
 
     size = staticmethod(size)
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: Real) -> Real:
         return self.np.sqrt(self.np.maximum(x, 0.0))
 
-    def maximum(self, a: Any, b: Any) -> Any:
+    def maximum(self, a: Real, b: Real) -> Real:
         return self.np.maximum(a, b)
 
-    def minimum(self, a: Any, b: Any) -> Any:
+    def minimum(self, a: Real, b: Real) -> Real:
         return self.np.minimum(a, b)
 
-    def where(self, ok: Any, a: Any, b: Any) -> Any:
+    def where(self, ok: Truth, a: Point, b: Point) -> Point:
         return self.np.where(ok, a, b)
 
-    def cis_deg(self, angle: Any) -> Any:
+    def cis_deg(self, angle: Real) -> Point:
         quarter = self.np.floor(self.np.asarray(angle) / 90 + 0.5)
         rest = self.np.radians(angle - 90 * quarter)
         turns = self.np.array([1, 1j, -1, -1j])[quarter.astype(int) % 4]
         return (self.np.cos(rest) + 1j * self.np.sin(rest)) * turns
 
-    def angle_deg(self, u: Any) -> Any:
+    def angle_deg(self, u: Point) -> Real:
         angle = self.np.degrees(self.np.angle(u))
         return self.np.where(angle == -180.0, 180.0, angle)
 
-    def sign(self, x: Any) -> Any:
+    def sign(self, x: Real) -> Real:
         return self.np.sign(x)
 
-    def power(self, x: Any, n: int) -> Any:
+    def power(self, x: Real, n: int) -> Real:
         return x**n if n >= 0 else self.np.divide(1.0, x**-n)
 
-    def gap(self, c: Any, d: Any, r: Any, s: Any) -> Any:
+    def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real:
         return gap(c.real, c.imag, d.real, d.imag, r, s)

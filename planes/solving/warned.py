@@ -12,7 +12,6 @@ from planes.plans.quantities import Quantity
 from planes.words import Lang, say
 
 
-
 def warnings(
     reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Mapping[str, Any], lang: Lang
 ) -> list[str]:

@@ -51,7 +51,10 @@ def unbalanced(m: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("fast", [False, True], ids=["arrays", "compiled"])
 @pytest.mark.parametrize(
     "spoil, scene, names, reason",
-    [(bent, RATES, ["r_C", "r_S", "v_C", "v_S", "omega_2"], "link_bent"), (unbalanced, SLIDER + COUPLE, ["F_21", "F_30"], "link_unbalanced")],
+    [
+        (bent, RATES, ["r_C", "r_S", "v_C", "v_S", "omega_2"], "link_bent"),
+        (unbalanced, SLIDER + COUPLE, ["F_21", "F_30"], "link_unbalanced"),
+    ],
     ids=["bent", "unbalanced"],
 )
 def test_a_position_that_fails_a_proof_of_what_is_asked_is_masked(
