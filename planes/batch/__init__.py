@@ -18,9 +18,10 @@ from planes.batch.columns import columns_of, sides_of
 from planes.batch.error_bounds import Claims
 from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
 from planes.drafting.clearness import clear, far_apart
-from planes.drafting.drawing import run
+from planes.drafting.drawing import prove_many, run
 from planes.drafting.instruments import Exact, Instrument
 from planes.drafting.program import Program
+from planes.drafting.proofs import Rigid, Slid
 from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array, Booleans, Floats, Indices
 from planes.plans import Plans
@@ -79,6 +80,11 @@ class Cycle:
         self.program: Program = plans.program.sliced([n for c in self.columns for n in c.needs])
         self.mus, self.known = unit_scales(plans), frozenset(known or ())
         self.given = {**plans.given, **self.mus}
+        driver = plans.links[plans.mechanism.drive.link]
+        if self.known - {*self.mus, plans.drive_given, driver.omega, driver.epsilon, "v_drive", "a_drive"}:
+            # what is not the scene's own number is no fault of the links it was said of
+            proofs = tuple(p for p in self.program.proofs if not isinstance(p, Rigid | Slid))
+            self.program = Program(self.program.steps, proofs)
         for name in self.known - {*self.given}:
             raise ProgramError(Phrase("no_given", name=name, valid=choices(name, self.given)))
         self.given |= known or {}
@@ -167,7 +173,10 @@ class Cycle:
         self, moving: Mapping[str, Floats], count: int, instrument: Instrument | None
     ) -> tuple[Array, Indices | None]:
         """The same by arrays."""
-        drawing = run(self.program, {**self.given, **moving}, instrument)
+        given = {**self.given, **moving}
+        drawing = run(self.program, given, instrument)
+        if isinstance(instrument or Exact(), Exact):
+            prove_many(drawing, given)
         table = np.empty((len(self.columns), count))
         with np.errstate(all="ignore"):
             for row, column in zip(table, self.columns, strict=True):

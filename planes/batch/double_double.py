@@ -167,4 +167,4 @@ def read_long(tape: Tape, order: Iterable[int], given: Mapping[str, Floats]) -> 
 
 def apart(table: Array, true: Two) -> Array:
     """How far floats are from numbers of twice the digits."""
-    return np.abs((table - true[0]) - true[1])
+    return np.asarray(np.abs((table - true[0]) - true[1]))

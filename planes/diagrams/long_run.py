@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 
@@ -110,7 +110,7 @@ def progress(blocks: Iterator[Block], count: int, lang: Lang) -> Iterator[Block]
 
 def collect(gaps: list[Gap], block: Block) -> None:
     """Join the failed positions of a block to the ranges found so far."""
-    codes: Any = block.codes
+    codes = block.codes
     if not codes.any():
         gaps.append(Gap(0, 0.0, 0.0, 0)) if gaps and gaps[-1].code else None
         return

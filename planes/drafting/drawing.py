@@ -89,18 +89,8 @@ def reached(
     except PlanFailure as failure:
         return replace(drawing, program=Program(tuple(s for s in program.steps if s.makes in drawing))), failure
     if isinstance(by, Exact):
-        _prove(drawing, given, _doubted(drawing))
+        _prove(drawing, given, [p for p in program.proofs if isinstance(p, Twofold)])
     return drawing, None
-
-
-def _doubted(drawing: Drawing) -> list[Proof]:
-    """The proofs looked at in each of many positions: the balancing loads; where positions are few, all; or else those
-    that fail for the last, which is quickly told. A single position is proved by who gives its numbers away."""
-    tool, proofs = drawing.tool, drawing.program.proofs
-    if tool.many and math.prod(tool.shape) <= FEW:
-        return list(proofs)
-    last = {n: v.item(-1) if getattr(v, "shape", ()) else v for n, v in drawing.things.items()} if tool.many else {}
-    return [p for p in proofs if isinstance(p, Twofold) or (tool.many and _apart(p, last, One())[0])]
 
 
 def _apart(proof: Proof, things: Mapping[str, Any], ar: Arithmetic) -> tuple[Any, Gap]:
@@ -133,6 +123,17 @@ def proved(program: Program, given: Mapping[str, Any], drawn: Drawing | None = N
     except PlanFailure:
         return
     _prove(drawing, given, program.proofs)
+
+
+def prove_many(drawing: Drawing, given: Mapping[str, Any]) -> None:
+    """Of many exact drawings, mask those that fail any proof: of a few each is looked at, of more the last, which is
+    quickly done by itself, and each where that fails. The balancing loads were compared in each when they were drawn.
+    """
+    proofs = [p for p in drawing.program.proofs if not isinstance(p, Twofold)]
+    if math.prod(drawing.tool.shape) > FEW:
+        last = {n: v.item(-1) if getattr(v, "shape", ()) else v for n, v in drawing.things.items()}
+        proofs = [p for p in proofs if _apart(p, last, One())[0]]
+    _prove(drawing, given, proofs)
 
 
 def _prove(drawing: Drawing, given: Mapping[str, Any], proofs: Sequence[Proof]) -> None:
