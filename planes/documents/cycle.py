@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from planes.diagrams.extremes import Extreme, extremes
 from planes.diagrams.runs import Runs
 from planes.diagrams.turn import Grid, WholeTurn, grid, turn_of
 from planes.diagrams.working_range import FULL
+from planes.geometry.arrays import Array
 from planes.plans import Plans, mechanism_plans
 from planes.plans.lettering import lettering
 from planes.scene import Scene
@@ -84,7 +84,7 @@ class Turned:
             drawn.append((curve.name, [(p, self._joined(curve, p, y)) for p, y in read], self._marked(curve)))
         return Panel(curves[0].unit, curves[0].group == "place", drawn)
 
-    def _joined(self, curve: Curve, places: Any, y: Any) -> Any:
+    def _joined(self, curve: Curve, places: Array, y: Array) -> Array:
         """Angles told as on the grid, where they are unwound."""
         if not curve.angular:
             return y

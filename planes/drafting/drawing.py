@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from planes.drafting.instruments import Exact, Instrument, Shaken
 from planes.drafting.program import Program
-from planes.drafting.proofs import TOLD_APART, Proof, Twofold, speeds
+from planes.drafting.proofs import TOLD_APART, Gap, Proof, Things, Twofold, speeds
 from planes.drafting.steps.base import Step
 from planes.drafting.tools import Env, Thing, Tool
-from planes.geometry.arithmetic import Real, Truth
+from planes.geometry.arithmetic import Arithmetic, One, Real, Truth
 from planes.words import Phrase
 from planes.words.errors import Contradiction, PlanFailure, ProgramError, valid_names
 from planes.words.pictures import Pictured
 from planes.words.things import name_in_words, plan_phrase
 
 LEAST = 1e-290  # SI: smaller numbers have fewer digits than doubles
+FEW = 64  # positions
 SHAKEN = range(4)  # seeds of the blunter drawings
 Instead = Mapping[str, Sequence[Step]]  # steps in the place of the one that makes the name; the last makes it too
 NOTHING: Instead = {}
@@ -101,7 +102,7 @@ def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead 
         with tool.quiet():
             for step in steps:
                 name = step.makes
-                made[name] = tool.make(step, instead.get(name) or (step,), things)
+                made[name] = tool.make(step, instead.get(name, (step,)), things)
     except (OverflowError, ZeroDivisionError):  # numbers so far apart that no double holds them
         raise PlanFailure("no_digits", makes=name_in_words(name)) from None
     return made
@@ -117,15 +118,31 @@ def proved(program: Program, given: Mapping[str, Thing], drawn: Drawing | None =
     _prove(drawing, given, program.proofs)
 
 
+def prove_many(drawing: Drawing, given: Mapping[str, Thing]) -> None:
+    """Of many exact drawings, mask those that fail any proof: of a few each is looked at, of more the last, which is
+    quickly done by itself, and each where that fails. The balancing loads were compared in each when they were drawn.
+    """
+    proofs = [p for p in drawing.program.proofs if not isinstance(p, Twofold)]
+    if math.prod(drawing.tool.shape) > FEW:
+        last = {n: v.item(-1) if getattr(v, "shape", ()) else v for n, v in drawing.things.items()}
+        proofs = [p for p, wrong, _ in _apart(proofs, last, One()) if wrong]
+    _prove(drawing, given, proofs)
+
+
+def _apart(proofs: Sequence[Proof], things: Things, ar: Arithmetic) -> Iterator[tuple[Proof, Truth, Gap]]:
+    """Whether proofs fail, if only by rounding; and their gaps."""
+    speed = speeds(proofs, things, ar)
+    for proof in proofs:
+        gap, size = proof.gap(things, ar, speed[proof.beside])
+        yield proof, gap > TOLD_APART * size + LEAST, (gap, size)
+
+
 def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]) -> None:
     """Refuse, or mask, what is apart by more than a drawing a thousand times blunter can tell."""
     tool = drawing.tool
     with tool.quiet():
-        speed = speeds(proofs, drawing.things)
-    for proof in proofs:
-        with tool.quiet():
-            gap, size = proof.gap(drawing.things, tool.ar, speed[proof.beside])
-        wrong = gap > TOLD_APART * size + LEAST
+        apart = list(_apart(proofs, drawing.things, tool.ar))
+    for proof, wrong, (gap, size) in apart:
         if not (wrong.any() if tool.many else wrong):
             continue
         wrong = wrong & (gap > _doubt(drawing.program, given, proof, gap))

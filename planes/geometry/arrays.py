@@ -12,9 +12,10 @@ if TYPE_CHECKING:
     Complexes = NDArray[np.complex128]
     Booleans = NDArray[np.bool_]
     Indices = NDArray[np.intp]
+    Texts = NDArray[np.str_]
     Floats = float | Array
     """A number of one position, or an array with one for each of many."""
     Points = complex | Complexes
     """A place or a vector of one position, or an array with one for each of many."""
 else:
-    Array = Complexes = Booleans = Indices = Floats = Points = object
+    Array = Complexes = Booleans = Indices = Texts = Floats = Points = object

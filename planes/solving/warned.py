@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from planes.drafting.clearness import clear, far_apart
+from planes.drafting.clearness import NOTHING, clear, far_apart
 from planes.drafting.tools import Thing
 from planes.plans.measuring import BLUNT, DrawingReader, say_plan
 from planes.plans.quantities import Quantity
 from planes.words import Lang, say
-from planes.words.names import kind_of, mover, plan_of
-
-NOTHING = 4e-15  # beside the largest of a plan
+from planes.words.names import mover
 
 
 def warnings(
@@ -60,23 +58,10 @@ def _doubts(
     drawn = reader.drawing
     if drawn.tool.doubt_mm:
         return [], []
-    small = _small(reader)
-    if (
-        not small
-        and clear(drawn.program, drawn.things, drawn.tool)
-        and not far_apart(reader.stated.given, reader.stated.means)
-    ):
+    stated = reader.stated
+    forces = {(r.start, r.end) for r in stated.reactions.values() if r.start in drawn and r.end in drawn}
+    if clear(drawn.program, drawn.things, drawn.tool, forces) and not far_apart(stated.given, stated.means):
         return [], []
     from planes.batch.doubts import doubts
 
-    return doubts(reader.stated, wanted, drawn, given, small)
-
-
-def _small(reader: DrawingReader) -> list[str]:
-    """Reactions that are nothing beside the largest force of their plan."""
-    drawn, largest = reader.drawing, dict.fromkeys(reader.stated.drawn, 0.0)
-    for step in drawn.program.steps:
-        if kind_of(plan := plan_of(step.makes)) == "force":
-            largest[plan] = max(largest[plan], abs(drawn[step.makes]))
-    there = {k: r for k, r in reader.stated.reactions.items() if r.start in drawn and r.end in drawn}
-    return [k for k, r in there.items() if abs(drawn[r.end] - drawn[r.start]) <= NOTHING * largest[r.plan] > 0]
+    return doubts(stated, wanted, drawn, given)

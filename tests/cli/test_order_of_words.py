@@ -12,7 +12,7 @@ import pytest
 from planes.cli import _parser, main
 from tests.helpers import ROOT
 
-COMMANDS = next(a for a in _parser()._actions if isinstance(a, argparse._SubParsersAction)).choices
+COMMANDS = next(a for a in _parser("en")._actions if isinstance(a, argparse._SubParsersAction)).choices
 
 
 def told(action: argparse.Action) -> list[list[str]]:
@@ -27,7 +27,7 @@ def told(action: argparse.Action) -> list[list[str]]:
 @pytest.mark.parametrize("command", COMMANDS)
 def test_options_stand_anywhere(command: str) -> None:
     """Before, between and after the files, thirty lines a command: each is read as with the files in front."""
-    parser, rng, reader = COMMANDS[command], random.Random(1), _parser()
+    parser, rng, reader = COMMANDS[command], random.Random(1), _parser("en")
     files = [f"{a.dest}.file" for a in parser._actions if not a.option_strings]
     apart = {a for group in parser._mutually_exclusive_groups for a in group._group_actions[1:]}
     options = [a for a in parser._actions if a.option_strings and a.dest != "help" and a not in apart]
