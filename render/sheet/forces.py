@@ -30,8 +30,9 @@ def apart(plan: str) -> str:
 
 
 def enlarged(sizes: Sizes, group: str) -> Sizes:
-    """Sizes at which the scheme is as large as a group apart is drawn."""
-    return sizes.larger("position", sizes.of(group) / sizes.factor)
+    """Sizes at which the scheme, all that is shown of them, is as large as a group apart is drawn."""
+    times = sizes.of("position") * sizes.of(group) / sizes.factor**2
+    return Sizes(sizes.factor).larger("position", times)
 
 
 def extents(at: Drawer, sizes: Sizes) -> dict[str, float]:

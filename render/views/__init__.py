@@ -5,10 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-import shapely
-
-from render.labels.footprints import Bounds, ink
+from render.labels.footprints import Bounds, bounds
 from render.paper.marks import Mark, Text, moved
 from render.paper.typeset import extent
 
@@ -43,16 +40,6 @@ class View:
         """The marks with the upper left corner of the box at a place of the sheet."""
         by = complex(left - self.box[0], top - self.box[3])
         return tuple(moved(mark, by) for mark in self.marks)
-
-
-def bounds(marks: Sequence[Mark]) -> Bounds:
-    """The box around all ink of the marks."""
-    inked = ink(marks)
-    if not len(inked.shapes):
-        return 0.0, 0.0, 0.0, 0.0
-    boxes = shapely.bounds(inked.shapes) + np.outer(inked.halves, [-1, -1, 1, 1])
-    low, high = boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)
-    return float(low[0]), float(low[1]), float(high[0]), float(high[1])
 
 
 def view(

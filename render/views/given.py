@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from planes.scene.mechanism import Guide, Link
 from planes.solving import Position
+from planes.words.names import index_of, letter_of
 from render.paper.names import Naming, greek
 from render.paper.numbers import number, unit
 
@@ -81,15 +82,10 @@ class GivenTable:
         drive = self.position.plans.mechanism.drive
         for name, value in self.parameters.items():
             row = GivenRow(greek(name), value, unit_of(name))
-            moved = name.partition("_")[0] == drive.kind and value == drive.position
+            moved = letter_of(name) == drive.kind and value == drive.position
             if row.name not in shown and not moved:
-                other = [
-                    r.name
-                    for r in self.loads()
-                    if r.unit == row.unit
-                    and _equal(r.value, value)
-                    and r.name.partition("_")[2] == row.name.partition("_")[2]
-                ]
+                alike = (r for r in self.loads() if r.unit == row.unit and _equal(r.value, value))
+                other = [r.name for r in alike if index_of(r.name) == index_of(row.name)]
                 yield GivenRow(" = ".join(dict.fromkeys([row.name, *other])), value, row.unit)
 
     def known(self, row: GivenRow) -> bool:
@@ -155,7 +151,7 @@ class GivenTable:
 
 def unit_of(name: str) -> str:
     """The key of the unit in which a parameter of that name is given, as far as the name tells."""
-    letter = name.partition("_")[0]
+    letter = letter_of(name)
     if letter in ANGLES:
         return "°"
     return UNITS.get(letter) or ("m" if letter in LENGTHS else "")

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from planes.drafting.draft import Moments
-from planes.drafting.steps.reckoning import Calculate
+from planes.drafting.steps.reckoning import Calculate, Drop, Product
 from planes.solving import Position
 from planes.words import say
 from render.paper.marks import Mark
@@ -83,18 +84,16 @@ class MomentLines:
         return self.naming.vector(equation.unknown)
 
     def product(self, name: str, lever: str) -> str:
-        """A force times its arm, or a couple."""
+        """A force times its arm, a couple, either times its rate."""
         text = self.naming.vector(name)
-        if lever.startswith(("omega", "v_")):
-            return text + self.naming.vector(lever)
-        return text + (self.naming.arm(name, lever) if lever else "")
+        if any(isinstance(step, Drop) and step.makes == lever for step in self.position.drawing.program.steps):
+            return text + self.naming.arm(name, lever)
+        return text + (self.naming.vector(lever) if lever else "")
 
-    def value(self, term: object) -> float:
+    def value(self, term: Product) -> float:
         """One product of the sum."""
-        product = getattr(term, "coefficient")  # noqa: B009
-        for name, power in getattr(term, "factors"):  # noqa: B009
-            product = product * float(self.position.drawing[name]) ** power
-        return float(product)
+        powers = (float(self.position.drawing[name]) ** power for name, power in term.factors)
+        return math.prod(powers, start=term.coefficient)
 
     def number(self, value: float) -> str:
         """A number of the sheet."""
