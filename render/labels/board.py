@@ -16,7 +16,7 @@ from render.labels.candidates import (
     FAR,
     NEAR,
     Candidates,
-    Lettered,
+    Label,
     beside,
     close,
     crossed,
@@ -63,7 +63,7 @@ class Board:
     """
 
     def __init__(
-        self, labels: Sequence[Lettered], ground: InkedShapes, field: Bounds | None, yielding: InkedShapes
+        self, labels: Sequence[Label], ground: InkedShapes, field: Bounds | None, yielding: InkedShapes
     ) -> None:
         self.labels, self.ground, self.field, self.yielding = labels, ground, field, yielding
         self.extents = [extent(label.text, label.height) for label in labels]

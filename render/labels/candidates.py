@@ -10,7 +10,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import reduce
-from typing import Protocol
 
 import numpy as np
 
@@ -32,30 +31,22 @@ _EYE = cmath.rect(1, math.radians(50))  # without a wish a label goes to the upp
 _LED = 25.0  # cost of a leader line
 
 
-class Named(Protocol):
-    """What candidates need to know of a label."""
+@dataclass(frozen=True)
+class Label:
+    """A text and the point or segment it names.
 
-    @property
-    def at(self) -> complex | Ends: ...
-    @property
-    def side(self) -> complex: ...
-    @property
-    def clear(self) -> float: ...
+    ``side`` is the direction from it that is liked best (0: no wish), ``clear`` the radius around a point
+    that is to be kept free (a hinge's) in mm; higher ``priority`` chooses earlier.
+    """
 
-
-class Lettered(Named, Protocol):
-    """What a board needs to know of a label."""
-
-    @property
-    def text(self) -> str: ...
-    @property
-    def height(self) -> float: ...
-    @property
-    def priority(self) -> int: ...
-    @property
-    def layer(self) -> Layer: ...
-    @property
-    def name(self) -> str: ...
+    text: str
+    at: complex | Ends
+    height: float = 5.0
+    side: complex = 0
+    clear: float = 0.0
+    priority: int = 0
+    layer: Layer = "text"
+    name: str = ""
 
 
 @dataclass(frozen=True)
@@ -78,7 +69,7 @@ class Candidates:
         return np.hstack([low, np.fmax(self.boxes[:, 2:], np.stack([x.max(axis=1), y.max(axis=1)], axis=1))])
 
 
-def beside(label: Named, extent: Sequence[float], gaps: Sequence[float]) -> Candidates:
+def beside(label: Label, extent: Sequence[float], gaps: Sequence[float]) -> Candidates:
     """Places right beside what the label names."""
     size = extent[2] - extent[0], extent[3] - extent[1]
     if isinstance(label.at, tuple):
@@ -88,7 +79,7 @@ def beside(label: Named, extent: Sequence[float], gaps: Sequence[float]) -> Cand
     return Candidates(boxes, wish, np.full((len(boxes), 2), np.nan, dtype=complex))
 
 
-def far_off(label: Named, extent: Sequence[float], gaps: Sequence[float]) -> Candidates:
+def far_off(label: Label, extent: Sequence[float], gaps: Sequence[float]) -> Candidates:
     """Places farther away, each with a leader line to the point or to one of three places of the segment."""
     if not isinstance(label.at, tuple):
         return _led(label.at, label, extent, gaps, max(label.clear, 0.6))
@@ -96,7 +87,7 @@ def far_off(label: Named, extent: Sequence[float], gaps: Sequence[float]) -> Can
     return reduce(union, [_led(start + t * (end - start), label, extent, gaps, 0.0) for t in (0.5, 0.3, 0.7)])
 
 
-def _led(at: complex, label: Named, extent: Sequence[float], gaps: Sequence[float], free: float) -> Candidates:
+def _led(at: complex, label: Label, extent: Sequence[float], gaps: Sequence[float], free: float) -> Candidates:
     """Places around a point with leader lines that end ``free`` mm before it."""
     size = extent[2] - extent[0], extent[3] - extent[1]
     boxes, wish = _around(at, label, size, np.array(gaps), _ROUND)
@@ -142,7 +133,7 @@ def _boxes(middles: Complexes, size: tuple[float, float]) -> Array:
     return np.stack([x - size[0] / 2, y - size[1] / 2, x + size[0] / 2, y + size[1] / 2], axis=1)
 
 
-def _around(at: complex, label: Named, size: tuple[float, float], gaps: Array, ways: Complexes) -> tuple[Array, Array]:
+def _around(at: complex, label: Label, size: tuple[float, float], gaps: Array, ways: Complexes) -> tuple[Array, Array]:
     """Boxes around a point and their wishes, the nearest first."""
     liked = label.side / abs(label.side) if label.side else _EYE
     x, y = (np.clip(math.sqrt(2) * part, -1.0, 1.0) for part in (ways.real, ways.imag))
@@ -151,7 +142,7 @@ def _around(at: complex, label: Named, size: tuple[float, float], gaps: Array, w
     return _boxes(middles.ravel(), size), (turned + 0.8 * (gaps - gaps[0])[:, None]).ravel()
 
 
-def _along(ends: Ends, label: Named, size: tuple[float, float], gaps: Array) -> tuple[Array, Array]:
+def _along(ends: Ends, label: Label, size: tuple[float, float], gaps: Array) -> tuple[Array, Array]:
     """Boxes on both sides of a segment and their wishes, the middle of the segment first."""
     liked, out = label.side or _EYE, np.array([1j, -1j]) * _direction(ends)
     reach = (label.clear + gaps)[:, None] + (np.abs(out.real) * size[0] + np.abs(out.imag) * size[1]) / 2

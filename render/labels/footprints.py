@@ -86,7 +86,9 @@ def ink(marks: Iterable[Mark]) -> InkedShapes:
 
 def bounds(marks: Iterable[Mark]) -> Bounds:
     """The box around all ink of the marks; of none a box of no size."""
-    edges = [(z, half) for half, lines, filled in map(_parts, marks) for z in chain(*lines, *filled)]
+    parts = list(map(_parts, marks))
+    edges = [(z, half) for half, lines, _ in parts for z in chain(*lines)]
+    edges += [(z, 0.0) for _, _, filled in parts for z in chain(*filled)]
     if not edges:
         return 0.0, 0.0, 0.0, 0.0
     left, low = min(z.real - half for z, half in edges), min(z.imag - half for z, half in edges)

@@ -49,6 +49,13 @@ class Composer:
             self.made[key] = make()
         return self.made[key]
 
+    def stack(self, key: str, *views: View | None, gap: float = 6.0) -> View:
+        """Views of this composer one beneath the other, those there are."""
+        there = [v for v in views if v]
+        stack = self.once(("stack", key, *map(id, there)), lambda: stacked(key, there, gap))
+        assert stack
+        return stack
+
     def views(self, position: Position, letter: float, together: bool) -> list[View]:
         """Every view of one position, in the order they are read; ``together``: equations under their plans."""
         plotted = of_position(position)
@@ -58,7 +65,7 @@ class Composer:
 
     def tables(self, position: Position, letter: float) -> Tables:
         """The tables of one position."""
-        return Tables(position, self.naming, letter, self.scene.parameters)
+        return Tables(position, self.naming, letter, self.scene.parameters, self.once)
 
     def extras(self, position: Position, letter: float) -> list[View]:
         """Views that fill a sheet which has room for them."""
@@ -76,7 +83,7 @@ class Composer:
         drawn = [self.plan(plotted, plan) for plan in plans]
         if together:
             written = [self.formulas(plotted, (plan,), letter, "") for plan in plans]
-            return [stacked(d.key, [d, w]) if w else d for d, w in zip(drawn, written, strict=True)]
+            return [self.stack(d.key, d, w) for d, w in zip(drawn, written, strict=True)]
         forces = tuple(p for p in plans if kind_of(p) == "force")
         others = tuple(p for p in plans if p not in forces)
         found: list[View | None] = [*drawn]
@@ -97,14 +104,14 @@ class Composer:
         plotted, mu = of_position(position), position.scales[mu_of("position")]
         title = f"{say('scheme', self.lang)}, {self.mu(plotted, 'position')}"
         found = Scheme(position, self.naming)
-        return self.once(("scheme", mu), lambda: view("scheme", title, found.drawn(), figure=True))
+        return self.once(("scheme", mu), lambda: view("scheme", title, found.drawn(), True, plan="position"))
 
     def plan(self, plotted: Plotted, plan: str) -> View:
         """A plan of rates or forces."""
         title = f"{self.plan_name(plan)}, {self.mu(plotted, plan)}"
         polygon = Polygon(plotted, plan, self.naming, counted=self.details)
         key = ("plan", plan, plotted.mu(plan), *polygon.letters()[:1])  # letters of details follow those of other plans
-        made = self.once(key, lambda: view(plan, title, polygon.drawn(), figure=True, unseen=polygon.unseen(title)))
+        made = self.once(key, lambda: view(plan, title, polygon.drawn(), True, polygon.unseen(title), plan))
         assert made
         return made
 

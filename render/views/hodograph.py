@@ -49,7 +49,7 @@ def _one(loop: Hodograph, naming: Naming) -> View:
     )
     mu = standard_mu(wide, WIDE_MM)
     title = f"{say('hodograph', lang, name=loop.name)}, μ_{{{letter_of(loop.name)}}} = {scale(mu, loop.unit, lang)}"
-    return view("hodograph", title, _drawn(loop, mu, [z * mu for z in known]), 3.5)
+    return view("hodograph", title, _drawn(loop, mu, [z * mu for z in known]), height=3.5)
 
 
 def _drawn(loop: Hodograph, mu: float, inked: Sequence[complex]) -> list[Mark]:
