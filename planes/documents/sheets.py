@@ -91,7 +91,7 @@ class DrawnPosition:
     @cached_property
     def kept(self) -> dict[tuple[tuple[str, float], ...], Position]:
         """The position by the μ of its plans, where the scene leaves them open: drawn once at each."""
-        return {}
+        return {tuple(self.mus(Sizes()).items()): self.first}
 
     @cached_property
     def first(self) -> Position:

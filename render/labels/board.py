@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from functools import reduce
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -13,16 +12,17 @@ import shapely
 
 from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 from render.labels.candidates import (
+    APART_MM,
+    CLEAR_MM,
     FAR,
     NEAR,
     Candidates,
     Label,
     beside,
     close,
-    crossed,
     distances,
     far_off,
-    meeting,
+    met,
     own_distance,
     union,
 )
@@ -36,14 +36,11 @@ TIGHT = 1.5  # cost of standing closer than ROOM_MM to ink
 AMBIGUOUS = 8.0  # cost of standing nearer to another label's point than to its own
 CROSSING = 8.0  # cost of a leader's crossing with a stroke
 BROKEN = 4.0  # cost of a thin line that is broken for a label
-CLEAR_MM = 0.5  # least distance of a label from ink and from labels
 ROOM_MM = 1.3
-APART_MM = 4.0  # labels side by side read as one when they stand closer than this
 READ_AS_ONE = 3.0  # cost of it
 PATIENCE = 1000  # how often labels are asked to make room for others, on one board
 ENOUGH = 8  # crossings, or lines broken: more are hardly worse
 _SWEEPS = 8
-_GROWN = np.array([-1, -1, 1, 1]) * 0.3  # mm a leader keeps away from letters
 
 
 class Effect(NamedTuple):
@@ -78,7 +75,7 @@ class Board:
 
     def _list(self) -> None:
         """Put the candidates of all labels into one list."""
-        self.every = reduce(union, self.options)
+        self.every = union(self.options)
         self.reach, self.static = self.every.reach, np.concatenate(self.costs)
         ends = np.cumsum([0, *map(len, self.costs)]).tolist()
         self.rows = [slice(*two) for two in pairwise(ends)]
@@ -106,7 +103,7 @@ class Board:
 
     def _judged(self, options: Sequence[Candidates]) -> list[Array]:
         """What every candidate costs before the other labels are looked at."""
-        every = reduce(union, options)
+        every = union(options)
         cost = every.wish + self._on_ink(every.boxes)
         if self.field is not None:
             x0, y0, x1, y1 = self.field
@@ -226,7 +223,7 @@ class Board:
         far = [far_off(self.labels[k], self.extents[k], FAR) for k in late]
         for k, option, cost in zip(late, far, self._judged(far), strict=True):
             free = np.flatnonzero(cost < HARD)
-            self.options[k] = union(self.options[k], option.some(free))
+            self.options[k] = union([self.options[k], option.some(free)])
             self.costs[k] = np.concatenate([self.costs[k], cost[free]])
         self._list()
         return True
@@ -247,20 +244,3 @@ class Board:
 def _bounded(counts: Array | Indices) -> Array:
     """Numbers of what is disliked: beyond some it hardly gets worse."""
     return np.minimum(counts, ENOUGH) + 0.02 * counts
-
-
-def met(some: Candidates, others: Candidates) -> tuple[Indices, Booleans]:
-    """How often places (rows) clash with others (columns), letters and leaders; and which letters stand close.
-
-    Labels without a place yet meet nothing.
-    """
-    clashes = close(some.boxes, others.boxes, CLEAR_MM, CLEAR_MM).astype(np.intp)
-    led, leading = (np.flatnonzero(~np.isnan(places.leaders[:, 0])) for places in (some, others))
-    own, theirs = some.leaders[led][:, None, :], others.leaders[leading][None, :, :]
-    if len(leading):
-        clashes[:, leading] += crossed(some.boxes[:, None, :] + _GROWN, theirs)
-    if len(led):
-        clashes[led] += crossed(others.boxes[None, :, :] + _GROWN, own)
-    if len(led) and len(leading):
-        clashes[np.ix_(led, leading)] += meeting(own, theirs)
-    return clashes, close(some.boxes, others.boxes, APART_MM, CLEAR_MM)

@@ -9,7 +9,6 @@ import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import reduce
 
 import numpy as np
 
@@ -24,6 +23,9 @@ NEAR = (0.9, 1.8, 3.2)
 FAR = (6.0, 9.0, 12.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0)
 """Distances in mm of labels that need a leader line."""
 
+CLEAR_MM = 0.5  # least distance of a label from ink and from labels
+APART_MM = 4.0  # labels side by side read as one when they stand closer than this
+_GROWN = np.array([-1, -1, 1, 1]) * 0.3  # mm a leader keeps away from letters
 _ALONG = np.array([0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8])
 _DIRECTIONS = np.array([cmath.rect(1, math.radians(22.5 * k)) for k in range(16)])
 _ROUND = np.array([cmath.rect(1, math.radians(15.0 * k)) for k in range(24)])
@@ -84,7 +86,7 @@ def far_off(label: Label, extent: Sequence[float], gaps: Sequence[float]) -> Can
     if not isinstance(label.at, tuple):
         return _led(label.at, label, extent, gaps, max(label.clear, 0.6))
     start, end = label.at
-    return reduce(union, [_led(start + t * (end - start), label, extent, gaps, 0.0) for t in (0.5, 0.3, 0.7)])
+    return union([_led(start + t * (end - start), label, extent, gaps, 0.0) for t in (0.5, 0.3, 0.7)])
 
 
 def _led(at: complex, label: Label, extent: Sequence[float], gaps: Sequence[float], free: float) -> Candidates:
@@ -96,13 +98,10 @@ def _led(at: complex, label: Label, extent: Sequence[float], gaps: Sequence[floa
     return Candidates(boxes, wish + _LED, np.stack([near - 0.6 * toward, at + free * toward], axis=1))
 
 
-def union(one: Candidates, other: Candidates) -> Candidates:
-    """The candidates of both, in order."""
-    return Candidates(
-        np.concatenate([one.boxes, other.boxes]),
-        np.concatenate([one.wish, other.wish]),
-        np.concatenate([one.leaders, other.leaders]),
-    )
+def union(parts: Sequence[Candidates]) -> Candidates:
+    """The candidates of all, in order."""
+    columns = zip(*((one.boxes, one.wish, one.leaders) for one in parts), strict=True)
+    return Candidates(*map(np.concatenate, columns))
 
 
 def distances(boxes: Array, points: Complexes) -> Array:
@@ -196,3 +195,20 @@ def meeting(lines: Complexes, others: Complexes) -> Booleans:
     along = (np.maximum(one.real, two.real) >= -0.3) & (np.minimum(one.real, two.real) <= np.abs(span) + 0.3)
     level = (np.abs(one.imag) < 0.3) & (np.abs(two.imag) < 0.3)
     return (inside & (across != 0)) | (level & along)
+
+
+def met(some: Candidates, others: Candidates) -> tuple[Indices, Booleans]:
+    """How often places (rows) clash with others (columns), letters and leaders; and which letters stand close.
+
+    Labels without a place yet meet nothing.
+    """
+    clashes = close(some.boxes, others.boxes, CLEAR_MM, CLEAR_MM).astype(np.intp)
+    led, leading = (np.flatnonzero(~np.isnan(places.leaders[:, 0])) for places in (some, others))
+    own, theirs = some.leaders[led][:, None, :], others.leaders[leading][None, :, :]
+    if len(leading):
+        clashes[:, leading] += crossed(some.boxes[:, None, :] + _GROWN, theirs)
+    if len(led):
+        clashes[led] += crossed(others.boxes[None, :, :] + _GROWN, own)
+    if len(led) and len(leading):
+        clashes[np.ix_(led, leading)] += meeting(own, theirs)
+    return clashes, close(some.boxes, others.boxes, APART_MM, CLEAR_MM)

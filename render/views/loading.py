@@ -12,13 +12,13 @@ from planes.solving import Position
 from planes.words import say
 from planes.words.names import at, mu_of
 from render import labels
-from render.labels.footprints import ink
 from render.paper import symbols
 from render.paper.marks import Arrow, Line, Mark
 from render.paper.names import Naming
 from render.paper.numbers import number
 from render.paper.style import BLOCK_MM
 from render.views.places import Places
+from render.views.senses import freest
 
 FORCE_MM = 15.0  # shortest arrow of a force; forces are not to scale
 STEP_MM = 6.0  # by which the next one of the same point and direction is longer
@@ -172,26 +172,20 @@ class Loading:
         self.named.append(labels.Label(self.naming.vector(name), (far, (far + point) / 2), NAME_MM, name=name))
 
     def couple(self, name: str, link: str, value: float, number: int, text: str = "") -> None:
-        """A curved arrow about the mass centre of its link, or the middle of its bar."""
+        """A curved arrow about the mass centre of its link, or the middle of its bar, where it crosses least."""
         body = self.places.mechanism.links[link]
         centre = self.places.at(body.mass_centre)
         sense = math.copysign(1.0, value)
-        arrow, middle = self.free_couple(centre, COUPLE_MM + 3 * number, sense)
+        radii = (COUPLE_MM + 3 * number + grow for grow in (0.0, -2.0, 3.0, 6.0))
+        begins = [start if sense > 0 else 180.0 - start for start in (100.0, 190.0, 10.0, -80.0)]
+        arrows = (
+            (symbols.turn_arrow(centre, r, b, sense * 150, "thick", "force"), centre + r * symbols.unit(b + sense * 75))
+            for r in radii
+            for b in begins
+        )
+        arrow, middle = freest(arrows, self.marks, 0.8)
         self.marks += arrow
         self.named.append(labels.Label(text or self.naming.vector(name), middle, NAME_MM, clear=0.4, name=name))
-
-    def free_couple(self, centre: complex, radius: float, sense: float) -> tuple[tuple[Mark, ...], complex]:
-        """A curved arrow where it crosses least of what is drawn, and the middle of its arc."""
-        inked, best = ink(self.marks), None
-        for grow in (0.0, -2.0, 3.0, 6.0):
-            for start in (100.0, 190.0, 10.0, -80.0):
-                begin = start if sense > 0 else 180.0 - start
-                arrow = symbols.turn_arrow(centre, radius + grow, begin, sense * 150, "thick", "force")
-                hits = len(inked.within(ink(arrow).shapes, 0.8)[0]) if len(inked.shapes) else 0
-                if best is None or hits < best[0]:
-                    best = hits, arrow, centre + (radius + grow) * symbols.unit(begin + sense * 75)
-        assert best
-        return best[1], best[2]
 
     def arms(self, equations: list[Moments]) -> None:
         """Thin perpendiculars from the centre of moments to the lines of action, which are drawn out to meet them."""
