@@ -143,7 +143,8 @@ class Board:
         if not len(points):
             return np.zeros(len(self.options[k].wish), dtype=bool)
         away = distances(self.options[k].boxes, points).min(axis=1)
-        return np.less(away, own_distance(self.options[k], self.labels[k].at))
+        stray: Booleans = away < own_distance(self.options[k], self.labels[k].at)
+        return stray
 
     def choose(self) -> None:
         """Everybody takes the cheapest place left, the important and the hemmed in first."""
@@ -243,4 +244,4 @@ class Board:
 
 def _bounded(counts: Array | Indices) -> Array:
     """Numbers of what is disliked: beyond some it hardly gets worse."""
-    return np.minimum(counts, ENOUGH) + 0.02 * counts
+    return np.minimum(counts, ENOUGH) + 0.02 * counts.astype(np.float64)

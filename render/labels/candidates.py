@@ -108,7 +108,8 @@ def distances(boxes: Array, points: Complexes) -> Array:
     """How far each box (rows) is from each point (columns)."""
     x0, y0, x1, y1 = (side[:, None] for side in boxes.T)
     dx = np.maximum(np.maximum(x0 - points.real, points.real - x1), 0)
-    return np.hypot(dx, np.maximum(np.maximum(y0 - points.imag, points.imag - y1), 0))
+    away: Array = np.hypot(dx, np.maximum(np.maximum(y0 - points.imag, points.imag - y1), 0))
+    return away
 
 
 def own_distance(candidates: Candidates, at: complex | Ends) -> Array:
@@ -119,7 +120,8 @@ def own_distance(candidates: Candidates, at: complex | Ends) -> Array:
     along = _direction(at)
     across = (((x0 + x1) + 1j * (y0 + y1)) / 2 - at[0]) * along.conjugate()
     reach = (abs(along.imag) * (x1 - x0) + abs(along.real) * (y1 - y0)) / 2
-    return np.maximum(np.abs(across.imag) - reach, 0)
+    away: Array = np.maximum(np.abs(across.imag) - reach, 0)
+    return away
 
 
 def _direction(ends: Ends) -> complex:
@@ -168,7 +170,8 @@ def close(boxes: Array, others: Array, sideways: float, clear: float) -> Boolean
 def crossed(boxes: Array, lines: Complexes) -> Booleans:
     """Whether segments (…, 2; complex) pass through boxes (…, 4), by broadcasting; NaN through none."""
     start, span = lines[..., 0], lines[..., 1] - lines[..., 0]
-    enter, leave = np.zeros(np.broadcast_shapes(start.shape, boxes.shape[:-1])), 1.0
+    enter = np.zeros(np.broadcast_shapes(start.shape, boxes.shape[:-1]))
+    leave = enter + 1.0
     with np.errstate(divide="ignore", invalid="ignore"):
         for low, high, origin, step in (
             (boxes[..., 0], boxes[..., 2], start.real, span.real),
@@ -178,7 +181,8 @@ def crossed(boxes: Array, lines: Complexes) -> Booleans:
             one, two = (low - origin) / safe, (high - origin) / safe
             enter = np.maximum(enter, np.minimum(one, two))
             leave = np.minimum(leave, np.maximum(one, two))
-    return enter < leave
+    through: Booleans = enter < leave
+    return through
 
 
 def meeting(lines: Complexes, others: Complexes) -> Booleans:
@@ -194,7 +198,8 @@ def meeting(lines: Complexes, others: Complexes) -> Booleans:
     one, two = apart * unit.conjugate(), (apart + way) * unit.conjugate()
     along = (np.maximum(one.real, two.real) >= -0.3) & (np.minimum(one.real, two.real) <= np.abs(span) + 0.3)
     level = (np.abs(one.imag) < 0.3) & (np.abs(two.imag) < 0.3)
-    return (inside & (across != 0)) | (level & along)
+    there: Booleans = (inside & (across != 0)) | (level & along)
+    return there
 
 
 def met(some: Candidates, others: Candidates) -> tuple[Indices, Booleans]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from functools import cached_property
 
 from planes.plans import Plans
 from planes.plans.lettering import lettering
@@ -38,7 +38,7 @@ class Composer:
     made: dict[tuple[object, ...], View | None] = field(default_factory=dict)
     details: dict[tuple[str, float], int] = field(default_factory=dict)  # how many a plan has at its μ
 
-    @property
+    @cached_property
     def naming(self) -> Naming:
         """How this sheet names things."""
         return Naming(self.lang, **lettering(self.scene, self.stated))
@@ -95,8 +95,8 @@ class Composer:
         """μ of a plan as it is written in titles: "μ_{v} = 30 мм/(м·с⁻¹)"."""
         kind = plotted.kind(plan)
         letter = {"position": "l", "velocity": "v", "acceleration": "a", "force": "F", "vectors": ""}[kind]
-        convention: Any = self.scene.sheet.get("mu_convention", "mm_per_unit")
-        text = mu_text(plotted.scales[mu_of(plan)], kind, self.lang, convention)
+        upside_down = self.scene.sheet.get("mu_convention") == "unit_per_mm"
+        text = mu_text(plotted.scales[mu_of(plan)], kind, self.lang, "unit_per_mm" if upside_down else "mm_per_unit")
         return f"μ{letter and f'_{{{letter}}}'} = {decimal(text, self.lang)}"
 
     def scheme(self, position: Position) -> View | None:
@@ -131,15 +131,14 @@ class Composer:
 
         return self.once(("formulas", plans, letter, title), make)
 
-    def moments(self, position: Position, letter: float) -> View | None:
-        """The moment equations with their numbers."""
+    def moments(self, position: Position, letter: float, links: tuple[str, ...] | None = None) -> View | None:
+        """The moment equations with their numbers: under a title, or those of some links alone."""
 
         def make() -> View | None:
-            marks = MomentLines(position, self.naming, LARGER[letter]).drawn()
-            return view("moments", say("moments", self.lang), marks) if marks else None
+            marks = MomentLines(position, self.naming, LARGER[letter]).drawn(links)
+            return view("moments", "" if links else say("moments", self.lang), marks) if marks else None
 
-        key = ("moments", letter, *(position.scales[mu_of(p)] for p in position.plans.drawn if p != "lever"))
-        return self.once(key, make)
+        return self.once(("moments", letter, links), make)
 
 
 def drawn_plans(plotted: Plotted, position: Position) -> list[str]:

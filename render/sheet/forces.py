@@ -8,12 +8,11 @@ from dataclasses import dataclass
 from planes.solving import Position
 from planes.words import say
 from planes.words.names import kind_of, links_of, mu_of
-from render.sheet.composer import LARGER, Composer
+from render.sheet.composer import Composer
 from render.sheet.sizes import Sizes
 from render.views import View, beside, view
 from render.views.lever import Lever
 from render.views.loading import Loading
-from render.views.moments import MomentLines
 from render.views.places import Places
 from render.views.plotted import of_position
 from render.views.scheme import Scheme
@@ -59,7 +58,7 @@ class ForceSheet:
         for plan in (p for p in position.plans.drawn if kind_of(p) == "force"):
             links = links_of(plan)
             larger = at(enlarged(sizes, apart(plan)))
-            moments = self.moments(position, links, letter)
+            moments = c.moments(position, letter, links)
             drawn = c.plan(plotted, plan)
             written = c.formulas(plotted, (plan,), letter, "")
             found.append(c.stack("group", self.group(larger, plan, links), moments, gap=5.0))
@@ -121,17 +120,6 @@ class ForceSheet:
 
         return c.once(("apart", links, position.scales[mu_of("position")]), make)
 
-    def moments(self, position: Position, links: tuple[str, ...], letter: float) -> View | None:
-        """The moment equations of some links."""
-        c = self.composer
-
-        def make() -> View | None:
-            lines = MomentLines(position, c.naming, LARGER[letter])
-            marks = lines.drawn(links)
-            return view("moments", "", marks) if marks else None
-
-        return c.once(("moments of", links, letter), make)
-
     def lever(self, position: Position, letter: float) -> View | None:
         """Zhukovsky's lever with its moment equation."""
         c, found = self.composer, Lever(position, self.composer.naming)
@@ -140,7 +128,7 @@ class ForceSheet:
         kind = "motion" if position.plans.at_rest else "velocity"
         key, title = ("lever", position.scales[mu_of(kind)]), self.lever_title(position, kind)
         drawn = c.once(key, lambda: view("lever", title, found.drawn(), True, plan=kind))
-        written = self.moments(position, ("lever",), letter)
+        written = c.moments(position, letter, ("lever",))
         return c.stack("lever", drawn, written)
 
     def lever_title(self, position: Position, kind: str) -> str:

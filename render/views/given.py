@@ -15,21 +15,8 @@ from render.paper.numbers import number, unit
 
 RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m")
 """Units in the order their rows stand in."""
-UNITS = {
-    "m": "kg",
-    "J": "kgm2",
-    "I": "kgm2",
-    "F": "N",
-    "P": "N",
-    "Q": "N",
-    "G": "N",
-    "M": "N·m",
-    "T": "N·m",
-    "v": "m/s",
-    "omega": "rad/s",
-    "epsilon": "rad/s²",
-    "g": "m/s²",
-}
+UNITS = {"m": "kg", "v": "m/s", "omega": "rad/s", "epsilon": "rad/s²", "g": "m/s²"}
+UNITS |= dict.fromkeys("JI", "kgm2") | dict.fromkeys("FPQG", "N") | dict.fromkeys("MT", "N·m")
 ANGLES = ("angle", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta")
 LENGTHS = "lxyrRabcdehHsLDzS"
 SAME = 1e-9

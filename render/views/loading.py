@@ -135,7 +135,7 @@ class Loading:
         """Names of the reactions from outside on these links, whole and in parts, that no plan before found; with the
         reaction each is, or is the opposite of."""
         known = {f.name for link in self.links for f in self.position.plans.acting.forces[link]}
-        found = {}
+        found: dict[str, str] = {}
         for key, reaction in self.position.plans.reactions.items():
             pair = reaction.pair
             for name, on, by in ((key, pair.link, pair.other), (self.reversed(key), pair.other, pair.link)):

@@ -12,11 +12,10 @@ from planes.drafting.instruments import Pencil
 from planes.scene import load, loads
 from planes.solving import solve
 from planes.words.errors import PlanesError
-from render.labels.footprints import conflicts
+from render.labels.footprints import bounds, conflicts
 from render.paper.marks import Line, Text
 from render.sheet.single import MARGIN_MM
 from render.sheet.traces import traced
-from render.views import bounds
 from tests.helpers import ROOT
 
 SAMPLES = {path.stem: path for path in sorted((ROOT / "samples").glob("*.yaml"))}
