@@ -39,6 +39,7 @@ BROKEN = 4.0  # cost of a thin line that is broken for a label
 ROOM_MM = 1.3
 READ_AS_ONE = 3.0  # cost of it
 PATIENCE = 1000  # how often labels are asked to make room for others, on one board
+FAR_PLACES = 96  # of a label that needs a leader line: the nearest free ones
 ENOUGH = 8  # crossings, or lines broken: more are hardly worse
 _SWEEPS = 8
 
@@ -110,8 +111,6 @@ class Board:
             boxes = every.boxes
             inside = (boxes[:, 0] >= x0) & (boxes[:, 1] >= y0) & (boxes[:, 2] <= x1) & (boxes[:, 3] <= y1)
             cost += OUTSIDE * ~inside
-        led = np.flatnonzero((cost < HARD) & ~np.isnan(every.leaders[:, 0]))
-        cost[led] += CROSSING * _bounded(self._crossings(every.leaders[led]))
         return np.split(cost, np.cumsum([len(option.wish) for option in options])[:-1])
 
     def _on_ink(self, boxes: Array) -> Array:
@@ -223,9 +222,12 @@ class Board:
             return False
         far = [far_off(self.labels[k], self.extents[k], FAR) for k in late]
         for k, option, cost in zip(late, far, self._judged(far), strict=True):
-            free = np.flatnonzero(cost < HARD)
-            self.options[k] = union([self.options[k], option.some(free)])
-            self.costs[k] = np.concatenate([self.costs[k], cost[free]])
+            best = np.argsort(cost, kind="stable")[:FAR_PLACES]
+            free = best[cost[best] < HARD]
+            some = option.some(free)
+            self.options[k] = union([self.options[k], some])
+            led = cost[free] + CROSSING * _bounded(self._crossings(some.leaders))
+            self.costs[k] = np.concatenate([self.costs[k], led])
         self._list()
         return True
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 from planes.drafting.draft import Moments
 from planes.drafting.steps.reckoning import Calculate, Drop, Product
@@ -86,9 +87,14 @@ class MomentLines:
     def product(self, name: str, lever: str) -> str:
         """A force times its arm, a couple, either times its rate."""
         text = self.naming.vector(name)
-        if any(isinstance(step, Drop) and step.makes == lever for step in self.position.drawing.program.steps):
+        if lever in self.arms:
             return text + self.naming.arm(name, lever)
         return text + (self.naming.vector(lever) if lever else "")
+
+    @cached_property
+    def arms(self) -> frozenset[str]:
+        """The names of all arms."""
+        return frozenset(step.makes for step in self.position.drawing.program.steps if isinstance(step, Drop))
 
     def value(self, term: Product) -> float:
         """One product of the sum."""

@@ -71,7 +71,7 @@ class Polygon:
         """Letters for the details of this plan, after those of the plans before it."""
         plans = list(dict.fromkeys(s.plan for s in self.plotted.segments if s.plan not in ("lever", "motion")))
         used = sum(map(self.details_of, plans[: plans.index(self.plan)] if self.plan in plans else ()))
-        return detail.letters(map(label_of, self.plotted.drawing.things), self.naming.lang == "ru")[used:]
+        return detail.letters(self.plotted.initials, self.naming.lang == "ru")[used:]
 
     def details_of(self, plan: str) -> int:
         """How many details another plan of this drawing has."""

@@ -25,7 +25,7 @@ LEFT = {
     "lesson": 27,  # directions by their signs, sentences about a name
     "course": 2,  # names of parameters, which people give
     "crank_slider": 1,
-    "render": 31,  # the lettering itself, in render/paper; parameters, which people name
+    "render": 19,  # the lettering itself, in render/paper
     "documents": 4,
 }
 
