@@ -88,8 +88,11 @@ def fitted(contents: Contents, name: str, last: bool, whole: bool) -> Way | None
     """The best looking way in which all views (but, unless ``whole``, those that may be left out) fit on a format."""
     for how in _tries(name, bool(contents.extents(Sizes())), last):
         wanted, spare = contents.views(*how)
-        if (whole or spare) and packed([*wanted, *spare] if whole else wanted, Paper(name)):
-            return how
+        shown = [*wanted, *spare] if whole else wanted
+        if (whole or spare) and packed(shown, Paper(name)):
+            knotted = whole and spare and how[0].factor < 1 and any(v.crowded for v in shown)
+            if not knotted:  # rather is left out what may be than all drawn too small for its letters
+                return how
     return None
 
 
