@@ -21,6 +21,7 @@ from planes.batch.slopes import STIFF, Carrying, Values, times
 from planes.batch.tape import Tape
 from planes.batch.tracing import given_values, trace
 from planes.geometry.arrays import Array, Booleans, Floats, Indices
+from planes.words.names import given_of, is_scale
 
 SIGMAS = 6.0  # roundings add up as chances do: further off than this is one sum in five hundred million
 SMALL = 0.01  # a loss this small beside the rounding is not worth a better bound
@@ -165,7 +166,7 @@ class Kept:
 def _written(tape: Tape, order: list[int], off: Mapping[str, float]) -> dict[int, float]:
     """Places of the givens a scene writes, each with how far off it is reckoned; scales are of the drawing alone."""
     names = {p: str(tape.values[p]) for p in order if tape.ops[p][0] == "given"}
-    own = {p: n.removesuffix(".x").removesuffix(".y") for p, n in names.items() if not n.startswith("mu_")}
+    own = {p: given_of(n) for p, n in names.items() if not is_scale(n)}
     return {p: off.get(n, 0.0) for p, n in own.items()}
 
 

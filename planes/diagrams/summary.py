@@ -16,6 +16,7 @@ from planes.diagrams.working_range import FULL
 from planes.geometry.arrays import Array, Complexes
 from planes.plans import Plans
 from planes.scene import Scene
+from planes.words.names import component_of, index_of, letter_of
 
 SAME = 1e-12
 
@@ -150,12 +151,11 @@ class Summary:
     def _shown(self, curve: Curve) -> bool:
         if self.names:
             return curve.name in self.names
-        if curve.name.startswith(("MZ_", "FbZ_")) or curve.name.endswith(("_x", "_y")):
+        if letter_of(curve.name) in ("MZ", "FbZ") or component_of(curve.name):
             return False
-        link = curve.name.removeprefix("phi_")
-        if curve.name.startswith("phi_"):
+        if letter_of(curve.name) == "phi":
             moves = varies(self.grid.values(curve), self.grid.noise(curve))
-            return link != self.plans.mechanism.drive.link and moves
+            return index_of(curve.name) != self.plans.mechanism.drive.link and moves
         return curve.name != f"s_{self.plans.mechanism.drive.link}"
 
     @cached_property

@@ -18,6 +18,7 @@ from planes.solving.nearest import nearest
 from planes.solving.tables import table
 from planes.words import Lang, say
 from planes.words.errors import PlanFailure
+from planes.words.names import index_of
 from planes.words.records import Json
 from planes.words.units import RATES, quantity
 
@@ -83,7 +84,7 @@ def _flips(s: Summary, lang: Lang) -> list[str]:
     """Where links turn over, those of one place together."""
     found: dict[str, list[str]] = {}
     for name, place in s.grid.flips:
-        found.setdefault(_place(s, place, lang), []).append(name.removeprefix("phi_"))
+        found.setdefault(_place(s, place, lang), []).append(index_of(name))
     return [
         say("cycle_flips", lang, name=drive_name(s), place=place, links=", ".join(links))
         for place, links in found.items()

@@ -21,6 +21,7 @@ from planes.plans import Plans
 from planes.scene.ranges import Span
 from planes.words import Phrase
 from planes.words.errors import PlanesError, choices
+from planes.words.names import letter_of
 from planes.words.units import RATES
 
 T = TypeVar("T")
@@ -129,7 +130,7 @@ class Grid:
         """Where the mechanism assembles: a mask, by the columns of places."""
         found = np.ones(len(self.places), bool)
         for name, row in self.sample.items():
-            if name.startswith(("r_", "phi_", "q:v_", "q:omega_")):
+            if letter_of(name) in ("r", "phi", "q:v", "q:omega"):
                 found &= np.isfinite(row)
         return found
 

@@ -21,6 +21,7 @@ from planes.scene.ranges import Span
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
+from planes.words.names import index_of, letter_of
 from render.charts.cycle_charts import DriveAxis, Loop, Panel, draw
 
 
@@ -38,7 +39,7 @@ def draw_cycle(
         raise PlanesError(Phrase("cycle_one_place", file=scene.file))
     plans = mechanism_plans(scene)
     panels = [name.split("+") for name in (show if show is not None else default_curves(plans, hodographs, paths))]
-    loops = [*(hodographs or ()), *(f"r_{p.removeprefix('r_')}" for p in paths or ())]
+    loops = [*(hodographs or ()), *(f"r_{index_of(p) if letter_of(p) == 'r' else p}" for p in paths or ())]
     turned = Turned(scene, plans, span, [n for names in panels for n in names], loops)
     naming = Naming(lang, **lettering(scene, plans))
     title = scene.title.get(lang, "")

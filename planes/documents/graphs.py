@@ -15,6 +15,7 @@ from planes.solving import Position
 from planes.words import Phrase, say
 from planes.words.errors import SceneError, choices
 from planes.words.lettering import Naming, lettered_curve
+from planes.words.names import letter_of
 from render.sheet.composer import Composer
 from render.sheet.single import LETTER_MM, Makers
 from render.views import View, view
@@ -84,7 +85,7 @@ def _curve(curve: Curve, pieces: Sequence[tuple[Array, Sample]], naming: Naming)
     if curve.angular:
         values = unwound(values)
     name = lettered_curve(curve.name, naming)
-    return DiagramCurve(name.partition("_")[0], curve.unit, known(values), name, known(places))
+    return DiagramCurve(letter_of(name), curve.unit, known(values), name, known(places))
 
 
 def known(values: Array) -> tuple[Real, ...]:

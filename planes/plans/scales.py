@@ -37,14 +37,18 @@ def scales(
         for plan in fixed:
             if mu_of(plan) not in chosen:
                 size, fit = extent(drawing, plan), fit_mm.get(plan) or fit_mm[kind_of(plan)]
-                standard = standard_scale if plan == "position" else standard_mu
-                chosen[mu_of(plan)] = standard(size, fit)
+                chosen[mu_of(plan)] = fitting(plan, size, fit)
         if failed:  # tell it in millimetres of the paper
             run(plans.program, {**now, **chosen})
             raise failed
     if "lever" in plans.drawn:
         chosen[mu_of("lever")] = chosen[mu_of("motion" if plans.at_rest else "velocity")]
     return chosen
+
+
+def fitting(plan: str, size: float, fit_mm: float) -> float:
+    """The largest standard μ, mm per SI unit, at which a plan so large in SI fits so many millimetres."""
+    return (standard_scale if plan == "position" else standard_mu)(size, fit_mm)
 
 
 def extent(drawing: Drawing, plan: str) -> float:

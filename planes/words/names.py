@@ -133,6 +133,30 @@ def written(direction: str) -> str:
     return direction.rstrip(AGAIN).replace("⊥∥", "⊥")
 
 
+def parallel_to(action: str) -> str:
+    """The vector a line of action is drawn along: a_C of "-a_C", v_C of "+v_C"; "" of any other line."""
+    return action[1:] if re.match(r"-a_|[-+]v_", action) else ""
+
+
+def lines(action: str) -> str:
+    """A line of action as it is written: ↓, ⊥BC, ∥x–x, C→B, ∥CL of the guide CL; "" for none."""
+    text = written(action).replace("-", "–")
+    if re.match(r"[↓⊥∥]|[A-Z]\w*→[A-Z]\w*$", text):
+        return text
+    return f"∥{text}" if re.fullmatch(r"[A-Z]\w*", text) else ""
+
+
+def index_of(name: str) -> str:
+    """The index of an indexed name: AB of l_AB."""
+    return name.partition("_")[2]
+
+
+def ends_of(guide: str) -> tuple[str, str]:
+    """The letters at both ends of a guide: x and x of "x-x"; of a guide of one name it and ""."""
+    first, _, second = guide.partition("-")
+    return first, second
+
+
 def parted(label: str) -> str:
     """A mark of a force plan as the part of a vector that ends there: F_21t, F_21^t."""
     return re.sub(r"^(F_[^^]*)([tn])$", r"\1^\2", label)
@@ -141,6 +165,17 @@ def parted(label: str) -> str:
 def is_scale(name: str) -> bool:
     """Whether a value is the scale of a plan."""
     return name.startswith("mu_")
+
+
+def component_of(name: str) -> str:
+    """The axis a component is along: x of aq_S2_x; "" of a whole."""
+    last = name.rpartition("_")[2]
+    return last if last in ("x", "y") and name.count("_") > 1 else ""
+
+
+def given_of(name: str) -> str:
+    """The given a number is of: that of a place is written with .x and .y."""
+    return name.removesuffix(".x").removesuffix(".y")
 
 
 def mover(sense: str) -> str:

@@ -22,6 +22,7 @@ from matplotlib.figure import Figure
 from planes.geometry.arrays import Array, Complexes
 from planes.words import Lang, say
 from planes.words.lettering import Naming, lettered_curve
+from planes.words.names import index_of, letter_of
 from render.charts import LOOKS, STYLE
 from render.charts.chart_files import save
 from render.paper.numbers import number, with_unit
@@ -206,7 +207,7 @@ def _extremes(plot: Axes, marked: Sequence[Marked], axis: DriveAxis, lang: Lang)
 
 def _loop(plot: Axes, loop: Loop, naming: Naming) -> None:
     """A curve in the plane, the pole of a hodograph at the origin, positions numbered."""
-    path = loop.name.startswith("r_")
+    path = letter_of(loop.name) == "r"
     runs = [*loop.runs, loop.runs[0][:1]] if loop.closed else loop.runs
     for run in loop.runs:
         plot.plot(run.real, run.imag, color="#000000", zorder=3)
@@ -268,7 +269,7 @@ def _room(z: complex, ink: Sequence[complex], taken: Sequence[complex]) -> float
 def _square(plot: Axes, loop: Loop, naming: Naming, path: bool, ink: Sequence[complex]) -> None:
     """Equal scales along both axes, and what they are."""
     lang = naming.lang
-    name = loop.name.removeprefix("r_") if path else lettered_curve(loop.name, naming)
+    name = index_of(loop.name) if path else lettered_curve(loop.name, naming)
     key = "chart_path" if path else "chart_hodograph"
     plot.set_title(say(key, lang, name=_math(naming.point(name) if path else name)), fontsize=10)
     plot.set_xlabel(with_unit(_math("x"), loop.unit, lang))

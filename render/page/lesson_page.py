@@ -6,7 +6,7 @@ import html
 from collections.abc import Iterator
 
 from planes.words import table
-from planes.words.names import lettered
+from planes.words.names import index_of, lettered
 from planes.words.records import Json
 from render.page import web_page
 from render.paper.letters import NAME, written
@@ -23,7 +23,7 @@ NOSCRIPT = (
 
 def page(data: Json, lang: str) -> str:
     """The whole page; ``data`` is what :func:`planes.lesson.data.lesson_data` exports."""
-    keys = {key.removeprefix("page_"): key for key in table("en", "pages")} | SHARED
+    keys = {index_of(key): key for key in table("en", "pages")} | SHARED
     words = {key: {"ru": table("ru")[name], "en": table("en")[name]} for key, name in keys.items()}
     title = data["title"].get(lang, "")
     parts = {

@@ -13,9 +13,10 @@ from render import charts
 from render.charts.strokes import Picture
 from render.files import png, svg
 from render.files.pdf import POINTS_PER_MM, draw_marks
+from render.labels.footprints import bounds
 from render.paper.marks import Anchor, Arc, Arrow, Line, Mark, Text
 from render.sheet.composer import Composer
-from render.views import View, bounds, stacked, view
+from render.views import View, stacked, view
 from render.views.plotted import Plotted, of_position
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme

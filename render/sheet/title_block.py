@@ -7,22 +7,10 @@ from planes.words import Lang, say
 from render.paper.form1 import BESIDE
 from render.paper.numbers import decimal
 
+_PEOPLE = ("teacher", "tech", "person", "checked", "approved")
 _SAME = (
-    "student",
-    "teacher",
-    "tech",
-    "role",
-    "person",
-    "checked",
-    "approved",
-    "teacher_date",
-    "tech_date",
-    "person_date",
-    "checked_date",
-    "approved_date",
-    "material",
-    "mass",
-    "copied",
+    *("student", "role", "material", "mass", "copied", *_PEOPLE),
+    *(f"{person}_date" for person in _PEOPLE),
     *BESIDE,
 )
 """Keys of the scene that are names of cells."""

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from planes.scene.mechanism import FRAME, Link
 from planes.solving import Position
 from planes.words.lettering import Naming, lettered
+from planes.words.names import ends_of
 from render import labels
 from render.labels.footprints import ink
 from render.paper import symbols
@@ -117,8 +118,8 @@ class Scheme:
         self.rails += symbols.block(foot, angle, size=size)
         reach = RAIL_MM + 4
         self.axes.append(Line((foot - reach * along, foot + reach * along), "axis", "axis"))
-        first, _, second = link.slides.guide.partition("-")
-        for letter, end in ((first, foot + reach * along), (second, foot - reach * along)):
+        ends = foot + reach * along, foot - reach * along
+        for letter, end in zip(ends_of(link.slides.guide), ends, strict=True):
             if letter:
                 self.named.append(labels.Label(lettered(letter), end, 3.5, name=f"guide {link.slides.guide}"))
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from planes.drafting.draft import Segment
@@ -105,6 +105,7 @@ class Tables:
     naming: Naming
     letter: float = 3.5
     parameters: Mapping[str, float] = field(default_factory=dict)
+    once: Callable[[tuple[object, ...], Callable[[], View]], View | None] = lambda key, make: make()
 
     @classmethod
     def of_vectors(cls, results: VectorResults, naming: Naming, letter: float) -> View | None:
@@ -131,9 +132,13 @@ class Tables:
         if not rows:
             return None
         head, rows = folded(head, rows)
-        drawn = TableGrid(self.letter).drawn(head, rows)
-        marks = (*drawn, remark(note, drawn)) if note else drawn
-        return view(key, title, marks, self.letter * 10 / 7 if self.letter < 3 else 5.0)
+
+        def make() -> View:
+            drawn = TableGrid(self.letter).drawn(head, rows)
+            marks = (*drawn, remark(note, drawn)) if note else drawn
+            return view(key, title, marks, height=self.letter * 10 / 7 if self.letter < 3 else 5.0)
+
+        return self.once(("table", key, self.letter, *map(tuple, rows)), make)
 
     def all(self) -> list[View]:
         """Every table that has something to say."""

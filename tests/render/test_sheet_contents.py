@@ -6,10 +6,12 @@ from dataclasses import replace
 
 import pytest
 
+from planes import solving
 from planes.cli import main
 from planes.diagrams.driven import driven
 from planes.diagrams.turn import span_of
 from planes.documents import sheet_of
+from planes.documents import sheets as drawing_sheets
 from planes.documents.turning import turned_once
 from planes.scene import load, loads
 from planes.solving import plans_of, solve
@@ -17,7 +19,7 @@ from planes.words.lettering import Naming
 from render.paper.marks import Arrow, Line, Text
 from render.paper.typeset import plain
 from render.sheet.composer import Composer
-from render.sheet.sizes import Sizes, grown
+from render.sheet.sizes import Sizes, grown, relieved
 from render.views.diagrams import DiagramCurve, cut_off
 from render.views.given import GivenTable
 from tests.helpers import ROOT, sheets
@@ -132,6 +134,32 @@ def test_the_smallest_plan_grows_first_and_none_beyond_the_limit():
     assert steps[0] == {"velocity": 1.25}
     assert 80 < extents(found)["velocity"] <= 100 and 80 < extents(found)["force:1"] <= 100
     assert grown(Sizes(), extents, 100.0, lambda _: False) == Sizes()
+
+
+def test_a_crowded_plan_grows_until_its_labels_have_room_or_the_sheet_has_none():
+    def extents(sizes):
+        return {name: 40.0 * sizes.of(name) for name in ("velocity", "force:1")}
+
+    def crowded(sizes):
+        return {"velocity", "scheme"} if extents(sizes)["velocity"] < 70 else set()
+
+    found = relieved(Sizes(), extents, crowded, lambda _: True)
+    assert 70 <= extents(found)["velocity"] < 80 and extents(found)["force:1"] == 40
+    small = relieved(Sizes(), extents, crowded, lambda sizes: sizes.of("velocity") < 1.5)
+    assert dict(small.more) == {"velocity": 1.25}
+
+
+def test_a_sheet_draws_its_position_once_at_each_scale(monkeypatch):
+    drawn = []
+
+    def counted(*given):
+        drawn.append(solving.position(*given))
+        return drawn[-1]
+
+    monkeypatch.setattr(drawing_sheets, "position", counted)
+    sheet_of(load(SAMPLES / "six-link.yaml"), None, "ru", 2)
+    scales = [tuple(p.scales.items()) for p in drawn]
+    assert len(scales) == len(set(scales)) < 15
 
 
 @pytest.mark.few(1)
