@@ -24,6 +24,7 @@ from planes.plans.structure import Group, Pair
 from planes.scene.mechanism import FRAME, Mechanism
 
 Triple = tuple[complex, complex, complex]  # place, velocity, acceleration
+Near = Callable[[int], dict[str, complex]]
 NOTHING: Triple = (complex("nan+nanj"),) * 3
 PER_STEP = 1e-3  # rad of the crank, of a table in time
 
@@ -200,17 +201,12 @@ def _quiet() -> Iterator[None]:
         units.set_unit_system(units.DEFAULT_SYSTEM)
 
 
-Near = Callable[[int], dict[str, complex]]
-
-
 def pylinkage_at(at: Callable[[int], Plans], values: Any, near: Near) -> list[dict[str, Triple]]:
     """Triples at every position; ``at`` gives the mechanism, ``near`` where its points are about."""
-    found = []
+    found: list[dict[str, Triple]] = [{} for _ in values]
     for k, value in enumerate(values):
-        try:
-            found.append(Pylinkage(at(k), float(value), near(k)).triples())
-        except (ArithmeticError, ValueError, TypeError):
-            found.append({})
+        with contextlib.suppress(ArithmeticError, ValueError, TypeError):
+            found[k] = Pylinkage(at(k), float(value), near(k)).triples()
     return found
 
 
@@ -231,10 +227,9 @@ def _kinepy_one(plans: Plans, value: float, near: dict[str, complex]) -> dict[st
     def off(found: dict[str, Any]) -> float:
         return float(sum(np.nan_to_num(abs(z[1] - near[p]), nan=math.inf) for p, z in found.items()))
 
-    best = min((tried(signs) for signs in itertools.product((1, -1), repeat=len(tool.keys))), key=off)
-    return {
-        p: (z[1], *differences(z[1], z[0], z[2], drive.velocity, drive.acceleration, PER_STEP)) for p, z in best.items()
-    }
+    best = min(map(tried, itertools.product((1, -1), repeat=len(tool.keys))), key=off)
+    rates = drive.velocity, drive.acceleration, PER_STEP
+    return {p: (z[1], *differences(z[1], z[0], z[2], *rates)) for p, z in best.items()}
 
 
 def pylinkage_run(plans: Plans, value: float, near: dict[str, complex]) -> Callable[[Any], Any]:

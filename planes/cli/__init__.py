@@ -11,7 +11,14 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 
 from planes.cli.idle import check_needs, check_options
-from planes.cli.options import add_blank_options, add_check_options, add_course_options, add_cycle_options
+from planes.cli.options import (
+    add_blank_options,
+    add_check_options,
+    add_course_options,
+    add_crank_slider_options,
+    add_cycle_options,
+    add_solve_options,
+)
 from planes.cli.parser import CommandParser, Parser, lang_of
 from planes.cli.positions import add_positions, range_of, value_of, values_of
 from planes.scene import Scene, load
@@ -70,12 +77,7 @@ def _parser(lang: Lang) -> argparse.ArgumentParser:
     commands = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=CommandParser)
     solve = command("solve", _solve, help_of("help_solve"))
     add_positions(solve, help_of)
-    solve.add_argument("--json", action="store_true", help=help_of("help_json"))
-    solve.add_argument("--pencil", action="store_true", help=help_of("help_pencil"))
-    solve.add_argument("--seed", type=int, help=help_of("help_seed"))
-    solve.add_argument("--explain", action="store_true", help=help_of("help_explain"))
-    solve.add_argument("--errors", action="store_true", help=help_of("help_errors"))
-    solve.add_argument("--remedy", action="store_true", help=help_of("help_remedy"))
+    add_solve_options(solve, help_of)
     structure = command("structure", _structure, help_of("help_structure"))
     structure.add_argument("--json", action="store_true", help=help_of("help_object"))
     sheet = command("sheet", _sheet, help_of("help_sheet"))
@@ -98,10 +100,7 @@ def _parser(lang: Lang) -> argparse.ArgumentParser:
     chart.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_chart_output"))
     chart.add_argument("--table", metavar="FILE", help=help_of("help_table"))
     crank = command("crank-slider", _crank_slider, help_of("help_crank_slider"))
-    crank.add_argument("-o", "--output", metavar="FILE", help=help_of("help_report"))
-    crank.add_argument("--json", action="store_true", help=help_of("help_object"))
-    crank.add_argument("--sheet", metavar="FILE", help=help_of("help_force_sheet"))
-    crank.add_argument("--phi", type=float, metavar="A", help=help_of("help_sheet_phi"))
+    add_crank_slider_options(crank, help_of)
     check = command("check", _check, help_of("help_check"))
     add_positions(check, help_of)
     add_check_options(check, help_of)

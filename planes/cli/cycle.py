@@ -111,7 +111,7 @@ def _table(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
 
 
 def _listing(args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Callable[[object], str]) -> int:
-    from planes.diagrams.text import listed_json, listing, unsolved
+    from planes.diagrams.listing import listed_json, listing, unsolved
     from planes.diagrams.turn import turn_of
     from planes.plans import mechanism_plans
 

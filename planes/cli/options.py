@@ -54,3 +54,21 @@ def add_course_options(parser: argparse.ArgumentParser, told: Callable[[str], st
     workers.add_argument("--jobs", type=int, metavar="N", help=told("help_jobs"))
     workers.add_argument("--scheduler", metavar="ADDRESS", help=told("help_scheduler"))
     parser.add_argument("--lang", choices=("ru", "en"), help=told("help_lang"))
+
+
+def add_solve_options(solve: argparse.ArgumentParser, help_of: Callable[[str], str]) -> None:
+    """What ``planes solve`` also tells."""
+    solve.add_argument("--json", action="store_true", help=help_of("help_json"))
+    solve.add_argument("--pencil", action="store_true", help=help_of("help_pencil"))
+    solve.add_argument("--seed", type=int, help=help_of("help_seed"))
+    solve.add_argument("--explain", action="store_true", help=help_of("help_explain"))
+    solve.add_argument("--errors", action="store_true", help=help_of("help_errors"))
+    solve.add_argument("--remedy", action="store_true", help=help_of("help_remedy"))
+
+
+def add_crank_slider_options(crank: argparse.ArgumentParser, help_of: Callable[[str], str]) -> None:
+    """What ``planes crank-slider`` writes."""
+    crank.add_argument("-o", "--output", metavar="FILE", help=help_of("help_report"))
+    crank.add_argument("--json", action="store_true", help=help_of("help_object"))
+    crank.add_argument("--sheet", metavar="FILE", help=help_of("help_force_sheet"))
+    crank.add_argument("--phi", type=float, metavar="A", help=help_of("help_sheet_phi"))

@@ -22,7 +22,8 @@ from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
 from planes.words.names import index_of, letter_of
-from render.charts.cycle_charts import DriveAxis, Loop, Panel, draw
+from render.charts.cycle_charts import DriveAxis, Panel, draw
+from render.charts.loops import Loop
 
 
 def draw_cycle(

@@ -6,7 +6,6 @@ is the axis of the driver's angle, in degrees.
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -19,18 +18,17 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from planes.geometry.arrays import Array, Complexes
-from planes.words import Lang, say
+from planes.geometry.arrays import Array
+from planes.words import Lang
 from planes.words.lettering import Naming, lettered_curve
-from planes.words.names import index_of, letter_of
 from render.charts import LOOKS, STYLE
 from render.charts.chart_files import save
+from render.charts.loops import SQUARE, Loop, draw_loop, math_text
 from render.paper.numbers import number, with_unit
 
 LOOK: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path", "axes.grid": False}
 WIDE = 7.2  # inches
 TALL = 1.9  # of one pair of axes
-SQUARE = 3.6  # of a hodograph
 MARGIN = 0.17  # beneath the lowest ordinate, for the number there
 
 
@@ -48,17 +46,6 @@ class Panel:
     unit: str
     place: bool  # of a place, whose zero need not be seen
     curves: Sequence[tuple[str, Sequence[tuple[Array, Array]], Sequence[Marked]]]
-
-
-@dataclass(frozen=True)
-class Loop:
-    """A hodograph or a path: complex places run by run, and those of the numbered positions."""
-
-    name: str
-    unit: str
-    runs: Sequence[Complexes]
-    stations: Complexes
-    closed: bool = True
 
 
 @dataclass(frozen=True)
@@ -89,14 +76,10 @@ def draw(
         if loops:
             squares = parts[-1].subplots(rows, min(2, len(loops)), squeeze=False).ravel()
             for plot, loop in zip(squares, loops, strict=False):
-                _loop(plot, loop, naming)
+                draw_loop(plot, loop, naming)
             for plot in squares[len(loops) :]:
                 plot.set_axis_off()
         save(figure, path)
-
-
-def _math(text: str) -> str:
-    return f"${text}$"
 
 
 def _panel(plot: Axes, panel: Panel, axis: DriveAxis, naming: Naming, first: bool, last: bool) -> None:
@@ -105,7 +88,7 @@ def _panel(plot: Axes, panel: Panel, axis: DriveAxis, naming: Naming, first: boo
     for k, (name, runs, marked) in enumerate(panel.curves):
         colour, dashes = LOOKS[k % len(LOOKS)]
         for j, (x, y) in enumerate(runs):
-            label = _math(lettered_curve(name, naming)) if many and j == 0 else None
+            label = math_text(lettered_curve(name, naming)) if many and j == 0 else None
             plot.plot(x, y, color=colour, linestyle=dashes, label=label, zorder=3)
         for (x, y), (x2, y2) in pairwise(runs):
             plot.plot([x[-1], x2[0]], [y[-1], y2[0]], color=colour, linestyle=(0, (3, 2)), linewidth=0.8, zorder=2)
@@ -127,7 +110,7 @@ def _degrees(plot: Axes, axis: DriveAxis, lang: Lang) -> None:
     where: dict[str, Any] = {"xycoords": plot.get_xaxis_transform(), "textcoords": "offset points", "va": "top"}
     for x in axis.stations:
         plot.annotate(number(_told(x, axis), lang), (x, 0), (0, -3), ha="center", fontsize=8.5, **where)
-    letter = _math(f"{'φ' if axis.turning else 's'}_{{{axis.link}}}")
+    letter = math_text(f"{'φ' if axis.turning else 's'}_{{{axis.link}}}")
     text = with_unit(letter, "°" if axis.turning else "m", lang)
     plot.annotate(text, (axis.end, 0), (0, -16), ha="right", fontsize=10, **where)
 
@@ -154,7 +137,7 @@ def _frame(plot: Axes, panel: Panel, axis: DriveAxis, naming: Naming) -> None:
     arrow: dict[str, Any] = {"clip_on": False, "color": "#000000", "markersize": 4.5, "zorder": 4}
     plot.plot(1, zero, ">", transform=plot.get_yaxis_transform(), **arrow)
     plot.plot(0, 1, "^", transform=plot.transAxes, **arrow)
-    names = ", ".join(_math(lettered_curve(name, naming)) for name, _, _ in panel.curves)
+    names = ", ".join(math_text(lettered_curve(name, naming)) for name, _, _ in panel.curves)
     plot.annotate(
         with_unit(names, panel.unit, naming.lang),
         (0, 1),
@@ -203,83 +186,3 @@ def _extremes(plot: Axes, marked: Sequence[Marked], axis: DriveAxis, lang: Lang)
             fontsize=8,
             zorder=6,
         )
-
-
-def _loop(plot: Axes, loop: Loop, naming: Naming) -> None:
-    """A curve in the plane, the pole of a hodograph at the origin, positions numbered."""
-    path = letter_of(loop.name) == "r"
-    runs = [*loop.runs, loop.runs[0][:1]] if loop.closed else loop.runs
-    for run in loop.runs:
-        plot.plot(run.real, run.imag, color="#000000", zorder=3)
-    for one, two in pairwise(runs):
-        plot.plot(
-            [one[-1].real, two[0].real],
-            [one[-1].imag, two[0].imag],
-            color="#000000",
-            linewidth=0.8,
-            linestyle=(0, (3, 2)),
-            zorder=2,
-        )
-    ink = [complex(z) for run in loop.runs for z in run[::4] if z == z]
-    ink += [] if path else [0j]
-    if not path:
-        plot.plot([0], [0], "+", color="#000000", markersize=9, zorder=4)
-    _square(plot, loop, naming, path, ink)
-    _stations(plot, loop, ink)
-
-
-def _stations(plot: Axes, loop: Loop, ink: Sequence[complex]) -> None:
-    """Dots and numbers of the positions, each number where it touches neither the curve nor another number."""
-    (low, high), points = plot.get_xlim(), SQUARE * 72 * 0.72
-    scale = points / (high - low)  # points of paper per unit
-    places = [z * scale for z in ink]
-    taken: list[complex] = []
-    dots: list[complex] = []
-    for k, z in enumerate(loop.stations):
-        if z != z or any(abs(z - other) * scale < 0.5 for other in dots):
-            continue
-        dots.append(z)
-        plot.plot([z.real], [z.imag], "o", color="#000000", markersize=2.8, zorder=4)
-        offsets = [d * (1.3 if k > 9 else 1.0) for d in _OFFSETS]
-        shift = max(offsets, key=lambda d: _room(z * scale + d, places, taken) - 0.15 * abs(d))
-        taken.append(z * scale + shift)
-        line = {"arrowstyle": "-", "color": "#888888", "linewidth": 0.5} if abs(shift) > 12 else None
-        plot.annotate(
-            str(k),
-            (z.real, z.imag),
-            (shift.real, shift.imag),
-            textcoords="offset points",
-            ha="center",
-            va="center",
-            fontsize=8,
-            arrowprops=line,
-        )
-
-
-_OFFSETS = [r * cmath.rect(1, math.pi / 6 * k) for r in (8, 14, 20) for k in range(12)]
-
-
-def _room(z: complex, ink: Sequence[complex], taken: Sequence[complex]) -> float:
-    """How far a number stands from the curve (7 points are enough) and from other numbers (11 are)."""
-    near = min((abs(z - other) for other in ink), default=99.0)
-    beside = min((abs(z - other) for other in taken), default=99.0)
-    return min(near, 7.0) + min(beside, 11.0)
-
-
-def _square(plot: Axes, loop: Loop, naming: Naming, path: bool, ink: Sequence[complex]) -> None:
-    """Equal scales along both axes, and what they are."""
-    lang = naming.lang
-    name = index_of(loop.name) if path else lettered_curve(loop.name, naming)
-    key = "chart_path" if path else "chart_hodograph"
-    plot.set_title(say(key, lang, name=_math(naming.point(name) if path else name)), fontsize=10)
-    plot.set_xlabel(with_unit(_math("x"), loop.unit, lang))
-    plot.set_ylabel(with_unit(_math("y"), loop.unit, lang))
-    xs, ys = [z.real for z in ink] or [0.0], [z.imag for z in ink] or [0.0]
-    half = 0.6 * max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0
-    x, y = (max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2
-    plot.set(xlim=(x - half, x + half), ylim=(y - half, y + half))
-    plot.set_aspect("equal")
-    plot.grid(True, linewidth=0.4, color="#dddddd")
-    for ax in (plot.xaxis, plot.yaxis):
-        ax.set_major_formatter(lambda v, _: number(float(f"{v:.6g}"), lang))
-    plot.locator_params(nbins=5)
