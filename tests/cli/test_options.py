@@ -238,7 +238,7 @@ def test_an_unknown_diagram_is_refused_on_every_sheet(key, name, number) -> None
         (["cycle", "--show", "F_21"], False),
         (["sheet", "-o", "s.svg"], True),
         (["sheet", "-o", "s.svg", "--phi", "9"], False),
-        (["lesson", "-o", "l.html"], False),
+        (["lesson", "-o", "l.html"], True),
     ],
 )
 def test_a_load_by_the_drives_own_angle_holds_there_alone(argv, right, capsys, tmp_path, monkeypatch) -> None:

@@ -28,7 +28,7 @@ def style_rules(root: ElementTree.Element) -> dict[str, Looks]:
 
 
 def _declared(text: str) -> Looks:
-    pairs = re.findall(r"([^:;]+):([^;]*)", text)
+    pairs = ((*part.split(":", 1), "")[:2] for part in text.split(";"))
     return {k.strip(): v.strip() for k, v in pairs if k.strip() in LOOKS}
 
 
