@@ -1,6 +1,7 @@
 """Every run draws the same random scenes, and none is refused for what a busy machine takes to draw it.
 
-``@pytest.mark.few(n)`` leaves a test with many cases n of them, evenly chosen; the others are slow.
+``@pytest.mark.few(n)`` leaves a test with many cases n of them, evenly chosen; the others are slow, with ``slow=m``
+so many of them, and the rest long.
 """
 
 from __future__ import annotations
@@ -25,7 +26,12 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             cases[item.nodeid.partition("[")[0]].append(item)
     for every in cases.values():
         mark = every[0].get_closest_marker("few")
-        number, last = mark.args[0] if mark else 0, len(every) - 1
-        kept = {round((k + 0.5) * last / number) for k in range(number)}
-        for one in (item for k, item in enumerate(every) if k not in kept):
-            one.add_marker("slow")
+        fast = _evenly(len(every), mark.args[0] if mark else 0)
+        slow = _evenly(len(every), mark.kwargs.get("slow", len(every)) if mark else 0)
+        for k, item in enumerate(every):
+            if k not in fast:
+                item.add_marker("slow" if k in slow else "long")
+
+
+def _evenly(count: int, some: int) -> set[int]:
+    return {round((k + 0.5) * (count - 1) / some) for k in range(some)} if some < count else set(range(count))

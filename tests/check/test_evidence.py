@@ -54,10 +54,10 @@ def test_an_empty_blank_is_unreadable(tmp_path: Path) -> None:
 
 
 FILES = sorted(p for p in (*SAMPLES.glob("*.yaml"), *SAMPLES.glob("assignments/*.yaml")) if p.stem != "vectors")
-BLANKS = [pytest.param(p, marks=() if p.stem in ("01", "24", "six-link") else pytest.mark.slow) for p in FILES]
 
 
-@pytest.mark.parametrize("sample", BLANKS, ids=lambda p: p.stem)
+@pytest.mark.few(3, slow=20)
+@pytest.mark.parametrize("sample", FILES, ids=lambda p: p.stem)
 def test_an_empty_blank_of_every_sample_is_unreadable(sample: Path, tmp_path: Path) -> None:
     scene, file = load(sample), str(tmp_path / "blank.svg")
     assert scene.mechanism

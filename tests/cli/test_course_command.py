@@ -63,6 +63,7 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return at
 
 
+@pytest.mark.slow
 def test_what_everybody_gets(whole: Path) -> None:
     out = whole / "out"
     own = {"students": {"task.pdf", "blank.pdf"}, "teacher": {"scene.yaml", "key.json", "key.pdf"}}
@@ -74,6 +75,7 @@ def test_what_everybody_gets(whole: Path) -> None:
     assert {n: e["sha256"] for n, e in listed.items()} == {n: h for n, h in files(out).items() if n != "manifest.json"}
 
 
+@pytest.mark.slow
 def test_the_summary_holds_everybodys_own_answers(whole: Path) -> None:
     out = whole / "out"
     rows = list(csv.DictReader((out / "teacher/summary.csv").read_text("utf-8").splitlines()))
@@ -92,6 +94,7 @@ def test_the_summary_holds_everybodys_own_answers(whole: Path) -> None:
     assert all(f"Студент {k}" in page for k in range(1, 9))
 
 
+@pytest.mark.slow
 def test_a_students_scene_is_what_the_other_commands_take(whole: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["solve", str(whole / "out/teacher/Студент-7/scene.yaml"), "--lang", "ru"]) == 0
     assert "Уравновешивающий момент" in capsys.readouterr().out
@@ -171,6 +174,7 @@ def test_there_must_be_numbers_for_everybody(
     assert sorted(r["phi_1 [°]"] for r in rows) == ["", "30", "60"]
 
 
+@pytest.mark.slow
 def test_a_slip_of_a_document_is_a_sentence(
     whole: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -88,7 +88,7 @@ def said(argv: list[str], capsys, folder: Path) -> tuple[int, str, str, dict[str
 ONCE: dict[tuple[str, ...], tuple[object, ...]] = {}
 
 
-@pytest.mark.few(50)
+@pytest.mark.few(25)
 @pytest.mark.parametrize(("base", "option"), CASES, ids=lambda x: " ".join(Path(a).name for a in x))
 def test_an_option_has_an_effect_or_is_refused(base, option, capsys, tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)

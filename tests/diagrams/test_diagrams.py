@@ -93,7 +93,7 @@ def test_analogues_of_a_crank_slider_are_its_closed_forms() -> None:
     assert read["vq_S2_x"] == pytest.approx((ahead - along) / step, abs=1e-6)
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", range(8))
 def test_analogues_are_what_the_independent_solver_finds_for_a_unit_drive(seed: int) -> None:
     rng = random.Random(seed)
@@ -243,7 +243,7 @@ def test_limits_of_assembly_are_found_and_what_grows_there_is_said() -> None:
     json.dumps(plain, allow_nan=False)
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1, slow=3)
 @pytest.mark.parametrize("seed", range(10))
 def test_a_driver_can_go_as_far_as_every_step_can_be_drawn(seed: int) -> None:
     rng = random.Random(seed)

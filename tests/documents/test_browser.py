@@ -86,6 +86,7 @@ def test_play_goes_on_by_itself(page: Any) -> None:
     assert page.inner_text("#play") == "▶▶"
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("index", [140, 150, 163, 180, 200, 303])
 def test_what_is_shown_at_any_position_is_what_is_solved(page: Any, index: int) -> None:
     page.evaluate(f"state.frame = data.frames.length - 1; state.index = {index}; draw()")

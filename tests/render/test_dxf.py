@@ -107,6 +107,7 @@ def test_dashes_are_stretched_to_whole_ones_as_in_the_other_formats():
     assert short.dxf.linetype == "Continuous"
 
 
+@pytest.mark.slow
 def test_the_same_bytes_twice_and_a_file_by_its_suffix(tmp_path):
     found = sheet("kind-2-rrp")
     one = dxf.write(found.marks, found.size, found.title)

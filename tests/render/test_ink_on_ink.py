@@ -103,7 +103,7 @@ def random_scene(seed: int) -> Scene:
     return replace(loads(to_yaml(make(rng, rng.choices(KINDS, k=2), friction=seed % 3 == 0).scene)), find=None)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=6)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_no_ink_on_ink_unsaid_on_random_mechanisms(seed: int) -> None:
     drawn = 0
@@ -118,7 +118,7 @@ def test_no_ink_on_ink_unsaid_on_random_mechanisms(seed: int) -> None:
     assert drawn
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(100, 120))
 def test_no_ink_on_ink_unsaid_on_crowded_sheets(seed: int) -> None:
     """Three groups, seven links, all loads: the labels that find no place are named."""

@@ -44,7 +44,7 @@ def clashes(sheet):
     return [c for c in found if " lies on 'line of text" not in c]
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=12)
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("lang", ["ru", "en"])
 def test_nothing_overlaps_and_nothing_leaves_the_frame(name, lang):
@@ -151,7 +151,7 @@ TURNING = [n for n in NAMES if n not in ("vectors", "sliding-driver")]
 POSITIONS = [(n, 30.0 * k) for n in TURNING for k in range(12) if not n.startswith("bntu") or k % 4 == 1]
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=12)
 @pytest.mark.parametrize(("name", "value"), POSITIONS)
 def test_twelve_positions_have_no_clashes(name, value):
     try:
