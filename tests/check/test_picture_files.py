@@ -68,9 +68,18 @@ def written(kind: str, grey: Any, file: Path) -> Path:
     "kind", ["see-through", "16-bit", "16-bit, see-through", "palette", "CMYK", "turned in the camera"]
 )
 def test_a_file_is_read_as_it_is_seen(kind: str, scan: Any, tmp_path: Path) -> None:
-    found = load(written(kind, scan, tmp_path / "p"))
+    found, _ = load(written(kind, scan, tmp_path / "p"))
     assert found.shape == scan.shape and found.dtype == np.uint8
     assert abs(found.astype(int) - scan).mean() < 4
+
+
+@pytest.mark.parametrize(("dpi", "told"), [(200, True), (72, False), (None, False)])
+def test_a_file_tells_its_scale_if_its_paper_is_of_a_likely_size(dpi: int | None, told: bool, tmp_path: Path) -> None:
+    """Cameras write 72 into their pictures, whatever they show."""
+    file = tmp_path / "p.png"
+    Image.new("L", (1654, 1169), 255).save(file, **({"dpi": (dpi, dpi)} if dpi else {}))
+    scale = load(file)[1]
+    assert (scale is not None and abs(scale - 200 / 25.4) < 0.01) if told else scale is None
 
 
 @pytest.mark.few(1)
@@ -93,7 +102,8 @@ def test_a_page_as_large_as_a_house_is_looked_at_from_afar(tmp_path: Path) -> No
     canvas = Canvas(str(file), pagesize=(14400, 14400))
     canvas.line(0, 0, 14400, 14400)
     canvas.save()
-    assert load(file).size <= 1.01 * MOST_PAGE
+    grey, scale = load(file)
+    assert grey.size <= 1.01 * MOST_PAGE and scale and abs(grey.shape[0] / scale - 14400 * 25.4 / 72) < 1
 
 
 @pytest.mark.parametrize("name", ["half.png", "half.jpg", "half.pdf", "start.png", "none.png", "text.jpg", "tiny.png"])

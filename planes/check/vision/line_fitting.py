@@ -152,9 +152,10 @@ def _laid(s: Array, found: Array, length: float) -> tuple[Array, float]:
     rows = numpy.stack([numpy.ones_like(x), x, x * x - 1], axis=1)
     bend = 0.08 / (BEND_MM if length > 12 else 0.003)  # how much a bend has to be believed in
     ridge = numpy.diag([1e-9, 1e-6, bend**2])
-    weight, c = numpy.ones_like(x), numpy.asarray(numpy.zeros(3))
+    weight, c = numpy.ones_like(x), numpy.zeros(3)
     for _ in range(6):
-        c = numpy.linalg.solve((rows * weight[:, None]).T @ rows + ridge, (rows * weight[:, None]).T @ found)
+        weighed = (rows * weight[:, None]).T
+        c = numpy.linalg.solve(weighed @ rows + ridge, weighed @ found).astype(float)
         left = found - rows @ c
         scale = max(1.5 * float(numpy.median(numpy.abs(left))), 0.02)
         weight = numpy.where(numpy.abs(left) < 4 * scale, (1 - (left / (4 * scale)) ** 2) ** 2, 0.0)

@@ -19,13 +19,15 @@ from planes.check.vision.match_scheme import points_on
 from planes.check.vision.page_parts import parts_of
 from planes.check.vision.pencil_lines import sheet_of
 from planes.check.vision.picture import Flat, by_points, by_scale, cv, flatten
+from planes.check.vision.places import Seen
 from planes.check.vision.poles import pole_found, pole_on
 from planes.drafting.drawing import run
 from planes.geometry.arrays import Greys
-from planes.words import Phrase
+from planes.words import Phrase, Written
 from planes.words.errors import PlanesError
 from planes.words.names import at, kind_of, label_of
 from planes.words.spelling import Names
+from planes.words.units import mu_text
 
 MOST_LINES = 120  # a plan has far fewer
 EXPLAINED = 0.6  # the share of a picture's lines that must be the plan's
@@ -43,6 +45,7 @@ class Look:
     hidden: tuple[str, ...] = ()  # vectors whose ends are not seen
     bare: bool = False  # whether there are no lines at all
     crowd: bool = False  # whether there are too many to look at
+    mu: float | None = None  # the scale it was found at, where it is not the stated one
 
     def box(self, bench: PreparedPlan) -> tuple[float, float, float, float]:
         """Where the flat picture lies, mm from the pole: left, bottom, right, top."""
@@ -84,7 +87,12 @@ def paper_of_picture(
     elif best.explained < EXPLAINED:
         paper.notes.append(Phrase("check_no_plan_seen", share=f"{100 * max(best.explained, 0.0):.0f}"))
     else:
-        paper.spots, paper.whole = best.spots, best.whole
+        paper.spots, paper.whole, paper.mu = best.spots, best.whole, best.mu
+        if best.mu:
+            kind = kind_of(bench.asked.plan)
+            paper.notes.append(
+                Phrase("check_mu_found", mu=Written(mu_text(best.mu, kind), mu_text(best.mu, kind, "ru")))
+            )
         if not best.spots:
             paper.notes.append(Phrase("check_force_unsure"))
         if best.hidden:
@@ -116,13 +124,21 @@ def _flats(
 
 def _best(bench: PreparedPlan, flat: Flat, pole: complex | None) -> Look:
     """What a flat picture shows best: all of it, or of a page of known scale one of its parts."""
-    looks: list[tuple[float, Look]] = []
-    for one in [*parts_of(flat, _ends(bench)), flat] if flat.by == "scale" and pole is None else [flat]:
-        look = looked(bench, one, pole)
-        good = worth(bench, ReadPaper("", look.spots, whole=look.whole)) if look.explained >= EXPLAINED else -math.inf
+    if flat.by != "scale" or pole is not None:
+        return looked(bench, flat, pole, sheet_of(flat, _printed(bench, flat)))
+    page, looks = parts_of(flat), list[tuple[float, Look]]()
+    seen: dict[int, tuple[Flat, Seen | None]] = {}
+    for k, mu in page.likely(bench, _ends(bench)):
+        part, sheet = seen[k] = seen.get(k) or (one := page.cut(k), sheet_of(one))
+        there = bench.at(mu, told=True) if mu != bench.said_mu else bench
+        look = looked(there, part, None, sheet)
+        look.mu = mu if mu != bench.said_mu else None
+        good = worth(there, ReadPaper("", look.spots, whole=look.whole)) if look.explained >= EXPLAINED else -math.inf
         looks.append((good, look))
         if good >= len(bench.marks):
             break
+    if all(good == -math.inf for good, _ in looks):
+        looks.append((0.0, looked(bench, flat, None, sheet_of(flat))))
     return max(looks, key=lambda found: (found[0], found[1].explained))[1]
 
 
@@ -132,10 +148,14 @@ def _ends(bench: PreparedPlan) -> list[complex]:
     return [0j, *(complex(truth[m]) for m in bench.marks)]
 
 
-def looked(bench: PreparedPlan, flat: Flat, pole: complex | None) -> Look:
+def _printed(bench: PreparedPlan, flat: Flat) -> complex | None:
+    """Where a blank has its pole, if the picture is of its size."""
+    return blank_pole(bench) if flat.size_mm == SHEET_MM else None
+
+
+def looked(bench: PreparedPlan, flat: Flat, pole: complex | None, seen: Seen | None) -> Look:
     """What a flat picture shows; the pole may be named, is printed on a blank, or must be found."""
-    printed = blank_pole(bench) if flat.size_mm == SHEET_MM else None
-    seen = sheet_of(flat, printed)
+    printed = _printed(bench, flat)
     if seen is None or len(seen.lines) > MOST_LINES:
         return Look(flat, 0j, crowd=True)
     if not seen.lines:

@@ -1,0 +1,72 @@
+"""PNG pictures written by this program, given to its own check: only the file's scale is known, no pole, no mark."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("cv2")
+from planes.check import Outcome, check  # noqa: E402
+from planes.check.grading.prepared_plan import Asked, known_plans  # noqa: E402
+from planes.check.handed_in import Known, read_paper  # noqa: E402
+from planes.documents import rendered, sheet_of  # noqa: E402
+from planes.solving import Position  # noqa: E402
+from render.sheet import Sheet  # noqa: E402
+from render.sheet.single import Page  # noqa: E402
+from tests.check.test_own_sheets import ASSIGNMENTS, SCENES, drawn, spoiled, view  # noqa: E402
+
+
+def looked(sample: str, plan: str, written: Page | Sheet, folder: Path) -> Outcome:
+    """What the check says of a page written as a picture."""
+    file, asked = folder / "p.png", Asked(drawn(sample)[0], plan)
+    file.write_bytes(rendered(written, ".png", "ru"))
+    return check(asked, read_paper(str(file), asked, Known()))
+
+
+def there(position: Position, plan: str) -> bool:
+    """Whether there is something to draw."""
+    marks = [m for m in position.drawing.things if m.startswith(f"{plan}:")]
+    return plan == "position" or any(abs(position.drawing[m]) > 1e-6 for m in marks)
+
+
+VIEWS = (
+    ("six-link", "force:1", "G_1", "weight_missing"),
+    ("six-link", "force:2-3", "F_21t", "force_doubled"),
+    ("kind-2-rrp", "force:2-3", "I_3", "inertia_along_acceleration"),
+)
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize(("sample", "plan", "where", "mistake"), VIEWS)
+def test_a_view_is_right_and_with_one_step_spoiled_wrong_there(
+    sample: str, plan: str, where: str, mistake: str, tmp_path: Path
+) -> None:
+    found = looked(sample, plan, view(sample, plan, drawn(sample)[1]), tmp_path)
+    assert found.verdict == "right", found.sentence.told("en")
+    made = spoiled(sample, plan, 1)
+    assert made
+    found = looked(sample, plan, view(sample, plan, made[0]), tmp_path)
+    assert (found.verdict, found.first_wrong, found.mistake) == ("wrong", where, mistake)
+
+
+def test_vectors_beside_each_other_and_details_mislead_nobody(tmp_path: Path) -> None:
+    found = looked("crank-slider", "force:1", view("crank-slider", "force:1", drawn("crank-slider")[1]), tmp_path)
+    assert found.verdict == "right", found.sentence.told("en")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("plan", ["position", "velocity", "acceleration", "force:2-3", "force:1"])
+def test_a_plan_of_a_whole_sheet_is_right(plan: str, tmp_path: Path) -> None:
+    """Frame, title block, tables and the other plans are not its lines, and the sheet has chosen its own scale."""
+    found = looked("crank-slider", plan, sheet_of(drawn("crank-slider")[0], None), tmp_path)
+    assert found.verdict == "right", found.sentence.told("en")
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("sample", [*SCENES, *ASSIGNMENTS])
+def test_no_spoiled_view_is_right(sample: str, tmp_path: Path) -> None:
+    for plan in known_plans(drawn(sample)[1].plans):
+        made = spoiled(sample, plan, 1) if there(drawn(sample)[1], plan) else None
+        if made:
+            assert looked(sample, plan, view(sample, plan, made[0]), tmp_path).verdict != "right", plan
