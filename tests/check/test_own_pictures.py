@@ -7,14 +7,14 @@ from pathlib import Path
 import pytest
 
 pytest.importorskip("cv2")
-from planes.check import Outcome, check  # noqa: E402
-from planes.check.grading.prepared_plan import Asked, known_plans  # noqa: E402
-from planes.check.handed_in import Known, read_paper  # noqa: E402
-from planes.documents import rendered, sheet_of  # noqa: E402
-from planes.solving import Position  # noqa: E402
-from render.sheet import Sheet  # noqa: E402
-from render.sheet.single import Page  # noqa: E402
-from tests.check.test_own_sheets import ASSIGNMENTS, SCENES, drawn, spoiled, view  # noqa: E402
+from planes.check import Outcome, check
+from planes.check.grading.prepared_plan import Asked, known_plans
+from planes.check.handed_in import Known, read_paper
+from planes.documents import rendered, sheet_of
+from planes.solving import Position
+from render.sheet import Sheet
+from render.sheet.single import Page
+from tests.check.test_own_sheets import ASSIGNMENTS, SCENES, drawn, spoiled, view
 
 
 def looked(sample: str, plan: str, written: Page | Sheet, folder: Path) -> Outcome:

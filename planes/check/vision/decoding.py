@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 from pathlib import Path
 from types import ModuleType
+from typing import TYPE_CHECKING
 
 from planes.check.reading.opened import MB, contents, hushed
 from planes.check.vision.colours import in_one_shade, plainest
@@ -13,12 +14,16 @@ from planes.geometry.arrays import Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
 
+if TYPE_CHECKING:
+    from PIL import Image
+
 LARGEST = 200 * MB
 MOST_BYTES = 320 * MB  # to decode a picture: 64 million pixels, half of that where all must be held several times over
 MOST_PAGE = 34_000_000
 LEAST_PX = 40
 ROWS = 256
 PAGE_DPI, LEAST_DPI = 200, 100  # of a page that is drawn; a file that says less says nothing of its paper
+EXIF, EXPOSURE = 0x8769, 0x829A  # where a camera tells it
 MOST_MM = 900.0  # nor does one that would be of larger paper
 PDF_IMAGES, PDF_DEPTH = 1000, 5
 PNG, PNG_END = b"\x89PNG", b"IEND"
@@ -80,9 +85,14 @@ def _looked_into(data: bytes, file: str) -> tuple[bool, float | None]:
     each = 10 if see_through or head.format == "TIFF" or "progressive" in head.info else 5
     if pixels * each > MOST_BYTES:
         raise PlanesError(Phrase("check_large_picture", file=file, size=f"{head.width} × {head.height}"))
+    return bool(see_through), _scale_of(head)
+
+
+def _scale_of(head: Image.Image) -> float | None:
+    """The pixels to a mm a file tells of; a camera, which tells its exposure, knows nothing of the paper."""
     across, down = (float(dpi) for dpi in head.info.get("dpi", (0, 0)))
     true = across > LEAST_DPI and abs(across - down) < 1 and max(head.size) * 25.4 / across < MOST_MM
-    return bool(see_through), across / 25.4 if true else None
+    return across / 25.4 if true and EXPOSURE not in head.getexif().get_ifd(EXIF) else None
 
 
 def _on_paper(cv2: ModuleType, whole: Greys) -> Greys:

@@ -84,7 +84,7 @@ def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
     paper, pencil = _levels(even)
     ink = Ink(flat, even, paper, pencil)
     labels, sizes = _pieces(ink, ink.mask)
-    ink.even[~_spread(sizes[labels] >= LETTER_MM)] = 255
+    ink.even[~_spread((sizes >= LETTER_MM)[labels])] = 255
     ink.even = numpy.ascontiguousarray(ink.even)
     if cross is not None:
         ink.letters = _joined(ink, cross, [mm for mm in sizes if SPECK_MM < mm < LETTER_MM])
@@ -134,7 +134,7 @@ def _joined(ink: Ink, cross: complex, letters: Sequence[float]) -> Booleans:
         arm = numpy.array([ink.flat.px(cross + way * mm) for mm in (HEART_MM, ARM_MM)]).round().astype(numpy.int32)
         cv().polylines(mask, [arm], False, 0, round(2 * RIM_MM * ink.flat.scale))
     parts, sizes = _pieces(ink, mask)
-    return (parts > 0) & (sizes[parts] < LIKE * statistics.median(letters or [USUAL_MM]))
+    return (parts > 0) & (sizes < LIKE * statistics.median(letters or [USUAL_MM]))[parts]
 
 
 def _pieces(ink: Ink, mask: Greys) -> tuple[Indices, Array]:
