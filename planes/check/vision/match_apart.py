@@ -24,10 +24,11 @@ from planes.words.names import POLE, at
 REACH_MM, SHARE = 1.5, 0.015  # how far off its length a vector may be; grading tells whether it is near enough
 ASIDE_MM = 7.0  # how far aside a vector may be drawn of where it belongs
 COVERED = 0.9
-SURE_MM = 3.0  # a shorter vector may be there unseen
+SURE_MM = 3.0  # a shorter vector may be there unseen: it is put where it should be
 SHORT_MM = 9.0  # so long a vector alone may have been taken for a letter
-STEP_MM, SLIM_MM = 0.15, 0.25  # in which such a vector is looked for aside
-HEADED = 0.5  # the share of longer vectors whose heads must be seen: some are hidden by other ink
+STEP_MM = 0.15  # in which such a vector is looked for aside
+SLIM_MM = 0.25  # how far aside of a vector its ink may be: another may lie close beside it
+HEADED = 0.3  # the share of longer vectors whose heads must be seen: some are hidden by other ink
 HIDDEN_MM = 0.4  # σ of where a vector ends whose ends are within other ink
 DRAWN_MM = 0.3  # a shorter one is not drawn
 WILDEST_MM = 400.0
@@ -70,12 +71,16 @@ class ArrowSheet:
         for start in (p for p in self.seen.places if p.tip or p.ended):
             goal = start.z + vector
             ends = self.seen.within(goal, reach)
-            if ends and self.seen.ink.covered(start.z, goal) > COVERED:
+            if ends and self.seen.ink.covered(start.z, goal, SLIM_MM) > COVERED:
                 tips = [t for t, way in self.cover.tips if abs(t - goal) < reach and _along(vector, way)]
                 closer = None if tips else self.seen.closer(start.z, goal)
                 tips += [closer.z] if closer and abs(closer.z - goal) < reach else []
                 for tip in tips or [p.z for p in ends if p.ended]:
                     yield Arrow(start.z, tip, (start.sigma, 0.15), bool(tips))
+
+    def beside(self, arrow: Arrow) -> float:
+        """The share of an arrow's way on which its ink is not just there, in tenths."""
+        return round(1 - self.seen.ink.covered(arrow.start, arrow.tip, STEP_MM / 2), 1)
 
     def short(self, a: complex, b: complex) -> Arrow | None:
         """A short vector about where it belongs: by itself, or at least some ink where it should be."""
@@ -116,8 +121,10 @@ def _fits(vector: Ends, start: complex, tip: complex, pole: complex) -> bool:
     return all(abs(o.real) < reach and abs(o.imag) < ASIDE_MM for o in off)
 
 
-def _laid(sheet: ArrowSheet, needed: Mapping[str, Ends], drawn: list[Ends]) -> tuple[dict[str, Arrow], complex] | None:
-    """The arrow of every vector, and the pole; None where one has none, or an arrow is over."""
+def _laid(
+    sheet: ArrowSheet, needed: Mapping[str, Ends], drawn: list[Ends]
+) -> tuple[dict[str, Arrow], complex, bool] | None:
+    """The arrow of every vector, the pole, and whether none is missing or over; None where a long one has none."""
     long = {n: e for n, e in needed.items() if abs(e[1] - e[0]) > HEADED_MM}
     likely = {n: sheet.like(b - a) for n, (a, b) in long.items()}
     if any(not arrows and abs(long[n][1] - long[n][0]) > SHORT_MM for n, arrows in likely.items()):
@@ -137,17 +144,23 @@ def _laid(sheet: ArrowSheet, needed: Mapping[str, Ends], drawn: list[Ends]) -> t
             continue
         taken = list(found.values())
         fits = [x for x in likely.get(name, ()) if _fits((a, b), x.start, x.tip, pole) and x not in taken]
-        arrow = min(fits, key=lambda x: (not x.headed, abs(x.tip - b - pole) + abs(x.start - a - pole)), default=None)
-        if arrow is None and length < SHORT_MM:
-            arrow = sheet.short(a + pole, b + pole)
+        arrow = min(
+            fits,
+            key=lambda x: (not x.headed, sheet.beside(x), abs(x.tip - b - pole) + abs(x.start - a - pole)),
+            default=None,
+        )
+        if arrow is None and length > SHORT_MM:
+            return None
+        arrow = arrow or sheet.short(a + pole, b + pole)
+        if arrow is None and length < SURE_MM:
+            arrow = Arrow(a + pole, b + pole, (HIDDEN_MM, HIDDEN_MM), False)
         if arrow is not None:
             found[name] = arrow
-        elif length > SURE_MM:
-            return None
-    headed = sum(x.headed for x in found.values()) >= HEADED * len(long)
     ends = [b + pole for a, b in drawn if abs(b - a) > DRAWN_MM]
     over = any(all(abs(tip - z) > ASIDE_MM / 2 for z in ends) for tip, _ in sheet.cover.tips)
-    return (found, pole) if found and headed and not over else None
+    headed = sum(x.headed for x in found.values()) >= HEADED * len(long)
+    whole = all(n in found or abs(b - a) < DRAWN_MM for n, (a, b) in needed.items())
+    return (found, pole, headed and whole and not over) if found else None
 
 
 def _along(vector: complex, way: complex) -> bool:
@@ -155,20 +168,29 @@ def _along(vector: complex, way: complex) -> bool:
     return (vector * way.conjugate()).real > TIP_STRAIGHT * abs(vector)
 
 
-def vectors_apart(bench: PreparedPlan, seen: Seen) -> tuple[list[ReadMark], bool, complex] | None:
-    """Every vector as a row of its own, whether none is overlooked, and the pole; None where no plan is drawn so."""
+def _differ(one: Mapping[str, Ends], other: Mapping[str, Ends]) -> bool:
+    """Whether two ways to draw a plan are told apart by more than its short vectors."""
+    moved = (abs(one[n][1] - one[n][0] - other[n][1] + other[n][0]) for n in one.keys() & other.keys())
+    return max(moved, default=0.0) > HEADED_MM
+
+
+def vectors_apart(bench: PreparedPlan, seen: Seen) -> tuple[list[ReadMark], complex] | None:
+    """Every vector as a row of its own, and the pole; None where no plan is drawn so.
+
+    No rows where all long vectors of the right plan are there and something about the short ones is not clear.
+    """
     sheet = ArrowSheet(seen)
     hand = Hand(bench.program, bench.given, bench.asked.skill, {})
+    right = _drawn(bench, None)
     for variant in (None, *variants_of(bench, hand, bench.said_mu)):
-        drawn = _drawn(bench, variant)
-        laid = _laid(sheet, *drawn) if drawn else None
-        if drawn and laid:
-            rows, pole = laid
-            spots = [
+        drawn = right if variant is None else _drawn(bench, variant)
+        if drawn is None or right is None or (variant and not _differ(drawn[0], right[0])):
+            continue
+        rows, pole, clear = _laid(sheet, *drawn) or ({}, 0j, False)
+        if clear or (rows and variant is None):
+            return [
                 ReadMark(n, z, max(sigma, 0.1))
-                for name, one in rows.items()
+                for name, one in (rows.items() if clear else ())
                 for n, z, sigma in ((POLE, one.start, one.sigmas[0]), (name, one.tip, one.sigmas[1]))
-            ]
-            unseen = {n for n, (a, b) in drawn[0].items() if abs(b - a) > DRAWN_MM} - rows.keys()
-            return spots, not unseen, pole
+            ], pole
     return None

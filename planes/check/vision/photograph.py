@@ -161,10 +161,9 @@ def looked(bench: PreparedPlan, flat: Flat, pole: complex | None, seen: Seen | N
     if not seen.lines:
         return Look(flat, 0j, explained=0.0, bare=True)
     force = kind_of(bench.asked.plan) == "force"
-    if flat.by in ("scale", "part") and force:
+    if flat.by in ("scale", "part") and force and pole is None:
         found = vectors_apart(bench, seen)
-        if found or flat.by == "part":
-            return Look(flat, found[2], found[0], found[1], 1.0) if found else Look(flat, 0j, explained=0.0)
+        return Look(flat, found[1], found[0], True, 1.0) if found else Look(flat, 0j, explained=0.0)
     near = pole if pole is not None else printed
     if near is None or (flat.by == "frame" and pole is None and not pole_on(seen, near).ended):
         near = pole_found(bench, seen)
