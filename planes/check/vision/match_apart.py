@@ -12,9 +12,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from planes.check.grading.handwork import Hand, Variant
-from planes.check.grading.paper import ReadMark
+from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
+from planes.check.reading.as_planned import is_right
 from planes.check.vision.ink import Ink, evened
 from planes.check.vision.ink_cover import TIP_STRAIGHT, InkCover
 from planes.check.vision.line_fitting import fitted
@@ -188,9 +189,11 @@ def vectors_apart(bench: PreparedPlan, seen: Seen) -> tuple[list[ReadMark], comp
             continue
         rows, pole, clear = _laid(sheet, *drawn) or ({}, 0j, False)
         if clear or (rows and variant is None):
-            return [
+            spots = [
                 ReadMark(n, z, max(sigma, 0.1))
-                for name, one in (rows.items() if clear else ())
+                for name, one in rows.items()
                 for n, z, sigma in ((POLE, one.start, one.sigmas[0]), (name, one.tip, one.sigmas[1]))
-            ], pole
+            ]
+            sure = clear and (variant is not None or is_right(bench, ReadPaper("", spots)))
+            return spots if sure else [], pole
     return None
