@@ -97,9 +97,13 @@ def easels() -> Iterator[Easel]:
         moving = float(drive.get("omega", drive.get("velocity", 0))) != 0
         plans = ["velocity", "acceleration"] if moving else []
         plans += [f"force:{'-'.join(g)}" for g in f.model.groups] + [f"force:{f.model.driver}"]
-        for plan in plans:
-            b = bench(sample, plan)
-            yield Easel(sample, plan, b.said_mu, b.given["mu_velocity"], b.given["mu_acceleration"])
+        yield from (easel(sample, plan) for plan in plans)
+
+
+def easel(sample: str, plan: str) -> Easel:
+    """A plan of a sample, at the scales the checker knows."""
+    b = bench(sample, plan)
+    return Easel(sample, plan, b.said_mu, b.given["mu_velocity"], b.given["mu_acceleration"])
 
 
 @dataclass

@@ -28,9 +28,9 @@ from planes.scene import Scene, load
 from planes.solving import Position, solve
 from planes.words import Lang, say
 from planes.words.errors import PlanesError
+from planes.words.lettering import Naming
 from render.labels.footprints import conflicts, described
 from render.paper.marks import Arrow, Line, Mark, Text
-from render.paper.names import Naming
 from render.paper.typeset import plain
 from render.sheet import Sheet
 from render.views.moments import MomentLines

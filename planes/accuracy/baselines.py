@@ -10,10 +10,11 @@ import cmath
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
+from planes.geometry.arithmetic import Point
+from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.structure import Pair
 from planes.scene.mechanism import FRAME
@@ -31,49 +32,49 @@ class Loops:
     def links(self) -> list[str]:
         return list(self.plans.mechanism.links)
 
-    def pose(self, q: Any, link: str) -> tuple[complex, float]:
+    def pose(self, q: Array, link: str) -> tuple[complex, float]:
         if link == FRAME:
             return 0j, 0.0
         k = 3 * self.links.index(link)
         return complex(q[k], q[k + 1]), float(q[k + 2])
 
-    def drive(self, q: Any) -> float:
+    def drive(self, q: Array) -> float:
         """The drive's value in a pose."""
         pair = self.plans.structure.drive_pair
         return self.pose(q, pair.link)[1] if pair.kind == "R" else self._slid(q, pair).real
 
-    def target(self, q: Any, value: float) -> float:
+    def target(self, q: Array, value: float) -> float:
         """A value of the drive (degrees or m) as the loops have it, whole turns those of the pose."""
         if self.plans.mechanism.drive.kind == "s":
             return value
         phi = math.radians(value)
         return phi + 2 * math.pi * round((self.drive(q) - phi) / (2 * math.pi))
 
-    def residual(self, q: Any, value: float) -> Any:
+    def residual(self, q: Array, value: float) -> Array:
         """What the constraints lack of holding, the drive's last."""
         found: list[float] = []
         for pair in self.plans.structure.pairs:
             found += self._hinge(q, pair) if pair.kind == "R" else self._slider(q, pair)
         return np.array([*found, self.drive(q) - value])
 
-    def place(self, q: Any, link: str, point: str) -> complex:
+    def place(self, q: Array, link: str, point: str) -> complex:
         origin, angle = self.pose(q, link)
         return origin + self.plans.mechanism.link(link).points[point] * cmath.exp(1j * angle)
 
-    def _hinge(self, q: Any, pair: Pair) -> list[float]:
+    def _hinge(self, q: Array, pair: Pair) -> list[float]:
         gap = self.place(q, pair.link, pair.point) - self.place(q, pair.other, pair.point)
         return [gap.real, gap.imag]
 
-    def _slider(self, q: Any, pair: Pair) -> list[float]:
+    def _slider(self, q: Array, pair: Pair) -> list[float]:
         slides = self.plans.mechanism.link(pair.link).slides
         assert slides
         turned = self.pose(q, pair.link)[1] - self._along(q, pair) - math.radians(slides.angle_deg or 0.0)
         return [self._slid(q, pair).imag - (slides.offset or 0.0), turned]
 
-    def _along(self, q: Any, pair: Pair) -> float:
+    def _along(self, q: Array, pair: Pair) -> float:
         return self.pose(q, pair.other)[1] + math.radians(self.plans.mechanism.guide(pair.guide).angle_deg)
 
-    def _slid(self, q: Any, pair: Pair) -> complex:
+    def _slid(self, q: Array, pair: Pair) -> complex:
         """Where the slider's first point is, along the guide and to the left of it."""
         mechanism = self.plans.mechanism
         origin, turn = self.pose(q, pair.other)
@@ -81,21 +82,21 @@ class Loops:
         first = self.place(q, pair.link, mechanism.link(pair.link).first_point)
         return (first - on_guide) * cmath.exp(-1j * self._along(q, pair))
 
-    def jacobian(self, q: Any) -> Any:
+    def jacobian(self, q: Array) -> Array:
         """Slopes of the constraints."""
-        rows: list[Any] = []
+        rows: list[Array] = []
         for pair in self.plans.structure.pairs:
             rows += self._hinge_slopes(q, pair) if pair.kind == "R" else self._slider_slopes(q, pair)[1:]
         return np.array([*rows, self._drive_slope(q)])
 
-    def _drive_slope(self, q: Any) -> Any:
+    def _drive_slope(self, q: Array) -> Array:
         pair, row = self.plans.structure.drive_pair, np.zeros(len(q))
         if pair.kind == "P":
             return self._slider_slopes(q, pair)[0]
         row[3 * self.links.index(pair.link) + 2] = 1.0
         return row
 
-    def _fill(self, rows: Any, q: Any, link: str, place: complex, unit: complex, sign: float) -> None:
+    def _fill(self, rows: Array, q: Array, link: str, place: complex, unit: complex, sign: float) -> None:
         """How the parts of a place of a link along 1/unit and across it move with the link's pose."""
         if link == FRAME:
             return
@@ -105,13 +106,13 @@ class Loops:
             part = sign * way * unit
             rows[:, column] += (part.real, part.imag)
 
-    def _hinge_slopes(self, q: Any, pair: Pair) -> list[Any]:
+    def _hinge_slopes(self, q: Array, pair: Pair) -> list[Array]:
         rows = np.zeros((2, len(q)))
         for link, sign in ((pair.link, 1.0), (pair.other, -1.0)):
             self._fill(rows, q, link, self.place(q, link, pair.point), 1 + 0j, sign)
         return list(rows)
 
-    def _slider_slopes(self, q: Any, pair: Pair) -> list[Any]:
+    def _slider_slopes(self, q: Array, pair: Pair) -> list[Array]:
         """Slopes of the way along the guide, of that across it, and of the turn against it."""
         mechanism, rows, turns = self.plans.mechanism, np.zeros((2, len(q))), np.zeros(len(q))
         back = cmath.exp(-1j * self._along(q, pair))
@@ -123,7 +124,7 @@ class Loops:
                 turns[3 * self.links.index(link) + 2] = sign
         return [*rows, turns]
 
-    def newton(self, q: Any, value: float) -> Any:
+    def newton(self, q: Array, value: float) -> Array:
         """The pose nearest by iteration; no look is taken at whether it came out."""
         for _ in range(MOST):
             step = np.linalg.solve(self.jacobian(q), -self.residual(q, value))
@@ -132,18 +133,17 @@ class Loops:
                 break
         return q
 
-    def rates(self, q: Any, velocity: float, acceleration: float) -> tuple[Any, Any]:
+    def rates(self, q: Array, velocity: float, acceleration: float) -> tuple[Array, Array]:
         """Velocities and accelerations of the pose, from the linear system of the constraints."""
         slopes = self.jacobian(q)
         drive = np.zeros(len(q))
         drive[-1] = 1.0  # its equation is the last
-        v = np.linalg.solve(slopes, drive * velocity)
+        v = np.array(np.linalg.solve(slopes, drive * velocity), float)
         h = 1e-5 / max(1.0, float(np.abs(v).max()))
         turned = (self.jacobian(q + h * v) @ v - self.jacobian(q - h * v) @ v) / (2 * h)
-        a = np.linalg.solve(slopes, drive * acceleration - turned)
-        return v, a
+        return v, np.array(np.linalg.solve(slopes, drive * acceleration - turned), float)
 
-    def points(self, q: Any, v: Any, a: Any) -> dict[str, tuple[complex, complex, complex]]:
+    def points(self, q: Array, v: Array, a: Array) -> dict[str, tuple[complex, complex, complex]]:
         """Place, velocity and acceleration of every point of the moving links."""
         found = {}
         for link in self.links:
@@ -156,7 +156,7 @@ class Loops:
                 found[name] = complex(q[k], q[k + 1]) + arm, speed, quick
         return found
 
-    def start(self, number: Callable[[str], Any]) -> Any:
+    def start(self, number: Callable[[str], Point]) -> Array:
         """A pose to begin from, read off a drawing."""
         q: list[float] = []
         for link in self.links:
@@ -168,7 +168,9 @@ class Loops:
         return np.array(q)
 
 
-def differences(here: Any, back: Any, on: Any, velocity: float, acceleration: float, step: float) -> tuple[Any, Any]:
+def differences(
+    here: Point, back: Point, on: Point, velocity: float, acceleration: float, step: float
+) -> tuple[Point, Point]:
     """Velocities and accelerations by central differences of places a ``step`` of the drive (rad or m) apart."""
     slope, bend = (on - back) / (2 * step), (on - 2 * here + back) / step**2
     return slope * velocity, bend * velocity**2 + slope * acceleration

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -16,11 +15,14 @@ from planes.batch import Cycle
 from planes.batch.reading import read
 from planes.batch.tracing import given_values
 from planes.drafting.drawing import Drawing, run
+from planes.drafting.instruments import Instrument
+from planes.geometry.arithmetic import Real
+from planes.geometry.arrays import Array, Floats
 from planes.plans import Plans
 from planes.words.errors import PlanFailure
 
 FEW, STEP = 48, 1e-3
-Work = Callable[[Any], Any]
+Work = Callable[[Array], Array]
 
 
 class Comparison:
@@ -34,7 +36,7 @@ class Comparison:
     def __init__(
         self,
         plans: Plans,
-        known: Mapping[str, Any] | None = None,
+        known: Mapping[str, Floats] | None = None,
         variants: Sequence[Plans] | None = None,
         begins: frozenset[int] = frozenset({0}),
     ) -> None:
@@ -49,24 +51,24 @@ class Comparison:
         return self.variants[k] if self.variants else self.plans
 
     @cached_property
-    def working(self) -> Any:
+    def working(self) -> Array:
         """Values of the drive, over a turn or around a slider's place, at which everything can be drawn."""
         drive, near = self.plans.mechanism.drive, np.linspace(-0.1, 0.1, 360)
         values = np.arange(360.0) if drive.kind == "phi" else drive.position + near * self.plans.reach
         codes = np.hstack([b.codes for b in self.cycle.blocks(values, fast=False)])
-        good = values[codes == 0]
+        good = np.asarray(values[codes == 0])
         return good[np.linspace(0, len(good) - 1, min(FEW, len(good))).astype(int)] if len(good) else good
 
-    def taken(self, drawing: Drawing) -> list[Any]:
+    def taken(self, drawing: Drawing) -> list[Real]:
         """The columns of one drawing."""
         return [c.take(drawing.things, drawing.tool.ar) for c in self.cycle.columns]
 
-    def drawn(self, value: Any, instrument: Any = None, k: int = 0) -> Drawing:
+    def drawn(self, value: Real, instrument: Instrument | None = None, k: int = 0) -> Drawing:
         """One position drawn by itself; ``k`` is its place among those of ``known``."""
         beside = {name: float(v[k]) for name, v in self.cycle.moved.items()}
         return run(self.cycle.program, {**self.cycle.given, **beside, self.plans.drive_given: value}, instrument)
 
-    def scalar(self, values: Any, instrument: Any = None) -> Any:
+    def scalar(self, values: Array, instrument: Instrument | None = None) -> Array:
         """The columns one position after another."""
         rows = []
         for k, value in enumerate(values):
@@ -76,11 +78,11 @@ class Comparison:
                 rows.append([math.nan] * len(self.letters))
         return np.array(rows).T
 
-    def truth(self, values: Any) -> Any:
+    def truth(self, values: Array) -> Array:
         """The columns at 50 digits, rounded once."""
         return self.scalar(values, Digits(50))
 
-    def error(self, found: Any, truth: Any) -> Any:
+    def error(self, found: Array, truth: Array) -> Array:
         """The largest error at each position of what was found, relative to the largest place, velocity or
         acceleration of all."""
         worst, told = np.zeros(truth.shape[1]), ~np.isnan(found).all(axis=1)
@@ -91,37 +93,37 @@ class Comparison:
                 worst = np.maximum(worst, np.abs(found - truth)[rows].max(axis=0) / size)
         return worst if told.any() else worst * math.nan
 
-    def sizes(self, truth: Any) -> Any:
+    def sizes(self, truth: Array) -> Array:
         """For each column and position the largest place, velocity or acceleration there, whichever it is of."""
         largest = {letter: np.abs(truth[self.letters == letter]).max(axis=0) for letter in "rva"}
         return np.array([np.where(largest[letter] > 0, largest[letter], 1.0) for letter in self.letters])
 
-    def many(self, values: Any, fast: bool) -> Any:
+    def many(self, values: Array, fast: bool) -> Array:
         """The columns by arrays or by the compiled loop."""
         return np.hstack([b.table for b in self.cycle.blocks(values, fast=fast, bare=True)])
 
-    def through(self, values: Any, fast: bool) -> int:
+    def through(self, values: Array, fast: bool) -> int:
         """The same, each block let go of as soon as it is there; how many blocks."""
         return sum(1 for _ in self.cycle.blocks(values, fast=fast, bare=True))
 
-    def single(self, values: Any) -> Any:
+    def single(self, values: Array) -> Array:
         """The same in numbers of 24 bits."""
         tape = self.cycle.trace.tape
         order = tape.needed(list(self.cycle.trace.outputs))
         return np.hstack([self._single(order, i, values[i : i + 4096]) for i in range(0, len(values), 4096)])
 
-    def _single(self, order: list[int], start: int, part: Any) -> Any:
+    def _single(self, order: list[int], start: int, part: Array) -> Array:
         given = {**given_values(self.cycle.given), **self.cycle.moving(part, slice(start, start + len(part)))}
         found = read(self.cycle.trace.tape, order, given, np.float32)
         return np.array([np.broadcast_to(found[o], part.shape) for o in self.cycle.trace.outputs])
 
-    def differences(self, values: Any, step: float = STEP) -> Any:
+    def differences(self, values: Array, step: float = STEP) -> Array:
         """Velocities and accelerations from differences of exact places over a step (rad, or of the reach)."""
         drive = self.plans.mechanism.drive
         places = Cycle(self.plans, [f"r_{p}" for p in self.points], self.cycle.moved)
         width, unit = (step, math.degrees(step)) if drive.kind == "phi" else (step * self.plans.reach,) * 2
 
-        def at(value: Any) -> Any:
+        def at(value: Array) -> Array:
             return np.hstack([b.table for b in places.blocks(value, fast=False, bare=True)])
 
         found = np.empty((len(self.letters), len(values)))
@@ -132,7 +134,7 @@ class Comparison:
         )
         return found
 
-    def newton(self, values: Any) -> Any:
+    def newton(self, values: Array) -> Array:
         """Closed loops by iteration, each position of a path begun from the one before."""
         drive, q, rows = self.plans.mechanism.drive, np.empty(0), []
         for k, value in enumerate(values):
@@ -149,21 +151,21 @@ class Comparison:
         plans = self.at(k)
         return run(plans.program, {**plans.given, **self.cycle.mus, plans.drive_given: value})
 
-    def pylinkage(self, values: Any) -> Any:
+    def pylinkage(self, values: Array) -> Array:
         """By pylinkage, told where every point is about."""
         return self._rows(pylinkage_at(self.at, values, self.near(values)))
 
-    def kinepy(self, values: Any) -> Any:
+    def kinepy(self, values: Array) -> Array:
         """By kinepy; of its two assemblies of each group the one that is meant."""
         return self._rows(kinepy_at(self.at, values, self.near(values)))
 
-    def near(self, values: Any) -> Callable[[int], dict[str, complex]]:
+    def near(self, values: Array) -> Callable[[int], dict[str, complex]]:
         """Where every point is, by the number of the position."""
         table = self.many(values, False)
         rows = {c.name: row for c, row in zip(self.cycle.columns, table, strict=True)}
         return lambda k: {p: complex(rows[f"r_{p}_x"][k], rows[f"r_{p}_y"][k]) for p in self.points}
 
-    def _rows(self, found: list[dict[str, Triple]]) -> Any:
+    def _rows(self, found: list[dict[str, Triple]]) -> Array:
         return np.array([self._row(triples) for triples in found]).T
 
     def _row(self, triples: Mapping[str, Triple]) -> list[float]:

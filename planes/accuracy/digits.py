@@ -7,6 +7,7 @@ from functools import lru_cache
 from typing import Any
 
 from planes.drafting.tools import Tool
+from planes.geometry.arithmetic import Point, Real, Truth
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
@@ -21,47 +22,49 @@ class Long:
             raise PlanesError(Phrase("digits_no_mpmath")) from None
         self.mp: Any = mpmath.MPContext()
         self.mp.dps = digits
-        self.eps: Any = self.mp.mpf(10) ** -digits
+        self.eps: Real = self.mp.mpf(10) ** -digits
 
-    def long(self, x: Any) -> Any:
+    def long(self, x: Point) -> Point:
         """A given number in this arithmetic, none of its digits lost."""
         if isinstance(x, complex):
             return self.mp.mpc(x)
         return self.mp.mpf(x) if isinstance(x, float | int) and not isinstance(x, bool) else x
 
-    def sqrt(self, x: Any) -> Any:
+    size = staticmethod(abs)
+
+    def sqrt(self, x: Real) -> Real:
         return self.mp.sqrt(x) if x > 0 else self.mp.zero
 
-    def maximum(self, a: Any, b: Any) -> Any:
+    def maximum(self, a: Real, b: Real) -> Real:
         return a if a >= b else b
 
-    def minimum(self, a: Any, b: Any) -> Any:
+    def minimum(self, a: Real, b: Real) -> Real:
         return a if a <= b else b
 
-    def where(self, ok: Any, a: Any, b: Any) -> Any:
+    def where(self, ok: Truth, a: Point, b: Point) -> Point:
         return a if ok else b
 
-    def cis_deg(self, angle: Any) -> Any:
+    def cis_deg(self, angle: Real) -> Point:
         """cos + i sin of an angle in degrees, exact at quarter turns."""
         angle = self.long(angle)
         quarter = int(self.mp.floor(angle / 90 + self.mp.mpf(1) / 2))
         rest = (angle - 90 * quarter) * self.mp.pi / 180
         return self.mp.mpc(self.mp.cos(rest), self.mp.sin(rest)) * (1, 1j, -1, -1j)[quarter % 4]
 
-    def angle_deg(self, u: Any) -> Any:
+    def angle_deg(self, u: Point) -> Real:
         u = self.mp.mpc(u)
         angle = self.mp.atan2(u.imag, u.real) * 180 / self.mp.pi
         return -angle if angle == -180 else angle
 
-    def sign(self, x: Any) -> Any:
+    def sign(self, x: Real) -> Real:
         return self.mp.sign(x)
 
-    def power(self, x: Any, n: int) -> Any:
+    def power(self, x: Real, n: int) -> Real:
         if n < 0 and not x:
             return self.mp.nan
         return x**n
 
-    def gap(self, c: Any, d: Any, r: Any, s: Any) -> Any:
+    def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real:
         apart = d - c
         return (r + s) ** 2 - apart.real**2 - apart.imag**2
 
@@ -74,7 +77,7 @@ def _arithmetic(digits: int) -> Long:
 class _LongTool(Tool):
     """Draws with long numbers: what is given is taken over exactly."""
 
-    def given(self, value: Any) -> Any:
+    def given(self, value: Point) -> Point:
         ar = self.ar
         assert isinstance(ar, Long)
         return ar.long(value)

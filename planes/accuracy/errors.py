@@ -14,12 +14,15 @@ from planes.batch.error_bounds import Claims
 from planes.drafting.draft import Segment
 from planes.drafting.instruments import Instrument, Pencil
 from planes.drafting.program import Program
+from planes.geometry.arithmetic import Point
+from planes.geometry.arrays import Array, Floats, Indices
 from planes.plans import Plans
 from planes.plans.measuring import DrawingReader
 from planes.plans.quantities import Column, Measured, Quantity, nested, results_of
 from planes.solving import Position, Solved
 from planes.solving.vectors import PLAN, VectorResults
 from planes.words.names import at, mu_of
+from planes.words.records import Json
 
 Bounds = Mapping[str, float]
 _PARTS = ("x", "y", "size")
@@ -48,7 +51,7 @@ class Errors:
             out["plans"] = {p: {"segments": self._segments(p, drawn[p], position, bounds)} for p in drawn}
         return out
 
-    def _segments(self, plan: str, drawn: Any, position: Position, bounds: Bounds) -> dict[str, Any]:
+    def _segments(self, plan: str, drawn: Mapping[str, Json], position: Position, bounds: Bounds) -> dict[str, Any]:
         """± of segments, in mm and in SI; what is read with a ruler is off by its rounding too."""
         mu, found = position.scales[mu_of(plan)], {}
         for key in drawn["segments"]:
@@ -75,11 +78,11 @@ class Still:
     """A program that is drawn as it stands: nothing of it moves."""
 
     program: Program
-    given: dict[str, Any]
+    given: dict[str, Point]
     columns: list[Column]
     folded: dict[str, float]
 
-    def moving(self, values: Any, at: Any) -> dict[str, Any]:
+    def moving(self, values: Array, at: Indices | slice) -> dict[str, Floats]:
         """Nothing."""
         return {}
 
@@ -95,7 +98,7 @@ def vector_errors(results: VectorResults, instrument: Instrument | None = None) 
     return replace(results, errors={"vectors": vectors, "plans": {PLAN: {"segments": segments}}})
 
 
-def _claims(ready: Ready, by: Instrument | None, off: Mapping[str, float] | None = None) -> Any:
+def _claims(ready: Ready, by: Instrument | None, off: Mapping[str, float] | None = None) -> Spread | Claims:
     """What tells the ± of the columns drawn by this instrument; ``off``: how far off the givens are."""
     return Spread(ready, by, {}) if isinstance(by, Pencil) else Claims(ready, off)
 

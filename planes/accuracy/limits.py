@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
@@ -17,6 +17,8 @@ from planes.accuracy.comparison import Comparison
 from planes.accuracy.digits import Digits
 from planes.accuracy.variation import alterable
 from planes.drafting.drawing import Drawing, run
+from planes.geometry.arithmetic import Real
+from planes.geometry.arrays import Array, Booleans
 from planes.words.errors import PlanFailure
 
 Kind = Literal["end", "change", "infinite"]
@@ -51,7 +53,7 @@ class MovedGiven:
         return float(self.bench.cycle.given[self.name])
 
     @property
-    def values(self) -> Any:
+    def values(self) -> Array:
         """Values to look through, from end to end."""
         if self.unit == "1":
             return self.here * np.exp(np.linspace(-1, 1, 601) * math.log(WIDEST))
@@ -59,18 +61,18 @@ class MovedGiven:
             return self.here + np.linspace(-3, 3, 1201) * self.bench.plans.reach
         return self.here + np.linspace(-180, 180, 721) / (1 if self.held is None else 2)
 
-    def away(self, value: Any) -> float:
+    def away(self, value: Real) -> float:
         """How far a value is from the scene's, a length by the logarithm of how many times longer it is."""
         if self.unit == "1":
             return abs(math.log(value / self.here))
         return abs(float(value) - self.here) * (math.radians(1) if self.unit == "rad" else 1.0)
 
-    def draw(self, value: Any, instrument: Digits | None = None) -> Drawing:
+    def draw(self, value: Real, instrument: Digits | None = None) -> Drawing:
         """The drawing at a value, or at many."""
         held = {} if self.held is None else {self.bench.plans.drive_given: self.held}
         return run(self.bench.cycle.program, {**self.bench.cycle.given, **held, self.name: value}, instrument)
 
-    def openness(self, values: Any) -> Any:
+    def openness(self, values: Array) -> Array:
         """From 1 down to 0 where nothing can be drawn."""
         drawing = self.draw(np.asarray(values, float))
         with np.errstate(all="ignore"):
@@ -78,17 +80,17 @@ class MovedGiven:
         found = np.where(np.isfinite(found), found, 0.0) + np.zeros(len(values))
         return found if failed is None else np.where(failed, 0.0, found)
 
-    def fine(self, value: Any) -> Any:
+    def fine(self, value: Real) -> Real:
         """The same of one value, at 50 digits."""
         try:
             return self._open(self.draw(value, FINE))
         except PlanFailure:
             return 0
 
-    def _open(self, drawing: Drawing) -> Any:
+    def _open(self, drawing: Drawing) -> Real:
         """The least sharpness, or how slow the quickest point still is against the drive, if that is less."""
         ar, drive = drawing.tool.ar, self.bench.plans.mechanism.drive
-        found: Any = 1.0
+        found: Real = 1.0
         for sharp in drawing.sharpness.values():
             found = ar.minimum(found, sharp)
         slow = QUICK * abs(drive.velocity) * (self.bench.plans.reach if drive.kind == "phi" else 1.0)
@@ -96,14 +98,14 @@ class MovedGiven:
             found = ar.minimum(found, slow / (slow + self._largest(drawing, "v")))
         return found
 
-    def _largest(self, drawing: Drawing, letter: str) -> Any:
-        top: Any = 0.0
+    def _largest(self, drawing: Drawing, letter: str) -> Real:
+        top: Real = 0.0
         for kind, x in zip(self.bench.letters, self.bench.taken(drawing), strict=True):
             if kind == letter:
                 top = drawing.tool.ar.maximum(top, abs(x))
         return top
 
-    def far(self, value: Any) -> bool:
+    def far(self, value: Real) -> bool:
         """Whether a point is far beyond the mechanism's reach."""
         return bool(self._largest(self.draw(value, FINE), "r") > FAR * self.bench.plans.reach)
 
@@ -113,12 +115,12 @@ class Limit:
     """The ``value`` (50 digits) where a way ends; positions work on its ``side`` (+1: above)."""
 
     way: MovedGiven
-    value: Any
+    value: Real
     side: int
     kind: Kind
 
     @property
-    def unit(self) -> Any:
+    def unit(self) -> Real:
         """What distances are told in: a radian (in degrees), a metre, or the length at the limit."""
         return {"rad": 180 / self.value.context.pi, "m": 1, "1": self.value}[self.way.unit]
 
@@ -166,7 +168,7 @@ def _limits(way: MovedGiven) -> Iterator[Limit]:
             yield limit
 
 
-def _between(way: MovedGiven, values: Any, works: Any, low: int, high: int) -> Limit | None:
+def _between(way: MovedGiven, values: Array, works: Booleans, low: int, high: int) -> Limit | None:
     if works[low] and works[high]:
         return _dip(way, values[low], values[high])
     good, bad = (low, high) if works[low] else (high, low)
@@ -202,6 +204,6 @@ def _dip(way: MovedGiven, low: float, high: float) -> Limit | None:
     return Limit(way, value, 1 if way.here > value else -1, _single(way, value, step))
 
 
-def _single(way: MovedGiven, value: Any, step: float) -> Kind:
+def _single(way: MovedGiven, value: Real, step: float) -> Kind:
     """What a single place between working ones is."""
     return "infinite" if way.far(value + BESIDE * step) else "change"

@@ -6,21 +6,23 @@ import math
 import os
 import platform
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from planes.accuracy.comparison import Comparison
+from planes.accuracy.comparison import Comparison, Work
 from planes.accuracy.digits import Digits
 from planes.accuracy.other_programs import Pylinkage, installed, kinepy_run, pylinkage_run, version
 from planes.batch import compiled
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.instruments import Pencil
+from planes.geometry.arithmetic import Point
+from planes.geometry.arrays import Array
 from planes.plans import Plans
+from planes.plans.quantities import Column
 from planes.plans.scales import FIT_MM, scales
 from planes.words.errors import PlanFailure
 from planes.words.names import plan_of
@@ -72,9 +74,7 @@ def measure(plans: Plans) -> list[Method]:
     long = np.resize(values, MANY)
     found = []
 
-    def add(
-        key: str, number: str, work: Callable[[Any], Any], timed: Any, again: Callable[[Any], Any] | None = None
-    ) -> None:
+    def add(key: str, number: str, work: Work, timed: Array, again: Callable[[Array], object] | None = None) -> None:
         error = float(np.nanmax(bench.error(work(values), truth)))
         seconds = clock(lambda: (again or work)(timed)) / len(timed)
         found.append(Method(key, number, seconds, max(error, 2.0**-54)))
@@ -96,7 +96,7 @@ def measure(plans: Plans) -> list[Method]:
     return found + _pencils(bench, values, truth)
 
 
-def _pencils(bench: Comparison, values: Any, truth: Any) -> list[Method]:
+def _pencils(bench: Comparison, values: Array, truth: Array) -> list[Method]:
     """Pencils on sheets of every format, with a good ruler and a better one."""
     found = []
     for sheet, factor in SHEETS.items():
@@ -115,14 +115,14 @@ def _pencils(bench: Comparison, values: Any, truth: Any) -> list[Method]:
     return found
 
 
-def _try(bench: Comparison, given: dict[str, Any], pencil: Pencil) -> None:
+def _try(bench: Comparison, given: Mapping[str, Point], pencil: Pencil) -> None:
     try:
         run(bench.cycle.program, given, pencil)
     except PlanFailure:
         return
 
 
-def _ruled(column: Any, drawing: Drawing, mus: dict[str, float], ruler: float) -> Any:
+def _ruled(column: Column, drawing: Drawing, mus: dict[str, float], ruler: float) -> Array:
     """A column as read off with the ruler."""
     mu = mus["mu_" + plan_of(column.start)]
     size = np.broadcast_to(column.take(drawing.things, drawing.tool.ar), drawing.tool.shape) * mu

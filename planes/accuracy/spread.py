@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from planes.batch.reading import read
 from planes.batch.slopes import SLOPES, STIFF, Carrying
 from planes.batch.tracing import Trace, given_values, trace
 from planes.drafting.instruments import Pencil
+from planes.geometry.arrays import Array, Floats
 
 PIECE = 64  # positions carried at once
 
@@ -25,7 +25,7 @@ class Spread:
         self.cycle, given = cycle, {**cycle.given, **mus}
         self.drawn = trace(cycle.program, given, [c.take for c in cycle.columns], mus, errors)
 
-    def bounds(self, values: Any) -> Any:
+    def bounds(self, values: Sequence[float] | Array) -> Array:
         """A row for each column, of one standard deviation."""
         pieces = []
         for start in range(0, len(values), PIECE):
@@ -35,7 +35,7 @@ class Spread:
         return np.hstack(pieces) if pieces else np.empty((len(self.cycle.columns), 0))
 
 
-def _spread(drawn: Trace, given: Mapping[str, Any], count: int) -> Any:
+def _spread(drawn: Trace, given: Mapping[str, Floats], count: int) -> Array:
     order = drawn.tape.needed(list(drawn.outputs))
     found = read(drawn.tape, order, given)
     sizes = {s.place: s.size for s in drawn.sources}

@@ -16,6 +16,7 @@ from planes.accuracy.other_programs import Pylinkage, installed
 from planes.accuracy.variation import alterable, altered, changed
 from planes.batch import compiled
 from planes.batch.error_bounds import Claims
+from planes.geometry.arrays import Array, Booleans
 from planes.plans import Plans
 
 DECADES, EACH, CROWD = 14, 2, 8  # points of a curve in a decade, and positions of which each is the worst
@@ -37,7 +38,7 @@ class Approach:
     distances: Any
     sharpness: Any
     claim: Any
-    errors: dict[str, Any]
+    errors: dict[str, Array]
 
 
 def approach(plans: Plans) -> Approach | None:
@@ -46,7 +47,7 @@ def approach(plans: Plans) -> Approach | None:
     return None if limit is None else _measured(limit, *_path(limit))
 
 
-def _path(limit: Limit) -> tuple[Comparison, Any, Any]:
+def _path(limit: Limit) -> tuple[Comparison, Array, Array]:
     """A bench, values of its drive, and distances: one path after another, each from far to near."""
     spots = [(x, 10.0 ** (-(b / EACH) + k / (EACH * CROWD))) for k, x in enumerate(_crowd(limit)) for b in BINS]
     values = [float(x.value + x.side * step * x.unit) for x, step in spots]
@@ -103,7 +104,7 @@ def ways(bench: Comparison) -> dict[str, Work]:
     return found
 
 
-def _measured(limit: Limit, bench: Comparison, values: Any, distances: Any) -> Approach:
+def _measured(limit: Limit, bench: Comparison, values: Array, distances: Array) -> Approach:
     truth = bench.truth(values)
     works = np.isfinite(truth).all(axis=0) & (distances > 0)
     with np.errstate(all="ignore"):
@@ -117,17 +118,19 @@ def _measured(limit: Limit, bench: Comparison, values: Any, distances: Any) -> A
     return _worst(limit, distances, works, np.array(sharp), claims, errors)
 
 
-def _sizes(bench: Comparison, truth: Any) -> Any:
+def _sizes(bench: Comparison, truth: Array) -> Array:
     """For each column and position the largest place, velocity or acceleration of its crowd."""
     size = bench.sizes(truth).reshape(len(truth), CROWD, -1)
     return np.broadcast_to(size.max(axis=1, keepdims=True), size.shape).reshape(truth.shape)
 
 
-def _worst(limit: Limit, distances: Any, works: Any, sharp: Any, claims: Any, errors: dict[str, Any]) -> Approach:
+def _worst(
+    limit: Limit, distances: Array, works: Booleans, sharp: Array, claims: Array, errors: dict[str, Array]
+) -> Approach:
     """The worst of each crowd of positions."""
     crowds = [k for k in np.arange(len(distances)).reshape(CROWD, -1).T if works[k].any()]
 
-    def worst(row: Any, by: Callable[[Any], Any] = np.max) -> Any:
+    def worst(row: Array, by: Callable[[Array], Array] = np.max) -> Array:
         return np.array([by(row[k][works[k]]) for k in crowds])  # refused once is refused
 
     return Approach(

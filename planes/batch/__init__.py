@@ -9,22 +9,25 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from planes.batch import compiled as compiled_loop
-from planes.batch.columns import columns_of
+from planes.batch.columns import columns_of, sides_of
 from planes.batch.error_bounds import Claims
 from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
 from planes.drafting.clearness import clear, far_apart
-from planes.drafting.drawing import run
+from planes.drafting.drawing import prove_many, run
 from planes.drafting.instruments import Exact, Instrument
 from planes.drafting.program import Program
-from planes.drafting.proofs import Twofold
+from planes.drafting.proofs import Rigid, Slid
+from planes.geometry.arithmetic import Real
+from planes.geometry.arrays import Array, Booleans, Floats, Indices
 from planes.plans import Plans
 from planes.plans.quantities import Column, asked
 from planes.plans.scales import unit_scales
+from planes.scene.ranges import Span
 from planes.words import Phrase
 from planes.words.errors import ProgramError, choices
 
@@ -34,17 +37,20 @@ PAYS = 200_000
 """From how many positions on a compiled loop is worth compiling."""
 
 
+Places = Iterable[float] | Span | Array  # values of the drive
+
+
 class Block(NamedTuple):
     """Results of successive positions: a row of ``table`` for each column; ``codes`` number the reasons (0: none)."""
 
-    values: Any
-    table: Any
-    codes: Any
+    values: Array
+    table: Array
+    codes: Indices
 
     @property
-    def failed(self) -> Any:
+    def failed(self) -> Booleans:
         """Which positions could not be drawn: a mask."""
-        return self.codes != 0
+        return np.asarray(self.codes != 0)
 
 
 @dataclass(frozen=True)
@@ -66,7 +72,7 @@ class Cycle:
         self,
         plans: Plans,
         names: Iterable[str] | None = None,
-        known: Mapping[str, Any] | None = None,
+        known: Mapping[str, Floats] | None = None,
         columns: Iterable[Column] | None = None,
     ) -> None:
         quantities = None if names is None else asked(plans, names)
@@ -74,6 +80,11 @@ class Cycle:
         self.program: Program = plans.program.sliced([n for c in self.columns for n in c.needs])
         self.mus, self.known = unit_scales(plans), frozenset(known or ())
         self.given = {**plans.given, **self.mus}
+        driver = plans.links[plans.mechanism.drive.link]
+        if self.known - {*self.mus, plans.drive_given, driver.omega, driver.epsilon, "v_drive", "a_drive"}:
+            # what is not the scene's own number is no fault of the links it was said of
+            proofs = tuple(p for p in self.program.proofs if not isinstance(p, Rigid | Slid))
+            self.program = Program(self.program.steps, proofs)
         for name in self.known - {*self.given}:
             raise ProgramError(Phrase("no_given", name=name, valid=choices(name, self.given)))
         self.given |= known or {}
@@ -84,7 +95,13 @@ class Cycle:
     def trace(self) -> Trace:
         """The program on a tape, drawn in SI, or at the scales that are given."""
         must = [not c.beside for c in self.columns]  # an arm ends where its force does
-        return trace(self.program, self.given, [c.take for c in self.columns], self.folded, must=must)
+        takes = [c.take for c in self.columns]
+        return trace(self.program, self.given, takes, self.folded, must=must, forces=self.forces)
+
+    @cached_property
+    def forces(self) -> frozenset[tuple[str, str]]:
+        """The ends of the forces among the columns."""
+        return sides_of(self.columns)
 
     @cached_property
     def reasons(self) -> tuple[Reason, ...]:
@@ -99,7 +116,7 @@ class Cycle:
     @cached_property
     def dim(self) -> bool:
         """Whether no position is clear of rounding."""
-        return far_apart(self.plans.given)
+        return far_apart(self.plans.given, self.plans.means)
 
     @cached_property
     def compiled(self) -> compiled_loop.Bound:
@@ -107,14 +124,14 @@ class Cycle:
         loop = compiled_loop.fuse(self.trace, (self.plans.drive_given, *self.moved))
         return loop.bound(given_values(self.given))
 
-    def moving(self, values: Any, at: Any) -> dict[str, Any]:
+    def moving(self, values: Array, at: Indices | slice) -> dict[str, Floats]:
         """What moves, at the positions numbered ``at``: the drive with ``values``, and its companions."""
         beside = {name: v[at] for name, v in self.moved.items()}
         return {**self.plans.at(values, self.program, self.known), **beside}
 
     def blocks(
         self,
-        values: Any,
+        values: Places,
         chunk: int = CHUNK,
         fast: bool | None = None,
         instrument: Instrument | None = None,
@@ -124,19 +141,18 @@ class Cycle:
 
         Numbers that rounding leaves without digits are NaN, unless they are asked for ``bare``.
         """
-        if not hasattr(values, "__getitem__"):
-            values = np.fromiter(values, float)
+        places: Real = values if hasattr(values, "__getitem__") else np.fromiter(values, float)
         by_hand = instrument is not None and not isinstance(instrument, Exact)
         if fast is None:
-            fast = not by_hand and compiled_loop.available() and ("compiled" in self.__dict__ or len(values) >= PAYS)
+            fast = not by_hand and compiled_loop.available() and ("compiled" in self.__dict__ or len(places) >= PAYS)
         size = min(chunk, self.compiled.fused.row if fast else max(1, HELD // (len(self.program.steps) + 1)))
-        for start in range(0, len(values), size):
-            part = np.asarray(values[start : start + size], float)
+        for start in range(0, len(places), size):
+            part = np.asarray(places[start : start + size], float)
             at = slice(start, start + len(part))
             found = self._run(part, at) if fast else self._drawn(self.moving(part, at), len(part), instrument)
             yield self._looked_at(self._whole(part, *found), start, bare or by_hand)
 
-    def _run(self, part: Any, at: slice) -> tuple[Any, Any]:
+    def _run(self, part: Array, at: slice) -> tuple[Array, Indices | None]:
         """The table by the compiled loop, and the codes (None: nothing failed); what it suspects is drawn by arrays."""
         moving = self.moving(part, at)
         table, codes = self.compiled(np.array([moving[name] for name in self.compiled.fused.inputs]))
@@ -149,25 +165,33 @@ class Cycle:
 
     @cached_property
     def _suspected(self) -> list[int]:
-        """The codes of what the compiled loop cannot decide: two balancing loads that may be but rounded."""
-        return [k for k, r in enumerate(self.reasons, 1) if r.key == Twofold.reason]
+        """The codes of what the compiled loop cannot decide: what fails a proof may be but rounded."""
+        proofs = {p.reason for p in self.program.proofs}
+        return [k for k, r in enumerate(self.reasons, 1) if r.key in proofs]
 
-    def _drawn(self, moving: dict[str, Any], count: int, instrument: Instrument | None) -> tuple[Any, Any]:
+    def _drawn(
+        self, moving: Mapping[str, Floats], count: int, instrument: Instrument | None
+    ) -> tuple[Array, Indices | None]:
         """The same by arrays."""
-        drawing = run(self.program, {**self.given, **moving}, instrument)
+        given = {**self.given, **moving}
+        drawing = run(self.program, given, instrument)
+        if isinstance(instrument or Exact(), Exact):
+            prove_many(drawing, given)
         table = np.empty((len(self.columns), count))
         with np.errstate(all="ignore"):
             for row, column in zip(table, self.columns, strict=True):
                 row[:] = column.take(drawing.things, drawing.tool.ar)
         numbered = {(r, makes): k for k, (r, makes, _) in enumerate(self.trace.requires, 1)}
         whole = np.array([not c.beside for c in self.columns])
-        codes = np.where(clear(self.program, drawing.things, drawing.tool), 0, numbered.get((UNCLEAR, ""), 0))
+        codes = np.where(
+            clear(self.program, drawing.things, drawing.tool, self.forces), 0, numbered.get((UNCLEAR, ""), 0)
+        )
         codes = np.where(np.isfinite(table[whole].sum(axis=0)), codes, numbered.get(("no_digits", ""), 0))
         for reason, step, ok, _ in reversed(drawing.tool.failures):
             codes = np.where(ok, codes, numbered[reason, getattr(step, "makes", "")])
         return table, codes.astype(np.int16) if codes.any() else None
 
-    def _whole(self, part: Any, table: Any, codes: Any) -> Block:
+    def _whole(self, part: Array, table: Array, codes: Indices | None) -> Block:
         """The block with NaN in everything that depends on what failed; and where it is not clear, that code."""
         if codes is None:
             return Block(part, table, np.zeros(len(part), np.int16))
@@ -181,8 +205,9 @@ class Cycle:
         block.codes[where] = 0
         if len(where) and not bare:
             found = self.claims.bounds(block.values[where], start + where)
-            doubtful = self.claims.doubtful(block.table[:, where], found)
-            block.table[:, where] = np.where(doubtful, np.nan, block.table[:, where])
+            table = block.table[:, where]
+            doubtful = self.claims.doubtful(table, found) | self.claims.faint(table, found)
+            block.table[:, where] = np.where(doubtful, np.nan, table)
             block.codes[where[doubtful.any(axis=0)]] = self.reasons.index(Reason("no_digits", "")) + 1
         return block
 
@@ -207,7 +232,7 @@ class Cycle:
 
 
 def cycle(
-    plans: Plans, values: Any, names: Iterable[str] | None = None, chunk: int = CHUNK, fast: bool | None = None
+    plans: Plans, values: Places, names: Iterable[str] | None = None, chunk: int = CHUNK, fast: bool | None = None
 ) -> Iterator[Block]:
     """Results of a mechanism for many values of its drive (degrees, or metres), in blocks of ``chunk``."""
     return Cycle(plans, names).blocks(values, chunk, fast)

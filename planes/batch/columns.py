@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, Protocol
+from typing import Protocol
 
 from planes.drafting.program import Program
+from planes.geometry.arithmetic import Point
+from planes.geometry.arrays import Array, Floats, Indices
 from planes.plans import Plans
 from planes.plans.quantities import Column, Quantity, once, results_of
 
@@ -14,13 +16,13 @@ class Ready(Protocol):
     """A program ready to be drawn any number of times, and the columns read off each drawing."""
 
     program: Program
-    given: dict[str, Any]
+    given: dict[str, Point]
     folded: dict[str, float]
 
     @property
     def columns(self) -> Sequence[Column]: ...
 
-    def moving(self, values: Any, at: Any) -> Mapping[str, Any]:
+    def moving(self, values: Array, at: Indices | slice) -> Mapping[str, Floats]:
         """The givens that are other in the drawings numbered ``at``."""
         ...
 
@@ -29,3 +31,8 @@ def columns_of(plans: Plans, quantities: Iterable[Quantity] | None = None) -> li
     """The columns of the quantities asked, or of all but the bare segments of plans; each once."""
     chosen = results_of(plans) if quantities is None else once(quantities)
     return list({c.name: c for q in chosen for c in q.columns}.values())
+
+
+def sides_of(columns: Iterable[Column]) -> frozenset[tuple[str, str]]:
+    """The ends of the forces among columns, on their plans."""
+    return frozenset((c.start, c.end) for c in columns if c.part and c.unit == "N")

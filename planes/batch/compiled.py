@@ -10,13 +10,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
 from importlib.util import find_spec
-from typing import Any
 
 import numpy as np
 
 from planes.batch.llvm_ir import EXTRA, module, row_of
 from planes.batch.reading import read
 from planes.batch.tracing import Trace
+from planes.geometry.arrays import Array, Floats, Indices
 
 
 def available() -> bool:
@@ -35,7 +35,7 @@ class Fused:
     text: str
     row: int
 
-    def bound(self, given: Mapping[str, Any]) -> Bound:
+    def bound(self, given: Mapping[str, Floats]) -> Bound:
         """The loop with the numbers that stay the same in all positions."""
         tape = self.trace.tape
         found = read(tape, tape.needed(list(self.fixed)), given)
@@ -47,7 +47,7 @@ class Bound:
     """A compiled loop ready to run."""
 
     fused: Fused
-    fixed: Any
+    fixed: Array
 
     @cached_property
     def run(self) -> Callable[[int, int], float]:
@@ -55,7 +55,7 @@ class Bound:
         code, fixed = _compiled(self.fused.text), self.fixed.ctypes.data
         return lambda rows, count: code(rows, fixed, count)
 
-    def __call__(self, rows: Any) -> tuple[Any, Any]:
+    def __call__(self, rows: Array) -> tuple[Array, Indices | None]:
         """Outputs (a row for each) and reason codes (None: nothing failed), of one block of positions (``rows``: a
         row for each input).
 
@@ -63,9 +63,9 @@ class Bound:
         memory, and its address is taken the short way (``array.ctypes`` is six times as long).
         """
         inputs, count = len(self.fused.inputs), rows.shape[1]
-        whole: Any = np.empty((inputs + len(self.fused.trace.outputs) + 1, self.fused.row + EXTRA))
+        whole = np.empty((inputs + len(self.fused.trace.outputs) + 1, self.fused.row + EXTRA))
         whole[:inputs, :count] = rows
-        failed = self.run(ctypes.addressof(ctypes.c_char.from_buffer(whole)), count)
+        failed = self.run(ctypes.addressof(ctypes.c_char.from_buffer(whole.data)), count)
         return whole[inputs:-1, :count], whole[-1, :count].astype(np.int16) if failed else None
 
 
@@ -111,4 +111,4 @@ def _compiled(text: str) -> Callable[[int, int, int], float]:
     return _CALL(engine.get_function_address("run"))
 
 
-_ENGINES: list[Any] = []  # kept alive: their code runs
+_ENGINES: list[object] = []  # kept alive: their code runs

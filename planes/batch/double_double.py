@@ -7,23 +7,24 @@ A tape read in them is the truth of many positions at once, some 10⁻³¹ of th
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
-from planes.batch.reading import OPS, read
+from planes.batch.reading import OPS, Number, Op, read
 from planes.batch.tape import Tape
+from planes.geometry.arithmetic import Real, Truth
+from planes.geometry.arrays import Array, Floats
 from planes.geometry.error_free import two_product, two_sum
 
-Two = tuple[Any, Any]
+Two = tuple[Real, Real]
 REST = {math.radians(1): 2.9486522708701687e-19, math.degrees(1): -1.9878495670576283e-15}
 """What the doubles of π/180 and 180/π leave out."""
 RIGHT = (math.pi / 2, 6.123233995736766e-17)
 TERMS = 14
 
 
-def _neat(a: Any, b: Any) -> Two:
+def _neat(a: Real, b: Real) -> Two:
     s = a + b
     return s, b - (s - a)
 
@@ -67,15 +68,15 @@ def absolute(a: Two) -> Two:
     return where(a[0] < 0, negative(a), a)
 
 
-def where(ok: Any, a: Two, b: Two) -> Two:
+def where(ok: Truth, a: Two, b: Two) -> Two:
     return np.where(ok, a[0], b[0]), np.where(ok, a[1], b[1])
 
 
-def less(a: Two, b: Two) -> Any:
+def less(a: Two, b: Two) -> Truth:
     return (a[0] < b[0]) | ((a[0] == b[0]) & (a[1] < b[1]))
 
 
-def equal(a: Any, b: Any) -> Any:
+def equal(a: Two | Truth, b: Two | Truth) -> Truth:
     return (a[0] == b[0]) & (a[1] == b[1]) if isinstance(a, tuple) else a == b
 
 
@@ -130,7 +131,7 @@ def arctangent(y: Two, x: Two) -> Two:
     return where(steep, subtract(right, angle), flat)
 
 
-TWO_OPS: dict[str, Callable[..., Any]] = {
+TWO_OPS: dict[str, Op] = {
     **OPS,
     "add": add,
     "sub": subtract,
@@ -154,16 +155,16 @@ TWO_OPS: dict[str, Callable[..., Any]] = {
 }
 
 
-def twofold(x: Any) -> Two:
+def twofold(x: Floats) -> Two:
     """A number of the tape with what a double of it leaves out."""
     return np.float64(x), np.float64(REST.get(x, 0.0) if isinstance(x, float) else 0.0)
 
 
-def read_long(tape: Tape, order: Iterable[int], given: Mapping[str, Any]) -> dict[int, Any]:
+def read_long(tape: Tape, order: Iterable[int], given: Mapping[str, Floats]) -> dict[int, Number]:
     """The numbers of a tape (pairs of arrays), and its yes and no."""
     return read(tape, order, given, twofold, TWO_OPS)
 
 
-def apart(table: Any, true: Two) -> Any:
+def apart(table: Array, true: Two) -> Array:
     """How far floats are from numbers of twice the digits."""
-    return np.abs((table - true[0]) - true[1])
+    return np.asarray(np.abs((table - true[0]) - true[1]))

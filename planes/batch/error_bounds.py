@@ -10,17 +10,18 @@ this is, and how close.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
-from planes.batch.columns import Ready
+from planes.batch.columns import Ready, sides_of
 from planes.batch.reading import read
-from planes.batch.rounding import BLIND, LARGEST, USUAL, bent, rounding, unit_parts, whole_numbers
+from planes.batch.rounding import BLIND, LARGEST, USUAL, Lost, bent, rounding, unit_parts, whole_numbers
 from planes.batch.slopes import STIFF, Carrying, Values, times
 from planes.batch.tape import Tape
 from planes.batch.tracing import given_values, trace
+from planes.geometry.arrays import Array, Booleans, Floats, Indices
+from planes.words.names import given_of, is_scale
 
 SIGMAS = 6.0  # roundings add up as chances do: further off than this is one sum in five hundred million
 SMALL = 0.01  # a loss this small beside the rounding is not worth a better bound
@@ -39,11 +40,11 @@ class _Running:
         self.carrying = Carrying(tape, order, count)
         self.largest, self.lost = np.zeros((kept.most, count)), np.zeros((kept.most, count))
         self.usual, self.losing = np.ones(kept.most), np.zeros(kept.most, bool)
-        self.reach: dict[int, Any] = {}  # no place is further off: a rough bound, made better where it matters
-        self.better: dict[int, Any] = {}
-        self.unsure: dict[int, Any] = {}  # of the tests whether a thing moves
+        self.reach: dict[int, Array] = {}  # no place is further off: a rough bound, made better where it matters
+        self.better: dict[int, Booleans] = {}
+        self.unsure: dict[int, Array] = {}  # of the tests whether a thing moves
 
-    def __call__(self, wanted: frozenset[int]) -> dict[int, Any]:
+    def __call__(self, wanted: frozenset[int]) -> dict[int, Array]:
         """How far the wanted places may be off."""
         bounds = {}
         for place, op, args in self.carrying.moving():
@@ -87,15 +88,15 @@ class _Running:
             self.reach[place] = np.minimum(sum(moved), BLIND) + np.zeros(self.count)
         self.carrying.carry(place, args, parts, own)
 
-    def _bent(self, place: int, op: str, args: tuple[int, ...], slip: Any) -> Any:
+    def _bent(self, place: int, op: str, args: tuple[int, ...], slip: Floats | None) -> Lost:
         """What is lost at a place by taking it to be straight, and its slopes; with better bounds where it matters."""
         z, given = self.found[place], tuple(self.found[a] for a in args)
         if args and args[0] in self.unsure:
             return self.unsure[args[0]], bent(op, z, given, ())[1]
         if place in self.kept.chosen:  # a direction of nothing that may yet be something
             length = self.kept.chosen[place]
-            lost = np.where((self.found[length] == 0) & (self.reach.get(length, 0.0) > 0), 2.0, 0.0)
-            return lost, bent(op, z, given, ())[1]
+            some = np.where((self.found[length] == 0) & (self.reach.get(length, 0.0) > 0), 2.0, 0.0)
+            return some, bent(op, z, given, ())[1]
         lost, parts = bent(op, z, given, self._reaches(args))
         if lost is None or not np.any(lost):
             return None, parts
@@ -106,6 +107,7 @@ class _Running:
         if np.any(doubtful):
             self._look(args, np.broadcast_to(doubtful, (self.count,)))
             lost, parts = bent(op, z, given, self._reaches(args))
+            assert lost is not None
         if place in self.kept.units:
             length = self.kept.units[place]
             reach = self.reach.get(length, 0.0)
@@ -113,10 +115,10 @@ class _Running:
             lost, parts = np.where(blunt, 2.0, lost), tuple(np.where(blunt, 0.0, part) for part in parts)
         return lost, parts
 
-    def _reaches(self, args: tuple[int, ...]) -> tuple[Any, ...]:
+    def _reaches(self, args: tuple[int, ...]) -> tuple[Floats, ...]:
         return tuple(self.reach.get(a, 0.0) for a in args)
 
-    def _look(self, places: Any, where: Any) -> None:
+    def _look(self, places: Iterable[int], where: Booleans) -> None:
         """Find better bounds of places, at the positions that need them."""
         for place in set(places) & self.carrying.rows.keys():
             seen = self.better.setdefault(place, np.zeros(self.count, bool))
@@ -125,7 +127,7 @@ class _Running:
                 seen[new] = True
                 self.reach[place][new] = np.fmin(self.reach[place][new], self._bound(place, new))
 
-    def _bound(self, place: int, where: Any) -> Any:
+    def _bound(self, place: int, where: Indices | slice) -> Array:
         """How far a place may be off: every loss at its worst, and the roundings by chance.
 
         The worst sum of the roundings is no bound even where it is the smaller: arrays and single positions divide
@@ -139,9 +141,9 @@ class _Running:
         lost = np.einsum("kp,kp->p", size[losing], self.lost[losing][:, where])
         size *= self.largest[: len(rows), where]
         size *= size
-        return SIGMAS * np.sqrt(self.usual[: len(rows)] @ size) + lost
+        return np.asarray(SIGMAS * np.sqrt(self.usual[: len(rows)] @ size) + lost)
 
-    def _turning(self, args: tuple[int, ...]) -> Any:
+    def _turning(self, args: tuple[int, ...]) -> Array:
         """How far off a sense may be: what is called a standstill may be a motion, and of a motion that is all error
         it is not known which way it goes. Only what cannot move at all surely stands."""
         self._look(args, np.ones(self.count, bool))
@@ -163,8 +165,8 @@ class Kept:
 
 def _written(tape: Tape, order: list[int], off: Mapping[str, float]) -> dict[int, float]:
     """Places of the givens a scene writes, each with how far off it is reckoned; scales are of the drawing alone."""
-    names = {p: tape.values[p] for p in order if tape.ops[p][0] == "given"}
-    own = {p: n.removesuffix(".x").removesuffix(".y") for p, n in names.items() if not n.startswith("mu_")}
+    names = {p: str(tape.values[p]) for p in order if tape.ops[p][0] == "given"}
+    own = {p: given_of(n) for p, n in names.items() if not is_scale(n)}
     return {p: off.get(n, 0.0) for p, n in own.items()}
 
 
@@ -182,7 +184,7 @@ class Claims:
         self.order = self.tape.needed(list(drawn.outputs))
         self.kept = Kept(self.tape, self.order, drawn.turns, off)
 
-    def bounds(self, values: Any, at: Any = None) -> Any:
+    def bounds(self, values: Sequence[float] | Array, at: Indices | None = None) -> Array:
         """A row for each column: no result is further from the truth; infinite where nothing can be claimed.
 
         The ``values`` of the drive are those of the positions numbered ``at`` (None: the first ones).
@@ -193,7 +195,7 @@ class Claims:
         pieces = [self._piece(values[i : i + PIECE], at[i : i + PIECE]) for i in steps]
         return np.hstack(pieces) if pieces else np.empty((self.count, 0))
 
-    def _piece(self, values: Any, at: Any) -> Any:
+    def _piece(self, values: Array, at: Indices) -> Array:
         given = {**given_values(self.cycle.given), **self.cycle.moving(values, at)}
         found = read(self.tape, self.order, given)
         with np.errstate(all="ignore"):
@@ -201,7 +203,7 @@ class Claims:
             bound = np.array([bounds[p] for p in self.outputs]).reshape(self.count, len(values)) * ROUNDED
             return np.where(bound < BLIND * 1e-50, bound, np.inf)
 
-    def doubtful(self, table: Any, bounds: Any) -> Any:
+    def doubtful(self, table: Array, bounds: Array) -> Booleans:
         """Of which numbers rounding leaves less than three digits, seen against what the largest of their kind is at
         least."""
         kinds = np.array([c.kind for c in self.cycle.columns])
@@ -212,3 +214,11 @@ class Claims:
             largest = np.fmax.reduce(sizes[rows], axis=0, initial=TURN if kind == "°" else 0.0)
             doubtful[rows] = ~(bounds[rows] <= DOUBT * largest) & np.isfinite(table[rows])
         return doubtful
+
+    def faint(self, table: Array, bounds: Array) -> Booleans:
+        """Which numbers are of a force without one certain digit."""
+        eaten, faint = (np.abs(table) <= bounds) & (bounds > 0), np.zeros(table.shape, bool)
+        for side in sides_of(self.cycle.columns):
+            rows = [k for k, c in enumerate(self.cycle.columns) if (c.start, c.end) == side]
+            faint[rows] = eaten[rows].all(axis=0)
+        return faint

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any
 
 import numpy as np
 
 from planes.batch.tape import Tape
+from planes.geometry.arithmetic import Real
+from planes.geometry.arrays import Floats
 from planes.geometry.error_free import gap
 
-OPS: dict[str, Callable[..., Any]] = {
+Number = Real  # of a tape being read: an array, or a longer number
+Op = Callable[..., Number]
+OPS: dict[str, Op] = {
     "add": lambda a, b: a + b,
     "sub": lambda a, b: a - b,
     "mul": lambda a, b: a * b,
@@ -39,13 +42,13 @@ OPS: dict[str, Callable[..., Any]] = {
 def read(
     tape: Tape,
     order: Iterable[int],
-    given: Mapping[str, Any],
-    real: Callable[[Any], Any] = np.float64,
-    ops: Mapping[str, Callable[..., Any]] = OPS,
-) -> dict[int, Any]:
+    given: Mapping[str, Floats],
+    real: Callable[[Floats], Number] = np.float64,
+    ops: Mapping[str, Op] = OPS,
+) -> dict[int, Number]:
     """The numbers at the places of ``order``, of the kind ``real``, by the operations ``ops``; errors of instruments
     are 0."""
-    found: dict[int, Any] = {}
+    found: dict[int, Number] = {}
     with np.errstate(all="ignore"):
         for place in order:
             op, args = tape.ops[place]

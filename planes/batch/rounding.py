@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
 from planes.batch.double_double import REST
 from planes.batch.slopes import SLOPES, Parts, Values
 from planes.batch.tape import LEAVES, TESTS, Tape
+from planes.geometry.arithmetic import Truth
+from planes.geometry.arrays import Array, Booleans, Floats
 from planes.geometry.error_free import doubt
 
 EXACT = TESTS | LEAVES | {"neg", "abs", "sel", "max", "min", "floor"}
@@ -19,7 +20,7 @@ USUAL = {"hypot": 1.2, "atan2": 1.1}  # root mean square, in that of one roundin
 BLIND = 1e200  # nothing can be said of a number
 
 
-def rounding(tape: Tape, place: int, found: Values, whole: frozenset[int]) -> Any:
+def rounding(tape: Tape, place: int, found: Values, whole: frozenset[int]) -> Floats | None:
     """Half of the last place of what an operation makes, or how far off a constant is; None where all comes out."""
     op, args = tape.ops[place]
     if op == "const":
@@ -34,7 +35,7 @@ def rounding(tape: Tape, place: int, found: Values, whole: frozenset[int]) -> An
     return None if np.all(out) else np.where(out, 0.0, np.spacing(np.abs(found[place])) / 2)
 
 
-def _comes_out(op: str, z: Any, *args: Any) -> Any:
+def _comes_out(op: str, z: Array, *args: Array) -> Truth:
     """Whether a sum, product or inverse has no digits to lose, however its last digits fall: sums with nothing,
     differences of near numbers (Sterbenz), powers of two."""
     if op in ("add", "sub"):
@@ -48,11 +49,11 @@ def _comes_out(op: str, z: Any, *args: Any) -> Any:
     return _doubling(args[0]) if op == "inv" else False
 
 
-def _round_number(x: Any) -> bool:
+def _round_number(x: float) -> bool:
     return isinstance(x, bool) or not math.isfinite(x) or (x * 1024).is_integer()
 
 
-def _doubling(x: Any) -> Any:
+def _doubling(x: Array) -> Truth:
     part = np.abs(np.frexp(x)[0])
     return (part == 0.5) | (part == 0.0)
 
@@ -91,10 +92,11 @@ def _bare(tape: Tape, place: int) -> int:
     return tape.ops[place][1][0] if tape.ops[place][0] == "neg" else place
 
 
-Lost = tuple[Any, Parts]
+Lost = tuple[Array | None, Parts]
+Bent = tuple[Array, Booleans | None]
 
 
-def bent(op: str, z: Any, args: tuple[Any, ...], reach: tuple[Any, ...]) -> Lost:
+def bent(op: str, z: Array, args: tuple[Array, ...], reach: tuple[Floats, ...]) -> Lost:
     """What is lost by taking an operation to be straight, where its arguments may be off by ``reach``; and slopes.
 
     That is no less than |f(a + d) - f(a) - slope·d| for every |d| ≤ reach. Where the arguments are known so badly that
@@ -109,36 +111,36 @@ def bent(op: str, z: Any, args: tuple[Any, ...], reach: tuple[Any, ...]) -> Lost
     return np.minimum(lost, BLIND), parts
 
 
-def _bent_inverse(z: Any, a: Any, da: Any) -> tuple[Any, Any]:
+def _bent_inverse(z: Array, a: Array, da: Array) -> Bent:
     q = da / np.abs(a)
     blunt = ~(q < 1)
     return np.where(blunt, BLIND, np.abs(z) * q * q / np.where(blunt, 1.0, 1 - q)), blunt
 
 
-def _bent_root(z: Any, a: Any, da: Any) -> tuple[Any, Any]:
+def _bent_root(z: Array, a: Array, da: Array) -> Bent:
     blunt = da >= np.abs(a)
     q = da / np.where(blunt, 1.0, np.abs(a))
     return np.where(blunt, np.sqrt(da + np.maximum(-a, 0.0)), z * q * q / 2), blunt
 
 
-def _bent_length(z: Any, a: Any, b: Any, da: Any, db: Any) -> tuple[Any, Any]:
+def _bent_length(z: Array, a: Array, b: Array, da: Array, db: Array) -> Bent:
     d = np.hypot(da, db)
     blunt = 2 * d >= z
     return np.where(blunt, d, d * d / np.where(blunt, 1.0, z)), blunt
 
 
-def _bent_angle(z: Any, y: Any, x: Any, dy: Any, dx: Any) -> tuple[Any, Any]:
+def _bent_angle(z: Array, y: Array, x: Array, dy: Array, dx: Array) -> Bent:
     q = np.hypot(dx, dy) / np.hypot(x, y)
     blunt = ~(2 * q < 1) | ((x < 0) & (np.abs(y) <= dy) & (dy > 0))
     return np.where(blunt, 2 * math.pi, 2 * q * q), blunt
 
 
-def _bent_gap(z: Any, *args: Any) -> tuple[Any, Any]:
+def _bent_gap(z: Array, *args: Array) -> Bent:
     cx, cy, dx, dy, r, s = args[6:]
     return (cx + dx) ** 2 + (cy + dy) ** 2 + (r + s) ** 2, None
 
 
-BENT: dict[str, Callable[..., tuple[Any, Any]]] = {
+BENT: dict[str, Callable[..., Bent]] = {
     "mul": lambda z, a, b, da, db: (da * db, None),
     "inv": _bent_inverse,
     "sqrt": _bent_root,

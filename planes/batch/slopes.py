@@ -6,19 +6,19 @@ Errors that cancel are left to cancel: each has its own row of slopes, from wher
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any
 
 import numpy as np
 
 from planes.batch.tape import LEAVES, TESTS, Tape
+from planes.geometry.arrays import Array, Floats
 
-Values = Mapping[int, Any]
-Parts = Sequence[Any]
+Values = Mapping[int, Array]
+Parts = Sequence[Floats]
 BOOL = np.dtype(bool)
 STIFF = TESTS | LEAVES | {"floor"}  # what does not move with what it is made of
 
 
-def _over(a: Any, size: Any) -> Any:
+def _over(a: Floats, size: Array) -> Array:
     """a / size; nothing where the size is nothing."""
     return np.where(size > 0, a / np.where(size > 0, size, 1.0), 0.0)
 
@@ -50,7 +50,7 @@ SLOPES: dict[str, Callable[..., Parts]] = {
 }
 
 
-def times(part: Any, x: Any) -> Any:
+def times(part: Floats, x: Array) -> Array:
     """A slope times what it carries; a slope of yes or no lets through what it chose, whatever the other is."""
     return np.where(part, x, 0.0) if getattr(part, "dtype", None) is BOOL else part * x
 
@@ -60,7 +60,7 @@ class Carrying:
 
     def __init__(self, tape: Tape, order: list[int], count: int) -> None:
         self.tape, self.order, self.count = tape, order, count
-        self.rows: dict[int, Any] = {}
+        self.rows: dict[int, Array] = {}
         self.made = 0
         self._last = {a: p for p in order for a in tape.ops[p][1]}
 

@@ -7,11 +7,12 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from tempfile import TemporaryFile
-from typing import IO, Any, Protocol
+from typing import IO, Protocol
 
 import numpy as np
 
 from planes.batch import Block, Reason
+from planes.geometry.arrays import Array
 from planes.scene.files import sayable, whole
 from planes.words import Phrase
 from planes.words.errors import PlanesError
@@ -171,7 +172,7 @@ class Parquet:
     def _group(self) -> None:
         rows = np.hstack([np.vstack([b.values, b.table]) for b in self.waiting])
         codes = np.hstack([b.codes for b in self.waiting])
-        columns: list[Any] = [*rows, self.reasons[codes]]
+        columns: list[Array] = [*rows, self.reasons[codes]]
         self.writer.write_table(self.arrow.table([self.arrow.array(c) for c in columns], schema=self.schema))
         self.waiting.clear()
 

@@ -4,29 +4,28 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from planes.batch.tape import Tape
+from planes.geometry.arithmetic import Point, Real, Truth
 
 
-def place_of(tape: Tape, x: Any) -> int:
+def place_of(tape: Tape, x: Real | Truth) -> int:
     """The place of a number, a constant being recorded when it is used."""
     if isinstance(x, Num | Test):
         return x.at
     return tape.leaf("const", bool(x) if isinstance(x, bool) else float(x))
 
 
-def number(tape: Tape, op: str, *args: Any) -> Num:
+def number(tape: Tape, op: str, *args: Real | Truth) -> Num:
     """A real number by an operation."""
     return Num(tape, tape.record(op, *(place_of(tape, a) for a in args)))
 
 
-def truth(tape: Tape, op: str, *args: Any) -> Test:
+def truth(tape: Tape, op: str, *args: Real | Truth) -> Test:
     """A yes or no by an operation."""
     return Test(tape, tape.record(op, *(place_of(tape, a) for a in args)))
 
 
-def _real(x: Any) -> bool:
+def _real(x: object) -> bool:
     return isinstance(x, Num | float | int) and not isinstance(x, bool)
 
 
@@ -65,7 +64,7 @@ class Num:
             return self
         return abs(self.arg()) if self.op == "neg" else number(self.tape, "abs", self)
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: Point | Truth) -> Point:
         if isinstance(other, Test):
             other = other.number()
         if not _real(other):
@@ -76,15 +75,15 @@ class Num:
 
     __radd__ = __add__
 
-    def __sub__(self, other: Any) -> Any:
+    def __sub__(self, other: Point | Truth) -> Point:
         if isinstance(other, Num) and other.at == self.at:
             return 0.0
         return self + (-other)
 
-    def __rsub__(self, other: Any) -> Any:
+    def __rsub__(self, other: Point | Truth) -> Point:
         return (-self) + other
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: Point | Truth) -> Point:
         if not _real(other):
             return Vec(self, 0.0) * other if isinstance(other, Vec | complex) else NotImplemented
         if isinstance(other, Num):
@@ -95,14 +94,14 @@ class Num:
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Any:
+    def __truediv__(self, other: Point | Truth) -> Point:
         if not _real(other):
             return Vec(self, 0.0) / other if isinstance(other, Vec | complex) else NotImplemented
         if not isinstance(other, Num):
             return self * (1 / other)
         return 1.0 if other.at == self.at else self * other.inverse()
 
-    def __rtruediv__(self, other: Any) -> Any:
+    def __rtruediv__(self, other: Point | Truth) -> Point:
         return other * self.inverse()
 
     def inverse(self) -> Num:
@@ -111,31 +110,31 @@ class Num:
             return -self.arg().inverse()
         return number(self.tape, "inv", self)
 
-    def __pow__(self, n: int) -> Any:
+    def __pow__(self, n: int) -> Real:
         if n < 0:
             return (self**-n).inverse() if n != -1 else self.inverse()
-        power: Any = 1.0
+        power: Real = 1.0
         for _ in range(n):
             power = power * self
         return power
 
-    def __lt__(self, other: Any) -> Test:
+    def __lt__(self, other: Real) -> Test:
         return truth(self.tape, "lt", self, other)
 
-    def __le__(self, other: Any) -> Test:
+    def __le__(self, other: Real) -> Test:
         return truth(self.tape, "le", self, other)
 
-    def __gt__(self, other: Any) -> Test:
+    def __gt__(self, other: Real) -> Test:
         return truth(self.tape, "lt", other, self)
 
-    def __ge__(self, other: Any) -> Test:
+    def __ge__(self, other: Real) -> Test:
         return truth(self.tape, "le", other, self)
 
     def __eq__(self, other: object) -> Test:  # type: ignore[override]
         return truth(self.tape, "eq", self, other)
 
 
-def _sum(a: Num, b: Num) -> Any:
+def _sum(a: Num, b: Num) -> Real:
     tape = a.tape
     if b.op == "neg":
         a, b = b, a
@@ -155,7 +154,7 @@ def _product(a: Num, b: Num) -> Num:
     return number(tape, "mul", a, b)
 
 
-def _parts(z: Any) -> tuple[Any, Any]:
+def _parts(z: Point) -> tuple[Real, Real]:
     return z.real, z.imag
 
 
@@ -164,7 +163,7 @@ class Vec:
 
     __slots__ = ("imag", "real")
 
-    def __init__(self, real: Any, imag: Any) -> None:
+    def __init__(self, real: Real, imag: Real) -> None:
         self.real, self.imag = real, imag
 
     def conjugate(self) -> Vec:
@@ -174,33 +173,33 @@ class Vec:
     def __neg__(self) -> Vec:
         return Vec(-self.real, -self.imag)
 
-    def __add__(self, other: Any) -> Vec:
+    def __add__(self, other: Point) -> Vec:
         x, y = _parts(other)
         return Vec(self.real + x, self.imag + y)
 
     __radd__ = __add__
 
-    def __sub__(self, other: Any) -> Vec:
+    def __sub__(self, other: Point) -> Vec:
         x, y = _parts(other)
         return Vec(self.real - x, self.imag - y)
 
-    def __rsub__(self, other: Any) -> Vec:
+    def __rsub__(self, other: Point) -> Vec:
         return (-self).__add__(other)
 
-    def __mul__(self, other: Any) -> Vec:
+    def __mul__(self, other: Point) -> Vec:
         (a, b), (x, y) = _parts(self), _parts(other)
         return Vec(a * x - b * y, a * y + b * x)
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Vec:
+    def __truediv__(self, other: Point) -> Vec:
         (a, b), (x, y) = _parts(self), _parts(other)
         if isinstance(y, float | int) and y == 0:
             return Vec(a / x, b / x)
         size = x * x + y * y
         return Vec((a * x + b * y) / size, (b * x - a * y) / size)
 
-    def __abs__(self) -> Any:
+    def __abs__(self) -> Real:
         for one, other in ((self.real, self.imag), (self.imag, self.real)):
             if isinstance(one, float | int):
                 return abs(other) if one == 0 else number(other.tape, "hypot", other, one)
@@ -220,14 +219,14 @@ class Test:
         """1 where it is so, else 0."""
         return number(self.tape, "sel", self, 1.0, 0.0)
 
-    def __and__(self, other: Any) -> Any:
+    def __and__(self, other: Point | Truth) -> Point:
         if isinstance(other, bool):
             return self if other else False
         return truth(self.tape, "and", self, other)
 
     __rand__ = __and__
 
-    def __or__(self, other: Any) -> Any:
+    def __or__(self, other: Point | Truth) -> Point:
         if isinstance(other, bool):
             return True if other else self
         return truth(self.tape, "or", self, other)
@@ -237,7 +236,7 @@ class Test:
     def __invert__(self) -> Test:
         return truth(self.tape, "not", self)
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: Point | Truth) -> Point:
         return self.number() + other
 
     __radd__ = __add__

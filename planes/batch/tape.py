@@ -7,11 +7,13 @@ What is reckoned twice is recorded once. Readers of a tape compile it (``compile
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+
+from planes.geometry.arithmetic import Real
 
 Args = tuple[int, ...]
 COMMUTE = frozenset({"add", "mul", "max", "min", "and", "or", "eq", "hypot"})
 TESTS = frozenset({"lt", "le", "eq", "and", "or", "not"})
+Leaf = Real  # a constant, or the name of a given
 LEAVES = frozenset({"const", "given", "source"})
 
 
@@ -20,21 +22,21 @@ class Tape:
     """Operations in order; an operation names its arguments by their places on the tape."""
 
     ops: list[tuple[str, Args]] = field(default_factory=list)
-    values: dict[int, Any] = field(default_factory=dict)  # of constants ("const") and names of givens ("given")
-    seen: dict[Any, int] = field(default_factory=dict)
+    values: dict[int, Leaf] = field(default_factory=dict)  # of constants ("const") and names of givens ("given")
+    seen: dict[object, int] = field(default_factory=dict)
 
     def record(self, op: str, *args: int) -> int:
         """The place of an operation, recorded if it is new."""
         args = tuple(sorted(args)) if op in COMMUTE else args
         return self._place((op, args), op, args)
 
-    def leaf(self, op: str, value: Any) -> int:
+    def leaf(self, op: str, value: float | str) -> int:
         """The place of a constant or of a given by its name."""
         place = self._place((op, repr(value)), op, ())
         self.values[place] = value
         return place
 
-    def _place(self, key: Any, op: str, args: Args) -> int:
+    def _place(self, key: object, op: str, args: Args) -> int:
         place = self.seen.get(key)
         if place is None:
             place = self.seen[key] = len(self.ops)

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 from planes.batch.symbols import Num, Test, Vec, number, place_of
 from planes.batch.tape import Tape
 from planes.drafting.clearness import clear
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
-from planes.drafting.proofs import TOLD_APART, Twofold
+from planes.drafting.proofs import TOLD_APART, Proof, speeds
 from planes.drafting.tools import Tool
-from planes.geometry.arithmetic import One
+from planes.geometry.arithmetic import Arithmetic, One, Point, Real, Truth, size
+from planes.geometry.arrays import Floats
 
 UNCLEAR = "unclear"
 
@@ -23,23 +23,24 @@ class Recording:
     """The arithmetic of a tape; what is known already is reckoned at once."""
 
     eps = One.eps
+    size = staticmethod(size)
 
     def __init__(self) -> None:
         self.one = One()
         self.turns: list[int] = []  # places of the tests whether a thing moves, and which way
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: Real) -> Real:
         return number(x.tape, "sqrt", x) if isinstance(x, Num) else self.one.sqrt(x)
 
-    def maximum(self, a: Any, b: Any) -> Any:
+    def maximum(self, a: Real, b: Real) -> Real:
         tape = _tape(a, b)
         return number(tape, "max", a, b) if tape else self.one.maximum(a, b)
 
-    def minimum(self, a: Any, b: Any) -> Any:
+    def minimum(self, a: Real, b: Real) -> Real:
         tape = _tape(a, b)
         return number(tape, "min", a, b) if tape else self.one.minimum(a, b)
 
-    def where(self, ok: Any, a: Any, b: Any) -> Any:
+    def where(self, ok: Truth, a: Point, b: Point) -> Point:
         if not isinstance(ok, Test):
             return a if ok else b
         if isinstance(a, Vec | complex) or isinstance(b, Vec | complex):
@@ -47,7 +48,7 @@ class Recording:
         one, two = place_of(ok.tape, a), place_of(ok.tape, b)
         return a if one == two else number(ok.tape, "sel", ok, a, b)
 
-    def cis_deg(self, angle: Any) -> Any:
+    def cis_deg(self, angle: Real) -> Point:
         if not isinstance(angle, Num):
             return self.one.cis_deg(angle)
         tape = angle.tape
@@ -59,7 +60,7 @@ class Recording:
         x, y = self.where(odd, sin, cos), self.where(odd, cos, sin)
         return Vec(self.where(left, -x, x), self.where(below, -y, y))
 
-    def angle_deg(self, u: Any) -> Any:
+    def angle_deg(self, u: Point) -> Real:
         if not isinstance(u, Vec):
             return self.one.angle_deg(u)
         tape = _tape(u.real, u.imag)
@@ -67,23 +68,23 @@ class Recording:
         angle = number(tape, "atan2", u.imag, u.real) * math.degrees(1)
         return self.where(angle == -180.0, 180.0, angle)
 
-    def sign(self, x: Any) -> Any:
+    def sign(self, x: Real) -> Real:
         if not isinstance(x, Num):
             return self.one.sign(x)
         ahead = x > 0
         self.turns.append(ahead.at)
         return self.where(ahead, 1.0, self.where(x < 0, -1.0, x))
 
-    def power(self, x: Any, n: int) -> Any:
+    def power(self, x: Real, n: int) -> Real:
         return x**n if isinstance(x, Num) else self.one.power(x, n)
 
-    def gap(self, c: Any, d: Any, r: Any, s: Any) -> Any:
+    def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real:
         parts = c.real, c.imag, d.real, d.imag, r, s
         tape = _tape(*parts)
         return number(tape, "gap", *parts) if tape else self.one.gap(c, d, r, s)
 
 
-def _tape(*numbers: Any) -> Tape | None:
+def _tape(*numbers: Real) -> Tape | None:
     return next((x.tape for x in numbers if isinstance(x, Num)), None)
 
 
@@ -103,13 +104,13 @@ class TracingTool(Tool):
     errors: tuple[float, float, float] | None = None
     sources: list[Source] = field(default_factory=list)
 
-    def mark(self, place: Any) -> Any:
+    def mark(self, place: Point) -> Point:
         return place + Vec(self._error(0), self._error(0)) if self.errors else place
 
-    def ray(self, direction: Any) -> Any:
+    def ray(self, direction: Point) -> Point:
         return direction * Vec(1.0, self._error(1)) if self.errors else direction
 
-    def read(self, length_mm: Any) -> Any:
+    def read(self, length_mm: Real) -> Real:
         return length_mm + self._error(2) if self.errors else length_mm
 
     def _error(self, which: int) -> Num:
@@ -118,11 +119,11 @@ class TracingTool(Tool):
         self.sources.append(Source(place, self.errors[which]))
         return Num(self.tape, place)
 
-    def require(self, ok: Any, step: object, reason: str, **numbers: Any) -> None:
+    def require(self, ok: Truth, step: object, reason: str, **numbers: Real) -> None:
         if ok is not True:
             self.failures.append((reason, step, ok, numbers))
 
-    def note(self, ok: Any, step: object, reason: str) -> None:
+    def note(self, ok: Truth, step: object, reason: str) -> None:
         """A warning stops nothing; what it is told of, whether a thing moves at all, is remembered."""
         if isinstance(ok, Test) and isinstance(self.ar, Recording):
             self.ar.turns.append(ok.at)
@@ -143,17 +144,18 @@ class Trace:
         return {v: k for k, v in self.tape.values.items() if self.tape.ops[k][0] == "given"}
 
 
-Take = Callable[[Mapping[str, Any], Any], Any]
+Take = Callable[[Mapping[str, Point], Arithmetic], Real]
 
 
 def trace(
     program: Program,
-    given: Mapping[str, Any],
-    takes: list[Take],
-    known: Mapping[str, Any],
+    given: Mapping[str, Point],
+    takes: Sequence[Take],
+    known: Mapping[str, Point],
     errors: tuple[float, float, float] | None = None,
     must: Sequence[bool] = (),
     fine: float | None = None,
+    forces: Iterable[tuple[str, str]] = (),
 ) -> Trace:
     """Record a program. ``given`` shows which givens are places; those in ``known`` are folded in as constants.
 
@@ -166,39 +168,47 @@ def trace(
     tool = TracingTool(ar, True, tape=tape, errors=errors, doubt_mm=errors[0] if errors else 0.0)
     if fine is not None:
         tool.slack, tool.flat, tool.still = fine, fine, 10 * fine
-    things: dict[str, Any] = {n: known[n] if n in known else _given(tape, n, given[n]) for n in given}
+    things: dict[str, Point] = {n: known[n] if n in known else _given(tape, n, given[n]) for n in given}
     draw_steps(program.steps, things, tool)
     taken = [take(things, tool.ar) for take in takes]
     outputs = tuple(place_of(tape, x) for x in taken)
     if must:
-        for proof in program.proofs:
-            if isinstance(proof, Twofold):  # a loop only suspects: arrays find out
-                gap, size = proof.gap(things, tool.ar)
-                tool.require(gap <= TOLD_APART * size, proof, proof.reason)
+        for reason, holds in _proved(program.proofs, things, tool.ar).items():
+            tool.failures.append((reason, None, holds, {}))
         tool.require(_finite(tape, [x for x, m in zip(taken, must, strict=True) if m]), None, "no_digits")
-        tool.require(clear(program, things, tool), None, UNCLEAR)
+        tool.require(clear(program, things, tool, forces), None, UNCLEAR)
     requires = tuple((r, str(getattr(s, "makes", "")), place_of(tape, ok)) for r, s, ok, _ in tool.failures)
     return Trace(tape, outputs, requires, tuple(tool.sources), tuple(ar.turns))
 
 
-def _finite(tape: Tape, numbers: list[Any]) -> Any:
+def _proved(proofs: Sequence[Proof], things: Mapping[str, Point], ar: Arithmetic) -> dict[str, Truth]:
+    """Whether every proof of a reason holds; where it does not, a loop only suspects: arrays find out."""
+    found: dict[str, Truth] = {}
+    speed = speeds(proofs, things, ar)
+    for proof in proofs:
+        gap, size = proof.gap(things, ar, speed[proof.beside])
+        found[proof.reason] = found.get(proof.reason, True) & (gap <= TOLD_APART * size)
+    return found
+
+
+def _finite(tape: Tape, numbers: list[Real]) -> Truth:
     """Whether all are finite: nothing times each is nothing."""
-    total: Any = 0.0
+    total: Real = 0.0
     for x in numbers:
         if isinstance(x, Num):
             total = number(tape, "mul", x, 0.0) + total
     return total == 0.0
 
 
-def _given(tape: Tape, name: str, value: Any) -> Any:
+def _given(tape: Tape, name: str, value: Point) -> Point:
     if isinstance(value, complex):
         return Vec(Num(tape, tape.leaf("given", name + ".x")), Num(tape, tape.leaf("given", name + ".y")))
     return Num(tape, tape.leaf("given", name))
 
 
-def given_values(given: Mapping[str, Any]) -> dict[str, Any]:
+def given_values(given: Mapping[str, Point]) -> dict[str, Floats]:
     """The givens of a tape by their names on it."""
-    flat: dict[str, Any] = {}
+    flat: dict[str, Floats] = {}
     for name, value in given.items():
         if isinstance(value, complex):
             flat[name + ".x"], flat[name + ".y"] = value.real, value.imag

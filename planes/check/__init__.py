@@ -64,7 +64,7 @@ class Outcome:
         if g and g.judgement.first_wrong:
             return g.judgement.named.mistake if g.judgement.named else None
         if g and g.left_out:
-            return "weight_missing" if g.left_out.startswith("G_") else "force_missing"
+            return g.left_out_mistake
         if g and g.gap_wrong:
             return "not_closed"
         table = self._table
@@ -93,25 +93,20 @@ class Outcome:
             return self.unreadable
         first = self.first_wrong
         if first is None:
-            return self.when_right if not self.unseen else self.when_right_as_seen
+            return self.right(", ".join(self.unseen))
         if self.mistake:
             return Phrase(f"mistake_{self.mistake}", **self._about(first))
         return self._unclear(first)
-
-    @property
-    def when_right(self) -> Phrase:
-        """What is said of a right drawing of the plan."""
-        return Phrase("check_right", plan=plan_phrase(self.bench.asked.plan))
 
     @property
     def unseen(self) -> list[str]:
         """Marks of the plan that nobody has looked at."""
         return self.grading.unseen if self.grading and not self.unreadable else []
 
-    @property
-    def when_right_as_seen(self) -> Phrase:
-        """What is said of a drawing that is right where it was seen."""
-        return Phrase("check_right_as_seen", plan=plan_phrase(self.bench.asked.plan), names=", ".join(self.unseen))
+    def right(self, unseen: str) -> Phrase:
+        """What is said of a right drawing of the plan, or of one whose marks ``unseen`` nobody has looked at."""
+        plan = plan_phrase(self.bench.asked.plan)
+        return Phrase("check_right_as_seen", plan=plan, names=unseen) if unseen else Phrase("check_right", plan=plan)
 
     def _about(self, first: str) -> dict[str, object]:
         """Names for the sentence of the mistake."""
@@ -179,17 +174,14 @@ def _mu(mu: float, kind: str) -> Written:
 
 
 def _free(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, Taken]) -> Hand:
-    """The true plan with the errors of drafting carried through it, up to the wanted names."""
-    asked = bench.asked
-    program = bench.plans.program.sliced([*bench.marks, *(n for n in wanted if n)])
-    given = {**bench.given, mu_of(asked.plan): mu}
-    return Hand(program, given, asked.skill, taken)
+    """The true plan with the errors of drafting carried through it, all its mistakes may read, and the wanted names."""
+    program = bench.plans.program.sliced([*bench.program.made, *(n for n in wanted if n)])
+    return Hand(program, {**bench.given, mu_of(bench.asked.plan): mu}, bench.asked.skill, taken)
 
 
 def _segments(out: Outcome) -> None:
     bench = out.bench
-    labels = [label_of(m) for m in bench.marks]
-    figures, unknown = segment_figures(bench.plans, bench.asked.plan, labels, out.paper.segments)
+    figures, unknown = segment_figures(bench, out.paper.segments)
     out.notes += [Phrase("check_unknown", names=", ".join(unknown))] if unknown else []
     if not figures:
         return

@@ -9,17 +9,15 @@ import os
 import sys
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from typing import Any
 
 from planes.cli.idle import check_needs, check_options
 from planes.cli.options import add_blank_options, add_check_options, add_course_options, add_cycle_options
-from planes.cli.parser import Parser, help_of
+from planes.cli.parser import CommandParser, Parser, lang_of
 from planes.cli.positions import add_positions, range_of, value_of, values_of
 from planes.scene import Scene, load
 from planes.scene.ranges import read_span
-from planes.words import Phrase
+from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
-from planes.words.options import home_lang
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -27,7 +25,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")  # a terminal without Cyrillic still gets the numbers
-    args = _parser().parse_args(argv)
+    argv = sys.argv[1:] if argv is None else argv
+    lang = lang_of(argv)
+    args = _parser(lang).parse_args(argv)
     try:
         status = int(args.command(args))
         if sys.stdout:
@@ -43,7 +43,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return 130
     with suppress(OSError):
-        print(refused.told(args.lang), file=sys.stderr)
+        print(refused.told(lang), file=sys.stderr)
     return 2
 
 
@@ -53,62 +53,64 @@ def _json(thing: object) -> str:
     return json.dumps(thing, ensure_ascii=not wide, allow_nan=False)
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = Parser(prog="planes", description=help_of("help_planes"))
+def _parser(lang: Lang) -> argparse.ArgumentParser:
+    def help_of(key: str) -> str:
+        return say(key, lang)
+
+    def command(name: str, run: Callable[[argparse.Namespace], int], text: str) -> argparse.ArgumentParser:
+        parser = commands.add_parser(name, help=text, description=text, lang=lang)
+        parser.add_argument("scene", metavar="SCENE", help=help_of("help_scene"))
+        parser.add_argument("--variant", help=help_of("help_variant"))
+        parser.add_argument("--lang", choices=("ru", "en"), default=lang, help=help_of("help_lang"))
+        parser.set_defaults(command=run)
+        return parser
+
+    parser = Parser(prog="planes", description=help_of("help_planes"), lang=lang)
     parser.add_argument("--version", action="version", version=f"planes {sys.modules['planes'].__version__}")
-    commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    solve = _command(commands, "solve", _solve, help_of("help_solve"))
-    add_positions(solve)
+    commands = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=CommandParser)
+    solve = command("solve", _solve, help_of("help_solve"))
+    add_positions(solve, help_of)
     solve.add_argument("--json", action="store_true", help=help_of("help_json"))
     solve.add_argument("--pencil", action="store_true", help=help_of("help_pencil"))
     solve.add_argument("--seed", type=int, help=help_of("help_seed"))
     solve.add_argument("--explain", action="store_true", help=help_of("help_explain"))
     solve.add_argument("--errors", action="store_true", help=help_of("help_errors"))
     solve.add_argument("--remedy", action="store_true", help=help_of("help_remedy"))
-    structure = _command(commands, "structure", _structure, help_of("help_structure"))
+    structure = command("structure", _structure, help_of("help_structure"))
     structure.add_argument("--json", action="store_true", help=help_of("help_object"))
-    sheet = _command(commands, "sheet", _sheet, help_of("help_sheet"))
-    add_positions(sheet)
+    sheet = command("sheet", _sheet, help_of("help_sheet"))
+    add_positions(sheet, help_of)
     sheet.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_output"))
     sheet.add_argument("--remedy", action="store_true", help=help_of("help_remedy"))
     sheet.add_argument("--text", choices=("text", "strokes"), help=help_of("help_dxf_text"))
     part = sheet.add_mutually_exclusive_group()
     part.add_argument("--sheet", type=int, choices=(1, 2), help=help_of("help_sheet_number"))
     part.add_argument("--view", metavar="NAME", help=help_of("help_view"))
-    lesson = _command(commands, "lesson", _lesson, help_of("help_lesson"))
+    lesson = command("lesson", _lesson, help_of("help_lesson"))
     lesson.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_lesson_output"))
-    note = _command(commands, "note", _note, help_of("help_note"))
-    add_positions(note)
+    note = command("note", _note, help_of("help_note"))
+    add_positions(note, help_of)
     note.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_note_output"))
-    cycle = _command(commands, "cycle", _cycle, help_of("help_cycle"))
-    add_positions(cycle)
+    cycle = command("cycle", _cycle, help_of("help_cycle"))
+    add_positions(cycle, help_of)
     add_cycle_options(cycle, help_of)
-    chart = _command(commands, "chart", _chart, help_of("help_chart"))
+    chart = command("chart", _chart, help_of("help_chart"))
     chart.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_chart_output"))
     chart.add_argument("--table", metavar="FILE", help=help_of("help_table"))
-    crank = _command(commands, "crank-slider", _crank_slider, help_of("help_crank_slider"))
+    crank = command("crank-slider", _crank_slider, help_of("help_crank_slider"))
     crank.add_argument("-o", "--output", metavar="FILE", help=help_of("help_report"))
     crank.add_argument("--json", action="store_true", help=help_of("help_object"))
     crank.add_argument("--sheet", metavar="FILE", help=help_of("help_force_sheet"))
     crank.add_argument("--phi", type=float, metavar="A", help=help_of("help_sheet_phi"))
-    check = _command(commands, "check", _check, help_of("help_check"))
-    add_positions(check)
+    check = command("check", _check, help_of("help_check"))
+    add_positions(check, help_of)
     add_check_options(check, help_of)
-    blank = _command(commands, "blank", _blank, help_of("help_blank"))
-    add_positions(blank)
+    blank = command("blank", _blank, help_of("help_blank"))
+    add_positions(blank, help_of)
     add_blank_options(blank, help_of)
-    course = commands.add_parser("course", help=help_of("help_course"), description=help_of("help_course"))
+    course = commands.add_parser("course", help=help_of("help_course"), description=help_of("help_course"), lang=lang)
     add_course_options(course, help_of)
     course.set_defaults(command=_course)
-    return parser
-
-
-def _command(commands: Any, name: str, run: Callable[[argparse.Namespace], int], text: str) -> argparse.ArgumentParser:
-    parser: argparse.ArgumentParser = commands.add_parser(name, help=text, description=text)
-    parser.add_argument("scene", metavar="SCENE", help=help_of("help_scene"))
-    parser.add_argument("--variant", help=help_of("help_variant"))
-    parser.add_argument("--lang", choices=("ru", "en"), default=home_lang(), help=help_of("help_lang"))
-    parser.set_defaults(command=run)
     return parser
 
 

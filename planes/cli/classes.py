@@ -11,7 +11,7 @@ from pathlib import Path
 from planes.check import check
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import Asked
-from planes.check.report.classes import Checked, ClassWork
+from planes.check.report.classes import Checked, ClassWork, heads
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError, guarded
 from planes.words.spreadsheet import as_csv
@@ -39,11 +39,6 @@ def check_class(args: argparse.Namespace, asked: Asked, read: Reader) -> int:
         _write(group, args.output, args.lang)
     print(_json(group, args.lang) if args.json else "\n".join(_table(group, args.lang)).lstrip())
     return group.status
-
-
-def heads(lang: Lang) -> list[str]:
-    """Names of the table's columns."""
-    return [say(k, lang) for k in ("check_file", "check_verdict", "check_mark", "check_first")]
 
 
 def _table(group: ClassWork, lang: Lang) -> list[str]:

@@ -26,6 +26,8 @@ def run(args: argparse.Namespace) -> int:
     from planes.documents.course_run import conduct
     from planes.documents.lesson import bar
 
+    for doubt in (doubt for assignment in course.assignments for doubt in assignment.doubts):
+        print(doubt.told(lang), file=sys.stderr)
     folder = Path(args.output) if args.output else Path(course.file).parent / FOLDER
     with crowd(args.jobs, args.scheduler) as each, bar() as step:
         report = conduct(course, folder, each, lang, step, bool(args.scheduler))

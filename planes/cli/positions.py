@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Callable
 
-from planes.cli.parser import help_of
 from planes.scene import Scene
 from planes.scene.ranges import read_range
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
 
-def add_positions(parser: argparse.ArgumentParser) -> None:
+def add_positions(parser: argparse.ArgumentParser, told: Callable[[str], str]) -> None:
     """The options that name positions."""
-    parser.add_argument("--phi", metavar="A[:B:STEP]", help=help_of("help_phi"))
-    parser.add_argument("--s", metavar="A[:B:STEP]", help=help_of("help_s"))
+    parser.add_argument("--phi", metavar="A[:B:STEP]", help=told("help_phi"))
+    parser.add_argument("--s", metavar="A[:B:STEP]", help=told("help_s"))
 
 
 def values_of(args: argparse.Namespace, scene: Scene) -> list[float] | None:

@@ -19,6 +19,6 @@ def run(args: argparse.Namespace, as_json: Callable[[object], str]) -> int:
             found[k] = lines
             if step:
                 step(len(found), len(tasks))
-    lines = [line for k in sorted(found) for line in found[k]]
-    print(as_json([line.json() for line in lines]) if args.json else report(lines, args.lang), end="\n" * args.json)
-    return 0 if all(line.right for line in lines) else 1
+    rows = [row for k in sorted(found) for row in found[k]]
+    print(as_json([row.json() for row in rows]) if args.json else report(rows, args.lang), end="\n" * args.json)
+    return 0 if all(row.right for row in rows) else 1

@@ -32,6 +32,7 @@ from types import MappingProxyType
 
 from planes.scene.source import Node
 from planes.words import Lang
+from planes.words.errors import Doubt
 
 DOCUMENTS = ("task", "blank", "key", "sheets", "lesson", "note")
 FORMATS = ("pdf", "dxf", "svg", "png")
@@ -59,11 +60,12 @@ class ParameterChoice:
 
 @dataclass(frozen=True)
 class Assignment:
-    """A scene that is given out: its file, its text and its variants."""
+    """A scene that is given out: its file, its text, its variants, and what in any of them is doubtful."""
 
     file: Path
     text: str
     variants: tuple[str, ...]
+    doubts: tuple[Doubt, ...] = ()
 
     @property
     def name(self) -> str:

@@ -12,11 +12,12 @@ import os
 from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple, TextIO
 
 from planes.scene.files import PART, cannot_write, sayable, whole
 from planes.words import Phrase
 from planes.words.errors import PlanesError
+from planes.words.records import Json
 
 MANIFEST, JOURNAL = "manifest.json", ".journal"
 DRAFT = f"{JOURNAL}{PART}"  # the one file that is being written
@@ -34,7 +35,7 @@ class Entry(NamedTuple):
     sha256: str = ""
     said: tuple[str, ...] = ()
 
-    def json(self) -> dict[str, Any]:
+    def json(self) -> Json:
         """As the manifest has it."""
         said = {"said": list(self.said)} if self.said else {}
         return {"from": self.source, "sha256": self.sha256, **said}
@@ -130,7 +131,7 @@ def _own(path: Path) -> int:
     return os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND | getattr(os, "O_NOFOLLOW", 0), 0o666)
 
 
-def _parsed(text: str) -> dict[str, Any]:
+def _parsed(text: str) -> Json:
     """An object, or nothing if it was not written to its end."""
     try:
         found = json.loads(text)
@@ -139,7 +140,7 @@ def _parsed(text: str) -> dict[str, Any]:
     return found if isinstance(found, dict) else {}
 
 
-def _entry(read: Any) -> Entry:
+def _entry(read: object) -> Entry:
     """An entry of the manifest or the journal, an empty one if it is none."""
     if not isinstance(read, dict):
         return Entry()
@@ -148,7 +149,7 @@ def _entry(read: Any) -> Entry:
     return Entry(str(read.get("from")), str(read.get("sha256")), sentences)
 
 
-def _lock(file: Any, folder: Path) -> None:
+def _lock(file: TextIO, folder: Path) -> None:
     """Hold the folder for this run; where the system cannot, nothing is held."""
     try:
         import fcntl

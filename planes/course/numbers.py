@@ -8,7 +8,6 @@ import traceback
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
 from planes.course import Course, ParameterChoice
 from planes.course.fingerprint import fingerprint
@@ -21,6 +20,7 @@ from planes.scene.source import Node, SourceScalar
 from planes.solving import solve
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
+from planes.words.records import Json
 
 FILE = "scene.yaml"
 
@@ -57,17 +57,8 @@ def question(course: Course, share: Share, lang: Lang) -> Question:
     said = {"student": s.name, "group": s.group}
     sheet = {**course.sheet, **{k: SourceScalar(v, 0, False) for k, v in said.items() if v}}
     draw = None if course.draw is None else dict(course.draw)
-    return Question(
-        share.assignment.text,
-        str(share.assignment.file),
-        share.variant,
-        draw,
-        course.sharpness_deg,
-        course.seed,
-        (s.name, s.group),
-        sheet,
-        lang,
-    )
+    given = share.assignment.text, str(share.assignment.file), share.variant
+    return Question(*given, draw, course.sharpness_deg, course.seed, (s.name, s.group), sheet, lang)
 
 
 def settle(q: Question) -> Settled:
@@ -76,10 +67,8 @@ def settle(q: Question) -> Settled:
         return Settled(fault=Phrase("course_other_program").told(q.lang))
     try:
         return _settled(q)
-    except PlanesError as error:
-        return Settled(fault=error.told(q.lang))
-    except Exception as error:  # a slip of the program: the others still get theirs
-        return Settled(fault=slip(error, q.lang))
+    except Exception as error:
+        return Settled(fault=why(error, q.lang))
 
 
 def _settled(q: Question) -> Settled:
@@ -91,8 +80,10 @@ def _settled(q: Question) -> Settled:
     return Settled(text, json.dumps(solved.json(), ensure_ascii=False, allow_nan=False, indent=1) + "\n")
 
 
-def slip(error: Exception, lang: Lang) -> str:
-    """What went wrong inside the program, as one sentence."""
+def why(error: Exception, lang: Lang) -> str:
+    """Why somebody does not get something, as one sentence; a slip of the program too: the others still get theirs."""
+    if isinstance(error, PlanesError):
+        return error.told(lang)
     last = traceback.extract_tb(error.__traceback__)[-1]
     place = f"{Path(last.filename).name}:{last.lineno}"
     text = " ".join(str(error).split())
@@ -123,7 +114,7 @@ class Answer:
     unit: str = field(default="")
 
 
-def main_answers(scene: Scene, key: Mapping[str, Any]) -> list[Answer]:
+def main_answers(scene: Scene, key: Json) -> list[Answer]:
     """What a teacher compares first: links' ω and ε, sliders' v and a, the balancing load."""
     if not key["positions"] or scene.mechanism is None:
         return []

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from collections.abc import Iterator, Sequence
 
 from planes.drafting.draft import Segment
 from planes.lesson.formulas import number, unit
@@ -16,7 +15,8 @@ from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
 from planes.solving.tables import say_mu
 from planes.words import Lang, decimal, say
-from planes.words.names import POLE, at, kind_of, label_of
+from planes.words.names import POLE, at, kind_of, label_of, parts_of
+from planes.words.records import Json
 
 _ANGLES = {"alpha": "α", "beta": "β", "gamma": "γ"}
 NOISE_MM = 1e-6  # a segment shorter than this is nothing
@@ -54,12 +54,13 @@ def given(scene: Scene, drawn: Position, used: Sequence[str], lang: Lang) -> Blo
 
 def lettered(name: str) -> str:
     """A parameter as it is written: l_AB lettered, angle_AOH as ∠AOH."""
-    return f"∠{name[6:]}" if name.startswith("angle_") else _ANGLES.get(name) or f"⟨{name}⟩"
+    letter, index, _ = parts_of(name)
+    return f"∠{index}" if index and letter == "angle" else _ANGLES.get(name) or f"⟨{name}⟩"
 
 
 def unit_of(name: str, lang: Lang) -> str:
     """The unit of a parameter by the letter it begins with."""
-    letter = name.partition("_")[0]
+    letter = parts_of(name)[0]
     if letter in ("phi", "angle", *_ANGLES):
         return "°"
     return say("m", lang) if letter in ("x", "y") else unit(name, lang)
@@ -124,7 +125,7 @@ def answers(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[
         yield Paragraph(worst)
 
 
-def segments(drawn: Position, name: str, plan: Mapping[str, Any], lang: Lang) -> DocumentTable | None:
+def segments(drawn: Position, name: str, plan: Json, lang: Lang) -> DocumentTable | None:
     """The segments of one plan: name, ends, millimetres, value."""
     rows = []
     for s in drawn.plans.segments:

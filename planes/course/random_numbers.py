@@ -11,7 +11,8 @@ import math
 import random
 import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+
+import numpy
 
 from planes.course import ParameterChoice
 from planes.drafting.drawing import run
@@ -31,32 +32,14 @@ _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
 _SHARES = (("l_", 10.0), ("x_", 10.0), ("y_", 10.0), ("omega_", 20.0), ("F_", 20.0), ("M_", 20.0), ("P_", 20.0))
 
 
-@dataclass(frozen=True)
-class TriedTurn:
-    """A mechanism tried all the way round: where it cannot be drawn, and how sharply lines meet at the worst."""
-
-    failed: tuple[float, ...]
-    sharpness_deg: float
-
-
-def turn(plans: Plans, values: tuple[float, ...] = ROUND) -> TriedTurn:
-    """Draw everything at every value of the drive (degrees)."""
-    tried = around_turn(plans, values)
-    whole = [angle for angle in tried.values() if angle is not None]
-    return TriedTurn(tuple(v for v, angle in tried.items() if angle is None), min(whole, default=0.0))
-
-
-def around_turn(plans: Plans, values: tuple[float, ...]) -> dict[float, float | None]:
-    """The least angle (degrees) at which lines meet at each value of the drive, None where it cannot be drawn."""
-    import numpy as np
-
-    drawing = run(plans.program, {**plans.given, **unit_scales(plans), plans.drive_given: np.array(values)})
-    failed, least = drawing.failed(), np.ones(len(values))
+def around_turn(plans: Plans, values: tuple[float, ...] = ROUND) -> list[float | None]:
+    """The least sharpness at which lines meet at each value of the drive, None where it cannot be drawn."""
+    drawing = run(plans.program, {**plans.given, **unit_scales(plans), plans.drive_given: numpy.array(values)})
+    failed, least = drawing.failed(), numpy.ones(len(values))
     for found in drawing.sharpness.values():
-        least = np.fmin(least, np.broadcast_to(found, least.shape))
-    bad = np.broadcast_to(False if failed is None else failed, least.shape)
-    angles = np.degrees(np.arcsin(np.clip(least, 0.0, 1.0)))
-    return {v: None if b else float(a) for v, b, a in zip(values, bad, angles, strict=True)}
+        least = numpy.fmin(least, numpy.broadcast_to(found, least.shape))
+    bad = numpy.broadcast_to(False if failed is None else failed, least.shape)
+    return [None if b else float(sharpness) for b, sharpness in zip(bad, least, strict=True)]
 
 
 def choices_of(text: str, file: str, draw: Mapping[str, ParameterChoice] | None) -> dict[str, tuple[str, ...]]:
@@ -138,16 +121,15 @@ def draw_numbers(
 
 def _fault(scene: Scene, least_deg: float) -> str | None:
     """What is wrong with a scene as a student's: nothing, or that it does not assemble, or meets too bluntly."""
-    plans = mechanism_plans(scene)
-    if plans.mechanism.drive.kind == "phi":
-        found = turn(plans)
-        if found.failed:
-            return "apart"
-        if found.sharpness_deg < least_deg:
-            return "blunt"
+    plans, limit = mechanism_plans(scene), math.sin(math.radians(least_deg))
+    around = around_turn(plans) if plans.mechanism.drive.kind == "phi" else []
+    if None in around:
+        return "apart"
+    if any(sharpness < limit for sharpness in around if sharpness is not None):
+        return "blunt"
     solved = solve(scene)
     if not solved.positions:
         return "apart"
     position = solved.positions[0]
     worst = min(position.drawing.sharpness.values(), default=1.0)
-    return "blunt" if position.results["warnings"] or worst < math.sin(math.radians(least_deg)) else None
+    return "blunt" if position.results["warnings"] or worst < limit else None

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+from contextlib import suppress
 from pathlib import Path
 from types import MappingProxyType
 
@@ -11,8 +13,8 @@ from planes.scene import loads, source
 from planes.scene.reader import Reader, part
 from planes.scene.settings import read_sheet, read_words
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
-from planes.words import Phrase
-from planes.words.errors import SceneError, choices, shown
+from planes.words import Phrase, Told
+from planes.words.errors import PlanesError, SceneError, choices, shown
 
 NAME = "course.yaml"
 KEYS = (
@@ -86,7 +88,7 @@ def _course(reader: Reader, table: SourceTable, folder: Path) -> Course:
 def _students(reader: Reader, node: Node | None, folder: Path) -> tuple[str, tuple[Student, ...]]:
     """The file the list stands in, and the list."""
     if isinstance(node, SourceScalar):
-        path = folder / reader.text(node, "students")
+        path = _path(reader, node, "students", folder)
         return str(path), read_file(path)
     if node is not None:
         return reader.file, tuple(_student(reader, n, item) for n, item in enumerate(reader.items(node, "students"), 1))
@@ -112,7 +114,8 @@ def _assignments(reader: Reader, node: Node | None, folder: Path) -> tuple[Assig
         files = _scenes(folder)
     else:
         nodes = [node] if isinstance(node, SourceScalar) else reader.items(node, "assignments")
-        paths = [folder / reader.text(n, Phrase("entry", number=k, what="assignments")) for k, n in enumerate(nodes, 1)]
+        entries = ((n, Phrase("entry", number=k, what="assignments")) for k, n in enumerate(nodes, 1))
+        paths = [_path(reader, n, what, folder) for n, what in entries]
         files = [f for p in paths for f in (_scenes(p) if p.is_dir() else [p])]
     if not files:
         where = reader.file if node is not None else str(folder)
@@ -124,6 +127,14 @@ def _assignments(reader: Reader, node: Node | None, folder: Path) -> tuple[Assig
     return found
 
 
+def _path(reader: Reader, node: Node, what: Told, folder: Path) -> Path:
+    """A file or a folder that the course names."""
+    text = reader.text(node, what)
+    if not os.path.exists(folder / text):
+        raise reader.error(Phrase("course_no_file", what=what, file=shown(text)), node)
+    return folder / text
+
+
 def _scenes(folder: Path) -> list[Path]:
     return sorted(f for f in folder.iterdir() if f.suffix in (".yaml", ".yml") and f.name != NAME and f.is_file())
 
@@ -133,7 +144,11 @@ def _assignment(file: Path) -> Assignment:
     scene = loads(text, str(file))
     if scene.mechanism is None:
         raise SceneError(Phrase("vectors_alone"), str(file), 1)
-    return Assignment(file, text, scene.variants)
+    doubts = list(scene.doubts)
+    for variant in scene.variants:
+        with suppress(PlanesError):  # told to whom it is given
+            doubts += loads(text, str(file), variant).doubts
+    return Assignment(file, text, scene.variants, tuple({d.told(): d for d in doubts}.values()))
 
 
 def _draw(

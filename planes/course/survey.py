@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 from planes.diagrams.summary import summary
 from planes.diagrams.working_range import FULL
@@ -14,8 +13,9 @@ from planes.scene import Scene, load
 from planes.solving import Position, solve, told
 from planes.solving.tables import table
 from planes.solving.vectors import solve_vectors
-from planes.words import Lang, Phrase, say
+from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanesError, guarded
+from planes.words.records import Json
 
 AGREE = 1e-9  # relative: how far the two balancing loads may be apart
 
@@ -46,17 +46,10 @@ class SurveyRow:
         """Whether it is solved and the loads agree."""
         return self.solved and (self.difference is None or self.difference <= AGREE)
 
-    def json(self) -> dict[str, Any]:
+    def json(self) -> Json:
         """The object for programs."""
-        return {
-            "scene": self.scene,
-            "variant": self.variant or None,
-            "solved": self.solved,
-            "balancing": self.balancing,
-            "lever": self.lever,
-            "difference": self.difference,
-            "remarks": list(self.remarks),
-        }
+        plain = {key: getattr(self, key) for key in ("solved", "balancing", "lever", "difference")}
+        return {"scene": self.scene, "variant": self.variant or None, **plain, "remarks": list(self.remarks)}
 
 
 def scenes_of(folder: str | Path) -> list[Path]:
@@ -94,11 +87,9 @@ def _line(scene: Scene, name: str, variant: str, lang: Lang) -> SurveyRow:
         return SurveyRow(name, variant, at, False, remarks=(*missing, solved.failed[0]["error"]))
     remarks = (*missing, *_no_turn(scene, solved.plans, lang))
     loads = _loads(solved.positions[0], solved.plans)
-    line = SurveyRow(name, variant, at, True, *loads, remarks=remarks)
-    if line.right:
-        return line
-    apart = say("survey_apart", lang, balancing=loads[0], lever=loads[1], most=AGREE)
-    return SurveyRow(name, variant, at, True, *loads, remarks=(*remarks, apart))
+    row = SurveyRow(name, variant, at, True, *loads, remarks=remarks)
+    apart = Phrase("survey_apart", balancing=row.balancing, lever=row.lever, most=AGREE)
+    return row if row.right else replace(row, remarks=(*remarks, apart.told(lang)))
 
 
 def _loads(position: Position, plans: Plans) -> tuple[float | None, float | None]:
@@ -125,25 +116,15 @@ def _no_turn(scene: Scene, plans: Plans, lang: Lang) -> Iterator[str]:
 
 
 def _angle(value: float, lang: Lang) -> str:
-    text = f"{value:.1f}".removesuffix(".0")
-    return f"{text.replace('.', ',') if lang == 'ru' else text}°"
+    return decimal(f"{value:.1f}".removesuffix(".0"), lang) + "°"
 
 
 def report(lines: Sequence[SurveyRow], lang: Lang) -> str:
     """A line for every variant, then what must be said of some, then the count."""
-    rows = [
-        [x.scene, x.variant, x.drive, say("survey_yes" if x.solved else "survey_no", lang), *_numbers(x)] for x in lines
-    ]
-    keys = (
-        "survey_scene",
-        "survey_variant",
-        "survey_drive",
-        "survey_solved",
-        "survey_balancing",
-        "survey_lever",
-        "survey_difference",
-    )
-    found = table(say("survey_title", lang), [say(k, lang) for k in keys], rows)
+    yes_or_no = {True: say("survey_yes", lang), False: say("survey_no", lang)}
+    rows = [[x.scene, x.variant, x.drive, yes_or_no[x.solved], *_numbers(x)] for x in lines]
+    heads = ("scene", "variant", "drive", "solved", "balancing", "lever", "difference")
+    found = table(say("survey_title", lang), [say(f"survey_{k}", lang) for k in heads], rows)
     said = [
         f"{scene} ({', '.join(v)}): {text}" if any(v) else f"{scene}: {text}"
         for (scene, text), v in remarks(lines).items()
@@ -151,12 +132,8 @@ def report(lines: Sequence[SurveyRow], lang: Lang) -> str:
     if said:
         found += ["", say("survey_exceptions", lang), *said]
     worst = max((x.difference for x in lines if x.difference is not None), default=0.0)
-    counts = {
-        "count": len(lines),
-        "solved": sum(x.solved for x in lines),
-        "said": len(said),
-        "forces": sum(x.balancing is not None for x in lines),
-    }
+    counts = {"solved": sum(x.solved for x in lines), "forces": sum(x.balancing is not None for x in lines)}
+    counts |= {"count": len(lines), "said": len(said)}
     return "\n".join([*found, "", say("survey_count", lang, **counts, worst=f"{worst:.1e}")]).lstrip("\n") + "\n"
 
 

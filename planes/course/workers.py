@@ -12,13 +12,20 @@ from asyncio import CancelledError
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from importlib import import_module
-from typing import Any
+from typing import Any, Protocol, TypeVar
 
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
-Each = Callable[[Callable[[Any], Any], Sequence[Any]], Iterator[tuple[int, Any]]]
-"""Does a function to each of many things: yields (which, what came of it) as they are done."""
+Task = TypeVar("Task")
+Done = TypeVar("Done")
+
+
+class Each(Protocol):
+    """Does a function to each of many things: yields (which, what came of it) as they are done."""
+
+    def __call__(self, work: Callable[[Task], Done], tasks: Sequence[Task], /) -> Iterator[tuple[int, Done]]: ...
+
 
 READY = ("planes.documents.course", "render.report.pdf", "reportlab.platypus", "numpy", "shapely")
 """What workers are made with: imported once."""
@@ -47,7 +54,7 @@ def cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def _alone(work: Callable[[Any], Any], tasks: Sequence[Any]) -> Iterator[tuple[int, Any]]:
+def _alone(work: Callable[[Task], Done], tasks: Sequence[Task]) -> Iterator[tuple[int, Done]]:
     yield from ((k, work(task)) for k, task in enumerate(tasks))
 
 
@@ -64,7 +71,7 @@ def _processes(count: int, ready: Sequence[str]) -> Iterator[Each]:
         context.set_forkserver_preload(list(ready))
     pool = ProcessPoolExecutor(count, context, _follow)
 
-    def each(work: Callable[[Any], Any], tasks: Sequence[Any]) -> Iterator[tuple[int, Any]]:
+    def each(work: Callable[[Task], Done], tasks: Sequence[Task]) -> Iterator[tuple[int, Done]]:
         waiting = {pool.submit(work, task): k for k, task in enumerate(tasks)}
         for done in as_completed(waiting):
             yield waiting.pop(done), done.result()
@@ -107,7 +114,7 @@ def _cluster(address: str) -> Iterator[Each]:
         reason = str(error).partition("\n")[0]
         raise PlanesError(Phrase("course_no_scheduler", address=address, reason=reason)) from None
 
-    def each(work: Callable[[Any], Any], tasks: Sequence[Any]) -> Iterator[tuple[int, Any]]:
+    def each(work: Callable[[Task], Done], tasks: Sequence[Task]) -> Iterator[tuple[int, Done]]:
         waiting = {client.submit(work, task, pure=False): k for k, task in enumerate(tasks)}
         try:
             for done in dask.as_completed(list(waiting)):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -11,8 +10,7 @@ from planes.crank_slider.engine import EngineCycle, Found
 from planes.crank_slider.forces import replaced
 from planes.crank_slider.given import Counterweights, Shaft
 from planes.crank_slider.shape import CrankSliderShape
-
-Array = Any
+from planes.geometry.arrays import Array, Complexes
 
 
 @dataclass(frozen=True)
@@ -25,7 +23,7 @@ class Shaking:
 
     name: str
     static_moment: float
-    curve: Array
+    curve: Complexes
     along: float
     across: float
     second: float
@@ -96,7 +94,7 @@ def _shaking(
     return Shaking(name, moment, curve, first[0], first[1], second[0], expected)
 
 
-def _harmonic(curve: Array, phi: Array, order: int) -> tuple[float, float]:
+def _harmonic(curve: Complexes, phi: Array, order: int) -> tuple[float, float]:
     """Amplitudes of one harmonic of the parts along and across the guide."""
     wave = np.exp(-1j * order * phi)
     return tuple(float(abs(2 * np.mean(part * wave))) for part in (curve.real, curve.imag))  # type: ignore[return-value]

@@ -4,24 +4,22 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from planes.crank_slider.balance import Balance, balanced
-from planes.crank_slider.engine import EngineCycle, Found, follow
+from planes.crank_slider.engine import EngineCycle, Found, RodMotion, follow
 from planes.crank_slider.fatigue import Fatigue, checked
 from planes.crank_slider.forces import CycleForces, Replacement, Work, balance, classical, replaced, work
 from planes.crank_slider.given import Given
-from planes.crank_slider.kinematics import RodMotion, apart, as_plane_motion, as_points
+from planes.crank_slider.kinematics import apart, as_plane_motion, as_points
 from planes.crank_slider.reading import read
 from planes.crank_slider.rod import PinStrength, RodStrength, pin_strength, rod_strength
 from planes.crank_slider.shaft import Section, Supports, sections, supports
+from planes.geometry.arrays import Array
 from planes.scene import Scene
 from planes.words import Phrase
 from planes.words.errors import SceneError
-
-Array = Any
 
 
 @dataclass(frozen=True)
@@ -64,6 +62,10 @@ class Calculation:
     def at(self, phi_deg: float) -> int:
         """The step of the cycle nearest to a crank angle."""
         return int(np.argmin(np.abs(self.motion.phi_deg - phi_deg)))
+
+    def steps(self, end: int) -> range:
+        """The steps before one that are written out: every 30°."""
+        return range(0, end, max(1, round(30 / self.given.step_deg)))
 
     @property
     def turn(self) -> slice:
@@ -163,7 +165,7 @@ def _agreement(
 ) -> Agreement:
     w = given.shape.omega
     speed, rate = w * given.shape.r, w**2 * given.shape.r
-    ways: dict[str, tuple[RodMotion, RodMotion | Found]] = {
+    ways: dict[str, tuple[RodMotion, RodMotion]] = {
         "points_plane": (points, plane),
         "points_plans": (points, found),
         "plane_plans": (plane, found),

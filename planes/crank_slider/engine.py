@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
 from planes.crank_slider.shape import CrankSliderShape
 from planes.drafting.drawing import Drawing, run
+from planes.geometry.arrays import Array, Complexes
 from planes.plans import Plans, plans_of
 from planes.plans.scales import unit_scales
 from planes.scene import Scene
@@ -16,8 +16,6 @@ from planes.scene.mechanism import Load, Mechanism
 from planes.words import Phrase
 from planes.words.errors import SceneError
 from planes.words.names import at
-
-Array = Any
 
 
 @dataclass(frozen=True)
@@ -36,21 +34,27 @@ class EngineCycle:
 
 
 @dataclass(frozen=True)
-class Found:
-    """What the plans give, SI, places from the crank's pivot; r, v, a of A, B, C; a force is on the first-named link.
+class RodMotion:
+    """Places, velocities, accelerations of A, B, C as complex numbers; ω_AB, ε_AB, counter-clockwise positive."""
+
+    r: dict[str, Complexes]
+    v: dict[str, Complexes]
+    a: dict[str, Complexes]
+    omega: Array
+    epsilon: Array
+
+
+@dataclass(frozen=True)
+class Found(RodMotion):
+    """What the plans give, SI, places from the crank's pivot; a force is on the first-named link.
 
     ``push`` is the normal push of the guide on the slider, up positive; ``torque`` the moment the crank gives off.
     """
 
-    r: dict[str, Array]
-    v: dict[str, Array]
-    a: dict[str, Array]
-    omega: Array
-    epsilon: Array
-    on_rod_from_crank: Array
-    on_slider_from_rod: Array
-    on_slider: Array
-    on_crank_from_frame: Array
+    on_rod_from_crank: Complexes
+    on_slider_from_rod: Complexes
+    on_slider: Complexes
+    on_crank_from_frame: Complexes
     torque: Array
     lever: Array
 
@@ -83,10 +87,10 @@ def follow(scene: Scene, shape: CrankSliderShape, motion: EngineCycle) -> Found:
 
 
 def _read(plans: Plans, drawing: Drawing, shape: CrankSliderShape, size: tuple[int, ...]) -> Found:
-    def mark(name: str) -> Array:
+    def mark(name: str) -> Complexes:
         return np.broadcast_to(np.asarray(drawing[name], complex), size)
 
-    def force(on: str, by: str) -> Array:
+    def force(on: str, by: str) -> Complexes:
         r = next(r for r in plans.reactions.values() if {r.pair.link, r.pair.other} == {on, by})
         way = mark(r.end) - mark(r.start)
         return way if r.pair.link == on else -way

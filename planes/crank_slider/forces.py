@@ -8,15 +8,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
-from planes.crank_slider.engine import EngineCycle
-from planes.crank_slider.kinematics import RodMotion, swing
+from planes.crank_slider.engine import EngineCycle, RodMotion
+from planes.crank_slider.kinematics import swing
 from planes.crank_slider.shape import CrankSliderShape
-
-Array = Any
+from planes.geometry.arrays import Array, Complexes
 
 
 @dataclass(frozen=True)
@@ -33,9 +31,9 @@ class CycleForces:
     T: Array
     K: Array
     rubbing: Array
-    on_rod_at_b: Array
-    on_pin: Array
-    on_crank_from_frame: Array
+    on_rod_at_b: Complexes
+    on_pin: Complexes
+    on_crank_from_frame: Complexes
     torque: Array
 
 
@@ -51,17 +49,13 @@ def balance(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleFor
     on_pin = on_rod + inertia
     turned = on_pin * np.exp(-1j * m.phi)
     pull = np.exp(1j * m.phi)
-    crank = shape.m1 * (-_crank_acceleration(shape, m) - 1j * shape.g)
+    crank = shape.m1 * (-(shape.s * (1j * m.epsilon - m.omega**2) * pull) - 1j * shape.g)
     spin = shape.s * (pull.real * crank.imag - pull.imag * crank.real) - shape.j1 * m.epsilon
     along_rod = -(on_rod * np.exp(1j * beta)).real
     torque = turned.imag * shape.r + spin
     return CycleForces(
         -along - rub, push, along_rod, turned.imag, -turned.real, rub, on_rod, on_pin, -on_pin - crank, torque
     )
-
-
-def _crank_acceleration(shape: CrankSliderShape, m: EngineCycle) -> Array:
-    return shape.s * (1j * m.epsilon - m.omega**2) * np.exp(1j * m.phi)
 
 
 def _push(shape: CrankSliderShape, way: RodMotion, along: Array, own: Array, beta: Array) -> tuple[Array, Array]:

@@ -8,16 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+
+from planes.geometry.arrays import Array, Indices
 
 FOUR = ("intake", "compression", "expansion", "exhaust")
 TWO = ("compression", "expansion")
 UNITS = {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "bar": 1e5}
 AWAY = ("intake", "expansion")  # the stages in which the piston goes away from its top dead centre
 
-Array = Any
 Points = tuple[tuple[float, float], ...]
 
 
@@ -75,11 +75,12 @@ def monotone(x: list[float], y: list[float]) -> Callable[[Array], Array]:
 
     def value(at: Array) -> Array:
         at = np.clip(at, xs[0], xs[-1])
-        k = np.clip(np.searchsorted(xs, at, side="right") - 1, 0, len(h) - 1)
+        k: Indices = np.clip(np.searchsorted(xs, at, side="right") - 1, 0, len(h) - 1)
         t, one = (at - xs[k]) / h[k], h[k]
         rise = t * t * (3.0 - 2.0 * t)
         bend = t * (1.0 - t) ** 2 * slopes[k] - t * t * (1.0 - t) * slopes[k + 1]
-        return ys[k] + rise * (ys[k + 1] - ys[k]) + one * bend
+        found: Array = ys[k] + rise * (ys[k + 1] - ys[k]) + one * bend
+        return found
 
     return value
 

@@ -6,26 +6,11 @@ crank stands across the guide (cos φ = 0); here ω_AB is taken from (5*), which
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
-
 import numpy as np
 
-from planes.crank_slider.engine import EngineCycle
+from planes.crank_slider.engine import EngineCycle, RodMotion
 from planes.crank_slider.shape import CrankSliderShape
-
-Array = Any
-
-
-@dataclass(frozen=True)
-class RodMotion:
-    """Places, velocities, accelerations of A, B, C as complex numbers; ω_AB, ε_AB, counter-clockwise positive."""
-
-    r: dict[str, Array]
-    v: dict[str, Array]
-    a: dict[str, Array]
-    omega: Array
-    epsilon: Array
+from planes.geometry.arrays import Array, Complexes
 
 
 def swing(shape: CrankSliderShape, phi: Array) -> Array:
@@ -40,7 +25,11 @@ def as_points(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
     root = np.sqrt(l**2 - r**2 * sin**2)
     drop = -(r**2) * sin * cos / root  # d root / dφ
     bend = -(r**2) * (cos**2 - sin**2) / root - (r**2 * sin * cos) ** 2 / root**3
-    place = {"A": r * (cos + 1j * sin), "B": r * cos + root + 0j, "C": r * cos + k * root + 1j * (1 - k) * r * sin}
+    place = {
+        "A": r * (cos + 1j * sin),
+        "B": (r * cos + root).astype(complex),
+        "C": r * cos + k * root + 1j * (1 - k) * r * sin,
+    }
     first = {"A": r * (-sin + 1j * cos), "B": -r * sin + drop + 0j, "C": -r * sin + k * drop + 1j * (1 - k) * r * cos}
     second = {"A": -r * (cos + 1j * sin), "B": -r * cos + bend + 0j, "C": -r * cos + k * bend - 1j * (1 - k) * r * sin}
     turn = -r * cos / root  # dβ/dφ with the sign of the rod's turning
@@ -68,18 +57,18 @@ def as_plane_motion(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
     reach = l * np.exp(-1j * beta)
     r_of = {"A": place, "B": place + reach, "C": place + share * reach}
     v_a = 1j * w * place
-    v_b = -w * r * np.sin(beta + phi) / np.cos(beta) + 0j  # (6)
+    v_b = (-w * r * np.sin(beta + phi) / np.cos(beta)).astype(complex)  # (6)
     v_c = v_a - 1j * turning * share * reach
     a_of = {"A": -left - 1j * down, "B": -a_b + 0j, "C": -a_cx - 1j * a_cy}
     return RodMotion(r_of, {"A": v_a, "B": v_b, "C": v_c}, a_of, -turning, tangent_b / l)
 
 
-def text_acceleration(shape: CrankSliderShape, m: EngineCycle) -> Array:
+def text_acceleration(shape: CrankSliderShape, m: EngineCycle) -> Complexes:
     """a_B by the text's (3) as printed, without the terms with ε: how wrong it is when ω varies."""
     still = EngineCycle(m.phi_deg, m.omega, np.zeros_like(m.epsilon), m.gas)
     return as_points(shape, still).a["B"]
 
 
-def apart(one: dict[str, Array], other: dict[str, Array], unit: Array) -> float:
+def apart(one: dict[str, Complexes], other: dict[str, Complexes], unit: float) -> float:
     """The largest difference of two ways over all points and angles, in parts of ``unit``."""
     return max(float(np.max(np.abs(one[n] - other[n]) / unit)) for n in ("A", "B", "C"))

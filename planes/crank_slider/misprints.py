@@ -6,9 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from planes.crank_slider.engine import EngineCycle
+from planes.crank_slider.engine import EngineCycle, RodMotion
 from planes.crank_slider.forces import CycleForces
-from planes.crank_slider.kinematics import RodMotion
 from planes.crank_slider.shape import CrankSliderShape
 
 

@@ -3,117 +3,90 @@
 from __future__ import annotations
 
 import math
-from dataclasses import asdict
-from typing import Any
+from dataclasses import is_dataclass
 
 import numpy as np
 
 from planes.crank_slider.calculation import Calculation
 from planes.crank_slider.misprints import printed
 from planes.crank_slider.pages_rod import checks
+from planes.words.records import Json
 
 
-def as_json(c: Calculation) -> dict[str, Any]:
+def as_json(c: Calculation) -> Json:
     """What ``planes crank-slider --json`` prints."""
-    found: dict[str, Any] = {
+    found: Json = {
         "planes": 1,
         "scene": c.scene.file,
         "variant": c.scene.variant,
-        "agreement": asdict(c.agreement),
+        "agreement": c.agreement,
         "kinematics": _kinematics(c),
-        "replacement": _plain({**asdict(c.parts), "percent": c.parts.percent}),
+        "replacement": {**vars(c.parts), "percent": c.parts.percent},
         "forces": _forces(c),
-        "torque": _work(c),
+        "torque": _but_curve(c.work),
     }
     if c.balance:
-        found["balance"] = _balance(c)
+        found["balance"] = {**vars(c.balance), "cases": list(map(_but_curve, c.balance.cases))}
     if c.supports:
-        found["shaft"] = _shaft(c)
-        found["fatigue"] = [_plain(asdict(f)) for f in c.fatigue]
-    if c.rod:
-        found["rod"] = _plain(asdict(c.rod))
-    if c.pin:
-        found["piston_pin"] = _plain(asdict(c.pin))
-    found["checks"] = [
-        {"name": n.removeprefix("c_"), "found": v, "low": low, "high": high, "holds": ok}
-        for n, v, low, high, ok in checks(c)
-    ]
-    found["source_text"] = [
-        {
-            "phi_deg": float(c.motion.phi_deg[k]),
-            "printed": _plain(asdict(printed(c.given.shape, c.motion, c.plane, c.forces, k))),
-        }
-        for k in map(c.at, c.given.positions)
-    ]
-    return found
+        found |= {"shaft": _shaft(c), "fatigue": c.fatigue}
+    found |= {"rod": c.rod} if c.rod else {}
+    found |= {"piston_pin": c.pin} if c.pin else {}
+    found["checks"] = [dict(zip(("name", "found", "low", "high", "holds"), one, strict=True)) for one in checks(c)]
+    texts = [(k, printed(c.given.shape, c.motion, c.plane, c.forces, k)) for k in map(c.at, c.given.positions)]
+    found["source_text"] = [{"phi_deg": c.motion.phi_deg[k], "printed": of} for k, of in texts]
+    return {key: _plain(value) for key, value in found.items()}
 
 
-def _plain(value: Any) -> Any:
-    """Numbers a program can read; what is not finite becomes null."""
-    if isinstance(value, dict):
-        return {k: _plain(v) for k, v in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(v) for v in value]
-    if isinstance(value, np.ndarray):
-        return [_plain(v) for v in value.tolist()]
-    if isinstance(value, complex):
-        return [value.real, value.imag]
-    if isinstance(value, float):
-        return value if math.isfinite(value) else None
-    return value
+def _plain(value: object) -> object:
+    """What a program can read; what is not finite becomes null."""
+    match value:
+        case dict():
+            return {k: _plain(v) for k, v in value.items()}
+        case list() | tuple():
+            return [_plain(v) for v in value]
+        case np.ndarray():
+            return _plain(value.tolist())
+        case complex():
+            return [value.real, value.imag]
+        case float():
+            return float(value) if math.isfinite(value) else None
+    return _plain(vars(value)) if is_dataclass(value) else value
 
 
-def _kinematics(c: Calculation) -> dict[str, Any]:
+def _but_curve(thing: object) -> Json:
+    return {k: v for k, v in vars(thing).items() if k != "curve"}
+
+
+def _kinematics(c: Calculation) -> Json:
     p = c.points
-    points = {n: {"r": _plain(p.r[n]), "v": _plain(p.v[n]), "a": _plain(p.a[n])} for n in ("A", "B", "C")}
     return {
-        "phi_deg": _plain(c.motion.phi_deg),
-        "omega": _plain(c.motion.omega),
-        "epsilon": _plain(c.motion.epsilon),
-        "points": points,
-        "omega_AB": _plain(c.plane.omega),
-        "epsilon_AB": _plain(c.plane.epsilon),
+        "phi_deg": c.motion.phi_deg,
+        "omega": c.motion.omega,
+        "epsilon": c.motion.epsilon,
+        "points": {n: {"r": p.r[n], "v": p.v[n], "a": p.a[n]} for n in ("A", "B", "C")},
+        "omega_AB": c.plane.omega,
+        "epsilon_AB": c.plane.epsilon,
     }
 
 
-def _forces(c: Calculation) -> dict[str, Any]:
+def _forces(c: Calculation) -> Json:
     f = c.forces
     return {
-        "pressure": _plain(c.pressure),
-        "gas": _plain(c.motion.gas),
-        **{name: _plain(getattr(f, name)) for name in ("P", "N", "S", "T", "K")},
-        "friction": _plain(f.rubbing),
-        "F_on_crank_from_rod": _plain(f.on_pin),
-        "F_on_crank_from_frame": _plain(f.on_crank_from_frame),
-        "M": _plain(f.torque),
+        "pressure": c.pressure,
+        "gas": c.motion.gas,
+        **{name: getattr(f, name) for name in ("P", "N", "S", "T", "K")},
+        "friction": f.rubbing,
+        "F_on_crank_from_rod": f.on_pin,
+        "F_on_crank_from_frame": f.on_crank_from_frame,
+        "M": f.torque,
     }
 
 
-def _work(c: Calculation) -> dict[str, Any]:
-    return {k: v for k, v in _plain(asdict(c.work)).items() if k != "curve"}
-
-
-def _balance(c: Calculation) -> dict[str, Any]:
-    assert c.balance
-    found: dict[str, Any] = _plain(asdict(c.balance))
-    for case in found["cases"]:
-        del case["curve"]
-    return found
-
-
-def _shaft(c: Calculation) -> dict[str, Any]:
+def _shaft(c: Calculation) -> Json:
     assert c.supports
     s = c.supports
-    sections = {
-        x.name: {"sigma": _plain(x.sigma), "tau": _plain(x.tau), "equivalent": _plain(x.equivalent)}
-        for x in c.sections.values()
-    }
     return {
-        "A1": _plain(s.A1),
-        "A2": _plain(s.A2),
-        "B1": _plain(s.B1),
-        "B2": _plain(s.B2),
-        "web": s.web,
+        **{name: getattr(s, name) for name in ("A1", "A2", "B1", "B2", "web")},
         "counterweights": [s.left_weight, s.right_weight],
-        "sections": sections,
+        "sections": {x.name: {"sigma": x.sigma, "tau": x.tau, "equivalent": x.equivalent} for x in c.sections.values()},
     }

@@ -7,7 +7,7 @@ import numpy as np
 from planes.crank_slider.balance import Balance
 from planes.crank_slider.calculation import Calculation
 from planes.crank_slider.pages import ChapterWriter
-from planes.solving.document import PlottedLine
+from planes.solving.document import Chart, PlottedLine
 
 KN = 1e-3
 
@@ -49,16 +49,9 @@ def _cases(w: ChapterWriter, c: Calculation, b: Balance) -> None:
         rows.append((names[x.name], w.number(x.static_moment), *found))
     w.table("t_first", [w.say(k) for k in ("c_weights", "c_static", "c_along", "c_across", "c_second")], rows)
     w.text("b_second")
-    curves = [
-        PlottedLine(
-            np.append(x.curve.real, x.curve.real[0]) * KN,
-            np.append(x.curve.imag, x.curve.imag[0]) * KN,
-            names[x.name],
-            i,
-        )
-        for i, x in enumerate(b.cases)
-    ]
-    w.chart("f_shaking", "x_along", "y_across", curves, equal=True, height_mm=90)
+    closed = [(x.name, np.append(x.curve, x.curve[0]) * KN) for x in b.cases]
+    curves = tuple(PlottedLine(z.real, z.imag, names[name], i) for i, (name, z) in enumerate(closed))
+    w.figure("f_shaking", Chart(w.say("x_along"), w.say("y_across"), curves, equal=True, height_mm=90))
 
 
 def _kn(w: ChapterWriter, force: float, near: float) -> str:

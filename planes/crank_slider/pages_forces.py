@@ -9,9 +9,9 @@ import numpy as np
 from planes.crank_slider.calculation import Calculation
 from planes.crank_slider.kinematics import swing
 from planes.crank_slider.misprints import printed
-from planes.crank_slider.pages import ChapterWriter
+from planes.crank_slider.pages import ChapterWriter, lines
 from planes.crank_slider.pages_kinematics import chosen, drawn_at
-from planes.solving.document import DrawnViews, PlottedLine
+from planes.solving.document import Chart, DrawnViews, PlottedLine
 from planes.words.names import kind_of
 
 KN = 1e-3
@@ -48,11 +48,11 @@ def _gas(w: ChapterWriter, c: Calculation) -> None:
     w.text("s_gas_at", phi=worked(c), p=float(mpa[k]), top=float(mpa[top]), at=float(c.motion.phi_deg[top]))
     w.formula(
         rf"P_§gas§=(p-p_0)\frac{{\pi D^2}}{{4}}=({t(mpa[k])}-{t(g.ambient / 1e6)})\cdot10^6\,"
-        rf"\frac{{\pi\cdot{t(g.bore)}^2}}{{4}}={t(float(c.motion.gas[k]))}[N]"
+        rf"\frac{{\pi\cdot{t(g.bore)}^2}}{{4}}={t(c.motion.gas[k])}[N]"
     )
-    w.chart("f_gas", "x_phi", "y_p", [PlottedLine(c.motion.phi_deg, mpa, "", 0)], ticks=60, height_mm=50)
+    w.chart("f_gas", "x_phi", "y_p", lines(c.motion.phi_deg, {"": mpa}), ticks=60, height_mm=50)
     path = (s.r + s.l - c.points.r["B"].real) / (2 * s.r)
-    w.chart("f_pv", "x_path", "y_p", [PlottedLine(path, mpa, "", 0)], height_mm=54)
+    w.chart("f_pv", "x_path", "y_p", lines(path, {"": mpa}), height_mm=54)
 
 
 def _masses(w: ChapterWriter, c: Calculation) -> None:
@@ -60,9 +60,8 @@ def _masses(w: ChapterWriter, c: Calculation) -> None:
     w.head("h_mass")
     w.text("s_two")
     w.formula(
-        rf"m_A=m_2\frac{{l-AC}}{{l}}={t(s.m2)}\cdot\frac{{{t(s.l)}-{t(s.c)}}}{{{t(s.l)}}}="
-        rf"{t(parts.at_a)}[kg],\quad"
-        rf"m_B=m_2\frac{{AC}}{{l}}={t(parts.at_b)}[kg]"
+        rf"m_A=m_2\frac{{l-AC}}{{l}}={t(s.m2)}\cdot\frac{{{t(s.l)}-{t(s.c)}}}{{{t(s.l)}}}={t(parts.at_a)}[kg],\quadm_B="
+        rf"m_2\frac{{AC}}{{l}}={t(parts.at_b)}[kg]"
     )
     w.formula(rf"\Delta J=m_2\,AC\,(l-AC)-J_C={t(parts.inertia)}-{t(s.j2)}={t(parts.error)}[kgm2]")
     couple = abs(parts.error) * float(np.max(np.abs(c.plane.epsilon)))
@@ -71,8 +70,7 @@ def _masses(w: ChapterWriter, c: Calculation) -> None:
     )
     w.formula(
         rf"m_A=\frac{{J_C}}{{AC\cdot l}}={t(parts.three[0])}[kg],\quad m_B=\frac{{J_C}}{{(l-AC)\,l}}="
-        rf"{t(parts.three[2])}[kg],"
-        rf"\quad m_C=m_2-m_A-m_B={t(parts.three[1])}[kg]"
+        rf"{t(parts.three[2])}[kg],\quad m_C=m_2-m_A-m_B={t(parts.three[1])}[kg]"
     )
     if parts.three[1] < 0:
         w.text("s_three_neg")
@@ -105,16 +103,10 @@ def _inertia(w: ChapterWriter, c: Calculation) -> None:
 def _equations(w: ChapterWriter, c: Calculation) -> None:
     w.head("h_balance")
     w.text("s_balance")
-    w.formula(
-        r"P_§p§=P_§gas§+m_3a_{Bx}+f\,|N|\,\mathrm{sgn}\,v_{Bx},\quad N=m_3g+P_§p§\tan\beta-\frac{M_A}{l\cos\beta},"
-    )
-    w.formula(r"M_A=-m_2\left[(x_C-x_A)(a_{Cy}+g)-(y_C-y_A)\,a_{Cx}\right]-J_C\varepsilon_{AB}")
-    w.formula(r"X_B=-P_§p§,\quad Y_B=N-m_3g,\quad S=-X_B\cos\beta+Y_B\sin\beta,")
-    w.formula(r"X_A=X_B-m_2a_{Cx},\quad Y_A=Y_B-m_2(a_{Cy}+g),")
+    w.formulas("forces")
     spin = r"-(J_1+m_1\,OS_1^2)\,\varepsilon" if c.given.speed.unevenness else ""
     w.formula(
-        r"T=-X_A\sin\varphi+Y_A\cos\varphi,\quad K=-X_A\cos\varphi-Y_A\sin\varphi,\quad "
-        rf"M=T\,r-m_1g\,x_{{S1}}{spin}"
+        rf"T=-X_A\sin\varphi+Y_A\cos\varphi,\quad K=-X_A\cos\varphi-Y_A\sin\varphi,\quad M=T\,r-m_1g\,x_{{S1}}{spin}"
     )
     if c.given.shape.f:
         w.text("s_friction")
@@ -126,7 +118,7 @@ def _equations(w: ChapterWriter, c: Calculation) -> None:
 
 
 def _equation_numbers(w: ChapterWriter, c: Calculation) -> None:
-    s, f, k, p, t = c.given.shape, c.forces, c.at(worked(c)), c.plane, w.tex
+    s, f, k, p, t, b = c.given.shape, c.forces, c.at(worked(c)), c.plane, w.tex, w.bracketed
     phi, beta = worked(c), math.degrees(float(swing(s, c.motion.phi[k])))
     a_c, arm = complex(p.a["C"][k]), complex(p.r["C"][k] - p.r["A"][k])
     moment = -s.m2 * (arm.real * (a_c.imag + s.g) - arm.imag * a_c.real) - s.j2 * float(p.epsilon[k])
@@ -134,37 +126,24 @@ def _equation_numbers(w: ChapterWriter, c: Calculation) -> None:
     gas, a_b, push = float(c.motion.gas[k]), float(p.a["B"][k].real), float(f.N[k])
     w.text("k_at", phi=phi, omega=float(c.motion.omega[k]), eps=float(c.motion.epsilon[k]))
     w.formula(
-        rf"M_A=-{t(s.m2)}\left[{t(arm.real)}({t(a_c.imag)}+{t(s.g)})-{t(arm.imag, bracket=True)}\cdot"
-        rf"{t(a_c.real, bracket=True)}\right]-{t(s.j2)}\cdot{t(float(p.epsilon[k]), bracket=True)}={t(moment)}[N·m]"
+        rf"M_A=-{t(s.m2)}\left[{t(arm.real)}({t(a_c.imag)}+{t(s.g)})-{b(arm.imag)}\cdot"
+        rf"{b(a_c.real)}\right]-{t(s.j2)}\cdot{b(p.epsilon[k])}={t(moment)}[N·m]"
     )
     sense = -1 if float(f.rubbing[k]) > 0 else 1
     rub = rf"{'+' if sense > 0 else '-'}{t(s.f)}\cdot{t(abs(push))}" if s.f and float(f.rubbing[k]) else ""
-    w.formula(rf"P_§p§={t(gas)}+{t(s.m3)}\cdot{t(a_b, bracket=True)}{rub}={t(float(f.P[k]))}[N]")
+    w.formula(rf"P_§p§={t(gas)}+{t(s.m3)}\cdot{b(a_b)}{rub}={t(f.P[k])}[N]")
     w.formula(
-        rf"N={t(s.m3)}\cdot{t(s.g)}+{t(float(f.P[k]), bracket=True)}\tan{t(beta, bracket=True)}\degree-"
-        rf"\frac{{{t(moment)}}}{{{t(s.l)}\cos{t(beta, bracket=True)}\degree}}="
-        rf"{t(push)}[N]",
+        rf"N={t(s.m3)}\cdot{t(s.g)}+{b(f.P[k])}\tan{b(beta)}\degree-\frac{{{t(moment)}}}{{{t(s.l)}\cos{b(beta)}"
+        rf"\degree}}={t(push)}[N]",
         "22, 23",
     )
+    w.formula(rf"S={b(-at_b.real)}\cos{b(beta)}\degree+{b(at_b.imag)}\sin{b(beta)}\degree={t(f.S[k])}[N]", "23")
     w.formula(
-        rf"S={t(-at_b.real, bracket=True)}\cos{t(beta, bracket=True)}\degree+{t(at_b.imag, bracket=True)}"
-        rf"\sin{t(beta, bracket=True)}\degree={t(float(f.S[k]))}[N]",
-        "23",
-    )
-    w.formula(
-        rf"X_A={t(at_b.real)}-{t(s.m2)}\cdot{t(a_c.real, bracket=True)}={t(at_a.real)}[N],\quad"
+        rf"X_A={t(at_b.real)}-{t(s.m2)}\cdot{b(a_c.real)}={t(at_a.real)}[N],\quad"
         rf"Y_A={t(at_b.imag)}-{t(s.m2)}({t(a_c.imag)}+{t(s.g)})={t(at_a.imag)}[N]"
     )
-    w.formula(
-        rf"T=-{t(at_a.real, bracket=True)}\sin{t(phi)}\degree+{t(at_a.imag, bracket=True)}\cos{t(phi)}\degree="
-        rf"{t(float(f.T[k]))}[N]",
-        "24, 25",
-    )
-    w.formula(
-        rf"K=-{t(at_a.real, bracket=True)}\cos{t(phi)}\degree-{t(at_a.imag, bracket=True)}\sin{t(phi)}\degree="
-        rf"{t(float(f.K[k]))}[N]",
-        "24, 26",
-    )
+    w.formula(rf"T=-{b(at_a.real)}\sin{t(phi)}\degree+{b(at_a.imag)}\cos{t(phi)}\degree={t(f.T[k])}[N]", "24, 25")
+    w.formula(rf"K=-{b(at_a.real)}\cos{t(phi)}\degree-{b(at_a.imag)}\sin{t(phi)}\degree={t(f.K[k])}[N]", "24, 26")
 
 
 def _cycle(w: ChapterWriter, c: Calculation) -> None:
@@ -178,28 +157,22 @@ def _cycle(w: ChapterWriter, c: Calculation) -> None:
         lever=w.number(a.lever, 2),
     )
     inertia = c.given.shape.m3 * c.plane.a["B"].real
-    columns = [
-        m.phi_deg,
-        c.pressure / 1e6,
-        m.gas * KN,
-        inertia * KN,
-        f.P * KN,
-        f.N * KN,
-        f.S * KN,
-        f.T * KN,
-        f.K * KN,
-        f.torque,
-    ]
-    steps = range(0, len(m.phi_deg), max(1, round(30 / c.given.step_deg)))
-    rows = [[w.number(float(x[i]), near=float(np.max(np.abs(x)))) for x in columns] for i in steps]
-    gas = "P_{г}" if w.lang == "ru" else "P_{g}"
-    whole = "P_{п}" if w.lang == "ru" else "P_{p}"
-    w.table("t_forces", ["φ, °", "p", gas, "m_{3}a_{B}", whole, "N", "S", "T", "K", "M"], rows)
-    phi = m.phi_deg
+    phi, (gas, whole) = m.phi_deg, (w.say("sub_gas"), w.say("sub_p"))
+    forces = {
+        f"P_{{{gas}}}": m.gas,
+        "m_{3}a_{B}": inertia,
+        f"P_{{{whole}}}": f.P,
+        "N": f.N,
+        "S": f.S,
+        "T": f.T,
+        "K": f.K,
+    }
+    kn = {name: force * KN for name, force in forces.items()}
+    w.over_cycle("t_forces", c.steps(len(phi)), {"φ, °": phi, "p": c.pressure / 1e6, **kn, "M": f.torque})
     along = (("l_gas", m.gas, 1), ("l_inertia", inertia, 2), ("l_sum", f.P, 0))
     w.chart("f_P", "x_phi", "y_kN", [PlottedLine(phi, y * KN, w.say(key), look) for key, y, look in along], ticks=60)
-    w.chart("f_NS", "x_phi", "y_kN", [PlottedLine(phi, f.S * KN, "S", 0), PlottedLine(phi, f.N * KN, "N", 1)], ticks=60)
-    w.chart("f_TK", "x_phi", "y_kN", [PlottedLine(phi, f.T * KN, "T", 0), PlottedLine(phi, f.K * KN, "K", 1)], ticks=60)
+    w.chart("f_NS", "x_phi", "y_kN", lines(phi, {"S": kn["S"], "N": kn["N"]}), ticks=60)
+    w.chart("f_TK", "x_phi", "y_kN", lines(phi, {"T": kn["T"], "K": kn["K"]}), ticks=60)
     _polar(w, c)
     whole_load, frame = np.abs(f.on_pin), np.abs(f.on_crank_from_frame)
     i, j = int(np.argmax(frame)), int(np.argmax(whole_load))
@@ -215,17 +188,16 @@ def _cycle(w: ChapterWriter, c: Calculation) -> None:
 
 def _polar(w: ChapterWriter, c: Calculation) -> None:
     f, phi = c.forces, c.motion.phi_deg
-    every = max(1, round(30 / c.given.step_deg))
     far = float(np.max(np.abs(f.on_pin))) * KN
     notes: list[tuple[float, float, str]] = []
     kept: list[complex] = []
-    for i in range(0, len(phi) - 1, every):
+    for i in c.steps(len(phi) - 1):
         at = complex(-f.K[i] * KN, f.T[i] * KN)
         clear = all(abs(at - other) > 0.1 * far for other in kept)
         kept += [at] if clear else []
         notes.append((at.real, at.imag, f"{phi[i]:g}°" if clear else ""))
-    curve = PlottedLine(-f.K * KN, f.T * KN, "", 0)
-    w.chart("f_polar", "x_out", "y_T", [curve], notes=tuple(notes), equal=True, height_mm=95)
+    curve = tuple(lines(-f.K * KN, {"": f.T * KN}))
+    w.figure("f_polar", Chart(w.say("x_out"), w.say("y_T"), curve, tuple(notes), equal=True, height_mm=95))
 
 
 def _torque(w: ChapterWriter, c: Calculation) -> None:
@@ -233,29 +205,22 @@ def _torque(w: ChapterWriter, c: Calculation) -> None:
     w.head("h_torque")
     w.text("s_torque_var" if c.given.speed.unevenness else "s_torque")
     w.formula(
-        rf"A=\oint\!\,\,M\,d\varphi={t(d.torque)}[J],\quad A_§gas§={t(d.gas)}[J],\quad "
-        rf"A_§fr§={t(d.friction)}[J],\quad"
-        rf"A_§gas§+A_§fr§={t(d.gas + d.friction)}[J]"
+        rf"A=\oint\!\,\,M\,d\varphi={t(d.torque)}[J],\quad A_§gas§={t(d.gas)}[J],\quad A_§fr§={t(d.friction)}[J],"
+        rf"\quadA_§gas§+A_§fr§={t(d.gas + d.friction)}[J]"
     )
     cycle = len(c.given.indicator.names)
     w.formula(
-        rf"M_§m§=\frac{{A}}{{{cycle}\pi}}=\frac{{{t(d.torque)}}}{{{cycle}\pi}}={t(d.mean)}[N·m],\quad"
-        rf"M_§max§={t(d.largest)}[N·m],\quad M_§min§={t(d.smallest)}[N·m],\quad "
-        rf"N_e=M_§m§\omega={t(d.power * 1e-3)}[kW]"
+        rf"M_§m§=\frac{{A}}{{{cycle}\pi}}=\frac{{{t(d.torque)}}}{{{cycle}\pi}}={t(d.mean)}[N·m],\quadM_§max§="
+        rf"{t(d.largest)}[N·m],\quad M_§min§={t(d.smallest)}[N·m],\quad N_e=M_§m§\omega={t(d.power * 1e-3)}[kW]"
     )
     if d.mean < 0:
         w.text("s_negative")
-    w.chart(
-        "f_torque",
-        "x_phi",
-        "y_M",
-        [PlottedLine(phi, c.forces.torque, "M", 0), PlottedLine(phi, np.full_like(phi, d.mean), w.say("l_mean"), 1)],
-        ticks=60,
-    )
+    torques = {"M": c.forces.torque, w.say("l_mean"): np.full_like(phi, d.mean)}
+    w.chart("f_torque", "x_phi", "y_M", lines(phi, torques), ticks=60)
     w.text("s_uneven", uneven=d.unevenness, allowed=c.given.allowed_unevenness)
     w.formula(
         rf"\Delta A={t(d.excess)}[J],\quad J_§fly§=\frac{{\Delta A}}{{[\delta]\,\omega^2}}="
         rf"\frac{{{t(d.excess)}}}{{{t(c.given.allowed_unevenness)}\cdot{t(c.given.shape.omega)}^2}}="
         rf"{t(d.flywheel)}[kgm2]"
     )
-    w.chart("f_excess", "x_phi", "y_J", [PlottedLine(phi, d.curve, "", 0)], ticks=60, height_mm=50)
+    w.chart("f_excess", "x_phi", "y_J", lines(phi, {"": d.curve}), ticks=60, height_mm=50)

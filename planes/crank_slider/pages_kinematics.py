@@ -10,10 +10,10 @@ import numpy as np
 from planes.crank_slider.calculation import Calculation
 from planes.crank_slider.engine import loaded
 from planes.crank_slider.kinematics import swing, text_acceleration
-from planes.crank_slider.pages import ChapterWriter
+from planes.crank_slider.pages import ChapterWriter, lines
 from planes.scene import Scene
 from planes.solving import Position, plans_of, position
-from planes.solving.document import DrawnViews, PlottedLine
+from planes.solving.document import DrawnViews
 
 FITS = {"position": 110.0, "velocity": 58.0, "acceleration": 58.0, "force": 78.0, "motion": 58.0}
 """How large a plan may be in the report, mm."""
@@ -89,32 +89,9 @@ def _points(w: ChapterWriter, c: Calculation) -> None:
     s, k = c.given.shape, c.at(chosen(c))
     w.head("h_points")
     w.text("k_points", k=s.c / s.l)
-    w.formula(
-        r"x_A=r\cos\varphi,\quad y_A=r\sin\varphi,\quad x_B=r\cos\varphi+\sqrt{l^2-r^2\sin^2\varphi},\quad y_B=0,"
-    )
-    w.formula(r"x_C=r\cos\varphi+k\,l\cos\beta,\quad y_C=(1-k)\,r\sin\varphi", "1")
+    w.formulas("places")
     w.text("k_derive")
-    w.formula(
-        r"v_{xA}=-\omega r\sin\varphi,\quad v_{yA}=\omega r\cos\varphi,\quad"
-        r"v_B=-\omega r\sin\varphi-\omega\,\frac{r^2\sin\varphi\cos\varphi}{s},"
-    )
-    w.formula(
-        r"v_{xC}=-\omega r\sin\varphi-k\,\omega\,\frac{r^2\sin\varphi\cos\varphi}{s},\quad"
-        r"v_{yC}=(1-k)\,\omega r\cos\varphi",
-        "2",
-    )
-    w.formula(
-        r"a_B=-\omega^2\left[r\cos\varphi+\frac{r^2\cos 2\varphi}{s}+\frac{r^4\sin^2\varphi\cos^2"
-        r"\varphi}{s^3}\right]"
-        r"-\varepsilon\left[r\sin\varphi+\frac{r^2\sin\varphi\cos\varphi}{s}\right],",
-        "3",
-    )
-    w.formula(
-        r"a_{xC}=-\omega^2\left[r\cos\varphi+k\frac{r^2\cos 2\varphi}{s}+k\frac{r^4\sin^2\varphi\cos^2"
-        r"\varphi}{s^3}"
-        r"\right]-\varepsilon\left[r\sin\varphi+k\frac{r^2\sin\varphi\cos\varphi}{s}\right],"
-    )
-    w.formula(r"a_{yC}=(1-k)\,r\,(\varepsilon\cos\varphi-\omega^2\sin\varphi)", "3")
+    w.formulas("rates")
     _mistake_3(w, c)
     _numbers(w, c, k)
 
@@ -129,7 +106,7 @@ def _mistake_3(w: ChapterWriter, c: Calculation) -> None:
 
 
 def _numbers(w: ChapterWriter, c: Calculation, k: int) -> None:
-    s, p, t = c.given.shape, c.points, w.tex
+    s, p, t, b = c.given.shape, c.points, w.tex, w.bracketed
     phi, omega = float(c.motion.phi_deg[k]), float(c.motion.omega[k])
     w.text("k_at", phi=phi, omega=omega, eps=float(c.motion.epsilon[k]))
     root = math.sqrt(s.l**2 - (s.r * math.sin(math.radians(phi))) ** 2)
@@ -139,71 +116,46 @@ def _numbers(w: ChapterWriter, c: Calculation, k: int) -> None:
         rf"{t(p.r['B'][k].real)}[m]"
     )
     w.formula(
-        rf"v_B=-{t(omega)}\cdot{t(s.r)}\sin{angle}-{t(omega)}\,"
-        rf"\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}="
+        rf"v_B=-{t(omega)}\cdot{t(s.r)}\sin{angle}-{t(omega)}\,\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}="
         rf"{t(p.v['B'][k].real)}[m/s]"
     )
     e, a_b = float(c.motion.epsilon[k]), t(p.a["B"][k].real)
     w.formula(
-        rf"a_B=-{t(omega)}^2\left[{t(s.r)}\cos{angle}+"
-        rf"\frac{{{t(s.r)}^2\cos{t(2 * phi)}\degree}}{{{t(root)}}}+"
+        rf"a_B=-{t(omega)}^2\left[{t(s.r)}\cos{angle}+\frac{{{t(s.r)}^2\cos{t(2 * phi)}\degree}}{{{t(root)}}}+"
         rf"\frac{{{t(s.r)}^4\sin^2{angle}\cos^2{angle}}}{{{t(root)}^3}}\right]" + ("-" if e else f"={a_b}[m/s²]")
     )
     if e:
         w.formula(
-            rf"-{t(e, bracket=True)}\left[{t(s.r)}\sin{angle}+"
-            rf"\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}"
-            rf"\right]={a_b}[m/s²]"
+            rf"-{b(e)}\left[{t(s.r)}\sin{angle}+\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}\right]="
+            rf"{a_b}[m/s²]"
         )
     w.formula(
-        rf"v_C=\sqrt{{v_{{xC}}^2+v_{{yC}}^2}}=\sqrt{{{t(p.v['C'][k].real, bracket=True)}^2+"
-        rf"{t(p.v['C'][k].imag, bracket=True)}^2}}={t(abs(p.v['C'][k]))}[m/s],\quad"
-        rf"a_C=\sqrt{{{t(p.a['C'][k].real, bracket=True)}^2+{t(p.a['C'][k].imag, bracket=True)}^2}}="
+        rf"v_C=\sqrt{{v_{{xC}}^2+v_{{yC}}^2}}=\sqrt{{{b(p.v['C'][k].real)}^2+{b(p.v['C'][k].imag)}^2}}="
+        rf"{t(abs(p.v['C'][k]))}[m/s],\quada_C=\sqrt{{{b(p.a['C'][k].real)}^2+{b(p.a['C'][k].imag)}^2}}="
         rf"{t(abs(p.a['C'][k]))}[m/s²]"
     )
 
 
 def _plane(w: ChapterWriter, c: Calculation) -> None:
-    s, k, t = c.given.shape, c.at(chosen(c)), w.tex
+    s, k, t, b = c.given.shape, c.at(chosen(c)), w.tex, w.bracketed
     phi, omega, eps = (float(v[k]) for v in (c.motion.phi_deg, c.motion.omega, c.motion.epsilon))
     beta = math.degrees(float(swing(s, np.radians(phi))))
     turning = -float(c.plane.omega[k])
     w.head("h_plane")
     w.text("k_plane")
-    w.formula(r"v_A=\omega r", "4")
-    w.formula(
-        r"AP=\frac{l\cos\beta}{|\cos\varphi|},\quad BP=\frac{l\,|\sin(\varphi+\beta)|}{|\cos\varphi|},\quad"
-        r"\omega_{AB}=\frac{v_A}{AP}=\frac{\omega r|\cos\varphi|}{l\cos\beta}",
-        "5",
-    )
-    w.formula(
-        r"v_B=\omega r\,\frac{\sin(\varphi+\beta)}{\cos\beta},\quad v_C=\omega_{AB}\cdot CP,\quad"
-        r"CP^2=AC^2+AP^2-2\,AC\cdot AP\cos(\varphi+\beta)",
-        "6, 7",
-    )
+    w.formulas("instant_centre")
     w.mistake("m_5")
     w.text("k_accel")
-    w.formula(r"a_A^n=\omega^2r,\quad a_A^\tau=\varepsilon r,\quad a_{BA}^n=\omega_{AB}^2\,l,", "8, 9")
-    w.formula(
-        r"a_{BA}^\tau=\frac{a_A^n\sin\varphi-a_A^\tau\cos\varphi-a_{BA}^n\sin\beta}{\cos\beta},\quad"
-        r"a_B=a_A^n\cos\varphi+a_A^\tau\sin\varphi+a_{BA}^n\cos\beta-a_{BA}^\tau\sin\beta",
-        "11",
-    )
-    w.formula(r"a_{Cx}=a_A^n\cos\varphi+a_A^\tau\sin\varphi+k\,(a_{BA}^n\cos\beta-a_{BA}^\tau\sin\beta),")
-    w.formula(r"a_{Cy}=a_A^n\sin\varphi-a_A^\tau\cos\varphi-k\,(a_{BA}^n\sin\beta+a_{BA}^\tau\cos\beta)", "13")
+    w.formulas("accelerations")
     w.text("k_at", phi=phi, omega=omega, eps=eps)
     tangent = float(c.plane.epsilon[k]) * s.l
     w.formula(
-        rf"\beta=\arcsin\frac{{{t(s.r)}\sin{t(phi)}\degree}}{{{t(s.l)}}}={t(beta)}\degree,\quad"
-        rf"\omega_{{AB}}=\frac{{{t(omega)}\cdot{t(s.r)}\cos{t(phi)}\degree}}{{{t(s.l)}"
-        rf"\cos{t(beta, bracket=True)}\degree}}="
-        rf"{t(turning)}[rad/s]"
+        rf"\beta=\arcsin\frac{{{t(s.r)}\sin{t(phi)}\degree}}{{{t(s.l)}}}={t(beta)}\degree,\quad\omega_{{AB}}="
+        rf"\frac{{{t(omega)}\cdot{t(s.r)}\cos{t(phi)}\degree}}{{{t(s.l)}\cos{b(beta)}\degree}}={t(turning)}[rad/s]"
     )
     w.formula(
-        rf"|v_B|={t(omega)}\cdot{t(s.r)}\,\frac{{|\sin{t(phi + beta)}\degree|}}{{"
-        rf"\cos{t(beta, bracket=True)}\degree}}="
-        rf"{t(abs(c.plane.v['B'][k]))}[m/s],\quad a_{{BA}}^n={t(turning, bracket=True)}^2\cdot{t(s.l)}="
-        rf"{t(turning**2 * s.l)}[m/s²]"
+        rf"|v_B|={t(omega)}\cdot{t(s.r)}\,\frac{{|\sin{t(phi + beta)}\degree|}}{{\cos{b(beta)}\degree}}="
+        rf"{t(abs(c.plane.v['B'][k]))}[m/s],\quad a_{{BA}}^n={b(turning)}^2\cdot{t(s.l)}={t(turning**2 * s.l)}[m/s²]"
     )
     w.formula(
         rf"a_{{BA}}^\tau={t(tangent)}[m/s²],\quad \varepsilon_{{AB}}=\frac{{a_{{BA}}^\tau}}{{l}}="
@@ -212,53 +164,22 @@ def _plane(w: ChapterWriter, c: Calculation) -> None:
 
 
 def _results(w: ChapterWriter, c: Calculation) -> None:
-    s, a = c.given.shape, c.agreement
+    s, ways = c.given.shape, c.agreement
     w.head("h_kintable")
     w.text("k_agree", step=c.given.step_deg)
     rows = [
-        (w.say(k), *(w.number(part[k], 2) for part in (a.velocity, a.acceleration, a.omega, a.epsilon)))
+        (w.say(k), *(w.number(part[k], 2) for part in (ways.velocity, ways.acceleration, ways.omega, ways.epsilon)))
         for k in ("points_plane", "points_plans", "plane_plans")
     ]
     w.table("t_agree", [w.say("c_ways"), "v", "a", "ω_{AB}", "ε_{AB}"], rows)
     turn, unit, rate = c.turn, s.omega * s.r, s.omega**2 * s.r
     phi = c.motion.phi_deg[turn]
-    steps = range(0, len(phi), max(1, round(30 / c.given.step_deg)))
     p, q = c.points, c.plane
-    columns = [
-        phi,
-        p.r["B"].real,
-        abs(p.v["A"]),
-        p.v["B"].real,
-        abs(p.v["C"]),
-        abs(p.a["A"]),
-        p.a["B"].real,
-        abs(p.a["C"]),
-        q.omega,
-        q.epsilon,
-    ]
-    table = [[w.number(x[i], near=float(np.max(np.abs(x)))) for x in columns] for i in steps]
-    w.table("t_kin", ["φ, °", "x_{B}", "v_{A}", "v_{B}", "v_{C}", "a_{A}", "a_{B}", "a_{C}", "ω_{AB}", "ε_{AB}"], table)
-    w.chart(
-        "f_7a",
-        "x_phi",
-        "y_v",
-        [PlottedLine(phi, np.abs(p.v[n][turn]) / unit, n, i) for i, n in enumerate("ABC")],
-        ticks=30,
-    )
-    w.chart(
-        "f_7b",
-        "x_phi",
-        "y_a",
-        [PlottedLine(phi, np.abs(p.a[n][turn]) / rate, n, i) for i, n in enumerate("ABC")],
-        ticks=30,
-    )
-    w.chart(
-        "f_omega",
-        "x_phi",
-        "y_w",
-        [
-            PlottedLine(phi, q.omega[turn] / s.omega, r"$\omega_{AB}/\omega$", 0),
-            PlottedLine(phi, q.epsilon[turn] / s.omega**2, r"$\varepsilon_{AB}/\omega^2$", 1),
-        ],
-        ticks=30,
-    )
+    v, a = ({"A": np.abs(x["A"]), "B": x["B"].real, "C": np.abs(x["C"])} for x in (p.v, p.a))
+    rates = {f"{letter}_{{{n}}}": of[n] for letter, of in (("v", v), ("a", a)) for n in "ABC"}
+    columns = {"φ, °": phi, "x_{B}": p.r["B"].real, **rates, "ω_{AB}": q.omega, "ε_{AB}": q.epsilon}
+    w.over_cycle("t_kin", c.steps(len(phi)), columns)
+    w.chart("f_7a", "x_phi", "y_v", lines(phi, {n: np.abs(v[n][turn]) / unit for n in v}), ticks=30)
+    w.chart("f_7b", "x_phi", "y_a", lines(phi, {n: np.abs(a[n][turn]) / rate for n in a}), ticks=30)
+    turned = {r"$\omega_{AB}/\omega$": q.omega / s.omega, r"$\varepsilon_{AB}/\omega^2$": q.epsilon / s.omega**2}
+    w.chart("f_omega", "x_phi", "y_w", lines(phi, {name: x[turn] for name, x in turned.items()}), ticks=30)

@@ -23,15 +23,13 @@ def _rod(w: ChapterWriter, c: Calculation, r: RodStrength, of: Shank) -> None:
     w.head("h_rod")
     w.text("s_rod", area=of.area * 1e6, modulus=of.modulus * 1e9, phi_c=r.squeezed_deg, phi_p=r.pulled_deg)
     w.formula(
-        rf"\sigma_§c§=\frac{{S_§max§}}{{F}}=\frac{{{t(r.squeezed)}}}{{{t(of.area * 1e6)}}}="
-        rf"{t(r.sigma_c)}[MPa],\quad"
+        rf"\sigma_§c§=\frac{{S_§max§}}{{F}}=\frac{{{t(r.squeezed)}}}{{{t(of.area * 1e6)}}}={t(r.sigma_c)}[MPa],\quad"
         rf"\sigma_§tens§=\frac{{{t(r.pulled)}}}{{{t(of.area * 1e6)}}}={t(r.sigma_p)}[MPa]"
     )
     w.text("s_whip", phi=r.bending_deg)
     w.formula(
         rf"M_§b§={t(r.bending)}[N·m],\quad\sigma_§b§=\frac{{M_§b§}}{{W}}="
-        rf"\frac{{{t(r.bending * 1e3)}}}{{{t(of.modulus * 1e9)}}}="
-        rf"{t(r.sigma_b)}[MPa]"
+        rf"\frac{{{t(r.bending * 1e3)}}}{{{t(of.modulus * 1e9)}}}={t(r.sigma_b)}[MPa]"
     )
     w.text("s_rod_sum", phi=r.sigma_deg)
     w.formula(
@@ -43,7 +41,7 @@ def _rod(w: ChapterWriter, c: Calculation, r: RodStrength, of: Shank) -> None:
         (w.say(f"b_plane_{i}"), *(w.number(v) for v in (b.mu, b.slenderness, b.critical, r.sigma_c, b.n)))
         for i, b in enumerate(r.planes)
     ]
-    cr, sq = ("кр", "сж") if w.lang == "ru" else ("cr", "c")
+    cr, sq = w.say("sub_cr"), w.say("sub_c")
     w.table("t_buckling", [w.say("c_plane"), "μ", "Λ", f"σ_{{{cr}}}", f"σ_{{{sq}}}", "n"], rows)
     w.text("s_n_ok" if min(b.n for b in r.planes) >= need else "s_n_bad", need=need)
 
@@ -59,22 +57,18 @@ def _pin(w: ChapterWriter, c: Calculation, p: PinStrength, of: PistonPin) -> Non
     )
     w.text("s_pin_stress", ratio=ratio)
     w.formula(
-        rf"\sigma=\frac{{32M}}{{\pi d^3(1-\alpha^4)}}="
-        rf"\frac{{32\cdot{t(p.moment * 1e3)}}}{{\pi\cdot{t(d)}^3(1-{t(ratio)}^4)}}="
-        rf"{t(p.sigma)}[MPa],"
+        rf"\sigma=\frac{{32M}}{{\pi d^3(1-\alpha^4)}}=\frac{{32\cdot{t(p.moment * 1e3)}}}{{\pi\cdot{t(d)}^3(1"
+        rf"-{t(ratio)}^4)}}={t(p.sigma)}[MPa],"
     )
     w.formula(
-        rf"\tau=\frac{{4}}{{3}}\cdot\frac{{P}}{{2F}}\cdot\frac{{1+\alpha+\alpha^2}}{{1+\alpha^2}}="
-        rf"\frac{{4}}{{3}}\cdot"
+        rf"\tau=\frac{{4}}{{3}}\cdot\frac{{P}}{{2F}}\cdot\frac{{1+\alpha+\alpha^2}}{{1+\alpha^2}}=\frac{{4}}{{3}}\cdot"
         rf"\frac{{{t(p.force)}}}{{2\cdot{t(of.section.area * 1e6)}}}\cdot"
-        rf"\frac{{{t(1 + ratio + ratio**2)}}}{{{t(1 + ratio**2)}}}="
-        rf"{t(p.tau)}[MPa]"
+        rf"\frac{{{t(1 + ratio + ratio**2)}}}{{{t(1 + ratio**2)}}}={t(p.tau)}[MPa]"
     )
     w.text("s_pin_sum", stress=p.equivalent, n=p.n)
     w.formula(
-        rf"q_§bush§=\frac{{P}}{{d\,l_§bush§}}=\frac{{{t(p.force)}}}{{{t(d)}\cdot{t(of.bush * mm)}}}="
-        rf"{t(p.bush)}[MPa],\quad"
-        rf"q_§boss§=\frac{{P}}{{d\,(l_p-b)}}=\frac{{{t(p.force)}}}{{{t(d)}\cdot{t((of.length - of.gap) * mm)}}}="
+        rf"q_§bush§=\frac{{P}}{{d\,l_§bush§}}=\frac{{{t(p.force)}}}{{{t(d)}\cdot{t(of.bush * mm)}}}={t(p.bush)}[MPa],"
+        rf"\quadq_§boss§=\frac{{P}}{{d\,(l_p-b)}}=\frac{{{t(p.force)}}}{{{t(d)}\cdot{t((of.length - of.gap) * mm)}}}="
         rf"{t(p.boss)}[MPa]"
     )
     holds = p.bush <= limits.bush_mpa and p.boss <= limits.boss_mpa
@@ -86,7 +80,7 @@ def write_summary(w: ChapterWriter, c: Calculation) -> None:
     w.head("h_summary", 1)
     rows = [
         (
-            w.say(name),
+            w.say(f"c_{name}"),
             w.number(found),
             (w.number(low) + " ≤ " if low is not None else "")
             + "…"
@@ -122,16 +116,16 @@ def checks(c: Calculation) -> list[tuple[str, float, float | None, float | None,
 
     if c.sections:
         add(
-            "c_static_shaft",
+            "static_shaft",
             c.given.materials["shaft"].yields / max(float(s.equivalent.max()) for s in c.sections.values()),
             g.static,
         )
-        add("c_fatigue_shaft", min(f.n for f in c.fatigue), *g.fatigue)
+        add("fatigue_shaft", min(f.n for f in c.fatigue), *g.fatigue)
     if c.rod:
-        add("c_rod_static", c.rod.n, g.static)
-        add("c_rod_buckling", min(b.n for b in c.rod.planes), g.buckling)
+        add("rod_static", c.rod.n, g.static)
+        add("rod_buckling", min(b.n for b in c.rod.planes), g.buckling)
     if c.pin:
-        add("c_pin_static", c.pin.n, g.static)
-        add("c_pin_bush", c.pin.bush, None, g.bush_mpa)
-        add("c_pin_boss", c.pin.boss, None, g.boss_mpa)
+        add("pin_static", c.pin.n, g.static)
+        add("pin_bush", c.pin.bush, None, g.bush_mpa)
+        add("pin_boss", c.pin.boss, None, g.boss_mpa)
     return found

@@ -6,9 +6,9 @@ import numpy as np
 
 from planes.crank_slider.calculation import Calculation
 from planes.crank_slider.given import Shaft
-from planes.crank_slider.pages import ChapterWriter
+from planes.crank_slider.pages import ChapterWriter, lines
 from planes.crank_slider.shaft import Section, Supports, along
-from planes.solving.document import Chart, PlottedLine, ShaftSketch
+from planes.solving.document import Chart, ShaftSketch
 
 CASES = ("I", "II")
 
@@ -37,18 +37,8 @@ def _materials(w: ChapterWriter, c: Calculation) -> None:
     for key, m in c.given.materials.items():
         values = (m.strength, m.yields, m.fatigue, m.fatigue_torsion, m.psi, m.psi_torsion)
         rows.append((w.say(f"p_{key}"), m.name, *map(w.number, values)))
-    ru = w.lang == "ru"
-    head = [
-        w.say("c_part"),
-        w.say("c_steel"),
-        "σ_{в}" if ru else "σ_{u}",
-        "σ_{т}" if ru else "σ_{y}",
-        "σ_{−1}",
-        "τ_{−1}",
-        "ψ_{σ}",
-        "ψ_{τ}",
-    ]
-    w.table("t_material", head, rows)
+    sigmas = (f"σ_{{{w.say('sub_B')}}}", f"σ_{{{w.say('sub_Y')}}}", "σ_{−1}")
+    w.table("t_material", [w.say("c_part"), w.say("c_steel"), *sigmas, "τ_{−1}", "ψ_{σ}", "ψ_{τ}"], rows)
     w.text("s_material")
 
 
@@ -57,7 +47,7 @@ def _bearings(w: ChapterWriter, c: Calculation, shaft: Shaft, s: Supports) -> No
     w.head("h_shaft")
     w.text("s_shaft")
     weights = c.given.counterweights
-    cw = "пр" if w.lang == "ru" else "cw"
+    cw = w.say("sub_cw")
     labels = {"load": "N_{c1}, P_{t1}", "web": "Φ", "weight_0": f"Φ_{{1{cw}}}", "weight_1": f"Φ_{{2{cw}}}"}
     radius = weights.radius if weights else c.given.shape.r
     sketch = ShaftSketch(shaft.span, shaft.span - shaft.pin_from_b, shaft.webs, c.given.shape.r, radius, labels)
@@ -67,8 +57,7 @@ def _bearings(w: ChapterWriter, c: Calculation, shaft: Shaft, s: Supports) -> No
         rf"\Phi_1=m_1R_§cw§\,\omega^2={t(s.left_weight)}[N],\quad\Phi_2={t(s.right_weight)}[N]"
     )
     w.text("s_reactions")
-    w.formula(r"A'=\frac{(\Phi-\Phi_1)(L-m)+N_{c1}n+(\Phi-\Phi_2)\,m}{L},\quad A''=\frac{P_{t1}n}{L},", "31")
-    w.formula(r"B'=N_{c1}+2\Phi-\Phi_1-\Phi_2-A',\quad B''=P_{t1}-A''", "32")
+    w.formulas("bearings")
     w.mistake("m_32")
     k, j = cases(c)
     phi = c.motion.phi_deg
@@ -78,46 +67,33 @@ def _bearings(w: ChapterWriter, c: Calculation, shaft: Shaft, s: Supports) -> No
 
 
 def _case(w: ChapterWriter, c: Calculation, shaft: Shaft, s: Supports, name: str, k: int) -> None:
-    t = w.tex
+    t, b = w.tex, w.bracketed
     n, m, span = shaft.pin_from_b, shaft.webs, shaft.span
     out, a1, a2, b1, b2, load = (float(v[k]) for v in (s.out, s.A1, s.A2, s.B1, s.B2, s.T))
     left, right = s.web - s.left_weight, s.web - s.right_weight
     w.text("s_case_at", case=name, phi=float(c.motion.phi_deg[k]))
     w.formula(
-        rf"A'=\frac{{{t(left)}\cdot{t(span - m)}+{t(out, bracket=True)}\cdot{t(n)}+{t(right, bracket=True)}"
-        rf"\cdot{t(m)}}}"
-        rf"{{{t(span)}}}={t(a1)}[N],\quad A''=\frac{{{t(load)}\cdot{t(n)}}}{{{t(span)}}}={t(a2)}[N],"
+        rf"A'=\frac{{{t(left)}\cdot{t(span - m)}+{b(out)}\cdot{t(n)}+{b(right)}\cdot{t(m)}}}{{{t(span)}}}={t(a1)}[N],"
+        rf"\quad A''=\frac{{{t(load)}\cdot{t(n)}}}{{{t(span)}}}={t(a2)}[N],"
     )
-    w.formula(
-        rf"B'={t(out)}+{t(left, bracket=True)}+{t(right, bracket=True)}-{t(a1, bracket=True)}={t(b1)}[N],\quad"
-        rf"B''={t(load)}-{t(a2, bracket=True)}={t(b2)}[N]"
-    )
+    w.formula(rf"B'={t(out)}+{b(left)}+{b(right)}-{b(a1)}={t(b1)}[N],\quadB''={t(load)}-{b(a2)}={t(b2)}[N]")
     d = along(c.given.shape, shaft, s, k)
-    curves = (
-        PlottedLine(d.x, d.z, w.say("l_Mz"), 0),
-        PlottedLine(d.x, d.y, w.say("l_My"), 1),
-        PlottedLine(d.x, d.torque, w.say("l_Mx"), 2),
-    )
-    w.figure("f_moments", Chart(w.say("x_shaft"), w.say("y_Nm"), curves, height_mm=58), case=name)
+    curves = lines(d.x, {w.say("l_Mz"): d.z, w.say("l_My"): d.y, w.say("l_Mx"): d.torque})
+    w.figure("f_moments", Chart(w.say("x_shaft"), w.say("y_Nm"), tuple(curves), height_mm=58), case=name)
 
 
 def _static(w: ChapterWriter, c: Calculation) -> None:
     limits, steel = c.given.limits, c.given.materials["shaft"]
     w.head("h_static")
     w.text("s_static")
-    w.formula(
-        r"\sigma_§eq§=\sqrt{\sigma_§b§^2+4\tau_§t§^2}\leq[\sigma],\quad\sigma_§b§=\frac{M_§b§}{W},\quad"
-        r"\tau_§t§=\frac{M_§t§}{2W},\quad W=\frac{\pi d^3}{32}(1-\alpha^4)",
-        "33, 34",
-    )
+    w.formulas("static")
     steps = dict(zip(CASES, cases(c), strict=True))
     rows = []
     for s in c.sections.values():
         columns = (s.bending_z, s.bending_y, s.torsion, s.sigma, s.tau, s.equivalent)
         for name, k in steps.items():
             rows.append((f"{w.say(f'x_{s.name}')}, {name}", *(w.number(float(v[k])) for v in columns)))
-    eq = "экв" if w.lang == "ru" else "eq"
-    w.table("t_static", [w.say("c_section"), "M_{z}", "M_{y}", "M_{x}", "σ", "τ", f"σ_{{{eq}}}"], rows)
+    w.table("t_static", [w.say("c_section"), "M_{z}", "M_{y}", "M_{x}", "σ", "τ", f"σ_{{{w.say('sub_eq')}}}"], rows)
     worst = dangerous(c)
     at = int(np.argmax(worst.equivalent))
     w.text("s_dangerous", section=w.say(f"x_{worst.name}"), phi=float(c.motion.phi_deg[at]), n=limits.static)
@@ -126,8 +102,7 @@ def _static(w: ChapterWriter, c: Calculation) -> None:
     sign = r"\leq" if top <= allowed else ">"
     w.formula(
         rf"\sigma_§eq§=\sqrt{{{t(sigma)}^2+4\cdot{t(tau)}^2}}={t(top)}[MPa]\ {sign}\ [\sigma]="
-        rf"\frac{{{t(steel.yields)}}}"
-        rf"{{{t(limits.static)}}}={t(allowed)}[MPa]",
+        rf"\frac{{{t(steel.yields)}}}{{{t(limits.static)}}}={t(allowed)}[MPa]",
         "34",
     )
     w.text("s_ok" if top <= allowed else "s_bad")
@@ -143,12 +118,7 @@ def _fatigue(w: ChapterWriter, c: Calculation) -> None:
     t = w.tex
     w.head("h_fatigue")
     w.text("s_fatigue")
-    w.formula(
-        r"n_\sigma=\frac{\sigma_{-1}}{\frac{k_\sigma}{\varepsilon_\sigma}\sigma_a+\psi_\sigma\sigma_m},\quad"
-        r"n_\tau=\frac{\tau_{-1}}{\frac{k_\tau}{\varepsilon_\tau}\tau_a+\psi_\tau\tau_m},\quad"
-        r"n=\frac{n_\sigma n_\tau}{\sqrt{n_\sigma^2+n_\tau^2}}",
-        "35",
-    )
+    w.formulas("fatigue")
     rows = []
     for f in c.fatigue:
         values = (f.angle_deg, f.sigma_a, f.sigma_m, f.tau_a, f.tau_m, f.n_sigma, f.n_tau, f.n)
@@ -163,9 +133,8 @@ def _fatigue(w: ChapterWriter, c: Calculation) -> None:
     steel = c.given.materials["shaft"]
     w.text("s_fatigue_at", section=w.say(f"x_{f.section}"))
     w.formula(
-        rf"n_\sigma=\frac{{{t(steel.fatigue)}}}{{\frac{{{t(k.k_sigma)}}}{{{t(k.size_sigma)}}}"
-        rf"\cdot{t(f.sigma_a)}+{t(steel.psi)}"
-        rf"\cdot{t(max(f.sigma_m, 0.0))}}}={t(f.n_sigma)},\quad n={t(f.n)}"
+        rf"n_\sigma=\frac{{{t(steel.fatigue)}}}{{\frac{{{t(k.k_sigma)}}}{{{t(k.size_sigma)}}}\cdot{t(f.sigma_a)}"
+        rf"+{t(steel.psi)}\cdot{t(max(f.sigma_m, 0.0))}}}={t(f.n_sigma)},\quad n={t(f.n)}"
     )
     w.text("s_limits", low=low, high=high)
     w.text("s_fat_low" if f.n < low else "s_fat_high" if f.n > high else "s_fat_ok", n=f.n)

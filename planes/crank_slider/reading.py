@@ -14,22 +14,8 @@ from planes.scene.reader import Reader, section
 from planes.words import Phrase
 from planes.words.errors import SceneError
 
-_KEYS = (
-    "bore",
-    "ambient",
-    "indicator",
-    "step",
-    "speed",
-    "flywheel",
-    "positions",
-    "shaft",
-    "counterweights",
-    "rod",
-    "piston_pin",
-    "materials",
-    "fatigue",
-    "limits",
-)
+_KEYS = ("bore", "ambient", "indicator", "step", "speed", "flywheel", "positions")
+_PARTS = ("shaft", "counterweights", "rod", "piston_pin", "materials", "fatigue", "limits")
 
 
 def read(scene: Scene) -> Given:
@@ -37,7 +23,9 @@ def read(scene: Scene) -> Given:
     shape = shape_of(scene)
     assert scene.crank_slider is not None
     reader = Reader(scene.file, scene.parameters)
-    top = Values(reader, reader.table(scene.crank_slider, section("crank_slider"), _KEYS), section("crank_slider"))
+    top = Values(
+        reader, reader.table(scene.crank_slider, section("crank_slider"), (*_KEYS, *_PARTS)), section("crank_slider")
+    )
     indicator = read_indicator(top)
     given = Given(
         shape,
@@ -120,13 +108,9 @@ def _counterweights(top: Values) -> Counterweights | None:
     table = top.inner("counterweights", ("radius", "masses", "translating"))
     if table is None:
         return None
-    masses = None
-    if (node := top.reader.optional(table.table, "masses")) is not None:
-        pair = top.reader.place(node, table.named("masses"))
-        if pair.real < 0.0 or pair.imag < 0.0:
-            value = min(pair.real, pair.imag)
-            raise table.error(Phrase("negative", what=table.named("masses"), value=value), "masses")
-        masses = (pair.real, pair.imag)
+    masses = table.pair("masses")
+    if masses and min(masses) < 0.0:
+        raise table.error(Phrase("negative", what=table.named("masses"), value=min(masses)), "masses")
     return Counterweights(table.above("radius"), masses, table.between("translating", 0.0, 1.0, 0.5))
 
 
@@ -135,13 +119,9 @@ def _limits(top: Values) -> Limits:
     table = top.inner("limits", ("static", "fatigue", "buckling", "bush_MPa", "boss_MPa"))
     if table is None:
         return usual
-    fatigue = usual.fatigue
-    if (node := top.reader.optional(table.table, "fatigue")) is not None:
-        pair = top.reader.place(node, table.named("fatigue"))
-        fatigue = (pair.real, pair.imag)
-        if not 1.0 <= fatigue[0] < fatigue[1]:
-            words = Phrase("cs_range", what=table.named("fatigue"), low=1.0, high=fatigue[1], value=fatigue[0])
-            raise table.error(words, "fatigue")
+    low, high = fatigue = table.pair("fatigue") or usual.fatigue
+    if not 1.0 <= low < high:
+        raise table.error(Phrase("cs_range", what=table.named("fatigue"), low=1.0, high=high, value=low), "fatigue")
     return Limits(
         table.between("static", 1.0, 20.0, usual.static),
         fatigue,

@@ -68,6 +68,13 @@ class Values:
             raise self.error(Phrase("cs_range", what=self.named(key), low=low, high=high, value=value), key)
         return value
 
+    def pair(self, key: str) -> tuple[float, float] | None:
+        """Two numbers, None where they are not given."""
+        if (node := self.reader.optional(self.table, key)) is None:
+            return None
+        both = self.reader.place(node, self.named(key))
+        return both.real, both.imag
+
     def pressure(self, key: str, unit: str, usual: float) -> float:
         """A pressure in the diagram's unit, as Pa."""
         return self.not_negative(key, usual / UNITS[unit]) * UNITS[unit]

@@ -4,21 +4,19 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
-from planes.crank_slider.engine import EngineCycle
+from planes.crank_slider.engine import EngineCycle, RodMotion
 from planes.crank_slider.fatigue import factor
 from planes.crank_slider.forces import CycleForces
 from planes.crank_slider.given import PistonPin
-from planes.crank_slider.kinematics import RodMotion, swing
+from planes.crank_slider.kinematics import swing
 from planes.crank_slider.materials import Material
 from planes.crank_slider.sections import Shank
 from planes.crank_slider.shaft import MPA
 from planes.crank_slider.shape import CrankSliderShape
-
-Array = Any
+from planes.geometry.arrays import Array
 
 
 @dataclass(frozen=True)
@@ -107,7 +105,8 @@ def _bending(shape: CrankSliderShape, way: RodMotion, beta: Array) -> Array:
     across = 1j * np.exp(-1j * beta)
     q_a, q_b = ((-(way.a[n] * across.conj()).real * shape.m2 / shape.l) for n in ("A", "B"))
     x = np.linspace(0.0, shape.l, 201)[:, None]
-    return np.abs(moment_along(q_a, q_b, x, shape.l)).max(axis=0)
+    largest: Array = np.abs(moment_along(q_a, q_b, x, shape.l)).max(axis=0)
+    return largest
 
 
 def moment_along(q_a: Array, q_b: Array, x: Array, length: float) -> Array:

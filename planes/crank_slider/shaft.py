@@ -8,7 +8,6 @@ already (the plans give that load whole), so Φ holds the crank's own masses alo
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -17,8 +16,8 @@ from planes.crank_slider.forces import CycleForces
 from planes.crank_slider.given import Counterweights, Shaft
 from planes.crank_slider.sections import Round
 from planes.crank_slider.shape import CrankSliderShape
+from planes.geometry.arrays import Array
 
-Array = Any
 MPA = 1e-6
 
 

@@ -10,17 +10,19 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
 from planes.diagrams.driven import driven
+from planes.geometry.arithmetic import Real
+from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.loads import force_name
 from planes.plans.quantities import MOTION, results_of
 from planes.scene.mechanism import FRAME
 
-Sample = Mapping[str, Any]
+Sample = Mapping[str, Array]
 """Columns of many positions by name: "v_C_x", and "q:v_C_x" of the unit drive."""
 
 Group = Literal["place", "analogue", "rate", "force"]
@@ -36,8 +38,8 @@ class Curve:
     unit: str
     group: Group
     needs: tuple[str, ...]
-    read: Callable[[Sample], Any]
-    slope: Callable[[Sample], Any] | None = None
+    read: Callable[[Sample], Real]
+    slope: Callable[[Sample], Real] | None = None
     slope_needs: tuple[str, ...] = ()
     angular: bool = False
 
@@ -50,7 +52,7 @@ class CycleVector:
     unit: str
     needs: tuple[str, str]
 
-    def read(self, s: Sample) -> Any:
+    def read(self, s: Sample) -> Real:
         """x + iy at every position."""
         return s[self.needs[0]] + 1j * s[self.needs[1]]
 
@@ -115,7 +117,7 @@ def _places(plans: Plans) -> Iterator[Curve]:
                 yield Curve(name, "m", "place", (name,), _column(name), _column(need), (need,))
 
 
-def _along(plans: Plans, link: str) -> tuple[tuple[str, ...], Callable[[Sample], Any]]:
+def _along(plans: Plans, link: str) -> tuple[tuple[str, ...], Callable[[Sample], Real]]:
     """The place of a slider's first point along its guide, from the guide's own through point."""
     m = plans.mechanism
     guide, owner = m.guide(plans.velocity_slides[link].guide), m.owner(plans.velocity_slides[link].guide)
@@ -127,7 +129,7 @@ def _along(plans: Plans, link: str) -> tuple[tuple[str, ...], Callable[[Sample],
     shift = guide.through - m.links[owner].points[base]
     needs = (*own, f"r_{base}_x", f"r_{base}_y", f"phi_{owner}")
 
-    def read(s: Sample) -> Any:
+    def read(s: Sample) -> Real:
         turn = np.exp(1j * np.radians(s[needs[4]]))
         apart = s[needs[0]] + 1j * s[needs[1]] - (s[needs[2]] + 1j * s[needs[3]])
         return ((apart * np.conj(turn) - shift) * np.conj(way)).real
@@ -193,7 +195,7 @@ def _moving(plans: Plans) -> list[str]:
     return [p for p in plans.points if p not in plans.mechanism.frame.points]
 
 
-def _column(name: str) -> Callable[[Sample], Any]:
+def _column(name: str) -> Callable[[Sample], Real]:
     return lambda s: s[name]
 
 

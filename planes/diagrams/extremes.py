@@ -8,13 +8,13 @@ value to the last digits and the place to about 10⁻⁶ of a degree.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from planes.diagrams.curves import Curve, Sample
 from planes.diagrams.turn import Grid, WholeTurn
 from planes.diagrams.working_range import FULL
+from planes.geometry.arrays import Array
 
 CELLS = 8  # parts a bracket is cut into, each round
 ROUNDS = 14
@@ -60,7 +60,7 @@ def extremes(g: Grid) -> list[list[Extreme]]:
     return [sorted(some, key=lambda e: e.place) for some in found]
 
 
-def _joined(g: Grid, brackets: list[_Bracket], places: Any, values: Any) -> list[tuple[_Bracket, float, float]]:
+def _joined(g: Grid, brackets: list[_Bracket], places: Array, values: Array) -> list[tuple[_Bracket, float, float]]:
     """The extremes a curve comes up to: at a dead point where a load turns about, not the single value it has there but
     that of the nearer side, if the curve comes up to it; where it grows without bound, infinity."""
     beside = 1e-8 * (g.places[-1] - g.places[0])
@@ -80,7 +80,7 @@ def _joined(g: Grid, brackets: list[_Bracket], places: Any, values: Any) -> list
     return found
 
 
-def _grows(b: _Bracket, value: float, near: Any, far: Any) -> bool:
+def _grows(b: _Bracket, value: float, near: Array, far: Array) -> bool:
     """Whether a curve grows towards a place from a thousand times farther, and goes on growing."""
     if b.angular:
         return False
@@ -88,7 +88,7 @@ def _grows(b: _Bracket, value: float, near: Any, far: Any) -> bool:
     return bool(close > GROWS * away > 0 and not b.sense * value <= GROWS * close)
 
 
-def varies(y: Any, noise: float) -> bool:
+def varies(y: Array, noise: float) -> bool:
     """Whether a curve is more than a constant, and than the rounding of larger numbers."""
     good = y[np.isfinite(y)]
     return bool(len(good) > 2 and np.ptp(good) > STILL * (np.abs(good).max() + 1e-300) + noise)
@@ -98,7 +98,7 @@ def _wrapped(g: Grid, place: float) -> float:
     return place - FULL if g.closed and place >= g.places[-1] - 1e-9 else place
 
 
-def _brackets(g: Grid, k: int, y: Any) -> list[_Bracket]:
+def _brackets(g: Grid, k: int, y: Array) -> list[_Bracket]:
     """Places of the grid that are above, or below, both their neighbours."""
     x, step = g.places, g.places[1] - g.places[0]
     if g.closed:
@@ -114,7 +114,7 @@ def _brackets(g: Grid, k: int, y: Any) -> list[_Bracket]:
     return found
 
 
-def _edges(g: Grid, curve: Curve, y: Any) -> list[Extreme]:
+def _edges(g: Grid, curve: Curve, y: Array) -> list[Extreme]:
     """Values at the ends of the range, and at the limits of assembly, where they may be the largest of all."""
     found = []
     if not g.closed:
@@ -143,7 +143,7 @@ def _limit(g: Grid, curve: Curve, y: float, place: float, limit: float) -> list[
     return [Extreme(limit, float(value), 1 if value > y else -1, "limit")]
 
 
-def _refined(turn: WholeTurn, brackets: list[_Bracket]) -> tuple[Any, Any]:
+def _refined(turn: WholeTurn, brackets: list[_Bracket]) -> tuple[Array, Array]:
     """Places and values of the bracketed extremes, all closed in on together: on where the slope is positive no more,
     or, if it is not known or has one sign throughout (a value passes through infinity), on the value itself."""
     low, high = np.array([b.low for b in brackets]), np.array([b.high for b in brackets])
@@ -168,7 +168,7 @@ def _refined(turn: WholeTurn, brackets: list[_Bracket]) -> tuple[Any, Any]:
     return place, _values(turn, brackets, place)
 
 
-def _values(turn: WholeTurn, brackets: list[_Bracket], place: Any) -> Any:
+def _values(turn: WholeTurn, brackets: list[_Bracket], place: Array) -> Array:
     sample, found = turn.sample(place), np.empty(len(place))
     owner, near = np.array([b.curve for b in brackets]), np.array([b.near for b in brackets])
     for k in np.unique(owner):
@@ -178,12 +178,12 @@ def _values(turn: WholeTurn, brackets: list[_Bracket], place: Any) -> Any:
     return found
 
 
-def _unknown(sample: Sample) -> Any:
+def _unknown(sample: Sample) -> float:
     """The slope of a curve whose slope is in no column."""
     return np.nan
 
 
-def _crossing(slope: Any) -> tuple[Any, Any]:
+def _crossing(slope: Array) -> tuple[Array, Array]:
     """The first cell in which a slope, positive before a top, is positive no more."""
     down = ~(slope > 0)
     down[:, 0], down[:, -1] = False, True
@@ -191,7 +191,7 @@ def _crossing(slope: Any) -> tuple[Any, Any]:
     return last - 1, last
 
 
-def _top(y: Any) -> tuple[Any, Any]:
+def _top(y: Array) -> tuple[Array, Array]:
     """The cells beside the highest of the values."""
     best = np.where(np.isfinite(y), y, -np.inf).argmax(axis=1)
     return np.maximum(best - 1, 0), np.minimum(best + 1, y.shape[1] - 1)

@@ -14,13 +14,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
-from typing import Any
 
 from planes.diagrams.stages import Motion, Stage
 from planes.drafting.draft import Draft
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.instruments import Instrument
+from planes.drafting.program import Program
 from planes.drafting.steps import Carry, Cross, LayOff, Put, Similar, Through
+from planes.geometry.arithmetic import Point, Real
 from planes.words.names import at, mu_of
 from planes.words.units import standard_mu
 
@@ -42,13 +43,13 @@ class Construction:
     stages: list[Stage] = field(default_factory=list)
 
     @cached_property
-    def program(self) -> Any:
+    def program(self) -> Program:
         """The steps, checked."""
         from planes.drafting.program import Program
 
         return Program(tuple(self.draft.steps.values()))
 
-    def drawn(self, instrument: Instrument | None = None, more: Mapping[str, Any] | None = None) -> Drawing:
+    def drawn(self, instrument: Instrument | None = None, more: Mapping[str, Point] | None = None) -> Drawing:
         """The construction drawn with an instrument, exactly if none is named."""
         return run(self.program, {**self.draft.given, **(more or {})}, instrument)
 
@@ -61,7 +62,7 @@ class Construction:
             found.append(row[stage.rank][k % m.sections if row is m.middles else k])
         return found
 
-    def measured(self, drawing: Drawing, stage: Stage) -> list[Any]:
+    def measured(self, drawing: Drawing, stage: Stage) -> list[Real]:
         """What is measured on a drawing at the points of a diagram, SI."""
         return [drawing[_value(stage.plan, label)] for _, label in stage.points]
 
@@ -72,7 +73,7 @@ class Construction:
         d = self.draft
         d.aim(RIGHT, 0.0)
         d.aim(UP, 90.0)
-        d.square("←", RIGHT, 2)
+        d.back("←", RIGHT)
         d.give(TIME, self.mu_t)
         d.give(PAPER, 1.0)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 from planes.diagrams.graphical import Construction
 from planes.diagrams.stages import Stage
@@ -12,6 +11,7 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.instruments import Exact, Pencil
 from planes.solving.tables import table
 from planes.words import Lang, say
+from planes.words.records import Json
 from planes.words.units import RATES, quantity
 
 PENCILS = 400
@@ -67,7 +67,7 @@ def scales(c: Construction, lang: Lang) -> list[str]:
     return lines
 
 
-def as_json(constructions: list[Construction]) -> dict[str, Any]:
+def as_json(constructions: list[Construction]) -> Json:
     """The constructions as plain things: scales, poles, and every point with what was found and what is exact, SI."""
     return {
         "planes": 1,
@@ -133,7 +133,7 @@ def _reading(c: Construction, r: MeasuredDiagram, lang: Lang) -> list[str]:
     for (half, label), found, exact, spread in zip(r.stage.points, r.found, r.exact, r.pencil, strict=True):
         if half < 0:
             continue  # the last middle over again
-        cells: list[Any] = [0.0 if abs(x) < 1e-12 * size else x for x in (found, exact)]
+        cells: list[float] = [0.0 if abs(x) < 1e-12 * size else x for x in (found, exact)]
         rows.append(
             [
                 label,

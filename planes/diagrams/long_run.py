@@ -6,14 +6,14 @@ import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 
 from planes.batch import Block, Cycle, Reason
 from planes.batch.streams import TableHead, opened
 from planes.diagrams.turn import WholeTurn
-from planes.drafting.drawing import run
+from planes.drafting.drawing import proved, run
 from planes.plans import Plans, mechanism_plans
 from planes.scene import Scene
 from planes.scene.ranges import Span
@@ -110,7 +110,7 @@ def progress(blocks: Iterator[Block], count: int, lang: Lang) -> Iterator[Block]
 
 def collect(gaps: list[Gap], block: Block) -> None:
     """Join the failed positions of a block to the ranges found so far."""
-    codes: Any = block.codes
+    codes = block.codes
     if not codes.any():
         gaps.append(Gap(0, 0.0, 0.0, 0)) if gaps and gaps[-1].code else None
         return
@@ -136,9 +136,9 @@ def tell(table: Cycle, reasons: tuple[Reason, ...], gaps: list[Gap], kind: str, 
 
 def reason(table: Cycle, reasons: tuple[Reason, ...], gap: Gap, lang: Lang) -> str:
     """The sentence of the first position of a range, drawn by itself at full size."""
-    full = dict.fromkeys(table.mus, 1000.0)
+    given = {**table.given, **dict.fromkeys(table.mus, 1000.0), table.plans.drive_given: gap.first}
     try:
-        run(table.program, {**table.given, **full, table.plans.drive_given: gap.first})
+        proved(table.program, given, run(table.program, given))
     except PlanFailure as failure:
         return failure.sentence(lang)
     why = reasons[gap.code - 1]

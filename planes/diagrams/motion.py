@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from math import isfinite
-from typing import Any
 
 import numpy as np
 
@@ -14,6 +13,7 @@ from planes.diagrams.graphical import Construction, differentiated, integrated
 from planes.diagrams.stages import Motion
 from planes.diagrams.turn import Grid, WholeTurn, grid, span_of, turn_of, unwound
 from planes.diagrams.working_range import FULL
+from planes.geometry.arrays import Array
 from planes.plans import Plans, mechanism_plans
 from planes.scene import Scene
 from planes.words import Phrase
@@ -57,11 +57,11 @@ def motion_of(plans: Plans, sections: int = 12, file: str = "") -> Motion:
     )
 
 
-def _time(angles: Any, rate: float) -> tuple[float, ...]:
+def _time(angles: Array, rate: float) -> tuple[float, ...]:
     return tuple(float(t) for t in np.radians(angles - angles[0]) / rate)
 
 
-def _values(turn: WholeTurn, angles: Any, slides: bool, rate: float) -> list[list[float]]:
+def _values(turn: WholeTurn, angles: Array, slides: bool, rate: float) -> list[list[float]]:
     """Place (counted from the start), velocity v_q·ω₁ and acceleration a_q·ω₁² of a uniform turn, SI."""
     sample = turn.sample(angles)
     place, v, a = (c.read(sample) + np.zeros(len(angles)) for c in turn.curves)

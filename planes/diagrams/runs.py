@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from planes.diagrams.motion import dead_points, driven_grid, ends_of
 from planes.diagrams.working_range import FULL
+from planes.geometry.arrays import Array
 from planes.plans import Plans
 
 BESIDE = 1e-6  # degrees (or metres) on either side of a dead point, where what depends on the sense of motion jumps
@@ -28,7 +27,7 @@ class Runs:
         """Over the working range: a whole turn from the first extreme position, if there is one."""
         return cls(plans, *ends_of(plans)[:2])
 
-    def pieces(self) -> list[Any]:
+    def pieces(self) -> list[Array]:
         """Places in runs between dead points, each run up to the very point."""
         dead = self._dead()
         inside = sorted(d for d in dead if self.start + BESIDE < d < self.end - BESIDE)
@@ -42,10 +41,10 @@ class Runs:
     def _dead(self) -> set[float]:
         return {d + FULL * k for d in self.dead for k in ((-1, 0, 1) if self.closed else (0,))}
 
-    def stations(self) -> Any:
+    def stations(self) -> Array:
         """Places of the numbered positions: every twelfth part of the range (of a turn, 30°), from the start."""
         return np.linspace(self.start, self.end, STATIONS + 1)
 
-    def read_stations(self) -> Any:
+    def read_stations(self) -> Array:
         """The same, those on a dead point just past it: on the point itself a load that opposes motion is nothing."""
         return np.array([z + BESIDE * any(abs(z - d) < BESIDE for d in self._dead()) for z in self.stations()])

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -14,8 +13,10 @@ from planes.diagrams.driven import driven
 from planes.diagrams.extremes import Extreme, extremes, varies
 from planes.diagrams.turn import Grid, grid, in_one_piece, turn_of
 from planes.diagrams.working_range import FULL
+from planes.geometry.arrays import Array, Complexes
 from planes.plans import Plans
 from planes.scene import Scene
+from planes.words.names import component_of, index_of, letter_of
 
 SAME = 1e-12
 
@@ -123,7 +124,7 @@ class Summary:
     @cached_property
     def rows(self) -> tuple[CurveSummary, ...]:
         """The curves a person reads: of vectors the sizes; equal ones in one row; nothing that is always zero."""
-        found: list[tuple[Any, CurveSummary]] = []
+        found: list[tuple[Array, CurveSummary]] = []
         for curve in self.grid.turn.curves:
             if not self._shown(curve):
                 continue
@@ -138,7 +139,7 @@ class Summary:
                 found[twin] = other, replace(row, names=(*row.names, curve.name))
         return tuple(row for _, row in found)
 
-    def _row(self, curve: Curve, y: Any) -> CurveSummary:
+    def _row(self, curve: Curve, y: Array) -> CurveSummary:
         some, size, rounds = self.extremes[curve.name], float(np.nanmax(np.abs(y))), self.grid.rounds(curve)
         if not some:
             k = int(np.flatnonzero(np.isfinite(y))[0])
@@ -150,12 +151,11 @@ class Summary:
     def _shown(self, curve: Curve) -> bool:
         if self.names:
             return curve.name in self.names
-        if curve.name.startswith(("MZ_", "FbZ_")) or curve.name.endswith(("_x", "_y")):
+        if letter_of(curve.name) in ("MZ", "FbZ") or component_of(curve.name):
             return False
-        link = curve.name.removeprefix("phi_")
-        if curve.name.startswith("phi_"):
+        if letter_of(curve.name) == "phi":
             moves = varies(self.grid.values(curve), self.grid.noise(curve))
-            return link != self.plans.mechanism.drive.link and moves
+            return index_of(curve.name) != self.plans.mechanism.drive.link and moves
         return curve.name != f"s_{self.plans.mechanism.drive.link}"
 
     @cached_property
@@ -179,7 +179,7 @@ class Summary:
         return sense * max(sense * value for value in some)
 
 
-def _length(path: Any) -> float:
+def _length(path: Complexes) -> float:
     """The length of a curve through many points: that of its polygon, improved by the polygon of every second point."""
     path = path[np.isfinite(path)]
     if len(path) < 2:
@@ -190,7 +190,7 @@ def _length(path: Any) -> float:
     return whole + (whole - float(np.abs(np.diff(path[::2])).sum())) / 3
 
 
-def _same(y: Any, other: Any, curve: Curve, row: CurveSummary) -> bool:
+def _same(y: Array, other: Array, curve: Curve, row: CurveSummary) -> bool:
     if (curve.unit, curve.group) != (row.unit, row.group) or curve.name[:2] != row.names[0][:2]:
         return False
     size = np.nanmax(np.abs(other))

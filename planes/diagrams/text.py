@@ -18,6 +18,8 @@ from planes.solving.nearest import nearest
 from planes.solving.tables import table
 from planes.words import Lang, say
 from planes.words.errors import PlanFailure
+from planes.words.names import index_of
+from planes.words.records import Json
 from planes.words.units import RATES, quantity
 
 GROUPS = ("place", "analogue", "rate", "force")
@@ -82,7 +84,7 @@ def _flips(s: Summary, lang: Lang) -> list[str]:
     """Where links turn over, those of one place together."""
     found: dict[str, list[str]] = {}
     for name, place in s.grid.flips:
-        found.setdefault(_place(s, place, lang), []).append(name.removeprefix("phi_"))
+        found.setdefault(_place(s, place, lang), []).append(index_of(name))
     return [
         say("cycle_flips", lang, name=drive_name(s), place=place, links=", ".join(links))
         for place, links in found.items()
@@ -150,10 +152,10 @@ def _paths(s: Summary, lang: Lang) -> list[str]:
     return table(say("paths", lang), ["", say("path_length", lang), f"x, {m}", f"y, {m}"], rows)
 
 
-def as_json(s: Summary) -> dict[str, Any]:
+def as_json(s: Summary) -> Json:
     """The whole summary as plain things; every extreme of every curve is there."""
     drive, stroke = s.plans.mechanism.drive, s.stroke
-    found: dict[str, Any] = {
+    found: Json = {
         "planes": 1,
         "scene": s.scene.file,
         "variant": s.scene.variant,
@@ -184,16 +186,16 @@ def _or_none(value: float) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def _curve(s: Summary, c: Curve) -> dict[str, Any]:
+def _curve(s: Summary, c: Curve) -> Json:
     """A curve's extremes; of a link that turns all the way round, that it does."""
     shown = {"unit": c.unit, "group": c.group, "extremes": [_extreme(e) for e in s.extremes[c.name]]}
     return shown | ({"rotates": True} if s.grid.rounds(c) else {})
 
 
-def _extreme(e: Extreme) -> dict[str, Any]:
+def _extreme(e: Extreme) -> Json:
     unbounded = math.isinf(e.value)
     kind = "greatest" if e.sense > 0 else "least"
-    shown: dict[str, Any] = {"at": e.place, "value": _or_none(e.value), "kind": kind}
+    shown: Json = {"at": e.place, "value": _or_none(e.value), "kind": kind}
     return shown | ({"where": e.at} if e.at else {}) | ({"unbounded": True} if unbounded else {})
 
 
@@ -206,7 +208,7 @@ def listed(turn: WholeTurn, values: Any) -> dict[str, list[float]]:
     return {c.name: [float(x) for x in c.read(sample) + np.zeros(len(values))] for c in turn.curves}
 
 
-def listed_json(turn: WholeTurn, values: Any) -> dict[str, Any]:
+def listed_json(turn: WholeTurn, values: Any) -> Json:
     """The listing for a program: None where a curve has no value."""
     rows, key = listed(turn, values), key_of(turn.plans)
     positions = [

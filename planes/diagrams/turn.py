@@ -5,10 +5,10 @@ Sampled at evenly spaced places it shows how far the driver can go, where a link
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TypeVar
 
 import numpy as np
 
@@ -16,11 +16,15 @@ from planes.batch import CHUNK, Block, Cycle, Reason
 from planes.batch.columns import columns_of
 from planes.diagrams.curves import UNIT, Curve, CycleVector, arrows_of, curves_of
 from planes.diagrams.working_range import FULL, WorkingRange
+from planes.geometry.arrays import Array, Booleans, Indices
 from planes.plans import Plans
+from planes.scene.ranges import Span
 from planes.words import Phrase
 from planes.words.errors import PlanesError, choices
+from planes.words.names import letter_of
 from planes.words.units import RATES
 
+T = TypeVar("T")
 FLIP = 90.0  # degrees a link cannot turn by from one place to the next
 ROUNDING = 1e-13  # what is left of numbers that cancel, beside them
 
@@ -52,13 +56,13 @@ class WholeTurn:
         """What each code of a block means, of both runs: code k is the reason k - 1."""
         return tuple(r for _, c in self.cycles for r in c.reasons)
 
-    def sample(self, values: Any) -> dict[str, Any]:
+    def sample(self, values: Sequence[float] | Array) -> dict[str, Array]:
         """Every column needed, at every value; NaN where it cannot be drawn."""
         return self._run(np.asarray(values, float))[0]
 
-    def _run(self, values: Any) -> tuple[dict[str, Any], Any]:
-        found: dict[str, Any] = {}
-        codes, past = np.zeros(len(values), np.int16), 0
+    def _run(self, values: Array) -> tuple[dict[str, Array], Indices]:
+        found: dict[str, Array] = {}
+        codes, past = np.zeros(len(values), int), 0
         for prefix, run in self.cycles:
             blocks = list(run.blocks(values, fast=False))
             table = np.hstack([b.table for b in blocks])
@@ -68,7 +72,7 @@ class WholeTurn:
             found |= {prefix + c.name: row for c, row in zip(run.columns, table, strict=True)}
         return found, codes
 
-    def blocks(self, values: Any, chunk: int = CHUNK) -> Iterator[Block]:
+    def blocks(self, values: Span | Array, chunk: int = CHUNK) -> Iterator[Block]:
         """The curves (one row each) of successive positions, in blocks: what a long table is written from."""
         for start in range(0, len(values), chunk):
             part = np.asarray(values[start : start + chunk], float)
@@ -91,13 +95,13 @@ def turn_of(plans: Plans, names: Iterable[str] | None = None, arrows: Iterable[s
     return WholeTurn(plans, list(dict.fromkeys(chosen)), [_named(n, vectors, file) for n in arrows])
 
 
-def _named(name: str, known: dict[str, Any], file: str) -> Any:
+def _named(name: str, known: Mapping[str, T], file: str) -> T:
     if name not in known:
         raise PlanesError(Phrase("no_curve", name=name, file=file, valid=choices(name, known)))
     return known[name]
 
 
-def unwound(angles: Any, period: float = FULL) -> Any:
+def unwound(angles: Array, period: float = FULL) -> Array:
     """Angles without jumps of a full turn, most of them as they were told; NaN stays, and what follows it goes on from
     the last angle before."""
     told = np.array(angles, float)
@@ -113,24 +117,24 @@ class Grid:
     """A turn sampled at evenly spaced places; ``closed``: the first and the last are one position."""
 
     turn: WholeTurn
-    places: Any
+    places: Array
     closed: bool
 
     @cached_property
-    def sample(self) -> dict[str, Any]:
+    def sample(self) -> dict[str, Array]:
         """The columns at every place."""
         return self.turn.sample(self.places)
 
     @cached_property
-    def works(self) -> Any:
+    def works(self) -> Booleans:
         """Where the mechanism assembles: a mask, by the columns of places."""
         found = np.ones(len(self.places), bool)
         for name, row in self.sample.items():
-            if name.startswith(("r_", "phi_", "q:v_", "q:omega_")):
+            if letter_of(name) in ("r", "phi", "q:v", "q:omega"):
                 found &= np.isfinite(row)
         return found
 
-    def values(self, curve: Curve) -> Any:
+    def values(self, curve: Curve) -> Array:
         """A curve over the grid, NaN where the mechanism does not assemble; angles unwound."""
         found = np.where(self.works, curve.read(self.sample), np.nan)
         return unwound(found) if curve.angular else found

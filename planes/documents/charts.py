@@ -17,6 +17,7 @@ from planes.scene.mechanism import Mechanism
 from planes.solving import told
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
+from planes.words.names import index_of
 from render.charts.chart_files import METADATA
 from render.charts.method_charts import MethodErrors, MethodPoint, draw
 
@@ -55,7 +56,7 @@ def _ways(way: Approach, lang: Lang) -> MethodErrors:
 
 def name_of(key: str, lang: Lang) -> str:
     """A method in words."""
-    tool = key.removeprefix("method_")
+    tool = index_of(key)
     return say(key, lang, number=version(tool) if tool in installed() else "30")
 
 

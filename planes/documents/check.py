@@ -6,13 +6,12 @@ import json
 from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 from urllib.parse import quote
 
 from planes.check import Outcome, report
 from planes.check.fiducials import SHEET_MM, SIDE_MM, cells, centres
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.check.report.classes import Checked, ClassWork
+from planes.check.report.classes import Checked, ClassWork, heads
 from planes.check.report.rows import as_json, mark_rows
 from planes.check.report.shown import leads, shown_plans
 from planes.check.report.tracing_paper import tracing_data
@@ -20,14 +19,15 @@ from planes.check.vision.photograph import blank_pole
 from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
 from planes.scene import Scene
-from planes.scene.files import keep, sayable
+from planes.scene.files import keep, save, sayable
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
+from planes.words.lettering import Naming
 from planes.words.names import POLE, kind_of, parted
 from planes.words.units import mu_text
 from render.files import pdf, png, svg
 from render.page import check_page, class_page, trace_page
-from render.paper.names import Naming
+from render.paper.marks import Mark
 from render.paper.numbers import decimal
 from render.paper.photo import Photo
 from render.sheet import blank, check_sheet
@@ -58,7 +58,7 @@ def write_blank(asked: Asked, output: str, lang: Lang) -> None:
     _write(marks, title, output, lang)
 
 
-def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Any], str]:
+def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Mark], str]:
     """The marks of a sheet to draw a plan on, and its title; ``more`` lines stand beneath it."""
     bench = prepare(asked)
     title = asked.scene.title.get(lang, "") or asked.scene.file
@@ -68,12 +68,12 @@ def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Any], str]:
     return blank.compose(SHEET_MM, squares, blank_pole(bench), texts), title
 
 
-def _write(marks: list[Any], title: str, output: str, lang: Lang, under: Photo | None = None) -> None:
+def _write(marks: list[Mark], title: str, output: str, lang: Lang, under: Photo | None = None) -> None:
     suffix = Path(output).suffix.lower()
     writers = {".svg": svg.write, ".pdf": pdf.write}
     with sayable(output):
         if suffix in writers:
-            writers[suffix](marks, SHEET_MM, title, output, lang=lang, under=under)
+            save(writers[suffix](marks, SHEET_MM, title, lang=lang, under=under), output)
         elif suffix == ".png":
             png.write(marks, SHEET_MM, title, output, under=under)
         else:
@@ -117,11 +117,10 @@ def write_class(group: ClassWork, output: str, lang: Lang) -> None:
             common.setdefault(_unmarked(one, lang), []).append((Path(one.file).stem, quote(one.report)))
     often = sorted(common.items(), key=lambda said: -len(said[1]))[:MOST_COMMON]
     told = [(say(f"verdict_{v}", lang), counts[v]) for v in ("right", "wrong", "unreadable")]
-    head = [say(k, lang) for k in ("check_file", "check_verdict", "check_mark", "check_first")]
     rows = [(one.verdict, quote(one.report), [*one.row(lang)[:-1], _unmarked(one, lang)]) for one in group.all]
     words = {"common": say("check_common", lang)}
     title = f"{say('check_class', lang)}: {group.title}"
-    write_text(class_page.page(title, told, often, head, rows, words, lang), output)
+    write_text(class_page.page(title, told, often, heads(lang), rows, words, lang), output)
 
 
 def _unmarked(one: Checked, lang: Lang) -> str:
@@ -177,7 +176,7 @@ def _tables(found: Outcome, name: Callable[[str], str], naming: Naming) -> list[
     head = [say(k, lang) for k in ("check_mark", "check_deviation", "check_tolerance", "check_verdict")]
     rows = [[name(label), off, limit, told] for _, label, off, limit, _, told in report.rows_of(found, lang)]
     numbers = [
-        [naming.vector(n), decimal(given, lang), decimal(true, lang), told.partition(":")[0]]
+        [naming.vector(n), decimal(given, lang), decimal(true, lang), told.split(":")[0]]
         for _, n, given, true, told in report.numbers_of(found, lang)
     ]
     return [(head, rows), (report.heads(lang)[1], numbers)]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -11,7 +10,7 @@ from planes.check.fiducials import SHEET_MM
 from planes.check.grading.prepared_plan import Asked
 from planes.course import Course
 from planes.course.fingerprint import fingerprint
-from planes.course.numbers import slip
+from planes.course.numbers import why
 from planes.course.papers import answers, task
 from planes.course.position import clearest
 from planes.documents import rendered, sheet_of
@@ -23,7 +22,6 @@ from planes.scene import Scene, loads
 from planes.solving import Position, position
 from planes.solving.document import Block
 from planes.words import Lang, Phrase
-from planes.words.errors import PlanesError
 from planes.words.names import kind_of
 from render.files import pdf
 from render.page.lesson_page import page
@@ -60,16 +58,9 @@ class Made:
 
 def names_of(course: Course) -> dict[str, str]:
     """The files each student gets: name -> the folder it is in, "students" or "teacher"."""
-    sheets = [f"sheet-{n}.{f}" for n in (1, 2) for f in course.formats]
-    known = {
-        "task": ["task.pdf"],
-        "blank": ["blank.pdf"],
-        "key": ["key.pdf"],
-        "sheets": sheets,
-        "lesson": ["lesson.html"],
-        "note": ["note.pdf"],
-    }
-    return {n: "students" if d in ("task", "blank") else "teacher" for d in course.documents for n in known[d]}
+    known = {"sheets": [f"sheet-{n}.{f}" for n in (1, 2) for f in course.formats], "lesson": ["lesson.html"]}
+    side = {"task": "students", "blank": "students"}
+    return {n: side.get(d, "teacher") for d in course.documents for n in known.get(d, [f"{d}.pdf"])}
 
 
 def make(order: Order) -> Made:
@@ -83,10 +74,8 @@ def make(order: Order) -> Made:
             try:
                 made.files[name] = desk.file(name)
                 made.said[name] = desk.said(name)
-            except PlanesError as error:
-                made.faults[name] = error.told(order.lang)
-            except Exception as error:  # a slip of the program: the others still get theirs
-                made.faults[name] = slip(error, order.lang)
+            except Exception as error:
+                made.faults[name] = why(error, order.lang)
     return made
 
 
@@ -111,7 +100,8 @@ class Desk:
         """The contents of one file."""
         if sheet := self.sheet(name):
             return rendered(sheet, f".{name.rpartition('.')[2]}", self.order.lang)
-        return _MAKERS[name](self)
+        makers = {"task": self.task, "blank": self.blank, "key": self.key, "lesson": self.lesson, "note": self.note}
+        return makers[name.partition(".")[0]]()
 
     def said(self, name: str) -> tuple[str, ...]:
         """What must be said of a file."""
@@ -158,12 +148,3 @@ class Desk:
     def note(self) -> bytes:
         """The explanatory note."""
         return note(self.scene, None, ".pdf", self.order.lang)
-
-
-_MAKERS: Mapping[str, Callable[[Desk], bytes]] = {
-    "task.pdf": Desk.task,
-    "blank.pdf": Desk.blank,
-    "key.pdf": Desk.key,
-    "lesson.html": Desk.lesson,
-    "note.pdf": Desk.note,
-}

@@ -23,7 +23,7 @@ from planes.course.workers import Each
 from planes.documents.course import Made, Order, make, names_of
 from planes.scene import loads
 from planes.words import Lang, Phrase
-from render.paper.names import Naming
+from planes.words.lettering import Naming
 
 COPIES = 100  # how often numbers may fall together with somebody else's before it is said that there are too few
 SCENE, KEY = "scene.yaml", "key.json"
@@ -54,47 +54,43 @@ class Conductor:
     program: str = ""
     report: Report = field(default_factory=Report)
     done: int = 0
-    total: int = 0
+
+    def __post_init__(self) -> None:
+        self.given, self.names = shares(self.course), names_of(self.course)
+        self.total = len(self.given) * (len(self.names) + 2)
 
     def run(self) -> Report:
         """Everything, and the manifest."""
-        given, names = shares(self.course), names_of(self.course)
-        self.total = len(given) * (len(names) + 2)
         self.tell(0)
-        settled = self.settle(given)
-        orders = dict(self.orders(given, settled, names))
-        self.documents(orders, names)
-        wanted = [self.place(s, n, names) for s in orders for n in (SCENE, KEY, *names)]
-        self.ledger.close([*wanted, *self.summary(given, settled)])
+        settled = self.settle()
+        orders = {s: self.order(s, settled[s].scene) for s in self.given if not settled[s].fault}
+        self.documents(orders)
+        wanted = [self.place(s, n) for s in orders for n in (SCENE, KEY, *self.names)]
+        self.ledger.close([*wanted, *self.summary(settled)])
+        said = ((s.place, n, text) for s in orders for n in self.names for text in self.ledger.said(self.place(s, n)))
         self.report.faults.sort()
-        self.report.said = sorted(
-            (s.place, n, sentence)
-            for s in orders
-            for n in names
-            for sentence in self.ledger.said(self.place(s, n, names))
-        )
+        self.report.said = sorted(said)
         return self.report
 
-    def place(self, share: Share, name: str, names: dict[str, str]) -> str:
+    def place(self, share: Share, name: str) -> str:
         """A file's name within the folder."""
-        return f"{names.get(name, 'teacher')}/{share.place}/{name}"
+        return f"{self.names.get(name, 'teacher')}/{share.place}/{name}"
 
     # numbers
 
-    def settle(self, given: Sequence[Share]) -> dict[Share, Settled]:
+    def settle(self) -> dict[Share, Settled]:
         """Everybody's numbers, no two alike in one assignment."""
-        asked = {s: question(self.course, s, self.lang) for s in given}
+        asked = {s: question(self.course, s, self.lang) for s in self.given}
         settled: dict[Share, Settled] = {}
-        todo = list(given)
+        todo = list(self.given)
         for _ in range(COPIES):
             settled |= self.answered({s: asked[s] for s in todo})
-            todo = list(alike(given, settled))
+            todo = list(alike(self.given, settled))
             if not todo:
                 break
             asked |= {s: again(asked[s]) for s in todo}
-        too_few = Phrase("course_too_few").told(self.lang)
-        settled |= {s: Settled(fault=too_few) for s in todo}
-        for share in given:
+        settled |= dict.fromkeys(todo, Settled(fault=Phrase("course_too_few").told(self.lang)))
+        for share in self.given:
             self.kept_or_written(share, asked[share], settled[share])
         return settled
 
@@ -108,11 +104,10 @@ class Conductor:
 
     def read(self, share: Share, q: Question) -> tuple[str, str] | None:
         """Scene and key of an earlier run."""
-        names = [self.place(share, name, {}) for name in (SCENE, KEY)]
-        if not all(self.ledger.fresh(name, made_of(q, "")) for name in names):
+        scene, key = (self.place(share, name) for name in (SCENE, KEY))
+        if not all(self.ledger.fresh(name, made_of(q, "")) for name in (scene, key)):
             return None
-        scene, key = ((self.ledger.folder / name).read_text("utf-8") for name in names)
-        return scene, key
+        return (self.ledger.folder / scene).read_text("utf-8"), (self.ledger.folder / key).read_text("utf-8")
 
     def kept_or_written(self, share: Share, q: Question, answer: Settled) -> None:
         """The scene and the key in the folder; or the fault."""
@@ -120,7 +115,7 @@ class Conductor:
             self.report.faults.append((share.place, "", answer.fault))
             return
         for name, text in ((SCENE, answer.scene), (KEY, answer.key)):
-            self.keep(self.place(share, name, {}), made_of(q, ""), text.encode())
+            self.keep(self.place(share, name), made_of(q, ""), text.encode())
 
     def keep(self, name: str, source: str, data: bytes, said: tuple[str, ...] = ()) -> None:
         """Write a file, unless it is there."""
@@ -139,23 +134,10 @@ class Conductor:
 
     # documents
 
-    def orders(
-        self, given: Sequence[Share], settled: dict[Share, Settled], names: dict[str, str]
-    ) -> Iterator[tuple[Share, Order]]:
-        """What is to be made for everybody."""
-        for share in given:
-            if not (answer := settled[share]).fault:
-                yield (
-                    share,
-                    Order(
-                        answer.scene,
-                        self.heads(share, answer.scene),
-                        used_names(answer.scene, SCENE),
-                        tuple(names),
-                        self.course.plans,
-                        self.lang,
-                    ),
-                )
+    def order(self, share: Share, text: str) -> Order:
+        """What is to be made for a student."""
+        used = used_names(text, SCENE)
+        return Order(text, self.heads(share, text), used, tuple(self.names), self.course.plans, self.lang)
 
     def heads(self, share: Share, text: str) -> tuple[str, ...]:
         """What stands above a task: the scene's title, the course, the student, the variant."""
@@ -167,36 +149,32 @@ class Conductor:
         title = scene.title.get(self.lang) or share.assignment.name
         return title, self.course.title.get(self.lang, ""), f"{who}. {own.told(self.lang)}."
 
-    def documents(self, orders: dict[Share, Order], names: dict[str, str]) -> None:
+    def documents(self, orders: dict[Share, Order]) -> None:
         """Every document that is not there yet."""
         todo: list[tuple[Share, Order]] = []
         for share, order in orders.items():
-            left = tuple(n for n in order.files if not self.fresh(share, order, n, names))
-            self.report.kept += len(order.files) - len(left)
-            self.tell(len(order.files) - len(left))
+            left = tuple(n for n in order.files if not self.ledger.fresh(self.place(share, n), order_of(order, n)))
+            kept = len(order.files) - len(left)
+            self.report.kept += kept
+            self.tell(kept)
             if left:
                 todo.append((share, replace(order, files=left, program=self.program)))
         for k, made in self.each(make, [order for _, order in todo]):
-            self.written(todo[k][0], orders[todo[k][0]], made, names)
+            self.written(todo[k][0], orders[todo[k][0]], made)
 
-    def fresh(self, share: Share, order: Order, name: str, names: dict[str, str]) -> bool:
-        """Whether a document is there, made from the same."""
-        return self.ledger.fresh(self.place(share, name, names), made_of(replace(order, files=()), name))
-
-    def written(self, share: Share, order: Order, made: Made, names: dict[str, str]) -> None:
+    def written(self, share: Share, order: Order, made: Made) -> None:
         """One student's documents in the folder."""
         for name, data in made.files.items():
-            source = made_of(replace(order, files=()), name)
-            self.keep(self.place(share, name, names), source, data, made.said.get(name, ()))
+            self.keep(self.place(share, name), order_of(order, name), data, made.said.get(name, ()))
         for name, sentence in made.faults.items():
-            self.ledger.forget(self.place(share, name, names))  # an earlier one would be of other numbers
+            self.ledger.forget(self.place(share, name))  # an earlier one would be of other numbers
             self.report.faults.append((share.place, name, sentence))
 
-    def summary(self, given: Sequence[Share], settled: dict[Share, Settled]) -> list[str]:
+    def summary(self, settled: dict[Share, Settled]) -> list[str]:
         """The teacher's table, as CSV and as a page."""
         from render.report import rendered
 
-        rows = [StudentRow.of(s, settled[s].scene, settled[s].key, settled[s].fault) for s in given]
+        rows = [StudentRow.of(s, settled[s].scene, settled[s].key, settled[s].fault) for s in self.given]
         title = self.course.title.get(self.lang, "")
         html = rendered(list(as_blocks(rows, title, self.lang)), ".html", Naming(self.lang))
         made = {"teacher/summary.csv": as_csv(rows, self.lang).encode(), "teacher/summary.html": html}
@@ -209,6 +187,11 @@ class Conductor:
 def made_of(thing: object, name: str) -> str:
     """The hash of all a file depends on."""
     return digest(repr((thing, name, fingerprint())).encode())
+
+
+def order_of(order: Order, name: str) -> str:
+    """The hash of all one document of an order depends on."""
+    return made_of(replace(order, files=()), name)
 
 
 def alike(given: Sequence[Share], settled: dict[Share, Settled]) -> Iterator[Share]:

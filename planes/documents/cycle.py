@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from planes.diagrams.extremes import Extreme, extremes
 from planes.diagrams.runs import Runs
 from planes.diagrams.turn import Grid, WholeTurn, grid, turn_of
 from planes.diagrams.working_range import FULL
+from planes.geometry.arrays import Array
 from planes.plans import Plans, mechanism_plans
 from planes.plans.lettering import lettering
 from planes.scene import Scene
@@ -20,8 +20,9 @@ from planes.scene.files import sayable
 from planes.scene.ranges import Span
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
+from planes.words.lettering import Naming
+from planes.words.names import index_of, letter_of
 from render.charts.cycle_charts import DriveAxis, Loop, Panel, draw
-from render.paper.names import Naming
 
 
 def draw_cycle(
@@ -38,7 +39,7 @@ def draw_cycle(
         raise PlanesError(Phrase("cycle_one_place", file=scene.file))
     plans = mechanism_plans(scene)
     panels = [name.split("+") for name in (show if show is not None else default_curves(plans, hodographs, paths))]
-    loops = [*(hodographs or ()), *(f"r_{p.removeprefix('r_')}" for p in paths or ())]
+    loops = [*(hodographs or ()), *(f"r_{index_of(p) if letter_of(p) == 'r' else p}" for p in paths or ())]
     turned = Turned(scene, plans, span, [n for names in panels for n in names], loops)
     naming = Naming(lang, **lettering(scene, plans))
     title = scene.title.get(lang, "")
@@ -84,7 +85,7 @@ class Turned:
             drawn.append((curve.name, [(p, self._joined(curve, p, y)) for p, y in read], self._marked(curve)))
         return Panel(curves[0].unit, curves[0].group == "place", drawn)
 
-    def _joined(self, curve: Curve, places: Any, y: Any) -> Any:
+    def _joined(self, curve: Curve, places: Array, y: Array) -> Array:
         """Angles told as on the grid, where they are unwound."""
         if not curve.angular:
             return y

@@ -3,21 +3,27 @@ self-aligning variant. The mechanics are read off the one program here; ``render
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from typing import TYPE_CHECKING
 
+from planes.geometry.arithmetic import Real
+from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.scene import Scene
 from planes.solving import Position
 from planes.words import Phrase, say
 from planes.words.errors import SceneError, choices
-from render.paper.curve_names import lettered_curve
-from render.paper.names import Naming
+from planes.words.lettering import Naming, lettered_curve
+from planes.words.names import letter_of
 from render.sheet.composer import Composer
 from render.sheet.single import LETTER_MM, Makers
 from render.views import View, view
 from render.views.diagrams import DiagramCurve
 from render.views.hodograph import Hodograph
+
+if TYPE_CHECKING:
+    from planes.diagrams.curves import Curve, CycleVector, Sample
 
 STATIONS = 12
 SHOWN = ("diagrams", "hodographs")
@@ -62,7 +68,7 @@ def check_names(scene: Scene, plans: Plans | None) -> None:
                     raise SceneError(why, scene.file, line)
 
 
-def joined(pieces: Sequence[tuple[Any, Any]], curve: Any) -> tuple[Any, Any]:
+def joined(pieces: Sequence[tuple[Array, Sample]], curve: Curve | CycleVector) -> tuple[Array, Array]:
     """A curve's runs as one row of places and one of values, with nothing between them."""
     import numpy
 
@@ -71,7 +77,7 @@ def joined(pieces: Sequence[tuple[Any, Any]], curve: Any) -> tuple[Any, Any]:
     return x, numpy.concatenate([part for row in rows for part in (row, [numpy.nan])][:-1])
 
 
-def _curve(curve: Any, pieces: Sequence[tuple[Any, Any]], naming: Naming) -> DiagramCurve:
+def _curve(curve: Curve, pieces: Sequence[tuple[Array, Sample]], naming: Naming) -> DiagramCurve:
     """A curve as the sheet draws it; an angle is unwound."""
     from planes.diagrams.turn import unwound
 
@@ -79,10 +85,10 @@ def _curve(curve: Any, pieces: Sequence[tuple[Any, Any]], naming: Naming) -> Dia
     if curve.angular:
         values = unwound(values)
     name = lettered_curve(curve.name, naming)
-    return DiagramCurve(name.partition("_")[0], curve.unit, known(values), name, known(places))
+    return DiagramCurve(letter_of(name), curve.unit, known(values), name, known(places))
 
 
-def known(values: Any) -> tuple[Any, ...]:
+def known(values: Array) -> tuple[Real, ...]:
     """Plain numbers, None where there are none."""
     return tuple(None if v != v else v for v in values.tolist())
 
@@ -122,8 +128,8 @@ def views_beside(scene: Scene, drawn: Position, composer: Composer) -> Makers:
         title = say("self_aligning", composer.lang)
         return alignment_view(drawn, aligned(drawn.plans, scene.file), composer.naming, title, LETTER_MM)
 
-    makers: dict[str, Any] = {"self-aligning": alignment}
+    makers: dict[str, Callable[[], View | None]] = {"self-aligning": alignment}
     drive = drawn.plans.mechanism.drive
     if drive.kind == "phi" and drive.velocity:
-        makers |= {kind: lambda kind=kind: graphical(kind) for kind in ("differentiation", "integration")}
+        makers |= {kind: partial(graphical, kind) for kind in ("differentiation", "integration")}
     return makers

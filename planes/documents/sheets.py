@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -10,14 +10,14 @@ from typing import Any
 from planes.documents.graphs import check_names
 from planes.documents.turning import turned_once
 from planes.plans import Plans
-from planes.plans.scales import FIT_MM, extent
+from planes.plans.scales import FIT_MM, extent, fitting
 from planes.scene import Scene
 from planes.solving import Position, failed, plans_of, position
 from planes.solving.nearest import nearest
 from planes.solving.vectors import solve_vectors
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
-from planes.words.names import kind_of
+from planes.words.names import kind_of, mu_of
 from render.sheet import Contents, Sheet, compose
 from render.sheet.composer import Composer
 from render.sheet.project import Project
@@ -68,9 +68,6 @@ class DrawnPosition:
     values: Iterable[float] | None
     lang: Lang
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "kept", {})
-
     @cached_property
     def stated(self) -> tuple[Plans, Any]:
         """The plans, and what the scene asks for."""
@@ -86,15 +83,41 @@ class DrawnPosition:
 
     def at(self, sizes: Sizes) -> Position:
         """The position with plans of those sizes; :class:`PlanesError` where it cannot be drawn."""
-        kept: dict[Sizes, Position] = vars(self)["kept"]
-        if sizes not in kept:
-            kept[sizes] = self._drawn(sizes)
-        return kept[sizes]
+        mus = tuple(self.mus(sizes).items())
+        if mus not in self.kept:
+            self.kept[mus] = self._drawn(self.fits(sizes))
+        return self.kept[mus]
 
-    def _drawn(self, sizes: Sizes) -> Position:
+    @cached_property
+    def kept(self) -> dict[tuple[tuple[str, float], ...], Position]:
+        """The position by the μ of its plans, where the scene leaves them open: drawn once at each."""
+        return {tuple(self.mus(Sizes()).items()): self.first}
+
+    @cached_property
+    def first(self) -> Position:
+        """The position with its plans as large as usual."""
+        return self._drawn(self.fits(Sizes()))
+
+    @cached_property
+    def largest(self) -> dict[str, float]:
+        """How large, in SI, the plans are whose μ is open."""
+        first = self.first
+        open_ = [p for p in first.plans.drawn if p != "lever" and self.scene.mu.get(kind_of(p)) is None]
+        return {p: extent(first.drawing, p) / first.scales[mu_of(p)] for p in open_}
+
+    def fits(self, sizes: Sizes) -> dict[str, float]:
+        """How many mm each plan may be large."""
+        drawn = (p for p in self.stated[0].drawn if p != "lever")
+        fits = {plan: sizes.of(plan) * FIT_MM[kind_of(plan)] for plan in (*FIT_MM, *drawn)}
+        return {**fits, "force": sizes.factor * FIT_MM["force"]}
+
+    def mus(self, sizes: Sizes) -> dict[str, float]:
+        """The μ that plans of those sizes have, where the scene leaves them open."""
+        fits = self.fits(sizes)
+        return {plan: fitting(plan, size, fits[plan]) for plan, size in self.largest.items()}
+
+    def _drawn(self, fits: Mapping[str, float]) -> Position:
         plans, wanted = self.stated
-        fits = {plan: sizes.of(plan) * FIT_MM[kind_of(plan)] for plan in (*FIT_MM, *plans.drawn) if plan != "lever"}
-        fits["force"] = sizes.factor * FIT_MM["force"]
         try:
             return position(self.scene, plans, wanted, self.value, None, self.lang, fits)
         except PlanFailure as failure:
@@ -103,6 +126,5 @@ class DrawnPosition:
 
     def extents(self, sizes: Sizes, shown: Callable[[str], bool]) -> dict[str, float]:
         """The size in mm of the plans that are shown and whose μ is open."""
-        found = self.at(sizes)
-        plans = (p for p in found.plans.drawn if p != "lever" and shown(kind_of(p)))
-        return {p: extent(found.drawing, p) for p in plans if self.scene.mu.get(kind_of(p)) is None}
+        mus = self.mus(sizes)
+        return {plan: size * mus[plan] for plan, size in self.largest.items() if shown(kind_of(plan))}

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from planes.diagrams.motion import dead_points, driven_grid
 from planes.diagrams.turn import span_of, unwound
 from planes.diagrams.working_range import FULL, WorkingRange
 from planes.documents.graphs import known, over_cycle
+from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.quantities import results_of
 from planes.scene import Scene
@@ -29,7 +29,7 @@ FINE = 360  # places of the driver for curves and paths
 MARGIN = 0.04  # of a range that is not a whole turn, left out at each end
 CLOSE = 0.04  # of a section: an extreme position no farther from a numbered one is that one
 
-Rows = Mapping[str, Any]
+Rows = Mapping[str, Array]
 
 
 def turned_once(scene: Scene, plans: Plans, composer: Composer, twelve: bool) -> Project:
@@ -95,7 +95,7 @@ class TurningMechanism:
         return found + [Numbered(f"{int(p)}′", r, True) for (_, p), r in zip(between, primed, strict=True)]
 
 
-def _at(rows: Mapping[str, Sequence[Any]], k: int) -> dict[str, Any]:
+def _at(rows: Rows, k: int) -> dict[str, float]:
     return {name: row[k] for name, row in rows.items()}
 
 

@@ -1,29 +1,30 @@
 """Whether the numbers of a drawing are clear of rounding: no lines so blunt, no distance so short, that a few of them
 together leave nothing of a result. It is a cheap look, made at every position; where it finds anything the running
-bound of ``cycle.claims`` says of which results digits are left.
+bound of ``batch.error_bounds`` says of which results digits are left.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Iterable, Mapping
 
 from planes.drafting.program import Program
 from planes.drafting.steps import Through, Touch
-from planes.drafting.tools import Tool
-from planes.geometry.arithmetic import Real, Truth
-from planes.words.names import kind_of, plan_of
+from planes.drafting.tools import Thing, Tool
+from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
+from planes.words.names import Meaning, kind_of, plan_of
 
 BLUNT, CLEAR = 0.1, 0.01
 """A sharpness of ``BLUNT`` takes nothing away; all together may leave no less than ``CLEAR`` of it. An acceleration
 errs by some 5e-15 over the third power of a sharpness: where lines of one group meet at 1e-3, by less than 1e-5."""
+NOTHING = 4e-15  # beside the largest of a plan: what rounding may have made of nothing, or nothing of
 FAR = 1e6  # lengths as many times longer than the shortest: digits go where no line is blunt
 _AGAIN = ("velocity", "motion", "acceleration", "lever")  # plans whose lines are those of the scheme
 
 
-def clear(program: Program, things: Mapping[str, Any], tool: Tool) -> Truth:
-    """Whether a drawing is clear: of one position, of many, or on a tape."""
+def clear(program: Program, things: Mapping[str, Thing], tool: Tool, sides: Iterable[tuple[str, str]] = ()) -> Truth:
+    """Whether a drawing is clear: of one position, of many, or on a tape; and no force of ``sides`` (start, end) is
+    nothing beside the largest of its plan."""
     ar, scheme, forces = tool.ar, 1.0, 1.0
     for name, sharpness in tool.sharpness.items():
         plan = kind_of(plan_of(name))
@@ -37,16 +38,29 @@ def clear(program: Program, things: Mapping[str, Any], tool: Tool) -> Truth:
             one, two = things[step.start], things[step.end]
             apart, size = _size(two - one, ar), ar.maximum(_size(one, ar), _size(two, ar))
             ok = ok & ((apart >= BLUNT * CLEAR * size) | (apart == 0))
+    return ok & _none_faint(program, things, ar, {side: plan_of(side[0]) for side in sides})
+
+
+def _none_faint(
+    program: Program, things: Mapping[str, Thing], ar: Arithmetic, plans: Mapping[tuple[str, str], str]
+) -> Truth:
+    ok: Truth = True
+    largest: dict[str, Real] = dict.fromkeys(plans.values(), 0.0)
+    for step in program.steps if plans else ():
+        if (plan := plan_of(step.makes)) in largest and step.kind == "mark":
+            largest[plan] = ar.maximum(largest[plan], ar.size(things[step.makes]))
+    for (start, end), plan in plans.items():
+        ok = ok & ((ar.size(things[end] - things[start]) > NOTHING * largest[plan]) | (largest[plan] == 0))
     return ok
 
 
-def far_apart(given: Mapping[str, Any]) -> bool:
-    """Whether lengths of a mechanism are of such different sizes that no position is clear."""
-    lengths = [abs(v) for n, v in given.items() if n.startswith(("l_", "e_", "place_"))]
-    short = min((abs(v) for n, v in given.items() if n.startswith("l_") and v), default=math.inf)
-    return max(lengths, default=0.0) > FAR * short
+def far_apart(given: Mapping[str, Thing], means: Mapping[str, Meaning]) -> bool:
+    """Whether given lengths of a mechanism are of such different sizes that no position is clear."""
+    sizes = [(means[n].quantity, abs(v)) for n, v in given.items() if n in means]
+    longest = max((size for what, size in sizes if what in ("length", "offset", "place")), default=0.0)
+    return longest > FAR * min((size for what, size in sizes if what == "length" and size), default=math.inf)
 
 
-def _size(z: Any, ar: Any) -> Real:
+def _size(z: Point, ar: Arithmetic) -> Real:
     """The larger side of the box about a vector: near enough its length, and quicker."""
     return ar.maximum(abs(z.real), abs(z.imag))

@@ -7,11 +7,11 @@ the name back; asking twice for the same direction makes one step.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Aim, Cross, CrossArc, CrossArcs, LayOff, Put, Similar, Step, Through, Turn
 from planes.drafting.steps.reckoning import Calculate, Drop, Measure, Product
+from planes.drafting.tools import Thing
 from planes.scene.mechanism import Law
 from planes.words import Phrase, Told
 from planes.words.errors import ProgramError
@@ -60,7 +60,7 @@ class Draft:
 
     def __init__(self) -> None:
         self.steps: dict[str, Step] = {}
-        self.given: dict[str, Any] = {}
+        self.given: dict[str, Thing] = {}
         self.means: dict[str, Meaning] = {}  # of givens and vectors
         self.off: dict[str, float] = {}  # how far reckoned givens may be from what the scene's decimals make of them
         self.equations: list[Equation] = []
@@ -69,7 +69,7 @@ class Draft:
         self.laws: dict[str, Law] = {}  # givens that hold where the drive stands in the file alone
         self.rays: dict[tuple[str, str, str], str] = {}  # (plan, label, label) -> direction
 
-    def give(self, name: str, value: Any, off: float = 0.0, means: Meaning | None = None) -> str:
+    def give(self, name: str, value: Thing, off: float = 0.0, means: Meaning | None = None) -> str:
         """State a given value (SI, degrees, ±1) or place (complex, m); a name taken by another is primed. What is
         reckoned of the scene's numbers may be ``off``."""
         while name in self.steps or self.given.setdefault(name, value) != value:
@@ -95,7 +95,9 @@ class Draft:
     def ray(self, plan: str, one: str, two: str) -> str:
         """The direction from one mark of a plan to another, as first drawn."""
         if (plan, one, two) not in self.rays:
-            self.rays[plan, one, two] = self.through(f"{one}{two}", at(plan, one), at(plan, two))
+            self.rays[plan, one, two] = self.through(
+                f"{one}{two}", at(plan, one), at(plan, two), Meaning("along", one, two)
+            )
         return self.rays[plan, one, two]
 
     def has(self, plan: str, label: str) -> bool:
@@ -109,23 +111,37 @@ class Draft:
     def put(self, plan: str, label: str, place: complex, means: Meaning | None = None) -> str:
         """A mark at a given place of the scheme (m), off as one is that was written by radius and angle."""
         off = 2.0**-50 * abs(place) if place.real and place.imag else 0.0
-        return self.step(Put(at(plan, label), self.give(f"place_{label}", place, off), mu_of(plan), means=means))
+        return self.step(
+            Put(
+                at(plan, label),
+                self.give(f"place_{label}", place, off, Meaning("place", label)),
+                mu_of(plan),
+                means=means,
+            )
+        )
 
-    def aim(self, name: str, angle_deg: float, means: Meaning | None = None) -> str:
-        """A direction at a given angle."""
-        return self.step(Aim(name, self.give(f"angle_{name}", angle_deg, means=means)))
+    def aim(self, name: str, angle_deg: float, means: Meaning | None = None, given: Meaning | None = None) -> str:
+        """A direction at an angle, which may itself be ``given`` as something."""
+        return self.step(Aim(name, self.give(f"angle_{name}", angle_deg, means=given), means=means))
 
-    def through(self, name: str, start: str, end: str) -> str:
+    def through(self, name: str, start: str, end: str, means: Meaning | None = None) -> str:
         """The direction from mark to mark."""
-        return self.step(Through(name, start, end))
+        return self.step(Through(name, start, end, means=means))
 
-    def square(self, name: str, of: str, quarter: int = 1) -> str:
-        """A direction turned by right angles with the set square."""
-        return self.step(Turn(name, of, quarter))
+    def square(self, of: str) -> str:
+        """A direction turned by a right angle with the set square."""
+        line = self.steps[of].means
+        return self.step(Turn(f"⊥{of}", of, 1, means=line and replace(line, quantity="across")))
 
-    def turn(self, name: str, of: str, angle_deg: float, off: float = 0.0, means: Meaning | None = None) -> str:
-        """A direction turned by a given angle."""
-        return self.step(Turn(name, of, 0, self.give(f"angle_{name}", angle_deg, off, means)))
+    def back(self, name: str, of: str, means: Meaning | None = None) -> str:
+        """The direction back along another."""
+        return self.step(Turn(name, of, 2, means=means))
+
+    def turn(
+        self, name: str, of: str, angle_deg: float, off: float, means: Meaning, given: Meaning | None = None
+    ) -> str:
+        """A direction turned by an angle, which may itself be ``given`` as something."""
+        return self.step(Turn(name, of, 0, self.give(f"angle_{name}", angle_deg, off, given), means=means))
 
     def lay_off(self, plan: str, label: str, start: str, along: str, length: str, means: Meaning | None = None) -> str:
         """A length (SI value by name) laid off from a mark."""
@@ -155,9 +171,9 @@ class Draft:
         """One product of powers of values, e.g. v²/l."""
         return self.total(name, [Product(coefficient, tuple(factors.items()))])
 
-    def total(self, name: str, terms: list[Product]) -> str:
+    def total(self, name: str, terms: list[Product], means: Meaning | None = None) -> str:
         """A sum of products."""
-        return self.step(Calculate(name, tuple(terms)))
+        return self.step(Calculate(name, tuple(terms), means=means))
 
     def show(self, plan: str, start: str, end: str, name: str) -> None:
         """Name a segment as the image of a quantity."""

@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 from planes.drafting.instruments import Exact, Instrument, Shaken
 from planes.drafting.program import Program
-from planes.drafting.proofs import TOLD_APART, Proof, Twofold
+from planes.drafting.proofs import TOLD_APART, Gap, Proof, Things, Twofold, speeds
 from planes.drafting.steps.base import Step
-from planes.drafting.tools import Env, Tool
+from planes.drafting.tools import Env, Thing, Tool
+from planes.geometry.arithmetic import Arithmetic, One, Real, Truth
 from planes.words import Phrase
 from planes.words.errors import Contradiction, PlanFailure, ProgramError, valid_names
 from planes.words.pictures import Pictured
 from planes.words.things import name_in_words, plan_phrase
 
 LEAST = 1e-290  # SI: smaller numbers have fewer digits than doubles
+FEW = 64  # positions
 SHAKEN = range(4)  # seeds of the blunter drawings
 Instead = Mapping[str, Sequence[Step]]  # steps in the place of the one that makes the name; the last makes it too
 NOTHING: Instead = {}
@@ -28,10 +29,10 @@ class Drawing(Pictured):
     """What was drawn: everything by name, and the tool that drew it."""
 
     program: Program
-    things: dict[str, Any]
+    things: dict[str, Thing]
     tool: Tool
 
-    def __getitem__(self, name: str) -> Any:
+    def __getitem__(self, name: str) -> Thing:
         try:
             return self.things[name]
         except KeyError:
@@ -42,11 +43,11 @@ class Drawing(Pictured):
         return name in self.things
 
     @property
-    def sharpness(self) -> dict[str, Any]:
+    def sharpness(self) -> dict[str, Real]:
         """How sharply lines met at each crossed mark: the sine of the angle."""
         return self.tool.sharpness
 
-    def failed(self) -> Any:
+    def failed(self) -> Truth | None:
         """Of many drawings, which failed: a mask (None when every one came out)."""
         mask = None
         for _, _, ok, _ in self.tool.failures:
@@ -54,7 +55,7 @@ class Drawing(Pictured):
         return mask
 
 
-def run(program: Program, given: Mapping[str, Any], instrument: Instrument | None = None) -> Drawing:
+def run(program: Program, given: Mapping[str, Thing], instrument: Instrument | None = None) -> Drawing:
     """Draw every step. With an array among the givens many drawings are made at once.
 
     Raises :class:`ProgramError` when something is not given, :class:`PlanFailure` when a single drawing cannot go on,
@@ -68,7 +69,7 @@ def run(program: Program, given: Mapping[str, Any], instrument: Instrument | Non
 
 
 def reached(
-    program: Program, given: Mapping[str, Any], instrument: Instrument | None = None
+    program: Program, given: Mapping[str, Thing], instrument: Instrument | None = None
 ) -> tuple[Drawing, PlanFailure | None]:
     """A drawing as far as it goes, and why it goes no further."""
     missing = [n for n in program.givens if n not in given]
@@ -91,7 +92,7 @@ def reached(
     return drawing, None
 
 
-def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead = NOTHING) -> dict[str, Any]:
+def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead = NOTHING) -> dict[str, Thing]:
     """Draw steps one after another into ``things``, in the place of some those of ``instead``; what each has made.
 
     What is drawn on from is what the tool leaves in ``things``; of many drawings, those in which a step fails are NaN.
@@ -101,13 +102,13 @@ def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead 
         with tool.quiet():
             for step in steps:
                 name = step.makes
-                made[name] = tool.make(step, instead.get(name) or (step,), things)
+                made[name] = tool.make(step, instead.get(name, (step,)), things)
     except (OverflowError, ZeroDivisionError):  # numbers so far apart that no double holds them
         raise PlanFailure("no_digits", makes=name_in_words(name)) from None
     return made
 
 
-def proved(program: Program, given: Mapping[str, Any], drawn: Drawing | None = None) -> None:
+def proved(program: Program, given: Mapping[str, Thing], drawn: Drawing | None = None) -> None:
     """Refuse a single position whose exact drawing (``drawn``, if it is there already) fails any proof; one that cannot
     be drawn proves nothing."""
     try:
@@ -117,13 +118,31 @@ def proved(program: Program, given: Mapping[str, Any], drawn: Drawing | None = N
     _prove(drawing, given, program.proofs)
 
 
-def _prove(drawing: Drawing, given: Mapping[str, Any], proofs: Sequence[Proof]) -> None:
+def prove_many(drawing: Drawing, given: Mapping[str, Thing]) -> None:
+    """Of many exact drawings, mask those that fail any proof: of a few each is looked at, of more the last, which is
+    quickly done by itself, and each where that fails. The balancing loads were compared in each when they were drawn.
+    """
+    proofs = [p for p in drawing.program.proofs if not isinstance(p, Twofold)]
+    if math.prod(drawing.tool.shape) > FEW:
+        last = {n: v.item(-1) if getattr(v, "shape", ()) else v for n, v in drawing.things.items()}
+        proofs = [p for p, wrong, _ in _apart(proofs, last, One()) if wrong]
+    _prove(drawing, given, proofs)
+
+
+def _apart(proofs: Sequence[Proof], things: Things, ar: Arithmetic) -> Iterator[tuple[Proof, Truth, Gap]]:
+    """Whether proofs fail, if only by rounding; and their gaps."""
+    speed = speeds(proofs, things, ar)
+    for proof in proofs:
+        gap, size = proof.gap(things, ar, speed[proof.beside])
+        yield proof, gap > TOLD_APART * size + LEAST, (gap, size)
+
+
+def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]) -> None:
     """Refuse, or mask, what is apart by more than a drawing a thousand times blunter can tell."""
     tool = drawing.tool
-    for proof in proofs:
-        with tool.quiet():
-            gap, size = proof.gap(drawing.things, tool.ar)
-        wrong = gap > TOLD_APART * size + LEAST
+    with tool.quiet():
+        apart = list(_apart(proofs, drawing.things, tool.ar))
+    for proof, wrong, (gap, size) in apart:
         if not (wrong.any() if tool.many else wrong):
             continue
         wrong = wrong & (gap > _doubt(drawing.program, given, proof, gap))
@@ -134,9 +153,9 @@ def _prove(drawing: Drawing, given: Mapping[str, Any], proofs: Sequence[Proof]) 
             raise Contradiction(proof.reason, plan=plan_phrase(proof.plan), **numbers)
 
 
-def _doubt(program: Program, given: Mapping[str, Any], proof: Proof, gap: Any) -> Any:
+def _doubt(program: Program, given: Mapping[str, Thing], proof: Proof, gap: Real) -> Real:
     """How much a drawing a thousand times blunter than doubles moves a gap; without end where it cannot be drawn."""
-    most: Any = 0.0
+    most: Real = 0.0
     for seed in SHAKEN:
         try:
             drawing = run(program, given, Shaken(seed))
@@ -147,7 +166,7 @@ def _doubt(program: Program, given: Mapping[str, Any], proof: Proof, gap: Any) -
     return most
 
 
-def _mask(drawing: Drawing, proof: Proof, ok: Any) -> None:
+def _mask(drawing: Drawing, proof: Proof, ok: Truth) -> None:
     """Of many drawings, nothing is left of those a proof refuses."""
     tool, before = drawing.tool, len(drawing.tool.failures)
     tool.require(ok, proof, proof.reason)

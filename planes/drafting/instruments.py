@@ -8,9 +8,10 @@ from __future__ import annotations
 import math
 import random
 from dataclasses import dataclass, field
+from functools import reduce
 from typing import Any, Protocol
 
-from planes.drafting.tools import Tool
+from planes.drafting.tools import Env, Step, Tool
 from planes.geometry.arithmetic import Many, One, Point, Real
 
 PENCILS = 200  # how many draughtsmen draw a plan to see how far apart they end
@@ -67,7 +68,7 @@ class _Errors:
             self.array: Any = numpy.random.default_rng(seed)
         self.one = random.Random(seed)
 
-    def normal(self, shape: tuple[int, ...]) -> Any:
+    def normal(self, shape: tuple[int, ...]) -> Real:
         return self.array.standard_normal(shape) if shape else self.one.gauss(0.0, 1.0)
 
 
@@ -96,9 +97,15 @@ class _PencilTool(Tool):
 @dataclass
 class _ShakenTool(Tool):
     errors: _Errors = field(default_factory=lambda: _Errors(1, False))
+    reach: Real = 0.0  # the farthest of the marks a step draws from: what is near the pole is rounded like them
+
+    def draw(self, step: Step, things: Env) -> Any:
+        self.reach = reduce(self.ar.maximum, (abs(things[n]) for n, kind in step.reads() if kind == "mark"), 0.0)
+        return super().draw(step, things)
 
     def mark(self, place: Point) -> Point:
-        return place * (1 + ROUNDINGS * (self.errors.normal(self.shape) + 1j * self.errors.normal(self.shape)))
+        error = self.errors.normal(self.shape) + 1j * self.errors.normal(self.shape)
+        return place + ROUNDINGS * self.ar.maximum(abs(place), self.reach) * error
 
     def ray(self, direction: Point) -> Point:
         return direction * (1 + 1j * ROUNDINGS * self.errors.normal(self.shape))

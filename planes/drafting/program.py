@@ -11,6 +11,7 @@ from planes.drafting.steps.base import Kind, Step
 from planes.drafting.steps.crossings import Cross
 from planes.words import Phrase
 from planes.words.errors import ProgramError, valid_names
+from planes.words.names import plan_of
 
 
 @dataclass(frozen=True)
@@ -51,6 +52,15 @@ class Program:
         """Names of what must be given, in the order they are first needed."""
         names = (name for s in self.steps for name, _ in s.reads())
         return tuple(dict.fromkeys(n for n in names if n not in self.made))
+
+    @cached_property
+    def marks(self) -> dict[str, list[Step]]:
+        """The steps that draw marks, by their plan: position, velocity, acceleration, force:2-3, …, force:1."""
+        found: dict[str, list[Step]] = {}
+        for step in self.steps:
+            if step.kind == "mark":
+                found.setdefault(plan_of(step.makes), []).append(step)
+        return found
 
     @cached_property
     def trials(self) -> frozenset[str]:

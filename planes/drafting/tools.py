@@ -15,7 +15,8 @@ from planes.words.things import line_in_words, name_in_words
 
 NOWHERE = complex("nan+nanj")  # the mark of a drawing of many that could not be drawn
 Step = Any  # of planes.drafting.steps: a step knows the tool that draws it
-Env = dict[Any, Any]  # name -> mark (mm), direction, or value (SI)
+Thing = Real | Point  # a mark (mm), a direction, or a value (SI): of one drawing, or of many
+Env = dict[str, Thing]  # things by name
 
 
 @dataclass
@@ -34,11 +35,11 @@ class Tool:
     notes: list[tuple[str, object, Truth]] = field(default_factory=list)
     failures: list[tuple[str, object, Truth, dict[str, Real]]] = field(default_factory=list)
 
-    def given(self, value: Any) -> Any:
+    def given(self, value: Thing) -> Thing:
         """A given number or place as the instrument's own."""
         return value
 
-    def make(self, step: Step, way: Sequence[Step], things: Env) -> Any:
+    def make(self, step: Step, way: Sequence[Step], things: Env) -> Thing:
         """Draw a step by those of ``way`` into ``things``; what it has made, whatever is left there instead."""
         thing = None
         for one in way:
@@ -49,17 +50,17 @@ class Tool:
             things[one.makes] = thing
         return thing
 
-    def draw(self, step: Step, things: Env) -> Any:
+    def draw(self, step: Step, things: Env) -> Thing:
         """The thing itself."""
         return step.draw(things, self)
 
-    def masked(self, thing: Any, step: Step, before: int) -> Any:
+    def masked(self, thing: Thing, step: Step, before: int) -> Thing:
         """What a step made of many drawings, NaN in those that failed since there were ``before`` failures."""
         for _, _, ok, _ in self.failures[before:]:
             thing = self.ar.where(ok, thing, math.nan if step.kind == "value" else NOWHERE)
         return thing
 
-    def quiet(self) -> AbstractContextManager[Any]:
+    def quiet(self) -> AbstractContextManager[None]:
         """Where arrays say nothing of numbers that are none: masks tell of them."""
         if not self.many:
             return nullcontext()
@@ -97,7 +98,7 @@ class Tool:
             self.notes.append((reason, step, ok))
 
 
-def names_of(step: Any) -> dict[str, Told]:
+def names_of(step: Step) -> dict[str, Told]:
     """The names a sentence about the step may use; ``line`` and ``other_line`` are what it crosses."""
     named = {f.name: value for f in fields(step) if isinstance(value := getattr(step, f.name), str)}
     found = {name: name_in_words(value) for name, value in named.items()}

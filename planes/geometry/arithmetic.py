@@ -21,10 +21,11 @@ class Arithmetic(Protocol):
 
     eps: float
 
+    def size(self, z: Point) -> Real: ...
     def sqrt(self, x: Real) -> Real: ...
     def maximum(self, a: Real, b: Real) -> Real: ...
     def minimum(self, a: Real, b: Real) -> Real: ...
-    def where(self, ok: Truth, a: Any, b: Any) -> Any: ...
+    def where(self, ok: Truth, a: Point, b: Point) -> Point: ...
     def cis_deg(self, angle: Real) -> Point: ...
     def angle_deg(self, u: Point) -> Real: ...
     def sign(self, x: Real) -> Real: ...
@@ -32,10 +33,16 @@ class Arithmetic(Protocol):
     def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real: ...
 
 
+def size(z: Point) -> Real:
+    """How large a vector is: no less than its length, nor more than √2 of it; quicker than that."""
+    return abs(z.real) + abs(z.imag)
+
+
 class One:
     """Python's own float and complex: one position at a time."""
 
     eps = 2.0**-52
+    size = staticmethod(abs)
 
     def sqrt(self, x: float) -> float:
         return math.sqrt(x) if x > 0 else 0.0
@@ -46,7 +53,7 @@ class One:
     def minimum(self, a: float, b: float) -> float:
         return a if a <= b else b
 
-    def where(self, ok: bool, a: Any, b: Any) -> Any:
+    def where(self, ok: bool, a: Point, b: Point) -> Point:
         return a if ok else b
 
     def cis_deg(self, angle: float) -> complex:
@@ -65,7 +72,7 @@ class One:
 
     def power(self, x: float, n: int) -> float:
         if n >= 0:
-            return float(x**n)
+            return x if n == 1 else float(x**n)
         return 1 / x**-n if x else math.nan
 
     def gap(self, c: complex, d: complex, r: float, s: float) -> float:
@@ -83,33 +90,35 @@ class Many:
 
         self.np = numpy
 
-    def sqrt(self, x: Any) -> Any:
+    size = staticmethod(size)
+
+    def sqrt(self, x: Real) -> Real:
         return self.np.sqrt(self.np.maximum(x, 0.0))
 
-    def maximum(self, a: Any, b: Any) -> Any:
+    def maximum(self, a: Real, b: Real) -> Real:
         return self.np.maximum(a, b)
 
-    def minimum(self, a: Any, b: Any) -> Any:
+    def minimum(self, a: Real, b: Real) -> Real:
         return self.np.minimum(a, b)
 
-    def where(self, ok: Any, a: Any, b: Any) -> Any:
+    def where(self, ok: Truth, a: Point, b: Point) -> Point:
         return self.np.where(ok, a, b)
 
-    def cis_deg(self, angle: Any) -> Any:
+    def cis_deg(self, angle: Real) -> Point:
         quarter = self.np.floor(self.np.asarray(angle) / 90 + 0.5)
         rest = self.np.radians(angle - 90 * quarter)
         turns = self.np.array([1, 1j, -1, -1j])[quarter.astype(int) % 4]
         return (self.np.cos(rest) + 1j * self.np.sin(rest)) * turns
 
-    def angle_deg(self, u: Any) -> Any:
+    def angle_deg(self, u: Point) -> Real:
         angle = self.np.degrees(self.np.angle(u))
         return self.np.where(angle == -180.0, 180.0, angle)
 
-    def sign(self, x: Any) -> Any:
+    def sign(self, x: Real) -> Real:
         return self.np.sign(x)
 
-    def power(self, x: Any, n: int) -> Any:
+    def power(self, x: Real, n: int) -> Real:
         return x**n if n >= 0 else self.np.divide(1.0, x**-n)
 
-    def gap(self, c: Any, d: Any, r: Any, s: Any) -> Any:
+    def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real:
         return gap(c.real, c.imag, d.real, d.imag, r, s)

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     Complexes = NDArray[np.complex128]
     Booleans = NDArray[np.bool_]
     Indices = NDArray[np.intp]
+    Texts = NDArray[np.str_]
     Greys = NDArray[np.uint8]
     """A picture: grey, or any other numbers of a byte."""
     Floats = float | Array
@@ -19,4 +20,4 @@ if TYPE_CHECKING:
     Points = complex | Complexes
     """A place or a vector of one position, or an array with one for each of many."""
 else:
-    Array = Complexes = Booleans = Indices = Greys = Floats = Points = object
+    Array = Complexes = Booleans = Indices = Texts = Greys = Floats = Points = object

@@ -6,34 +6,37 @@ available precision, 1971).
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TypeVar
+
+from planes.geometry.arrays import Array
 
 HALVES = 134217729.0  # 2²⁷ + 1 halves a number of 53 bits (Veltkamp)
 SHORT_HALVES = 4097.0  # 2¹² + 1 one of 24
 EPS, SHORT_EPS = 2.0**-52, 2.0**-23
+N = TypeVar("N", float, Array)
 
 
-def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
+def two_sum(a: N, b: N) -> tuple[N, N]:
     """a + b and what rounding lost of it."""
     s = a + b
     t = s - a
     return s, (a - (s - t)) + (b - t)
 
 
-def two_product(a: Any, b: Any) -> tuple[Any, Any]:
+def two_product(a: N, b: N) -> tuple[N, N]:
     """a·b and what rounding lost of it."""
     p = a * b
     (a1, a2), (b1, b2) = _halves(a), _halves(b)
     return p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2
 
 
-def _halves(a: Any) -> tuple[Any, Any]:
+def _halves(a: N) -> tuple[N, N]:
     t = a * (SHORT_HALVES if getattr(a, "itemsize", 8) == 4 else HALVES)
     high = t - (t - a)
     return high, a - high
 
 
-def gap(cx: Any, cy: Any, dx: Any, dy: Any, r: Any, s: Any) -> Any:
+def gap(cx: N, cy: N, dx: N, dy: N, r: N, s: N) -> N:
     """(r + s)² - |d - c|², right to its last place until it is as small as the square of one.
 
     It says whether circles of radii r and s about c and d meet. The distance itself is never formed: rounded, it would
@@ -47,7 +50,7 @@ def gap(cx: Any, cy: Any, dx: Any, dy: Any, r: Any, s: Any) -> Any:
     return left * (abs(left) > doubt(cx, cy, dx, dy, r, s))
 
 
-def doubt(cx: Any, cy: Any, dx: Any, dy: Any, r: Any, s: Any) -> Any:
+def doubt(cx: N, cy: N, dx: N, dy: N, r: N, s: N) -> N:
     """What may be nothing in such a gap: as much as one unit in the last place of each number makes, all together."""
     size = abs(cx) + abs(cy) + abs(dx) + abs(dy) + abs(r) + abs(s)
     return size * abs(r + s) * (SHORT_EPS if getattr(size, "itemsize", 8) == 4 else EPS)

@@ -6,24 +6,31 @@ Numbers stand in slots (:mod:`planes.lesson.formulas`), so a frame serves every 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from functools import partial
 
 from planes.drafting import steps as s
 from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation
 from planes.drafting.steps.reckoning import Calculate
+from planes.geometry.arrays import Floats
 from planes.lesson.formulas import SLOT, number, paper, unit, value
 from planes.lesson.moments import moment_words
-from planes.lesson.steps import StepWords, lettered, whole
+from planes.lesson.steps import Names, Said, StepWords, whole
 from planes.plans import Plans
 from planes.words import Lang, decimal, say
-from planes.words.names import POLE, at, force_plan, kind_of, label_of, mu_of, plan_of
+from planes.words.names import POLE, at, force_plan, kind_of, label_of, lettered, mu_of, plan_of
 from planes.words.units import mu_text
 
+NOTHING: Names = {}
 LANGS: tuple[Lang, ...] = ("ru", "en")
+
+
+def in_both(told: Callable[[Lang], str]) -> dict[Lang, str]:
+    """What is told, in either language."""
+    return {lang: told(lang) for lang in LANGS}
 
 
 @dataclass(frozen=True)
@@ -53,6 +60,7 @@ class Teller:
         self.plans, self.drawing, self.scales = plans, drawing, scales
         self.cycle = cycle or drawing
         self.made = {step.makes: step for step in drawing.program.steps}
+        self.rates = {rate for link in plans.links.values() for rate in (link.omega, link.epsilon)}
         self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
         self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured for the lesson alone
         self.trials = drawing.program.trials
@@ -93,28 +101,34 @@ class Teller:
 
     def tells(self, step: s.Step) -> bool:
         """Whether a value is told: angular rates, moment equations, balancing loads."""
-        return step.makes in self.moments or step.makes.startswith(("omega_", "epsilon_"))
+        return step.makes in self.moments or step.makes in self.rates
 
     def fixed(self, put: list[s.Step]) -> Frame:
         """The fixed points together."""
-        names = ", ".join(f"⟨{label_of(p.makes).lstrip('°')}⟩" for p in put)
-        return self.frame("fixed", "position", tuple(p.makes for p in put), (), names=names)
+        names = ", ".join(f"⟨{lettered(p.makes)}⟩" for p in put)
+        return self.frame("fixed", "position", tuple(p.makes for p in put), names={"names": names})
 
     def frame(
-        self, key: str, plan: str, makes: tuple[str, ...], uses: tuple[str, ...], reason: Any = None, **names: Any
+        self,
+        key: str,
+        plan: str,
+        makes: tuple[str, ...] = (),
+        uses: tuple[str, ...] = (),
+        reason: Said = "",
+        terms: tuple[str, ...] | None = None,
+        moments: int | None = None,
+        names: Names = NOTHING,
     ) -> Frame:
         """A frame with its words in both languages; what is callable is asked per language."""
-        index, terms = self.equation_of(plan, makes)
-        terms = names.pop("terms", terms)
-        moments = names.pop("moments", None)
-        said: dict[Lang, str] = {}
-        told: dict[Lang, str] = {}
-        for lang in LANGS:
-            kind = "velocity" if plan == "lever" else kind_of(plan)
-            here = {k: v(lang) if callable(v) else v for k, v in names.items()}
-            said[lang] = say(f"lesson_{key}", lang, **{**here, "mu": mu_said(self.scales[mu_of(plan)], kind, lang)})
-            told[lang] = reason(lang) if callable(reason) else say(f"why_{reason or key}", lang)
-        return Frame(key, plan, makes, uses, index, terms, said, told, moments)
+        index, found = self.equation_of(plan, makes)
+        kind = "velocity" if plan == "lever" else kind_of(plan)
+        names = {**names, "mu": partial(mu_said, self.scales[mu_of(plan)], kind)}
+
+        def told(lang: Lang) -> str:
+            return say(f"lesson_{key}", lang, **{k: v(lang) if callable(v) else v for k, v in names.items()})
+
+        why = in_both(reason if callable(reason) else partial(say, f"why_{reason or key}"))
+        return Frame(key, plan, makes, uses, index, found if terms is None else terms, in_both(told), why, moments)
 
     def equation_of(self, plan: str, makes: tuple[str, ...]) -> tuple[int | None, tuple[str, ...]]:
         """The equation on this plan with a term that ends at one of the marks, and those terms."""
@@ -130,11 +144,12 @@ class Teller:
         """The frame of one mark, or of a tangent."""
         read = dict.fromkeys(name for name, kind in step.reads() if kind == "mark" and name not in self.trials)
         uses = tuple(name for name in read if plan_of(name) != "motion")
-        names = {f: lettered(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
+        names: Names = {f: lettered(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
         words = StepWords(self.plans, self.drawing, self.made)
         key, reason, more = words.of(step)
         makes = () if isinstance(step, s.Touch) else (step.makes,)
-        return self.frame(key, shown_on(step), makes, uses, reason, **{**names, "end": lettered(step.makes), **more})
+        names = {**names, "end": lettered(step.makes), **more}
+        return self.frame(key, shown_on(step), makes, uses, reason, names=names)
 
     def readings(self, values: list[s.Step], before: list[Frame]) -> list[Frame]:
         """Frames of what was reckoned since the last mark: rates together, each moment equation alone."""
@@ -158,7 +173,7 @@ class Teller:
             return "; ".join(parts + [words.rate(r, lang) for r in rates])
 
         uses = tuple(dict.fromkeys(m for n in names for m in self.span(n, plan)))
-        return self.frame("measured", plan, (), uses, readings=told, terms=tuple(names))
+        return self.frame("measured", plan, uses=uses, terms=tuple(names), names={"readings": told})
 
     def sought(self, equation: Equation) -> list[str]:
         """Vectors whose lengths an equation gives: its unknown terms and its total."""
@@ -183,12 +198,13 @@ class Teller:
     def closing(self, plan: str) -> list[Frame]:
         """The reactions read off a force plan that has closed."""
         names = [r.key for r in self.plans.reactions.values() if r.plan == plan and self.span(r.key, plan)]
-        if self.plans.balancing.startswith("Fb_") and plan == force_plan(self.plans.mechanism.drive.link):
+        drive = self.plans.mechanism.drive
+        if drive.kind == "s" and plan == force_plan(drive.link):
             names.append(self.plans.balancing)
         names = list(dict.fromkeys(names))
         told = lambda lang: "; ".join(self.reading(n, plan, lang) for n in names)  # noqa: E731
         uses = tuple(dict.fromkeys(m for n in names for m in self.span(n, plan)))
-        return [self.frame("closing", plan, (), uses, readings=told, terms=tuple(names))] if names else []
+        return [self.frame("closing", plan, uses=uses, terms=tuple(names), names={"readings": told})] if names else []
 
     def moment(self, step: s.Step) -> list[Frame]:
         """A moment equation with its numbers."""
@@ -199,7 +215,7 @@ class Teller:
         plan = "lever" if m.links == ("lever",) else "position"
         key, names, terms = moment_words(m, step, self.cycle)
         reason = "moments_lever" if plan == "lever" else "moments"
-        return [self.frame(key, plan, (), (), reason, terms=terms, moments=index, **names)]
+        return [self.frame(key, plan, reason=reason, terms=terms, moments=index, names=names)]
 
 
 def shown_on(step: s.Step) -> str:
@@ -218,9 +234,8 @@ def needed(frames: list[Frame]) -> list[str]:
     return list(dict.fromkeys(m[2] for text in texts for m in SLOT.finditer(text)))
 
 
-def value_of(name: str, teller: Teller, drawing: Drawing) -> Any:
+def value_of(name: str, teller: Teller, drawing: Drawing) -> Floats:
     """A value of a drawing (of one position or many) by the name a slot gives it."""
-    if name in teller.spans:
-        start, end, mu = teller.spans[name]
-        return abs(drawing[end] - drawing[start]) / drawing[mu]
-    return drawing[name]
+    start, end, mu = teller.spans.get(name, ("", "", ""))
+    found: Floats = abs(drawing[end] - drawing[start]) / drawing[mu] if mu else drawing[name]
+    return found

@@ -6,32 +6,36 @@ The page draws lines between these marks and reckons nothing: what it shows at a
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from functools import partial
+
+import numpy
 
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Cross, CrossArc, CrossArcs, Step
 from planes.drafting.steps.reckoning import Choose
-from planes.lesson import LANGS, Teller, mu_said, needed, value_of
+from planes.geometry.arrays import Floats
+from planes.lesson import Teller, in_both, mu_said, needed, value_of
 from planes.lesson.formulas import unit
 from planes.lesson.practice import Practice, told_values
 from planes.lesson.scheme import arms, feet, pivots, related, scheme
-from planes.lesson.steps import action, whole
-from planes.lesson.zones import reasons, zones
+from planes.lesson.steps import whole
+from planes.lesson.zones import reasons, zone, zones
 from planes.plans import Plans, mechanism_plans
 from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
 from planes.plans.scales import scales
 from planes.scene import Scene
 from planes.words import Phrase
-from planes.words.errors import PlanFailure, SceneError
+from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.names import at, kind_of, mu_of, plan_of
+from planes.words.records import Json
 
 POSITIONS = 360
 Progress = Callable[[int, int], None]
 
 
-def lesson_data(scene: Scene, progress: Progress | None = None) -> dict[str, Any]:
+def lesson_data(scene: Scene, progress: Progress | None = None) -> Json:
     """The lesson of a scene. :class:`SceneError` where there is no mechanism or its own position fails."""
     plans = mechanism_plans(scene)
     try:
@@ -41,7 +45,12 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> dict[str, Any
     except PlanFailure as failure:
         raise SceneError(Phrase("lesson_fails", failure=failure.phrase), scene.file, 1) from None
     values, index = _values(plans)
-    cycle = _cycle(plans, given, values)
+    try:
+        moved, held = plans.at(numpy.array(values)), []
+    except SceneError as law:  # a number that holds where the drive stands in the file alone
+        values, index, held = [plans.mechanism.drive.position], 0, [zone(0, 0, "blunt", PlanesError(law.phrase).told)]
+        moved = plans.at(numpy.array(values))
+    cycle = run(plans.program, {**given, **moved})
     teller = Teller(plans, drawing, mus, cycle)
     frames = teller.frames()
     names = needed(frames)
@@ -57,14 +66,14 @@ def lesson_data(scene: Scene, progress: Progress | None = None) -> dict[str, Any
         "scheme": scheme(plans, cycle),
         "moments": arms(plans),
         "related": related(plans),
-        "equations": [_equation(e) for e in plans.equations],
-        "frames": [_frame(f) for f in frames],
+        "equations": [_equation(plans, e) for e in plans.equations],
+        "frames": [{**vars(f), "values": told_values(f)} for f in frames],
         "results": (results := _results(plans)),
         "values": _columns({n: value_of(n, teller, cycle) for n in (*names, *(r["value"] for r in results))}, values),
-        "units": {n: {lang: unit(n, lang) for lang in LANGS} for n in names if unit(n, "en")},
+        "units": {n: in_both(partial(unit, n)) for n in names if unit(n, "en")},
         "practice": Practice(plans, given, drawing, frames).tasks(progress),
         **_turn(plans, cycle, len(values)),
-        "zones": zones(plans, cycle, values),
+        "zones": held + zones(plans, cycle, len(values)),
         "failed": reasons(plans, given, values, cycle, progress),
     }
 
@@ -80,19 +89,17 @@ def _values(plans: Plans) -> tuple[list[float], int]:
     return [drive.position + plans.reach * (i - half) / half for i in range(POSITIONS + 1)], half
 
 
-def _cycle(plans: Plans, given: Mapping[str, Any], values: list[float]) -> Drawing:
-    import numpy
-
-    return run(plans.program, {**given, **plans.at(numpy.array(values))})
-
-
-def _plan(plans: Plans, plan: str, mus: Mapping[str, float]) -> dict[str, Any]:
+def _plan(plans: Plans, plan: str, mus: Mapping[str, float]) -> Json:
     """A plan with its scale, its title and the letters of the fixed points of the scheme that stand in its pole."""
     kind = "velocity" if plan == "lever" else kind_of(plan)
-    mu = {lang: mu_said(mus[mu_of(plan)], kind, lang) for lang in LANGS}
     prime = {"velocity": "", "acceleration": "'"}.get(plan)
     fixed = [] if prime is None else [p.lower() + prime for p in pivots(plans.mechanism)]
-    return {"key": plan, "mu": mu, "title": {lang: _capital(say_plan(plan, lang)) for lang in LANGS}, "fixed": fixed}
+    return {
+        "key": plan,
+        "mu": in_both(partial(mu_said, mus[mu_of(plan)], kind)),
+        "title": in_both(lambda lang: _capital(say_plan(plan, lang))),
+        "fixed": fixed,
+    }
 
 
 def _capital(text: str) -> str:
@@ -101,11 +108,11 @@ def _capital(text: str) -> str:
 
 def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
     """Each vector of the plans once, by its ends, with every name it goes by."""
-    found: dict[tuple[str, str, str], dict[str, Any]] = {}
+    found: dict[tuple[str, str, str], Json] = {}
     named = {t.name: whole(e, t.name) for e in plans.equations for t in e.terms}
     for s in plans.segments:
         if s.start != s.end and s.plan not in ("position", "motion") and at(s.plan, s.end) in drawing:
-            new: dict[str, Any] = {"plan": s.plan, "start": s.start, "end": s.end, "names": []}
+            new: Json = {"plan": s.plan, "start": s.start, "end": s.end, "names": []}
             new["corner"] = at(s.plan, s.end) in drawing.program.corners
             names = found.setdefault((s.plan, s.start, s.end), new)["names"]
             name = named.get(s.name, s.name)
@@ -113,9 +120,9 @@ def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
     return list(found.values())
 
 
-def _traces(drawing: Drawing) -> dict[str, Any]:
+def _traces(drawing: Drawing) -> Json:
     """For each crossed mark, the marks its lines come through, or its arcs are drawn about."""
-    found: dict[str, Any] = {}
+    found: Json = {}
     steps: dict[str, Step] = {s.makes: s for s in drawing.program.steps}
     for step in drawing.program.steps:
         name = step.makes
@@ -131,68 +138,46 @@ def _traces(drawing: Drawing) -> dict[str, Any]:
     return found
 
 
-def _equation(e: Equation) -> dict[str, Any]:
+def _equation(plans: Plans, e: Equation) -> Json:
     """An equation as it is written: without the vectors that are nothing, a vector along the frame's guide itself."""
-    total: dict[str, Any] | None = {"name": e.total, "action": "", "known": 0} if e.total else None
+    total: Json | None = {"name": e.total, "action": "", "known": 0} if e.total else None
     sides = []
     for chain in e.chains:
         alone = [t for t in chain if total and whole(e, t.name) == e.total and t.name != e.total]
         if alone and total:
-            total.update(action=_acted(alone[0]), known=alone[0].known)
+            total.update(action=_acted(plans, alone[0]), known=alone[0].known)
         elif chain:
-            sides.append([_term(e.plan, t) for t in chain])
+            sides.append([_term(plans, e.plan, t) for t in chain])
     return {"plan": e.plan, "total": total, "sides": sides}
 
 
-def _term(plan: str, t: Term) -> dict[str, Any]:
+def _term(plans: Plans, plan: str, t: Term) -> Json:
     ends = (t.start, t.end) if t.sign > 0 else (t.end, t.start)
     return {
         "name": t.name,
         "start": at(plan, ends[0]),
         "end": at(plan, ends[1]),
         "at": at(plan, t.end),
-        "action": _acted(t),
+        "action": _acted(plans, t),
         "known": t.known,
     }
 
 
-def _acted(t: Term) -> str:
+def _acted(plans: Plans, t: Term) -> str:
     """The line of action beneath a term."""
-    text = t.action
-    if text.startswith("∠⊥"):
-        return f"∠ρ {action(text[1:])}"
-    if text in ("", "=0") or text.startswith(("→", "∠", "l_")) or "→" in text:
-        return "" if text.startswith(("→", "∠")) else text
-    return text if text.startswith(("-", "+", "↓")) else action(text)
+    return plans.means[t.direction].action if t.direction else t.action
 
 
-def _frame(frame: Any) -> dict[str, Any]:
-    return {
-        "key": frame.key,
-        "plan": frame.plan,
-        "makes": frame.makes,
-        "uses": frame.uses,
-        "equation": frame.equation,
-        "terms": frame.terms,
-        "said": dict(frame.said),
-        "why": dict(frame.why),
-        "moments": frame.moments,
-        "values": told_values(frame),
-    }
-
-
-def _results(plans: Plans) -> list[dict[str, Any]]:
+def _results(plans: Plans) -> list[Json]:
     """Rates and balancing loads shown beneath the plans at every position."""
     rates = [*(link.omega for link in plans.links.values()), *(link.epsilon for link in plans.links.values())]
     names = [*dict.fromkeys(n for n in rates if n in plans.program.made), plans.balancing, plans.zhukovsky]
-    return [{"name": n, "value": n, "unit": {lang: unit(n, lang) for lang in LANGS}} for n in names]
+    return [{"name": n, "value": n, "unit": in_both(partial(unit, n))} for n in names]
 
 
-def _columns(things: Mapping[str, Any], values: list[float], digits: int = 10) -> dict[str, Any]:
+def _columns(things: Mapping[str, Floats], values: list[float], digits: int = 10) -> Json:
     """Values over the turn to so many digits; one number where it never changes."""
-    import numpy
-
-    found: dict[str, Any] = {}
+    found: Json = {}
     for name, thing in things.items():
         full = numpy.broadcast_to(thing, (len(values),)).astype(float)
         good = full[numpy.isfinite(full)]
@@ -203,15 +188,14 @@ def _columns(things: Mapping[str, Any], values: list[float], digits: int = 10) -
     return found
 
 
-def _turn(plans: Plans, cycle: Drawing, count: int) -> dict[str, Any]:
+def _turn(plans: Plans, cycle: Drawing, count: int) -> Json:
     """Marks (mm) and directions (degrees) over the turn."""
-    import numpy
 
-    def column(thing: Any) -> list[float | None]:
+    def column(thing: Floats) -> list[float | None]:
         full = numpy.broadcast_to(thing, (count,))
         return [None if not numpy.isfinite(v) else round(float(v), 2) + 0.0 for v in full]
 
-    marks: dict[str, Any] = {}
+    marks: Json = {}
     for step in cycle.program.steps:
         trial = step.makes in cycle.program.trials
         if step.kind == "mark" and not trial and plan_of(step.makes) != "motion":

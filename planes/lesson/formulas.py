@@ -11,45 +11,28 @@ from collections.abc import Callable
 
 from planes.drafting.steps.reckoning import Calculate, Product
 from planes.words import Lang, decimal, say
+from planes.words.names import parts_of
 from planes.words.units import quantity
 
 SLOT = re.compile(r"⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧")
-UNITS = (
-    ("omega", "rad/s"),
-    ("epsilon", "rad/s²"),
-    ("v", "m/s"),
-    ("vq", "m/s"),
-    ("a", "m/s²"),
-    ("l", "m"),
-    ("h", "m"),
-    ("e", "m"),
-    ("r", "m"),
-    ("arm", "m"),
-    ("m", "kg"),
-    ("J", "kgm2"),
-    ("g", "m/s²"),
-    ("G", "N"),
-    ("I", "N"),
-    ("P", "N"),
-    ("F", "N"),
-    ("N", "N"),
-    ("T", "N"),
-    ("M", "N·m"),
-    ("MI", "N·m"),
-    ("MR", "N·m"),
-    ("MP", "N·m"),
-    ("MZ", "N·m"),
-    ("FZ", "N"),
-    ("Fb", "N"),
-    ("s", "m"),
-)
-_OWN = re.compile(r"^[|‖]|[|‖]$")
+_LETTERS = {
+    "rad/s": "omega",
+    "rad/s²": "epsilon",
+    "m/s": "v vq",
+    "m/s²": "a g",
+    "m": "l h e r s arm",
+    "kg": "m",
+    "kgm2": "J",
+    "N": "G I P F N T FZ Fb",
+    "N·m": "M MI MR MP MZ",
+}
+UNITS = {letter: key for key, letters in _LETTERS.items() for letter in letters.split()}
 
 
 def unit(name: str, lang: Lang) -> str:
     """The SI unit of a value by its name, as the language writes it."""
-    found = dict(UNITS).get(_OWN.sub("", name).partition("_")[0], "")
-    return say(found, lang) if found else ""
+    key = UNITS.get(parts_of(name)[0])
+    return say(key, lang) if key else ""
 
 
 def value(name: str) -> str:

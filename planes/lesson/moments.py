@@ -2,72 +2,53 @@
 
 from __future__ import annotations
 
-from typing import Any
+import numpy
 
 from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
-from planes.drafting.steps.reckoning import Calculate
+from planes.drafting.steps.reckoning import Calculate, Product
 from planes.lesson.formulas import sides, unit, value
+from planes.lesson.steps import Names
 from planes.words import Lang, say
+from planes.words.names import lettered
 
 NOISE = 1e-9  # of the largest term: nothing
 
 
-def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, dict[str, Any], tuple[str, ...]]:
+def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Names, tuple[str, ...]]:
     """The key of the sentence, what it says, and the forces it is about."""
     dropped = nothing(step, cycle)
     terms = tuple(name for i, (name, _) in enumerate(m.terms) if i not in dropped)
-    names: dict[str, Any] = {"about": m.about.lstrip("°"), "links": lambda lang: _links(m, lang)}
+    names: Names = {"about": lettered(m.about), "links": lambda lang: _links(m, lang)}
     if len(dropped) == len(step.terms):
-        return "moments_none", {**names, "force": m.unknown.removeprefix("MR_")}, (m.unknown.removeprefix("MR_"),)
-    over = _over(step)
-    forces = _named(m, step)
-
-    def shown(name: str) -> str:
-        return forces.get(name, name)
-
-    letters, numbers = sides(step, shown, over, dropped)
-    found = m.unknown
-    head = f"⟨{found}⟩" + (f" · ⟨{over}⟩" if over else "")
-    lead = f"; ⟨{found}⟩" if over else ""
-    told = lambda lang: f"{lead} = {value(found)} {unit(found, lang)}"  # noqa: E731
-    more = {"head": head, "letters": letters, "numbers": numbers, "result": told}
-    own = (found,) if found.startswith("F_") else ()
-    return "moments", {**names, **more}, (*terms, *own)
+        force = step.means.of if step.means else m.unknown
+        return "moments_none", {**names, "force": force}, (force,)
+    # every term is divided by the arm of what is sought; a size that stands for a force has its name on this link
+    over = next((name for name, power in step.terms[0].factors if power == -1), "")
+    forces = {term.factors[0][0]: force for (force, _), term in zip(m.terms, step.terms, strict=False)}
+    letters, numbers = sides(step, lambda name: forces.get(name, name), over, dropped)
+    found, lead = f"⟨{m.unknown}⟩", f"; ⟨{m.unknown}⟩" if over else ""
+    more: Names = {
+        "head": f"{found} · ⟨{over}⟩" if over else found,
+        "letters": letters,
+        "numbers": numbers,
+        "result": lambda lang: f"{lead} = {value(m.unknown)} {unit(m.unknown, lang)}",
+    }
+    return "moments", {**names, **more}, (*terms, m.unknown) if m.arm else terms
 
 
 def nothing(step: Calculate, cycle: Drawing) -> frozenset[int]:
     """Which terms are nothing beside the largest, in every position."""
-    import numpy
-
-    sizes = []
-    for term in step.terms:
-        product: Any = term.coefficient
-        for name, power in term.factors:
-            if power > 0:
-                product = product * numpy.asarray(cycle[name], float) ** power
-        held = numpy.abs(numpy.atleast_1d(product))
-        held = held[numpy.isfinite(held)]
-        sizes.append(float(held.max()) if len(held) else 0.0)
-    largest = max(sizes, default=0.0)
-    return frozenset(i for i, size in enumerate(sizes) if size <= NOISE * largest)
+    sizes = [_largest(term, cycle) for term in step.terms]
+    most = NOISE * max(sizes, default=0.0)
+    return frozenset(i for i, size in enumerate(sizes) if size <= most)
 
 
-def _over(step: Calculate) -> str:
-    """The value every term is divided by: the arm of what is sought."""
-    for name, power in step.terms[0].factors:
-        if power == -1:
-            return name
-    return ""
-
-
-def _named(m: Moments, step: Calculate) -> dict[str, str]:
-    """Sizes that stand for forces, by the name of the force on this link: |F_42| is F_24."""
-    found = {}
-    for (force, _), term in zip(m.terms, step.terms, strict=False):
-        size = term.factors[0][0]
-        found[size] = force
-    return found
+def _largest(term: Product, cycle: Drawing) -> float:
+    """How large a term becomes, but for what it is divided by."""
+    above = [numpy.asarray(cycle[name], float) ** power for name, power in term.factors if power > 0]
+    sizes = abs(term.coefficient * numpy.prod(numpy.broadcast_arrays(1.0, *above), axis=0))
+    return float(numpy.max(sizes, initial=0.0, where=numpy.isfinite(sizes)))
 
 
 def _links(m: Moments, lang: Lang) -> str:

@@ -17,8 +17,8 @@ from planes.scene.mechanism import FRAME
 from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
 from planes.solving.tables import difference_percent
-from planes.words import Lang, say
-from planes.words.names import kind_of, links_of, mu_of
+from planes.words import Lang, decimal, say
+from planes.words.names import kind_of, links_of, mu_of, parts_of
 
 NOISE = 1e-12
 
@@ -64,12 +64,12 @@ class Note:
         yield Heading(f"{self.say('note')}. {title}" if title else self.say("note"), 0)
         yield Heading(self.say("note_given"))
         where = told(self.position.at, drive.kind, self.lang)
-        where = f"{'φ' if drive.kind == 'phi' else 's'} = {where.replace('.', ',') if self.lang == 'ru' else where}"
+        where = f"{'φ' if drive.kind == 'phi' else 's'} = {decimal(where, self.lang)}"
         yield Paragraph(self.say("note_task", title=title, drive=where))
+        acting = {n for n, m in plans.means.items() if m.quantity in ("load", "couple")}
         rows = []
         for name, size in plans.given.items():
-            letter = name.partition("_")[0]
-            shown = letter in ("l", "e", "m", "J", "g", "omega", "epsilon", "f") or name.endswith("_given")
+            shown = name in acting or parts_of(name)[0] in ("l", "e", "m", "J", "g", "omega", "epsilon", "f")
             if shown and not isinstance(size, complex) and "°" not in name:
                 rows.append((f"⟨{name}⟩", number(float(size), self.lang), unit(name, self.lang)))
         head = (self.say("quantity"), self.say("value"), self.say("note_unit"))

@@ -10,8 +10,8 @@ import cmath
 import math
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from functools import partial
 
 from planes.check.grading.handwork import Variant
 from planes.check.grading.mistakes import motion_variants
@@ -22,13 +22,14 @@ from planes.drafting.drawing import Drawing, run
 from planes.drafting.program import Program
 from planes.drafting.steps import Cross, CrossArc, CrossArcs, Image, LayOff, Similar, Step
 from planes.drafting.steps.reckoning import Choose
-from planes.lesson import LANGS, Frame
+from planes.geometry.arrays import Points
+from planes.lesson import Frame, in_both
 from planes.lesson.formulas import slots
-from planes.lesson.steps import action, lettered, line_of
 from planes.plans import Plans
 from planes.words import Lang, say
 from planes.words.errors import PlanesError
-from planes.words.names import kind_of, mu_of, plan_of
+from planes.words.names import Meaning, kind_of, lettered, mu_of, plan_of
+from planes.words.records import Json
 
 Said = dict[Lang, str]
 APART_MM = 2.5  # a wrong place nearer than this to the right one cannot be told from it
@@ -42,7 +43,7 @@ PARTS = ("mark", "line", "other", "value", "ratio", "start", "end", "guide", "no
 @dataclass(frozen=True)
 class Wrong:
     """Where a mistake puts a mark, with its name and sentence; ``vector`` is what it lays off to there, ``untold``
-    whether it spoils a number that the question itself tells."""
+    whether it spoils a number that the question itself tells, and ``means`` what the directions drawn there mean."""
 
     mistake: str
     place: complex
@@ -50,9 +51,10 @@ class Wrong:
     step: Step | None
     vector: complex
     untold: bool
+    means: Mapping[str, Meaning]
 
     @property
-    def slip(self) -> dict[str, Any]:
+    def slip(self) -> Json:
         """The mistake as it is exported."""
         return {"mistake": self.mistake, "said": self.said}
 
@@ -60,12 +62,12 @@ class Wrong:
 class Practice:
     """The tasks of one lesson in its own position."""
 
-    def __init__(self, plans: Plans, given: Mapping[str, Any], drawing: Drawing, frames: Sequence[Frame]) -> None:
+    def __init__(self, plans: Plans, given: Mapping[str, Points], drawing: Drawing, frames: Sequence[Frame]) -> None:
         self.plans, self.given, self.drawing, self.frames = plans, given, drawing, frames
         self.steps: dict[str, Step] = {s.makes: s for s in plans.program.steps}
         self.told = {f.makes[0]: told_values(f) for f in frames if f.makes}
 
-    def tasks(self, progress: Callable[[int, int], None] | None = None) -> list[dict[str, Any]]:
+    def tasks(self, progress: Callable[[int, int], None] | None = None) -> list[Json]:
         """One task for every frame that draws a mark a reader can draw."""
         wrongs = self.wrongs(progress)
         found = []
@@ -91,11 +93,15 @@ class Practice:
                     found[f"{plan}:{variant.blames}"].append(wrong)
         return found
 
+    def mu(self, plan: str) -> float:
+        """The scale of a plan."""
+        return complex(self.given[mu_of(plan)]).real
+
     def variants(self, ways: PlanSteps) -> Iterator[Variant]:
         """The mistakes of one plan."""
         kind = kind_of(ways.plan)
         if kind == "position":
-            return position_variants(ways, {}, self.given[mu_of("position")])
+            return position_variants(ways, {}, self.mu("position"))
         return force_variants(ways) if kind == "force" else motion_variants(ways)
 
     def drawn(self, ways: PlanSteps, variant: Variant) -> Wrong | None:
@@ -116,13 +122,18 @@ class Practice:
         if not cmath.isfinite(place) or abs(place - self.drawing[mark]) < APART_MM:
             return None
         untold = any(abs(abs(there[n]) - abs(self.drawing[n])) > 1e-6 * abs(self.drawing[n]) for n in told)
-        names = {"mark": variant.blames, "line": line_of(getattr(self.steps[mark], "along", "")), **variant.about}
+        names = {
+            "mark": variant.blames,
+            "line": self.plans.means[along].line if (along := getattr(self.steps[mark], "along", "")) else "",
+            **variant.about,
+        }
         shown = {**dict.fromkeys(PARTS, ""), **{k: f"⟨{str(v).lstrip('°')}⟩" if v else "" for k, v in names.items()}}
-        said = {lang: say(f"mistake_{variant.mistake}", lang, **shown) for lang in LANGS}
+        said = in_both(lambda lang: say(f"mistake_{variant.mistake}", lang, **shown))
         own = swap[-1] if mark in variant.swaps else None
-        return Wrong(variant.mistake, place, said, own, place - complex(there[start]), untold)
+        means = {**self.plans.means, **{s.makes: s.means for s in swap if s.means}}
+        return Wrong(variant.mistake, place, said, own, place - complex(there[start]), untold, means)
 
-    def task(self, mark: str, wrongs: list[Wrong]) -> dict[str, Any] | None:
+    def task(self, mark: str, wrongs: list[Wrong]) -> Json | None:
         """What is asked for one mark."""
         step = self.steps[mark]
         match step:
@@ -135,12 +146,12 @@ class Practice:
                 return {"kind": "similar", "places": _places(wrongs)}
         return None
 
-    def lay_off(self, step: LayOff, wrongs: list[Wrong]) -> dict[str, Any] | None:
+    def lay_off(self, step: LayOff, wrongs: list[Wrong]) -> Json | None:
         """A known vector: which way, and how long."""
         way = complex(self.drawing[step.makes]) - complex(self.drawing[step.start])
         if abs(way) < SHORT_MM:
             return None
-        turned: dict[str, list[dict[str, Any]]] = {}
+        turned: dict[str, list[Json]] = {}
         lengths = []
         for w in sorted(wrongs, key=lambda w: w.untold):
             angle = math.degrees(cmath.phase(w.vector / way)) if abs(w.vector) > SHORT_MM else 0.0
@@ -160,39 +171,39 @@ class Practice:
             "places": _places(wrongs),
         }
 
-    def scale_slips(self, step: LayOff, length: float) -> list[dict[str, Any]]:
+    def scale_slips(self, step: LayOff, length: float) -> list[Json]:
         """Lengths of who forgets the scale, or turns it over."""
-        mu, found = float(self.given[step.mu]), []
+        mu, found = self.mu(plan_of(step.makes)), []
         for mistake, slip in (("value_for_mm", length / mu), ("value_over_mu", length / mu / mu)):
             if abs(slip / length - 1) > SAME_LENGTH and slip > LEAST_MM:
-                said = {lang: say(f"lesson_{mistake}", lang, mark=f"⟨{lettered(step.makes)}⟩") for lang in LANGS}
+                said = in_both(partial(say, f"lesson_{mistake}", mark=f"⟨{lettered(step.makes)}⟩"))
                 found.append({"mm": slip, "mistake": mistake, "said": said})
         return found
 
-    def lines(self, step: Cross, wrongs: list[Wrong]) -> list[dict[str, Any]]:
+    def lines(self, step: Cross, wrongs: list[Wrong]) -> list[Json]:
         """The two lines of a crossing, each with the directions to choose from."""
         return [
             {"through": through, "options": self.options(step, direction, side, wrongs)}
             for side, through, direction in (("along", step.start, step.along), ("across", step.other, step.across))
         ]
 
-    def options(self, step: Cross, direction: str, side: str, wrongs: list[Wrong]) -> list[dict[str, Any]]:
+    def options(self, step: Cross, direction: str, side: str, wrongs: list[Wrong]) -> list[Json]:
         """The right direction among wrong ones, in an order that gives nothing away."""
-        found: dict[str, dict[str, Any]] = {action(direction): {"right": True, "slips": []}}
+        right = self.plans.means[direction]
+        found: dict[str, Json] = {right.action: {"right": True, "slips": []}}
         for w in wrongs:
             other = getattr(w.step, side, direction) if isinstance(w.step, Cross) else direction
-            text = action(other.partition("~")[0])
+            text = w.means[other].action
             if other != direction and (len(found) < 4 or text in found):
                 found.setdefault(text, {"slips": []})["slips"].append(w.slip)
-        right = action(direction)
-        flipped = ("∥" if right.startswith("⊥") else "⊥") + right.lstrip("⊥∥")
-        found.setdefault(flipped, {"slips": []})
+        flipped = replace(right, quantity="along" if right.quantity == "across" else "across")
+        found.setdefault(flipped.action, {"slips": []})
         return [{"text": text, **more} for text, more in sorted(found.items())]
 
 
-def _places(wrongs: list[Wrong]) -> list[dict[str, Any]]:
+def _places(wrongs: list[Wrong]) -> list[Json]:
     """Wrong places, each once for a mistake."""
-    found: dict[tuple[float, float, str], dict[str, Any]] = {}
+    found: dict[tuple[float, float, str], Json] = {}
     for w in wrongs:
         at = round(w.place.real, 1), round(w.place.imag, 1)
         found.setdefault((*at, w.mistake), {"at": list(at), **w.slip})

@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
-import re
-from typing import Any
+from collections.abc import Mapping
+from itertools import chain, permutations
+
+import numpy
 
 from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate, Drop
+from planes.geometry.arrays import Points
 from planes.plans import Plans
+from planes.plans.loads import force_name
 from planes.scene.mechanism import FRAME, Mechanism
-from planes.words.names import at, plan_of
+from planes.words.names import at, parts_of, plan_of
+from planes.words.records import Json
 
 SPREAD = (8, 92)  # per cent of the positions by which the length of a rod is judged
 
 
-def scheme(plans: Plans, cycle: Drawing) -> dict[str, Any]:
+def scheme(plans: Plans, cycle: Drawing) -> Json:
     """Links by their points, guides by a mark and a direction, sliders."""
     m = plans.mechanism
     moving = [p for x in m.links.values() for p in x.points]
@@ -51,8 +56,6 @@ def pivots(m: Mechanism) -> list[str]:
 
 def _reach(plans: Plans, cycle: Drawing, guide: str, mark: str) -> list[float]:
     """From where to where along a guide its sliders run, mm from its mark, in most positions."""
-    import numpy
-
     joints = [cycle[at("position", p)] for x in plans.mechanism.links.values() for p in x.points]
     size = max((float(numpy.nanmedian(abs(a - b))) for a in joints for b in joints), default=0.0)
     found = [0.0]
@@ -65,7 +68,7 @@ def _reach(plans: Plans, cycle: Drawing, guide: str, mark: str) -> list[float]:
     return [round(max(min(found), -size), 1), round(min(max(found), size), 1)]
 
 
-def arms(plans: Plans) -> list[dict[str, Any]]:
+def arms(plans: Plans) -> list[Json]:
     """For each moment equation the forces in it: where each acts, its direction and the foot of its arm."""
     steps: dict[str, Step] = {s.makes: s for s in plans.program.steps}
     found = []
@@ -76,7 +79,7 @@ def arms(plans: Plans) -> list[dict[str, Any]]:
     return found
 
 
-def _forces(m: Moments, steps: dict[str, Step]) -> list[dict[str, Any]]:
+def _forces(m: Moments, steps: dict[str, Step]) -> list[Json]:
     found = []
     equation = steps.get(m.unknown)
     terms = equation.terms if isinstance(equation, Calculate) else ()
@@ -92,58 +95,55 @@ def _foot(arm: str, drop: Drop) -> str:
     return at(plan_of(drop.point), f"⊥{arm}")
 
 
-def _unknown(plans: Plans, m: Moments, steps: dict[str, Step]) -> list[dict[str, Any]]:
+def _unknown(plans: Plans, m: Moments, steps: dict[str, Step]) -> list[Json]:
     """The tangential reaction a moment equation is solved for."""
     laid = next((s for s in steps.values() if isinstance(s, LayOff) and s.length == m.unknown), None)
-    reaction = plans.reactions.get(m.unknown.removesuffix("^t"))
-    if laid is None or reaction is None:
-        key = m.unknown.removesuffix("^t")
-        reaction = next((r for r in plans.reactions.values() if r.key == key), None)
+    letter, index, _ = parts_of(m.unknown)
+    reaction = plans.reactions.get(f"{letter}_{index}")
     if laid is None or reaction is None:
         return []
     mark = at("position", reaction.pair.point)
     return [{"name": m.unknown, "mark": mark, "along": laid.along, "size": m.unknown, "foot": None}]
 
 
-def feet(plans: Plans, cycle: Drawing) -> dict[str, Any]:
+def feet(plans: Plans, cycle: Drawing) -> dict[str, Points]:
     """The feet of the arms as marks."""
-    import numpy
-
     found = {}
     for step in plans.program.steps:
         if isinstance(step, Drop) and step.makes in cycle and plan_of(step.point) != "motion":
-            way = numpy.real((cycle[step.about] - cycle[step.point]) * numpy.conj(cycle[step.along]))
+            way = ((cycle[step.about] - cycle[step.point]) * cycle[step.along].conjugate()).real
             found[_foot(step.makes, step)] = cycle[step.point] + way * cycle[step.along]
     return found
 
 
 def related(plans: Plans) -> dict[str, list[str]]:
     """Links and points of the scheme by the names of vectors and values that are theirs."""
-    m, found = plans.mechanism, dict[str, list[str]]()
-    points = {p: link.name for link in (*m.links.values(),) for p in link.points}
     names = {s.name for s in plans.segments} | {t.name for e in plans.equations for t in e.terms}
-    for name in sorted(names | set(plans.links) | set(plans.program.made)):
-        letter, _, index = name.partition("^")[0].strip("|‖").partition("_")
-        if letter in ("v", "a", "r") and index in points:
-            found[name] = [at("position", index)]
-        elif letter in ("v", "a") and (pair := _pair(plans, index)):
-            found[name] = [pair]
-        elif letter in ("omega", "epsilon", "G", "I", "MI", "P", "M") and index.partition("_")[0] in m.links:
-            found[name] = [f"link:{index.partition('_')[0]}"]
-        elif letter == "F" and (key := re.sub(r"[tn]$", "", index)):
-            on = key.partition("_")[0] if "_" in key else key[:1]
-            found[name] = [f"link:{on}"] if on in m.links else []
-    return {k: v for k, v in found.items() if v}
+    names |= {*plans.links, *plans.program.made}
+    pairs = [r.pair for r in plans.reactions.values()]
+    acted_on = {force_name(*ends): ends[0] for p in pairs for ends in ((p.link, p.other), (p.other, p.link))}
+    found = {name: _owner(plans, name, acted_on) for name in sorted(names)}
+    return {name: [owner] for name, owner in found.items() if owner}
+
+
+def _owner(plans: Plans, name: str, acted_on: Mapping[str, str]) -> str:
+    """The point or the link whose vector or value it is, "" where it is nobody's."""
+    links = plans.mechanism.links
+    letter, index, _ = parts_of(name)
+    if letter in ("v", "a", "r") and any(index in link.points for link in links.values()):
+        return at("position", index)
+    if letter in ("v", "a"):
+        return _pair(plans, index)
+    if letter == "F":
+        link = acted_on.get(f"F_{index}", "")
+    else:
+        link = parts_of(index)[0] if letter in ("omega", "epsilon", "G", "I", "MI", "P", "M") else ""
+    return f"link:{link}" if link in links else ""
 
 
 def _pair(plans: Plans, symbol: str) -> str:
     """The link that carries both points of "CB", or the slider of a relative motion "HL"."""
-    for link in plans.mechanism.links.values():
-        for one in link.points:
-            for two in link.points:
-                if one != two and one + two == symbol:
-                    return f"link:{link.name}"
-    for link in plans.mechanism.links.values():
-        if link.slides and any(symbol.startswith(p) or symbol.endswith(p) for p in link.points):
-            return f"link:{link.name}"
-    return ""
+    links = plans.mechanism.links.values()
+    both = (x for x in links for one, two in permutations(x.points, 2) if one + two == symbol)
+    slider = (x for x in links for p in x.points if x.slides and (symbol.startswith(p) or symbol.endswith(p)))
+    return next((f"link:{link.name}" for link in chain(both, slider)), "")

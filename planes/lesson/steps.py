@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from planes.drafting import steps as s
 from planes.drafting.drawing import Drawing
@@ -14,46 +12,11 @@ from planes.drafting.steps.reckoning import Calculate, Choose, Measure
 from planes.lesson.formulas import formula, number, paper, sense, unit, value
 from planes.plans import Plans
 from planes.words import Lang, say
-from planes.words.names import kind_of, label_of, plan_of, written
+from planes.words.names import Meaning, kind_of, label_of, lettered, plan_of
 
-Words = tuple[str, Any, dict[str, Any]]  # the key of the sentence, of the reason (or the reason), names
-_TOWARDS = re.compile(r"^(\w+)→(\w+)$")
-_MOVING = re.compile(r"^([-+])([va]q?_\w+)$")
-
-
-def lettered(name: str) -> str:
-    """A mark's label as it is told: without its plan, a guide by its own name."""
-    return label_of(name).lstrip("°")
-
-
-def line_of(direction: str) -> str:
-    """The line a direction is parallel or perpendicular to: "BC" of ⊥BC, "y-y" of ⊥∥y-y."""
-    return written(direction).lstrip("⊥∥")
-
-
-def way(direction: str, lang: Lang) -> str:
-    """How a vector is laid off, in words."""
-    direction = written(direction)
-    if m := _TOWARDS.match(direction):
-        return say("lesson_way_towards", lang, one=m[1], other=m[2])
-    if m := _MOVING.match(direction):
-        vector = m[2].replace("vq_", "v_")
-        return say("lesson_way_against" if m[1] == "-" else "lesson_way_with", lang, vector=vector)
-    if direction == "↓":
-        return say("lesson_way_down", lang)
-    if direction.startswith("∠"):
-        return say("lesson_way_given", lang)
-    if direction.startswith("⊥"):
-        return say("lesson_way_across", lang, line=line_of(direction))
-    if direction.startswith(("→", "x_")):
-        return say("lesson_way_own", lang)
-    return say("lesson_way_along", lang, line=line_of(direction))
-
-
-def action(direction: str) -> str:
-    """A line of action as it is written: ⊥BC, ∥y-y; a bare name of two points is along them."""
-    plain = written(direction)
-    return plain if plain.startswith(("⊥", "∥")) else f"∥{plain}"
+Said = str | Callable[[Lang], str]  # a text, or what is told in each language
+Names = Mapping[str, Said]  # what a sentence says
+Words = tuple[str, Said, Names]  # the key of the sentence, of the reason (or the reason), names
 
 
 @dataclass
@@ -73,12 +36,12 @@ class StepWords:
             case s.LayOff():
                 return self.lay_off(step)
             case s.Touch():
-                return "touch", "touch", {"action": action(step.makes), "end": lettered(step.end)}
+                return "touch", "touch", {"action": self.action(step.makes), "end": lettered(step.end)}
             case s.Cross():
-                names = {"action": action(step.along), "across": action(step.across)}
+                names: Names = {"action": self.action(step.along), "across": self.action(step.across)}
                 return "cross", self.crossing(step.makes), names
             case s.CrossArc():
-                return "arc", "arc", {"action": action(step.along), "radius_mm": paper(step.radius, step.mu)}
+                return "arc", "arc", {"action": self.action(step.along), "radius_mm": paper(step.radius, step.mu)}
             case s.CrossArcs():
                 radii = paper(step.radius, step.mu), paper(step.other_radius, step.mu)
                 return "arcs", "arcs", {"radius_mm": radii[0], "other_mm": radii[1]}
@@ -94,10 +57,14 @@ class StepWords:
                 return "choose", "choose", {}
         raise AssertionError(step)
 
+    def action(self, direction: str) -> str:
+        """A line of action as it is written."""
+        return self.plans.means[direction].action
+
     def similar(self, step: s.Similar) -> Words:
         """Proportional division, or a similar figure."""
         ratio = complex(self.drawing[step.ratio])
-        names = {"first": lettered(step.start), "second": lettered(step.end)}
+        names: Names = {"first": lettered(step.start), "second": lettered(step.end)}
         if kind_of(step.makes) == "position":
             return "point", "along", names
         if abs(ratio.imag) > 1e-9 * abs(ratio):
@@ -118,7 +85,7 @@ class StepWords:
             "from": step.of[0],
             "own": step.of[1],
         }
-        names = {k: lettered(m) for k, m in marks.items()}
+        names: Names = {k: lettered(m) for k, m in marks.items()}
         reason = "similar" if key == "image" else lambda lang: say(f"why_{key}", lang, **names)
         return key, reason, names
 
@@ -144,16 +111,21 @@ class StepWords:
         if kind == "position" or not terms:
             return "cross_position"
         named = {t.name: whole(e, t.name) for e in self.plans.equations if e.plan == plan for t in e.terms}
-        return lambda lang: "; ".join(dict.fromkeys(_reason(t, named[t.name], kind, lang) for t in terms)) + "."
+        return lambda lang: "; ".join(dict.fromkeys(self.reason(t, named[t.name], kind, lang) for t in terms)) + "."
+
+    def reason(self, term: Term, name: str, kind: str, lang: Lang) -> str:
+        """Why a vector whose length is sought has its direction."""
+        line = self.plans.means[term.direction or ""]
+        return say(f"why_{line.quantity}_{kind}", lang, name=name, line=line.line)
 
     def lay_off(self, step: s.LayOff) -> Words:
         """A known vector: with the formula of its length where it was calculated."""
         kind = kind_of(step.makes)
         mm = paper(step.length, step.mu)
-        named = {"mm": mm, "way": lambda lang: way(step.along, lang), "action": action(step.along)}
+        named: Names = {"mm": mm, "way": lambda lang: way(self.plans.means[step.along], lang)}
         source = self.made.get(step.length)
         name = self.vector(step)
-        shown = {**named, "name": name, "value": value(step.length), "unit": lambda lang: unit(name, lang)}
+        shown: Names = {**named, "name": name, "value": value(step.length), "unit": lambda lang: unit(name, lang)}
         if kind == "position":
             along = self.made[step.along]
             driven = isinstance(along, s.Turn) and along.of == f"x_{self.plans.mechanism.drive.link}"
@@ -165,7 +137,7 @@ class StepWords:
         if step.quantity == "load":
             return "load", "load", shown
         if isinstance(source, Calculate):
-            told = {**named, "formula": lambda lang: formula(source, lang)}
+            told: Names = {**named, "formula": lambda lang: formula(source, lang)}
             return "lay_off", _kind_of_vector(step, kind, source), told
         if isinstance(source, Measure):
             return "carried", "carried", shown
@@ -191,10 +163,12 @@ def whole(equation: Equation, name: str) -> str:
     return name
 
 
-def _reason(term: Term, name: str, kind: str, lang: Lang) -> str:
-    direction = term.direction or ""
-    across = direction.startswith("⊥")
-    return say(f"why_{'across' if across else 'along'}_{kind}", lang, name=name, line=line_of(direction))
+def way(direction: Meaning, lang: Lang) -> str:
+    """How a vector is laid off, in words."""
+    line = direction.line
+    return say(
+        f"lesson_way_{direction.quantity}", lang, line=line, vector=line, one=direction.of, other=direction.about
+    )
 
 
 def _kind_of_vector(step: s.LayOff, kind: str, source: Calculate) -> str:
@@ -204,6 +178,5 @@ def _kind_of_vector(step: s.LayOff, kind: str, source: Calculate) -> str:
     if kind == "velocity":
         return "driver_v"
     if step.quantity == "normal":
-        turning = any(n.startswith("omega_") for n, _ in source.terms[0].factors)
-        return "normal_w" if turning else "normal"
+        return "normal" if any(power < 0 for _, power in source.terms[0].factors) else "normal_w"  # v²/l, ω²l
     return "coriolis" if step.quantity == "coriolis" else "tangential"

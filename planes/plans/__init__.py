@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Container, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from functools import cached_property
 
 from planes.drafting.draft import Draft, Moments, Segment
 from planes.drafting.drawing import proved
 from planes.drafting.equations import Equation
 from planes.drafting.program import Program
 from planes.drafting.steps.reckoning import Protractor
+from planes.drafting.tools import Thing
+from planes.geometry.arithmetic import Real
 from planes.plans.assembly import AssemblyChoice, resolve
 from planes.plans.bodies import SCHEME, Bodies, Body
 from planes.plans.kinematics import Rates, SlideReading
@@ -25,7 +27,7 @@ from planes.scene import Scene
 from planes.scene.mechanism import FRAME, Law, Mechanism
 from planes.words import Phrase
 from planes.words.errors import ProgramError, SceneError
-from planes.words.names import HELPERS, Meaning, at, mu_of, plan_of
+from planes.words.names import HELPERS, Meaning, at, mu_of
 
 
 @dataclass(frozen=True)
@@ -53,7 +55,7 @@ class Plans:
     mechanism: Mechanism
     structure: Structure
     program: Program
-    given: Mapping[str, Any]
+    given: Mapping[str, Thing]
     equations: tuple[Equation, ...]
     moments: tuple[Moments, ...]
     segments: tuple[Segment, ...]
@@ -76,7 +78,7 @@ class Plans:
         drive = self.mechanism.drive
         return f"angle_x_{drive.link}" if drive.kind == "phi" else "s"
 
-    def at(self, value: Any, program: Program | None = None, known: Container[str] = ()) -> dict[str, Any]:
+    def at(self, value: Real, program: Program | None = None, known: Container[str] = ()) -> dict[str, Thing]:
         """The given of the drive at one value or many, for a program that overrides the ``known`` givens.
 
         :class:`SceneError` where the program reads a number that would have to change with the drive, and cannot.
@@ -89,6 +91,14 @@ class Plans:
                 if name in reads and name not in known:
                     raise error
         return {self.drive_given: value}
+
+    @cached_property
+    def segments_of(self) -> dict[str, list[Segment]]:
+        """The measured segments of each plan."""
+        found: dict[str, list[Segment]] = {}
+        for segment in self.segments:
+            found.setdefault(segment.plan, []).append(segment)
+        return found
 
     @property
     def helpers(self) -> frozenset[str]:
@@ -108,7 +118,7 @@ class Plans:
     @property
     def drawn(self) -> tuple[str, ...]:
         """Plans in the order they are drawn: position, velocity, acceleration, force:2-3, …, force:1."""
-        return tuple(dict.fromkeys(plan_of(s.makes) for s in self.program.steps if s.kind == "mark"))
+        return tuple(self.program.marks)
 
 
 def plans_of(mechanism: Mechanism, file: str = "") -> Plans:

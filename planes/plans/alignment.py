@@ -16,9 +16,9 @@ from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
-from typing import Any
 
 from planes.drafting.drawing import run
+from planes.drafting.tools import Thing
 from planes.plans import Plans
 from planes.plans.scales import unit_scales
 from planes.plans.self_aligning import FREEDOMS, Aligned, Sign
@@ -102,7 +102,7 @@ def _places(plans: Plans, file: str) -> list[PairPlaces]:
     return found
 
 
-def _line(plans: Plans, pair: Pair, things: Mapping[str, Any]) -> Line:
+def _line(plans: Plans, pair: Pair, things: Mapping[str, Thing]) -> Line:
     if pair.kind == "R":
         return complex(things[plans.points[pair.point].position]), 1 + 0j
     m = plans.mechanism

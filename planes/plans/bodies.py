@@ -76,7 +76,7 @@ class Bodies:
             q_mark, r_mark = (at(SCHEME, s.place) for s in body.ref)
             return d.similar(SCHEME, label, q_mark, r_mark, (f"ratio_{label}_{body.link.name}", *ratio(p, q, r)), means)
         base = body.base.place
-        ray = d.turn(f"{base}{label}", body.axis, *angle_deg(points[base], p))
+        ray = d.turn(f"{base}{label}", body.axis, *angle_deg(points[base], p), Meaning("along", base, label))
         d.rays[SCHEME, base, label] = ray
         return d.lay_off(SCHEME, label, at(SCHEME, base), ray, self.length(body.link, base, label, p), means)
 
@@ -96,7 +96,7 @@ class Bodies:
         body = self.known[known]
         if known == pair.other:
             return self._guide_mark(body, pair.guide), self._guide_direction(body, pair.guide)
-        return self.foot(pair), self.draft.turn(f"∥{pair.guide}", body.axis, -(self._slide_angle(pair)))
+        return self.foot(pair), self._slide_direction(pair, body.axis)
 
     def _guide_mark(self, body: Body, name: str) -> str:
         guide = body.link.guides[name]
@@ -109,27 +109,33 @@ class Bodies:
         return at(SCHEME, label)
 
     def _guide_direction(self, body: Body, name: str) -> str:
-        angle, means = body.link.guides[name].angle_deg, Meaning("angle", name, link=body.link.name)
+        angle = body.link.guides[name].angle_deg
         if body.link.name == FRAME:
-            return self.draft.aim(f"∥{name}", angle, means)
-        return self.draft.turn(f"∥{name}", body.axis, angle, means=means)
+            return self.draft.aim(f"∥{name}", angle, Meaning("along", name), Meaning("angle", name, link=FRAME))
+        return self._carried_direction(name, body.link.name, body.axis, angle)
+
+    def _carried_direction(self, guide: str, link: str, axis: str, angle: float) -> str:
+        given = Meaning("angle", guide, link=link)
+        return self.draft.turn(f"∥{guide}", axis, angle, 0.0, Meaning("along", guide), given)
 
     def _slide_angle(self, pair: Pair) -> float:
         slides = self.mechanism.link(pair.link).slides
         return (slides.angle_deg or 0.0) if slides else 0.0
 
+    def _slide_direction(self, pair: Pair, axis: str) -> str:
+        """The direction of the guide from the x axis of the link that slides on it."""
+        return self.draft.turn(f"∥{pair.guide}", axis, -self._slide_angle(pair), 0.0, Meaning("along", pair.guide))
+
     def axis_along(self, pair: Pair, link: str, direction: str) -> str:
         """The x axis of ``link``, one of the sliding pair, from the direction of the pair's guide."""
-        if link == pair.link:
-            return self.draft.turn(f"x_{link}", direction, self._slide_angle(pair))
-        return self.draft.turn(f"x_{link}", direction, -self.mechanism.guide(pair.guide).angle_deg)
+        angle = self._slide_angle(pair) if link == pair.link else -self.mechanism.guide(pair.guide).angle_deg
+        return self.draft.turn(f"x_{link}", direction, angle, 0.0, Meaning("own", link))
 
     def direction_from(self, pair: Pair, link: str, axis: str) -> str:
         """The direction of the pair's guide from the x axis of ``link``, one of the pair."""
         if link == pair.link:
-            return self.draft.turn(f"∥{pair.guide}", axis, -self._slide_angle(pair))
-        angle, means = self.mechanism.guide(pair.guide).angle_deg, Meaning("angle", pair.guide, link=link)
-        return self.draft.turn(f"∥{pair.guide}", axis, angle, means=means)
+            return self._slide_direction(pair, axis)
+        return self._carried_direction(pair.guide, link, axis, self.mechanism.guide(pair.guide).angle_deg)
 
     def offset(self, pair: Pair, link: str, point: str) -> Off | None:
         """How far a point of ``link`` lies to the left of the pair's line (m), and how far off that may be; None: on it
@@ -152,8 +158,8 @@ class Bodies:
         """A helping mark ``by`` metres to the left of a line through ``start`` (that itself when it is nothing)."""
         if by is None:
             return start
-        normal = self.draft.square(f"⊥{direction}", direction)
-        return self.draft.lay_off(SCHEME, label, start, normal, self.draft.give(f"e_{label}", *by), means)
+        offset = self.draft.give(f"e_{label}", *by, Meaning("offset", label))
+        return self.draft.lay_off(SCHEME, label, start, self.draft.square(direction), offset, means)
 
     def foot(self, pair: Pair) -> str:
         """The foot of the slider's first point on the guide line."""
@@ -162,7 +168,7 @@ class Bodies:
         offset = self.offset(pair, pair.link, body.link.first_point)
         if offset is None:
             return first
-        direction = self.draft.turn(f"∥{pair.guide}", body.axis, -self._slide_angle(pair))
+        direction = self._slide_direction(pair, body.axis)
         label, means = f"{body.link.first_point}⊥{pair.guide}", Meaning("foot", pair.guide, body.link.first_point)
         return self.shifted(label, means, first, direction, difference((0.0, 0.0), offset))
 

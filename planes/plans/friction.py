@@ -42,12 +42,13 @@ def meet_with_friction(acting: Acting, plan: str, lines: list[Term], x: str, pai
         pushes = tuple(_push(acting, plan, t, p, mark, tag) for t, p in rubbing)
         trials.append(Trial(mark, pushes, signs))
     d.step(Choose(at(plan, x), tuple(trials), at(plan, lines[0].start), mu_of(plan)))
-    return {t.name: _leant(acting, plan, t, x) for t, _ in rubbing}
+    return {t.name: _leant(acting, plan, t, p, x) for t, p in rubbing}
 
 
-def _leant(acting: Acting, plan: str, term: Term, x: str) -> Term:
+def _leant(acting: Acting, plan: str, term: Term, pair: Pair, x: str) -> Term:
     ends = at(plan, term.start), at(plan, x)
-    along = acting.b.draft.through(f"∡{term.name}", *(ends if term.sign > 0 else reversed(ends)))
+    leaning = Meaning("leaning", pair.guide)
+    along = acting.b.draft.through(f"∡{term.name}", *(ends if term.sign > 0 else ends[::-1]), leaning)
     return replace(term, direction=along, action=f"∠{term.action}")
 
 
@@ -59,9 +60,9 @@ def _lean(acting: Acting, pair: Pair, sign: int) -> str:
     d, guide = acting.b.draft, f"∥{pair.guide}"
     coefficient = d.give(f"f_{pair.guide}", acting.b.mechanism.friction[pair.guide])
     d.law(coefficient, acting.b.mechanism.laws.get(("friction", pair.guide)))
-    normal = d.square(f"⊥{guide}", guide)
-    tag = "+" if sign > 0 else "-"
-    return d.step(Lean(f"lean_{pair.link}{tag}", normal, guide, coefficient, sliding_sense(acting, pair), sign))
+    normal = d.square(guide)
+    name, means = f"lean_{pair.link}{'+' if sign > 0 else '-'}", Meaning("leaning", pair.guide)
+    return d.step(Lean(name, normal, guide, coefficient, sliding_sense(acting, pair), sign, means=means))
 
 
 def _push(acting: Acting, plan: str, term: Term, pair: Pair, mark: str, tag: str) -> str:

@@ -96,7 +96,7 @@ class Rates:
         if leg.pair is None:
             part, value, along = "n", self.normal(leg), leg.towards
         elif self.b.known[leg.link].root != FRAME:
-            part, value, along = "k", self.coriolis(leg), self.b.draft.square(f"⊥{leg.along}", leg.along)
+            part, value, along = "k", self.coriolis(leg), self.b.draft.square(leg.along)
         else:
             return start, Term(relative, known, new, direction=leg.along, action=leg.along)
         middle, means = f"{part}_{leg.symbol}", Meaning("coriolis" if leg.pair else "normal", leg.symbol)
@@ -203,7 +203,7 @@ def swing(r: Rates, body: Body, spot: BodyPoint) -> None:
     driver's own pivot on the frame, or the point that a link sliding on the driver is reached by."""
     d, centre = r.b.draft, body.carrier
     ray = d.ray(SCHEME, centre.place, spot.place)
-    across = d.square(f"⊥{ray}", ray)
+    across = d.square(ray)
     length = r.b.distance(body.link, centre, spot)
     start, end, total = r.label(centre.name), r.label(spot.name), r.letter + spot.name
     own = start == POLE
@@ -218,11 +218,11 @@ def swing(r: Rates, body: Body, spot: BodyPoint) -> None:
         return
     normal = d.product(f"{name}^n", **{f"omega_{body.root}": 2, length: 1})
     tangential = d.product(f"{name}^t", **{f"epsilon_{body.root}": 1, length: 1})
-    inwards = d.square(f"{spot.place}→{centre.place}", ray, 2)
-    middle = "n_" + name.removeprefix(r.letter)
+    inwards = d.back(f"{spot.place}→{centre.place}", ray, Meaning("towards", spot.place, centre.place))
+    middle, turning = "n_" + name.removeprefix(r.letter), Meaning("normal", spot.name, centre.name)
     chain = (
         *base,
-        Term(f"{name}^n", start, middle, length=normal, direction=inwards, action=inwards, means=Meaning("normal")),
+        Term(f"{name}^n", start, middle, length=normal, direction=inwards, action=inwards, means=turning),
         Term(f"{name}^t", middle, end, length=tangential, direction=across, action=across),
     )
     d.draw(Equation(r.plan, (chain, ()), total))

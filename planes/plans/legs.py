@@ -12,7 +12,7 @@ from planes.plans.bodies import SCHEME, Bodies, BodyPoint
 from planes.plans.positions import moving_name
 from planes.plans.structure import Group, Pair
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE
+from planes.words.names import POLE, Meaning
 
 
 @dataclass(frozen=True)
@@ -70,9 +70,9 @@ def _pivot(b: Bodies, pair: Pair, link: str, new: BodyPoint) -> Leg:
         known,
         pair.mate(link),
         f"{new.name}{pivot}",
-        d.square(f"⊥{ray}", ray),
+        d.square(ray),
         length=length,
-        towards=d.square(f"{new.place}→{pivot}", ray, 2),
+        towards=d.back(f"{new.place}→{pivot}", ray, Meaning("towards", new.place, pivot)),
         turns=link,
     )
 

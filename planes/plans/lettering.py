@@ -3,14 +3,13 @@ plans know, which vectors end at a point of the frame under a slider."""
 
 from __future__ import annotations
 
-from typing import Any
-
 from planes.plans import Plans
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME
+from planes.words.records import Json
 
 
-def lettering(scene: Scene, plans: Plans | None = None) -> dict[str, Any]:
+def lettering(scene: Scene, plans: Plans | None = None) -> Json:
     """How names of a scene are lettered, on a sheet as on a page; the vectors of force plans ask for no plans."""
     means = plans.means if plans else {}
     return {

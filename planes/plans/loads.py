@@ -78,7 +78,7 @@ class Acting:
         d = self.b.draft
         gravity, mass = d.give("g", self.b.mechanism.gravity), d.give(f"m_{link.name}", link.mass)
         size = d.product(f"G_{link.name}", **{mass: 1, gravity: 1})
-        down = d.aim("↓", -90.0)
+        down = d.aim("↓", -90.0, Meaning("down"))
         self._add(Force(f"G_{link.name}", link.name, size, down, *self._centre(link, "weight")))
 
     def _centre(self, link: Link, quantity: Quantity) -> tuple[str, Quantity, BodyPoint]:
@@ -97,7 +97,7 @@ class Acting:
             return
         rate = d.measure(f"a_{link.mass_centre}", pole, mark)
         size = d.product(f"I_{link.name}", **{d.give(f"m_{link.name}", link.mass): 1, rate: 1})
-        back = d.through(f"-a_{link.mass_centre}", mark, pole)
+        back = d.through(f"-a_{link.mass_centre}", mark, pole, Meaning("against", f"a_{link.mass_centre}"))
         self._add(Force(f"I_{link.name}", link.name, size, back, *self._centre(link, "inertia")))
 
     def _force(self, load: Load, suffix: str) -> str:
@@ -108,13 +108,15 @@ class Acting:
             ends = at(self.motion.plan, POLE), self.motion.mark(point)
             moving = d.step(Sense(f"moves_{point}", *ends, None, tuple(self.motion.driven)))
             ends = ends if load.sense == "along" else (ends[1], ends[0])
-            along = d.through(f"{'+' if load.sense == 'along' else '-'}{self.motion.letter}{point}", *ends)
+            means = Meaning("with" if load.sense == "along" else "against", f"v_{point}")
+            along = d.through(f"{'+' if load.sense == 'along' else '-'}{self.motion.letter}{point}", *ends, means)
             size = d.product(name, **{size: 1, moving: 1})
         elif load.direction_link and load.direction_link != FRAME:
-            along = d.turn(f"∠{name}", self._axis(load.direction_link), load.direction_deg or 0.0)
+            axis, angle = self._axis(load.direction_link), load.direction_deg or 0.0
+            along = d.turn(f"∠{name}", axis, angle, 0.0, Meaning("given", name))
             size = d.product(name, **{size: 1})
         else:
-            along = d.aim(f"∠{name}", load.direction_deg or 0.0)
+            along = d.aim(f"∠{name}", load.direction_deg or 0.0, Meaning("given", name))
             size = d.product(name, **{size: 1})
         self._add(Force(name, load.link, size, along, at(SCHEME, point), "load", BodyPoint(point, point)))
         return size

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any
 
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
@@ -12,7 +11,8 @@ from planes.plans import Plans
 from planes.plans.quantities import Column, Measured, Quantity
 from planes.words import Lang
 from planes.words.errors import PlanFailure
-from planes.words.names import at, kind_of, label_of, mu_of, plan_of
+from planes.words.names import at, kind_of, label_of, mu_of
+from planes.words.records import Json
 from planes.words.things import plan_phrase
 from planes.words.units import UNIT, mu_text
 
@@ -22,8 +22,9 @@ BLUNT = math.sin(math.radians(15))
 class DrawingReader:
     """Reads one drawing."""
 
-    def __init__(self, st: Plans, drawing: Drawing, scales: Mapping[str, float]) -> None:
-        self.st, self.drawing, self.scales = st, drawing, scales
+    def __init__(self, stated: Plans, drawing: Drawing, scales: Mapping[str, float]) -> None:
+        self.stated, self.drawing, self.scales = stated, drawing, scales
+        self.own = {f"{letter}_{point}" for letter in "va" for point in stated.points}  # vectors of points
 
     def finite(self, value: float, name: str) -> float:
         """The number itself, never NaN or infinite."""
@@ -45,20 +46,19 @@ class DrawingReader:
 
         Where one segment is two vectors (v_C and v_CD of a fixed D), it is named as the point's own.
         """
-        own = {f"{letter}_{point}" for letter in "va" for point in self.st.points}
         found: dict[str, Segment] = {}
-        for s in self.st.segments:
+        for s in self.stated.segments_of.get(plan, ()):
             there = at(s.plan, s.start) in self.drawing and at(s.plan, s.end) in self.drawing
-            if s.plan == plan and s.start != s.end and there and (names is None or s.name in names):
+            if s.start != s.end and there and (names is None or s.name in names):
                 key = s.start + s.end
-                if key not in found or (s.name in own and found[key].name not in own):
+                if key not in found or (s.name in self.own and found[key].name not in self.own):
                     found[key] = s
         return found
 
-    def plans(self, names: set[str] | None = None, errors: dict[str, float] | None = None) -> dict[str, Any]:
+    def plans(self, names: set[str] | None = None, errors: dict[str, float] | None = None) -> Json:
         """What was measured on each plan: μ, segments in mm and in SI, sharpness of the crossings."""
-        out: dict[str, Any] = {}
-        for plan in self.st.drawn:
+        out: Json = {}
+        for plan in self.stated.drawn:
             if plan in ("lever", "motion"):
                 continue
             sharpness = self.sharpness(plan)
@@ -76,7 +76,7 @@ class DrawingReader:
             }
         return out
 
-    def segment(self, s: Segment, bluntest: float, error_mm: float | None = None) -> dict[str, Any]:
+    def segment(self, s: Segment, bluntest: float, error_mm: float | None = None) -> Json:
         """One segment as measured with the instrument, on a plan whose bluntest crossing has this sharpness."""
         tool, mu = self.drawing.tool, self.scales[mu_of(s.plan)]
         start, end = (self.drawing[at(s.plan, end)] for end in (s.start, s.end))
@@ -93,12 +93,9 @@ class DrawingReader:
 
     def sharpness(self, plan: str) -> dict[str, float]:
         """Sine of the angle at which the lines of each crossed mark meet."""
-        program = self.drawing.program
-        return {
-            label_of(name): float(sharpness)
-            for name, sharpness in self.drawing.sharpness.items()
-            if plan_of(name) == plan and name not in program.trials
-        }
+        program, sharpness = self.drawing.program, self.drawing.sharpness
+        crossed = (s.makes for s in program.marks.get(plan, ()) if s.makes in sharpness)
+        return {label_of(name): float(sharpness[name]) for name in crossed if name not in program.trials}
 
 
 def say_plan(plan: str, lang: Lang) -> str:

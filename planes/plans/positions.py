@@ -31,7 +31,7 @@ def _place_driver(b: Bodies) -> None:
     drive, pair = b.mechanism.drive, b.structure.drive_pair
     link = b.mechanism.links[drive.link]
     if drive.kind == "phi":
-        axis = b.draft.aim(f"x_{link.name}", drive.position)
+        axis = b.draft.aim(f"x_{link.name}", drive.position, Meaning("own", link.name))
         body = Body(link, BodyPoint(pair.point, pair.point), axis, link.name)
         b.place_points(body)
         second = _second_point(b, pair.point)
@@ -95,7 +95,7 @@ def _rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
         line = b.mechanism.where.get(("links", name), b.mechanism.where.get(("links",)))
         raise SceneError(Phrase("hinges_coincide", link=name, one=one, two=two), b.file, line)
     angle, off = angle_deg(*places)
-    axis = b.draft.turn(f"x_{name}", b.draft.ray(SCHEME, one, two), -angle, off)
+    axis = b.draft.turn(f"x_{name}", b.draft.ray(SCHEME, one, two), -angle, off, Meaning("own", name))
     spots = BodyPoint(one, one), BodyPoint(two, two)
     return Body(link, spots[0], axis, name, spots, rigid=True)
 
@@ -130,10 +130,12 @@ def _place_slider(b: Bodies, pair: Pair, name: str, base: str, direction: str) -
 def _place_rpr(b: Bodies, g: Group) -> None:
     one, two, pair = g.first_outer.point, g.last_outer.point, g.inner
     offset = difference(b.offset(pair, g.first, one), b.offset(pair, g.last, two))
-    given = None if offset is None else b.draft.give(f"e_{one}{two}", *offset)
+    given = None if offset is None else b.draft.give(f"e_{one}{two}", *offset, Meaning("offset", one, two))
     side = _side(b, pair.guide, g)
     ends = at(SCHEME, two), at(SCHEME, one)
-    direction = b.draft.step(Touch(f"∥{pair.guide}", *ends, given, "mu_position", side))
+    direction = b.draft.step(
+        Touch(f"∥{pair.guide}", *ends, given, "mu_position", side, means=Meaning("along", pair.guide))
+    )
     name = moving_name(b, pair.guide, one, g.last)
     ref = BodyPoint(two, two), BodyPoint(one, name)
     b.place_points(Body(b.mechanism.link(g.last), ref[0], b.axis_along(pair, g.last, direction), g.last, ref))
@@ -143,7 +145,7 @@ def _place_rpr(b: Bodies, g: Group) -> None:
 def moving_name(b: Bodies, guide: str, point: str, link: str) -> str:
     """Name of the point of ``link`` that coincides with ``point``: the letter the guide gives it, or "H2"."""
     name = b.mechanism.guide(guide).mark if b.mechanism.owner(guide) == link else None
-    taken = {POLE, *(p for x in (b.mechanism.frame, *b.mechanism.links.values()) for p in x.points)}
+    taken = b.mechanism.names | {POLE}
     here = point, link
     if not name or name in taken or b.coincident.get(name, here) != here:
         name = f"{point}{link}"

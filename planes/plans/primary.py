@@ -50,7 +50,7 @@ class DriverForces:
     def sliding(self, terms: tuple[Term, ...], start: str, key: str) -> None:
         """The guide's reaction crosses the balancing force, which acts along the guide."""
         guide = f"∥{self.pair.guide}"
-        normal = self.d.square(f"⊥{guide}", guide)
+        normal = self.d.square(guide)
         reaction = Term(key, start, key, None, normal, normal)
         force = Term(f"Fb_{self.link}", POLE, key, None, guide, guide, False, -1)
         if self.pair.guide in self.b.mechanism.friction:

@@ -31,6 +31,7 @@ class _Motion:
 
     def __init__(self, s: Statics, velocity: Rates, acceleration: Rates) -> None:
         self.b, self.rates = s.b, (velocity, acceleration)
+        self.beside = {SCHEME: (), **{r.plan: tuple(r.driven) for r in self.rates}}
 
     def point(self, link: str, name: str) -> Point:
         marks = tuple(r.mark(name) for r in self.rates)
@@ -44,14 +45,11 @@ class _Motion:
         omega, epsilon = ("" if body.root == FRAME else r.spin(body.root) for r in self.rates)
         return LinkMotion(origin, body.axis, omega, epsilon)
 
-    def beside(self, plan: str) -> tuple[str, ...]:
-        return tuple(mark for r in self.rates if r.plan == plan for mark in r.driven)
-
     def rigid(self) -> Iterator[Proof]:
         for name, link in self.b.mechanism.links.items():
             points = tuple(self.point(name, p) for p in link.points if p != link.first_point)
             for plan in (SCHEME, *RATES) if points else ():
-                yield Rigid(plan, name, self.frame(name), points, self.beside(plan))
+                yield Rigid(plan, name, self.frame(name), points, beside=self.beside[plan])
 
     def slid(self) -> Iterator[Proof]:
         for name, link in self.b.mechanism.links.items():
@@ -61,8 +59,8 @@ class _Motion:
                 turn = cmath.rect(1.0, math.radians(line.angle_deg))
                 slider = self.point(name, link.first_point)
                 for plan in (SCHEME, *RATES):
-                    offset = link.slides.offset or 0.0
-                    yield Slid(plan, name, slider, self.frame(owner), line.through, turn, offset, self.beside(plan))
+                    apart, beside = link.slides.offset or 0.0, self.beside[plan]
+                    yield Slid(plan, name, slider, self.frame(owner), line.through, turn, apart, beside=beside)
 
 
 def closed(draft: Draft) -> Iterator[Proof]:

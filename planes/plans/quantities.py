@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
+from planes.drafting.tools import Thing
+from planes.geometry.arithmetic import Arithmetic, Real, Truth
 from planes.plans import Plans
 from planes.plans.loads import force_name
 from planes.plans.reactions import Reaction
@@ -12,6 +14,7 @@ from planes.scene.mechanism import FRAME
 from planes.words import Phrase
 from planes.words.errors import SceneError, choices
 from planes.words.names import POLE, at, kind_of, mu_of, plan_of
+from planes.words.records import Json
 from planes.words.units import UNIT
 
 MOTION = ("points", "links", "slides")
@@ -42,7 +45,7 @@ class Column(NamedTuple):
         """The names of the program the column is taken from."""
         return tuple(n for n in (self.value, self.start, self.end, *self.beside) if n)
 
-    def take(self, things: Mapping[str, Any], ar: Any) -> Any:
+    def take(self, things: Mapping[str, Thing], ar: Arithmetic) -> Real:
         """The column's number (or numbers) from the things drawn."""
         if self.part:
             mu = things[mu_of(plan_of(self.start))]
@@ -53,10 +56,10 @@ class Column(NamedTuple):
             return 0.0
         return ar.where(self.empty(things, ar), float("nan"), things[self.value]) if self.beside else things[self.value]
 
-    def empty(self, things: Mapping[str, Any], ar: Any) -> Any:
+    def empty(self, things: Mapping[str, Thing], ar: Arithmetic) -> Truth:
         """Where the normal force is nothing beside the largest of its plan's marks that are drawn."""
         normal, *marks = (n for n in self.beside if n in things)
-        largest: Any = 0.0
+        largest: Real = 0.0
         for mark in marks:
             largest = ar.maximum(largest, abs(things[mark]))
         return abs(things[normal]) <= 1e-12 * largest / things[mu_of(plan_of(marks[0]))]
@@ -120,16 +123,16 @@ class Measured(NamedTuple):
         """The couple about that foot; in a hinge there is none."""
         return (self.numbers[3] or 0.0) if self.slides else 0.0
 
-    def json(self) -> Any:
+    def json(self) -> Json | list[float | None] | float | None:
         """A number, [x, y], or a sliding pair's force, arm and moment."""
         if self.slides:
             return {"force": list(self.numbers[:2]), "arm": self.numbers[2], "moment": self.numbers[3]}
         return list(self.numbers) if len(self.numbers) == 2 else self.numbers[0]
 
 
-def nested(found: Iterable[Measured], groups: Iterable[str] = ()) -> dict[str, Any]:
+def nested(found: Iterable[Measured], groups: Iterable[str] = ()) -> Json:
     """What was found in the shape of the JSON, its ``groups`` there even if they are empty."""
-    out: dict[str, Any] = {group: {} for group in groups}
+    out: Json = {group: {} for group in groups}
     for one in found:
         *outer, last = one.quantity.path
         within = out
@@ -220,7 +223,7 @@ def _reaction(plans: Plans, r: Reaction) -> tuple[Column, ...]:
     force = _vector(r.key, "N", (r.start, r.end))
     if r.pair.kind == "R":
         return force
-    marks = tuple(s.makes for s in plans.program.steps if plan_of(s.makes) == r.plan)
+    marks = tuple(s.makes for s in plans.program.marks.get(r.plan, ()))
     arm = Column(f"{r.key}_arm", "m", r.arm, beside=(r.normal, *marks))
     return (*force, arm, Column(f"{r.key}_moment", "N·m", r.moment))
 

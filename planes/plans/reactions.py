@@ -73,7 +73,7 @@ class Statics:
         ends = (r.start, r.end) if on == r.pair.link else (r.end, r.start)
         name = force_name(on, r.pair.mate(on))
         size = d.measure(f"|{r.key}|", r.start, r.end)
-        along = d.through(f"→{name}", *ends)
+        along = d.through(f"→{name}", *ends, Meaning("own", name))
         point = at(SCHEME, r.pair.point) if r.pair.kind == "R" else self.b.foot(r.pair)
         return Force(name, on, size, along, point, "reaction")
 
@@ -82,8 +82,8 @@ class Statics:
         d, pair = self.b.draft, r.pair
         side = -1.0 if link == pair.link else 1.0
         products, shown = self.moment_terms(about, [*forces, self.as_force(r, link)], couples, side)
-        moment = d.total(f"MR_{r.key}", products)
-        normal = d.measure(f"N_{r.key}", r.start, r.end, d.square(f"⊥∥{pair.guide}", f"∥{pair.guide}"))
+        moment = d.total(f"MR_{r.key}", products, Meaning("couple", r.key))
+        normal = d.measure(f"N_{r.key}", r.start, r.end, d.square(f"∥{pair.guide}"))
         arm = d.product(f"arm_{r.key}", **{moment: 1, normal: -1})
         d.moments.append(Moments(label_of(about), (link,), shown, moment, ""))
         self.reactions[r.key] = seated = Reaction(r.key, r.plan, r.start, r.end, pair, normal, arm, moment)

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from planes.drafting.drawing import Drawing, reached, run
 from planes.plans import Plans
-from planes.words.names import POLE, kind_of, label_of, mu_of, plan_of
+from planes.words.names import POLE, kind_of, label_of, mu_of
 from planes.words.units import standard_mu, standard_scale
 
 FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 110.0, "motion": 100.0}
@@ -37,8 +37,7 @@ def scales(
         for plan in fixed:
             if mu_of(plan) not in chosen:
                 size, fit = extent(drawing, plan), fit_mm.get(plan) or fit_mm[kind_of(plan)]
-                standard = standard_scale if plan == "position" else standard_mu
-                chosen[mu_of(plan)] = standard(size, fit)
+                chosen[mu_of(plan)] = fitting(plan, size, fit)
         if failed:  # tell it in millimetres of the paper
             run(plans.program, {**now, **chosen})
             raise failed
@@ -47,10 +46,15 @@ def scales(
     return chosen
 
 
+def fitting(plan: str, size: float, fit_mm: float) -> float:
+    """The largest standard μ, mm per SI unit, at which a plan so large in SI fits so many millimetres."""
+    return (standard_scale if plan == "position" else standard_mu)(size, fit_mm)
+
+
 def extent(drawing: Drawing, plan: str) -> float:
     """The larger side of the box around a plan's marks, in SI when drawn at unit scale."""
-    made = [s for s in drawing.program.steps if s.kind == "mark" and not s.loose]
-    marks = [drawing[s.makes] for s in made if plan_of(s.makes) == plan and label_of(s.makes) != POLE]
+    made = (s for s in drawing.program.marks.get(plan, ()) if not s.loose and label_of(s.makes) != POLE)
+    marks = [drawing[s.makes] for s in made]
     if plan != "position":
         marks.append(0j)
     marks = [m for m in marks if cmath.isfinite(m)]

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 from planes.plans.structure import Pair
+from planes.words.records import Json
 
 Sign = Literal["R", "P", "C", "S"]
 FREEDOMS: Mapping[Sign, int] = {"R": 1, "P": 1, "C": 2, "S": 3}
@@ -41,7 +42,7 @@ class Aligned:
         """What a pair becomes."""
         return next(sign for p, sign in self.pairs if p == pair)
 
-    def json(self) -> dict[str, Any]:
+    def json(self) -> Json:
         """The variant as ``planes structure --json`` has it."""
         p5, p4, p3 = self.counts
         kinds = {"R": "revolute", "P": "prismatic", "C": "cylindrical", "S": "spherical"}

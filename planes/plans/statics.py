@@ -104,7 +104,7 @@ class _GroupForces:
         """The line of an outer reaction through a mark of the polygon (X is its other end)."""
         name = force_name(link, pair.mate(link)) + ("^n" if split else "")
         if pair.kind == "P":
-            along: str | None = self.d.square(f"⊥∥{pair.guide}", f"∥{pair.guide}")
+            along: str | None = self.d.square(f"∥{pair.guide}")
         else:
             along = self.normal_line(pair) if split else None
         return Term(name, start, x, None, along, along or "", False, sign)
@@ -118,7 +118,7 @@ class _GroupForces:
     def inner_ray(self, start: str, x: str) -> Term:
         """The inner reaction, on the first link from the last, through the end of the first link's loads."""
         g = self.g
-        along = self.d.square(f"⊥∥{g.inner.guide}", f"∥{g.inner.guide}") if g.inner.kind == "P" else None
+        along = self.d.square(f"∥{g.inner.guide}") if g.inner.kind == "P" else None
         return Term(force_name(g.first, g.last), start, x, None, along, along or "", False, 1)
 
     def tangential(self, link: str, pair: Pair) -> list[Force]:
@@ -137,7 +137,7 @@ class _GroupForces:
         name = force_name(link, pair.mate(link)) + "^t"
         d.total(name, products)
         d.moments.append(Moments(about, links, shown, name, length))
-        return [Force(name, link, name, d.square(f"⊥{ray}", ray), at(SCHEME, pair.point), "tangential")]
+        return [Force(name, link, name, d.square(ray), at(SCHEME, pair.point), "tangential")]
 
     def read(self, head_end: str, e_a: str, tail_start: str, x: str) -> None:
         """Reactions of the three pairs as segments, the couples of the sliding ones, and hand them on."""

@@ -6,11 +6,11 @@ class II in the five kinds of Artobolevsky.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import combinations
 from typing import Literal
 
+from planes.plans.unsolvable import Joint, freedom, unsolvable
 from planes.scene.mechanism import FRAME, Mechanism
 from planes.words import Phrase
 from planes.words.errors import StructureError
@@ -116,7 +116,6 @@ class _Finder:
     def __init__(self, mechanism: Mechanism, file: str) -> None:
         self.mechanism, self.file = mechanism, file
         self.links = list(mechanism.links)
-        self.order = {FRAME: 0, mechanism.drive.link: 1}  # links in the order they are solved
         self.holders: dict[str, list[str]] = {}
         for link in (mechanism.frame, *mechanism.links.values()):
             for point in link.points:
@@ -130,6 +129,9 @@ class _Finder:
         for slide in self.slides:
             for name in dict.fromkeys((slide.link, slide.other)):
                 self.slid.setdefault(name, []).append(slide)
+        self.left = {link: place for place, link in enumerate(self.links)}  # not solved yet, in the order of the file
+        self.reached: set[str] = set()  # points of solved links
+        self.outer: dict[str, list[Pair]] = {link: [] for link in self.links}  # pairs with solved links
 
     def error(self, phrase: Phrase, *path: str) -> StructureError:
         """A refusal that points at the line of what it speaks of."""
@@ -157,7 +159,7 @@ class _Finder:
     def drive_pair(self) -> Pair:
         """The pair of the driver with the frame that the drive's motion is given in."""
         drive = self.mechanism.drive
-        found = self.between(drive.link, {FRAME: 0})
+        found = self.between(drive.link, FRAME)
         wanted: Literal["R", "P"] = "R" if drive.kind == "phi" else "P"
         fitting = [p for p in found if p.kind == wanted]
         if len(found) != 1 or not fitting:
@@ -166,46 +168,55 @@ class _Finder:
             raise self.error(Phrase("driver_pair", link=drive.link, kind=drive.kind, need=need, have=have), "drive")
         return fitting[0]
 
-    def between(self, link: str, known: Mapping[str, int]) -> list[Pair]:
-        """Pairs of ``link`` with the known links, each hinge paired with the one solved first."""
-        pairs = []
-        for point in self.mechanism.link(link).points:
-            mates = [k for k in self.holders[point] if k in known]
-            if mates:
-                pairs.append(Pair("R", link, min(mates, key=known.__getitem__), point=point))
-        return pairs + [slide for slide in self.slid.get(link, ()) if slide.mate(link) in known]
+    def between(self, link: str, other: str) -> list[Pair]:
+        """Pairs of a link with another one."""
+        points = (p for p in self.mechanism.link(link).points if other in self.holders[p])
+        slides = (slide for slide in self.slid.get(link, ()) if slide.mate(link) == other)
+        return [*(Pair("R", link, other, point=point) for point in points), *slides]
+
+    def solve(self, link: str) -> None:
+        """Note a link as solved: each hinge of its that was not reached yet, and each slide, is an outer pair of the
+        others there."""
+        self.left.pop(link, None)
+        for point in [p for p in self.mechanism.link(link).points if p not in self.reached]:
+            self.reached.add(point)
+            for other in self.holders[point]:
+                if other in self.left:
+                    self.outer[other].append(Pair("R", other, link, point=point))
+        for slide in self.slid.get(link, ()):
+            if slide.mate(link) in self.left:
+                self.outer[slide.mate(link)].append(slide)
 
     def groups(self) -> tuple[Group, ...]:
         """Dyads in the order they attach; refuses what is left when none attaches."""
-        found = []
-        while left := [x for x in self.links if x not in self.order]:
-            group = next((g for g in map(self.dyad, self.meeting(left)) if g), None)
+        found: list[Group] = []
+        solved: tuple[str, ...] = (FRAME, self.mechanism.drive.link)
+        while True:
+            for link in solved:
+                self.solve(link)
+            if not self.left:
+                return tuple(found)
+            group = next((g for g in map(self.dyad, self.meeting()) if g), None)
             if group is None:
-                raise self.higher_class(left)
+                raise self.stuck()
             found.append(group)
-            self.order |= {link: len(self.order) + k for k, link in enumerate(group.links)}
-        return tuple(found)
+            solved = group.links
 
-    def meeting(self, left: list[str]) -> Iterator[tuple[str, str]]:
-        """The pairs of those links that have a hinge or a guide in common, in the order of the file."""
-        place = {link: k for k, link in enumerate(left)}
-        for one in left:
-            hinged = {h for point in self.mechanism.link(one).points for h in self.holders[point]}
-            mates = hinged | {slide.mate(one) for slide in self.slid.get(one, ())}
-            later = sorted(place[m] for m in mates if place.get(m, -1) > place[one])
-            yield from ((one, left[k]) for k in later)
+    def meeting(self) -> Iterator[tuple[str, str]]:
+        """Two links that hang on one solved link each and have a hinge or a guide in common, in the order of the
+        file."""
+        place = {link: k for link, k in self.left.items() if len(self.outer[link]) == 1}
+        for one in place:
+            points = (p for p in self.mechanism.link(one).points if p not in self.reached)
+            mates = {h for point in points for h in self.holders[point]}
+            mates |= {slide.mate(one) for slide in self.slid.get(one, ())}
+            yield from ((one, self.links[k]) for k in sorted(place[m] for m in mates if place.get(m, -1) > place[one]))
 
     def dyad(self, links: tuple[str, str]) -> Group | None:
         """The two links as a dyad on what is solved, or None."""
         one, two = links
-        outer_one, outer_two = self.between(one, self.order), self.between(two, self.order)
-        inner = [p for p in self.between(two, {one: 0}) if p.kind == "P" or not self.solved_hinge(p.point)]
-        if len(outer_one) != 1 or len(outer_two) != 1 or len(inner) != 1:
-            return None
-        return self.classified(links, outer_one[0], inner[0], outer_two[0])
-
-    def solved_hinge(self, point: str) -> bool:
-        return any(link in self.order for link in self.holders[point])
+        inner = [p for p in self.between(two, one) if p.kind == "P" or p.point not in self.reached]
+        return self.classified(links, self.outer[one][0], inner[0], self.outer[two][0]) if len(inner) == 1 else None
 
     def classified(self, links: tuple[str, str], a: Pair, inner: Pair, b: Pair) -> Group:
         """Kind and working order of a dyad with outer pairs ``a`` of the first link and ``b`` of the second."""
@@ -221,26 +232,18 @@ class _Finder:
         kind = KIND_NAMES.index(letters[::-1] if letters in ("PRR", "PPR") else letters) + 1
         return Group(links, kind, one, two, inner, a, b)
 
-    def higher_class(self, left: list[str]) -> StructureError:
+    def stuck(self) -> StructureError:
         """The error for links that form a group of a higher class, or are over- or under-constrained."""
-        for size in range(1, len(left) + 1):
-            for chosen in combinations(left, size):
-                freedom = 3 * size - 2 * self.pairs_within(chosen)
-                if freedom < 0:
-                    why = Phrase("overconstrained", names=chosen, count=(1 - freedom) // 2, freedom=freedom)
-                    return self.error(why, "links", chosen[0])
-                if freedom == 0 and size > 2:
-                    return self.error(Phrase("higher_class", names=chosen), "links", chosen[0])
-        return self.error(Phrase("loose_links", names=tuple(left)), "links", left[0])
-
-    def pairs_within(self, chosen: tuple[str, ...]) -> int:
-        """Pairs of the chosen links among themselves and with the solved ones."""
-        known = set(self.order) | set(chosen)
-        count = 0
-        for holders in self.holders.values():
-            inside = [h for h in holders if h in known]
-            count += max(0, len(inside) - max(1, sum(h in self.order for h in inside)))
-        return count + sum(s.link in known and s.other in known for s in self.slides if {s.link, s.other} & set(chosen))
+        holders = [*self.holders.values(), *([s.link, s.other] for s in self.slides)]
+        here = [tuple(x for x in links if x in self.left) for links in holders]
+        joints = [Joint(some, len(some) < len(all_)) for some, all_ in zip(here, holders, strict=True)]
+        names = unsolvable(list(self.left), joints)
+        free = freedom(names, joints)
+        if free < 0:
+            why = Phrase("overconstrained", names=names, count=(1 - free) // 2, freedom=free)
+        else:
+            why = Phrase("higher_class" if names else "loose_links", names=names or tuple(self.left))
+        return self.error(why, "links", (names or tuple(self.left))[0])
 
 
 def _pair_word(pair: Pair) -> Phrase:

@@ -15,19 +15,9 @@ from planes.scene.laws import read_laws
 from planes.scene.links import read_frame, read_links
 from planes.scene.mechanism import Mechanism, Where
 from planes.scene.motion import read_assembly, read_drive, read_friction, read_gravity, read_loads
+from planes.scene.parameters import choose, read_parameters, read_variants, with_numbers
 from planes.scene.reader import Reader
-from planes.scene.settings import (
-    choose,
-    read_find,
-    read_number_of_frame,
-    read_parameters,
-    read_plans,
-    read_sheet,
-    read_variants,
-    read_vector_mu,
-    read_words,
-    with_numbers,
-)
+from planes.scene.settings import read_find, read_number_of_frame, read_plans, read_sheet, read_vector_mu, read_words
 from planes.scene.source import Node, SourceTable
 from planes.scene.vectors import VectorGiven, read_equations, read_vectors
 from planes.words import Phrase
@@ -179,18 +169,15 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
     mechanism = None if of_vectors else _mechanism(reader, table, where, stated)
     vectors = read_vectors(reader, table.entries["vectors"]) if of_vectors else {}
     equations, equation_lines = read_equations(reader, table.entries["equations"]) if of_vectors else ((), ())
-    mu, (generic, quantity) = (
-        read_plans(reader, reader.optional(table, "plans")),
-        read_vector_mu(reader, reader.optional(table, "mu")),
-    )
-
-    def words(key: str, node: Node | None) -> Mapping[str, str]:
-        return MappingProxyType(read_words(reader, node, key))
-
+    mu = read_plans(reader, reader.optional(table, "plans"))
+    generic, quantity = read_vector_mu(reader, reader.optional(table, "mu"))
+    said = {"title": reader.optional(table, "title"), "note": _note(reader, table)}
+    said["missing"] = reader.optional(table, "missing")
+    words = {key: MappingProxyType(read_words(reader, node, key)) for key, node in said.items()}
     return Scene(
         reader.file,
-        words("title", reader.optional(table, "title")),
-        words("note", _note(reader, table)),
+        words["title"],
+        words["note"],
         reading,
         mechanism,
         MappingProxyType(vectors),
@@ -203,7 +190,7 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
         frame_number=read_number_of_frame(reader, table.entries.get("frame")),
         where=where,
         crank_slider=reader.optional(table, "crank_slider"),
-        missing=words("missing", reader.optional(table, "missing")),
+        missing=words["missing"],
         doubts=tuple(read_doubts(reader.file, table, stated, mechanism)),
     )
 
@@ -227,10 +214,8 @@ def _check_outline(reader: Reader, table: SourceTable) -> None:
     if vectors and mechanism:
         if vectors == "mu":
             raise reader.error(Phrase("mu_place"), table.lines["mu"])
-        raise reader.error(
-            Phrase("two_scenes", mechanism=mechanism, vectors=vectors),
-            max(table.lines[vectors], table.lines[mechanism]),
-        )
+        why = Phrase("two_scenes", mechanism=mechanism, vectors=vectors)
+        raise reader.error(why, max(table.lines[vectors], table.lines[mechanism]))
     _check_required(reader, table, vectors is not None)
 
 

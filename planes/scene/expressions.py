@@ -61,41 +61,6 @@ def names_in(text: str) -> list[str]:
     return [word for kind, word in _tokens(text) if kind == "name" and word not in RESERVED]
 
 
-def resolve(texts: Mapping[str, str]) -> dict[str, float]:
-    """Values of parameters that may be expressions of one another, in the order given.
-
-    An error carries the parameter it arose in, as ``parameter``; a cycle is refused with its names.
-    """
-    values: dict[str, float] = {}
-    for start in texts:
-        _resolve_from(start, texts, values)
-    return {name: values[name] for name in texts}
-
-
-def _resolve_from(start: str, texts: Mapping[str, str], values: dict[str, float]) -> None:
-    path: dict[str, list[str]] = {}
-    current: str | None = None if start in values else start
-    while current is not None:
-        try:
-            if current not in path:
-                path[current] = [name for name in names_in(texts[current]) if name in texts]
-            todo = next((name for name in path[current] if name not in values), None)
-            if todo in path:
-                raise ExpressionError(_cycle(list(path), str(todo)))
-            if todo is None:
-                values[current] = evaluate(texts[current], values, texts)
-                path.popitem()
-        except ExpressionError as error:
-            raise ExpressionError(error.phrase, current) from None
-        current = todo if todo is not None else next(reversed(path), None)
-
-
-def _cycle(path: list[str], name: str) -> Phrase:
-    loop = [*path[path.index(name) :], name]
-    words = loop if len(loop) <= 8 else [*loop[:6], "…", name]
-    return Phrase("circle_of_one", name=name) if len(loop) == 2 else Phrase("circle", names=tuple(words))
-
-
 def _refusal(text: str, why: Phrase) -> ExpressionError:
     return ExpressionError(Phrase("about", what=shown(text), why=why))
 

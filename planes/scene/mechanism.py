@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from types import MappingProxyType
 from typing import Literal
 
@@ -127,10 +128,19 @@ class Mechanism:
         """The link of that name, the frame included."""
         return self.frame if name == FRAME else self.links[name]
 
+    @cached_property
+    def _owners(self) -> dict[str, Link]:
+        return {guide: link for link in (self.frame, *self.links.values()) for guide in link.guides}
+
     def owner(self, guide: str) -> str:
         """Name of the link that carries the guide."""
-        return next(link.name for link in (self.frame, *self.links.values()) if guide in link.guides)
+        return self._owners[guide].name
 
     def guide(self, name: str) -> Guide:
         """The guide of that name, wherever it is."""
-        return self.link(self.owner(name)).guides[name]
+        return self._owners[name].guides[name]
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """Names of all points."""
+        return frozenset(p for link in (self.frame, *self.links.values()) for p in link.points)

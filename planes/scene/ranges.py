@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
+from planes.geometry.arrays import Array
 from planes.words import Phrase
 from planes.words.errors import SceneError
 
@@ -24,7 +24,7 @@ class Span:
     def __len__(self) -> int:
         return self.count
 
-    def __getitem__(self, part: slice) -> Any:
+    def __getitem__(self, part: slice) -> Array:
         import numpy
 
         first, last, _ = part.indices(self.count)

@@ -5,60 +5,21 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from planes.scene.expressions import RESERVED, is_name, resolve
 from planes.scene.reader import MAX_NAME, Reader, part, section
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase
-from planes.words.errors import ExpressionError, choices, shown
+from planes.words.errors import shown
 from planes.words.units import PLANS, UnitError, plan_of_mu, read_mu
 
 Words = dict[str, str]
 
-SHEET_KEYS = (
-    "title",
-    "number",
-    "designation",
-    "group",
-    "student",
-    "teacher",
-    "checked",
-    "approved",
-    "department",
-    "university",
-    "company",
-    "material",
-    "letter",
-    "scale_note",
-    "mass",
-    "reactions",
-    "mu_convention",
-    "font",
-    "lettering",
-    "format",
-    "positions",
-    "date",
-    "sheet",
-    "sheets",
-    "tech",
-    "role",
-    "person",
-    "teacher_date",
-    "tech_date",
-    "person_date",
-    "checked_date",
-    "approved_date",
-    "revisions",
-    "inventory",
-    "inventory_accepted",
-    "replaces",
-    "duplicate",
-    "duplicate_accepted",
-    "reference",
-    "first_use",
-    "copied",
-    "diagrams",
-    "hodographs",
-)
+_KEYS = """
+title number designation group student teacher checked approved department university company material letter
+scale_note mass reactions mu_convention font lettering format positions date sheet sheets tech role person
+teacher_date tech_date person_date checked_date approved_date revisions inventory inventory_accepted replaces
+duplicate duplicate_accepted reference first_use copied diagrams hodographs
+"""
+SHEET_KEYS = tuple(_KEYS.split())
 MOST_MU = 1e20  # mm per SI unit
 _NUMERIC = ("mass", "sheet", "sheets")
 _LISTS = ("letter", "revisions", "diagrams", "hodographs")
@@ -74,69 +35,6 @@ MOST_REVISIONS = 4
 MOST_LETTERS = 3  # of graph 4
 _NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
 _FIND = re.compile(r"[\w'′″^]*\w[\w'′″^]*")
-
-
-def read_parameters(reader: Reader, node: Node | None, chosen: SourceTable | None) -> dict[str, float]:
-    """Values of the parameters in the order of the file, those of the chosen variant in place of their own."""
-    if node is None:
-        return {}
-    table = reader.table(node, "parameters")
-    for name, line in table.lines.items():
-        _check_parameter(reader, name, line)
-    entries = {**table.entries, **(chosen.entries if chosen else {})}
-    texts = {name: _scalar(reader, entry, Phrase("parameter", name=name)) for name, entry in entries.items()}
-    try:
-        return resolve(texts)
-    except ExpressionError as error:
-        what = Phrase("parameter", name=error.parameter)
-        raise reader.error(Phrase("about", what=what, why=error.phrase), entries[error.parameter]) from None
-
-
-def with_numbers(
-    reader: Reader, node: Node | None, chosen: SourceTable | None, numbers: Mapping[str, float]
-) -> SourceTable:
-    """The chosen variant with numbers put in the place of parameters by whoever runs the program."""
-    known = node.entries if isinstance(node, SourceTable) else {}
-    for name in numbers:
-        if name not in known:
-            valid = reader.offer(name, known, Phrase("parameters_all"))
-            raise reader.error(Phrase("parameter_unknown", name=shown(name), valid=valid), node or 1)
-    line = node.line if node else 1
-    given: dict[str, Node] = {name: SourceScalar(repr(float(value)), line) for name, value in numbers.items()}
-    return SourceTable({**(chosen.entries if chosen else {}), **given}, line)
-
-
-def _check_parameter(reader: Reader, name: str, line: int) -> None:
-    if name in RESERVED:
-        raise reader.error(Phrase("reserved_parameter", name=name), line)
-    if len(name) > MAX_NAME or not is_name(name):
-        raise reader.error(Phrase("bad_parameter", name=shown(name), most=MAX_NAME), line)
-
-
-def _scalar(reader: Reader, node: Node, what: Phrase) -> str:
-    if isinstance(node, SourceScalar) and not node.absent:
-        return node.text
-    reader.number(node, what)
-    raise reader.error(Phrase("only_number", what=what), node)
-
-
-def read_variants(reader: Reader, node: Node | None, parameters: Node | None) -> dict[str, SourceTable]:
-    """The variants by name, each a table that overrides parameters."""
-    if node is None:
-        return {}
-    known = parameters.entries if isinstance(parameters, SourceTable) else {}
-    variants = reader.names(node, "variants", Phrase("a_variant"))
-    tables: dict[str, SourceTable] = {}
-    for name, entry in variants.entries.items():
-        what, absent = Phrase("variant", name=name), isinstance(entry, SourceScalar) and entry.absent
-        table = SourceTable({}, entry.line) if absent else reader.table(entry, what)
-        for key, line in table.lines.items():
-            if key not in known:
-                valid = reader.offer(key, known, Phrase("parameters_all"))
-                raise reader.error(Phrase("no_parameter", name=name, key=shown(key), valid=valid), line)
-            _scalar(reader, table.entries[key], part(key, what))
-        tables[name] = table
-    return tables
 
 
 def read_words(reader: Reader, node: Node | None, what: str) -> Words:
@@ -261,11 +159,3 @@ def read_number_of_frame(reader: Reader, node: Node | None) -> str:
         return "0"
     what = Phrase("the_frame")
     return reader.check_name(reader.text(entry, part("number", what)), what, entry)
-
-
-def choose(reader: Reader, variants: Mapping[str, SourceTable], variant: str | None, line: int) -> SourceTable | None:
-    """The table of the asked variant."""
-    if variant is None or variant in variants:
-        return None if variant is None else variants[variant]
-    valid = choices(variant, variants) or Phrase("no_variants")
-    raise reader.error(Phrase("no_variant", name=shown(variant), valid=valid), line)

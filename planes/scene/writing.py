@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from typing import Any
 
 import yaml
 
 from planes.scene.mechanism import Assembly, Drive, Guide, Link, Load, Mechanism, Slide
 from planes.scene.source import Items, SourceScalar, SourceTable
+from planes.words.records import Json
 
 
 class _Lines(yaml.SafeDumper):
@@ -20,18 +20,20 @@ _Lines.add_representer(float, lambda dumper, x: dumper.represent_scalar("tag:yam
 _Lines.add_representer(complex, lambda dumper, z: dumper.represent_sequence("tag:yaml.org,2002:seq", [z.real, z.imag]))
 
 
-def as_yaml(mechanism: Mechanism, words: Mapping[str, Any], asked: Mapping[str, Any], frame_number: str = "0") -> str:
+def as_yaml(
+    mechanism: Mechanism, words: Mapping[str, object], asked: Mapping[str, object], frame_number: str = "0"
+) -> str:
     """The text of a scene file: numbers in full, no expressions; ``words`` and what is ``asked`` as the file has them.
 
     Parts that say nothing are left out; a part that was kept as it was written is written so again.
     """
-    parts: dict[str, Any] = {"planes": 1, **words, **dict(_mechanism(mechanism)), **asked}
+    parts: Json = {"planes": 1, **words, **dict(_mechanism(mechanism)), **asked}
     if frame_number != "0":
         parts["frame"]["number"] = frame_number
     return "".join(_dumped(key, _as_written(value)) for key, value in parts.items() if _said(value))
 
 
-def _dumped(key: str, value: Any) -> str:
+def _dumped(key: str, value: object) -> str:
     flow = None if isinstance(value, dict | list) else False
     text: str = yaml.dump(
         {key: value}, Dumper=_Lines, allow_unicode=True, sort_keys=False, width=110, default_flow_style=flow
@@ -39,11 +41,11 @@ def _dumped(key: str, value: Any) -> str:
     return text
 
 
-def _said(value: Any) -> bool:
+def _said(value: object) -> bool:
     return value is not None and value != {} and value != [] and value != {"ru": "", "en": ""}
 
 
-def _mechanism(m: Mechanism) -> Iterator[tuple[str, Any]]:
+def _mechanism(m: Mechanism) -> Iterator[tuple[str, object]]:
     yield "frame", _link(m.frame)
     yield "links", {name: _link(link) for name, link in m.links.items()}
     yield "assembly", {name: _assembly(a) for name, a in m.assembly.items()}
@@ -53,7 +55,7 @@ def _mechanism(m: Mechanism) -> Iterator[tuple[str, Any]]:
     yield "friction", dict(m.friction)
 
 
-def _as_written(node: Any) -> Any:
+def _as_written(node: object) -> object:
     """A part of the scene that is kept as it was written; anything else as it is."""
     if isinstance(node, SourceTable):
         return {key: _as_written(one) for key, one in node.entries.items()}
@@ -67,7 +69,7 @@ def _as_written(node: Any) -> Any:
     return node.text
 
 
-def _link(link: Link) -> dict[str, Any]:
+def _link(link: Link) -> Json:
     said = {
         "points": {name: place if place.imag else place.real for name, place in link.points.items()}
         if link.name != "0"
@@ -81,31 +83,31 @@ def _link(link: Link) -> dict[str, Any]:
     return {key: value for key, value in said.items() if _said(value)}
 
 
-def _guide(guide: Guide) -> dict[str, Any]:
+def _guide(guide: Guide) -> Json:
     if guide.origin_given:
-        form: dict[str, Any] = {"through": guide.through_point or guide.through, "angle": guide.angle_deg}
+        form: Json = {"through": guide.through_point or guide.through, "angle": guide.angle_deg}
     else:
         form = {"x": guide.through.real} if guide.angle_deg == 90.0 else {"y": guide.through.imag}
     return form | ({"mark": guide.mark} if guide.mark else {})
 
 
-def _slide(slide: Slide) -> Any:
+def _slide(slide: Slide) -> Json | str:
     more = {"angle": slide.angle_deg, "offset": slide.offset}
     given = {key: value for key, value in more.items() if value is not None}
     return {"guide": slide.guide, **given} if given else slide.guide
 
 
-def _assembly(a: Assembly) -> Any:
+def _assembly(a: Assembly) -> Json | str:
     return a.order or {"near": a.near}
 
 
-def _drive(drive: Drive) -> dict[str, Any]:
+def _drive(drive: Drive) -> Json:
     names = ("phi", "omega", "epsilon") if drive.kind == "phi" else ("s", "velocity", "acceleration")
     return {"link": drive.link, **dict(zip(names, (drive.position, drive.velocity, drive.acceleration), strict=True))}
 
 
-def _load(load: Load) -> dict[str, Any]:
-    said: dict[str, Any] = {"link": load.link, "point": load.point, load.kind: load.value}
+def _load(load: Load) -> Json:
+    said: Json = {"link": load.link, "point": load.point, load.kind: load.value}
     if load.sense:
         said[load.sense] = "motion"
     elif load.direction_deg is not None:

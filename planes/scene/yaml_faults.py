@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from planes.words import Phrase
 
 _PROBLEMS = (
@@ -32,7 +30,7 @@ _RARE = {
 _AT_START = ("colon_missing", "list_open", "table_open", "quote_open")  # the line where it began tells more
 
 
-def explained(error: Any, text: str) -> tuple[Phrase, int | None]:
+def explained(error: Exception, text: str) -> tuple[Phrase, int | None]:
     """A sentence for the reader's error, and the line to look at."""
     problem = str(getattr(error, "problem", None) or getattr(error, "reason", None) or "")
     context = getattr(error, "context_mark", None)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 from planes.drafting.drawing import Drawing, proved, run
 from planes.drafting.instruments import PENCILS, Exact, Instrument, Pencil
+from planes.drafting.tools import Thing
 from planes.plans import Plans, mechanism_plans, sliced
 from planes.plans.measuring import DrawingReader
 from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, results_of
@@ -20,6 +20,7 @@ from planes.solving.warned import warnings
 from planes.words import Lang, Phrase, Told
 from planes.words.errors import PlanFailure
 from planes.words.pictures import Pictured
+from planes.words.records import Json
 
 TOLD = 20  # for how many failed positions the nearest working one is looked for
 
@@ -38,7 +39,7 @@ class Position(Pictured):
     drawing: Drawing
     scales: Mapping[str, float]
     found: tuple[Measured, ...]
-    results: dict[str, Any]
+    results: Json
 
     @property
     def r(self) -> dict[str, complex]:
@@ -109,13 +110,13 @@ class Solved:
     wanted: list[Quantity] | None  # what the scene asks for, None for all
     values: list[float] = field(default_factory=list)
     positions: list[Position] = field(default_factory=list)
-    failed: list[dict[str, Any]] = field(default_factory=list)
+    failed: list[Json] = field(default_factory=list)
     lang: Lang = "en"
 
     def __repr__(self) -> str:
         return f"<Solved: {len(self.positions)} positions, {len(self.failed)} failed>"
 
-    def json(self) -> dict[str, Any]:
+    def json(self) -> Json:
         """The object ``planes solve --json`` prints."""
         doubts = [doubt.told(self.lang) for doubt in self.scene.doubts]
         return {
@@ -128,7 +129,7 @@ class Solved:
         }
 
 
-def structure_json(s: Structure) -> dict[str, Any]:
+def structure_json(s: Structure) -> Json:
     """W, q, formula and groups as the JSON has them."""
     groups = [{"links": list(g.links), "kind": g.kind, "name": g.name} for g in s.groups]
     return {"W": s.W, "q": s.q, "formula": s.formula, "groups": groups}
@@ -211,7 +212,7 @@ def position(
     return Position(value, plans, drawing, mus, found, results)
 
 
-def as_json(plans: Plans, found: Iterable[Measured], groups: Iterable[str] = ()) -> dict[str, Any]:
+def as_json(plans: Plans, found: Iterable[Measured], groups: Iterable[str] = ()) -> Json:
     """What was found as the JSON has it: of a slider its guide too."""
     out = nested(found, groups)
     for link, one in out.get("slides", {}).items():
@@ -219,7 +220,7 @@ def as_json(plans: Plans, found: Iterable[Measured], groups: Iterable[str] = ())
     return out
 
 
-def pencil_errors(plans: Plans, given: Mapping[str, Any], pencil: Pencil, reader: DrawingReader) -> dict[str, float]:
+def pencil_errors(plans: Plans, given: Mapping[str, Thing], pencil: Pencil, reader: DrawingReader) -> dict[str, float]:
     """Standard deviation, in mm, of every segment over many draughtsmen with the same pencil."""
     import numpy
 

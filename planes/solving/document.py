@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
+from planes.geometry.arrays import Array
 from planes.scene import Scene
 from planes.solving import Position
 
@@ -55,8 +55,8 @@ class DocumentTable:
 class PlottedLine:
     """``style`` is the number of its look (colour and dashes); ``label`` "" keeps it out of the legend."""
 
-    x: Any
-    y: Any
+    x: Array
+    y: Array
     label: str = ""
     style: int = 0
 

@@ -9,6 +9,7 @@ from planes.scene import Scene
 from planes.solving import plans_of
 from planes.solving.vectors import program_of, stated
 from planes.words import Lang, say
+from planes.words.names import is_scale
 
 
 def explain(scene: Scene, lang: Lang = "en") -> str:
@@ -35,5 +36,5 @@ def _listed(steps: tuple[Step, ...], lang: Lang) -> list[str]:
 
 def _line(step: Step, lang: Lang) -> str:
     verb = say(f"step_{type(step).__name__}", lang)
-    names = ", ".join(dict.fromkeys(name for name, kind in step.reads() if not name.startswith("mu_")))
+    names = ", ".join(dict.fromkeys(name for name, kind in step.reads() if not is_scale(name)))
     return f"{step.makes}: {verb}" + (f" ({say('explain_reads', lang, reads=names)})" if names else "")

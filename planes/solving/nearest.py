@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any
 
 from planes.drafting.drawing import run
+from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.scales import unit_scales
 from planes.words.errors import PlanFailure
@@ -51,18 +51,18 @@ class _Side:
         """The first value that works on the way."""
         import numpy
 
-        offsets = numpy.arange(STEPS + 1) * self.step
+        offsets = numpy.arange(STEPS + 1, dtype=float) * self.step
         missing = self.missing(offsets)
         missing[0] = missing[0] or math.inf  # alone it fails, whatever it does among others
         good = numpy.flatnonzero(missing == 0)
         end = int(good[0]) if len(good) else STEPS
         dips = 1 + numpy.flatnonzero((missing[1:end] <= missing[: end - 1]) & (missing[1:end] <= missing[2 : end + 1]))
-        for k in [*dips.tolist(), *good[:1].tolist()]:
-            if missing[k] < math.inf and (edge := self.edge(offsets[k - 1], offsets[min(k + 1, STEPS)])) is not None:
-                return self.told(edge)
-        return None
+        near = [k for k in [*dips.tolist(), *good[:1].tolist()] if missing[k] < math.inf]
+        low, high = ([offsets[min(k + by, STEPS)] for k in near] for by in (-1, 1))
+        edge = self.edge(numpy.array(low), numpy.array(high)) if near else None
+        return self.told(edge) if edge else None
 
-    def missing(self, offsets: Any) -> Any:
+    def missing(self, offsets: Array) -> Array:
         """By how much the mechanism falls short of working: 0 where it works, infinite where that is not told."""
         import numpy
 
@@ -75,19 +75,24 @@ class _Side:
             found = numpy.where((found == 0) & ~ok, miss, found)
         return found
 
-    def edge(self, low: float, high: float) -> tuple[float, float] | None:
-        """The last offset that fails and the first that works, between two of which the lower fails."""
+    def edge(self, low: Array, high: Array) -> tuple[float, float] | None:
+        """The last offset that fails and the first that works, within the first pair of ends that holds both.
+
+        All pairs are divided together: where lengths are beyond comparison every step is a dip.
+        """
         import numpy
 
+        edges: dict[int, tuple[float, float]] = {}
         for _ in range(ZOOMS):
-            offsets = numpy.linspace(low, high, FINER + 1)
-            missing = self.missing(offsets)
-            good = numpy.flatnonzero(missing[1:] == 0) + 1
-            if len(good):
-                return self.halved(float(offsets[good[0] - 1]), float(offsets[good[0]]))
-            k = int(numpy.argmin(missing))
-            low, high = offsets[max(k - 1, 0)], offsets[min(k + 1, FINER)]
-        return None
+            offsets = numpy.linspace(low, high, FINER + 1, axis=1)
+            missing = self.missing(offsets.ravel()).reshape(offsets.shape)
+            works = missing[:, 1:] == 0
+            for row in numpy.flatnonzero(works.any(axis=1)).tolist():
+                k = int(works[row].argmax())
+                edges.setdefault(row, (float(offsets[row, k]), float(offsets[row, k + 1])))
+            rows, k = numpy.arange(len(low)), missing.argmin(axis=1)
+            low, high = offsets[rows, numpy.maximum(k - 1, 0)], offsets[rows, numpy.minimum(k + 1, FINER)]
+        return self.halved(*edges[min(edges)]) if edges else None
 
     def halved(self, bad: float, good: float) -> tuple[float, float]:
         """The same, no further apart than numbers can be."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any
 
 from planes.drafting.instruments import Instrument
 from planes.plans import Plans
@@ -18,6 +17,7 @@ from planes.solving.nearest import trials
 from planes.words import Lang, say
 from planes.words.errors import PlanFailure
 from planes.words.names import kind_of, mu_of
+from planes.words.records import Json
 from planes.words.units import mu_text
 
 ASIDE_DEG, BESIDE_DEG = 5.0, 0.01
@@ -35,7 +35,7 @@ def remedy(solved: Solved, instrument: Instrument | None = None, lang: Lang = "e
     def draw(value: float) -> Position:
         return position(solved.scene, plans, wanted, value, instrument, lang)
 
-    left: list[dict[str, Any]] = []
+    left: list[Json] = []
     for failure in solved.failed:
         value = failure[key_of(plans)]
         between = interpolated(plans, draw, value, failure["error"], lang)

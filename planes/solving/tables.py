@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable
-from typing import Any
 
 from planes.drafting.drawing import Drawing
 from planes.plans.measuring import say_plan
@@ -16,6 +15,7 @@ from planes.solving import Position, Solved, key_of
 from planes.solving.vectors import VectorResults
 from planes.words import Lang, say
 from planes.words.names import kind_of
+from planes.words.records import Json
 from planes.words.units import UNIT, mu_text, plan_of_mu, quantity, read_mu
 
 Row = dict[str, Measured]
@@ -49,7 +49,7 @@ def _position(p: Position, key: str, lang: Lang) -> list[str]:
     r = p.results
     head = f"φ = {p.at:.10g}°" if key == "phi_deg" else f"s = {p.at:.10g} {say('m', lang)}"
     lines = ["", f"— {head} —"]
-    e: dict[str, Any] | None = r.get("errors")
+    e: Json | None = r.get("errors")
     lines += _points(p.rows("points"), lang, e) + _links(p.rows("links"), lang, e, p.plans.mechanism.drive.link)
     lines += _slides(p, lang, e)
     for name, plan in r.get("plans", {}).items():
@@ -86,11 +86,11 @@ def _directed(z: complex, beside: float) -> tuple[str, str]:
     return _number(abs(z)), f"{180.0 if angle == -180 else angle + 0.0:.2f}"
 
 
-def error_of(errors: dict[str, Any] | None, *path: str) -> list[str]:
+def error_of(errors: Json | None, *path: str) -> list[str]:
     """The cell with a result's ± (of a vector: of its end), or no cell when none was asked."""
     if errors is None:
         return []
-    found: Any = errors
+    found: object = errors
     for key in path:
         found = found.get(key, {}) if isinstance(found, dict) else {}
     numbers = found if isinstance(found, list) else [found]
@@ -100,7 +100,7 @@ def error_of(errors: dict[str, Any] | None, *path: str) -> list[str]:
     return [f"{size:.1e}" if size else "0"]
 
 
-def _points(points: dict[str, Row], lang: Lang, e: dict[str, Any] | None) -> list[str]:
+def _points(points: dict[str, Row], lang: Lang, e: Json | None) -> list[str]:
     far, fast, quick = (_largest(points.values(), key) for key in ("r", "v", "a"))
     rows = []
     for name, p in points.items():
@@ -113,12 +113,12 @@ def _points(points: dict[str, Row], lang: Lang, e: dict[str, Any] | None) -> lis
     return table(say("points", lang), head, rows)
 
 
-def pm(errors: dict[str, Any] | None) -> list[str]:
+def pm(errors: Json | None) -> list[str]:
     """The head of a column of ±, where there is one."""
     return [] if errors is None else ["±"]
 
 
-def _links(links: dict[str, Row], lang: Lang, e: dict[str, Any] | None, driver: str) -> list[str]:
+def _links(links: dict[str, Row], lang: Lang, e: Json | None, driver: str) -> list[str]:
     """Rates of the driver are given: beside whatever else, they are no nothing."""
     keys = ("angle_deg", "omega", "epsilon")
     spin = _largest(links.values(), "omega")
@@ -132,7 +132,7 @@ def _links(links: dict[str, Row], lang: Lang, e: dict[str, Any] | None, driver: 
     return table(say("links", lang), head, rows)
 
 
-def _slides(p: Position, lang: Lang, e: dict[str, Any] | None) -> list[str]:
+def _slides(p: Position, lang: Lang, e: Json | None) -> list[str]:
     slides, rows = p.rows("slides"), []
     fast, quick = _largest(slides.values(), "v"), _largest(slides.values(), "a")
     for n, v in slides.items():
@@ -146,7 +146,7 @@ def _slides(p: Position, lang: Lang, e: dict[str, Any] | None) -> list[str]:
     return table(say("slides", lang), head, rows)
 
 
-def _plan(name: str, plan: dict[str, Any], lang: Lang, e: dict[str, Any] | None) -> list[str]:
+def _plan(name: str, plan: Json, lang: Lang, e: Json | None) -> list[str]:
     most = max((abs(s["value"]) for s in plan["segments"].values()), default=0.0)
     rows = []
     for key, s in plan["segments"].items():
@@ -163,7 +163,7 @@ def say_mu(text: str, lang: Lang) -> str:
     return mu_text(read_mu(text, plan), plan, lang)
 
 
-def _reactions(reactions: dict[str, Measured], lang: Lang, e: dict[str, Any] | None) -> list[str]:
+def _reactions(reactions: dict[str, Measured], lang: Lang, e: Json | None) -> list[str]:
     most = max((math.hypot(r.vector.real, r.vector.imag) for r in reactions.values()), default=0.0)
     rows, o = [], [""] * len(pm(e))
     for name, r in reactions.items():

@@ -6,16 +6,17 @@ import cmath
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.instruments import PENCILS, Instrument, Pencil
 from planes.drafting.program import Program
+from planes.drafting.tools import Thing
 from planes.scene import Scene
 from planes.solving.vector_plan import PLAN, VectorPlan, quantity_of
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanFailure, SceneError, choices
 from planes.words.names import label_of, mu_of
+from planes.words.records import Json
 from planes.words.units import UNIT, mu_text, standard_mu
 
 FIT_MM = 100.0  # how long the plan may be where μ is open
@@ -36,10 +37,10 @@ class VectorResults:
     quantity: str
     spans: Mapping[str, tuple[str, str]]
     scatter_mm: Mapping[str, float] = field(default_factory=dict)
-    errors: dict[str, Any] | None = None
+    errors: Json | None = None
 
     @property
-    def given(self) -> dict[str, Any]:
+    def given(self) -> dict[str, Thing]:
         """What the drawing was made from."""
         return {name: self.drawing.things[name] for name in self.plan.draft.given}
 
@@ -47,7 +48,7 @@ class VectorResults:
         """Every vector asked for, in its own unit."""
         return {n: (self.drawing[e] - self.drawing[s]) / self.mu for n, (s, e) in self.spans.items()}
 
-    def segment(self, name: str) -> dict[str, Any]:
+    def segment(self, name: str) -> Json:
         """The vector as it is measured on the plan."""
         start, end = (self.drawing[mark] for mark in self.spans[name])
         mm, blunt = self.drawing.tool.read(abs(end - start)), min([1.0, *self.drawing.sharpness.values()])
@@ -71,7 +72,7 @@ class VectorResults:
             if angle < BLUNT_DEG
         ]
 
-    def json(self, lang: Lang = "en") -> dict[str, Any]:
+    def json(self, lang: Lang = "en") -> Json:
         """The object printed with ``--json``."""
         found = {
             n: {"value": abs(v), "direction_deg": math.degrees(cmath.phase(v)), "xy": [v.real, v.imag]}
@@ -132,7 +133,7 @@ def _marks(program: Program) -> list[str]:
 
 
 def _scatter(
-    program: Program, given: Mapping[str, Any], pencil: Pencil, spans: Mapping[str, tuple[str, str]]
+    program: Program, given: Mapping[str, Thing], pencil: Pencil, spans: Mapping[str, tuple[str, str]]
 ) -> dict[str, float]:
     """Standard deviation, in mm, of every vector over many draughtsmen with the same pencil."""
     import numpy
@@ -141,7 +142,7 @@ def _scatter(
     return {n: float(numpy.nanstd(abs(many[e] - many[s]))) for n, (s, e) in spans.items()}
 
 
-def _choose(plan: VectorPlan, given: Mapping[str, Any], side: str, names: tuple[str, ...]) -> float:
+def _choose(plan: VectorPlan, given: Mapping[str, Thing], side: str, names: tuple[str, ...]) -> float:
     """The root whose vectors point nearer to ``near:``."""
     near = {name: given_near for name in names if (given_near := plan.scene.vectors[name].near_deg) is not None}
     asked = list(near) or [names[0]]

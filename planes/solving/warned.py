@@ -4,25 +4,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
 
-from planes.drafting.clearness import clear, far_apart
+from planes.drafting.clearness import NOTHING, clear, far_apart
+from planes.drafting.tools import Thing
 from planes.plans.measuring import BLUNT, DrawingReader, say_plan
 from planes.plans.quantities import Quantity
 from planes.words import Lang, say
-from planes.words.names import kind_of, plan_of
-
-NOTHING = 4e-15  # beside the largest of a plan
+from planes.words.names import mover
 
 
 def warnings(
-    reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Mapping[str, Any], lang: Lang
+    reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Mapping[str, Thing], lang: Lang
 ) -> list[str]:
     """The sentences, those of a kind together."""
     blunt = _blunt(reader, lang).items()
     said = [say("blunt", lang, makes=", ".join(marks), angle_deg=angle) for angle, marks in blunt]
     for reason, step, _ in reader.drawing.tool.notes:
-        said.append(say(reason, lang, makes=str(getattr(step, "makes", "")).partition("_")[2]))
+        said.append(say(reason, lang, makes=mover(str(getattr(step, "makes", "")))))
     rough, none = _doubts(reader, wanted, given)
     if faint := [*_faint(reader), *none]:
         said.append(say("faint", lang, makes=", ".join(faint)))
@@ -32,7 +30,7 @@ def warnings(
 def _blunt(reader: DrawingReader, lang: Lang) -> dict[str, list[str]]:
     """Marks where lines meet bluntly, by the angle."""
     found: dict[str, list[str]] = {}
-    for plan in reader.st.drawn:
+    for plan in reader.stated.drawn:
         for label, sharpness in reader.sharpness(plan).items():
             if sharpness < BLUNT:
                 angle = f"{math.degrees(math.asin(min(1.0, sharpness))):.2g}"
@@ -44,7 +42,7 @@ def _faint(reader: DrawingReader) -> Iterator[str]:
     """Rates of points of which rounding leaves no digit: not zero, yet nothing beside the largest of their plan."""
     for letter, plan in (("v", "velocity"), ("a", "acceleration")):
         sizes = {}
-        for point, marks in reader.st.points.items():
+        for point, marks in reader.stated.points.items():
             mark = marks.velocity if letter == "v" else marks.acceleration
             if mark in reader.drawing:
                 sizes[point] = abs(reader.drawing[mark])
@@ -53,26 +51,17 @@ def _faint(reader: DrawingReader) -> Iterator[str]:
 
 
 def _doubts(
-    reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Mapping[str, Any]
+    reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Mapping[str, Thing]
 ) -> tuple[Sequence[str], Sequence[str]]:
     """Results of an exact drawing with less than three digits, and reactions with none; the running bound is asked only
     where there is something in doubt."""
     drawn = reader.drawing
     if drawn.tool.doubt_mm:
         return [], []
-    small = _small(reader)
-    if not small and clear(drawn.program, drawn.things, drawn.tool) and not far_apart(reader.st.given):
+    stated = reader.stated
+    forces = {(r.start, r.end) for r in stated.reactions.values() if r.start in drawn and r.end in drawn}
+    if clear(drawn.program, drawn.things, drawn.tool, forces) and not far_apart(stated.given, stated.means):
         return [], []
     from planes.batch.doubts import doubts
 
-    return doubts(reader.st, wanted, drawn, given, small)
-
-
-def _small(reader: DrawingReader) -> list[str]:
-    """Reactions that are nothing beside the largest force of their plan."""
-    drawn, largest = reader.drawing, dict.fromkeys(reader.st.drawn, 0.0)
-    for step in drawn.program.steps:
-        if kind_of(plan := plan_of(step.makes)) == "force":
-            largest[plan] = max(largest[plan], abs(drawn[step.makes]))
-    there = {k: r for k, r in reader.st.reactions.items() if r.start in drawn and r.end in drawn}
-    return [k for k, r in there.items() if abs(drawn[r.end] - drawn[r.start]) <= NOTHING * largest[r.plan] > 0]
+    return doubts(stated, wanted, drawn, given)

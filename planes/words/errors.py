@@ -12,56 +12,16 @@ from pathlib import Path
 from planes.words import Lang, Phrase, Told
 from planes.words.spelling import latin
 
-_GREEK = {
-    "α": "alpha",
-    "β": "beta",
-    "γ": "gamma",
-    "δ": "delta",
-    "ε": "epsilon",
-    "θ": "theta",
-    "λ": "lambda",
-    "μ": "mu",
-    "ρ": "rho",
-    "τ": "tau",
-    "φ": "phi",
-    "ψ": "psi",
-    "ω": "omega",
-}
-_MEANT = {
-    "название": "title",
-    "заголовок": "title",
-    "примечание": "note",
-    "параметры": "parameters",
-    "варианты": "variants",
-    "стойка": "frame",
-    "звенья": "links",
-    "звено": "link",
-    "сборка": "assembly",
-    "привод": "drive",
-    "ведущее": "drive",
-    "нагрузки": "loads",
-    "нагрузка": "loads",
-    "силы": "loads",
-    "сила": "force",
-    "момент": "moment",
-    "трение": "friction",
-    "планы": "plans",
-    "масштаб": "mu",
-    "найти": "find",
-    "лист": "sheet",
-    "векторы": "vectors",
-    "уравнения": "equations",
-    "точки": "points",
-    "точка": "point",
-    "направляющие": "guides",
-    "скользит": "slides",
-    "масса": "mass",
-    "инерция": "inertia",
-    "центр": "centre",
-    "угол": "angle",
-    "направление": "direction",
-    "гравитация": "gravity",
-}
+_SPELLED = "alpha beta gamma delta epsilon theta lambda mu rho tau phi psi omega"
+_GREEK = dict(zip("αβγδεθλμρτφψω", _SPELLED.split(), strict=True))
+_RUSSIAN = """
+название=title заголовок=title примечание=note параметры=parameters варианты=variants стойка=frame
+звенья=links звено=link сборка=assembly привод=drive ведущее=drive нагрузки=loads нагрузка=loads
+силы=loads сила=force момент=moment трение=friction планы=plans масштаб=mu найти=find лист=sheet
+векторы=vectors уравнения=equations точки=points точка=point направляющие=guides скользит=slides
+масса=mass инерция=inertia центр=centre угол=angle направление=direction гравитация=gravity
+"""
+_MEANT = dict(pair.split("=") for pair in _RUSSIAN.split())
 """Keys of a scene by the Russian words for them."""
 
 

@@ -24,8 +24,19 @@ Quantity = Literal[
     "reaction",
     "arm",
     "length",
+    "offset",
+    "place",
     "angle",
     "rate",
+    "along",
+    "across",
+    "towards",
+    "with",
+    "against",
+    "leaning",
+    "down",
+    "given",
+    "own",
 ]
 
 HELPERS = ("guide", "foot", "trial")
@@ -38,12 +49,38 @@ class Meaning:
 
     Of marks "guide" is the place of a guide or a place beside it, "foot" stands on it, "trial" is a supposition; at a
     "normal" or a "coriolis" ends that part of a vector.
+
+    Of directions "along" is a guide or the line of two points, "across" perpendicular to it and "leaning" from that by
+    friction, "towards" from a point to another, "with" and "against" a vector, "given" at an angle of the scene.
     """
 
     quantity: Quantity
     of: str = ""
     about: str = ""
     link: str = ""
+
+    @property
+    def line(self) -> str:
+        """What a direction is along or across: BC, y-y, or a vector."""
+        return self.of + self.about
+
+    @property
+    def action(self) -> str:
+        """A direction as it is written beneath a vector: ⊥BC, ∥y-y, C→B, -a_S2; "" where there is no line to name."""
+        if self.quantity == "towards":
+            return f"{self.of}→{self.about}"
+        sign = _SIGNS.get(self.quantity)
+        return "" if sign is None else sign + self.line
+
+
+_SIGNS = {"along": "∥", "across": "⊥", "leaning": "∠ρ ⊥", "with": "+", "against": "-", "down": "↓"}
+
+
+def parts_of(name: str) -> tuple[str, str, str]:
+    """The name of a value taken apart: its letter, what it is of, and its part: a, CB and n of a_CB^n."""
+    whole, _, part = name.strip("|‖").partition("^")
+    letter, _, index = whole.partition("_")
+    return letter, index, part
 
 
 def at(plan: str, label: str) -> str:
@@ -54,6 +91,11 @@ def at(plan: str, label: str) -> str:
 def label_of(mark: str) -> str:
     """The label of a mark without its plan."""
     return mark.rpartition(":")[2]
+
+
+def lettered(name: str) -> str:
+    """A mark, a guide or its direction by the name people give it, without its plan."""
+    return label_of(name).lstrip("°∥")
 
 
 def plan_of(mark: str) -> str:
@@ -76,14 +118,69 @@ def force_plan(*links: str) -> str:
     return at("force", "-".join(links))
 
 
+def letter_of(value: str) -> str:
+    """The letter a value is written by: omega of omega_2, v of v_CB, m of m_3."""
+    return value.partition("_")[0]
+
+
+def guide_of(direction: str) -> str | None:
+    """The guide a direction is drawn along; None of any other direction."""
+    return direction.removeprefix("∥") if direction.startswith("∥") else None
+
+
 def written(direction: str) -> str:
     """A direction as people write it."""
     return direction.rstrip(AGAIN).replace("⊥∥", "⊥")
 
 
+def parallel_to(action: str) -> str:
+    """The vector a line of action is drawn along: a_C of "-a_C", v_C of "+v_C"; "" of any other line."""
+    return action[1:] if re.match(r"-a_|[-+]v_", action) else ""
+
+
+def lines(action: str) -> str:
+    """A line of action as it is written: ↓, ⊥BC, ∥x–x, C→B, ∥CL of the guide CL; "" for none."""
+    text = written(action).replace("-", "–")
+    if re.match(r"[↓⊥∥]|[A-Z]\w*→[A-Z]\w*$", text):
+        return text
+    return f"∥{text}" if re.fullmatch(r"[A-Z]\w*", text) else ""
+
+
+def index_of(name: str) -> str:
+    """The index of an indexed name: AB of l_AB."""
+    return name.partition("_")[2]
+
+
+def ends_of(guide: str) -> tuple[str, str]:
+    """The letters at both ends of a guide: x and x of "x-x"; of a guide of one name it and ""."""
+    first, _, second = guide.partition("-")
+    return first, second
+
+
 def parted(label: str) -> str:
     """A mark of a force plan as the part of a vector that ends there: F_21t, F_21^t."""
     return re.sub(r"^(F_[^^]*)([tn])$", r"\1^\2", label)
+
+
+def is_scale(name: str) -> bool:
+    """Whether a value is the scale of a plan."""
+    return name.startswith("mu_")
+
+
+def component_of(name: str) -> str:
+    """The axis a component is along: x of aq_S2_x; "" of a whole."""
+    last = name.rpartition("_")[2]
+    return last if last in ("x", "y") and name.count("_") > 1 else ""
+
+
+def given_of(name: str) -> str:
+    """The given a number is of: that of a place is written with .x and .y."""
+    return name.removesuffix(".x").removesuffix(".y")
+
+
+def mover(sense: str) -> str:
+    """The point or link whose sense of motion a value is: B of "moves_B", 3 of "turns_3"."""
+    return sense.partition("_")[2]
 
 
 def mu_of(plan: str) -> str:

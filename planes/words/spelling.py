@@ -34,7 +34,7 @@ class Names:
 
     def __init__(self, known: Iterable[str], poles: bool = True, spelt: Callable[[str], str] = str) -> None:
         self.known = list(dict.fromkeys(known))
-        self.poles = poles
+        self.poles, self.spelt = poles, spelt
         self._spelt = {tidy(spelt(name)): name for name in self.known}
         self._keys: list[dict[str, list[str]]] = [{}, {}, {}]
         for name in self.known:
@@ -46,6 +46,11 @@ class Names:
         exact = tidy(name)
         folded = exact.casefold()
         return exact, folded, folded.replace("'", "")
+
+    def exactly(self, written: str) -> str | None:
+        """The program's name where it is written letter by letter, or the pole however it is written."""
+        name = self.find(written)
+        return name if name == POLE or tidy(written) in self._spelt or tidy(written) == tidy(name or "") else None
 
     def find(self, written: str) -> str | None:
         """The program's name, or None where there is none or two would do."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from matplotlib import rc_context
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, MultipleLocator
 
@@ -55,7 +56,7 @@ def chart(shown: Chart, width_mm: float, lang: Lang) -> Picture:
     return renderer.picture
 
 
-def _frame(plot: Any, axes: Chart, lang: Lang) -> None:
+def _frame(plot: Axes, axes: Chart, lang: Lang) -> None:
     plot.set_xlabel(axes.x)
     plot.set_ylabel(axes.y)
     plot.axhline(0.0, color="#000000", linewidth=0.6, zorder=1)

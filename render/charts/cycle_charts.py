@@ -16,13 +16,15 @@ from textwrap import fill
 from typing import Any, Protocol
 
 from matplotlib import rc_context
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from planes.geometry.arrays import Array, Complexes
 from planes.words import Lang, say
+from planes.words.lettering import Naming, lettered_curve
+from planes.words.names import index_of, letter_of
 from render.charts import LOOKS, STYLE
 from render.charts.chart_files import save
-from render.paper.curve_names import lettered_curve
-from render.paper.names import Naming
 from render.paper.numbers import number, with_unit
 
 LOOK: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path", "axes.grid": False}
@@ -45,7 +47,7 @@ class Panel:
 
     unit: str
     place: bool  # of a place, whose zero need not be seen
-    curves: Sequence[tuple[str, Sequence[tuple[Any, Any]], Sequence[Marked]]]
+    curves: Sequence[tuple[str, Sequence[tuple[Array, Array]], Sequence[Marked]]]
 
 
 @dataclass(frozen=True)
@@ -54,8 +56,8 @@ class Loop:
 
     name: str
     unit: str
-    runs: Sequence[Any]
-    stations: Any
+    runs: Sequence[Complexes]
+    stations: Complexes
     closed: bool = True
 
 
@@ -67,7 +69,7 @@ class DriveAxis:
     link: str
     start: float
     end: float
-    stations: Any
+    stations: Array
 
 
 def draw(
@@ -97,7 +99,7 @@ def _math(text: str) -> str:
     return f"${text}$"
 
 
-def _panel(plot: Any, panel: Panel, axis: DriveAxis, naming: Naming, first: bool, last: bool) -> None:
+def _panel(plot: Axes, panel: Panel, axis: DriveAxis, naming: Naming, first: bool, last: bool) -> None:
     lang = naming.lang
     many = len(panel.curves) > 1
     for k, (name, runs, marked) in enumerate(panel.curves):
@@ -120,9 +122,9 @@ def _panel(plot: Any, panel: Panel, axis: DriveAxis, naming: Naming, first: bool
         plot.legend(loc="upper right", ncols=len(panel.curves), fontsize=9)
 
 
-def _degrees(plot: Any, axis: DriveAxis, lang: Lang) -> None:
+def _degrees(plot: Axes, axis: DriveAxis, lang: Lang) -> None:
     """The driver's angles along the lower edge."""
-    where = {"xycoords": plot.get_xaxis_transform(), "textcoords": "offset points", "va": "top"}
+    where: dict[str, Any] = {"xycoords": plot.get_xaxis_transform(), "textcoords": "offset points", "va": "top"}
     for x in axis.stations:
         plot.annotate(number(_told(x, axis), lang), (x, 0), (0, -3), ha="center", fontsize=8.5, **where)
     letter = _math(f"{'φ' if axis.turning else 's'}_{{{axis.link}}}")
@@ -136,7 +138,7 @@ def _told(place: float, axis: DriveAxis) -> float:
     return told % 360.0 if axis.end - axis.start > 359 else told
 
 
-def _frame(plot: Any, panel: Panel, axis: DriveAxis, naming: Naming) -> None:
+def _frame(plot: Axes, panel: Panel, axis: DriveAxis, naming: Naming) -> None:
     """Arrows at the ends of the axes, the quantity at the upper one."""
     low, high = plot.get_ylim()
     beside = low > 0 or high < 0  # a place counted from afar: its axis stands beneath it
@@ -149,7 +151,7 @@ def _frame(plot: Any, panel: Panel, axis: DriveAxis, naming: Naming) -> None:
     zero = 0.0 if low <= 0 <= high else low - MARGIN * reach
     plot.spines["bottom"].set_position(("data", zero))
     plot.tick_params(axis="x", length=0, labelbottom=False)
-    arrow = {"clip_on": False, "color": "#000000", "markersize": 4.5, "zorder": 4}
+    arrow: dict[str, Any] = {"clip_on": False, "color": "#000000", "markersize": 4.5, "zorder": 4}
     plot.plot(1, zero, ">", transform=plot.get_yaxis_transform(), **arrow)
     plot.plot(0, 1, "^", transform=plot.transAxes, **arrow)
     names = ", ".join(_math(lettered_curve(name, naming)) for name, _, _ in panel.curves)
@@ -166,7 +168,7 @@ def _frame(plot: Any, panel: Panel, axis: DriveAxis, naming: Naming) -> None:
     plot.locator_params(axis="y", nbins=5)
 
 
-def _numbers(plot: Any, axis: DriveAxis) -> None:
+def _numbers(plot: Axes, axis: DriveAxis) -> None:
     """Numbers of the positions along the upper edge."""
     for k, x in enumerate(axis.stations):
         plot.annotate(
@@ -180,7 +182,7 @@ def _numbers(plot: Any, axis: DriveAxis) -> None:
         )
 
 
-def _extremes(plot: Any, marked: Sequence[Marked], axis: DriveAxis, lang: Lang) -> None:
+def _extremes(plot: Axes, marked: Sequence[Marked], axis: DriveAxis, lang: Lang) -> None:
     """Dots with the values, the greatest above its dot and the least beneath."""
     size = max((abs(m.value) for m in marked), default=0.0)
     for e in marked:
@@ -203,9 +205,9 @@ def _extremes(plot: Any, marked: Sequence[Marked], axis: DriveAxis, lang: Lang) 
         )
 
 
-def _loop(plot: Any, loop: Loop, naming: Naming) -> None:
+def _loop(plot: Axes, loop: Loop, naming: Naming) -> None:
     """A curve in the plane, the pole of a hodograph at the origin, positions numbered."""
-    path = loop.name.startswith("r_")
+    path = letter_of(loop.name) == "r"
     runs = [*loop.runs, loop.runs[0][:1]] if loop.closed else loop.runs
     for run in loop.runs:
         plot.plot(run.real, run.imag, color="#000000", zorder=3)
@@ -226,7 +228,7 @@ def _loop(plot: Any, loop: Loop, naming: Naming) -> None:
     _stations(plot, loop, ink)
 
 
-def _stations(plot: Any, loop: Loop, ink: Sequence[complex]) -> None:
+def _stations(plot: Axes, loop: Loop, ink: Sequence[complex]) -> None:
     """Dots and numbers of the positions, each number where it touches neither the curve nor another number."""
     (low, high), points = plot.get_xlim(), SQUARE * 72 * 0.72
     scale = points / (high - low)  # points of paper per unit
@@ -264,10 +266,10 @@ def _room(z: complex, ink: Sequence[complex], taken: Sequence[complex]) -> float
     return min(near, 7.0) + min(beside, 11.0)
 
 
-def _square(plot: Any, loop: Loop, naming: Naming, path: bool, ink: Sequence[complex]) -> None:
+def _square(plot: Axes, loop: Loop, naming: Naming, path: bool, ink: Sequence[complex]) -> None:
     """Equal scales along both axes, and what they are."""
     lang = naming.lang
-    name = loop.name.removeprefix("r_") if path else lettered_curve(loop.name, naming)
+    name = index_of(loop.name) if path else lettered_curve(loop.name, naming)
     key = "chart_path" if path else "chart_hodograph"
     plot.set_title(say(key, lang, name=_math(naming.point(name) if path else name)), fontsize=10)
     plot.set_xlabel(with_unit(_math("x"), loop.unit, lang))

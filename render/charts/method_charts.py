@@ -8,8 +8,10 @@ from pathlib import Path
 from typing import Any
 
 from matplotlib import rc_context
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from planes.geometry.arrays import Array
 from planes.words import Lang, say
 from render.charts import STYLE
 from render.charts.chart_files import save
@@ -52,7 +54,7 @@ class MethodErrors:
     distances: Any
     sharpness: Any
     claim: Any
-    errors: Mapping[str, Any]
+    errors: Mapping[str, Array]
     names: Mapping[str, str]
 
 
@@ -78,7 +80,7 @@ def draw(
         save(figure, path)
 
 
-def _speed(plot: Any, spots: Sequence[MethodPoint], front: Sequence[MethodPoint], seconds: str, lang: Lang) -> None:
+def _speed(plot: Axes, spots: Sequence[MethodPoint], front: Sequence[MethodPoint], seconds: str, lang: Lang) -> None:
     plot.set(xscale="log", yscale="log", xlabel=seconds, ylabel=say("chart_error", lang))
     plot.set_title(say("chart_speed", lang), fontsize=10)
     steps = [(m.seconds, m.error) for m in front]
@@ -101,7 +103,7 @@ def _speed(plot: Any, spots: Sequence[MethodPoint], front: Sequence[MethodPoint]
     plot.legend(loc="lower left")
 
 
-def _label(plot: Any, spots: Sequence[MethodPoint], lang: Lang) -> None:
+def _label(plot: Axes, spots: Sequence[MethodPoint], lang: Lang) -> None:
     """Names beside the marks, each as near as it can stand without touching another mark or name."""
     marks = [plot.transData.transform((m.seconds, m.error)) * 72 / plot.figure.dpi for m in spots]
     taken = [(x - 6, y, x + 6) for x, y in marks]
@@ -129,7 +131,7 @@ def _free(box: tuple[float, float, float], taken: Sequence[tuple[float, float, f
     return all(abs(y - b) >= 12 or right < a or c < left for a, b, c in taken)
 
 
-def _label_pencils(plot: Any, pencils: Sequence[MethodPoint], lang: Lang) -> None:
+def _label_pencils(plot: Axes, pencils: Sequence[MethodPoint], lang: Lang) -> None:
     """One name for all pencils, and the sheets of the largest and the smallest error."""
     if not pencils:
         return
@@ -141,7 +143,7 @@ def _label_pencils(plot: Any, pencils: Sequence[MethodPoint], lang: Lang) -> Non
     )
 
 
-def _stability(plot: Any, ways: MethodErrors, lang: Lang) -> None:
+def _stability(plot: Axes, ways: MethodErrors, lang: Lang) -> None:
     plot.set(xscale="log", yscale="log", xlabel=ways.axis, ylabel=say("chart_at", lang))
     plot.set_title(ways.title, fontsize=10)
     d = ways.distances

@@ -8,12 +8,17 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from html import escape
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from matplotlib.backend_bases import RendererBase
+import numpy as np
+from matplotlib.backend_bases import GraphicsContextBase, RendererBase
+from matplotlib.font_manager import FontProperties
 from matplotlib.path import Path
 from matplotlib.textpath import TextPath
-from matplotlib.transforms import Affine2D
+from matplotlib.transforms import Affine2D, Transform
+
+if TYPE_CHECKING:
+    from reportlab.pdfgen.canvas import Canvas
 
 Piece = tuple[str, tuple[float, ...]]  # "M", "L", "C" with coordinates, "Z" with none
 
@@ -45,7 +50,7 @@ class Picture:
         box = f'viewBox="0 0 {self.width:.2f} {self.height:.2f}"'
         return f'<svg {size} {box} role="img" aria-label="{escape(label)}">{body}</svg>'
 
-    def draw(self, canvas: Any) -> None:
+    def draw(self, canvas: Canvas) -> None:
         """Draw on a reportlab canvas, the lower left corner in its origin."""
         for s in self.strokes:
             path = canvas.beginPath()
@@ -77,7 +82,9 @@ def _element(s: Stroke, height: float) -> str:
     return f'<path d="{"".join(flipped)}"{looks}/>'
 
 
-def pieces_of(path: Path, transform: Any = None, clip: Any = None) -> tuple[Piece, ...]:
+def pieces_of(
+    path: Path, transform: Transform | None = None, clip: tuple[float, float, float, float] | None = None
+) -> tuple[Piece, ...]:
     """A matplotlib path as moves, lines and cubic curves."""
     found: list[Piece] = []
     x = y = 0.0
@@ -101,27 +108,35 @@ class StrokeRenderer(RendererBase):
         super().__init__()
         self.picture = Picture(width, height)
 
-    def draw_path(self, gc: Any, path: Path, transform: Any, rgbFace: Any = None) -> None:
+    def draw_path(self, gc: GraphicsContextBase, path: Path, transform: Transform, rgbFace: Any = None) -> None:
         """Keep one path with its pen."""
         box = gc.get_clip_rectangle()
-        clip = None if box is None or rgbFace is not None else tuple(box.extents)
+        clip = None if box is None or rgbFace is not None else tuple[float, float, float, float](box.extents)
         width = gc.get_linewidth()
         _, dashes = gc.get_dashes()
         line = _hex(gc.get_rgb()) if width > 0 and gc.get_rgb()[3] > 0 else ""
         fill = _hex(rgbFace) if rgbFace is not None and (len(rgbFace) < 4 or rgbFace[3] > 0) else ""
-        kept = tuple(float(d) for d in dashes) if dashes is not None else ()
+        kept = tuple(map(float, np.asarray(dashes))) if dashes is not None else ()
         if line or fill:
             self.picture.strokes.append(Stroke(pieces_of(path, transform, clip), line, float(width), kept, fill))
 
     def draw_text(
-        self, gc: Any, x: float, y: float, s: str, prop: Any, angle: float, ismath: Any = False, mtext: Any = None
+        self,
+        gc: GraphicsContextBase,
+        x: float,
+        y: float,
+        s: str,
+        prop: FontProperties,
+        angle: float,
+        ismath: object = False,
+        mtext: object = None,
     ) -> None:
         """Text as its outlines."""
         path = TextPath((0, 0), s, size=prop.get_size_in_points(), prop=prop)
         placed = Affine2D().rotate_deg(angle).translate(x, y)
         self.picture.strokes.append(Stroke(pieces_of(path, placed), fill=_hex(gc.get_rgb())))
 
-    def draw_image(self, *args: Any, **kwargs: Any) -> None:
+    def draw_image(self, *args: object, **kwargs: object) -> None:
         """Charts hold no pictures."""
         raise NotImplementedError("a chart of strokes holds no pictures")
 

@@ -10,12 +10,10 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterable
-from importlib import import_module
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Literal
 
-from planes.scene.files import save
-from planes.words import say
+from planes.words import Lang, say
 from render.files.dxf_blocks import insert_form, insert_signs
 from render.files.dxf_entities import GREY, OBLIQUE_DEG, Entities, style_name
 from render.paper.cutting import uncovered
@@ -24,19 +22,17 @@ from render.paper.ink import checked
 from render.paper.marks import Mark, Text
 from render.paper.style import LAYERS, PENS, pen, weight
 
+if TYPE_CHECKING:
+    from ezdxf.document import Drawing
+
 OWN_FONT = "isocpeur.ttf"  # a single-stroke font with Cyrillic letters that AutoCAD brings; others put a like one
-LAYER_STYLES = {
+LAYER_STYLES = dict.fromkeys(map(str, LAYERS), "thin") | {
     "construction": "construction",
     "axis": "axis",
-    "hatch": "thin",
-    "table": "thin",
-    "dimension": "thin",
     "frame": "frame",
     "scheme": "thick",
-    "plan": "thin",
     "force": "thick",
     "result": "result",
-    "text": "thin",
 }
 """The line type and width of each layer; a mark says its own only where it differs."""
 
@@ -45,13 +41,13 @@ def write(
     marks: Iterable[Mark],
     size_mm: tuple[float, float],
     title: str,
-    path: str | Path | None = None,
     *,
-    lang: Literal["ru", "en"] = "ru",
+    lang: Lang = "ru",
     text: Literal["text", "strokes"] = "text",
 ) -> bytes:
-    """The sheet as a DXF file (R2010) in millimetres, 1:1; also written to ``path`` if one is given."""
-    ezdxf: Any = import_module("ezdxf")
+    """The sheet as a DXF file (R2010) in millimetres, 1:1."""
+    import ezdxf
+
     fixed = ezdxf.options.write_fixed_meta_data_for_testing
     ezdxf.options.write_fixed_meta_data_for_testing = True
     try:
@@ -72,10 +68,10 @@ def write(
         document.write(out)
     finally:
         ezdxf.options.write_fixed_meta_data_for_testing = fixed
-    return save(out.getvalue().encode(), path)
+    return out.getvalue().encode()
 
 
-def _fill(document: Any, marks: tuple[Mark, ...], size: tuple[float, float], lang: str, strokes: bool) -> None:
+def _fill(document: Drawing, marks: tuple[Mark, ...], size: tuple[float, float], lang: Lang, strokes: bool) -> None:
     """The form as one block, known signs as blocks, the rest as they are."""
     space = document.modelspace()
     form = [m for m in marks if m.layer == "frame"]
@@ -89,7 +85,7 @@ def _fill(document: Any, marks: tuple[Mark, ...], size: tuple[float, float], lan
         entities.mark(mark)
 
 
-def _tables(document: Any, marks: Iterable[Mark], lang: Literal["ru", "en"]) -> None:
+def _tables(document: Drawing, marks: Iterable[Mark], lang: Lang) -> None:
     """Line types, layers and the styles of the texts."""
     for name, used in PENS.items():
         if used.pattern:
@@ -108,7 +104,7 @@ def _tables(document: Any, marks: Iterable[Mark], lang: Literal["ru", "en"]) -> 
         _style(document, face)
 
 
-def _style(document: Any, face: Face) -> None:
+def _style(document: Drawing, face: Face) -> None:
     """The text style of a face: its own font, or one that stands for our lettering."""
     name = style_name(face)
     if name in document.styles:

@@ -7,8 +7,9 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise
-from typing import Any
+from typing import TYPE_CHECKING
 
+from planes.words import Lang
 from render.files.dxf_entities import NARROWED, Entities, text_looks, xy
 from render.paper import form1, symbols
 from render.paper.faces import Face
@@ -16,6 +17,11 @@ from render.paper.ink import is_circle
 from render.paper.marks import Arc, Line, Mark, Text
 from render.paper.style import DOT_MM, HINGE_MM, LEG_MM
 from render.paper.typeset import plain
+
+if TYPE_CHECKING:
+    from ezdxf.document import Drawing
+    from ezdxf.entities import Insert
+    from ezdxf.layouts import BlockLayout
 
 _SAME_MM = 1e-3
 _REACH_MM = 4 * LEG_MM  # no part of a support is farther from its hinge
@@ -35,7 +41,7 @@ class Sign:
     marks: tuple[Mark, ...]
 
 
-def insert_signs(document: Any, marks: Sequence[Mark]) -> list[Mark]:
+def insert_signs(document: Drawing, marks: Sequence[Mark]) -> list[Mark]:
     """Insert the signs found among the marks as blocks; what is left of the marks."""
     space, gone = document.modelspace(), set[int]()
     for sign in signs(marks):
@@ -55,7 +61,7 @@ def insert_signs(document: Any, marks: Sequence[Mark]) -> list[Mark]:
     return [mark for mark in marks if id(mark) not in gone]
 
 
-def _define(block: Any, name: str) -> None:
+def _define(block: BlockLayout, name: str) -> None:
     """The marks of a sign about its own base point."""
     corner = 0.5 + 0.5j
     square = Line(tuple(corner * 1j**k for k in range(4)), closed=True)
@@ -122,14 +128,14 @@ def _alike(one: Line, other: Line) -> bool:
 # the form
 
 
-def insert_form(document: Any, marks: Sequence[Mark], size: tuple[float, float], lang: str, strokes: bool) -> None:
+def insert_form(document: Drawing, marks: Sequence[Mark], size: tuple[float, float], lang: Lang, strokes: bool) -> None:
     """Frame, title block and side columns as one block, each cell an attribute to be edited, the empty ones too.
 
     Cells lettered in strokes are no attributes.
     """
     block = document.blocks.new(FORM)
     insert = document.modelspace().add_blockref(FORM, (0, 0), dxfattribs={"layer": "FRAME"})
-    entities = Entities(block, strokes=strokes)
+    entities = Entities(block, lettered=strokes)
     filled: dict[str, list[Text]] = {}
     for mark in marks:
         if isinstance(mark, Text) and mark.name.startswith("cell ") and not strokes:
@@ -152,7 +158,7 @@ def _empty(cell: form1.Cell, name: str, face: Face) -> Text:
     return Text("", place, cell.letter, cell.anchor, cell.turn_deg, "frame", name, face)
 
 
-def _attribute(block: Any, insert: Any, tag: str, prompt: str, text: Text) -> None:
+def _attribute(block: BlockLayout, insert: Insert, tag: str, prompt: str, text: Text) -> None:
     """A cell's definition in the block and its value at the insert, about the same place."""
     from ezdxf.enums import TextEntityAlignment
 

@@ -5,13 +5,17 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
+from render.files.writer import Lines, Writer, dashes_of
 from render.paper.faces import Face
-from render.paper.ink import arc_dashes, arrow_parts, hatch_strokes, is_circle, length_mm
-from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
-from render.paper.style import fitted, pen, weight
+from render.paper.ink import arc_dashes, is_circle
+from render.paper.marks import Arc, Text
+from render.paper.style import pen, weight
 from render.paper.typeset import LaidText, layout
+
+if TYPE_CHECKING:
+    from ezdxf.layouts import BaseLayout
 
 BLACK, GREY = 7, 8  # colours of the AutoCAD index; 7 is black on white paper
 SLIM = 0.4  # width over height of a character whose own font would be distorted, were it fitted to its ink
@@ -30,43 +34,22 @@ def style_name(face: Face) -> str:
     return f"{name} slanted" if face.slanted else name
 
 
-class Entities:
+class Entities(Writer):
     """Adds marks to a space or a block; ``layers`` names the line style each layer has of itself.
 
-    With no ``layers`` (in a block) every mark says its own.  ``strokes``: lettering drawn as lines.
+    With no ``layers`` (in a block) every mark says its own.  ``lettered``: letters drawn as lines.
     """
 
-    def __init__(self, space: Any, layers: Mapping[str, str] | None = None, strokes: bool = False) -> None:
-        self.space, self.layers, self.strokes = space, layers or {}, strokes
+    def __init__(self, space: BaseLayout, layers: Mapping[str, str] | None = None, lettered: bool = False) -> None:
+        self.space, self.layers, self.drawn_letters = space, layers or {}, lettered
 
-    def mark(self, mark: Mark) -> None:
-        """One mark."""
-        if isinstance(mark, Line):
-            self.line(mark.points, mark.style, mark.layer, mark.closed)
-        elif isinstance(mark, Arc):
-            self.arc(mark)
-        elif isinstance(mark, Arrow):
-            shaft, head = arrow_parts(mark)
-            self.line(shaft, mark.style, mark.layer)
-            if head:
-                self.filled(head, mark.layer)
-        elif isinstance(mark, Shape):
-            self.filled(mark.points, mark.layer)
-        elif isinstance(mark, Hatch):
-            for stroke in hatch_strokes(mark):
-                self.line(stroke, "thin", mark.layer)
-        elif self.strokes:
-            self.lettering(mark)
-        else:
-            self.text(mark)
-
-    def looks(self, style: str, layer: str, dashes: Sequence[float] = ()) -> dict[str, Any]:
+    def looks(self, style: str, layer: str, dashes: Sequence[float] = ()) -> dict[str, object]:
         """Layer of a mark; line type, its stretch and line weight (hundredths of a mm) where they are not its layer's.
 
         ``dashes`` is the pattern fitted to the mark's length; a mark too short for it is solid.
         """
         used, own = pen(style), self.layers.get(layer)
-        found: dict[str, Any] = {"layer": layer.upper()}
+        found: dict[str, object] = {"layer": layer.upper()}
         solid = not dashes
         if own is None or solid != (not pen(own).pattern) or (not solid and own != style):
             found["linetype"] = "Continuous" if solid else style.upper()
@@ -76,13 +59,14 @@ class Entities:
             found["lineweight"] = weight(used.width)
         return found
 
-    def line(self, points: Sequence[complex], style: str, layer: str, closed: bool = False) -> None:
-        """A straight line or a polyline."""
-        looks = self.looks(style, layer, fitted(pen(style).pattern, length_mm(points, closed), closed))
-        if len(points) == 2:
-            self.space.add_line(*map(xy, points), dxfattribs=looks)
-        else:
-            self.space.add_lwpolyline([xy(z) for z in points], close=closed, dxfattribs=looks)
+    def strokes(self, lines: Lines, style: str, layer: str, closed: bool = False) -> None:
+        """Straight lines or polylines."""
+        looks = self.looks(style, layer, dashes_of(lines, style, closed))
+        for points in lines:
+            if len(points) == 2:
+                self.space.add_line(xy(points[0]), xy(points[1]), dxfattribs=looks)
+            else:
+                self.space.add_lwpolyline([xy(z) for z in points], close=closed, dxfattribs=looks)
 
     def arc(self, arc: Arc) -> None:
         """A circle, an arc, or a filled disc."""
@@ -95,7 +79,7 @@ class Entities:
         else:
             self.space.add_arc(xy(arc.centre), arc.radius, arc.start_deg, arc.end_deg, dxfattribs=looks)
 
-    def filled(self, points: Sequence[complex], layer: str) -> None:
+    def filled(self, points: Sequence[complex], colour: str, layer: str) -> None:
         """A filled polygon: of three corners a solid, else a hatch."""
         if len(points) == 3:
             self.space.add_solid([xy(z) for z in points], dxfattribs={"layer": layer.upper()})
@@ -104,7 +88,11 @@ class Entities:
         fill.paths.add_polyline_path([xy(z) for z in points], is_closed=True)
 
     def text(self, text: Text) -> None:
-        """Every run of a text as a TEXT fitted between its ends, but for 1, l and other slim letters by themselves."""
+        """Every run of a text as a TEXT fitted between its ends, but for 1, l and other slim letters by themselves; or
+        the lettering itself."""
+        if self.drawn_letters:
+            self.lettering(text)
+            return
         from ezdxf.enums import TextEntityAlignment as Align
 
         laid = layout(text)
@@ -137,7 +125,7 @@ class Entities:
                 fill.paths.add_polyline_path([xy(z) for z in line[:-1]], is_closed=True)
 
 
-def text_looks(text: Text, height: float) -> dict[str, Any]:
+def text_looks(text: Text, height: float) -> dict[str, object]:
     """Layer, style, height and slant of a text."""
-    found: dict[str, Any] = {"layer": text.layer.upper(), "style": style_name(text.face), "height": height}
+    found: dict[str, object] = {"layer": text.layer.upper(), "style": style_name(text.face), "height": height}
     return found | ({"oblique": OBLIQUE_DEG} if text.face.slanted else {})

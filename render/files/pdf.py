@@ -9,16 +9,19 @@ import cmath
 import io
 import math
 from collections.abc import Iterable, Sequence
-from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
-from planes.scene.files import save
-from render.paper.ink import arc_dashes, arrow_parts, by_layer, checked, hatch_strokes, is_circle, length_mm
-from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
+from render.files.writer import Lines, Writer, dashes_of
+from render.paper.ink import arc_dashes, by_layer, checked, is_circle
+from render.paper.marks import Arc, Mark, Text
 from render.paper.outlines import dejavu
 from render.paper.photo import Photo
-from render.paper.style import BLACK, CAPITALS, PAPER, fitted, pen
+from render.paper.style import BLACK, CAPITALS, PAPER, pen
 from render.paper.typeset import LaidText, layout
+
+if TYPE_CHECKING:
+    from reportlab.pdfgen.canvas import Canvas
+    from reportlab.pdfgen.pathobject import PDFPathObject
 
 POINTS_PER_MM = 72 / 25.4
 FONT = "DejaVuSans"
@@ -31,24 +34,17 @@ def write(
     marks: Iterable[Mark],
     size_mm: tuple[float, float],
     title: str,
-    path: str | Path | None = None,
     *,
     description: str = "",
     lang: str = "ru",
     under: Photo | None = None,
 ) -> bytes:
-    """The sheet as a PDF file of one page, ``under`` it a picture; also written to ``path`` if one is given."""
-    return write_pages([(marks, size_mm)], title, path, description=description, lang=lang, under=under)
+    """The sheet as a PDF file of one page, ``under`` it a picture."""
+    return write_pages([(marks, size_mm)], title, description, lang, under)
 
 
 def write_pages(
-    pages: Iterable[Page],
-    title: str,
-    path: str | Path | None = None,
-    *,
-    description: str = "",
-    lang: str = "ru",
-    under: Photo | None = None,
+    pages: Iterable[Page], title: str, description: str = "", lang: str = "ru", under: Photo | None = None
 ) -> bytes:
     """Several sheets (marks and width × height in mm) as one PDF file."""
     from reportlab.pdfgen.canvas import Canvas
@@ -63,22 +59,23 @@ def write_pages(
         held = checked(marks, size_mm)
         canvas.setPageSize(tuple(POINTS_PER_MM * side for side in size_mm))
         canvas.scale(POINTS_PER_MM, POINTS_PER_MM)
-        canvas.setLineJoin(_ROUND)
         _lay(canvas, under)
-        _Page(canvas).draw(held)
+        draw_marks(canvas, held)
         canvas.showPage()
     canvas.save()
-    return save(data.getvalue(), path)
+    return data.getvalue()
 
 
-def draw_marks(canvas: Any, marks: Iterable[Mark]) -> None:
+def draw_marks(canvas: Canvas, marks: Iterable[Mark]) -> None:
     """Marks on a canvas whose unit is one millimetre."""
-    _font()
     canvas.setLineJoin(_ROUND)
-    _Page(canvas).draw(marks)
+    page = _Page(canvas)
+    for _, held in by_layer(marks):
+        for mark in held:
+            page.mark(mark)
 
 
-def _lay(canvas: Any, photo: Photo | None) -> None:
+def _lay(canvas: Canvas, photo: Photo | None) -> None:
     """A picture on the empty page."""
     if photo:
         from reportlab.lib.utils import ImageReader
@@ -97,36 +94,13 @@ def _font() -> str:
     return FONT
 
 
-class _Page:
+class _Page(Writer):
     """Draws marks on a reportlab canvas whose unit is one millimetre."""
 
-    def __init__(self, canvas: Any) -> None:
+    def __init__(self, canvas: Canvas) -> None:
         self.canvas = canvas
 
-    def draw(self, marks: Iterable[Mark]) -> None:
-        for _, held in by_layer(marks):
-            for mark in held:
-                self._mark(mark)
-
-    def _mark(self, mark: Mark) -> None:
-        if isinstance(mark, Line):
-            dashes = fitted(pen(mark.style).pattern, length_mm(mark.points, mark.closed), mark.closed)
-            self._stroke([mark.points], mark.style, dashes, mark.closed)
-        elif isinstance(mark, Arc):
-            self._arc(mark)
-        elif isinstance(mark, Arrow):
-            shaft, head = arrow_parts(mark)
-            self._stroke([shaft], mark.style, fitted(pen(mark.style).pattern, length_mm(shaft)))
-            if head:
-                self._fill(head, pen(mark.style).colour)
-        elif isinstance(mark, Shape):
-            self._fill(mark.points, PAPER if mark.fill == "paper" else BLACK)
-        elif isinstance(mark, Hatch):
-            self._stroke(hatch_strokes(mark), "thin")
-        else:
-            self._text(mark)
-
-    def _path(self, lines: Iterable[Sequence[complex]], closed: bool = False) -> Any:
+    def _path(self, lines: Iterable[Sequence[complex]], closed: bool = False) -> PDFPathObject:
         path = self.canvas.beginPath()
         for first, *rest in lines:
             path.moveTo(first.real, first.imag)
@@ -142,17 +116,18 @@ class _Page:
         self.canvas.setDash(list(dashes))
         self.canvas.setLineCap(_BUTT if dashes else _ROUND)
 
-    def _stroke(
-        self, lines: Iterable[Sequence[complex]], style: str, dashes: Sequence[float] = (), closed: bool = False
-    ) -> None:
-        self._set(pen(style).width, pen(style).colour, dashes)
+    def strokes(self, lines: Lines, style: str, layer: str, closed: bool = False) -> None:
+        """Polylines as one path."""
+        self._set(pen(style).width, pen(style).colour, dashes_of(lines, style, closed))
         self.canvas.drawPath(self._path(lines, closed), stroke=1, fill=0)
 
-    def _fill(self, points: Sequence[complex], colour: str) -> None:
+    def filled(self, points: Sequence[complex], colour: str, layer: str) -> None:
+        """A filled polygon."""
         self.canvas.setFillColor(colour)
         self.canvas.drawPath(self._path([points], closed=True), stroke=0, fill=1)
 
-    def _arc(self, arc: Arc) -> None:
+    def arc(self, arc: Arc) -> None:
+        """A circle, an arc, or a filled disc."""
         self._set(pen(arc.style).width, pen(arc.style).colour, arc_dashes(arc))
         self.canvas.setFillColor(PAPER if arc.fill == "paper" else BLACK)
         path, c, r = self.canvas.beginPath(), arc.centre, arc.radius
@@ -163,7 +138,8 @@ class _Page:
             path.arc(*corners, arc.start_deg, arc.end_deg - arc.start_deg)
         self.canvas.drawPath(path, stroke=1, fill=int(arc.fill != "none"))
 
-    def _text(self, text: Text) -> None:
+    def text(self, text: Text) -> None:
+        """Strokes, and over them the text itself, invisible."""
         laid = layout(text)
         for width, lines in laid.by_pen():
             self._set(width, BLACK)

@@ -9,15 +9,20 @@ from __future__ import annotations
 import base64
 import math
 from collections.abc import Iterable, Sequence
-from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
-from planes.scene.files import save
-from render.paper.ink import arc_dashes, arrow_parts, by_layer, checked, hatch_strokes, is_circle, length_mm
-from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
+from render.files.writer import Lines, Writer, dashes_of
+from render.paper.ink import arc_dashes, by_layer, checked, is_circle
+from render.paper.marks import Arc, Arrow, Mark, Text
 from render.paper.photo import Photo
-from render.paper.style import BLACK, CAPITALS, PAPER, fitted, pen
+from render.paper.style import BLACK, CAPITALS, PAPER, pen
 from render.paper.typeset import layout
+
+if TYPE_CHECKING:
+    from svgwrite import Drawing
+    from svgwrite.container import Group
+    from svgwrite.image import Image
+    from svgwrite.path import Path
 
 FONTS = "DejaVu Sans, Arial, sans-serif"
 
@@ -26,14 +31,13 @@ def write(
     marks: Iterable[Mark],
     size_mm: tuple[float, float],
     title: str,
-    path: str | Path | None = None,
     *,
     description: str = "",
     lang: str = "ru",
     under: Photo | None = None,
 ) -> bytes:
-    """The sheet as an SVG file, UTF-8, ``under`` it a picture; also written to ``path`` if one is given."""
-    return save(_Sheet(size_mm, title, description, lang).drawn(checked(marks, size_mm), under), path)
+    """The sheet as an SVG file, UTF-8, ``under`` it a picture."""
+    return _Sheet(size_mm, title, description, lang).drawn(checked(marks, size_mm), under)
 
 
 def inline(marks: Iterable[Mark], size_mm: tuple[float, float], title: str, lang: str = "ru") -> str:
@@ -46,14 +50,16 @@ def number(value: float) -> str:
     return f"{round(value, 3) + 0.0:.3f}".rstrip("0").rstrip(".")
 
 
-class _Sheet:
-    """One SVG drawing in the making."""
+class _Sheet(Writer):
+    """One SVG drawing in the making; marks are added to ``group``."""
+
+    group: Group
 
     def __init__(self, size_mm: tuple[float, float], title: str, description: str, lang: str) -> None:
         import svgwrite
 
         self.width, self.height = size_mm
-        self.svg: Any = svgwrite.Drawing(
+        self.svg: Drawing = svgwrite.Drawing(
             size=(f"{number(self.width)}mm", f"{number(self.height)}mm"),
             viewBox=f"0 0 {number(self.width)} {number(self.height)}",
             debug=False,
@@ -67,32 +73,17 @@ class _Sheet:
         if under:
             self.svg.add(self._photo(under))
         for layer, held in by_layer(marks):
-            group = self.svg.g(id=layer, fill="none", stroke_linejoin="round", stroke_linecap="round")
+            self.group = self.svg.g(id=layer, fill="none", stroke_linejoin="round", stroke_linecap="round")
             for mark in held:
-                for element in self._elements(mark):
-                    group.add(element)
-            self.svg.add(group)
+                self.mark(mark)
+            self.svg.add(self.group)
         return f'<?xml version="1.0" encoding="UTF-8"?>\n{self.svg.tostring()}\n'.encode()
 
-    def _photo(self, photo: Photo) -> Any:
+    def _photo(self, photo: Photo) -> Image:
         href = "data:image/jpeg;base64," + base64.b64encode(photo.data).decode()
         x0, y0, x1, y1 = photo.box
         corner, size = (number(x0), number(self.height - y1)), (number(x1 - x0), number(y1 - y0))
         return self.svg.image(href, corner, size, preserveAspectRatio="none")
-
-    def _elements(self, mark: Mark) -> list[Any]:
-        if isinstance(mark, Line):
-            dashes = fitted(pen(mark.style).pattern, length_mm(mark.points, mark.closed), mark.closed)
-            return [self._stroke(self._path([mark.points], mark.closed), mark.style, dashes)]
-        if isinstance(mark, Arc):
-            return [self._arc(mark)]
-        if isinstance(mark, Arrow):
-            return [self._arrow(mark)]
-        if isinstance(mark, Shape):
-            return [self._filled(mark.points, PAPER if mark.fill == "paper" else BLACK)]
-        if isinstance(mark, Hatch):
-            return [self._stroke(self._path(hatch_strokes(mark)), "thin")]
-        return self._text(mark)
 
     def _xy(self, z: complex) -> str:
         return f"{number(z.real)} {number(self.height - z.imag)}"
@@ -101,17 +92,25 @@ class _Sheet:
         end = "Z" if closed else ""
         return "".join("M" + "L".join(self._xy(z) for z in line) + end for line in lines)
 
-    def _stroke(self, path: str, style: str, dashes: Sequence[float] = ()) -> Any:
+    def _stroke(self, path: str, style: str, dashes: Sequence[float]) -> Path:
         used = pen(style)
-        looks: dict[str, Any] = {"stroke": used.colour, "stroke_width": number(used.width)}
+        looks = {"stroke": used.colour, "stroke_width": number(used.width)}
         if dashes:
             looks |= {"stroke_dasharray": " ".join(map(number, dashes)), "stroke_linecap": "butt"}
-        return self.svg.path(d=path, **looks)
+        element = self.svg.path(d=path, **looks)
+        self.group.add(element)
+        return element
 
-    def _filled(self, points: Sequence[complex], colour: str) -> Any:
-        return self.svg.path(d=self._path([points], closed=True), fill=colour)
+    def strokes(self, lines: Lines, style: str, layer: str, closed: bool = False) -> None:
+        """Polylines as one path."""
+        self._stroke(self._path(lines, closed), style, dashes_of(lines, style, closed))
 
-    def _arc(self, arc: Arc) -> Any:
+    def filled(self, points: Sequence[complex], colour: str, layer: str) -> None:
+        """A filled polygon."""
+        self.group.add(self.svg.path(d=self._path([points], closed=True), fill=colour))
+
+    def arc(self, arc: Arc) -> None:
+        """Two halves of a circle, or an arc."""
         start, half, end = (
             arc.centre + arc.radius * complex(math.cos(math.radians(a)), math.sin(math.radians(a)))
             for a in (arc.start_deg, (arc.start_deg + arc.end_deg) / 2, arc.end_deg)
@@ -122,21 +121,19 @@ class _Sheet:
         element = self._stroke(path + ("Z" if is_circle(arc) else ""), arc.style, arc_dashes(arc))
         if arc.fill != "none":
             element["fill"] = PAPER if arc.fill == "paper" else BLACK
-        return element
 
-    def _arrow(self, arrow: Arrow) -> Any:
-        group = self.svg.g(**({"data-name": arrow.name} if arrow.name else {}))
-        shaft, head = arrow_parts(arrow)
-        dashes = fitted(pen(arrow.style).pattern, length_mm(shaft))
-        group.add(self._stroke(self._path([shaft]), arrow.style, dashes))
-        if head:
-            group.add(self._filled(head, pen(arrow.style).colour))
-        return group
+    def arrow(self, arrow: Arrow) -> None:
+        """Shaft and head as a group that knows what it shows."""
+        around, self.group = self.group, self.svg.g(**({"data-name": arrow.name} if arrow.name else {}))
+        super().arrow(arrow)
+        around.add(self.group)
+        self.group = around
 
-    def _text(self, text: Text) -> list[Any]:
+    def text(self, text: Text) -> None:
+        """Strokes, and over them the text itself, transparent."""
         laid = layout(text)
         if not laid.runs:
-            return []
+            return
         group = self.svg.g(**({"data-name": text.name} if text.name else {}))
         for width, lines in laid.by_pen():
             looks = {"fill": BLACK} if laid.filled else {"stroke": BLACK, "stroke_width": number(width)}
@@ -150,4 +147,4 @@ class _Sheet:
             x, y = number(run.at.real), number(-run.at.imag)
             real.add(self.svg.tspan(run.text, x=[x], y=[y], font_size=size))
         group.add(real)
-        return [group]
+        self.group.add(group)

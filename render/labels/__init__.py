@@ -10,26 +10,11 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from render.labels.board import Board
+from render.labels.candidates import Label
 from render.labels.footprints import Bounds, ink
-from render.paper.marks import Layer, Line, Mark, Text
+from render.paper.marks import Line, Mark, Text
 
-
-@dataclass(frozen=True)
-class Label:
-    """A text and the point or segment it names.
-
-    ``side`` is the direction from it that is liked best (0: no wish), ``clear`` the radius around a point
-    that is to be kept free (a hinge's) in mm; higher ``priority`` chooses earlier.
-    """
-
-    text: str
-    at: complex | tuple[complex, complex]
-    height: float = 5.0
-    side: complex = 0
-    clear: float = 0.0
-    priority: int = 0
-    layer: Layer = "text"
-    name: str = ""
+__all__ = ["Label", "Placed", "place"]
 
 
 @dataclass(frozen=True)

@@ -4,20 +4,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 import shapely
 
+from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 from render.labels.candidates import (
+    APART_MM,
+    CLEAR_MM,
     FAR,
     NEAR,
     Candidates,
-    Lettered,
+    Label,
     beside,
-    crossed,
+    close,
+    distances,
     far_off,
-    meeting,
+    met,
     own_distance,
     union,
 )
@@ -31,63 +36,88 @@ TIGHT = 1.5  # cost of standing closer than ROOM_MM to ink
 AMBIGUOUS = 8.0  # cost of standing nearer to another label's point than to its own
 CROSSING = 8.0  # cost of a leader's crossing with a stroke
 BROKEN = 4.0  # cost of a thin line that is broken for a label
-CLEAR_MM = 0.5  # least distance of a label from ink and from labels
 ROOM_MM = 1.3
-APART_MM = 4.0  # labels side by side read as one when they stand closer than this
 READ_AS_ONE = 3.0  # cost of it
 PATIENCE = 1000  # how often labels are asked to make room for others, on one board
+FAR_PLACES = 96  # of a label that needs a leader line: the nearest free ones
 ENOUGH = 8  # crossings, or lines broken: more are hardly worse
 _SWEEPS = 8
-_GROWN = np.array([-1, -1, 1, 1]) * 0.3  # mm a leader keeps away from letters
 
 
-class _Met:
-    """Which labels the candidates of one clash with, or stand close to; ``seen``: as of which of their moves."""
+class Effect(NamedTuple):
+    """What a chosen place does to the candidates of other labels: which it clashes with and how often, and which it
+    stands close to."""
 
-    def __init__(self, option: Candidates, count: int) -> None:
-        self.clashes = np.zeros((len(option.wish), count), np.int8)
-        self.close = np.zeros((len(option.wish), count), bool)
-        self.seen = np.zeros(count, int)
+    at: Indices
+    clashes: Indices
+    near: Booleans
 
 
 class Board:
-    """The candidates of all labels, the one each has chosen, and what the choices cost."""
+    """The candidates of all labels, the one each has chosen, and what the choices cost.
+
+    The candidates of all labels stand in one list, those of label k at ``rows[k]``.  What a candidate does to the
+    others is found out once, when it is first chosen; ``clashes`` and ``near`` count what all chosen ones do.
+    """
 
     def __init__(
-        self, labels: Sequence[Lettered], ground: InkedShapes, field: Bounds | None, yielding: InkedShapes
+        self, labels: Sequence[Label], ground: InkedShapes, field: Bounds | None, yielding: InkedShapes
     ) -> None:
         self.labels, self.ground, self.field, self.yielding = labels, ground, field, yielding
         self.extents = [extent(label.text, label.height) for label in labels]
         self.options = [beside(label, size, NEAR) for label, size in zip(labels, self.extents, strict=True)]
-        self.static = self._judged(self.options)
-        self.boxes = np.full((len(labels), 4), np.nan)
-        self.leaders = np.full((len(labels), 2), np.nan, dtype=complex)
-        self.chosen = [0] * len(labels)
+        self.costs = self._judged(self.options)
+        for k in range(len(labels)):
+            self.costs[k] += AMBIGUOUS * self._strays(k)
+        self.chosen: dict[int, int] = {}
         self.wide: set[int] = set()
         self.moves = 0
-        self.taken = np.zeros(len(labels), int)  # how often each label has moved
-        self.met = [_Met(option, len(labels)) for option in self.options]
+        self._list()
 
-    def _judged(self, options: Sequence[Candidates], leaders: bool = False) -> list[Any]:
+    def _list(self) -> None:
+        """Put the candidates of all labels into one list."""
+        self.every = union(self.options)
+        self.reach, self.static = self.every.reach, np.concatenate(self.costs)
+        ends = np.cumsum([0, *map(len, self.costs)]).tolist()
+        self.rows = [slice(*two) for two in pairwise(ends)]
+        self.effects: dict[tuple[int, int], Effect] = {}
+        self.clashes, self.near = np.zeros(ends[-1], np.intp), np.zeros(ends[-1], np.intp)
+        for k in self.chosen:
+            self._count(k, 1)
+
+    def _count(self, k: int, sign: int) -> None:
+        """Count what the place of label k does to the candidates of all others, or take it away."""
+        option = self.chosen[k]
+        if (k, option) not in self.effects:
+            self.effects[k, option] = self._effect(k, option)
+        effect = self.effects[k, option]
+        self.clashes[effect.at] += sign * effect.clashes
+        self.near[effect.at] += sign * effect.near
+
+    def _effect(self, k: int, option: int) -> Effect:
+        row = self.rows[k].start + option
+        reached = close(self.reach, self.reach[row : row + 1], APART_MM, CLEAR_MM)[:, 0]
+        reached[self.rows[k]] = False
+        at = np.flatnonzero(reached)
+        clashes, near = met(self.every.some(at), self.every.some(np.array([row])))
+        return Effect(at, clashes[:, 0], near[:, 0])
+
+    def _judged(self, options: Sequence[Candidates]) -> list[Array]:
         """What every candidate costs before the other labels are looked at."""
-        boxes = np.concatenate([option.boxes for option in options])
-        cost = np.concatenate([option.wish for option in options]) + self._on_ink(boxes)
-        if leaders:
-            cost += CROSSING * _bounded(self._crossings(np.concatenate([option.leaders for option in options])))
+        every = union(options)
+        cost = every.wish + self._on_ink(every.boxes)
         if self.field is not None:
             x0, y0, x1, y1 = self.field
+            boxes = every.boxes
             inside = (boxes[:, 0] >= x0) & (boxes[:, 1] >= y0) & (boxes[:, 2] <= x1) & (boxes[:, 3] <= y1)
             cost += OUTSIDE * ~inside
-        ends = np.cumsum([len(option.wish) for option in options])[:-1]
-        parts = np.split(cost, ends)
-        return parts if leaders else [part + AMBIGUOUS * self._strays(k) for k, part in enumerate(parts)]
+        return np.split(cost, np.cumsum([len(option.wish) for option in options])[:-1])
 
-    def _on_ink(self, boxes: Any) -> Any:
+    def _on_ink(self, boxes: Array) -> Array:
         """Cost of the strokes that each box touches or nearly touches."""
         cost = np.zeros(len(boxes))
         if len(self.ground.shapes):
-            areas = shapely.box(*boxes.T)
-            pairs, apart = self.ground.gaps(areas, ROOM_MM)
+            pairs, apart = self.ground.gaps(shapely.box(*boxes.T), ROOM_MM)
             cost += TIGHT * (np.bincount(pairs[0, apart <= ROOM_MM], minlength=len(boxes)) > 0)
             cost += HARD * np.bincount(pairs[0, apart <= CLEAR_MM], minlength=len(boxes))
         if len(self.yielding.shapes):
@@ -95,107 +125,92 @@ class Board:
             cost += BROKEN * _bounded(np.bincount(broken, minlength=len(boxes)))
         return cost
 
-    def _crossings(self, leaders: Any) -> Any:
+    def _crossings(self, leaders: Complexes) -> Array:
         """How many strokes each leader crosses, thin ones that yield for less."""
         lines = shapely.linestrings(np.stack([leaders.real, leaders.imag], axis=-1))
-        found = np.zeros(len(leaders))
+        counts = np.zeros(len(leaders))
         for inked, weight in ((self.ground, 1.0), (self.yielding, 0.25)):
-            if len(inked.shapes):
-                pairs = shapely.STRtree(inked.shapes).query(lines, predicate="intersects")
-                found += weight * np.bincount(pairs[0], minlength=len(leaders))
-        return found
+            if len(inked.shapes) and len(leaders):
+                pairs = inked.tree.query(lines, predicate="intersects")
+                counts += weight * np.bincount(pairs[0], minlength=len(leaders))
+        return counts
 
-    def _strays(self, k: int) -> Any:
+    def _strays(self, k: int) -> Booleans:
         """Which candidates of label k stand nearer to the point of another label than to their own."""
         others = [z.at for j, z in enumerate(self.labels) if j != k and not isinstance(z.at, tuple)]
         points = np.array([z for z in others if z != self.labels[k].at], dtype=complex)
         if not len(points):
             return np.zeros(len(self.options[k].wish), dtype=bool)
-        x0, y0, x1, y1 = (side[:, None] for side in self.options[k].boxes.T)
-        dx = np.maximum(np.maximum(x0 - points.real, points.real - x1), 0)
-        dy = np.maximum(np.maximum(y0 - points.imag, points.imag - y1), 0)
-        return np.hypot(dx, dy).min(axis=1) < own_distance(self.options[k], self.labels[k].at)
+        away = distances(self.options[k].boxes, points).min(axis=1)
+        stray: Booleans = away < own_distance(self.options[k], self.labels[k].at)
+        return stray
 
     def choose(self) -> None:
         """Everybody takes the cheapest place left, the important and the hemmed in first."""
-        free = [int((cost < HARD).sum()) for cost in self.static]
-        order = sorted(range(len(self.labels)), key=lambda k: (-self.labels[k].priority, free[k], k))
-        for k in order:
-            self._take(k, int(np.argmin(self.costs(k))))
+        free = [int((cost < HARD).sum()) for cost in self.costs]
+        for k in sorted(range(len(self.labels)), key=lambda k: (-self.labels[k].priority, free[k], k)):
+            self._take(k, int(np.argmin(self.cost(self.rows[k]))))
 
-    def costs(self, k: int, rows: slice = slice(None)) -> Any:
-        """What the candidates of label k (or those ``rows``) cost among the present places of the others."""
-        clashes, close = self._meets(k)
-        blocked, near = clashes[rows].sum(axis=1), close[rows].any(axis=1)
-        return self.static[k][rows] + HARD * blocked + READ_AS_ONE * near
-
-    def _meets(self, k: int) -> tuple[Any, Any]:
-        """How often each candidate of label k (rows) clashes with each other label (columns), and where it stands close
-        to it: looked at anew for the labels that have moved."""
-        met, option = self.met[k], self.options[k]
-        moved = np.flatnonzero(met.seen != self.taken)
-        moved = moved[moved != k]
-        if len(moved):
-            met.clashes[:, moved] = self._clashes(option, moved)
-            met.close[:, moved] = _overlaps(option.boxes, self.boxes[moved], APART_MM)
-            met.seen[moved] = self.taken[moved]
-        return met.clashes, met.close
-
-    def _clashes(self, option: Candidates, moved: Any) -> Any:
-        """How often each candidate (rows) clashes with each of the labels ``moved`` (columns): letters and leaders."""
-        boxes = self.boxes[moved]
-        found = _overlaps(option.boxes, boxes).astype(np.int8)
-        others = np.flatnonzero(~np.isnan(self.leaders[moved, 0]))
-        leaders = self.leaders[moved[others]][None, :, :]
-        found[:, others] += crossed(option.boxes[:, None, :] + _GROWN, leaders)
-        led = np.flatnonzero(~np.isnan(option.leaders[:, 0]))
-        if len(led):
-            own = option.leaders[led][:, None, :]
-            found[led] += crossed(boxes[None, :, :] + _GROWN, own)
-            found[np.ix_(led, others)] += meeting(own, leaders)
-        return found
+    def cost(self, rows: slice | Indices) -> Array:
+        """What candidates cost among the present places of the other labels."""
+        return self.static[rows] + HARD * self.clashes[rows] + READ_AS_ONE * (self.near[rows] > 0)
 
     def _take(self, k: int, option: int) -> None:
-        self.taken[k] += 1
+        if k in self.chosen:
+            self._count(k, -1)
         self.chosen[k] = option
-        self.boxes[k] = self.options[k].boxes[option]
-        self.leaders[k] = self.options[k].leaders[option]
+        self._count(k, 1)
+
+    def places(self) -> Indices:
+        """Where the chosen places of all labels stand in the list of candidates."""
+        return np.array([self.rows[k].start + self.chosen[k] for k in range(len(self.labels))])
 
     def unhappy(self) -> list[int]:
         """The labels that overlap something now."""
-        rows = [slice(chosen, chosen + 1) for chosen in self.chosen]
-        return [k for k in range(len(self.labels)) if self.costs(k, rows[k])[0] >= HARD]
+        return [int(k) for k in np.flatnonzero(self.cost(self.places()) >= HARD)]
 
     def repair(self) -> None:
         """Move what overlaps to its cheapest place, or push the labels in the way aside."""
         for _ in range(_SWEEPS):
-            before = list(self.chosen)
+            before = dict(self.chosen)
             for k in self.unhappy():
-                costs = self.costs(k)
-                self._take(k, int(np.argmin(costs)))
-                if costs.min() >= HARD:
+                if not self._moves(k):
                     self._push(k)
             if self.chosen == before:
                 return
 
     def _push(self, k: int) -> None:
         """Give label k a place held by others, if every one of them finds another."""
-        kept = list(self.chosen)
-        free = [int(c) for c in np.argsort(self.static[k], kind="stable") if self.static[k][c] < HARD]
-        for option in free:
+        kept = dict(self.chosen)
+        free = np.argsort(self.costs[k], kind="stable")
+        free = free[self.costs[k][free] < HARD]
+        clashes, _ = met(self.options[k].some(free), self.every.some(self.places()))
+        clashes[:, k] = 0
+        self._count(k, -1)
+        stuck = {j for j in np.flatnonzero(clashes.any(axis=0)).tolist() if not self._can_move(j)}
+        self._count(k, 1)
+        for option, row in zip(free.tolist(), clashes, strict=True):
+            held = np.flatnonzero(row).tolist()
             if self.moves > PATIENCE:
                 return
+            if held and held[0] in stuck:
+                self.moves += 1
+                continue
             self._take(k, option)
-            held = np.flatnonzero(self._meets(k)[0][option])
-            if all(self._moves(int(j)) for j in held) and self.costs(k)[option] < HARD:
+            if all(map(self._moves, held)) and self.cost(self.places()[k : k + 1])[0] < HARD:
                 return
-            for j, place in enumerate(kept):
+            for j, place in kept.items():
                 if self.chosen[j] != place:
                     self._take(j, place)
 
+    def _can_move(self, k: int) -> bool:
+        """Whether label k has another place."""
+        return bool(np.delete(self.cost(self.rows[k]), self.chosen[k]).min() < HARD)
+
     def _moves(self, k: int) -> bool:
+        """Move label k to its cheapest place; whether it overlaps nothing there."""
         self.moves += 1
-        costs = self.costs(k)
+        costs = self.cost(self.rows[k])
         self._take(k, int(np.argmin(costs)))
         return bool(costs.min() < HARD)
 
@@ -206,37 +221,29 @@ class Board:
         if not late:
             return False
         far = [far_off(self.labels[k], self.extents[k], FAR) for k in late]
-        for k, option, cost in zip(late, far, self._judged(far, leaders=True), strict=True):
-            self.options[k] = union(self.options[k], option)
-            self.static[k] = np.concatenate([self.static[k], cost])
-            self.met[k] = _Met(self.options[k], len(self.labels))
+        for k, option, cost in zip(late, far, self._judged(far), strict=True):
+            best = np.argsort(cost, kind="stable")[:FAR_PLACES]
+            free = best[cost[best] < HARD]
+            some = option.some(free)
+            self.options[k] = union([self.options[k], some])
+            led = cost[free] + CROSSING * _bounded(self._crossings(some.leaders))
+            self.costs[k] = np.concatenate([self.costs[k], led])
+        self._list()
         return True
 
     def placed(self) -> tuple[tuple[Text, ...], tuple[Line, ...]]:
         """The chosen places as texts and leader lines."""
         texts, leaders = [], []
-        for k, label in enumerate(self.labels):
-            base = complex(self.boxes[k, 0], self.boxes[k, 1] - self.extents[k][1])
+        now = self.every.some(self.places())
+        for label, size, box, leader in zip(self.labels, self.extents, now.boxes, now.leaders, strict=True):
+            base = complex(box[0], box[1] - size[1])
             texts.append(Text(label.text, base, label.height, layer=label.layer, name=label.name))
-            if not math.isnan(self.leaders[k, 0].real):
-                leaders.append(Line(tuple(complex(z) for z in self.leaders[k]), "thin", label.layer, name="leader"))
+            if not math.isnan(leader[0].real):
+                ends = tuple(complex(z) for z in leader)
+                leaders.append(Line(ends, "thin", label.layer, name="leader"))
         return tuple(texts), tuple(leaders)
 
 
-def _bounded(counts: Any) -> Any:
+def _bounded(counts: Array | Indices) -> Array:
     """Numbers of what is disliked: beyond some it hardly gets worse."""
-    return np.minimum(counts, ENOUGH) + 0.02 * counts
-
-
-def _overlaps(boxes: Any, others: Any, beside: float = CLEAR_MM) -> Any:
-    """Which boxes (rows) come near which others (columns): ``beside`` mm sideways and CLEAR_MM in height.
-
-    Labels without a place yet come near nothing.
-    """
-    a, b = boxes[:, None, :], others[None, :, :]
-    return (
-        (a[..., 0] < b[..., 2] + beside)
-        & (b[..., 0] < a[..., 2] + beside)
-        & (a[..., 1] < b[..., 3] + CLEAR_MM)
-        & (b[..., 1] < a[..., 3] + CLEAR_MM)
-    )
+    return np.minimum(counts, ENOUGH) + 0.02 * counts.astype(np.float64)

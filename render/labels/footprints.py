@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from functools import cached_property
+from itertools import chain
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 
-from render.paper.ink import arrow_parts, flattened, is_circle
+from planes.geometry.arrays import Array, Indices
+from render.paper.ink import Polyline, arrow_parts, flattened, is_circle
 from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
 from render.paper.style import pen
-from render.paper.typeset import layout
+from render.paper.typeset import box_of, layout
 
 Bounds = tuple[float, float, float, float]
 """x0, y0, x1, y1 in mm."""
+
+Shapes = NDArray[np.object_]
+"""Geometries of shapely."""
 
 _TOUCH_MM = 0.01
 
@@ -24,18 +30,23 @@ _TOUCH_MM = 0.01
 class InkedShapes:
     """Shapes and half the pen width of each: a point is inked if it is nearer to the shape than that."""
 
-    shapes: Any
-    halves: Any
+    shapes: Shapes
+    halves: Array
     owners: tuple[int, ...]
 
-    def gaps(self, areas: Any, clear: float) -> tuple[Any, Any]:
+    @cached_property
+    def tree(self) -> shapely.STRtree:
+        """The shapes by where they are."""
+        return shapely.STRtree(self.shapes)
+
+    def gaps(self, areas: Shapes, clear: float) -> tuple[Indices, Array]:
         """Pairs (number of the area, number of the shape) that may be nearer than ``clear`` mm, and how far apart."""
         x0, y0, x1, y1 = shapely.bounds(areas).T
         most = clear + float(self.halves.max(initial=0.0))
-        pairs = shapely.STRtree(self.shapes).query(shapely.box(x0 - most, y0 - most, x1 + most, y1 + most))
+        pairs = self.tree.query(shapely.box(x0 - most, y0 - most, x1 + most, y1 + most))
         return pairs, shapely.distance(areas[pairs[0]], self.shapes[pairs[1]]) - self.halves[pairs[1]]
 
-    def within(self, areas: Any, clear: float) -> Any:
+    def within(self, areas: Shapes, clear: float) -> Indices:
         """Pairs (number of the area, number of the shape) with less than ``clear`` mm between them."""
         pairs, apart = self.gaps(areas, clear)
         return pairs[:, apart <= clear]
@@ -58,8 +69,8 @@ class Conflict:
 
 def ink(marks: Iterable[Mark]) -> InkedShapes:
     """The ink of marks; texts count as their boxes, hatched regions and filled shapes as areas."""
-    paths: list[Sequence[complex]] = []
-    areas: list[Sequence[complex]] = []
+    paths: list[Polyline] = []
+    areas: list[Polyline] = []
     path_info: list[tuple[float, int]] = []
     area_info: list[tuple[float, int]] = []
     for owner, mark in enumerate(marks):
@@ -69,15 +80,26 @@ def ink(marks: Iterable[Mark]) -> InkedShapes:
         path_info += [(half, owner)] * len(lines)
         area_info += [(0.0, owner)] * len(filled)
     info = path_info + area_info
-    shapes = np.concatenate([_strings(paths), polygons(areas)])
+    shapes = np.concatenate([_strings(paths, shapely.linestrings), polygons(areas)])
     return InkedShapes(shapes, np.array([half for half, _ in info]), tuple(owner for _, owner in info))
 
 
-def _parts(mark: Mark) -> tuple[float, list[Sequence[complex]], list[Sequence[complex]]]:
+def bounds(marks: Iterable[Mark]) -> Bounds:
+    """The box around all ink of the marks; of none a box of no size."""
+    parts = list(map(_parts, marks))
+    edges = [(z, half) for half, lines, _ in parts for z in chain(*lines)]
+    edges += [(z, 0.0) for _, _, filled in parts for z in chain(*filled)]
+    if not edges:
+        return 0.0, 0.0, 0.0, 0.0
+    left, low = min(z.real - half for z, half in edges), min(z.imag - half for z, half in edges)
+    return left, low, max(z.real + half for z, half in edges), max(z.imag + half for z, half in edges)
+
+
+def _parts(mark: Mark) -> tuple[float, list[Polyline], list[Polyline]]:
     """Half the pen width, the lines and the areas of a mark."""
     if isinstance(mark, Text):
-        laid = layout(mark)
-        return 0.0, [], [laid.box] if laid.strokes else []
+        corners = box_of(mark)
+        return 0.0, [], [corners] if corners[0] != corners[2] else []
     if isinstance(mark, (Shape, Hatch)):
         return 0.0, [], [mark.points]
     half = pen(mark.style).width / 2
@@ -91,21 +113,18 @@ def _parts(mark: Mark) -> tuple[float, list[Sequence[complex]], list[Sequence[co
     return half, [round_], [round_] if filled else []
 
 
-def _strings(paths: Sequence[Sequence[complex]]) -> Any:
-    """LineStrings through complex points."""
+def _strings(paths: Sequence[Polyline], made: Callable[..., Shapes]) -> Shapes:
+    """Lines or rings through complex points."""
     if not paths:
         return np.array([], dtype=object)
     flat = np.array([z for path in paths for z in path])
     owners = np.repeat(np.arange(len(paths)), [len(path) for path in paths])
-    return shapely.linestrings(np.column_stack([flat.real, flat.imag]), indices=owners)
+    return made(np.column_stack([flat.real, flat.imag]), indices=owners)
 
 
-def polygons(areas: Sequence[Sequence[complex]]) -> Any:
+def polygons(areas: Sequence[Polyline]) -> Shapes:
     """Polygons with complex corners."""
-    rings = [shapely.polygons([(z.real, z.imag) for z in area]) for area in areas]
-    found: Any = np.empty(len(rings), dtype=object)
-    found[:] = rings
-    return found
+    return np.array(shapely.polygons(_strings(areas, shapely.linearrings)), dtype=object)
 
 
 def conflicts(texts: Sequence[Text], marks: Sequence[Mark] = (), field: Bounds | None = None) -> tuple[Conflict, ...]:
@@ -120,13 +139,13 @@ def conflicts(texts: Sequence[Text], marks: Sequence[Mark] = (), field: Bounds |
     return (*_pairs(labels, boxes), *_struck(labels, boxes, others), *_outside(labels, others, field))
 
 
-def _pairs(labels: Sequence[Text], boxes: Any) -> list[Conflict]:
+def _pairs(labels: Sequence[Text], boxes: Shapes) -> list[Conflict]:
     found = shapely.STRtree(boxes).query(boxes, predicate="intersects")
     pairs = sorted((int(i), int(j)) for i, j in found.T if i < j)
     return [Conflict("label", labels[i].text, labels[j].text, labels[i].place) for i, j in pairs]
 
 
-def _struck(labels: Sequence[Text], boxes: Any, others: Sequence[Mark]) -> list[Conflict]:
+def _struck(labels: Sequence[Text], boxes: Shapes, others: Sequence[Mark]) -> list[Conflict]:
     inked = ink(others)
     if not len(inked.shapes) or not labels:
         return []
@@ -150,7 +169,7 @@ def overprinted(marks: Sequence[Mark]) -> list[str]:
     return found
 
 
-def letters(text: Text) -> Any:
+def letters(text: Text) -> shapely.Geometry:
     """The ink of a text's own letters."""
     laid = layout(text)
     return shapely.union_all(

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import html
 from collections.abc import Mapping, Sequence
-from typing import Any
 
+from planes.words.records import Json
 from render.page import web_page
 from render.paper.letters import written
 
@@ -13,7 +13,7 @@ SCRIPTS = ("figure", "tape", "judge", "check")
 LAYERS = ("own", "next", "truth", "picture")
 
 
-def page(data: Mapping[str, Any], words: Mapping[str, str], lang: str) -> str:
+def page(data: Json, words: Mapping[str, str], lang: str) -> str:
     """The page of what :func:`planes.check.report.page_data` exports; ``words`` are its labels in the language."""
     drawn, e = "page" in data, html.escape
     parts = {
@@ -31,7 +31,7 @@ def page(data: Mapping[str, Any], words: Mapping[str, str], lang: str) -> str:
     return web_page.page(data["title"], lang, style, body, code=code, data=held, kind=data["verdict"])
 
 
-def _letters(data: Mapping[str, Any]) -> Mapping[str, object]:
+def _letters(data: Json) -> Mapping[str, object]:
     """The names of marks and vectors as a sheet has them."""
     page = data["page"]
     rows = (row[1] for row in (*data["rows"], *data["numbers"]))
@@ -39,7 +39,7 @@ def _letters(data: Mapping[str, Any]) -> Mapping[str, object]:
     return written((*rows, *sides, *page["truth"], *(m["name"] for m in page["marks"])), page["lettering"])
 
 
-def _drawing(data: Mapping[str, Any], words: Mapping[str, str]) -> str:
+def _drawing(data: Json, words: Mapping[str, str]) -> str:
     """The figure, its layers and what can be done with it."""
     e = html.escape
     under = data["page"]["picture"] or data["page"]["strokes"]

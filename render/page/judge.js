@@ -25,7 +25,7 @@ class Judge {
     wrong = wrong.filter((n, k) => !k || !fits(free.get(n))); // off a wrong mark, but where it should be
     out.first = out.named ? out.named.blames : wrong.length ? wrong[0] : null;
     this.verdicts(out, marks, misses, free, wrong);
-    out.sentence = this.said(out, misses, free, wrong);
+    out.sentence = this.said(out, read, misses, wrong);
     return out;
   }
   mixed(miss) { // logarithm of the density of a miss: normal, but for now and then a slip
@@ -41,8 +41,9 @@ class Judge {
       const at = Object.entries(v.under).filter(([n]) => misses.has(n));
       const touched = new Map(at.map(([n, places]) => [n, this.tape.miss(places, rule.least)]));
       if (!suspects.some(n => touched.has(n) && Number.isFinite(touched.get(n).sigmas))) continue;
+      const left_out = rule.left_out.some(end => v.mistake.endsWith(end)); // shows by not being there
+      if (!left_out && ![...touched].some(([n, miss]) => !(misses.get(n).moved(miss, plain.get(n)).sigmas <= limit))) continue;
       const under = givenBefore(new Map([...plain, ...touched]), rule.order, limit, rule.least);
-      const left_out = rule.left_out.some(end => v.mistake.endsWith(end));
       const likely = drawn.has(v.blames) !== left_out ? 1 : rule.undrawn;
       let score = Math.log(v.weight * likely);
       for (const [n, miss] of under) score += this.mixed(miss) - this.mixed(misses.get(n));
@@ -69,21 +70,35 @@ class Judge {
       one.close = one.verdict === "right" && one.own.sigmas > this.rule.warn;
     }
   }
-  said(out, misses, free, wrong) { // the whole in a sentence, and its verdict
+  chance(read, misses, limit, size) { // how likely marks put anywhere would be as right: see evidence.py
+    const { gap, free, same } = this.rule, shares = gap ? [Math.min(gap * limit / size, 1) ** 2] : [], stand = [[0, 0]];
+    for (const m of read) {
+      const reach = limit * misses.get(m.name).mean;
+      if (!same.includes(m.name) && stand.every(([x, y]) => Math.hypot(m.x - x, m.y - y) > reach)) shares.push(Math.min(reach / size, 1) ** 2);
+      stand.push([m.x, m.y]);
+    }
+    const all = shares.reduce((a, b) => a * b, 1), surest = Math.min(...shares); // of the surest, for a scale, the direction is left
+    return free && shares.length ? all / surest * Math.min(Math.sqrt(surest) / Math.PI, 1) : all;
+  }
+  said(out, read, misses, wrong) { // the whole in a sentence, and its verdict
     const { said, rule } = this.data, fill = (text, names) => text.replace(/⟦(\w+)⟧/g, (_, k) => names[k]);
     const found = rule.key.filter(n => misses.has(n)), count = misses.size;
     const missing = rule.key.filter(n => !misses.has(n)).join(", ");
     out.verdict = "unreadable";
     if (!count) return fill(said.nothing, { names: missing });
     if (found.length < rule.readable * rule.key.length) return fill(said.too_little, { found: found.length, count: rule.key.length, names: missing });
+    const size = Math.max(...read.map(m => Math.hypot(m.x, m.y))), told = { count, size: size.toFixed(1) };
+    if (size < rule.smallest) return fill(said.nothing_drawn, told);
+    const left = this.data.otherwise, strays = left && !(left.mark && misses.has(left.mark));
+    if (!out.first && !strays && this.chance(read, misses, out.limit, size) > rule.sure) return fill(said.by_chance, told);
     const bad = Object.values(out.marks).filter(m => m.verdict === "wrong").length;
     if (!out.named && count >= 3 && bad > 0.7 * count) return fill(said.other, { count, wrong: bad });
     out.verdict = "wrong";
     if (out.named) return out.named.said;
     if (wrong.length) return fill(said.unclear, { mark: wrong[0], off: misses.get(wrong[0]).size.toFixed(1) });
-    const left = this.data.otherwise;
-    if (left && !(left.mark && misses.has(left.mark))) { out.first = left.first; return left.said; }
+    if (strays) { out.first = left.first; return left.said; }
     out.verdict = "right";
-    return said.right;
+    const unseen = rule.shown_by.filter(([, by]) => !by.some(n => misses.has(n))).map(([n]) => n).join(", ");
+    return unseen ? fill(said.as_seen, { names: unseen }) : said.right;
   }
 }

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import html
 from collections.abc import Iterator
-from typing import Any
 
 from planes.words import table
-from planes.words.names import label_of
+from planes.words.names import index_of, lettered
+from planes.words.records import Json
 from render.page import web_page
 from render.paper.letters import NAME, written
 
@@ -21,9 +21,9 @@ NOSCRIPT = (
 )
 
 
-def page(data: dict[str, Any], lang: str) -> str:
+def page(data: Json, lang: str) -> str:
     """The whole page; ``data`` is what :func:`planes.lesson.data.lesson_data` exports."""
-    keys = {key.removeprefix("page_"): key for key in table("en", "pages")} | SHARED
+    keys = {index_of(key): key for key in table("en", "pages")} | SHARED
     words = {key: {"ru": table("ru")[name], "en": table("en")[name]} for key, name in keys.items()}
     title = data["title"].get(lang, "")
     parts = {
@@ -40,10 +40,10 @@ def page(data: dict[str, Any], lang: str) -> str:
     return web_page.page(title, lang, web_page.part("lesson.css"), body, code=code, data=held)
 
 
-def _names(thing: Any, key: str = "") -> Iterator[str]:
+def _names(thing: object, key: str = "") -> Iterator[str]:
     """Every name the page may letter: of marks, of vectors and values, and all that stand in its sentences."""
     if isinstance(thing, dict):
-        yield from (label_of(n).lstrip("°") for n in thing if key == "marks")
+        yield from (lettered(n) for n in thing if key == "marks")
         for one, inside in thing.items():
             yield from _names(inside, one)
     elif isinstance(thing, str):

@@ -75,5 +75,7 @@ class Miss { // by how much a mark is off, mm, and how surely
     if (s > 1e-9 && this.size > 1e-9) return limit * this.size / s;
     return limit * Math.sqrt((this.xx + this.yy) / 2 + Math.hypot((this.xx - this.yy) / 2, this.xy));
   }
+  get mean() { return Math.max(this.xx * this.yy - this.xy * this.xy, 0) ** 0.25; }
+  moved(to, from) { return new Miss(to.x - from.x, to.y - from.y, this.xx, this.xy, this.yy); }
   get density() { return -0.5 * this.sigmas ** 2 - Math.log(2 * Math.PI) - 0.5 * Math.log(this.xx * this.yy - this.xy * this.xy); }
 }

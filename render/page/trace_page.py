@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import html
 from collections.abc import Mapping
-from typing import Any
 
+from planes.words.records import Json
 from render.page import web_page
 from render.paper.letters import written
 
 SAID = ("pole", "turned", "scale", "not_picture")
 
 
-def page(data: Mapping[str, Any], words: Mapping[str, str], lang: str) -> str:
+def page(data: Json, words: Mapping[str, str], lang: str) -> str:
     """The page of what :func:`planes.check.report.tracing_paper.tracing_data` exports; ``words`` are its labels."""
     parts = {k: html.escape(text) for k, text in {**words, "title": data["title"]}.items()}
     body = web_page.filled(web_page.part("trace.html"), parts)

@@ -6,7 +6,8 @@ import cmath
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from typing import Any
+
+import shapely
 
 from render.paper.ink import by_layer, flattened, hatch_strokes, is_circle
 from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
@@ -20,8 +21,6 @@ def cut(lines: Iterable[Mark], hinges: Sequence[Arc | Shape]) -> tuple[Mark, ...
 
     A hatched region becomes lines where it is cut.  An arrow whose tip would be lost stays whole.
     """
-    import shapely
-
     lines = tuple(lines)
     regions = [_region(hinge) for hinge in hinges]
     tree = shapely.STRtree(regions)
@@ -52,15 +51,11 @@ def uncovered(marks: Iterable[Mark]) -> tuple[Mark, ...]:
     return tuple(seen)
 
 
-def _line(points: Sequence[complex]) -> Any:
-    import shapely
-
+def _line(points: Sequence[complex]) -> shapely.LineString:
     return shapely.LineString([(z.real, z.imag) for z in points])
 
 
-def _region(hinge: Arc | Shape) -> Any:
-    import shapely
-
+def _region(hinge: Arc | Shape) -> shapely.Geometry:
     if isinstance(hinge, Arc):
         return shapely.Point(hinge.centre.real, hinge.centre.imag).buffer(hinge.radius, quad_segs=64)
     return shapely.make_valid(shapely.Polygon([(z.real, z.imag) for z in hinge.points]))
@@ -79,17 +74,15 @@ def _track(mark: Line | Arc | Arrow | Hatch) -> Piece:
     return (*mark.points, mark.points[0])
 
 
-def _left(points: Sequence[complex], region: Any) -> list[Piece]:
+def _left(points: Sequence[complex], region: shapely.Geometry) -> list[Piece]:
     """The pieces of a path outside the region, in order along it."""
-    import shapely
-
     path = _line(points)
     parts = [part for part in shapely.get_parts(path.difference(region)) if part.length > _SAME_MM]
     parts.sort(key=lambda part: path.project(part.interpolate(0.5, normalized=True)))
     return [tuple(complex(x, y) for x, y in part.coords) for part in parts]
 
 
-def _without(mark: Line | Arc | Arrow | Hatch, region: Any) -> list[Mark]:
+def _without(mark: Line | Arc | Arrow | Hatch, region: shapely.Geometry) -> list[Mark]:
     if isinstance(mark, Line):
         return [Line(piece, mark.style, mark.layer) for piece in _joined(_left(_track(mark), region), mark.closed)]
     if isinstance(mark, Arc):
@@ -107,7 +100,7 @@ def _joined(pieces: list[Piece], closed: bool) -> list[Piece]:
     return pieces
 
 
-def _arc_pieces(arc: Arc, region: Any) -> list[Mark]:
+def _arc_pieces(arc: Arc, region: shapely.Geometry) -> list[Mark]:
     pieces = _joined(_left(flattened(arc), region), is_circle(arc))
     found: list[Mark] = []
     for piece in pieces:
@@ -117,7 +110,7 @@ def _arc_pieces(arc: Arc, region: Any) -> list[Mark]:
     return found
 
 
-def _arrow_pieces(arrow: Arrow, region: Any) -> list[Mark]:
+def _arrow_pieces(arrow: Arrow, region: shapely.Geometry) -> list[Mark]:
     *tail, last = _left((arrow.start, arrow.end), region) or [(arrow.start, arrow.start)]
     if abs(last[-1] - arrow.end) > _SAME_MM:
         return [arrow]

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING
 
 from fontTools.pens.basePen import BasePen
+
+if TYPE_CHECKING:
+    from fontTools.ttLib.ttGlyphSet import _TTGlyphSet
 
 Point = tuple[float, float]
 
@@ -13,7 +16,7 @@ Point = tuple[float, float]
 class Flattened(BasePen):  # type: ignore[misc]
     """Closed polylines of a glyph in ``lines``, nowhere farther than ``error`` from its curves, in the font's units."""
 
-    def __init__(self, glyphs: Any, error: float) -> None:
+    def __init__(self, glyphs: _TTGlyphSet, error: float) -> None:
         super().__init__(glyphs)
         self.error = error
         self.lines: list[list[complex]] = []

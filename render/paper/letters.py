@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from html import escape
-from typing import Any, get_args
+from typing import get_args
 
 from planes.words import Lang
-from planes.words.names import parted
-from render.paper.names import Naming, lettered
+from planes.words.lettering import Naming
+from planes.words.records import Json
 
 NAME = re.compile(r"⟨([^⟩]*)⟩")
 _PIECE = re.compile(r"([_^])\{([^}]*)\}")
@@ -28,7 +28,7 @@ class Piece:
 def pieces(text: str, naming: Naming, plan: str = "") -> Iterator[Piece]:
     """The runs of a sentence; _{…} and ^{…} in it are indices too."""
     for k, part in enumerate(NAME.split(text)):
-        yield from _split(_named(part, naming, plan) if k % 2 else part, bool(k % 2))
+        yield from _split(naming.named(part, plan) if k % 2 else part, bool(k % 2))
 
 
 def tagged(text: str, naming: Naming, plan: str = "") -> str:
@@ -41,27 +41,14 @@ def tagged(text: str, naming: Naming, plan: str = "") -> str:
     return found
 
 
-def written(names: Iterable[str], lettering: Mapping[str, Any]) -> dict[str, dict[str, list[tuple[str, str]]]]:
+def written(names: Iterable[str], lettering: Json) -> dict[str, dict[str, list[tuple[str, str]]]]:
     """Names for a page's script, in both languages: pieces of text, each lowered ("sub"), raised or neither."""
     namings, names = [Naming(lang, **lettering) for lang in get_args(Lang)], dict.fromkeys(names)
     pole = {"acceleration:p": [("π", "")]}
     return {
-        n.lang: pole | {name: [(p.text, p.shift) for p in _split(_named(name, n, ""), True)] for name in names}
+        n.lang: pole | {name: [(p.text, p.shift) for p in _split(n.named(name), True)] for name in names}
         for n in namings
     }
-
-
-def _named(name: str, naming: Naming, plan: str) -> str:
-    """A name with its indices marked up."""
-    plain = name.strip("|‖°").removesuffix("_given")
-    letter, _, index = plain.partition("_")
-    if letter in ("h", "H") and index:
-        return naming.arm(index.partition("^")[0].rpartition("_")[0] if letter == "h" else index, plain)
-    if "'" in plain or plain == "p":
-        return naming.mark(plain, plan)
-    if not index:
-        return lettered(plain)
-    return naming.vector(parted(plain))
 
 
 def _split(text: str, name: bool) -> Iterator[Piece]:

@@ -13,8 +13,9 @@ from typing import Literal
 from render.paper.faces import Face, current
 
 Layer = Literal[
-    "frame", "scheme", "axis", "plan", "construction", "result", "force", "text", "hatch", "dimension", "table"
+    "construction", "axis", "hatch", "table", "dimension", "frame", "scheme", "plan", "force", "result", "text"
 ]
+"""From the lowest to the topmost: a paper-white disc hides only what lies beneath it."""
 Anchor = Literal["start", "middle", "end"]
 
 

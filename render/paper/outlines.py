@@ -13,7 +13,11 @@ import unicodedata
 from functools import cache, lru_cache
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from fontTools.ttLib import TTFont
+    from fontTools.ttLib.ttGlyphSet import _TTGlyphSet
 
 Line = tuple[complex, ...]
 
@@ -30,7 +34,7 @@ def dejavu() -> Path:
     return Path(spec.origin).parent / "mpl-data" / "fonts" / "ttf" / "DejaVuSans.ttf"
 
 
-def tables(path: str) -> Any:
+def tables(path: str) -> TTFont:
     """The tables of a font's file (the first of a collection), read as they are asked for."""
     from fontTools.ttLib import TTFont
 
@@ -50,7 +54,7 @@ class Font:
     def __init__(self, path: str) -> None:
         font = tables(path)
         self.map: dict[int, str] = font.getBestCmap() or {}
-        self.glyphs: Any = font.getGlyphSet()
+        self.glyphs: _TTGlyphSet = font.getGlyphSet()
         self.unit = 1.0
         tops = [z.imag for line in self.contours("H") for z in line] if self.has("H") else []
         self.unit = max(tops, default=0.0) or 0.7 * float(font["head"].unitsPerEm)
@@ -116,10 +120,3 @@ def contours(text: str, height_mm: float, path: str) -> tuple[Line, ...]:
     if not 0 < height_mm < math.inf:
         raise ValueError(f"letter height must be a positive number of mm, not {height_mm!r}")
     return tuple(tuple([z * height_mm for z in line]) for line in _laid(text, path)[1])
-
-
-def missing(text: str, path: str) -> str:
-    """Characters of the text that neither the font nor its stand-in draws, each once, in order."""
-    fonts = opened(path), opened(str(dejavu()))
-    unknown = (c for c in text if not c.isspace() and not any(f.has(c) for f in fonts))
-    return "".join(dict.fromkeys(unknown))

@@ -6,9 +6,15 @@ import io
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
+from planes.geometry.arrays import Array
 from render.paper.marks import Mark, Shape
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+    from PIL.Image import Image
 
 Box = tuple[float, float, float, float]
 """Left, bottom, right, top in mm."""
@@ -59,17 +65,18 @@ def faded(photo: Photo, field: Box) -> Photo | None:
     return Photo(out.getvalue(), box)
 
 
-def _lit(grey: Any) -> Any:
+def _lit(grey: Image) -> Array:
     """The share of the paper's light at every pixel: 1 is clean paper, whatever lamp it lay under."""
     import numpy as np
     from PIL import ImageFilter
 
     size = max(grey.width // SHADOW_PX, 1), max(grey.height // SHADOW_PX, 1)
     paper = grey.resize(size).filter(ImageFilter.MaxFilter(5)).filter(ImageFilter.GaussianBlur(2)).resize(grey.size)
-    return np.minimum(np.asarray(grey, float) / np.maximum(np.asarray(paper, float), 16) / CLEAN, 1.0)
+    share: Array = np.minimum(np.asarray(grey, float) / np.maximum(np.asarray(paper, float), 16) / CLEAN, 1.0)
+    return share
 
 
-def _pale(grey: Any) -> Any:
+def _pale(grey: Image) -> NDArray[np.uint8]:
     """Pixels in a few pale shades."""
     import numpy as np
 

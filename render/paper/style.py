@@ -6,6 +6,7 @@ Nothing here is ever scaled by a plan's μ.  A mark names its style; this table 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import get_args
 
 from render.paper.marks import Layer
 
@@ -46,20 +47,8 @@ REPORT_PENS: dict[str, Pen] = {
 }
 """Lines of the report of a checked drawing, in the colours of its page; each can be told without them too."""
 
-LAYERS: tuple[Layer, ...] = (
-    "construction",
-    "axis",
-    "hatch",
-    "table",
-    "dimension",
-    "frame",
-    "scheme",
-    "plan",
-    "force",
-    "result",
-    "text",
-)
-"""The layers from the lowest to the topmost: a paper-white disc hides only what lies beneath it."""
+LAYERS: tuple[Layer, ...] = get_args(Layer)
+"""The layers from the lowest to the topmost."""
 
 CAPITALS = 0.729  # of the text behind the strokes (DejaVu Sans): height of capitals over the font size
 LETTERS: tuple[float, ...] = (2.5, 3.5, 5.0, 7.0)

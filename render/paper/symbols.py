@@ -12,10 +12,9 @@ import cmath
 import math
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Literal
 
 from render.paper.ink import head
-from render.paper.marks import Arc, Arrow, Hatch, Layer, Line, Mark, Shape
+from render.paper.marks import Arc, Hatch, Layer, Line, Mark, Shape
 from render.paper.style import BASE_MM, BLOCK_MM, DOT_MM, HATCH_GAP_MM, HATCH_MM, HINGE_MM, LEG_MM, head_size, pen
 
 Marks = tuple[Mark, ...]
@@ -62,48 +61,23 @@ def fixed_hinge(at: complex, angle_deg: float = 0, leg: float = LEG_MM, radius: 
     return (*base(foot, angle_deg), *legs, *hinge(at, radius))
 
 
-def block(at: complex, angle_deg: float = 0, hinged: bool = False, size: tuple[float, float] = BLOCK_MM) -> Marks:
-    """A slider centred on its guide; ``hinged`` puts a hinge in its middle at once."""
+def block(at: complex, angle_deg: float = 0, size: tuple[float, float] = BLOCK_MM) -> Marks:
+    """A slider centred on its guide."""
     along = unit(angle_deg)
     long, wide = size
     corners = tuple(at + (x * long + 1j * y * wide) / 2 * along for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)))
-    return (Shape(corners, fill="paper"), Line(corners, closed=True), *(hinge(at) if hinged else ()))
+    return (Shape(corners, fill="paper"), Line(corners, closed=True))
 
 
-def frame_guide(
-    at: complex,
-    angle_deg: float,
-    behind: float,
-    ahead: float,
-    kind: Literal["line", "rail", "rails"] = "rail",
-    side: int = -1,
-    across: float = BLOCK_MM[1],
-) -> Marks:
-    """A guide of the frame past a slider at ``at``, from ``behind`` mm before it to ``ahead`` mm after.
-
-    "line": through the middle of the slider, hatched at both ends; "rail": along one long side of it, on
-    the right (``side`` −1) or left; "rails": along both.
-    """
-    along = unit(angle_deg)
-    middle, length = at + (ahead - behind) / 2 * along, behind + ahead
-    if kind == "line":
-        piece = min(8.0, length / 3)
-        ends = (at - (behind - piece / 2) * along, at + (ahead - piece / 2) * along)
-        hatched = [mark for end in ends for mark in hatching(end, angle_deg, piece, side)]
-        return (*hatched, Line((at - behind * along, at + ahead * along)))
-    sides = (side,) if kind == "rail" else (-1, 1)
-    return tuple(mark for s in sides for mark in base(middle + s * 1j * across / 2 * along, angle_deg, length, s))
+def rail(at: complex, angle_deg: float, reach: float, side: int = -1, across: float = BLOCK_MM[1]) -> Marks:
+    """A guide of the frame along the long side of a slider at ``at``, ``reach`` mm before it and after: on its right
+    (``side`` −1) or left."""
+    return base(at + side * 1j * across / 2 * unit(angle_deg), angle_deg, 2 * reach, side)
 
 
 def bar(*points: complex) -> Marks:
     """A link as a thick line through its points."""
     return (Line(tuple(points)),)
-
-
-def rod(at: complex, angle_deg: float, behind: float, ahead: float) -> Marks:
-    """A moving guide: the bar that passes through a slider at ``at``."""
-    along = unit(angle_deg)
-    return bar(at - behind * along, at + ahead * along)
 
 
 def plate(points: Sequence[complex], gap: float = 2.5) -> Marks:
@@ -118,12 +92,6 @@ def dot(at: complex, radius: float = DOT_MM, layer: Layer = "scheme") -> Marks:
     return (Arc(at, radius, style="thin", layer=layer, fill="ink"),)
 
 
-def tick(at: complex, angle_deg: float, size: float = 2.0, layer: Layer = "scheme") -> Marks:
-    """A short stroke across a line of that direction, where a point is laid off."""
-    half = 0.5j * size * unit(angle_deg)
-    return (Line((at - half, at + half), "thin", layer),)
-
-
 def turn_arrow(
     centre: complex, radius: float, start_deg: float, sweep_deg: float, style: str = "thin", layer: Layer = "scheme"
 ) -> Marks:
@@ -136,16 +104,3 @@ def turn_arrow(
     low, high = sorted((start_deg, start_deg + sweep_deg - 0.8 * covered))
     arc = Arc(centre, radius, low, high, style, layer)
     return (arc, Shape(head(tip, tip - back, long, wide), layer)) if long else (arc,)
-
-
-def force(
-    point: complex, angle_deg: float, length: float, at_tip: bool = False, name: str = "", clear: float = 0.0
-) -> Marks:
-    """A load in the direction ``angle_deg``, drawn from its point, or up to it where ``at_tip``.
-
-    Its near end stays ``clear`` mm away from the point: the radius of a hinge, if there is one.
-    """
-    way = unit(angle_deg)
-    if at_tip:
-        return (Arrow(point - length * way, point - clear * way, "thick", "force", name),)
-    return (Arrow(point + clear * way, point + length * way, "thick", "force", name),)

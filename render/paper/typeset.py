@@ -71,17 +71,29 @@ class _Part:
     upper: str = ""
 
 
-def layout(text: Text) -> LaidText:
-    """Strokes, box and runs of a text mark after its anchor and its turn."""
-    runs, inked, (x0, y0, x1, y1) = _set(text.text, text.height, text.face)
+def box_of(text: Text) -> Polyline:
+    """The four corners of a text's ink after its anchor and its turn, counter-clockwise; all in one place of none."""
+    return _turned(text)[2]
+
+
+def _turned(text: Text) -> tuple[complex, complex, Polyline]:
+    """Where the base line of a text mark begins, its direction, and the corners of its ink."""
+    x0, y0, x1, y1 = _set(text.text, text.height, text.face)[2]
     shift = {"start": -x0, "middle": -(x0 + x1) / 2, "end": -x1}[text.anchor]
     turn = cmath.rect(1, math.radians(text.turn_deg)) if text.turn_deg else 1 + 0j
     origin = text.place + shift * turn
     corners = (complex(x0, y0), complex(x1, y0), complex(x1, y1), complex(x0, y1))
+    return origin, turn, tuple(origin + z * turn for z in corners)
+
+
+def layout(text: Text) -> LaidText:
+    """Strokes, box and runs of a text mark after its anchor and its turn."""
+    runs, inked, (x0, _, x1, _) = _set(text.text, text.height, text.face)
+    origin, turn, corners = _turned(text)
     return LaidText(
         strokes=tuple(tuple([origin + z * turn for z in line]) for _, line in inked),
         pens=tuple(pen for pen, _ in inked),
-        box=tuple(origin + z * turn for z in corners),
+        box=corners,
         width=x1 - x0,
         runs=runs,
         origin=origin,

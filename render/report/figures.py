@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import re
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING
 
 from planes.solving.document import Chart, DrawnViews, Figure, ShaftSketch
 from planes.words import Lang
@@ -13,12 +13,16 @@ from render import charts
 from render.charts.strokes import Picture
 from render.files import png, svg
 from render.files.pdf import POINTS_PER_MM, draw_marks
+from render.labels.footprints import bounds
 from render.paper.marks import Anchor, Arc, Arrow, Line, Mark, Text
 from render.sheet.composer import Composer
-from render.views import View, bounds, stacked, view
+from render.views import View, stacked, view
 from render.views.plotted import Plotted, of_position
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme
+
+if TYPE_CHECKING:
+    from reportlab.pdfgen.canvas import Canvas
 
 WIDTH_MM = 170.0
 GAP_MM = 8.0
@@ -48,7 +52,7 @@ class MarkedFigure:
         text = svg.write(self.marks, self.size, label).decode()
         return re.sub(r' (id|xml:lang|lang)="[^"]*"', "", re.sub(r"^<\?xml[^>]*>\s*", "", text)).strip()
 
-    def draw(self, canvas: Any) -> None:
+    def draw(self, canvas: Canvas) -> None:
         """Draw on a reportlab canvas, the lower left corner in its origin."""
         canvas.scale(POINTS_PER_MM, POINTS_PER_MM)
         draw_marks(canvas, self.marks)

@@ -7,38 +7,18 @@ from collections.abc import Sequence
 from html import escape
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
+from planes.words.lettering import Naming
 from render.page import web_page
 from render.paper.letters import tagged
-from render.paper.names import Naming
 from render.report.figures import Studio
 from render.report.mathematics import formula
-
-CSS = """
-body{font:16px/1.5 "PT Serif","DejaVu Serif",Georgia,"Times New Roman",serif;color:#111;background:#fff;max-width:46rem;
- margin:2rem auto;padding:0 1rem}
-h1{font-size:1.6rem;line-height:1.25}h2{font-size:1.3rem;margin-top:2.2rem;border-bottom:1px solid #999}
-h3{font-size:1.1rem;margin-top:1.6rem}p{margin:.5rem 0}
-.why{color:#555;font-style:italic;margin-top:0}.count{color:#777;margin-right:.4em}i{white-space:nowrap}
-.formula{display:flex;align-items:center;margin:.55rem 0;overflow-x:auto}
-.parts{display:flex;flex-wrap:wrap;align-items:center;gap:.3rem 1.1rem}.parts svg{max-width:100%;height:auto}
-.formula .number{white-space:nowrap;margin-left:auto;padding-left:1rem;color:#444}
-.mistake{border:1px solid #a33;border-left:5px solid #a33;padding:.5rem .8rem;margin:1rem 0;background:#fdf4f2}
-figure{margin:1.4rem 0;overflow-x:auto}figure svg{max-width:100%;height:auto;display:block;margin:0 auto}
-figcaption,caption{font-size:.92rem;color:#333;padding:.4rem 0;text-align:left}figcaption{text-align:center}
-.wide{overflow-x:auto;margin:1.2rem 0}table{border-collapse:collapse;font-size:.85rem}
-th,td{border:1px solid #999;padding:.15rem .6rem;text-align:right;white-space:nowrap}
-th{background:#f2f2f2;text-align:center}td.word{text-align:left;white-space:normal}
-sub,sup{font-size:.72em;line-height:0}nav{font-size:.95rem}nav a{color:#124}
-@media print{@page{size:A4;margin:20mm 10mm 20mm 25mm}body{max-width:none;margin:0;font-size:11pt}
- figure,table,.formula,.mistake{break-inside:avoid}h2,h3{break-after:avoid}}
-"""
 
 
 def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     """The page, UTF-8."""
     title = next((b.text for b in blocks if isinstance(b, Heading)), "")
     made = _HtmlPage(blocks, naming)
-    return web_page.page(title, naming.lang, CSS, "\n".join(map(made.block, blocks))).encode()
+    return web_page.page(title, naming.lang, web_page.part("report.css"), "\n".join(map(made.block, blocks))).encode()
 
 
 class _HtmlPage:

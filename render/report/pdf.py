@@ -6,23 +6,26 @@ import io
 import re
 from collections.abc import Sequence
 from html import escape
-from typing import Any
+from typing import TYPE_CHECKING
 
 from reportlab.lib.styles import ParagraphStyle
 from reportlab.lib.units import mm
 from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfbase.ttfonts import TTFont
-from reportlab.platypus import DocumentTable as Grid
 from reportlab.platypus import Flowable, SimpleDocTemplate
 from reportlab.platypus import Paragraph as Words
+from reportlab.platypus import Table as Grid
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
+from planes.words.lettering import Naming
 from render.paper.letters import tagged
-from render.paper.names import Naming
 from render.paper.outlines import dejavu
 from render.report.figures import Shown, Studio
 from render.report.html import is_number
 from render.report.mathematics import formula
+
+if TYPE_CHECKING:
+    from reportlab.pdfgen.canvas import Canvas
 
 LEFT, RIGHT, EDGE = 25 * mm, 10 * mm, 20 * mm
 PAGE = (210 * mm, 297 * mm)
@@ -65,12 +68,12 @@ def _fonts() -> str:
     return "Note"
 
 
-def _number(canvas: Any, paper: Any) -> None:
+def _number(canvas: Canvas, paper: SimpleDocTemplate) -> None:
     canvas.setFont("Note", 10)
     canvas.drawCentredString(PAGE[0] / 2, 10 * mm, str(paper.page))
 
 
-def _headed(canvas: Any, paper: Any) -> None:
+def _headed(canvas: Canvas, paper: SimpleDocTemplate) -> None:
     """The number of the page, and what it belongs to."""
     _number(canvas, paper)
     canvas.setFont("Note", 8)
@@ -79,7 +82,7 @@ def _headed(canvas: Any, paper: Any) -> None:
 
 
 class _Paper(SimpleDocTemplate):  # type: ignore[misc]
-    def afterFlowable(self, flowable: Any) -> None:
+    def afterFlowable(self, flowable: Flowable) -> None:
         """Headings stand in the PDF's outline."""
         style = getattr(getattr(flowable, "style", None), "name", "")
         if style in ("h1", "h2"):
@@ -118,7 +121,7 @@ class _Setter:
             for k, (s, b) in enumerate(((15, 0), (12.5, 14), (10.5, 8)))
         ]
 
-    def flow(self, block: Block) -> list[Any]:
+    def flow(self, block: Block) -> list[Flowable]:
         """What a block becomes."""
         match block:
             case Heading(text, level):
@@ -134,14 +137,14 @@ class _Setter:
                 beneath = [Words(self.text(caption), self.small)] if caption and pictures else []
                 return [*(_Picture(p, keep=bool(beneath)) for p in pictures), *beneath]
 
-    def paragraph(self, block: Paragraph) -> list[Any]:
+    def paragraph(self, block: Paragraph) -> list[Flowable]:
         """What is said, and why."""
         count = f"{block.number}. " if block.number else ""
         style = self.mistake if block.mistake else self.leading if block.text[-1:] == ":" else self.plain
         said = [Words(count + self.text(block.text, block.plan), style)]
         return [*said, Words(self.text(block.why, block.plan), self.why)] if block.why else said
 
-    def table(self, rows: Sequence[Sequence[str]]) -> Any:
+    def table(self, rows: Sequence[Sequence[str]]) -> Flowable:
         """A grid whose columns are as wide as what stands in them, with smaller letters if there is much."""
         longest = [max(_length(row[k]) for row in rows) + 2 for k in range(len(rows[0]))]
         size = 9.5 if sum(longest) <= ROOMY else 7.5

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import io
 from collections.abc import Sequence
-from typing import Any
 
 from docx import Document
+from docx.document import Document as WordFile
+from docx.enum.text import WD_PARAGRAPH_ALIGNMENT as Side
 from docx.shared import Mm, Pt
+from docx.text.paragraph import Paragraph as Words
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
+from planes.words.lettering import Naming
 from render.paper.letters import pieces
-from render.paper.names import Naming
 from render.report.figures import Shown, Studio, raster
 from render.report.html import is_number
 from render.report.mathematics import formula
@@ -22,7 +24,7 @@ LETTER = 13
 
 def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     """The whole file."""
-    paper: Any = Document()
+    paper = Document()
     page = paper.sections[0]
     page.page_width, page.page_height = Mm(210), Mm(297)
     page.left_margin, page.right_margin, page.top_margin, page.bottom_margin = Mm(25), Mm(10), Mm(20), Mm(20)
@@ -37,7 +39,7 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
 
 
 class _Writer:
-    def __init__(self, paper: Any, naming: Naming) -> None:
+    def __init__(self, paper: WordFile, naming: Naming) -> None:
         self.paper, self.naming, self.studio = paper, naming, Studio(naming.lang)
 
     def put(self, block: Block) -> None:
@@ -60,11 +62,11 @@ class _Writer:
             case Figure():
                 pictures, caption = self.studio.shown(block)
                 for picture in pictures:
-                    self.picture(picture).alignment = 1
+                    self.picture(picture).alignment = Side.CENTER
                 if pictures and caption:
-                    self.runs(self.paper.add_paragraph(), caption).alignment = 1
+                    self.runs(self.paper.add_paragraph(), caption).alignment = Side.CENTER
 
-    def runs(self, paragraph: Any, text: str, plan: str = "", italic: bool = False) -> Any:
+    def runs(self, paragraph: Words, text: str, plan: str = "", italic: bool = False) -> Words:
         """Text at the end of a paragraph."""
         for piece in pieces(text, self.naming, plan):
             run = paragraph.add_run(piece.text)
@@ -79,10 +81,10 @@ class _Writer:
         table = self.paper.add_table(rows=0, cols=len(rows[0]), style="Table Grid")
         for row in rows:
             for cell, text in zip(table.add_row().cells, row, strict=True):
-                self.runs(cell.paragraphs[0], text).alignment = 2 if is_number(text) else 0
+                self.runs(cell.paragraphs[0], text).alignment = Side.RIGHT if is_number(text) else Side.LEFT
         self.paper.add_paragraph()
 
-    def picture(self, picture: Shown) -> Any:
+    def picture(self, picture: Shown) -> Words:
         """A paragraph that holds a picture, made smaller if it is larger than the column."""
         scale = min(1.0, WIDTH / picture.width, HEIGHT / picture.height)
         self.paper.add_picture(io.BytesIO(raster(picture)), width=Pt(picture.width * scale))

@@ -10,12 +10,11 @@ from planes.scene import Scene
 from planes.words import Lang, say
 from planes.words.errors import SceneError
 from render.files import svg
-from render.labels.footprints import overprinted
 from render.paper.marks import Mark
 from render.paper.typeset import plain
 from render.sheet.frame import FORMATS, Paper
 from render.sheet.layout import FULL, QUICK, USUAL, Effort, Field, Packed, pack, spread
-from render.sheet.sizes import LARGEST, Extents, Sizes, grown
+from render.sheet.sizes import LARGEST, Extents, Sizes, grown, relieved
 from render.sheet.title_block import cells
 from render.views import View
 
@@ -89,8 +88,11 @@ def fitted(contents: Contents, name: str, last: bool, whole: bool) -> Way | None
     """The best looking way in which all views (but, unless ``whole``, those that may be left out) fit on a format."""
     for how in _tries(name, bool(contents.extents(Sizes())), last):
         wanted, spare = contents.views(*how)
-        if (whole or spare) and packed([*wanted, *spare] if whole else wanted, Paper(name)):
-            return how
+        shown = [*wanted, *spare] if whole else wanted
+        if (whole or spare) and packed(shown, Paper(name)):
+            knotted = whole and spare and how[0].factor < 1 and any(v.crowded for v in shown)
+            if not knotted:  # rather is left out what may be than all drawn too small for its letters
+                return how
     return None
 
 
@@ -119,7 +121,12 @@ def enlarged(
         found = packed(views(sizes), paper, QUICK)
         return found is not None and found.choice >= EASY and (found.led or not first or not first.led)
 
-    shown = views(grown(sizes, contents.extents, most, fits))
+    def crowded(sizes: Sizes) -> set[str]:
+        return {v.plan for v in views(sizes) if v.crowded}
+
+    large = grown(sizes, contents.extents, most, fits)
+    roomy = relieved(large, contents.extents, crowded, lambda sizes: packed(views(sizes), paper, QUICK) is not None)
+    shown = views(roomy)
     best = packed(shown, paper, FULL)
     assert best  # the first sizes found room, and the later ones were tried
     return [(v, s.x, s.top) for v, s in zip(shown, spread(best.spots, field_of(shown, paper)), strict=True)]
@@ -162,9 +169,8 @@ def finished(
 
 def unseen(one: View, lang: Lang) -> list[str]:
     """Sentences about what cannot be seen or read in a view."""
-    names = ", ".join(dict.fromkeys(map(plain, overprinted(one.marks))))
-    crowded = [say("overprinted", lang, view=plain(one.title or one.key), names=names)] if names else []
-    return [*one.unseen, *crowded]
+    told = {"view": plain(one.title or one.key), "names": ", ".join(one.crowded)}
+    return [*one.unseen, *([say("overprinted", lang, **told)] if one.crowded else [])]
 
 
 def no_room(contents: Contents, paper: Paper, lang: Lang) -> SceneError:

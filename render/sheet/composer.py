@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from functools import cached_property
 
 from planes.plans import Plans
 from planes.plans.lettering import lettering
@@ -12,9 +12,9 @@ from planes.scene import Scene
 from planes.solving import Position
 from planes.solving.vectors import PLAN, VectorResults
 from planes.words import Lang, say
+from planes.words.lettering import Naming
 from planes.words.names import kind_of, links_of, mu_of
 from planes.words.units import mu_text
-from render.paper.names import Naming
 from render.paper.numbers import decimal
 from render.views import View, stacked, view
 from render.views.formulas import Formulas
@@ -38,7 +38,7 @@ class Composer:
     made: dict[tuple[object, ...], View | None] = field(default_factory=dict)
     details: dict[tuple[str, float], int] = field(default_factory=dict)  # how many a plan has at its μ
 
-    @property
+    @cached_property
     def naming(self) -> Naming:
         """How this sheet names things."""
         return Naming(self.lang, **lettering(self.scene, self.stated))
@@ -49,6 +49,13 @@ class Composer:
             self.made[key] = make()
         return self.made[key]
 
+    def stack(self, key: str, *views: View | None, gap: float = 6.0) -> View:
+        """Views of this composer one beneath the other, those there are."""
+        there = [v for v in views if v]
+        stack = self.once(("stack", key, *map(id, there)), lambda: stacked(key, there, gap))
+        assert stack
+        return stack
+
     def views(self, position: Position, letter: float, together: bool) -> list[View]:
         """Every view of one position, in the order they are read; ``together``: equations under their plans."""
         plotted = of_position(position)
@@ -58,7 +65,7 @@ class Composer:
 
     def tables(self, position: Position, letter: float) -> Tables:
         """The tables of one position."""
-        return Tables(position, self.naming, letter, self.scene.parameters)
+        return Tables(position, self.naming, letter, self.scene.parameters, self.once)
 
     def extras(self, position: Position, letter: float) -> list[View]:
         """Views that fill a sheet which has room for them."""
@@ -76,7 +83,7 @@ class Composer:
         drawn = [self.plan(plotted, plan) for plan in plans]
         if together:
             written = [self.formulas(plotted, (plan,), letter, "") for plan in plans]
-            return [stacked(d.key, [d, w]) if w else d for d, w in zip(drawn, written, strict=True)]
+            return [self.stack(d.key, d, w) for d, w in zip(drawn, written, strict=True)]
         forces = tuple(p for p in plans if kind_of(p) == "force")
         others = tuple(p for p in plans if p not in forces)
         found: list[View | None] = [*drawn]
@@ -88,8 +95,8 @@ class Composer:
         """μ of a plan as it is written in titles: "μ_{v} = 30 мм/(м·с⁻¹)"."""
         kind = plotted.kind(plan)
         letter = {"position": "l", "velocity": "v", "acceleration": "a", "force": "F", "vectors": ""}[kind]
-        convention: Any = self.scene.sheet.get("mu_convention", "mm_per_unit")
-        text = mu_text(plotted.scales[mu_of(plan)], kind, self.lang, convention)
+        upside_down = self.scene.sheet.get("mu_convention") == "unit_per_mm"
+        text = mu_text(plotted.scales[mu_of(plan)], kind, self.lang, "unit_per_mm" if upside_down else "mm_per_unit")
         return f"μ{letter and f'_{{{letter}}}'} = {decimal(text, self.lang)}"
 
     def scheme(self, position: Position) -> View | None:
@@ -97,14 +104,14 @@ class Composer:
         plotted, mu = of_position(position), position.scales[mu_of("position")]
         title = f"{say('scheme', self.lang)}, {self.mu(plotted, 'position')}"
         found = Scheme(position, self.naming)
-        return self.once(("scheme", mu), lambda: view("scheme", title, found.drawn(), figure=True))
+        return self.once(("scheme", mu), lambda: view("scheme", title, found.drawn(), True, plan="position"))
 
     def plan(self, plotted: Plotted, plan: str) -> View:
         """A plan of rates or forces."""
         title = f"{self.plan_name(plan)}, {self.mu(plotted, plan)}"
         polygon = Polygon(plotted, plan, self.naming, counted=self.details)
         key = ("plan", plan, plotted.mu(plan), *polygon.letters()[:1])  # letters of details follow those of other plans
-        made = self.once(key, lambda: view(plan, title, polygon.drawn(), figure=True, unseen=polygon.unseen(title)))
+        made = self.once(key, lambda: view(plan, title, polygon.drawn(), True, polygon.unseen(title), plan))
         assert made
         return made
 
@@ -124,15 +131,14 @@ class Composer:
 
         return self.once(("formulas", plans, letter, title), make)
 
-    def moments(self, position: Position, letter: float) -> View | None:
-        """The moment equations with their numbers."""
+    def moments(self, position: Position, letter: float, links: tuple[str, ...] | None = None) -> View | None:
+        """The moment equations with their numbers: under a title, or those of some links alone."""
 
         def make() -> View | None:
-            marks = MomentLines(position, self.naming, LARGER[letter]).drawn()
-            return view("moments", say("moments", self.lang), marks) if marks else None
+            marks = MomentLines(position, self.naming, LARGER[letter]).drawn(links)
+            return view("moments", "" if links else say("moments", self.lang), marks) if marks else None
 
-        key = ("moments", letter, *(position.scales[mu_of(p)] for p in position.plans.drawn if p != "lever"))
-        return self.once(key, make)
+        return self.once(("moments", letter, links), make)
 
 
 def drawn_plans(plotted: Plotted, position: Position) -> list[str]:

@@ -8,12 +8,11 @@ from dataclasses import dataclass
 from planes.solving import Position
 from planes.words import say
 from planes.words.names import kind_of, links_of, mu_of
-from render.sheet.composer import LARGER, Composer
+from render.sheet.composer import Composer
 from render.sheet.sizes import Sizes
-from render.views import View, beside, stacked, view
+from render.views import View, beside, view
 from render.views.lever import Lever
 from render.views.loading import Loading
-from render.views.moments import MomentLines
 from render.views.places import Places
 from render.views.plotted import of_position
 from render.views.scheme import Scheme
@@ -30,8 +29,9 @@ def apart(plan: str) -> str:
 
 
 def enlarged(sizes: Sizes, group: str) -> Sizes:
-    """Sizes at which the scheme is as large as a group apart is drawn."""
-    return sizes.larger("position", sizes.of(group) / sizes.factor)
+    """Sizes at which the scheme, all that is shown of them, is as large as a group apart is drawn."""
+    times = sizes.of("position") * sizes.of(group) / sizes.factor**2
+    return Sizes(sizes.factor).larger("position", times)
 
 
 def extents(at: Drawer, sizes: Sizes) -> dict[str, float]:
@@ -58,12 +58,12 @@ class ForceSheet:
         for plan in (p for p in position.plans.drawn if kind_of(p) == "force"):
             links = links_of(plan)
             larger = at(enlarged(sizes, apart(plan)))
-            moments = self.moments(position, links, letter)
+            moments = c.moments(position, letter, links)
             drawn = c.plan(plotted, plan)
             written = c.formulas(plotted, (plan,), letter, "")
-            found.append(stacked("group", [v for v in (self.group(larger, plan, links), moments) if v], 5.0))
-            found.append(stacked(plan, [v for v in (drawn, written) if v]))
-            found.append(self.apart(larger, links))
+            found.append(c.stack("group", self.group(larger, plan, links), moments, gap=5.0))
+            found.append(c.stack(plan, drawn, written))
+            found.append(self.apart(larger, links, apart(plan)))
         found.append(self.lever(position, letter))
         tables = c.tables(position, letter)
         return [v for v in (*found, tables.reactions(), tables.check()) if v]
@@ -77,7 +77,7 @@ class ForceSheet:
             loading.loads(carried=False)
             drawn = Scheme(position, c.naming).drawn(True, loading.marks, loading.named)
             title = f"{say('loaded', c.lang)}, {c.mu(of_position(position), 'position')}"
-            return view("loaded", title, drawn, figure=True)
+            return view("loaded", title, drawn, True, plan="position")
 
         return c.once(("loaded", position.scales[mu_of("position")]), make)
 
@@ -96,11 +96,11 @@ class ForceSheet:
             numbers = "–".join(c.naming.link(x) for x in links)
             key = "loaded_group" if len(links) > 1 else "loaded_driver"
             title = f"{say(key, c.lang, links=numbers)}, {c.mu(of_position(position), 'position')}"
-            return view("group", title, drawn, figure=True)
+            return view("group", title, drawn, True, plan=apart(plan))
 
         return c.once(("loaded", links, position.scales[mu_of("position")]), make)
 
-    def apart(self, position: Position, links: tuple[str, ...]) -> View | None:
+    def apart(self, position: Position, links: tuple[str, ...], name: str = "") -> View | None:
         """The links of a group one by one, each with its loads and all reactions on it, the inner ones too."""
         if len(links) < 2:
             return None
@@ -116,20 +116,9 @@ class ForceSheet:
         def make() -> View:
             numbers = ", ".join(c.naming.link(x) for x in links)
             title = f"{say('links_apart', c.lang, links=numbers)}, {c.mu(of_position(position), 'position')}"
-            return view("apart", title, beside([part(link) for link in links]).marks, figure=True)
+            return view("apart", title, beside([part(link) for link in links]).marks, True, plan=name)
 
         return c.once(("apart", links, position.scales[mu_of("position")]), make)
-
-    def moments(self, position: Position, links: tuple[str, ...], letter: float) -> View | None:
-        """The moment equations of some links."""
-        c = self.composer
-
-        def make() -> View | None:
-            lines = MomentLines(position, c.naming, LARGER[letter])
-            marks = lines.drawn(links)
-            return view("moments", "", marks) if marks else None
-
-        return c.once(("moments of", links, letter), make)
 
     def lever(self, position: Position, letter: float) -> View | None:
         """Zhukovsky's lever with its moment equation."""
@@ -138,9 +127,9 @@ class ForceSheet:
             return None
         kind = "motion" if position.plans.at_rest else "velocity"
         key, title = ("lever", position.scales[mu_of(kind)]), self.lever_title(position, kind)
-        drawn = c.once(key, lambda: view("lever", title, found.drawn(), figure=True))
-        written = self.moments(position, ("lever",), letter)
-        return stacked("lever", [v for v in (drawn, written) if v])
+        drawn = c.once(key, lambda: view("lever", title, found.drawn(), True, plan=kind))
+        written = c.moments(position, letter, ("lever",))
+        return c.stack("lever", drawn, written)
 
     def lever_title(self, position: Position, kind: str) -> str:
         """The lever's name, with the μ of its velocities."""

@@ -7,6 +7,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from planes.words import Lang
 from render.labels.footprints import Bounds
 from render.paper import form1
 from render.paper.form1 import BLOCK, EDGE, LEFT, TOP_CELL, Cell
@@ -60,12 +61,12 @@ class Paper:
         """What views must keep clear of within the field."""
         return self.block, self.corner
 
-    def marks(self, cells: Mapping[str, str], lang: str = "ru") -> tuple[Mark, ...]:
+    def marks(self, cells: Mapping[str, str], lang: Lang = "ru") -> tuple[Mark, ...]:
         """Frame, title block and the columns beside the frame, with their cells filled."""
         x0, y0, x1, y1 = self.field
         frame = Line((complex(x0, y0), complex(x1, y0), complex(x1, y1), complex(x0, y1)), "frame", "frame", True)
         ruled = [Line((a, b), style, "frame") for a, b, style in form1.lines(self.size)]
-        own = [mark for text, cell in form1.words(self.size) for mark in fitted(form1.word(text, lang), cell)]
+        own = [mark for text, cell in form1.words(self.size, lang) for mark in fitted(text, cell)]
         filled: list[Mark] = []
         said = {**cells, "designation_turned": cells.get("designation", ""), "format": self.name}
         for key, cell in form1.cells(self.size).items():

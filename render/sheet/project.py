@@ -77,7 +77,7 @@ class Project:
         def make() -> View:
             many = ManyPositions(position.plans, self.numbered, self.turn, mu)
             drawn = Scheme(position, c.naming).drawn(True, many.marks(), many.labels())
-            return view("scheme", title, drawn, figure=True, unseen=many.unseen(title, c.lang))
+            return view("scheme", title, drawn, True, many.unseen(title, c.lang), "position")
 
         return c.once(("many", mu), make)
 

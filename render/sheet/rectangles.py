@@ -54,9 +54,10 @@ def filled(
     sizes: Sequence[Size], field: Bounds, blocked: Sequence[Bounds], gap: float, rule: Rule
 ) -> list[PlacedRectangle] | None:
     """Each rectangle into the upper left corner of a free one; free ones may overlap (maximal rectangles)."""
+    least = min(w for w, _ in sizes) + gap - 1e-9, min(h for _, h in sizes) + gap - 1e-9
     free: list[Bounds] = [(field[0] + gap, field[1], field[2], field[3] - gap)]
     for b in blocked:
-        free = _without(free, (b[0] - gap, b[1] - gap, b[2] + gap, b[3] + gap))
+        free = _without(free, (b[0] - gap, b[1] - gap, b[2] + gap, b[3] + gap), least)
     spots = []
     for width, height in sizes:
         need = (width + gap, height + gap)
@@ -66,36 +67,32 @@ def filled(
         best = min(fits, key=lambda f: rule(f, need))
         taken = (best[0], best[3] - need[1], best[0] + need[0], best[3])
         spots.append(PlacedRectangle(taken[0], taken[1] + gap, width, height))
-        free = _without(free, taken)
+        free = _without(free, taken, least)
     return spots
 
 
-def _without(free: list[Bounds], taken: Bounds) -> list[Bounds]:
-    """Maximal free rectangles left when one is taken."""
+def _without(free: list[Bounds], taken: Bounds, least: Size) -> list[Bounds]:
+    """Maximal free rectangles left when one is taken, but those in which nothing has room."""
     x0, y0, x1, y1 = taken
-    whole: list[Bounds] = []
+    kept: list[Bounds] = []
     pieces: list[Bounds] = []
     for f in free:
         a, b, c, d = f
         if x0 >= c or x1 <= a or y0 >= d or y1 <= b:
-            whole.append(f)
+            kept.append(f)
             continue
-        if x0 - a > 1:
-            pieces.append((a, b, x0, d))
-        if c - x1 > 1:
-            pieces.append((x1, b, c, d))
-        if y0 - b > 1:
-            pieces.append((a, b, c, y0))
-        if d - y1 > 1:
-            pieces.append((a, y1, c, d))
-    return whole + _maximal(pieces, whole)
-
-
-def _maximal(pieces: list[Bounds], whole: list[Bounds]) -> list[Bounds]:
-    """The pieces that lie in no other piece and no whole rectangle; of equal ones the first."""
-    kept: list[Bounds] = []
-    for p in sorted(pieces, key=lambda p: (p[0] - p[2]) * (p[3] - p[1])):
-        a, b, c, d = p
-        if not any(g[0] <= a and g[1] <= b and g[2] >= c and g[3] >= d for some in (kept, whole) for g in some):
-            kept.append(p)
+        if d - b >= least[1]:
+            pieces += [(a, b, x0, d)] * (x0 - a >= least[0]) + [(x1, b, c, d)] * (c - x1 >= least[0])
+        if c - a >= least[0]:
+            pieces += [(a, b, c, y0)] * (y0 - b >= least[1]) + [(a, y1, c, d)] * (d - y1 >= least[1])
+    for a, b, c, d in sorted(pieces, key=_negative_area):
+        for g in kept:
+            if g[0] <= a and g[1] <= b and g[2] >= c and g[3] >= d:
+                break
+        else:
+            kept.append((a, b, c, d))
     return kept
+
+
+def _negative_area(free: Bounds) -> float:
+    return (free[0] - free[2]) * (free[3] - free[1])

@@ -46,6 +46,20 @@ def grown(start: Sizes, extents: Extents, most: float, fits: Callable[[Sizes], b
     return sizes
 
 
+def relieved(
+    start: Sizes, extents: Extents, crowded: Callable[[Sizes], set[str]], fits: Callable[[Sizes], bool]
+) -> Sizes:
+    """Sizes with those plans larger whose labels find no place, as far as the sheet holds them."""
+    sizes, stuck = start, set[str]()
+    while left := sorted((crowded(sizes) & set(extents(sizes))) - stuck):
+        larger = _next(sizes, left[0], extents, extents(sizes)[left[0]])
+        if larger and fits(larger):
+            sizes = larger
+        else:
+            stuck.add(left[0])
+    return sizes
+
+
 def _next(sizes: Sizes, plan: str, extents: Extents, now: float) -> Sizes | None:
     """The sizes at which a plan has the next larger μ; None where it is nothing or has no larger one near."""
     tried = (sizes.larger(plan, times) for times in STEPS)

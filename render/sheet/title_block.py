@@ -4,26 +4,14 @@ from __future__ import annotations
 
 from planes.scene import Scene
 from planes.words import Lang, say
-from render.paper.form1 import LOWER, UPPER
+from render.paper.form1 import BESIDE
 from render.paper.numbers import decimal
 
+_PEOPLE = ("teacher", "tech", "person", "checked", "approved")
 _SAME = (
-    "student",
-    "teacher",
-    "tech",
-    "role",
-    "person",
-    "checked",
-    "approved",
-    "teacher_date",
-    "tech_date",
-    "person_date",
-    "checked_date",
-    "approved_date",
-    "material",
-    "mass",
-    "copied",
-    *(key for key, _, _ in (*LOWER, *UPPER)),
+    *("student", "role", "material", "mass", "copied", *_PEOPLE),
+    *(f"{person}_date" for person in _PEOPLE),
+    *BESIDE,
 )
 """Keys of the scene that are names of cells."""
 

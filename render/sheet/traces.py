@@ -8,11 +8,11 @@ from collections.abc import Iterator
 from planes.drafting.drawing import Drawing
 from planes.plans.measuring import say_plan
 from planes.words import Lang, say
+from planes.words.lettering import Naming
 from planes.words.names import label_of, plan_of
 from render.labels import Label, place
 from render.paper import symbols
 from render.paper.marks import Line, Mark
-from render.paper.names import Naming
 from render.sheet.single import MARGIN_MM, Page
 from render.views import View, stacked, view
 

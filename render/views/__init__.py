@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
-import numpy as np
-import shapely
-
-from render.labels.footprints import Bounds, ink
+from render.labels.footprints import Bounds, bounds, overprinted
 from render.paper.marks import Mark, Text, moved
-from render.paper.typeset import extent
+from render.paper.typeset import extent, plain
 
 TITLE_MM = 5.0  # letter height of titles
 REMARK_MM = 2.5
@@ -20,7 +18,7 @@ TITLE_GAP = 4.0  # from a title to its view
 @dataclass(frozen=True)
 class View:
     """``key`` names the view for settings ("velocity"), ``title`` is lettered above it ("" for none); ``unseen`` are
-    sentences about what should be in it and is not."""
+    sentences about what should be in it and is not; ``plan`` is whose μ makes it larger ("" for none)."""
 
     key: str
     title: str
@@ -28,6 +26,12 @@ class View:
     box: Bounds
     figure: bool = False  # a scheme or a plan: they are read one after the other
     unseen: tuple[str, ...] = ()
+    plan: str = ""
+
+    @cached_property
+    def crowded(self) -> tuple[str, ...]:
+        """The labels that found no place of their own."""
+        return tuple(dict.fromkeys(map(plain, overprinted(self.marks))))
 
     @property
     def width(self) -> float:
@@ -45,23 +49,14 @@ class View:
         return tuple(moved(mark, by) for mark in self.marks)
 
 
-def bounds(marks: Sequence[Mark]) -> Bounds:
-    """The box around all ink of the marks."""
-    inked = ink(marks)
-    if not len(inked.shapes):
-        return 0.0, 0.0, 0.0, 0.0
-    boxes = shapely.bounds(inked.shapes) + np.outer(inked.halves, [-1, -1, 1, 1])
-    low, high = boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)
-    return float(low[0]), float(low[1]), float(high[0]), float(high[1])
-
-
 def view(
     key: str,
     title: str,
     marks: Iterable[Mark],
-    height: float = TITLE_MM,
     figure: bool = False,
     unseen: Iterable[str] = (),
+    plan: str = "",
+    height: float = TITLE_MM,
 ) -> View:
     """A view with its title centred above it."""
     held = tuple(marks)
@@ -72,7 +67,7 @@ def view(
         held = (*held, Text(title, place, height, "middle", name=f"title {key}"))
         half = (x1 - x0) / 2
         box = (min(box[0], place.real - half), box[1], max(box[2], place.real + half), place.imag + y1)
-    return View(key, title, held, box, figure, tuple(unseen))
+    return View(key, title, held, box, figure, tuple(unseen), plan)
 
 
 def remark(text: str, marks: Iterable[Mark]) -> Text:
@@ -99,7 +94,8 @@ def stacked(key: str, views: Sequence[View], gap: float = 6.0) -> View:
         boxes.append(moved_view.box)
         y = moved_view.box[1] - gap
     box = (min(b[0] for b in boxes), min(b[1] for b in boxes), max(b[2] for b in boxes), max(b[3] for b in boxes))
-    return View(key, views[0].title, tuple(marks), box, views[0].figure, tuple(s for v in views for s in v.unseen))
+    unseen = tuple(s for v in views for s in v.unseen)
+    return replace(views[0], key=key, marks=tuple(marks), box=box, unseen=unseen)
 
 
 def beside(views: Sequence[View], gap: float = 8.0) -> View:

@@ -11,10 +11,10 @@ from planes.plans.structure import Pair
 from planes.scene.mechanism import FRAME, Link
 from planes.solving import Position
 from planes.words import say
+from planes.words.lettering import Naming
 from render import labels
 from render.paper import symbols
 from render.paper.marks import Arc, Line, Mark, Text
-from render.paper.names import Naming
 from render.paper.style import HINGE_MM
 from render.views import View, stacked, view
 from render.views.places import degrees

@@ -6,8 +6,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from render import labels
+from render.labels.footprints import bounds
 from render.paper.marks import Arc, Arrow, Line, Mark, Shape, Text, moved
-from render.views import TITLE_GAP, bounds
+from render.views import TITLE_GAP
 
 SHORT_MM = 3.0  # a vector shorter than this is drawn again
 TOGETHER_MM = 3.0  # short vectors nearer to each other than this are drawn in one detail

@@ -8,9 +8,9 @@ from dataclasses import dataclass, replace
 from planes.diagrams.driven import driven
 from planes.plans import Plans
 from planes.words import say
+from planes.words.lettering import Naming
 from planes.words.units import standard_mu
 from render.paper.marks import Arrow, Line, Mark, Text
-from render.paper.names import Naming
 from render.paper.numbers import number, scale, unit
 
 SECTIONS = 12

@@ -9,10 +9,10 @@ from dataclasses import dataclass, field
 
 from planes.drafting.equations import Equation, Term
 from planes.words import say
-from planes.words.names import written
+from planes.words.lettering import Naming
+from planes.words.names import lines, parallel_to, written
 from planes.words.units import UNIT
 from render.paper.marks import Line, Mark, Text
-from render.paper.names import Naming
 from render.paper.numbers import number
 from render.paper.typeset import extent, over
 from render.views.plotted import Plotted
@@ -20,6 +20,7 @@ from render.views.plotted import Plotted
 NOISE_MM = 1e-7  # a shorter vector is rounding noise
 GAP = 0.55  # between words of an equation, over the letter height
 WIDEST = 40.0  # of a row, over the letter height: a longer equation goes on in the next one
+_SIGN = re.compile("[+−=]")
 _LETTER = re.compile(r"^[^\W\d_]+")
 
 
@@ -60,7 +61,7 @@ class Setter:
         found: list[list[Word]] = [[]]
         wide = 0.0
         for k, word in enumerate(words):
-            sign = word.text[:1] in ("+", "−", "=") and not word.vector
+            sign = bool(_SIGN.match(word.text)) and not word.vector
             step = self.wide(word) + (self.wide(words[k + 1]) if sign and k + 1 < len(words) else 0.0)
             if sign and found[-1] and wide + step > WIDEST * self.letter:
                 found.append([])
@@ -183,17 +184,8 @@ class Formulas:
             normal = complex(self.plotted.drawing[term.action[1:]])
             leaning = math.degrees(math.asin(min(1.0, abs((way * normal.conjugate()).imag))))
             return say("leans", self.naming.lang, angle=number(leaning, self.naming.lang), line=text[1:])
-        if text.startswith(("↓", "⊥", "∥")):
-            return text
-        if re.fullmatch(r"[A-Z]\w*→[A-Z]\w*", text):
-            return text
-        if term.action.startswith("-a_"):
-            return f"∥{self.naming.vector(term.action[1:])}"
-        if term.action[:3] in ("-v_", "+v_"):
-            return f"∥{self.naming.vector(term.action[1:])}"
-        if re.fullmatch(r"[A-Z]\w*", text):
-            return f"∥{text}"
-        return ""
+        along = parallel_to(term.action)
+        return f"∥{self.naming.vector(along)}" if along else lines(term.action)
 
 
 def _sum(words: list[Word]) -> list[Word]:

@@ -9,26 +9,14 @@ from dataclasses import dataclass
 
 from planes.scene.mechanism import Guide, Link
 from planes.solving import Position
-from render.paper.names import Naming, greek
+from planes.words.lettering import Naming, greek
+from planes.words.names import index_of, letter_of
 from render.paper.numbers import number, unit
 
 RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m")
 """Units in the order their rows stand in."""
-UNITS = {
-    "m": "kg",
-    "J": "kgm2",
-    "I": "kgm2",
-    "F": "N",
-    "P": "N",
-    "Q": "N",
-    "G": "N",
-    "M": "N·m",
-    "T": "N·m",
-    "v": "m/s",
-    "omega": "rad/s",
-    "epsilon": "rad/s²",
-    "g": "m/s²",
-}
+UNITS = {"m": "kg", "v": "m/s", "omega": "rad/s", "epsilon": "rad/s²", "g": "m/s²"}
+UNITS |= dict.fromkeys("JI", "kgm2") | dict.fromkeys("FPQG", "N") | dict.fromkeys("MT", "N·m")
 ANGLES = ("angle", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta")
 LENGTHS = "lxyrRabcdehHsLDzS"
 SAME = 1e-9
@@ -81,15 +69,10 @@ class GivenTable:
         drive = self.position.plans.mechanism.drive
         for name, value in self.parameters.items():
             row = GivenRow(greek(name), value, unit_of(name))
-            moved = name.partition("_")[0] == drive.kind and value == drive.position
+            moved = letter_of(name) == drive.kind and value == drive.position
             if row.name not in shown and not moved:
-                other = [
-                    r.name
-                    for r in self.loads()
-                    if r.unit == row.unit
-                    and _equal(r.value, value)
-                    and r.name.partition("_")[2] == row.name.partition("_")[2]
-                ]
+                alike = (r for r in self.loads() if r.unit == row.unit and _equal(r.value, value))
+                other = [r.name for r in alike if index_of(r.name) == index_of(row.name)]
                 yield GivenRow(" = ".join(dict.fromkeys([row.name, *other])), value, row.unit)
 
     def known(self, row: GivenRow) -> bool:
@@ -155,7 +138,7 @@ class GivenTable:
 
 def unit_of(name: str) -> str:
     """The key of the unit in which a parameter of that name is given, as far as the name tells."""
-    letter = name.partition("_")[0]
+    letter = letter_of(name)
     if letter in ANGLES:
         return "°"
     return UNITS.get(letter) or ("m" if letter in LENGTHS else "")

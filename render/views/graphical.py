@@ -11,10 +11,10 @@ from planes.diagrams.graphical import Construction
 from planes.diagrams.stages import Stage
 from planes.drafting.drawing import Drawing
 from planes.words import say
+from planes.words.lettering import Naming
 from planes.words.names import at
 from planes.words.units import RATES
 from render.paper.marks import Arc, Arrow, Line, Mark, Text
-from render.paper.names import Naming
 from render.paper.numbers import number, scale
 from render.paper.style import DOT_MM
 from render.paper.symbols import dot

@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from planes.words import say
+from planes.words.lettering import Naming
+from planes.words.names import letter_of
 from planes.words.units import standard_mu
 from render import labels
 from render.paper.marks import Arrow, Line, Mark
-from render.paper.names import Naming
 from render.paper.numbers import scale
 from render.paper.symbols import dot
 from render.views import View, view
@@ -47,9 +48,8 @@ def _one(loop: Hodograph, naming: Naming) -> View:
         max(z.real for z in known) - min(z.real for z in known), max(z.imag for z in known) - min(z.imag for z in known)
     )
     mu = standard_mu(wide, WIDE_MM)
-    letter = loop.name.partition("_")[0]
-    title = f"{say('hodograph', lang, name=loop.name)}, μ_{{{letter}}} = {scale(mu, loop.unit, lang)}"
-    return view("hodograph", title, _drawn(loop, mu, [z * mu for z in known]), 3.5)
+    title = f"{say('hodograph', lang, name=loop.name)}, μ_{{{letter_of(loop.name)}}} = {scale(mu, loop.unit, lang)}"
+    return view("hodograph", title, _drawn(loop, mu, [z * mu for z in known]), height=3.5)
 
 
 def _drawn(loop: Hodograph, mu: float, inked: Sequence[complex]) -> list[Mark]:

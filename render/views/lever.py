@@ -6,14 +6,14 @@ from dataclasses import dataclass
 
 from planes.drafting.steps.reckoning import Drop
 from planes.solving import Position
+from planes.words.lettering import Naming
 from planes.words.names import POLE, at
 from render import labels
 from render.paper.marks import Arrow, Line, Mark
-from render.paper.names import Naming
 from render.paper.symbols import dot
 from render.views.loading import Arms
 from render.views.plotted import of_position
-from render.views.polygon import SAME_MM, ZERO_MM
+from render.views.polygon import ZERO_MM, gathered
 from render.views.senses import parted, yielding
 
 FORCE_MM = 14.0
@@ -46,14 +46,7 @@ class Lever:
 
     def letters(self, marks: list[tuple[str, complex]]) -> list[labels.Label]:
         """Letters of the marks; those that coincide share one."""
-        places: list[tuple[complex, list[str]]] = []
-        for label, z in marks:
-            near = next((p for p in places if abs(p[0] - z) < SAME_MM), None)
-            name = self.naming.mark(label, "velocity")
-            if near:
-                near[1].append(name)
-            else:
-                places.append((z, [name]))
+        places = gathered((self.naming.mark(label, "velocity"), z) for label, z in marks)
         return [labels.Label(", ".join(n), z, 5.0, clear=0.8, priority=1, name=n[0]) for z, n in places]
 
     def forces(self) -> tuple[list[Mark], list[labels.Label]]:

@@ -9,14 +9,16 @@ from planes.drafting.draft import Moments
 from planes.drafting.steps.reckoning import Drop
 from planes.plans.bodies import SCHEME
 from planes.solving import Position
-from planes.words.names import at
+from planes.words import say
+from planes.words.lettering import Naming
+from planes.words.names import at, mu_of
 from render import labels
-from render.labels.footprints import ink
 from render.paper import symbols
 from render.paper.marks import Arrow, Line, Mark
-from render.paper.names import Naming
+from render.paper.numbers import number
 from render.paper.style import BLOCK_MM
 from render.views.places import Places
+from render.views.senses import freest
 
 FORCE_MM = 15.0  # shortest arrow of a force; forces are not to scale
 STEP_MM = 6.0  # by which the next one of the same point and direction is longer
@@ -24,6 +26,8 @@ COUPLE_MM = 6.5  # radius of a couple's curved arrow
 NAME_MM = 3.5
 NOTHING = 1e-9  # of the largest force: none
 SAME_MM = 0.1  # arms that differ by less are one
+FAR_MM = 60.0  # an arm longer than this, and than its links, is drawn with a break
+BREAK_MM = 2.5  # half of a break along its line
 FAR_M = 10.0  # an arm longer than this is that of a couple
 
 
@@ -56,12 +60,15 @@ class Loading:
 
     def reactions(self, plan: str) -> None:
         """The reactions of a plan's outer pairs, in the parts the plan finds them in, at their points."""
-        for name, way in self.parts(plan).items():
-            base = name.partition("^")[0]
-            key = next((k for k in self.position.plans.reactions if base in (k, self.reversed(k))), None)
-            if not key or abs(way) < 1e-6:
-                continue
-            self.force(name, self.seat(key), way / abs(way), from_outside=True)
+        outer = self.outer()
+        for equation in self.position.plans.equations:
+            for term in equation.terms if equation.plan == plan else ():
+                marks = [at(plan, end) for end in (term.start, term.end)]
+                if term.name in outer and all(mark in self.drawing for mark in marks):
+                    way = term.sign * (complex(self.drawing[marks[1]]) - complex(self.drawing[marks[0]]))
+                    key = outer.pop(term.name)
+                    if abs(way) >= 1e-6:
+                        self.force(term.name, self.seat(key), way / abs(way), from_outside=True)
 
     def whole_reactions(self) -> None:
         """Every reaction on these links from outside of them, whole, where its line of action passes."""
@@ -91,10 +98,25 @@ class Loading:
         if pair.kind == "R":
             return self.places.at(pair.point)
         foot, along = self.places.foot(self.places.mechanism.links[pair.link])
-        arm = (self.arm(key) or 0.0) * self.position.scales[f"mu_{SCHEME}"]
-        if abs(arm) > BLOCK_MM[0] / 2:
+        arm = (self.arm(key) or 0.0) * self.position.scales[mu_of(SCHEME)]
+        shown = math.copysign(min(abs(arm), max(FAR_MM, self.places.size(self.links))), arm)
+        if shown != arm:
+            self.broken(foot, foot + shown * along, abs(self.arm(key) or 0.0))
+        elif abs(arm) > BLOCK_MM[0] / 2:
             self.marks.append(Line((foot, foot + arm * along), "axis", "axis"))
-        return foot + arm * along
+        return foot + shown * along
+
+    def broken(self, start: complex, end: complex, arm: float) -> None:
+        """A guide drawn out to a line of action that is too far for the paper: shortened by a break, with the arm."""
+        along, middle = (end - start) / abs(end - start), (start + end) / 2
+        zigzag = [middle + z * along for z in (-BREAK_MM, complex(-0.3, 0.8) * BREAK_MM, complex(0.3, -0.8) * BREAK_MM)]
+        self.marks += [
+            Line((start, zigzag[0]), "axis", "axis"),
+            Line((*zigzag, middle + BREAK_MM * along), "thin", "axis"),
+            Line((middle + BREAK_MM * along, end), "axis", "axis"),
+        ]
+        text = f"{number(arm, self.naming.lang)} {say('m', self.naming.lang)}"
+        self.named.append(labels.Label(text, (middle, end), NAME_MM, clear=BREAK_MM, name="arm"))
 
     def balancing(self) -> None:
         """The balancing couple (or force) on the driver."""
@@ -109,25 +131,17 @@ class Loading:
             name = self.naming.balancing(True)
             self.couple(name, plans.structure.driver, float(self.drawing[plans.balancing]), taken, name)
 
-    def parts(self, plan: str) -> dict[str, complex]:
-        """Names and segments (mm) of the unknown forces of a plan, the inner ones left out."""
-        found: dict[str, complex] = {}
-        for equation in self.position.plans.equations:
-            if equation.plan == plan:
-                for term in equation.terms:
-                    ends = (term.start, term.end) if term.sign > 0 else (term.end, term.start)
-                    if term.name.startswith("F") and all(at(plan, e) in self.drawing for e in ends):
-                        way = complex(self.drawing[at(plan, ends[1])]) - complex(self.drawing[at(plan, ends[0])])
-                        if self.outer(term.name):
-                            found.setdefault(term.name, way)
-        return found
-
-    def outer(self, name: str) -> bool:
-        """Whether a force is a reaction on one of the links from a link outside, not carried from another plan."""
-        index = name.partition("^")[0].removeprefix("F_")
-        on, by = index.split("_", 1) if "_" in index else (index[:1], index[1:])
+    def outer(self) -> dict[str, str]:
+        """Names of the reactions from outside on these links, whole and in parts, that no plan before found; with the
+        reaction each is, or is the opposite of."""
         known = {f.name for link in self.links for f in self.position.plans.acting.forces[link]}
-        return on in self.links and by not in self.links and name not in known
+        found: dict[str, str] = {}
+        for key, reaction in self.position.plans.reactions.items():
+            pair = reaction.pair
+            for name, on, by in ((key, pair.link, pair.other), (self.reversed(key), pair.other, pair.link)):
+                if on in self.links and by not in self.links and name not in known:
+                    found |= {name + part: key for part in ("", "^t", "^n")}
+        return found
 
     def reversed(self, key: str) -> str:
         """F_12 of F_21."""
@@ -158,26 +172,20 @@ class Loading:
         self.named.append(labels.Label(self.naming.vector(name), (far, (far + point) / 2), NAME_MM, name=name))
 
     def couple(self, name: str, link: str, value: float, number: int, text: str = "") -> None:
-        """A curved arrow about the mass centre of its link, or the middle of its bar."""
+        """A curved arrow about the mass centre of its link, or the middle of its bar, where it crosses least."""
         body = self.places.mechanism.links[link]
         centre = self.places.at(body.mass_centre)
         sense = math.copysign(1.0, value)
-        arrow, middle = self.free_couple(centre, COUPLE_MM + 3 * number, sense)
+        radii = (COUPLE_MM + 3 * number + grow for grow in (0.0, -2.0, 3.0, 6.0))
+        begins = [start if sense > 0 else 180.0 - start for start in (100.0, 190.0, 10.0, -80.0)]
+        arrows = (
+            (symbols.turn_arrow(centre, r, b, sense * 150, "thick", "force"), centre + r * symbols.unit(b + sense * 75))
+            for r in radii
+            for b in begins
+        )
+        arrow, middle = freest(arrows, self.marks, 0.8)
         self.marks += arrow
         self.named.append(labels.Label(text or self.naming.vector(name), middle, NAME_MM, clear=0.4, name=name))
-
-    def free_couple(self, centre: complex, radius: float, sense: float) -> tuple[tuple[Mark, ...], complex]:
-        """A curved arrow where it crosses least of what is drawn, and the middle of its arc."""
-        inked, best = ink(self.marks), None
-        for grow in (0.0, -2.0, 3.0, 6.0):
-            for start in (100.0, 190.0, 10.0, -80.0):
-                begin = start if sense > 0 else 180.0 - start
-                arrow = symbols.turn_arrow(centre, radius + grow, begin, sense * 150, "thick", "force")
-                hits = len(inked.within(ink(arrow).shapes, 0.8)[0]) if len(inked.shapes) else 0
-                if best is None or hits < best[0]:
-                    best = hits, arrow, centre + (radius + grow) * symbols.unit(begin + sense * 75)
-        assert best
-        return best[1], best[2]
 
     def arms(self, equations: list[Moments]) -> None:
         """Thin perpendiculars from the centre of moments to the lines of action, which are drawn out to meet them."""

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+from functools import cached_property
 
 from planes.drafting.draft import Moments
-from planes.drafting.steps.reckoning import Calculate
+from planes.drafting.steps.reckoning import Calculate, Drop, Product
 from planes.solving import Position
 from planes.words import say
+from planes.words.lettering import Naming, flat
 from render.paper.marks import Mark
-from render.paper.names import Naming, flat
 from render.paper.numbers import number
 from render.views.formulas import Setter, Word
 
@@ -83,18 +85,21 @@ class MomentLines:
         return self.naming.vector(equation.unknown)
 
     def product(self, name: str, lever: str) -> str:
-        """A force times its arm, or a couple."""
+        """A force times its arm, a couple, either times its rate."""
         text = self.naming.vector(name)
-        if lever.startswith(("omega", "v_")):
-            return text + self.naming.vector(lever)
-        return text + (self.naming.arm(name, lever) if lever else "")
+        if lever in self.arms:
+            return text + self.naming.arm(name, lever)
+        return text + (self.naming.vector(lever) if lever else "")
 
-    def value(self, term: object) -> float:
+    @cached_property
+    def arms(self) -> frozenset[str]:
+        """The names of all arms."""
+        return frozenset(step.makes for step in self.position.drawing.program.steps if isinstance(step, Drop))
+
+    def value(self, term: Product) -> float:
         """One product of the sum."""
-        product = getattr(term, "coefficient")  # noqa: B009
-        for name, power in getattr(term, "factors"):  # noqa: B009
-            product = product * float(self.position.drawing[name]) ** power
-        return float(product)
+        powers = (float(self.position.drawing[name]) ** power for name, power in term.factors)
+        return math.prod(powers, start=term.coefficient)
 
     def number(self, value: float) -> str:
         """A number of the sheet."""

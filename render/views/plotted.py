@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
@@ -24,6 +25,11 @@ class Plotted:
     scales: Mapping[str, float]
     fixed: tuple[str, ...] = ()
     quantity: str = ""
+
+    @cached_property
+    def initials(self) -> frozenset[str]:
+        """The first letters of everything drawn."""
+        return frozenset(label_of(name)[:1] for name in self.drawing.things)
 
     def mark(self, plan: str, label: str) -> complex:
         """Where a mark stands, mm from the pole of its plan."""

@@ -8,10 +8,10 @@ from dataclasses import dataclass, field
 from planes.drafting.equations import Term
 from planes.drafting.steps import Image, Similar
 from planes.words import say
+from planes.words.lettering import Naming
 from planes.words.names import POLE, at, label_of, plan_of
 from render import labels
 from render.paper.marks import Arrow, Layer, Line, Mark
-from render.paper.names import Naming
 from render.paper.numbers import number
 from render.paper.symbols import dot
 from render.paper.typeset import plain
@@ -71,7 +71,7 @@ class Polygon:
         """Letters for the details of this plan, after those of the plans before it."""
         plans = list(dict.fromkeys(s.plan for s in self.plotted.segments if s.plan not in ("lever", "motion")))
         used = sum(map(self.details_of, plans[: plans.index(self.plan)] if self.plan in plans else ()))
-        return detail.letters(map(label_of, self.plotted.drawing.things), self.naming.lang == "ru")[used:]
+        return detail.letters(self.plotted.initials, self.naming.lang == "ru")[used:]
 
     def details_of(self, plan: str) -> int:
         """How many details another plan of this drawing has."""
@@ -185,14 +185,7 @@ class Polygon:
 
     def mark_labels(self, same: float = SAME_MM) -> list[labels.Label]:
         """Letters of the marks; those that coincide share one label."""
-        clusters: list[tuple[complex, list[str]]] = []
-        for label in self.plotted.labels(self.plan):
-            z = self.mark(label)
-            near = next((c for c in clusters if abs(c[0] - z) <= same), None)
-            if near:
-                near[1].append(label)
-            else:
-                clusters.append((z, [label]))
+        clusters = gathered([(label, self.mark(label)) for label in self.plotted.labels(self.plan)], same)
         centre = sum(z for z, _ in clusters) / len(clusters)
         found = []
         for z, names in clusters:
@@ -202,6 +195,18 @@ class Polygon:
             away = (z - centre) / abs(z - centre) if abs(z - centre) > ZERO_MM else 0
             found.append(labels.Label(text, z, MARK_MM, side=away, clear=0.7, priority=1, name=text))
         return found
+
+
+def gathered(marks: Iterable[tuple[str, complex]], same: float = SAME_MM) -> list[tuple[complex, list[str]]]:
+    """Names by their places; those that stand closer than ``same`` mm to one before share its place."""
+    clusters: list[tuple[complex, list[str]]] = []
+    for name, z in marks:
+        near = next((names for place, names in clusters if abs(place - z) <= same), None)
+        if near is None:
+            clusters.append((z, [name]))
+        else:
+            near.append(name)
+    return clusters
 
 
 def _upon(one: Ends, other: Ends) -> bool:

@@ -9,11 +9,12 @@ from dataclasses import dataclass, field
 
 from planes.scene.mechanism import FRAME, Link
 from planes.solving import Position
+from planes.words.lettering import Naming, lettered
+from planes.words.names import ends_of
 from render import labels
 from render.labels.footprints import ink
 from render.paper import symbols
 from render.paper.marks import Line, Mark
-from render.paper.names import Naming, lettered
 from render.paper.style import BLOCK_MM, HINGE_MM
 from render.views.places import NEAR_MM, Places, degrees, nearest, outline_of
 from render.views.senses import driver_arrows, parted, yielding
@@ -113,12 +114,12 @@ class Scheme:
             return
         size = self.size(link)
         side = self.rail_side(foot, along)
-        self.rails += symbols.frame_guide(foot, angle, RAIL_MM, RAIL_MM, "rail", side, size[1])
+        self.rails += symbols.rail(foot, angle, RAIL_MM, side, size[1])
         self.rails += symbols.block(foot, angle, size=size)
         reach = RAIL_MM + 4
         self.axes.append(Line((foot - reach * along, foot + reach * along), "axis", "axis"))
-        first, _, second = link.slides.guide.partition("-")
-        for letter, end in ((first, foot + reach * along), (second, foot - reach * along)):
+        ends = foot + reach * along, foot - reach * along
+        for letter, end in zip(ends_of(link.slides.guide), ends, strict=True):
             if letter:
                 self.named.append(labels.Label(lettered(letter), end, 3.5, name=f"guide {link.slides.guide}"))
 

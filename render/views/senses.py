@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
+from planes.words.lettering import Naming
 from render import labels
 from render.labels.footprints import ink, polygons
 from render.paper import symbols
 from render.paper.cutting import cut
 from render.paper.marks import Line, Mark, Shape, Text
-from render.paper.names import Naming
 from render.paper.typeset import layout
 from render.views.places import Places
 
@@ -35,20 +35,26 @@ def driver_arrows(places: Places, naming: Naming, ground: Sequence[Mark]) -> tup
     return found, named
 
 
-def _free_arc(places: Places, radius: float, sense: float, ground: Sequence[Mark]) -> tuple[tuple[Mark, ...], complex]:
+def _free_arc(places: Places, radius: float, sense: float, ground: Sequence[Mark]) -> tuple[symbols.Marks, complex]:
     """A curved arrow where it crosses nothing, near the crank; and the middle of its arc."""
     pivot = places.at(places.position.plans.structure.drive_pair.point)
     points = places.mechanism.links[places.mechanism.drive.link].points
     crank = max((places.at(p) - pivot for p in points if places.has(p)), key=abs, default=1 + 0j)
-    inked, best = ink(ground), None
-    for turn in (15, 30, 60, 100, 140, 180, 220, 260, -110, -80):
-        start = math.degrees(cmath.phase(crank)) + sense * turn
-        arrow = symbols.turn_arrow(pivot, radius, start, sense * 60)
-        hits = len(inked.within(ink(arrow).shapes, 0.6)[0])
-        if best is None or hits < best[0]:
-            best = hits, arrow, start + sense * 30
-    assert best
-    return best[1], pivot + radius * symbols.unit(best[2])
+    turns = (15, 30, 60, 100, 140, 180, 220, 260, -110, -80)
+    starts = (math.degrees(cmath.phase(crank)) + sense * turn for turn in turns)
+    arrows = (
+        (symbols.turn_arrow(pivot, radius, start, sense * 60), pivot + radius * symbols.unit(start + sense * 30))
+        for start in starts
+    )
+    return freest(arrows, ground, 0.6)
+
+
+def freest(
+    arrows: Iterable[tuple[symbols.Marks, complex]], ground: Sequence[Mark], clear: float
+) -> tuple[symbols.Marks, complex]:
+    """Of curved arrows, each with the middle of its arc, the first that comes near least of what is drawn."""
+    inked = ink(ground)
+    return min(arrows, key=lambda arrow: len(inked.within(ink(arrow[0]).shapes, clear)[0]))
 
 
 def yielding(marks: Sequence[Mark]) -> tuple[list[Line], list[Mark]]:

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from planes.drafting.draft import Segment
 from planes.solving import Position
 from planes.solving.vectors import VectorResults
 from planes.words import say
+from planes.words.lettering import Naming
 from planes.words.names import POLE, at, kind_of, label_of
 from planes.words.units import UNIT
 from render.paper import symbols
 from render.paper.ink import head as ink_head
 from render.paper.marks import Arc, Line, Mark, Shape, Text
-from render.paper.names import Naming
 from render.paper.numbers import number
 from render.paper.typeset import extent
 from render.views import View, remark, view
@@ -105,6 +105,7 @@ class Tables:
     naming: Naming
     letter: float = 3.5
     parameters: Mapping[str, float] = field(default_factory=dict)
+    once: Callable[[tuple[object, ...], Callable[[], View]], View | None] = lambda key, make: make()
 
     @classmethod
     def of_vectors(cls, results: VectorResults, naming: Naming, letter: float) -> View | None:
@@ -131,9 +132,13 @@ class Tables:
         if not rows:
             return None
         head, rows = folded(head, rows)
-        drawn = TableGrid(self.letter).drawn(head, rows)
-        marks = (*drawn, remark(note, drawn)) if note else drawn
-        return view(key, title, marks, self.letter * 10 / 7 if self.letter < 3 else 5.0)
+
+        def make() -> View:
+            drawn = TableGrid(self.letter).drawn(head, rows)
+            marks = (*drawn, remark(note, drawn)) if note else drawn
+            return view(key, title, marks, height=self.letter * 10 / 7 if self.letter < 3 else 5.0)
+
+        return self.once(("table", key, self.letter, *map(tuple, rows)), make)
 
     def all(self) -> list[View]:
         """Every table that has something to say."""

@@ -147,7 +147,7 @@ def test_a_long_table_is_written_with_its_claims(tmp_path: Path, capsys: pytest.
     assert "(-o FILE.csv" in capsys.readouterr().err
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [4, 15, 21, 36])
 def test_the_long_truth_is_that_of_fifty_digits(seed: int) -> None:
     """At random, and nearer to a limit than a millionth of a radian."""
@@ -276,6 +276,7 @@ drive: {{link: 1, phi: 359.976493, omega: 10.1, epsilon: 3.3}}
 """
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("seed", range(31, 37))
 def test_claims_hold_for_the_numbers_as_a_scene_writes_them(seed: int) -> None:
     c = random_cycle(seed, sliding=False)

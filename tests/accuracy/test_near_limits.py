@@ -76,6 +76,26 @@ def test_a_force_that_is_nothing_beside_others_is_warned_of() -> None:
     assert not solve(loads(FAINT + "find: [F_20]\n")).positions[0].results["warnings"]
 
 
+@pytest.mark.parametrize("fast", [False, True])
+def test_a_table_leaves_out_a_force_that_is_nothing_beside_others(fast: bool) -> None:
+    if fast and not compiled.available():
+        pytest.skip("the compiler is not installed")
+    for names in (None, ["F_10"], ["F_20"]):
+        c = Cycle(plans_of(loads(FAINT))[0], names)
+        (block,) = c.blocks([208781.2, 208785.2], fast=fast)
+        empty = {x.name for x, row in zip(c.columns, block.table, strict=True) if np.isnan(row).all() and not x.beside}
+        faint = {None: ["F_23", "F_10"], "F_10": ["F_10"], "F_20": []}[names and names[0]]  # F_23 is nothing in truth
+        assert empty == {f"{force}_{part}" for force in faint for part in "xy"}
+        assert block.failed.all() == bool(faint)
+
+
+@pytest.mark.parametrize("r, value", [(0.8648274175113996, -6.124416584198899e-07), (0.8648274175113996, 1e-6)])
+def test_rounding_is_no_contradiction_near_a_pivot(r: float, value: float) -> None:
+    scene = SLOT.replace("{r: 0.2, d: 0.2}", f"{{r: {r}, d: {r}}}")
+    (position,) = solve(loads(scene), [value]).positions
+    assert any("less than three correct digits" in w for w in position.results["warnings"])
+
+
 def test_the_drivers_own_rates_are_printed_beside_whatever_else(capsys: pytest.CaptureFixture[str]) -> None:
     print(report(solve(loads(SLOT), [1e-12])))
     row = next(line for line in capsys.readouterr().out.splitlines() if line.startswith("  1  "))

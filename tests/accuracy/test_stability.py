@@ -30,7 +30,7 @@ LIMITS = {  # sample: the given that moves, its value, which side works, what it
     "kind-2-rrp": ("l_BC", 0.06 + 0.015, 1, "end"),
     "kind-3-rpr": ("l_AB", 0.28, -1, "change"),
     "kind-4-prp": ("angle_x_1", 60.0, -1, "infinite"),
-    "kind-5-rpp": ("angle_∥slot", 0.0, 1, "infinite"),
+    "kind-5-rpp": ("angle_∥n-n", 0.0, 1, "infinite"),
 }
 OURS = ["method_scalar", "method_batch", *(["method_compiled"] if compiled.available() else [])]
 SHOWN = ["six-link", "kind-1-rrr", "kind-2-rrp", "kind-4-prp"]
@@ -53,6 +53,7 @@ def ours(name: str) -> np.ndarray:
     return np.max([way(name).errors[key] for key in OURS], axis=0)
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("name", list(LIMITS))
 def test_every_sample_comes_to_a_limit(name: str) -> None:
     """By its drive; a crank that turns all round by an altered length, a yoke by the angle of its slot."""

@@ -35,7 +35,7 @@ def test_what_is_known_is_folded_away_and_nothing_is_recorded_twice() -> None:
     assert abs(Vec(x, 0.0)).at == abs(x).at
 
 
-def compiled(tape: Tape, outputs: list[Any], **inputs: Any) -> Any:
+def looped(tape: Tape, outputs: list[Any], **inputs: Any) -> Any:
     trace = Trace(tape, tuple(place_of(tape, x) for x in outputs), (), (), ())
     loop = compiled.fuse(trace, tuple(inputs)).bound({})
     return loop(np.array(list(inputs.values())))[0]
@@ -45,7 +45,7 @@ def compiled(tape: Tape, outputs: list[Any], **inputs: Any) -> Any:
 def test_sines_are_right_to_the_last_place() -> None:
     tape, degrees = Tape(), np.linspace(-360, 360, 1441)
     turned = AR.cis_deg(given(tape, "phi"))
-    cos, sin = compiled(tape, [turned.real, turned.imag], phi=degrees)
+    cos, sin = looped(tape, [turned.real, turned.imag], phi=degrees)
     exact = np.array([AR.one.cis_deg(float(d)) for d in degrees])
     assert np.abs(cos - exact.real).max() <= 2.3e-16 and np.abs(sin - exact.imag).max() <= 2.3e-16
     quarters = degrees % 90 == 0
@@ -56,11 +56,11 @@ def test_sines_are_right_to_the_last_place() -> None:
 def test_arctangents_are_right_to_the_last_place() -> None:
     tape, angles = Tape(), np.radians(np.linspace(-179.9, 180, 2000))
     x, y = given(tape, "x"), given(tape, "y")
-    (found,) = compiled(tape, [AR.angle_deg(Vec(x, y))], x=3 * np.cos(angles), y=3 * np.sin(angles))
+    (found,) = looped(tape, [AR.angle_deg(Vec(x, y))], x=3 * np.cos(angles), y=3 * np.sin(angles))
     exact = np.degrees(np.arctan2(3 * np.sin(angles), 3 * np.cos(angles)))
     assert np.abs(found - exact).max() <= 6e-14
     axes = np.array([1, 0, -1, 0, -1.0]), np.array([0, 1, 0, -1, -0.0])
-    (edges,) = compiled(tape, [AR.angle_deg(Vec(x, y))], x=axes[0], y=axes[1])
+    (edges,) = looped(tape, [AR.angle_deg(Vec(x, y))], x=axes[0], y=axes[1])
     assert list(edges) == [0, 90, 180, -90, 180]
 
 
@@ -84,7 +84,7 @@ def test_the_loop_does_what_the_tape_says() -> None:
         AR.gap(Vec(x, y), 0.25 + 0j, y, x * 0.5),
     ]
     inputs = {"x": rng.normal(size=1000), "y": rng.normal(size=1000)}
-    found = compiled(tape, outputs, **inputs)
+    found = looped(tape, outputs, **inputs)
     places = [place_of(tape, o) for o in outputs]
     expected = read(tape, tape.needed(places), inputs)
     for row, place in zip(found, places, strict=True):

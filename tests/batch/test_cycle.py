@@ -128,6 +128,7 @@ def test_a_failed_position_has_its_reason_and_nan_only_after_what_failed() -> No
     assert np.isfinite([x for k, x in enumerate(table[:, 1]) if not c.columns[k].beside]).all()
 
 
+@pytest.mark.slow
 @needs_compiler
 def test_random_mechanisms_leave_no_number_without_a_reason() -> None:
     for seed in range(20):

@@ -92,7 +92,7 @@ def test_marks_put_anywhere_are_never_right(size: float) -> None:
             )
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("size", SIZES)
 def test_scribbles_are_never_right(size: float) -> None:
     rng = random.Random(size)

@@ -48,7 +48,7 @@ def test_a_reaction_reckoned_from_forces_is_judged_after_them() -> None:
 def test_the_persons_own_forces_sharpen_a_reckoned_one() -> None:
     """Where the scheme is drawn decides over F_24, I_2 and F_21t alike; the first two say what is left for F_21t."""
     one = bench("six-link", "force:2-3")
-    easel = next(e for e in easels() if (e.sample, e.plan) == ("six-link", "force:2-3"))
+    easel = confusion.easel("six-link", "force:2-3")
     found = grade(one, hand_in(easel, None, Care(), random.Random(3)))
     assert found is not None
     alone = Hand(one.program, one.given, one.asked.skill, found.hand.taken).misses(one.marks)
@@ -70,7 +70,7 @@ def test_the_persons_own_forces_sharpen_a_reckoned_one() -> None:
     ],
 )
 def test_small_signs_are_heeded(sample: str, plan: str, mistake: Mistake, mu_told: bool) -> None:
-    easel = next(e for e in easels() if (e.sample, e.plan) == (sample, plan))
+    easel = confusion.easel(sample, plan)
     for seed in range(3):
         found = grade(bench(sample, plan, mu_told), hand_in(easel, mistake, Care(), random.Random(seed)))
         assert found is not None and found.judgement.named is not None
@@ -78,6 +78,7 @@ def test_small_signs_are_heeded(sample: str, plan: str, mistake: Mistake, mu_tol
         assert (named.mistake, named.blames) == (mistake.name.partition(":")[0], mistake.where)
 
 
+@pytest.mark.slow
 def test_right_drawings_of_a_shaky_hand_are_seldom_refused() -> None:
     """The limits are for a hand as shaky as this one: of a hundred right drawings two may be refused."""
     refused = []

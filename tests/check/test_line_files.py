@@ -147,7 +147,7 @@ def test_thousands_of_lines_with_heads_are_refused_in_a_moment(tmp_path: Path) -
 
 def test_a_polygon_on_a_sheet_full_of_other_lines(tmp_path: Path) -> None:
     """A frame, a title block, hatching and dimensions beside the polygon change nothing."""
-    easel = next(e for e in easels() if (e.sample, e.plan) == ("six-link", "force:2-3"))
+    easel = confusion.easel("six-link", "force:2-3")
     bench, rng = confusion.bench("six-link", "force:2-3"), random.Random(1)
     for mistake in (None, drawings.Mistake("inertia_along_acceleration", "I_2")):
         strokes, words = test_check.sketch_of(easel, mistake)
@@ -316,6 +316,7 @@ def read_back(program: test_check.Writer, easel: confusion.Easel, mistake: Any, 
     return check(bench.asked, paper_of(sketch, bench))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("program", [line_drawings.inkscape, line_drawings.illustrator, line_drawings.dxf])
 def test_right_plans_as_files(tmp_path: Path, program: test_check.Writer) -> None:
     file = tmp_path / ("t.dxf" if program is line_drawings.dxf else "t.svg")
@@ -344,6 +345,7 @@ def test_wrong_plans_as_files(tmp_path: Path) -> None:
     assert found >= 0.97 * count and blamed >= 0.95 * count and named >= 0.90 * count
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("factor", [0.6, 1.7])
 def test_plans_of_another_size_as_files(tmp_path: Path, factor: float) -> None:
     """The scale is the drawer's choice, and words tell it to the reader."""
@@ -358,6 +360,7 @@ def test_plans_of_another_size_as_files(tmp_path: Path, factor: float) -> None:
     assert right >= 0.96 * count
 
 
+@pytest.mark.slow
 def test_lines_that_do_not_quite_meet(tmp_path: Path) -> None:
     """Ends drawn by eye, 0.15 mm off each way, without snapping."""
     rng, right, count, wrong, named, mistakes, file = random.Random(3), 0, 0, 0, 0, 0, tmp_path / "t.svg"

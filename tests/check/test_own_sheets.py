@@ -26,13 +26,14 @@ from planes.documents import _mechanism_views, rendered, sheet_of
 from planes.documents.sheets import DrawnPosition
 from planes.scene import Scene, load
 from planes.solving import Position
+from planes.words.lettering import Naming
 from planes.words.names import label_of, mu_of
-from render.paper.names import Naming
 from render.sheet import Sheet
 from render.sheet.composer import Composer
 from render.sheet.single import Page, page
 from render.sheet.sizes import Sizes
 from tests.helpers import ROOT
+from tests.helpers.sheets import sheet
 
 SAMPLES = ROOT / "samples"
 READERS = {".svg": read_svg, ".dxf": read_dxf, ".pdf": read_pdf}
@@ -67,21 +68,39 @@ def checked(sample: str, plan: str, written: Page | Sheet, file: Path) -> Outcom
     return check(asked, paper_on(sketch, prepare(asked)))
 
 
-def spoiled(sample: str, plan: str, seed: int) -> tuple[Position, Variant] | None:
-    """The position with one mistake of the catalogue made in the plan, and all that follows from it."""
-    scene, position = drawn(sample)
-    bench = prepare(Asked(scene, plan, mu=position.scales[mu_of(plan)]))
+def made(sample: str, plan: str, position: Position, k: int) -> tuple[Position, Variant, float]:
+    """A position with a mistake of the catalogue made in the plan, and all that follows; how far its mark moves."""
+    bench = prepare(Asked(drawn(sample)[0], plan, mu=position.scales[mu_of(plan)]))
     hand = Hand(bench.program, {**bench.given, **position.scales}, HAND, {})
-    variants = list(variants_of(bench, hand, bench.said_mu))
-    random.Random(seed).shuffle(variants)
-    for variant in variants:
-        made = {n: numpy.ravel(v)[0].item() for n, v in hand.under(variant).items() if v is not None}
-        places = {m: made[m] for m in bench.marks if m in made}
-        blamed = next((m for m in places if label_of(m) == variant.blames), None)
-        if blamed and abs(made[blamed] - position.drawing[blamed]) > FAR_MM and max(map(abs, places.values())) < 400:
-            things = {**position.drawing.things, **{n: v for n, v in made.items() if n in position.drawing}}
-            return replace(position, drawing=replace(position.drawing, things=things)), variant
-    return None
+    variant = variants_of(bench, hand, bench.said_mu)[k]
+    under = {n: numpy.ravel(v)[0].item() for n, v in hand.under(variant).items() if v is not None}
+    moved = [abs(under[m] - position.drawing[m]) for m in bench.marks if m in under and label_of(m) == variant.blames]
+    fits = all(abs(under[m]) < 400 for m in bench.marks if m in under)
+    things = {**position.drawing.things, **{n: v for n, v in under.items() if n in position.drawing}}
+    wrong = replace(position, drawing=replace(position.drawing, things=things))
+    return wrong, variant, moved[0] if moved and fits else 0.0
+
+
+def mistakes(sample: str, plan: str) -> list[Variant]:
+    """The catalogue for a plan of a sample."""
+    bench = prepare(Asked(drawn(sample)[0], plan))
+    return list(variants_of(bench, Hand(bench.program, bench.given, HAND, {}), bench.said_mu))
+
+
+def spoiled(sample: str, plan: str, seed: int) -> int | None:
+    """A mistake of the catalogue that moves its mark far, by its place there."""
+    order = list(range(len(mistakes(sample, plan))))
+    random.Random(seed).shuffle(order)
+    return next((k for k in order if made(sample, plan, drawn(sample)[1], k)[2] > FAR_MM), None)
+
+
+def spoiled_sheet(sample: str, number: int | None, plan: str, k: int, patch: pytest.MonkeyPatch) -> Sheet:
+    """A whole sheet with a mistake in one plan, at whatever size the sheet has room for."""
+    rightly = DrawnPosition._drawn
+    patch.setattr(DrawnPosition, "_drawn", lambda self, sizes: made(sample, plan, rightly(self, sizes), k)[0])
+    sheet = sheet_of(drawn(sample)[0], None, number=number)
+    patch.undo()
+    return sheet
 
 
 VIEWS = (
@@ -107,10 +126,11 @@ def test_a_view_is_right_and_with_one_step_spoiled_wrong_there(
     found = checked(sample, plan, view(sample, plan, drawn(sample)[1]), tmp_path / f"right{suffix}")
     assert found.verdict == "right", found.sentence.told("en")
     assert all(v == "right" for v in found.grading.verdicts.values()) or plan != "velocity"  # type: ignore[union-attr]
-    made = spoiled(sample, plan, 1)
-    assert made
-    found = checked(sample, plan, view(sample, plan, made[0]), tmp_path / f"wrong{suffix}")
-    assert (found.verdict, found.first_wrong) == ("wrong", made[1].blames), found.sentence.told("en")
+    k = spoiled(sample, plan, 1)
+    assert k is not None
+    wrong, variant, _ = made(sample, plan, drawn(sample)[1], k)
+    found = checked(sample, plan, view(sample, plan, wrong), tmp_path / f"wrong{suffix}")
+    assert (found.verdict, found.first_wrong) == ("wrong", variant.blames), found.sentence.told("en")
 
 
 CROWDED = (
@@ -153,16 +173,61 @@ def test_a_plan_at_another_scale_than_its_title_says_is_not_right(plan: str, suf
     assert found[""].verdict == "right" and found["1"].verdict != "right", found["1"].sentence.told("en")
 
 
-SHEETS = (("crank-slider", None, "acceleration", ".dxf"), ("kind-4-prp", 2, "force:2-3", ".svg"))
+REVERSED = (("30", ".svg"), ("04", ".dxf"), ("65", ".svg"), ("17", ".pdf"))
 
 
+@pytest.mark.few(2)
+@pytest.mark.parametrize(("number", "suffix"), REVERSED)
+def test_two_forces_there_and_back_are_told_apart_by_their_words(number: str, suffix: str, tmp_path: Path) -> None:
+    """The reaction on the driver carried over unreversed makes nearly the same polygon with the names exchanged."""
+    sample, plan = f"assignments/{number}", "force:1"
+    found = checked(sample, plan, view(sample, plan, drawn(sample)[1]), tmp_path / f"right{suffix}")
+    assert found.verdict == "right", found.sentence.told("en")
+    k = next(
+        k for k, v in enumerate(mistakes(sample, plan)) if v.mistake == "reaction_not_reversed" and v.blames == "F_12"
+    )
+    found = checked(
+        sample, plan, view(sample, plan, made(sample, plan, drawn(sample)[1], k)[0]), tmp_path / f"t{suffix}"
+    )
+    assert (found.verdict, found.first_wrong) == ("wrong", "F_12"), found.sentence.told("en")
+
+
+def test_a_force_that_is_nowhere_on_its_plan_is_left_out_however_unsure_its_size(tmp_path: Path) -> None:
+    sample, plan = "assignments/27", "force:1"
+    k = next(k for k, v in enumerate(mistakes(sample, plan)) if (v.mistake, v.blames) == ("force_missing", "F_12"))
+    wrong = made(sample, plan, drawn(sample)[1], k)[0]
+    found = checked(sample, plan, view(sample, plan, wrong), tmp_path / "t.dxf")
+    assert (found.first_wrong, found.mistake) == ("F_12", "force_missing"), found.sentence.told("en")
+
+
+SHEETS = (
+    ("crank-slider", None, "acceleration", ".dxf"),
+    ("kind-4-prp", 2, "force:2-3", ".svg"),
+    ("assignments/12", 2, "force:2-3", ".dxf"),
+)
+
+
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("sample", "number", "plan", "suffix"), SHEETS)
 def test_a_plan_of_a_crowded_sheet_is_right(
     sample: str, number: int | None, plan: str, suffix: str, tmp_path: Path
 ) -> None:
-    sheet = sheet_of(drawn(sample)[0], None, number=number)
-    found = checked(sample, plan, sheet, tmp_path / f"sheet{suffix}")
+    found = checked(sample, plan, sheet(sample, number=number), tmp_path / f"sheet{suffix}")
     assert found.verdict == "right", found.sentence.told("en")
+
+
+SPOILED = (("crank-slider", None, "acceleration", ".svg"), ("kind-5-rpp", 2, "force:2-3", ".dxf"))
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize(("sample", "number", "plan", "suffix"), SPOILED)
+def test_a_spoiled_step_is_found_on_a_whole_sheet(
+    sample: str, number: int | None, plan: str, suffix: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    k = spoiled(sample, plan, 1)
+    assert k is not None
+    found = checked(sample, plan, spoiled_sheet(sample, number, plan, k, monkeypatch), tmp_path / f"sheet{suffix}")
+    assert (found.verdict, found.first_wrong) == ("wrong", mistakes(sample, plan)[k].blames), found.sentence.told("en")
 
 
 @pytest.mark.slow
@@ -171,16 +236,10 @@ def test_a_plan_of_a_crowded_sheet_is_right(
 def test_every_plan_of_a_whole_sheet_is_right(suffix: str, tmp_path: Path) -> None:
     """Frame, title block, tables, equations and the other plans are not lines of the plan."""
     position = drawn("kind-1-rrr")[1]
-    sheet = whole_sheet()
+    whole = sheet("kind-1-rrr")
     for plan in known_plans(position.plans):
-        found = checked("kind-1-rrr", plan, sheet, tmp_path / f"sheet{suffix}")
+        found = checked("kind-1-rrr", plan, whole, tmp_path / f"sheet{suffix}")
         assert found.verdict == "right", (plan, found.sentence.told("en"))
-
-
-@cache
-def whole_sheet() -> Sheet:
-    """A sheet with everything on it."""
-    return sheet_of(drawn("kind-1-rrr")[0], None)
 
 
 @pytest.mark.slow
@@ -209,6 +268,23 @@ def test_every_plan_of_every_sheet_is_right(sample: str, number: int | None, tmp
             continue  # it is not on the sheet
         found = checked(sample, plan, sheet, tmp_path / "sheet.svg")
         assert found.verdict == "right", (plan, found.sentence.told("en"))
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("number", [None, 1, 2])
+@pytest.mark.parametrize("sample", [*SCENES, *ASSIGNMENTS])
+def test_no_sheet_with_a_spoiled_step_is_right(
+    sample: str, number: int | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What moves its mark by more than this sheet's plan allows a hand is found, in a random plan and format."""
+    rng = random.Random(f"{sample} {number}")
+    plans = [p for p in known_plans(drawn(sample)[1].plans) if not number or (number == 2) == p.startswith("force")]
+    plan, suffix = rng.choice(plans), rng.choice(list(READERS))
+    if (k := spoiled(sample, plan, rng.randrange(1000))) is not None:
+        found = checked(sample, plan, spoiled_sheet(sample, number, plan, k, monkeypatch), tmp_path / f"sheet{suffix}")
+        blamed = [m for m in found.bench.marks if label_of(m) == mistakes(sample, plan)[k].blames]
+        close = found.grading and any(found.grading.free[m].sigmas <= found.grading.judgement.limit for m in blamed)
+        assert found.verdict != "right" or close, (plan, suffix, mistakes(sample, plan)[k].mistake, blamed)
 
 
 def test_two_vectors_from_one_place_are_no_open_head() -> None:

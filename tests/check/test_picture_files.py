@@ -31,7 +31,7 @@ SIX = str(confusion.SAMPLES / "six-link.yaml")
 @pytest.fixture(scope="module")
 def scan() -> Any:
     """A right velocity plan on its blank, in grey."""
-    easel = next(e for e in confusion.easels() if (e.sample, e.plan) == ("six-link", "velocity"))
+    easel = confusion.easel("six-link", "velocity")
     rng = random.Random(5)
     drawn = corpus.drawn(easel, None, rng)
     assert drawn is not None
@@ -67,7 +67,7 @@ def written(kind: str, grey: Any, file: Path) -> Path:
     return file
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     "kind", ["see-through", "16-bit", "16-bit, see-through", "palette", "CMYK", "turned in the camera"]
 )
@@ -98,6 +98,7 @@ def test_a_picture_lying_on_its_side(turn: int, scan: Any, tmp_path: Path) -> No
     assert main(["check", SIX, str(file), "--plan", "velocity"]) == 0
 
 
+@pytest.mark.slow
 def test_a_page_and_a_large_picture(scan: Any, tmp_path: Path) -> None:
     Image.fromarray(scan).save(tmp_path / "p.pdf", resolution=200)
     cv2.imwrite(str(tmp_path / "p.jpg"), cv2.resize(scan, (8000, 5657)))
@@ -114,6 +115,7 @@ def test_a_page_as_large_as_a_house_is_looked_at_from_afar(tmp_path: Path) -> No
     assert grey.size <= 1.01 * MOST_PAGE and scale and abs(grey.shape[0] / scale - 14400 * 25.4 / 72) < 1
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("name", ["half.png", "half.jpg", "half.pdf", "start.png", "none.png", "text.jpg", "tiny.png"])
 def test_what_is_no_picture_is_refused_in_a_sentence(
     name: str, scan: Any, tmp_path: Path, capfd: pytest.CaptureFixture[str]

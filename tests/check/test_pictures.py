@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import random
 from dataclasses import replace
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +12,7 @@ import pytest
 
 from planes.cli import main
 from tests import confusion
-from tests.confusion import SAMPLES, Easel, easels
+from tests.confusion import SAMPLES, Easel, easel
 from tests.helpers.counting import at_most
 from tests.helpers.drawings import Mistake
 
@@ -51,15 +50,6 @@ FORCES = [
 ]
 
 
-@cache
-def every() -> dict[tuple[str, str], Easel]:
-    return {(e.sample, e.plan): e for e in easels()}
-
-
-def easel(sample: str, plan: str) -> Easel:
-    return every()[sample, plan]
-
-
 def looked(
     one: Easel, camera: Camera, folder: Path, mistake: Mistake | None = None, seed: int = 1
 ) -> tuple[corpus.Drawn, Outcome]:
@@ -71,7 +61,7 @@ def looked(
     return drawn, corpus.looked_at(one, file)[0]
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("camera", "most"), [(SCAN, 0.3), (PHONE, 0.6)], ids=["scan", "phone"])
 def test_marks_are_read_where_they_were_put(camera: Camera, most: float, tmp_path: Path) -> None:
     errors, count = [], 0
@@ -85,7 +75,7 @@ def test_marks_are_read_where_they_were_put(camera: Camera, most: float, tmp_pat
     assert errors[len(errors) // 2] < 0.1 and errors[int(0.95 * len(errors))] < most
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("camera", [SCAN, PHONE], ids=["scan", "phone"])
 def test_force_polygons_are_read_in_any_order(camera: Camera, tmp_path: Path) -> None:
     for sample, plan in FORCES:
@@ -149,6 +139,7 @@ def test_mistakes_are_seen_and_named(plan: str, mistake: Mistake, tmp_path: Path
         assert (found.verdict, found.mistake, found.first_wrong) == ("wrong", mistake.name, mistake.where)
 
 
+@pytest.mark.slow
 def test_a_mistake_of_no_catalogue_is_found_where_it_is(tmp_path: Path) -> None:
     one, rng, file = easel("six-link", "velocity"), random.Random(2), tmp_path / "p.png"
     drawn = corpus.drawn(one, None, rng)
@@ -217,7 +208,7 @@ def photo_of(what: str) -> Any:
     return cv2.resize(small, (1300, 900), interpolation=cv2.INTER_CUBIC).astype(np.uint8)  # a landscape, say
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("plan", ["velocity", "force:2-3"])
 @pytest.mark.parametrize("what", ["empty sheet", "10 000 lines", "hatching", "landscape"])
 def test_what_is_no_plan_is_said_to_be_none(
@@ -311,6 +302,7 @@ def test_a_lens_that_bends_and_paper_that_curls_are_told_by_the_frame(
     assert len(errors) >= 0.95 * count and errors[int(0.95 * len(errors))] < 0.6
 
 
+@pytest.mark.slow
 def test_pixels_of_a_bent_picture_are_found_on_the_sheet() -> None:
     camera, place = replace(SCAN, lens=0.06), 90 + 150j
     page = photographs.sheet([], [], 150 + 100j, camera, random.Random(1))
@@ -324,7 +316,7 @@ def test_pixels_of_a_bent_picture_are_found_on_the_sheet() -> None:
     assert abs(flat.place(complex(seen.real * k, (SHEET_MM[1] - seen.imag) * k)) - place) < 0.3
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "inks", [(0.2, 1.2, 2.2), (0.5, 2.9, 3.8), (3.9, 2.9, 0.4)], ids=["blue", "dark blue", "dark orange"]
 )

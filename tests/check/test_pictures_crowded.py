@@ -12,11 +12,12 @@ from tests.helpers.drawings import Mistake
 
 pytest.importorskip("cv2")
 from tests import picture_corpus as corpus
-from tests.check.test_pictures import easel, looked
+from tests.check.test_pictures import looked
+from tests.confusion import easel
 from tests.helpers.photographs import PHONE, SCAN, Camera
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("sample", ["bntu-1", "bntu-2"])
 @pytest.mark.parametrize("camera", [SCAN, PHONE], ids=["scan", "phone"])
 def test_a_vector_that_goes_back_past_the_pole(sample: str, camera: Camera, tmp_path: Path) -> None:
@@ -26,6 +27,7 @@ def test_a_vector_that_goes_back_past_the_pole(sample: str, camera: Camera, tmp_
     assert looked(easel(sample, "force:1"), camera, tmp_path)[1].verdict == "right"
 
 
+@pytest.mark.slow
 def test_a_head_at_the_far_end_tells_two_vectors_from_one_gone_back(tmp_path: Path) -> None:
     """Velocities of a and b are nearly one line from the pole; rightly drawn the vector ab leads back along it."""
     one = easel("bntu-5", "velocity")
@@ -34,6 +36,7 @@ def test_a_head_at_the_far_end_tells_two_vectors_from_one_gone_back(tmp_path: Pa
     assert (found.verdict, found.mistake) == ("wrong", "relative_from_pole")
 
 
+@pytest.mark.slow
 def test_a_head_upon_another_vector(tmp_path: Path) -> None:
     """The vector of a mass centre ends halfway along a link's."""
     one = easel("kind-2-rrp", "velocity")

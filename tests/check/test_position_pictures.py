@@ -83,6 +83,7 @@ def through_pivot(scene: dict[str, Any]) -> None:
     scene["frame"]["guides"]["q-q"]["through"] = [0, 0]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     ("sample", "mistake", "where", "made"),
     [
@@ -109,6 +110,7 @@ def test_mistakes_of_a_scheme_are_seen_and_named(
     assert (found.verdict, found.mistake, found.first_wrong) == ("wrong", mistake, where)
 
 
+@pytest.mark.slow
 def test_another_scheme_is_not_this_one(tmp_path: Path) -> None:
     for other in ("kind-1-rrr", "kind-5-rpp", "bntu-3"):
         _, found = looked(other, schemes.solved(other), SCAN, tmp_path, as_sample="six-link")

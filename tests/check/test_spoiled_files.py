@@ -96,6 +96,7 @@ def test_what_no_plan_has_so_many_of_is_counted(tmp_path: Path, capfd: pytest.Ca
             read_table(file)
 
 
+@pytest.mark.slow
 def test_blocks_within_blocks_are_counted(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     import ezdxf
 
@@ -254,6 +255,7 @@ def wholes(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
 CASES = 200
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("suffix", [".svg", ".dxf", ".png", ".pdf", ".csv", ".json"])
 def test_spoiled_files_never_end_in_a_traceback(
     suffix: str, wholes: dict[str, bytes], tmp_path: Path, capfd: pytest.CaptureFixture[str]

@@ -119,6 +119,7 @@ def test_killed_half_way_and_gone_on(whole: Path, tmp_path: Path) -> None:
     assert len(made) - len(kept) <= 1  # the very last file may have missed its line in the journal
 
 
+@pytest.mark.slow
 def test_only_what_has_changed_is_made_anew(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     at, out = folder(tmp_path / "course", count=3), tmp_path / "out"
 
@@ -137,6 +138,7 @@ def test_only_what_has_changed_is_made_anew(tmp_path: Path, capsys: pytest.Captu
     assert not (out / "students/Студент-2").exists() and not (out / "teacher/Студент-2").exists()
 
 
+@pytest.mark.slow
 def test_one_students_fault_does_not_stop_the_others(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -156,6 +158,7 @@ def test_one_students_fault_does_not_stop_the_others(
     assert rows[1]["Ошибка"].startswith("из 100 наборов") and not rows[0]["Ошибка"]
 
 
+@pytest.mark.slow
 def test_there_must_be_numbers_for_everybody(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -243,6 +246,26 @@ def test_bad_input_is_one_sentence(
     assert [f.name for f in tmp_path.iterdir()] == ["12.yaml"]
 
 
+def test_doubts_of_a_scene_are_told_once_whoever_gets_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A link of 20 m in the scene itself, and one of 12 m in one of its variants."""
+    at = folder(tmp_path / "course", LIGHT.replace("task, blank, key", "task"), 3)
+    text = (at / "scene.yaml").read_text("utf-8").replace("l_S5: 0.2", "l_S5: 20")
+    (at / "scene.yaml").write_text(text.replace("Б: {phi_1: 120}", "Б: {phi_1: 120, l_CD: 12}"), "utf-8")
+    main(["course", str(at), "--jobs", "1", "--lang", "en"])
+    said = [line for line in capsys.readouterr().err.splitlines() if "scene.yaml:" in line]
+    assert [line.split(": ")[1] for line in said] == ["link 5 is 20 m long", "link 3 is 12.1 m long"], said
+
+
+@pytest.mark.parametrize("key", ["students: lost.csv", "assignments: lost.yaml", "assignments: [scene.yaml, lost]"])
+def test_a_file_the_course_names_must_be_there(key: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    at = folder(tmp_path / "course", f"course: 1\n{key}\n", 1)
+    assert main(["course", str(at), "--jobs", "1", "--lang", "en"]) == 2
+    said = capsys.readouterr().err
+    assert said.startswith(f"{at / 'course.yaml'}:2: ") and "there is no " in said and "lost" in said
+    assert said.count("\n") == 1 and not (at / "out").exists()
+
+
+@pytest.mark.slow
 def test_a_process_that_is_stopped_is_a_sentence() -> None:
     with pytest.raises(PlanesError, match="the system stopped one of the processes"), workers.crowd(2) as each:
         list(each(os._exit, [1]))
@@ -279,6 +302,7 @@ def test_a_cluster_makes_the_same_bytes(whole: Path, tmp_path: Path, cluster: st
     assert files(tmp_path / "out") == files(whole / "out")
 
 
+@pytest.mark.slow
 def test_a_cluster_that_fails_is_a_sentence(cluster: str) -> None:
     program = (
         "import sys\nfrom planes.course.workers import crowd\nfrom planes.words.errors import PlanesError\n"
@@ -289,6 +313,7 @@ def test_a_cluster_that_fails_is_a_sentence(cluster: str) -> None:
     assert done.stdout.startswith("the cluster failed (ValueError: invalid literal for int()"), done.stderr
 
 
+@pytest.mark.slow
 def test_no_scheduler_is_a_sentence(whole: Path, tmp_path: Path) -> None:
     pytest.importorskip("distributed", reason="a Dask cluster needs distributed: pip install 'planes[dask]'")
     program = (

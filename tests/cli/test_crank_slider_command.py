@@ -91,6 +91,7 @@ def write(tmp_path: Path, text: str, suffix: str, lang: str = "ru") -> bytes:
     return out.read_bytes()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "lang, words", [("ru", ("Кинетостатика", "Планы сил", "МПа")), ("en", ("Kinetostatics", "Force plans", "MPa"))]
 )
@@ -120,6 +121,7 @@ def test_the_pdf_has_pages_with_text(tmp_path):
     assert write(tmp_path, SAMPLE, ".pdf") == data
 
 
+@pytest.mark.slow
 def test_a_scene_without_parts_has_a_shorter_report(tmp_path):
     text = two_stroke()
     text = text[: text.index("  # коленчатый вал на опорах")]

@@ -16,8 +16,7 @@ from planes.documents.cycle import Turned, ends
 from planes.documents.graphs import over_cycle
 from planes.plans import plans_of
 from planes.scene import load, loads
-from render.paper.curve_names import lettered_curve
-from render.paper.names import Naming
+from planes.words.lettering import Naming, lettered_curve
 from render.views.diagrams import jumps
 from tests.diagrams.test_diagrams import ROCKER, crank
 from tests.helpers import ROOT
@@ -60,6 +59,7 @@ def test_the_summary_as_json(capsys: Any) -> None:
     assert found["curves"]["u_31"]["unit"] == "1" and found["assembles"] == [[0, 360]]
 
 
+@pytest.mark.slow
 def test_a_sliding_driver_goes_through_its_working_range(capsys: Any) -> None:
     said = out_of(capsys, str(SAMPLES / "sliding-driver.yaml"), "--lang", "en")
     assert "s1 = " in said and "omegaq_3" in said and "1/m" in said
@@ -87,6 +87,7 @@ def test_a_table_of_chosen_curves(tmp_path: Path, capsys: Any) -> None:
     capsys.readouterr()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("suffix", ["png", "svg", "pdf"])
 def test_pictures(suffix: str, tmp_path: Path) -> None:
     some = [tmp_path / f"{k}.{suffix}" for k in range(2)]

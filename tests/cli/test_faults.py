@@ -61,7 +61,7 @@ def small_disk(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
         subprocess.run(["umount", str(at)], check=True)
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("argv", "name"), BIG, ids=[name for _, name in BIG])
 def test_a_full_disk_is_a_sentence_and_leaves_what_was_there(small_disk: Path, argv: list[str], name: str) -> None:
     target = small_disk / name
@@ -100,6 +100,7 @@ def test_a_signal_leaves_what_was_there(tmp_path: Path, suffix: str, name: str) 
     assert target.read_bytes() == OLD and [p.name for p in tmp_path.iterdir()] == [target.name]
 
 
+@pytest.mark.slow
 @POSIX
 def test_a_signal_in_a_course_leaves_whole_files(tmp_path: Path) -> None:
     course, out = tmp_path / "course", tmp_path / "out"
@@ -140,6 +141,7 @@ def test_an_interruption_of_the_very_imports_says_nothing() -> None:
     assert (done.returncode, done.stdout, done.stderr) == (130, "", "")
 
 
+@pytest.mark.few(1)
 @POSIX
 @pytest.mark.parametrize("argv", [["solve", RRR], ["solve", RRR, "--json", "--phi", "0:360:1"], ["structure", RRR]])
 def test_an_output_that_takes_nothing_is_a_sentence(argv: list[str]) -> None:
@@ -148,6 +150,7 @@ def test_an_output_that_takes_nothing_is_a_sentence(argv: list[str]) -> None:
     assert done.returncode == 2 and done.stderr == "the output: the system refuses: No space left on device\n"
 
 
+@pytest.mark.few(1)
 @POSIX
 @pytest.mark.parametrize("argv", [["solve", RRR], ["solve", RRR, "--json", "--phi", "0:360:1"], ["--help"]])
 def test_a_reader_that_has_gone_is_no_fault(argv: list[str]) -> None:

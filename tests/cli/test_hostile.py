@@ -104,6 +104,7 @@ def refused(capsys: pytest.CaptureFixture[str], folder: Path, text: str) -> dict
     return {lang: words.replace(f"{scene}:", "s:") for lang, words in said.items()}
 
 
+@pytest.mark.few(20)
 @pytest.mark.parametrize(("text", "old", "new", "piece", "line"), BAD)
 def test_a_scene_as_students_spoil_it(capsys, tmp_path, text, old, new, piece, line):
     assert old in text

@@ -75,19 +75,20 @@ CASES = [
 
 def said(argv: list[str], capsys, folder: Path) -> tuple[int, str, str, dict[str, bytes]]:
     """What a command answers: its status, what it prints, and the files it writes."""
-    for file in folder.iterdir():
+    for file in folder.glob("*"):
         file.unlink()
     try:
         status = main(argv)
     except SystemExit as stop:
         status = int(stop.code or 0)
     told = capsys.readouterr()
-    return status, told.out, told.err, {f.name: f.read_bytes() for f in folder.iterdir()}
+    return status, told.out, told.err, {f.name: f.read_bytes() for f in folder.glob("*")}
 
 
 ONCE: dict[tuple[str, ...], tuple[object, ...]] = {}
 
 
+@pytest.mark.few(50)
 @pytest.mark.parametrize(("base", "option"), CASES, ids=lambda x: " ".join(Path(a).name for a in x))
 def test_an_option_has_an_effect_or_is_refused(base, option, capsys, tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
@@ -102,6 +103,35 @@ def test_an_option_has_an_effect_or_is_refused(base, option, capsys, tmp_path, m
         assert any(part.strip("-") in err for part in option), err
     else:
         assert (status, out, files) != (ONCE[tuple(base)][0], ONCE[tuple(base)][1], ONCE[tuple(base)][3])
+
+
+@pytest.mark.parametrize("option", [*SOLVE, ["--remedy"], ["--variant", "А"]])
+def test_an_option_of_a_folder_has_an_effect_or_is_refused(option, capsys, tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    folder = tmp_path.parent / "scenes"
+    folder.mkdir(exist_ok=True)
+    varied = LAW.replace('"3000*sin(phi_1)"', "3000").replace(
+        "frame", "variants: {А: {l_AB: 0.4}, Б: {l_AB: 0.5}}\nframe"
+    )
+    (folder / "law.yaml").write_text(varied, encoding="utf-8")
+    base = said(["solve", str(folder), "--lang", "en"], capsys, tmp_path)
+    status, out, err, _ = said(["solve", str(folder), *option, "--lang", "en"], capsys, tmp_path)
+    assert (out != base[1] and status == base[0]) if status != 2 else option[0] in err and not out, (
+        base,
+        status,
+        out,
+        err,
+    )
+
+
+def test_a_remedy_has_an_effect_where_a_plan_is_blunt(capsys, tmp_path) -> None:
+    scene = tmp_path / "s.yaml"
+    blunt = LAW.replace('"3000*sin(phi_1)"', "3000").replace("l_AB: 0.3", "l_AB: 0.0802")
+    scene.write_text(blunt + "plans: {acceleration: {mu: 100 mm/(m/s²)}}\n", encoding="utf-8")
+    for more in ([], ["--pencil"]):
+        argv = ["solve", str(scene), "--phi", "89", *more, "--lang", "en"]
+        before, after = (said([*argv, *remedy], capsys, tmp_path.parent / "none")[1] for remedy in ([], ["--remedy"]))
+        assert before and before != after
 
 
 @pytest.mark.parametrize(
@@ -157,6 +187,7 @@ def test_every_key_of_the_title_block_fills_a_cell(key) -> None:
     assert filled != bare and REVISIONS == MOST_REVISIONS
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("key", DRAWN)
 def test_every_other_key_changes_the_sheet(key) -> None:
     def ink(more: str) -> str:
@@ -217,6 +248,17 @@ def test_a_load_by_the_drives_own_angle_holds_there_alone(argv, right, capsys, t
     status, _, err, _ = said([argv[0], str(scene), *argv[1:], "--lang", "en"], capsys, tmp_path)
     assert status == (0 if right else 2), err
     assert right or ("law.yaml:10: force of load 1 depends on phi_1" in err and "holds at phi = 40 alone" in err)
+
+
+@pytest.mark.parametrize("command", ["solve", "cycle", "lesson", "note", "sheet", "chart", "blank"])
+def test_a_link_of_no_length_is_refused_in_one_sentence_that_says_what_to_do(command, capsys, tmp_path) -> None:
+    scene = tmp_path.parent / "zero.yaml"
+    scene.write_text(LAW[: LAW.index("loads")].replace("l_AB: 0.3", "l_AB: 0"), encoding="utf-8")
+    more = {"cycle": [], "solve": []}.get(command, ["-o", "x.pdf"])
+    more = ["-o", "x.html"] if command in ("lesson", "note") else more
+    for lang, words in (("en", "give it a length"), ("ru", "задайте её")):
+        status, out, err, files = said([command, str(scene), *more, "--lang", lang], capsys, tmp_path)
+        assert (status, out, files) == (2, "", {}) and err.count("\n") == 1 and "zero.yaml:6" in err and words in err
 
 
 @pytest.mark.parametrize(
@@ -296,6 +338,7 @@ def test_doubts_go_to_stderr_and_into_json(capsys, tmp_path) -> None:
     assert json.loads(told.out)["positions"][0]["warnings"][:2] == told.err.splitlines()
 
 
+@pytest.mark.slow
 def test_no_sample_is_doubtful() -> None:
     for path in SAMPLES.rglob("*.yaml"):
         if "planes: 1" in (text := path.read_text(encoding="utf-8")) and "\ndrive" in text:

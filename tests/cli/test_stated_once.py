@@ -16,6 +16,7 @@ RRR = str(ROOT / "samples" / "kind-1-rrr.yaml")
 COMMANDS = {
     "solve": ["--phi", "0:120:60", "--errors", "--remedy", "--json"],
     "solve --explain": ["--explain"],
+    "solve --pencil": ["--pencil", "--errors", "--remedy"],
     "structure": [],
     "sheet": ["--remedy", "-o", "sheet.svg"],
     "note": ["-o", "note.html"],
@@ -36,7 +37,7 @@ def stated(monkeypatch: pytest.MonkeyPatch) -> list[str]:
         found.append(file)
         return state(mechanism, file)
 
-    monkeypatch.setattr(room, "state", counted)
+    monkeypatch.setattr(room, "plans_of", counted)
     return found
 
 

@@ -79,6 +79,7 @@ def test_a_link_that_turns_all_round_is_said_to() -> None:
     assert re.search(r"phi_3 +° +полный оборот +— +— +—", report(found, "ru"))
 
 
+@pytest.mark.slow
 def test_what_grows_without_bound_is_told_with_its_place() -> None:
     found = summed(GUIDED)
     told = as_json(found)
@@ -121,7 +122,7 @@ def zeroed(names: tuple[str, ...]) -> Iterator[tuple[str, str, str]]:
 CASES = list(zeroed(("kind-1-rrr", "kind-3-rpr", "kind-5-rpp", "sliding-driver")))
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("name", "length", "text"), CASES, ids=[f"{n} {x}" for n, x, _ in CASES])
 def test_a_length_of_zero_gives_numbers_or_one_sentence(
     name: str, length: str, text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]

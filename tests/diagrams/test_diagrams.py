@@ -276,6 +276,7 @@ def test_what_grows_where_a_sliding_driver_stops_is_said(capsys: Any) -> None:
     assert "Assembles for s1 = -0.137878 m…0.85 m" in out and "→ ∞  -0.137878 m" in out and "·10" not in out
 
 
+@pytest.mark.slow
 def test_dead_points_are_those_of_places_and_need_no_motion() -> None:
     moving, resting = (dead_points(driven_grid(plans_from(crank(0.05, w)), 0.0, 360.0)) for w in (20.0, 0.0))
     assert moving == resting and len(moving) == 2

@@ -17,11 +17,11 @@ from planes.drafting.instruments import Exact, Pencil
 from planes.drafting.steps import Carry, Cross, Through
 from planes.scene import loads
 from planes.words.errors import PlanesError
-from tests.diagrams.test_diagrams import ROCKER, crank, plans_of
+from tests.diagrams.test_diagrams import ROCKER, crank, plans_from
 
 
 def motion(text: str = "", sections: int = 12) -> Motion:
-    return motion_of(plans_of(text or crank(0.03)), sections)
+    return motion_of(plans_from(text or crank(0.03)), sections)
 
 
 def measured(c: Construction, rank: int) -> np.ndarray:

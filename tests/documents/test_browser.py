@@ -20,19 +20,13 @@ from planes.scene import load
 from planes.solving import position
 from render.page.lesson_page import page as written
 from tests.helpers import ROOT
-from tests.helpers.browser import chromium, until
+from tests.helpers.browser import until
 
 HERE = ROOT / "samples"
 SIX = HERE / "six-link.yaml"
 SAMPLES = [p for p in sorted(HERE.glob("*.yaml")) if p.stem != "vectors"]
 WIDE = {"width": 1280, "height": 900}
 MOST_CHANGES = 300  # of the page by one drawing of the six links: what is drawn stays, and only what moves is set
-
-
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    with chromium(tmp_path_factory.mktemp("profile"), viewport=WIDE) as context:
-        yield context
 
 
 @pytest.fixture(scope="module")
@@ -84,6 +78,7 @@ def test_the_address_opens_a_frame(page: Any, lesson: str) -> None:
     assert page.inner_text("#sentence").startswith("Measure")
 
 
+@pytest.mark.slow
 def test_play_goes_on_by_itself(page: Any) -> None:
     page.click("#play")
     until(page, "document.getElementById('number').textContent.startsWith('2 /')")

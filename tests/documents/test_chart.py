@@ -49,6 +49,7 @@ def test_a_chart_and_its_table(tmp_path: Path, quick: None) -> None:
     assert [float(row[0]) for row in ways[1:]] == pytest.approx([1e-1, 1e-4, 1e-7, 1e-10, 1e-13], rel=0.02)
 
 
+@pytest.mark.slow
 def test_where_nothing_leads_to_a_limit_the_chart_says_so(
     tmp_path: Path, quick: None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -69,7 +70,7 @@ def test_where_nothing_leads_to_a_limit_the_chart_says_so(
     [
         ("six-link", "distance to φ = 129.5274°, rad"),
         ("sliding-driver", "distance to s = −0.1378775 m, m"),
-        ("kind-5-rpp", "angle of the guide slot: distance to 0° (75° in the scene), rad, at φ = −130°"),
+        ("kind-5-rpp", "angle of the guide n-n: distance to 0° (75° in the scene), rad, at φ = −130°"),
     ],
 )
 def test_an_axis_says_what_is_altered(name: str, words: str) -> None:

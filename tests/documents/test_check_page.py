@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import random
 import re
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -15,15 +15,15 @@ from planes.check import Outcome, check
 from planes.check.grading.grading import Grading, empty
 from planes.check.grading.paper import ReadMark, ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, prepare, variants_of
+from planes.check.report.classes import Checked, ClassWork
 from planes.check.report.regrading import SURELY_MM, exported, retrace
-from planes.cli.classes import Checked, Group
 from planes.documents.check import write_class, write_report
+from planes.drafting.drawing import run
 from planes.scene import load
 from planes.words.errors import PlanesError
 from tests import confusion
 from tests.documents.test_browser import watched
 from tests.helpers import ROOT
-from tests.helpers.browser import chromium
 from tests.helpers.drawings import Care, Mistake
 
 SAMPLES = ROOT / "samples"
@@ -36,14 +36,8 @@ CASES = [
 ]
 
 
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    with chromium(tmp_path_factory.mktemp("profile"), viewport={"width": 1200, "height": 1000}) as context:
-        yield context
-
-
 def handed_in(sample: str, plan: str, mistake: Mistake | None, without: tuple[str, ...] = ()) -> Outcome:
-    easel = next(e for e in confusion.easels() if (e.sample, e.plan) == (sample, plan))
+    easel = confusion.easel(sample, plan)
     paper = confusion.hand_in(easel, mistake, Care(), random.Random(4))
     paper.spots = [s for s in paper.spots if s.name not in without]
     return check(Asked(load(SAMPLES / f"{sample}.yaml"), plan, mu=easel.mu), paper)
@@ -89,7 +83,7 @@ def same(page: Any, found: Outcome) -> None:
         assert free == pytest.approx(grading.free[mark].reach(grading.judgement.limit), rel=0.05)
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("sample", "plan", "mistake"), CASES)
 def test_the_page_judges_as_the_program_does(
     browser: Any, tmp_path: Path, sample: str, plan: str, mistake: Mistake | None
@@ -213,6 +207,45 @@ def test_marks_nobody_read_are_put_in_place(browser: Any, tmp_path: Path) -> Non
     assert errors == []
 
 
+UNSEEN = [("six-link", "velocity", ("s2",)), ("six-link", "acceleration", ("s2'",)), ("kind-1-rrr", "velocity", ("e",))]
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize(("sample", "plan", "without"), UNSEEN)
+def test_the_page_names_what_nobody_has_seen(
+    browser: Any, tmp_path: Path, sample: str, plan: str, without: tuple[str, ...]
+) -> None:
+    whole, found = handed_in(sample, plan, None), handed_in(sample, plan, None, without)
+    assert found.verdict == "right" and found.unseen == list(without)
+    page, errors = opened(browser, found, tmp_path)
+    same(page, found)
+    assert f"not seen: {', '.join(without)}" in page.evaluate("found.sentence")
+    pole = whole.paper.spots[0].place
+    for k, name in enumerate(without):
+        place = next(s for s in whole.paper.spots if s.name == name).place - pole
+        page.evaluate(f"move({json.dumps(name)}, {place.real}, {place.imag})")
+        left = ", ".join(without[k + 1 :])
+        assert (f"not seen: {left}" if left else "The drawing is right") in page.inner_text("#sentence")
+    page.close()
+    assert errors == []
+
+
+def test_the_page_says_where_too_little_is_seen_to_judge_by(browser: Any, tmp_path: Path) -> None:
+    """A mark near the pole, one by itself at the stated scale, one at a scale of its own, one that tells something."""
+    bench = prepare(Asked(load(SAMPLES / "kind-1-rrr.yaml"), "velocity"))
+    c = complex(run(bench.program, bench.given)["velocity:c"])
+    keys = []
+    for size, mu in ((0.1, bench.said_mu * 0.1), (0.2, bench.said_mu * 0.2), (0.4, None), (0.4, bench.said_mu * 0.4)):
+        spots = [ReadMark("p", 0j), ReadMark("c", c * size)]
+        found = check(Asked(bench.asked.scene, "velocity", mu=mu), ReadPaper("t", spots))
+        page, errors = opened(browser, found, tmp_path)
+        same(page, found)
+        page.close()
+        assert errors == []
+        keys.append(found.sentence.key)
+    assert keys == ["check_nothing_drawn", "check_by_chance", "check_by_chance", "check_right_as_seen"]
+
+
 def test_layers_and_a_telephone(browser: Any, tmp_path: Path) -> None:
     page, errors = opened(browser, handed_in("six-link", "velocity", CASES[0][2]), tmp_path)
     for layer, drawn in (("own", ".arrow.own"), ("truth", ".arrow.truth"), ("next", "line.next")):
@@ -248,7 +281,7 @@ def test_the_page_reads_every_operation_of_a_tape() -> None:
 
 
 def test_the_page_of_a_class_tells_whose_mistakes_and_is_sorted_at_will(browser: Any, tmp_path: Path) -> None:
-    group = Group("11")
+    group = ClassWork("11")
     for name, mistake in (("anna", None), ("boris", CASES[0][2]), ("gleb", CASES[0][2])):
         group.all.append(Checked(f"{name}.jpg", handed_in("six-link", "velocity", mistake)))
     group.all.append(Checked("vera.jpg", refused=PlanesError("vera.jpg: no picture")))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -20,11 +19,10 @@ from planes.lesson.data import lesson_data
 from planes.scene import load
 from planes.solving import document
 from planes.words import say
+from planes.words.lettering import Naming
 from render.page import check_page, class_page, lesson_page, trace_page, web_page
-from render.paper.names import Naming
 from render.report import rendered
 from tests.helpers import ROOT
-from tests.helpers.browser import chromium
 
 SAMPLES = ROOT / "samples"
 SIX = SAMPLES / "six-link.yaml"
@@ -61,12 +59,6 @@ ALIVE = {  # what the page's own script has made
     "report": "document.querySelectorAll('#sheet *').length > 9 && document.querySelectorAll('#marks tr').length > 2",
     "class": "document.querySelector('thead button').click(), !!document.querySelector('th[aria-sort]')",
 }
-
-
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    with chromium(tmp_path_factory.mktemp("profile")) as context:
-        yield context
 
 
 def handed_in(folder: Path, result: str) -> Path:
@@ -144,7 +136,7 @@ def visit(browser: Any, file: Path, kind: str) -> tuple[list[str], str]:
     return wrong, title
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", NAMES)
 def test_a_hostile_name_is_letters_in_every_page(
     browser: Any, told: dict[str, dict[str, Any]], tmp_path: Path, name: str

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,7 +12,6 @@ import pytest
 from planes.cli import main
 from tests import confusion
 from tests.documents.test_browser import watched
-from tests.helpers.browser import chromium
 
 cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
@@ -32,19 +30,13 @@ SIX = str(confusion.SAMPLES / "six-link.yaml")
 
 
 def corpus_easel(plan: str) -> confusion.Easel:
-    return next(e for e in confusion.easels() if (e.sample, e.plan) == ("six-link", plan))
-
-
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    with chromium(tmp_path_factory.mktemp("profile"), viewport={"width": 1200, "height": 1000}) as context:
-        yield context
+    return confusion.easel("six-link", plan)
 
 
 @pytest.fixture(scope="module")
 def scan(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, corpus.Drawn, complex]:
     """A right velocity plan on its blank, scanned."""
-    easel = next(e for e in confusion.easels() if (e.sample, e.plan) == ("six-link", "velocity"))
+    easel = confusion.easel("six-link", "velocity")
     rng, file = random.Random(1), tmp_path_factory.mktemp("scan") / "scan.jpg"
     drawn = corpus.drawn(easel, None, rng)
     assert drawn is not None
@@ -66,7 +58,7 @@ def darkest(photo: Photo, at: complex, across: complex) -> float:
     return float((dark * steps).sum() / dark.sum())
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("plan", ["velocity", "force:2-3"])
 def test_the_picture_lies_beneath_the_person_s_own_plan(plan: str, tmp_path: Path) -> None:
     """Each line of the person's own plan is drawn on the pencil's, in whatever order the forces are."""
@@ -123,6 +115,7 @@ def test_what_nobody_could_read_is_printed_whole(tmp_path: Path) -> None:
     assert any(isinstance(m, Arrow) and m.style == "truth" for m in marks)
 
 
+@pytest.mark.slow
 def test_the_page_lays_the_picture_under_the_marks(
     browser: Any, scan: tuple[Path, corpus.Drawn, complex], tmp_path: Path
 ) -> None:
@@ -147,9 +140,10 @@ def test_the_page_lays_the_picture_under_the_marks(
     assert errors == []
 
 
+@pytest.mark.slow
 def test_marks_of_a_picture_nobody_could_read_are_named_by_hand(browser: Any, tmp_path: Path) -> None:
     """An empty blank: every mark waits at the edge; put where a plan is, they are judged."""
-    easel = next(e for e in confusion.easels() if (e.sample, e.plan) == ("six-link", "velocity"))
+    easel = confusion.easel("six-link", "velocity")
     picture, target = tmp_path / "blank.png", tmp_path / "report.html"
     cv2.imwrite(str(picture), photographs.sheet([], [], corpus.pole_of(easel), photographs.SCAN, random.Random(1)))
     assert main(["check", SIX, str(picture), "--plan", "velocity", "--lang", "en", "-o", str(target)]) == 2

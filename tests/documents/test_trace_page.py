@@ -6,7 +6,6 @@ import json
 import shlex
 import struct
 import zlib
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -15,17 +14,12 @@ import pytest
 from planes.cli import main
 from tests.documents.test_browser import watched
 from tests.helpers import ROOT
-from tests.helpers.browser import chromium, until
+from tests.helpers.browser import until
 
 SIX = str(ROOT / "samples" / "six-link.yaml")
+WIDE = {"width": 1200, "height": 900}
 MARKS = {"b": 30 + 51.9615j, "c": 71.6 - 8.18j}
 POLE, TURN = 500 + 900j, 8 * (0.9962 + 0.0872j)  # of the picture's pixels, y down; turned by five degrees
-
-
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    with chromium(tmp_path_factory.mktemp("profile"), viewport={"width": 1200, "height": 900}) as context:
-        yield context
 
 
 @pytest.fixture(scope="module")
@@ -62,6 +56,7 @@ def drag(page: Any, name: str, to: complex) -> None:
     page.mouse.up()
 
 
+@pytest.mark.slow
 def test_two_handles_lay_the_plan_over_a_picture(browser: Any, trace: Path, tmp_path: Path) -> None:
     page = browser.new_page()
     errors = watched(page)

@@ -60,7 +60,8 @@ def truth(c: Cycle, values: Any) -> list[Two]:
     drawn = trace(c.program, c.given, [x.take for x in c.columns], c.folded, fine=FINE)
     true = givens(c.plans.mechanism)
     flat: dict[str, Any] = {}
-    for name, value in given_values(c.given).items():
+    for name, rounded in given_values(c.given).items():
+        value: object = rounded
         own, part = (name[:-2], name[-1]) if name.endswith((".x", ".y")) else (name, "")
         if own in true:
             x = true[own]

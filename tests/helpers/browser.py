@@ -26,8 +26,8 @@ NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome")
 
 
 @contextmanager
-def chromium(profile: Path, **looks: Any) -> Iterator[Any]:
-    """A browser with an empty profile. Without any the test is skipped, and says what to install."""
+def chromium() -> Iterator[Any]:
+    """A browser. Without any the test is skipped, and says what to install."""
     sync = pytest.importorskip("playwright.sync_api", reason="install the test extra: pip install -e '.[test]'")
     with sync.sync_playwright() as tools:
         own = Path(tools.chromium.executable_path)
@@ -35,14 +35,11 @@ def chromium(profile: Path, **looks: Any) -> Iterator[Any]:
         found = os.environ.get("CHROMIUM") or (str(own) if own.exists() else system)
         if not found:
             pytest.skip("no Chromium here: apt-get install chromium, or playwright install --with-deps chromium")
-        context = tools.chromium.launch_persistent_context(
-            str(profile), executable_path=found, headless=True, args=FLAGS, timeout=PATIENCE_MS, **looks
-        )
-        context.set_default_timeout(PATIENCE_MS)
+        started = tools.chromium.launch(executable_path=found, headless=True, args=FLAGS, timeout=PATIENCE_MS)
         try:
-            yield context
+            yield started
         finally:
-            context.close()
+            started.close()
 
 
 def until(page: Any, condition: str) -> None:

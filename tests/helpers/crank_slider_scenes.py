@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from planes.crank_slider.calculation import Calculation, calculate
 from planes.scene import loads
 from tests.helpers import ROOT
@@ -34,6 +36,7 @@ def two_stroke() -> str:
     )
 
 
+@cache
 def calculated(text: str = SAMPLE, variant: str | None = None) -> Calculation:
-    """The calculation of a text."""
+    """The calculation of a text, made once in a run."""
     return calculate(loads(text, "crank-slider.yaml", variant))

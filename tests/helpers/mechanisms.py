@@ -22,7 +22,7 @@ from hypothesis import strategies as st
 from tests.helpers.oracle import NoSolution, Solution, solve
 
 KINDS = ("RRR", "RRP", "RPR", "PRP", "RPP")
-NAMES = [c + n for n in ("", "2", "3") for c in "ABCDEFGHJKLMNQRSTUVW"]
+NAMES = [c + n for n in ("", *map(str, range(2, 20))) for c in "ABCDEFGHJKLMNQRSTUVW"]
 
 
 @dataclass(eq=False)

@@ -36,6 +36,18 @@ def test_the_object_has_the_keys_that_are_printed() -> None:
     assert set(told["positions"][0]["plans"]["velocity"]) == set(solved["positions"][0]["plans"]["velocity"])
 
 
+def test_the_map_for_newcomers_names_what_is_there() -> None:
+    text = (ROOT / "CONTRIBUTING.md").read_text("utf-8")
+    places = re.findall(r"`((?:planes|render|tests|docs|samples|\.ci)/[\w./*-]*)`", text)
+    assert len(places) > 25 and not [place for place in places if not list(ROOT.glob(place))]
+    modules = re.findall(r"python -m (tests\.\w+)", text)
+    assert modules and all((ROOT / f"{module.replace('.', '/')}.py").is_file() for module in modules)
+    for name, place in re.findall(r"`(\w+)`\)? (?:in|\()\s?`?(planes/[\w/]+\.py)", text):
+        assert name in (ROOT / place).read_text("utf-8"), name
+    for file, name in re.findall(r"`(planes/[\w/]+\.py)` \(`(\w+)`\)", text):
+        assert name in (ROOT / file).read_text("utf-8"), name
+
+
 def test_every_mistake_has_its_name() -> None:
     listed = CHECKING[CHECKING.index("- position:") : CHECKING.index("**Names of marks")]
     told = set(re.findall(r"`([a-z0-9]+(?:_[a-z0-9]+)+)`", listed))

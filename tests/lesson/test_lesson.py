@@ -21,7 +21,7 @@ from planes.plans import plans_of
 from planes.plans.measuring import DrawingReader
 from planes.plans.quantities import catalogue
 from planes.plans.scales import scales
-from planes.scene import load
+from planes.scene import load, loads
 from planes.solving import solve
 from planes.solving.document import DocumentTable, Figure, Heading, Paragraph
 from planes.words.errors import PlanesError, SceneError
@@ -134,6 +134,7 @@ def test_the_numbers_of_sentences_are_those_that_are_solved(path: Path) -> None:
     assert compared
 
 
+@pytest.mark.slow
 def test_all_360_positions_are_within_a_tenth_of_a_millimetre_of_what_is_solved() -> None:
     exported, scene = data(SIX), load(str(SIX))
     plans, values = plans_of(scene.mechanism), exported["drive"]["values"]
@@ -260,6 +261,20 @@ def test_zones_say_where_and_why() -> None:
     assert all(a["to"] < b["from"] for a, b in pairwise(zones))
 
 
+def test_a_load_that_holds_in_one_position_leaves_the_lesson_standing_there() -> None:
+    """A force of the drive's own parameter is not known elsewhere: the page shows one position and says why."""
+    text = SIX.read_text("utf-8").replace("force: 6000", "force: 40*phi_1")
+    exported = lesson_data(loads(text, "s.yaml"))
+    assert exported["drive"]["values"] == [150.0] and exported["drive"]["at"] == 0 and not exported["failed"]
+    assert all(len(x) == len(y) == 1 for x, y in exported["marks"].values())
+    zone = exported["zones"][0]
+    assert (zone["from"], zone["to"], zone["kind"]) == (0, 0, "blunt")
+    assert "phi_1" in zone["said"]["ru"] and "holds at phi = 150 alone" in zone["said"]["en"]
+    same = data(SIX)
+    assert [f["key"] for f in exported["frames"]] == [f["key"] for f in same["frames"]]
+    assert exported["marks"]["acceleration:b'"][0] == [same["marks"]["acceleration:b'"][0][150]]
+
+
 def test_the_lesson_of_a_machine_at_rest_has_no_empty_plans() -> None:
     plans = {f["plan"] for f in data(HERE / "bntu-3.yaml")["frames"]}
     assert "velocity" not in plans and "force:1" in plans
@@ -285,8 +300,6 @@ def test_a_notebook_shows_a_lesson_in_a_frame_of_its_own() -> None:
 
 def test_a_lesson_whose_own_position_fails_is_refused() -> None:
     text = SIX.read_text(encoding="utf-8").replace("phi_1: 150", "phi_1: 90")
-    from planes.scene import loads
-
     with pytest.raises(SceneError, match=r"^s\.yaml:1: the position the lesson starts from cannot be drawn: "):
         lesson_data(loads(text, "s.yaml"))
 
@@ -311,6 +324,7 @@ def test_a_note_stands_in_the_usual_order(path: Path, lang) -> None:
     assert not any("⟦" in b.text or "nan" in b.text for b in blocks if isinstance(b, Paragraph))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("suffix", [".html", ".pdf", ".docx"])
 def test_the_command_writes_a_note(tmp_path: Path, suffix: str) -> None:
     if suffix == ".docx":

@@ -40,7 +40,7 @@ def examine(case: Case, text: str | None = None) -> None:
         assert measured_closing_mm(drawn) <= 1e-9
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("options", OPTIONS.values(), ids=OPTIONS.keys())
 def test_chains_of_up_to_three_groups(options: dict[str, Any]) -> None:
     @FEW
@@ -52,6 +52,7 @@ def test_chains_of_up_to_three_groups(options: dict[str, Any]) -> None:
     check()
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("tenth", range(10))
 def test_scenes_of_any_shape(tenth: int) -> None:
     """Two hundred scenes of fixed seeds; ``tests/nightly.py scenes`` goes through two thousand others."""
@@ -67,6 +68,7 @@ def test_the_shapes_that_are_drawn_hold_all_there_is() -> None:
     assert seen["a driver of one point with a guide"] >= 15, seen
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", KINDS)
 def test_each_kind_alone(kind: str) -> None:
     @FEW
@@ -78,6 +80,7 @@ def test_each_kind_alone(kind: str) -> None:
     check()
 
 
+@pytest.mark.few(8)
 @pytest.mark.parametrize("first", KINDS)
 @pytest.mark.parametrize("second", KINDS)
 def test_every_pair_of_kinds(first: str, second: str) -> None:

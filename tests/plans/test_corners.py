@@ -47,6 +47,17 @@ drive: {link: 1, phi: 30, omega: 5, epsilon: 3}
 gravity: 9.81
 loads: [{link: 1, moment: 4, against: motion}, {link: 1, point: A, force: 7, direction: 20}]
 """
+CRANK = """\
+planes: 1
+frame: {points: {A: [0, 0]}}
+links: {1: {points: {A: 0, S: 0.1}, mass: 2, inertia: 1, centre: S}}
+drive: {link: 1, phi: 30, omega: 5, epsilon: 3}
+gravity: 9.81
+loads:
+  - {link: 1, moment: 4, against: motion}
+  - {link: 1, point: S, force: 7, along: motion}
+  - {link: 1, point: A, force: 7, direction: 20}
+"""
 ALONE = """\
 planes: 1
 frame: {guides: {x: {y: 0.1}}}
@@ -99,28 +110,8 @@ assembly: {K: ahead, Q: ahead}
 gravity: 9.81
 loads: [{link: 6, point: Z, force: 100, against: motion}, {link: 4, moment: 5, along: motion}]
 """,
-    "a crank alone": """\
-planes: 1
-frame: {points: {A: [0, 0]}}
-links: {1: {points: {A: 0, S: 0.1}, mass: 2, inertia: 1, centre: S}}
-drive: {link: 1, phi: 30, omega: 5, epsilon: 3}
-gravity: 9.81
-loads:
-  - {link: 1, moment: 4, against: motion}
-  - {link: 1, point: S, force: 7, along: motion}
-  - {link: 1, point: A, force: 7, direction: 20}
-""",
-    "a load against the motion of a fixed point": """\
-planes: 1
-frame: {points: {A: [0, 0]}}
-links: {1: {points: {A: 0, S: 0.1}, mass: 2, inertia: 1, centre: S}}
-drive: {link: 1, phi: 30, omega: 5, epsilon: 3}
-gravity: 9.81
-loads:
-  - {link: 1, moment: 4, against: motion}
-  - {link: 1, point: S, force: 7, along: motion}
-  - {link: 1, point: A, force: 7, against: motion}
-""",
+    "a crank alone": CRANK,
+    "a load against the motion of a fixed point": CRANK.replace("direction: 20", "against: motion"),
     "a sliding driver alone": ALONE,
     "a sliding driver alone at rest": ALONE.replace("velocity: -2", "velocity: 0"),
     "two sliders on one moving guide": TWO_SLIDERS,

@@ -41,6 +41,7 @@ def each_force(scene: dict[str, Any], change: Any) -> None:
         change(load)
 
 
+@pytest.mark.slow
 @FEW
 @given(RUBBED, st.floats(-180, 180))
 def test_turned_by_any_angle(case: Case, angle: float) -> None:
@@ -161,6 +162,7 @@ def test_lengths_and_forces_rescaled(case: Case, k: float, f: float) -> None:
     same({n.name: scaled(n, by.get(n.sort, 1.0)) for n in named(base).values()}, draw(scene))
 
 
+@pytest.mark.slow
 @FEW
 @given(RUBBED, st.floats(-3, 3))
 def test_another_scale_of_the_drawing(case: Case, power: float) -> None:
@@ -175,6 +177,7 @@ def test_another_scale_of_the_drawing(case: Case, power: float) -> None:
     assert closing_mm(other) <= 1e-14 * max(1.0, largest)
 
 
+@pytest.mark.slow
 @FEW
 @given(CASES, st.integers(0, 10**6))
 def test_links_reordered(case: Case, seed: int) -> None:
@@ -207,6 +210,7 @@ def test_links_reordered(case: Case, seed: int) -> None:
         assert abs(found["balancing"].value - want["balancing"].value) <= 1e-9 * largest / other.sharpest
 
 
+@pytest.mark.slow
 @FEW
 @given(RUBBED, st.sampled_from(["{}", "L{}", "{}0", "{}_1", "z_{}"]))
 def test_links_renumbered(case: Case, form: str) -> None:

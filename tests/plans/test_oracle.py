@@ -335,6 +335,7 @@ def plain(value: Any) -> Any:
     return [plain(v) for v in value] if isinstance(value, list) else value if isinstance(value, str) else repr(value)
 
 
+@pytest.mark.slow
 def test_scene_files_and_the_spread_of_what_is_drawn() -> None:
     seen: Counter[str] = Counter()
     for case in cases(60):

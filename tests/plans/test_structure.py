@@ -3,14 +3,22 @@
 from __future__ import annotations
 
 import random
+import re
+import tracemalloc
+from collections.abc import Callable
+from itertools import combinations
 from typing import Any
 
 import pytest
 from hypothesis import given, settings
 
 from planes.plans.structure import KIND_NAMES, Structure, analyse
+from planes.plans.unsolvable import Joint, freedom, unsolvable
 from planes.scene import loads
+from planes.solving import solve
 from planes.words.errors import SceneError, StructureError
+from tests.diagrams.test_degenerate import chain
+from tests.helpers.counting import at_most
 from tests.helpers.mechanisms import KINDS, Case, make, mechanisms, to_yaml
 from tests.solving.test_failures import CROSS_SLIDE, FOUR_BAR, ROCKER, SLIDER
 
@@ -227,3 +235,106 @@ drive: {link: 1, phi: 0}
 """
     said = refusal(text)
     assert said.startswith("scene.yaml:5: ") and "links 2, 3 are held by 1 pair(s) too many" in said
+
+
+# what holds a mechanism up, and how much work it is to say so
+
+
+def ring(sides: int) -> str:
+    """A crank and one group of a ring of links, each on a leg: none of them can be solved without all the others."""
+    pivots = ", ".join(f"D{k}: [{k}, 1]" for k in range(1, sides))
+    rows = ["  1: {points: {A: 0, D0: 0.1}}\n"]
+    for k in range(sides):
+        rows.append(f"  T{k}: {{points: {{R{k}: 0, R{(k + 1) % sides}: 1, L{k}: [0.5, 0.5]}}}}\n")
+        rows.append(f"  P{k}: {{points: {{D{k}: 0, L{k}: 1}}}}\n")
+    text = f"planes: 1\nframe: {{points: {{A: [0, 0], {pivots}}}}}\nlinks:\n{''.join(rows)}"
+    return text + "drive: {link: 1, phi: 0}\n"
+
+
+def test_a_large_group_is_refused_with_work_as_links_squared() -> None:
+    counts = []
+    for sides in (10, 20, 40):
+        with at_most(3_000_000) as made:
+            said = refusal(ring(sides))
+        assert f"links {', '.join(f'T{k}, P{k}' for k in range(sides))} form an Assur group of class III" in said
+        counts.append(made[0])
+    assert counts[1] < 4.5 * counts[0] and counts[2] < 4.5 * counts[1]
+
+
+def test_of_two_groups_the_smaller_is_named() -> None:
+    large, small = ring(5), ring(3)
+    for name in ("T", "P", "D", "R", "L"):
+        small = re.sub(rf"\b{name}(\d)", rf"{name.lower()}\1", small)
+    links = small.partition("links:\n")[2].partition("drive")[0].partition("\n")[2]
+    pivots = small.partition("A: [0, 0], ")[2].partition("}")[0]
+    text = large.replace("A: [0, 0],", f"A: [0, 0], d0: [9, 9], {pivots},").replace("drive", links + "drive")
+    assert "links t0, p0, t1, p1, t2, p2 form an Assur group" in refusal(text)
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_links_named_as_over_constrained_or_as_one_group_are_so(seed: int) -> None:
+    rng = random.Random(seed)
+    links = [str(k) for k in range(rng.choice((4, 4, 6)))]
+    joints: list[Joint] = []
+    while 2 * sum(joint.pairs(links) for joint in joints) < 3 * len(links):
+        some = rng.sample(links, rng.choice((1, 2, 2, 2, 3)))
+        joint = Joint(tuple(some), len(some) == 1 or rng.random() < 0.2)
+        if 2 * sum(j.pairs(links) for j in (*joints, joint)) <= 3 * len(links):
+            joints.append(joint)
+    parts = [c for size in range(1, len(links) + 1) for c in combinations(links, size)]
+    least = min(freedom(part, joints) for part in parts)
+    named = unsolvable(links, joints)
+    assert (freedom(named, joints) < 0) == (least < 0)
+    if least == 0 and named:
+        closed = [part for part in parts if freedom(part, joints) == 0]
+        assert named in closed and not any(set(part) < set(named) and len(part) > 2 for part in closed)
+
+
+def star(dyads: int) -> str:
+    """A crank with so many dyads on its one hinge."""
+    pivots = ", ".join(f"D{k}: [0.3, {0.001 * k:.3f}]" for k in range(dyads))
+    rows = [
+        f"  c{k}: {{points: {{B: 0, C{k}: 0.3}}}}\n  d{k}: {{points: {{D{k}: 0, C{k}: 0.25}}}}\n" for k in range(dyads)
+    ]
+    sides = ", ".join(f"C{k}: left" for k in range(dyads))
+    return (
+        f"planes: 1\nframe: {{points: {{A: [0, 0], {pivots}}}}}\nlinks:\n  1: {{points: {{A: 0, B: 0.1}}}}\n"
+        f"{''.join(rows)}assembly: {{{sides}}}\ndrive: {{link: 1, phi: 60}}\n"
+    )
+
+
+def shuffled(text: str) -> str:
+    """The scene with its links in another order."""
+    before, rest = text.split("links:\n")
+    rows, after = rest.split("assembly")
+    lines = rows.splitlines(keepends=True)
+    random.Random(5).shuffle(lines)
+    return f"{before}links:\n{''.join(lines)}assembly{after}"
+
+
+@pytest.mark.parametrize("make", [chain, lambda n: chain(n, backwards=True), lambda n: shuffled(chain(n)), star])
+def test_structure_of_any_order_takes_work_as_links_squared_at_most(make: Callable[[int], str]) -> None:
+    counts = []
+    for dyads in (10, 25, 50, 100):  # 21, 51, 101, 201 links
+        mechanism = loads(make(dyads)).mechanism
+        assert mechanism
+        with at_most(120_000) as made:
+            assert len(analyse(mechanism).groups) == dyads
+        counts.append(made[0] / (2 * dyads + 1) ** 2)
+    assert max(counts) == counts[0]
+
+
+@pytest.mark.parametrize("kinds", [["RRR"], list(KINDS)])
+def test_all_plans_of_a_chain_take_work_and_memory_as_its_links(kinds: list[str]) -> None:
+    calls, sizes = [], []
+    for dyads in (10, 25):
+        case = make(random.Random(1), kinds * (dyads // len(kinds)), sliding=False)
+        scene = loads(to_yaml(case.scene))
+        tracemalloc.start()
+        assert solve(scene).positions
+        sizes.append(tracemalloc.get_traced_memory()[1])
+        tracemalloc.stop()
+        with at_most(1_000_000) as made:
+            assert solve(loads(to_yaml(case.scene))).positions
+        calls.append(made[0])
+    assert calls[1] < 3 * calls[0] and sizes[1] < 3 * sizes[0] and sizes[1] < 10e6

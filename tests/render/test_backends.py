@@ -6,6 +6,7 @@ import io
 import math
 import re
 import xml.etree.ElementTree as ET
+import zipfile
 from collections.abc import Callable
 from pathlib import Path
 
@@ -14,6 +15,10 @@ import pypdfium2
 import pytest
 from PIL import Image
 
+from planes.scene.files import keep
+from planes.solving.document import DocumentTable, Formula, Heading, Paragraph
+from planes.words.lettering import Naming
+from render import report
 from render.files import pdf, png, svg
 from render.paper import style
 from render.paper.ink import arrow_parts, flattened, hatch_strokes
@@ -60,7 +65,8 @@ def ink_box(marks: tuple[Mark, ...], dpi: float = 1016.0) -> tuple[float, float,
 
 @pytest.mark.parametrize("write", WRITERS)
 def test_the_same_bytes_twice_and_in_the_file(write: Callable[..., bytes], tmp_path: Path) -> None:
-    first = write(SHEET, SIZE, "План скоростей", tmp_path / "sheet")
+    first = write(SHEET, SIZE, "План скоростей")
+    keep(first, tmp_path / "sheet")
     assert first == write(SHEET, SIZE, "План скоростей")
     assert (tmp_path / "sheet").read_bytes() == first
     assert [path.name for path in tmp_path.iterdir()] == ["sheet"]
@@ -205,3 +211,17 @@ def test_hatching_and_arcs_stay_in_their_shapes() -> None:
     assert all(-1e-9 <= part <= 10 + 1e-9 for z in ends for part in (z.real, z.imag))
     assert len(ends) == 14
     assert all(abs(abs(z - 1j) - 50) < 1e-9 for z in flattened(Arc(1j, 50, 10, 200)))
+
+
+@pytest.mark.parametrize("suffix", report.SUFFIXES)
+def test_a_document_of_every_kind_of_block_is_written(suffix: str) -> None:
+    row = (("точка", "v, м/с"), ("B", "3,14"))
+    blocks = [Heading("Расчёт", 0), Heading("Глава"), Paragraph("Скорость ⟨v_B⟩:", "почему", 1), Formula("v_B=1", "2")]
+    data = report.rendered([*blocks, DocumentTable("Таблица 1", row)], suffix, Naming())
+    if suffix == ".pdf":
+        said = pdf_text(data)
+    elif suffix == ".docx":
+        said = zipfile.ZipFile(io.BytesIO(data)).read("word/document.xml").decode()
+    else:
+        said = data.decode()
+    assert [word for word in ("Расчёт", "Глава", "Скорость", "почему", "Таблица 1", "3,14") if word not in said] == []

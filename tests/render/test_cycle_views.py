@@ -9,8 +9,8 @@ import pytest
 from planes.diagrams.motion import constructed
 from planes.documents import sheet_of, view_of
 from planes.scene import load
+from planes.words.lettering import Naming
 from render.paper.marks import Arc, Line, Text
-from render.paper.names import Naming
 from render.paper.numbers import scale, unit, with_unit
 from render.paper.typeset import plain
 from render.views.graphical import Graphical, cropped, smooth
@@ -25,6 +25,7 @@ ASKED = {
 }
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ASKED)
 def test_asked_diagrams_and_hodographs_stand_on_sheet_1_without_an_overlap(name: str) -> None:
     scene = load(SAMPLES / f"{name}.yaml")

@@ -7,15 +7,15 @@ from dataclasses import replace
 
 import pytest
 
-from planes.documents import sheet_of
 from planes.scene import load
 from planes.solving import solve
+from planes.words.lettering import Naming
 from render.paper.marks import Arc, Arrow, Text
-from render.paper.names import Naming
 from render.views.detail import ENLARGED, SHORT_MM, details, letters
 from render.views.plotted import of_position
 from render.views.polygon import SAME_MM, Polygon
 from tests.helpers import ROOT
+from tests.helpers.sheets import sheet
 
 SAMPLES = {path.stem: path for path in sorted((ROOT / "samples").glob("*.yaml"))}
 
@@ -23,9 +23,10 @@ SAMPLES = {path.stem: path for path in sorted((ROOT / "samples").glob("*.yaml"))
 CROWDED = {"assignment-12": None, "kind-5-rpp": None, "crank-slider": None, "kind-3-rpr": 2, "kind-4-prp": 2}
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("name", "number"), list(CROWDED.items()))
 def test_every_short_vector_is_drawn_again_larger(name, number):
-    found = sheet_of(load(SAMPLES[name]), None, "ru", number)
+    found = sheet(name, number=number)
     titles = [m.text for m in found.marks if isinstance(m, Text) and re.fullmatch(r"\w \(\d+:1\)", m.text)]
     assert len({t[0] for t in titles}) == len(titles)
     said = [m.text for m in found.marks if isinstance(m, Text)]

@@ -6,15 +6,13 @@ import io
 import os
 import subprocess
 import sys
-from dataclasses import replace
-from functools import lru_cache
 
 import numpy as np
 import pytest
 from PIL import Image
 
 from planes.cli import main
-from planes.documents import draw_sheet, sheet_of
+from planes.documents import draw_sheet, rendered
 from planes.scene import load
 from render.files import png
 from render.paper import form1, lettering, symbols
@@ -25,17 +23,12 @@ from render.paper.style import HINGE_MM, LAYERS, pen
 from render.paper.typeset import layout
 from tests.helpers import ROOT
 from tests.helpers.counting import at_most
+from tests.helpers.sheets import sheet
 
 ezdxf = pytest.importorskip("ezdxf")
 dxf = pytest.importorskip("render.files.dxf")
 
 SAMPLES = {path.stem: path for path in sorted((ROOT / "samples").glob("*.yaml"))}
-
-
-@lru_cache(maxsize=8)
-def sheet(name, **settings):
-    scene = load(SAMPLES[name])
-    return sheet_of(replace(scene, sheet={**scene.sheet, **settings}), None)
 
 
 def read(sheet, **how):
@@ -49,6 +42,7 @@ def apart(document):
     return list(recursive_decompose(document.modelspace()))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ["six-link", "kind-1-rrr", "kind-4-prp", "vectors"])
 @pytest.mark.parametrize("text", ["text", "strokes"])
 def test_the_file_has_no_errors_and_is_in_millimetres(name, text):
@@ -121,17 +115,18 @@ def test_the_same_bytes_twice_and_a_file_by_its_suffix(tmp_path):
     assert (tmp_path / "a.dxf").read_bytes() == one
 
 
+@pytest.mark.slow
 def test_the_same_bytes_whatever_python_makes_its_sets_of():
+    """Of every format that is written from marks; this process has a seed of its own."""
     program = (
-        "import hashlib\nfrom planes.documents import sheet_of\nfrom planes.scene import load\n"
-        "from render.files import dxf\n"
-        f"found = sheet_of(load({str(SAMPLES['kind-1-rrr'])!r}), None)\n"
-        "print(hashlib.sha256(dxf.write(found.marks, found.size, found.title)).hexdigest())\n"
+        "import sys\nfrom planes.documents import rendered\nfrom tests.helpers.sheets import sheet\n"
+        "found = sheet('kind-1-rrr')\nfor suffix in ('.dxf', '.svg', '.pdf'):\n"
+        "    sys.stdout.buffer.write(rendered(found, suffix, 'ru'))\n"
     )
     run = [sys.executable, "-c", program]
-    seeds = ({**os.environ, "PYTHONHASHSEED": str(seed)} for seed in range(4))
+    seeds = ({**os.environ, "PYTHONPATH": str(ROOT), "PYTHONHASHSEED": seed} for seed in "12")
     told = {subprocess.run(run, env=e, capture_output=True, check=True).stdout for e in seeds}
-    assert len(told) == 1
+    assert told == {b"".join(rendered(sheet("kind-1-rrr"), suffix, "ru") for suffix in (".dxf", ".svg", ".pdf"))}
 
 
 # blocks
@@ -190,6 +185,7 @@ def test_strokes_instead_of_texts_have_the_width_of_their_pen():
     assert [e.dxf.lineweight for e in near] == [50]  # a tenth of 5 mm
 
 
+@pytest.mark.slow
 def test_slanted_lettering_is_oblique():
     document = read(sheet("kind-1-rrr", lettering="slanted"))
     assert document.styles.get("GOST slanted").dxf.oblique == 15
@@ -198,6 +194,7 @@ def test_slanted_lettering_is_oblique():
     assert pytest.approx(np.tan(np.radians(15))) == lettering.SLANT
 
 
+@pytest.mark.slow
 def test_a_font_gives_its_own_style():
     document = read(sheet("kind-1-rrr", font="DejaVu Sans"))
     style = document.styles.get("DejaVu Sans")
@@ -206,6 +203,7 @@ def test_a_font_gives_its_own_style():
     assert {e.dxf.style for e in document.modelspace().query("TEXT")} == {"DejaVu Sans"}
 
 
+@pytest.mark.slow
 def test_the_command_takes_strokes(tmp_path):
     path = tmp_path / "a.dxf"
     assert main(["sheet", str(SAMPLES["kind-1-rrr"]), "--text", "strokes", "-o", str(path)]) == 0
@@ -244,7 +242,7 @@ def inked(data):
         return np.asarray(image.convert("L")) < 215
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "settings"),
     [("kind-1-rrr", {}), ("kind-2-rrp", {"lettering": "slanted"}), ("vectors", {"font": "DejaVu Serif"})],
@@ -268,7 +266,7 @@ def test_the_drawing_looks_as_the_sheet(name, settings):
 # cost
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", ["svg", "dxf"])
 def test_a_full_a1_sheet_is_drawn_within_so_many_calls(suffix, tmp_path):
     text = SAMPLES["six-link"].read_text(encoding="utf-8")

@@ -14,25 +14,24 @@ import pypdfium2
 import pytest
 from pypdfium2 import raw
 
-from planes.documents import sheet_of
-from planes.scene import load
 from render.files import dxf, pdf, svg
 from render.paper.cutting import uncovered
 from render.paper.ink import arrow_parts, is_circle
 from render.paper.marks import Arc, Arrow, Line, Shape, Text, moved
 from render.paper.typeset import layout
 from tests.helpers.listings import GOLDEN, difference, listing
-from tests.render.test_dxf import SAMPLES, sheet
+from tests.helpers.sheets import sheet
 
 KEPT = {"six-link-1": ("six-link", 1), "six-link-2": ("six-link", 2), "kind-5-rpp": ("kind-5-rpp", None)}
 NEAR_MM = 0.05
 MM = 25.4 / 72
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", list(KEPT))
 def test_the_marks_are_the_kept_ones(name):
     scene, number = KEPT[name]
-    found = listing(sheet_of(load(SAMPLES[scene]), None, "ru", number))
+    found = listing(sheet(scene, number=number))
     path = GOLDEN / f"{name}.txt"
     if os.environ.get("GOLDEN") == "write":
         path.write_text(found, encoding="utf-8")

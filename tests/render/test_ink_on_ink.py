@@ -118,6 +118,21 @@ def test_no_ink_on_ink_unsaid_on_random_mechanisms(seed: int) -> None:
     assert drawn
 
 
+@pytest.mark.few(1)
+@pytest.mark.parametrize("seed", range(100, 120))
+def test_no_ink_on_ink_unsaid_on_crowded_sheets(seed: int) -> None:
+    """Three groups, seven links, all loads: the labels that find no place are named."""
+    rng = random.Random(seed)
+    scene = replace(loads(to_yaml(make(rng, rng.choices(KINDS, k=3), friction=seed % 3 == 0).scene)), find=None)
+    for number in (1, 2):
+        try:
+            drawn = sheet_of(scene, None, "ru", number)
+        except PlanesError as error:
+            assert "φ = " in str(error) or "s = " in str(error)
+            continue
+        assert unsaid(drawn) == []
+
+
 def test_the_reader_sees_ink_on_ink() -> None:
     page = view_of(load(HERE / "kind-1-rrr.yaml"), "velocity-plan", None, "ru")
     text = next(m for m in page.marks if getattr(m, "text", "") == "c")

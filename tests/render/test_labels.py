@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import cmath
 import random
+from dataclasses import replace
 
 import pytest
 
-from render.labels import Label, place
+import render.labels as labels_room
+from render.labels import Label, board, place
+from render.labels.candidates import Candidates, met
 from render.labels.footprints import conflicts
-from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
+from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text, moved
 from render.paper.typeset import layout
 
 FIELD = (0.0, 0.0, 420.0, 297.0)
@@ -36,6 +39,7 @@ def distance(text: Text, point: complex) -> float:
     return abs(complex(dx, dy))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", range(3))
 def test_a_crowded_sheet_has_no_conflict(seed: int) -> None:
     labels, marks = scene(60, 90, seed)
@@ -81,6 +85,36 @@ def test_a_label_boxed_in_gets_a_leader() -> None:
 def test_labels_of_one_point_do_not_read_as_one() -> None:
     placed = place([Label("b", 50 + 50j), Label("c", 50 + 50j), Label("p", 50 + 50j)], [])
     assert conflicts(placed.texts) == ()
+
+
+@pytest.mark.parametrize("count", [40, 160])
+def test_the_work_grows_with_the_labels_and_not_with_their_square(count: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Labels in four heaps as crowded as one: every place is held against its own heap alone."""
+    compared = 0
+
+    def counted(some: Candidates, others: Candidates) -> object:
+        nonlocal compared
+        compared += len(some.wish) * len(others.wish)
+        return met(some, others)
+
+    monkeypatch.setattr(board, "met", counted)
+    labels, marks = scene(40, 60, 3)
+    heaps = [600 * k for k in range(count // 40)]
+    shifted = [
+        replace(x, at=x.at + by if isinstance(x.at, complex) else (x.at[0] + by, x.at[1] + by))
+        for by in heaps
+        for x in labels
+    ]
+    place(shifted, [moved(m, by) for by in heaps for m in marks])
+    assert compared < 6_000 * count
+
+
+def test_labels_that_cannot_all_stand_are_given_up_after_so_many_moves(monkeypatch: pytest.MonkeyPatch) -> None:
+    made = []
+    monkeypatch.setattr(labels_room, "Board", lambda *given: made.append(board.Board(*given)) or made[-1])
+    crowd = [Label(f"F_{{{k}}}", complex(k % 8, k // 8)) for k in range(64)]
+    place(crowd, [], (-10, -10, 20, 20))
+    assert made[0].moves < board.PATIENCE + 20 * len(crowd)
 
 
 def test_nothing_to_place() -> None:

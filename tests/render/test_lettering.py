@@ -9,7 +9,8 @@ from itertools import pairwise
 import pytest
 
 from render.paper import lettering
-from render.paper.lettering.signs import SAME, SHIFTED
+from render.paper.lettering import SAME, SHIFTED
+from render.paper.typeset import _bounds
 
 RUSSIAN = "АБВГДЕЁЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯ"
 BELARUSIAN = "АБВГДЕЁЖЗІЙКЛМНОПРСТУЎФХЦЧШЫЬЭЮЯ"
@@ -29,6 +30,12 @@ WORDS = [
 HEIGHTS = [1.8, 2.5, 3.5, 5.0, 7.0, 10.0, 40.0]
 
 
+def box(text: str, height: float, slant: bool = False) -> tuple[float, float, float, float]:
+    """Bounds of the ink in mm, half the pen width included."""
+    drawn = zip(lettering.pens(text, height), lettering.strokes(text, height, slant), strict=True)
+    return _bounds(tuple(drawn))
+
+
 @pytest.mark.parametrize("alphabet", [RUSSIAN, BELARUSIAN, UKRAINIAN, LATIN])
 def test_alphabets_are_complete(alphabet: str) -> None:
     assert lettering.missing(alphabet + alphabet.lower()) == ""
@@ -42,7 +49,7 @@ def test_signs_are_complete_and_unknown_ones_are_named() -> None:
 @pytest.mark.parametrize("char", EVERY)
 def test_a_character_has_ink_inside_its_box(char: str) -> None:
     lines = lettering.strokes(char, 10.0)
-    x0, y0, x1, y1 = lettering.box(char, 10.0)
+    x0, y0, x1, y1 = box(char, 10.0)
     assert lines and all(len(line) >= 2 for line in lines)
     assert x0 == pytest.approx(0, abs=1e-9)
     assert x1 == pytest.approx(lettering.width(char, 10.0), abs=1e-9)
@@ -57,11 +64,11 @@ def test_a_character_has_ink_inside_its_box(char: str) -> None:
 
 def test_letters_fill_the_rows_of_the_standard() -> None:
     for char in "АБВГЕЖЗИКЛМНОПРСТХЧШЭЮЯHNS0123456789":
-        assert lettering.box(char, 10.0)[1::2] == pytest.approx((0.0, 10.0))
+        assert box(char, 10.0)[1::2] == pytest.approx((0.0, 10.0))
     for char in "авгежзиклмнопстхчшэюяnsuxz":
-        assert lettering.box(char, 10.0)[1::2] == pytest.approx((0.0, 7.0))
+        assert box(char, 10.0)[1::2] == pytest.approx((0.0, 7.0))
     for char in "pqgyру":
-        assert lettering.box(char, 10.0)[1::2] == pytest.approx((-3.0, 7.0))
+        assert box(char, 10.0)[1::2] == pytest.approx((-3.0, 7.0))
 
 
 def test_only_the_stated_look_alikes_are_identical() -> None:
@@ -84,10 +91,10 @@ def test_combining_marks_equal_composed_letters(composed: str) -> None:
 @pytest.mark.parametrize("height", HEIGHTS)
 @pytest.mark.parametrize("text", WORDS)
 def test_width_is_the_ink_and_the_drawing_scales(text: str, height: float) -> None:
-    x0, y0, x1, y1 = lettering.box(text, height)
+    x0, y0, x1, y1 = box(text, height)
     assert (x0, x1) == pytest.approx((0.0, lettering.width(text, height)), abs=1e-9)
     assert lettering.width(text, height) == pytest.approx(height * lettering.width(text, 1.0))
-    reference = lettering.box(text, 1.0)
+    reference = box(text, 1.0)
     assert (y0, y1) == pytest.approx((height * reference[1], height * reference[3]), abs=1e-9)
 
 
@@ -117,7 +124,7 @@ def test_slant_is_a_shear_to_75_degrees(text: str) -> None:
     stem = lettering.strokes("I", 5.0, slant=True)[0]
     turn = stem[-1] - stem[0]
     assert math.degrees(math.atan2(turn.imag, turn.real)) == pytest.approx(75)
-    x0, y0, x1, y1 = lettering.box(text, 5.0, slant=True)
+    x0, y0, x1, y1 = box(text, 5.0, slant=True)
     for line, pen in zip(slanted, lettering.pens(text, 5.0), strict=True):
         for z in line:
             assert x0 + pen / 2 - 1e-9 <= z.real <= x1 - pen / 2 + 1e-9
@@ -140,7 +147,7 @@ def test_a_missing_character_is_an_open_box_and_nothing_is_no_ink() -> None:
     assert frame[0] == frame[-1] and len(set(frame)) == 4
     assert lettering.strokes(" ", 5.0) == lettering.strokes("", 5.0) == ()
     assert lettering.width("", 5.0) == 0.0
-    assert lettering.box("", 5.0) == (0.0, 0.0, 0.0, 0.0)
+    assert box("", 5.0) == (0.0, 0.0, 0.0, 0.0)
     assert lettering.missing("a\n\t b") == ""
 
 

@@ -13,9 +13,9 @@ from planes.lesson.data import lesson_data
 from planes.plans import plans_of
 from planes.plans.lettering import lettering
 from planes.scene import Scene, loads
+from planes.words.lettering import Naming
 from render.page.lesson_page import page
 from render.paper.letters import pieces
-from render.paper.names import Naming
 from tests.helpers import ROOT
 
 RRP = (ROOT / "samples" / "kind-2-rrp.yaml").read_text(encoding="utf-8").replace("frame:\n", "frame:\n  number: 6\n")

@@ -4,26 +4,25 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from functools import cache
 
 import numpy as np
 import pytest
 import shapely
 
 from planes.diagrams.turn import unwound
-from planes.documents import draw_sheet, sheet_of
+from planes.documents import draw_sheet
 from planes.documents.graphs import known
 from planes.scene import load
 from planes.solving import solve
 from planes.words.errors import PlanesError
+from planes.words.lettering import Naming
 from render.paper import lettering
 from render.paper.marks import Arrow, Line, Text
-from render.paper.names import Naming
 from render.paper.typeset import plain
 from render.views.diagrams import pieces
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
 from render.views.scheme import Scheme
-from tests.helpers import ROOT
+from tests.helpers import ROOT, sheets
 from tests.render.test_sheet import clashes
 
 SAMPLES = sorted((ROOT / "samples").glob("*.yaml"))
@@ -33,17 +32,15 @@ ALL.pop("vectors")
 NUMBERED = [(name, number) for name in SCENES for number in (1, 2)]
 
 
-@cache
 def sheet(name, number, value=None):
-    scene = replace(SCENES[name], sheet={**SCENES[name].sheet, "positions": 12.0})
-    return sheet_of(scene, None if value is None else [value], "ru", number)
+    return sheets.sheet(name, value=value, number=number, positions=12.0)
 
 
 def words(sheet):
     return {plain(m.text) for m in sheet.marks if isinstance(m, Text)}
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("name", "number"), NUMBERED)
 def test_nothing_overlaps_and_every_letter_is_known(name, number):
     found = sheet(name, number)
@@ -51,7 +48,7 @@ def test_nothing_overlaps_and_every_letter_is_known(name, number):
     assert lettering.missing("".join(words(found))) == ""
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "number"), NUMBERED)
 @pytest.mark.parametrize("value", [45.0, 200.0])
 def test_other_positions_do_not_overlap_either(name, number, value):
@@ -96,6 +93,7 @@ def test_twelve_positions_are_numbered_from_an_extreme_one():
     assert sum(isinstance(m, Line) and m.style == "dash" for m in sheet("kind-2-rrp", 1).marks) >= 2
 
 
+@pytest.mark.slow
 def test_the_title_block_numbers_the_sheets():
     for number in (1, 2):
         said = {m.name: m.text for m in sheet("six-link", number).marks if isinstance(m, Text)}

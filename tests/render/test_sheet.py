@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from functools import lru_cache
 
 import pytest
 import shapely
 
 from planes.cli import main
-from planes.documents import draw_sheet, sheet_of
+from planes.documents import draw_sheet, sheet_of, write
 from planes.scene import load, loads
 from planes.solving import solve
 from planes.words.errors import PlanesError
@@ -21,15 +20,10 @@ from render.paper.typeset import layout, plain
 from render.sheet.layout import GAP_MM, Field, pack
 from tests.helpers import ROOT
 from tests.helpers.scene_texts import SIX_LINK
+from tests.helpers.sheets import sheet
 
 SAMPLES = sorted((ROOT / "samples").glob("*.yaml"))
 NAMES = [path.stem for path in SAMPLES]
-
-
-@lru_cache(maxsize=64)
-def sheet(name, lang="ru", value=None):
-    path = next(p for p in SAMPLES if p.stem == name)
-    return sheet_of(load(path), None if value is None else [value], lang)
 
 
 def texts(sheet):
@@ -50,14 +44,14 @@ def clashes(sheet):
     return [c for c in found if " lies on 'line of text" not in c]
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("lang", ["ru", "en"])
 def test_nothing_overlaps_and_nothing_leaves_the_frame(name, lang):
     assert clashes(sheet(name, lang)) == []
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_bars_and_underlines_cross_no_letter(name):
     found = sheet(name)
@@ -115,6 +109,7 @@ def test_points_marks_forces_and_results_are_all_named(name):
     assert {"Исходные данные", "Реакции"} <= said
 
 
+@pytest.mark.slow
 def test_titles_name_the_plan_and_its_scale():
     said = words(sheet("six-link"))
     assert "План скоростей, μv = 30 мм/(м·с⁻¹)" in said
@@ -156,7 +151,7 @@ TURNING = [n for n in NAMES if n not in ("vectors", "sliding-driver")]
 POSITIONS = [(n, 30.0 * k) for n in TURNING for k in range(12) if not n.startswith("bntu") or k % 4 == 1]
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("name", "value"), POSITIONS)
 def test_twelve_positions_have_no_clashes(name, value):
     try:
@@ -167,11 +162,11 @@ def test_twelve_positions_have_no_clashes(name, value):
     assert clashes(found) == []
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["six-link", "kind-3-rpr", "vectors"])
 def test_the_same_bytes_twice(name):
     path = SAMPLES[NAMES.index(name)]
-    one, two = sheet_of(load(path), None), sheet_of(load(path), None)
+    one, two = sheet(name), sheet_of(load(path), None)
     assert svg.write(one.marks, one.size, one.title) == svg.write(two.marks, two.size, two.title)
     assert pdf.write(one.marks, one.size, one.title) == pdf.write(two.marks, two.size, two.title)
 
@@ -182,9 +177,9 @@ def test_three_formats_open(tmp_path):
     import pypdfium2
     from PIL import Image
 
-    scene = load(SAMPLES[NAMES.index("kind-2-rrp")])
-    for suffix in ("svg", "pdf", "png"):
-        draw_sheet(scene, None, str(tmp_path / f"sheet.{suffix}"))
+    draw_sheet(load(SAMPLES[NAMES.index("kind-2-rrp")]), None, str(tmp_path / "sheet.svg"))
+    for suffix in ("pdf", "png"):
+        write(sheet("kind-2-rrp"), tmp_path / f"sheet.{suffix}", "ru")
     root = ElementTree.parse(tmp_path / "sheet.svg").getroot()
     wide, high = sheet("kind-2-rrp").size
     assert (root.get("width"), root.get("height")) == (f"{wide:g}mm", f"{high:g}mm")

@@ -3,34 +3,33 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
 
 import pytest
 
+from planes import solving
 from planes.cli import main
 from planes.diagrams.driven import driven
 from planes.diagrams.turn import span_of
 from planes.documents import sheet_of
+from planes.documents import sheets as drawing_sheets
 from planes.documents.turning import turned_once
 from planes.scene import load, loads
 from planes.solving import plans_of, solve
+from planes.words.lettering import Naming
 from render.paper.marks import Arrow, Line, Text
-from render.paper.names import Naming
 from render.paper.typeset import plain
 from render.sheet.composer import Composer
-from render.sheet.sizes import Sizes, grown
+from render.sheet.sizes import Sizes, grown, relieved
 from render.views.diagrams import DiagramCurve, cut_off
 from render.views.given import GivenTable
-from tests.helpers import ROOT
+from tests.helpers import ROOT, sheets
 
 SAMPLES = ROOT / "samples"
 SLIDING, RPR, RRP = (load(SAMPLES / f"{name}.yaml") for name in ("sliding-driver", "kind-3-rpr", "kind-2-rrp"))
 
 
-@cache
 def sheet(name, number):
-    scene = load(SAMPLES / f"{name}.yaml")
-    return sheet_of(replace(scene, sheet={**scene.sheet, "positions": 12.0}), None, "ru", number)
+    return sheets.sheet(name, number=number, positions=12.0)
 
 
 def words(sheet):
@@ -82,6 +81,7 @@ def test_both_extreme_positions_are_marked():
         assert max(abs(z - ends[0]) for z in path) <= abs(ends[1] - ends[0]) * (1 + 1e-9), end
 
 
+@pytest.mark.slow
 def test_a_sliding_driver_has_its_stroke():
     span = span_of(plans_of(SLIDING)[0])
     assert span.start < 0.15 < span.end and not span.whole
@@ -94,6 +94,7 @@ def test_a_sliding_driver_has_its_stroke():
     assert sum(isinstance(m, Line) and m.layer == "construction" and m.style == "thin" for m in scheme.marks) >= 4
 
 
+@pytest.mark.slow
 def test_the_range_of_a_rocking_driver_ends_where_it_stops():
     span = span_of(plans_of(load(SAMPLES / "six-link.yaml"))[0])
     assert (span.start, span.end) == pytest.approx((129.5, 305.8), abs=0.1)
@@ -135,6 +136,33 @@ def test_the_smallest_plan_grows_first_and_none_beyond_the_limit():
     assert grown(Sizes(), extents, 100.0, lambda _: False) == Sizes()
 
 
+def test_a_crowded_plan_grows_until_its_labels_have_room_or_the_sheet_has_none():
+    def extents(sizes):
+        return {name: 40.0 * sizes.of(name) for name in ("velocity", "force:1")}
+
+    def crowded(sizes):
+        return {"velocity", "scheme"} if extents(sizes)["velocity"] < 70 else set()
+
+    found = relieved(Sizes(), extents, crowded, lambda _: True)
+    assert 70 <= extents(found)["velocity"] < 80 and extents(found)["force:1"] == 40
+    small = relieved(Sizes(), extents, crowded, lambda sizes: sizes.of("velocity") < 1.5)
+    assert dict(small.more) == {"velocity": 1.25}
+
+
+def test_a_sheet_draws_its_position_once_at_each_scale(monkeypatch):
+    drawn = []
+
+    def counted(*given):
+        drawn.append(solving.position(*given))
+        return drawn[-1]
+
+    monkeypatch.setattr(drawing_sheets, "position", counted)
+    sheet_of(load(SAMPLES / "six-link.yaml"), None, "ru", 2)
+    scales = [tuple(p.scales.items()) for p in drawn]
+    assert len(scales) == len(set(scales)) < 15
+
+
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("name", "number"), [("kind-3-rpr", 1), ("kind-3-rpr", 2), ("assignments/12", 1)])
 def test_the_field_is_well_filled(name, number):
     from tests.sheets_run import empty, full

@@ -8,22 +8,7 @@ import pytest
 
 from render.paper.cutting import cut, uncovered
 from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
-from render.paper.symbols import (
-    bar,
-    base,
-    block,
-    dot,
-    fixed_hinge,
-    force,
-    frame_guide,
-    hatching,
-    hinge,
-    plate,
-    rod,
-    tick,
-    turn_arrow,
-    unit,
-)
+from render.paper.symbols import bar, base, block, dot, fixed_hinge, hatching, hinge, plate, rail, turn_arrow, unit
 
 
 def lines(marks: tuple[Mark, ...]) -> list[Line]:
@@ -61,20 +46,16 @@ def test_a_slider_lies_along_its_guide() -> None:
     assert isinstance(outline, Line) and outline.closed
     local = [(z - 10) / unit(30) for z in outline.points]
     assert {(round(z.real, 9), round(z.imag, 9)) for z in local} == {(-6, -3), (6, -3), (6, 3), (-6, 3)}
-    assert isinstance(block(0j, hinged=True)[-1], Arc)
 
 
-@pytest.mark.parametrize("kind, rails", [("line", [0]), ("rail", [-3]), ("rails", [-3, 3])])
-def test_guides_of_the_frame(kind: str, rails: list[float]) -> None:
-    marks = frame_guide(0j, 40, 20, 30, kind, across=6)  # type: ignore[arg-type]
-    found = [mark for mark in lines(marks) if mark.style == "thick"]
-    assert [(mark.points[0] / unit(40)).imag for mark in found] == pytest.approx(rails)
-    for mark in found:
-        assert [(z / unit(40)).real for z in mark.points] == pytest.approx([-20, 30])
+@pytest.mark.parametrize("side", [-1, 1])
+def test_guides_of_the_frame(side: int) -> None:
+    marks = rail(0j, 40, 25, side, across=6)
+    (along,) = [mark for mark in lines(marks) if mark.style == "thick"]
+    assert [z / unit(40) for z in along.points] == pytest.approx([-25 + 3j * side, 25 + 3j * side])
     strokes = [mark for mark in lines(marks) if mark.layer == "hatch"]
     assert len(strokes) >= 8
-    if kind == "rails":
-        assert all(abs((z / unit(40)).imag) >= 3 - 1e-9 for stroke in strokes for z in stroke.points)
+    assert all((z / unit(40)).imag * side >= 3 - 1e-9 for stroke in strokes for z in stroke.points)
 
 
 @pytest.mark.parametrize("sweep", [130, -200])
@@ -90,14 +71,9 @@ def test_a_turn_arrow_points_the_way_it_turns(sweep: float) -> None:
 
 def test_small_signs() -> None:
     assert bar(0j, 1j) == (Line((0j, 1j)),)
-    (through,) = lines(rod(0j, 0, 5, 7))
-    assert through.points == (-5, 7)
     hatch, outline = plate((0j, 10 + 0j, 5j))
     assert isinstance(hatch, Hatch) and isinstance(outline, Line) and outline.closed
     assert dot(0j)[0].fill == "ink"  # type: ignore[union-attr]
-    assert tick(0j, 0, 2)[0].points == (-1j, 1j)  # type: ignore[union-attr]
-    assert force(1j, 0, 5, clear=1) == (Arrow(1 + 1j, 5 + 1j, "thick", "force"),)
-    assert force(1j, 0, 5, at_tip=True, clear=1) == (Arrow(-5 + 1j, -1 + 1j, "thick", "force"),)
     assert len(base(0j)) > 4
 
 
@@ -138,13 +114,7 @@ def test_arrows_and_hatching_are_cut() -> None:
 
 
 def test_what_lies_under_paper_is_gone() -> None:
-    marks: tuple[Mark, ...] = (
-        *frame_guide(0j, 0, 20, 20, "line"),
-        *block(0j),
-        *bar(0j, 30j),
-        *hinge(0j),
-        Text("C", 5j),
-    )
+    marks: tuple[Mark, ...] = (*bar(-20 + 0j, 20 + 0j), *block(0j), *bar(0j, 30j), *hinge(0j), Text("C", 5j))
     seen = uncovered(marks)
     assert not [mark for mark in seen if getattr(mark, "fill", "") == "paper"]
     thick = [mark for mark in lines(seen) if mark.style == "thick" and not mark.closed]

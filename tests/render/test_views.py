@@ -2,22 +2,35 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from planes.cli import main
 from planes.documents import picture, view_of
 from planes.drafting.instruments import Pencil
-from planes.scene import load
+from planes.scene import load, loads
 from planes.solving import solve
 from planes.words.errors import PlanesError
-from render.labels.footprints import conflicts
+from render.labels.footprints import bounds, conflicts
 from render.paper.marks import Line, Text
 from render.sheet.single import MARGIN_MM
 from render.sheet.traces import traced
-from render.views import bounds
 from tests.helpers import ROOT
 
 SAMPLES = {path.stem: path for path in sorted((ROOT / "samples").glob("*.yaml"))}
+
+
+def test_a_line_of_action_far_from_its_links_is_drawn_behind_a_break_with_its_arm():
+    text = SAMPLES["kind-2-rrp"].read_text(encoding="utf-8")
+    couple = text.replace("gravity: 9.81", "  - {link: 3, moment: 250}\ngravity: 9.81")
+    usual, far = (view_of(replace(loads(t), find=None), "links-2-3", [15], "ru") for t in (text, couple))
+    assert max(far.size) < 1.6 * max(usual.size)
+    said = [m.text for m in far.marks if isinstance(m, Text) and m.name == "arm"]
+    arm = solve(replace(loads(couple), find=None), [15.0]).positions[0].results["reactions"]["F_30"]["arm"]
+    assert abs(arm) > 1 and said == [f"{abs(arm):.4g} м".replace(".", ",")]
+    (zigzag,) = (m for m in far.marks if isinstance(m, Line) and m.layer == "axis" and len(m.points) == 4)
+    assert zigzag.style == "thin"
 
 
 def names(scene):
@@ -26,6 +39,7 @@ def names(scene):
     return str(refused.value).partition("it has ")[2].split(", ")
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", list(SAMPLES))
 def test_every_view_is_cut_to_its_ink(name):
     scene = load(SAMPLES[name])

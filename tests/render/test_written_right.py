@@ -20,10 +20,10 @@ from planes.lesson.data import lesson_data
 from planes.scene import Scene, load, loads
 from planes.solving import Position, solve
 from planes.words.errors import PlanesError
+from planes.words.lettering import Naming
 from render.labels.footprints import ink, letters, overprinted
 from render.paper.letters import pieces
 from render.paper.marks import Line, Text
-from render.paper.names import Naming
 from render.paper.typeset import plain
 from render.views.loading import Arms
 from render.views.tables import TableGrid
@@ -125,12 +125,14 @@ def test_the_format_a_refusal_advises_does_hold_the_sheet(paper: str, number: in
     assert sheet_of(replace(scene, sheet={"format": advised[1]}), None, "en", number).paper.name == advised[1]
 
 
+@pytest.mark.slow
 def test_a_refusal_blames_one_view_only_where_it_does_not_fit_alone() -> None:
     scene = replace(scene_of("kind-1-rrr"), sheet={"format": "A4"})
     with pytest.raises(PlanesError, match=r"the \d+ views do not fit together"):
         sheet_of(scene, None, "en", 2)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("view", "numbers"), [("positions", "9, 10, 11, 9′"), ("velocity-plan", "")])
 def test_positions_that_are_left_out_are_told(view: str, numbers: str, tmp_path: Path, capsys: Any) -> None:
     arguments = ["--view", view, "--lang", "en", "-o", str(tmp_path / "x.svg")]

@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from planes.scene.expressions import evaluate, is_name, names_in, resolve
+from planes.scene.expressions import evaluate, is_name, names_in
+from planes.scene.parameters import resolve
 from planes.words.errors import ExpressionError
 from tests.helpers.counting import at_most
 

@@ -177,6 +177,7 @@ HOSTILE += [
 ]
 
 
+@pytest.mark.few(8)
 @pytest.mark.parametrize("number", range(len(HOSTILE)))
 def test_hostile_files_take_a_bounded_time(number):
     with at_most(20_000_000):

@@ -184,6 +184,7 @@ def test_groups_are_those_of_the_reconstruction() -> None:
         assert [set(g.links) for g in s.groups] == pairs and (len(pairs) == 2 or n == 28)
 
 
+@pytest.mark.slow
 def test_branches_are_those_of_the_reconstruction() -> None:
     """The stated sides, and the block within its stated range on its line, in all variants."""
     for path in FILES:

@@ -52,6 +52,7 @@ def checked(found: tuple[str, Callable[[float], bool], list[float]], value: floa
     return "found"
 
 
+@pytest.mark.slow
 def test_the_nearest_is_nearest_and_works_by_the_closed_form() -> None:
     rng, said = random.Random(3), []
     while len(said) < 120:

@@ -65,6 +65,7 @@ def test_beyond_a_limit_of_assembly_nothing_is_made_up() -> None:
     assert len(solved.failed) == 1 and not solved.positions
 
 
+@pytest.mark.slow
 def test_commands_say_what_was_done(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     scene = tmp_path / "p.yaml"
     scene.write_text(PARALLELOGRAM, encoding="utf-8")

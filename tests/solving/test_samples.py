@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from functools import cache
 from typing import Any
 
@@ -14,6 +15,7 @@ from planes.scene import Scene, load
 from planes.solving import Position, Solved, solve
 from planes.solving.vectors import solve_vectors
 from planes.words.names import at
+from tests.helpers import ROOT
 from tests.helpers.oracle import Solution, follow
 from tests.helpers.oracle import solve as oracle_solve
 from tests.sample_oracle import (
@@ -197,6 +199,7 @@ def test_against_the_stored_results(name: str) -> None:
     compare(found, want)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", SKETCHES)
 def test_twelve_positions_of_a_turn(name: str) -> None:
     """A full turn by continuation; of the others every position that assembles, from the pose as drawn."""
@@ -228,6 +231,7 @@ def bluntest(found: dict[str, Any]) -> float:
     return float(min([1.0, *(s for plan in found["plans"].values() for s in plan["sharpness"].values() if s > 0)]))
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("variant", "АБВГДЕ")
 def test_variants_of_assignment_12(variant: str) -> None:
     chosen = scene("assignment-12", variant)
@@ -296,3 +300,12 @@ def test_both_links_of_the_five_groups_are_loaded() -> None:
         assert all(link.mass for link in mechanism.links.values())
     rubbing = [name for name in UNPUBLISHED if (m := scene(name).mechanism) and m.friction]
     assert rubbing == ["kind-2-rrp"]
+
+
+def test_guides_of_samples_are_lettered_so_that_a_sheet_of_either_language_can_have_them() -> None:
+    for path in (ROOT / "samples").rglob("*.yaml"):
+        if "\ndrive" in (text := path.read_text(encoding="utf-8")) and "planes: 1" in text:
+            mechanism = load(path).mechanism
+            assert mechanism
+            names = {g for link in (mechanism.frame, *mechanism.links.values()) for g in link.guides}
+            assert not [name for name in names if re.search("[a-z]{2}", name)], path

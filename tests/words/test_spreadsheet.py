@@ -48,6 +48,7 @@ def test_a_table_is_read_back() -> None:
     assert rows == [PLAIN, [f"'{text}" for text in FORMULAS]]
 
 
+@pytest.mark.slow
 def test_names_that_students_choose_are_no_formulas(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """File names in the table of a class, names and groups in the summary of a course."""
     names = ["=cmd|'C calc'!A0", '=HYPERLINK("x")', "@SUM(1)", "+1", "-2+3"]

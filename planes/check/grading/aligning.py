@@ -6,16 +6,16 @@ from collections.abc import Mapping
 
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.polygons import Rebuilt, rebuild
-from planes.check.grading.prepared_plan import PreparedPlan, marks_of
+from planes.check.grading.prepared_plan import PreparedPlan, mark_names
 from planes.words import Phrase
 from planes.words.errors import PlanesError
-from planes.words.names import POLE, kind_of, label_of, mu_of
+from planes.words.names import POLE, kind_of, mu_of
 from planes.words.spelling import Names
 
 
 def align(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[dict[str, ReadMark], Rebuilt | None, list[str]]:
     """The paper's marks by label, from the pole; the rebuilt polygon of a force plan; names that are no marks."""
-    names = Names(label_of(m) for m in marks_of(bench.plans, plan))
+    names = mark_names(bench.plans, plan)
     pole = next((s for s in paper.spots if names.find(s.name) == POLE), None)
     if kind_of(plan) == "force":
         if pole is None:
@@ -25,7 +25,7 @@ def align(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[dict[str, R
     found: dict[str, ReadMark] = {}
     unknown = []
     for spot in paper.spots:
-        name = names.find(spot.name) or names.find(_bare(bench, spot.name))
+        name = names.find(spot.name)
         if name is None and not _fixed(bench, spot.name):
             unknown.append(spot.name)
         elif name and name != POLE:
@@ -33,18 +33,6 @@ def align(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[dict[str, R
     origin = pole.place if pole else _origin(bench, plan, found)
     moved = {n: ReadMark(n, s.place - origin, s.error_mm) for n, s in found.items()}
     return moved, None, unknown
-
-
-def _bare(bench: PreparedPlan, name: str) -> str:
-    """n_AO as the plan has it, n_A, where O is a fixed point."""
-    return next(
-        (
-            name.removesuffix(p)
-            for p in bench.plans.mechanism.frame.points
-            if name.startswith("n_") and name.endswith(p) and len(name) > len(p) + 2
-        ),
-        name,
-    )
 
 
 def _fixed(bench: PreparedPlan, name: str) -> bool:

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from planes.check.grading.handwork import Hand
 from planes.drafting.steps import LayOff
 from planes.drafting.steps.reckoning import Calculate, Measure
+from planes.geometry.arithmetic import Real
 from planes.plans import Plans
-from planes.words.names import mu_of
+from planes.words.names import letter_of, mu_of
 
 SHARE = 0.03  # a number within 3 % is right, however steady the hand
-Things = Mapping[str, Any]
+Things = Mapping[str, Real]
 
 
 @dataclass(frozen=True)
@@ -22,7 +22,7 @@ class WrittenNumber:
 
     name: str
     given: float
-    read: Callable[[Things], Any]
+    read: Callable[[Things], Real]
     signed: bool = False
     plan: str = ""
     value: str = ""  # the program's name of it, if it has one
@@ -66,13 +66,13 @@ def _slips(f: WrittenNumber, true: float, free: Hand, plans: Plans) -> Iterable[
         yield "mm_for_value", true * mu
         yield "mu_inverted", true * mu * mu
         yield "mu_inverted", true / (mu * mu)
-    if f.value.startswith(("omega", "epsilon")):
+    if letter_of(f.value) in ("omega", "epsilon"):
         scheme = float(free.number(mu_of("position"))) if mu_of("position") in free.things else 0.0
         for factor in (1 / scheme if scheme else 0.0, mu / scheme if scheme else 0.0, 1e-3):
             yield "omega_without_mu_l", true * factor
         if mu:
             yield "mu_inverted", true * mu * mu
-    if f.value.startswith("epsilon"):
+    if letter_of(f.value) == "epsilon":
         yield "epsilon_from_total", _from_total(f.value, free, plans)
 
 
@@ -86,21 +86,15 @@ def _from_total(name: str, free: Hand, plans: Plans) -> float:
         part = steps.get(value)
         if power == 1 and isinstance(part, Measure) and part.start in steps and part.mu in free.things:
             normal, scale = steps[part.start], abs(first_of(free.things[part.mu]))
-            whole = (
-                abs(_first_point(free, part.end) - _first_point(free, normal.start)) / scale
-                if isinstance(normal, LayOff)
-                else 0.0
-            )
+            if not isinstance(normal, LayOff):
+                return 0.0
+            whole = abs(free.number(part.end) - free.number(normal.start)) / scale
             tangential = abs(first_of(free.things[value]))
-            return abs(first_of(free.things[name])) * whole / tangential if tangential else 0.0
+            return float(abs(first_of(free.things[name])) * whole / tangential) if tangential else 0.0
     return 0.0
 
 
-def _first_point(free: Hand, mark: str) -> complex:
-    return complex(free.number(mark))
-
-
-def first_of(value: Any) -> float:
+def first_of(value: Real) -> float:
     """A value without the columns of its errors."""
     shape = getattr(value, "shape", None)
     return float(value[0] if shape else value)

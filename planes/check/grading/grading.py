@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from planes.check.grading.aligning import align
 from planes.check.grading.evidence import SURE, by_chance, nothing_drawn, size_of
@@ -19,7 +20,7 @@ from planes.drafting.steps import Cross, CrossArc, CrossArcs, LayOff, Same, Step
 from planes.plans import Plans
 from planes.plans.scales import extent
 from planes.words import Phrase, Written
-from planes.words.names import at, kind_of, label_of, mu_of, plan_of
+from planes.words.names import at, kind_of, label_of, letter_of, mu_of, plan_of
 
 OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
 LONG_MM = 3.0  # a shorter vector shows no scale
@@ -63,34 +64,43 @@ class Grading:
         """A known force that is not in the polygon and that nothing read was drawn from."""
         if self.rebuilt is None or self.judgement.wrong:
             return None
-        used = self._used()
+        used = set[str]().union(*(self._roots[m] for m in self.judgement.misses))
+        steps = {s.makes: s for s in self.hand.program.steps}
         for mark in self.marks:
-            step = next(s for s in self.hand.program.steps if s.makes == mark)
-            sure = label_of(mark) in self.rebuilt.absent or _long(self, step)  # what is short may be there, unseen
-            if isinstance(step, LayOff) and mark not in used and sure:
-                miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
-                if miss.sigmas > self.judgement.limit:
-                    return label_of(mark)
+            step = steps[mark]
+            if not isinstance(step, LayOff) or not _long(self, step):
+                continue  # what is short may be there, unseen
+            miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
+            if label_of(mark) in self.rebuilt.absent or (mark not in used and miss.sigmas > self.judgement.limit):
+                return label_of(mark)
         return None
+
+    @property
+    def left_out_mistake(self) -> str:
+        """What it is called to leave that force out."""
+        return "weight_missing" if letter_of(self.left_out or "") == "G" else "force_missing"
 
     @property
     def unseen(self) -> list[str]:
         """Marks that were not read and that nothing read was drawn from: wherever they are, nobody has looked."""
-        used, steps = self._used(), {s.makes: s for s in self.hand.program.steps}
-        absent = self.rebuilt.absent if self.rebuilt else ()
-        return [
-            label_of(m)
-            for m in self.marks
-            if m not in used and not isinstance(steps[m], Same) and label_of(m) not in absent
-        ]
+        return [label_of(m) for m, by in self.shown_by.items() if self.judgement.misses.keys().isdisjoint(by)]
 
-    def _used(self) -> set[str]:
-        """Marks that were read, and those they were drawn from."""
-        used = set(self.judgement.misses)
-        for step in reversed(self.hand.program.steps):
-            if step.makes in used:
-                used.update(n for n, kind in step.reads() if kind == "mark" and n not in self.judgement.misses)
-        return used
+    @property
+    def shown_by(self) -> dict[str, list[str]]:
+        """By mark what shows where it is: it and the marks drawn from it. What stands on another one needs no look."""
+        steps = {s.makes: s for s in self.hand.program.steps}
+        there = [m for m in self.marks if not isinstance(steps[m], Same)]
+        absent = self.rebuilt.absent if self.rebuilt else ()
+        return {m: [k for k in self.marks if m in self._roots[k]] for m in there if label_of(m) not in absent}
+
+    @cached_property
+    def _roots(self) -> dict[str, set[str]]:
+        """Every thing drawn with the marks it was drawn from, itself among them."""
+        found: dict[str, set[str]] = {}
+        for step in self.hand.program.steps:
+            marks = (n for n, kind in step.reads() if kind == "mark")
+            found[step.makes] = {step.makes}.union(*(found[n] for n in marks))
+        return found
 
     @property
     def strays(self) -> str | None:
@@ -123,7 +133,7 @@ def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
     for mu, share in own_scales(bench, taken):
         found = _grade_at(bench, mu, share, taken, rebuilt.absent if rebuilt else set())
         said = mu == bench.said_mu
-        score = _worth(found) + (0.0 if said else OWN_SCALE)
+        score = found.judgement.score + (0.0 if said else OWN_SCALE)
         found.said_mu = said
         if best is None or score > best[0] + 1e-9:
             best = score, found
@@ -153,11 +163,6 @@ def _rescaled(found: Grading) -> bool:
 def _long(found: Grading, step: Step) -> bool:
     """Whether a vector is long enough to be told from none, or to show another scale."""
     return isinstance(step, LayOff) and bool(abs(found.truth[step.makes] - found.truth[step.start]) > LONG_MM)
-
-
-def _worth(found: Grading) -> float:
-    """How much a grading is to be believed: how likely the drawing is, with the mistake named or without any."""
-    return found.judgement.score
 
 
 def _earlier(bench: PreparedPlan) -> dict[str, Taken]:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 from planes.check.grading.perturbing import Columns, Nudged, Skill
 from planes.drafting.drawing import draw_steps
@@ -17,6 +16,7 @@ from planes.drafting.program import Program
 from planes.drafting.steps import Aim, Same, Step, Turn
 from planes.drafting.steps.reckoning import Measure
 from planes.drafting.tools import Env, Tool
+from planes.geometry.arithmetic import Point, Truth
 from planes.words import Written
 from planes.words.names import POLE, label_of, plan_of
 
@@ -37,7 +37,7 @@ class Miss:
 
     off: complex
     cov: tuple[float, float, float]  # xx, xy, yy
-    change: Any = field(default=None, compare=False, repr=False)  # what each error of the drawing adds to it
+    change: Point = field(default=None, compare=False, repr=False)  # what each error of the drawing adds to it
 
     @property
     def sigmas(self) -> float:
@@ -81,17 +81,17 @@ class Variant:
     mistake: str
     blames: str
     swaps: Mapping[str, tuple[Step, ...]] = field(default_factory=dict)
-    givens: Mapping[str, Any] = field(default_factory=dict)
+    givens: Mapping[str, Point] = field(default_factory=dict)
     weight: float = 1.0
     about: Mapping[str, str | Written] = field(default_factory=dict)  # names for the sentence
 
-    def drawn(self, program: Program, things: Mapping[str, Any], tool: Tool, fixed: Container[str]) -> dict[str, Any]:
+    def drawn(self, program: Program, things: Env, tool: Tool, fixed: Container[str]) -> Env:
         """What the steps it touches make of things drawn without it; marks that are ``fixed`` stay where they are."""
         steps = program.touched(self.givens, self.swaps, fixed)
         return draw_steps(steps, {**things, **self.givens}, tool, self.swaps)
 
 
-def by_protractor(step: Step, given: Mapping[str, Any]) -> bool:
+def by_protractor(step: Step, given: Mapping[str, Point]) -> bool:
     """Whether a direction is drawn at an angle that no set square has."""
     return isinstance(step, Aim | Turn) and step.angle is not None and float(given.get(step.angle, 0.0)) % 90 != 0
 
@@ -101,28 +101,28 @@ class Person(Tool):
     no set square has is drawn by the protractor; his own segment is measured as it lies, only its sign is by the
     direction."""
 
-    own: dict[str, Any]  # his marks, with the errors of reading them
-    values: Mapping[str, Any]  # what was given
+    own: dict[str, Point]  # his marks, with the errors of reading them
+    values: Mapping[str, Point]  # what was given
 
-    def is_read(self, mark: str) -> Any:
+    def is_read(self, mark: str) -> Truth:
         """Whether a mark is the person's own (the pole is)."""
         return mark in self.own or (label_of(mark) == POLE and any(plan_of(m) == plan_of(mark) for m in self.own))
 
-    def sure(self, thing: Any) -> Any:
+    def sure(self, thing: Point) -> Point:
         """A thing without the errors of hand and ruler."""
         return thing
 
-    def draw(self, step: Step, things: Env) -> Any:
+    def draw(self, step: Step, things: Env) -> Point:
         own = isinstance(step, Measure) and bool(step.along) and self.is_read(step.start) & self.is_read(step.end)
         if not isinstance(step, Measure) or own is False:
             made = step.draw(things, self)
             return self.ray(made) if by_protractor(step, self.values) else made
-        way, along = self.sure(things[step.end] - things[step.start]), self.sure(things[step.along])
+        way, along = self.sure(things[step.end] - things[step.start]), self.sure(things[step.along or ""])
         sign = self.ar.where(way.real * along.real + way.imag * along.imag < 0, -1.0, 1.0)
         lies = sign * replace(step, along=None).draw(things, self)
         return lies if own is True else self.ar.where(own, lies, step.draw(things, self))
 
-    def make(self, step: Step, way: Sequence[Step], things: Env) -> Any:
+    def make(self, step: Step, way: Sequence[Step], things: Env) -> Point:
         made = super().make(step, way, things)
         if step.makes in self.own:
             things[step.makes] = self.ar.where(self.is_read(step.makes), self.own[step.makes], made)
@@ -132,7 +132,7 @@ class Person(Tool):
 class _Marking(Person, Nudged):
     """A person at work, each error in its own column."""
 
-    def sure(self, thing: Any) -> Any:
+    def sure(self, thing: Point) -> Point:
         return self.spread(thing + 0j)[0]
 
 
@@ -142,7 +142,7 @@ class Hand:
     def __init__(
         self,
         program: Program,
-        given: Mapping[str, Any],
+        given: Mapping[str, Point],
         skill: Skill,
         taken: Mapping[str, Taken],
         unsure: Mapping[str, float] | None = None,
@@ -155,19 +155,19 @@ class Hand:
         errors = {n: max(t.error_mm, skill.point_mm) if n in laid else t.error_mm for n, t in taken.items()}
         self.tool.own = {n: self.tool.taken(n, t.place, errors[n]) for n, t in taken.items()}
         self.tool.values = self.given
-        self.things: dict[str, Any] = dict(self.given)
+        self.things: Env = dict(self.given)
         for name, share in self.unsure.items():  # a given that is itself only estimated: its relative error
             value = self.tool.spread(float(self.things[name]))
             value[columns.start[f"read {name}"]] *= 1 + share
             self.things[name] = value
         self.made = draw_steps(program.steps, self.things, self.tool)
 
-    def misses(self, marks: Sequence[str], made: Mapping[str, Any] | None = None) -> dict[str, Miss]:
+    def misses(self, marks: Sequence[str], made: Env | None = None) -> dict[str, Miss]:
         """What each of the marks misses by, for the steps as they are (or as ``made`` by a variant)."""
         made = self.made if made is None else made
         return {m: self.miss(made[m], self.things[m]) for m in marks if m in self.taken and m in made}
 
-    def miss(self, drawn: Any, read: Any) -> Miss:
+    def miss(self, drawn: Point, read: Point) -> Miss:
         """How far two arrays of columns are apart."""
         import numpy
 
@@ -177,7 +177,7 @@ class Hand:
         xx, yy = float(change.real @ change.real) + floor, float(change.imag @ change.imag) + floor
         return Miss(complex(off[0]), (xx, float(change.real @ change.imag), yy), change)
 
-    def spread_of(self, value: Any) -> float:
+    def spread_of(self, value: Point) -> float:
         """Standard deviation of a real value."""
         import numpy
 
@@ -185,11 +185,11 @@ class Hand:
         change = numpy.nan_to_num(row[1:] - row[0], nan=0.0, posinf=0.0, neginf=0.0)
         return math.sqrt(float(change @ change))
 
-    def number(self, name: str) -> Any:
+    def number(self, name: str) -> Point:
         """A thing of the drawing without its columns."""
         value = self.things[name]
         return value[0].item() if getattr(value, "shape", None) else value
 
-    def under(self, variant: Variant) -> dict[str, Any]:
+    def under(self, variant: Variant) -> Env:
         """What the steps touched by a variant make of the person's marks, everything else unchanged."""
         return variant.drawn(self.program, self.things, self.tool, self.taken)

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Any
 
 from planes.check.grading.handwork import Variant
 from planes.check.grading.plan_steps import PlanSteps
 from planes.drafting.steps import Carry, Cross, Image, LayOff, Read, Same, Similar, Step
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.drafting.tools import Env, Tool
-from planes.words.names import POLE, at, label_of, mu_of, plan_of
+from planes.geometry.arithmetic import Point
+from planes.words.names import POLE, at, guide_of, label_of, letter_of, mu_of, plan_of
 
 
 def motion_variants(w: PlanSteps) -> Iterator[Variant]:
@@ -60,7 +60,8 @@ def _crossed(w: PlanSteps, step: Cross, quick: bool) -> Iterator[Variant]:
     sides = (("along", step.along), ("across", step.across))
     for side, direction in sides:
         line = w.link_line(direction)
-        if line and not line.startswith("∥"):
+        guide = guide_of(direction)
+        if line and guide_of(line) is None:
             about = {"line": line}
             mistake = "tangential_along_link" if quick else "along_link"
             yield w.variant(mistake, step, _with(step, side, line), about=about)
@@ -69,10 +70,10 @@ def _crossed(w: PlanSteps, step: Cross, quick: bool) -> Iterator[Variant]:
             for other in others if not quick else []:
                 found = _with(step, side, other)
                 yield w.variant("wrong_link", step, found, weight=1 / len(others), about={"line": line, "other": other})
-        elif direction.startswith("∥"):
+        elif guide is not None:
             turned = f"⊥{direction}~{step.makes}"
             swap = w.square(direction, turned), _with(step, side, turned)
-            yield w.variant("across_guide", step, *swap, about={"guide": direction.removeprefix("∥")})
+            yield w.variant("across_guide", step, *swap, about={"guide": guide})
     if not quick:
         yield from _displaced(w, step)
 
@@ -154,7 +155,7 @@ class Mirror(Step):
     def reads(self) -> tuple[Read, ...]:
         return tuple((n, "mark") for n in (*self.of, *self.like))
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Point:
         (a, b), (c, d) = self.of, self.like
         along = env[d] - env[c]
         return env[a] + along * ((env[b] - env[a]) / along).conjugate()
@@ -178,7 +179,7 @@ def _normal(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     formula = w.steps.get(step.length)
     if not isinstance(formula, Calculate) or not formula.terms:
         return
-    squares = [n for n, power in formula.terms[0].factors if power == 2 and n.startswith("v_")]
+    squares = [n for n, power in formula.terms[0].factors if power == 2 and isinstance(w.steps.get(n), Measure)]
     for square in squares:
         others = list(_velocities(w, step, square))
         for other, measured in others:
@@ -193,7 +194,7 @@ def _velocities(w: PlanSteps, step: LayOff, but: str) -> Iterator[tuple[str, tup
     """Other speeds of the velocity plan, with the step that reads each where none does yet."""
     for name, made in w.steps.items():
         plain = isinstance(made, Measure) and plan_of(made.start) == "velocity" and "slide" not in name
-        if name != but and name.startswith("v_") and plain and w.before(name, step):
+        if name != but and plain and w.before(name, step):
             yield name, ()
     for name, made in w.steps.items():
         if made.kind == "mark" and plan_of(name) == "velocity" and label_of(name) != POLE and w.before(name, step):
@@ -214,8 +215,8 @@ def _coriolis(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     formula = w.steps.get(step.length)
     if not isinstance(formula, Calculate):
         return
-    used = [n for n, _ in formula.terms[0].factors if n.startswith("omega_")]
-    spins = [n for n in (*w.program.givens, *w.steps) if n.startswith("omega_") and n not in used]
+    used = [n for n, _ in formula.terms[0].factors if letter_of(n) == "omega"]
+    spins = [n for n in (*w.program.givens, *w.steps) if letter_of(n) == "omega" and n not in used]
     spins = [n for n in spins if n in w.program.givens or w.before(n, step)]
     for spin in spins:
         factors = tuple((spin if n in used else n, power) for n, power in formula.terms[0].factors)

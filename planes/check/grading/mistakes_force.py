@@ -9,7 +9,7 @@ from planes.check.grading.handwork import Variant
 from planes.check.grading.plan_steps import PlanSteps
 from planes.drafting.steps import Cross, LayOff, Same, Step, Through
 from planes.drafting.steps.reckoning import Calculate, Drop, Lean, Measure, Product
-from planes.words.names import label_of, plan_of
+from planes.words.names import guide_of, label_of, letter_of, plan_of
 
 
 def force_variants(w: PlanSteps) -> Iterator[Variant]:
@@ -66,8 +66,8 @@ def _in_moments(w: PlanSteps, step: LayOff, factor: float) -> dict[str, tuple[St
 def _formulas(w: PlanSteps) -> Iterator[Calculate]:
     """Moment equations whose result is laid off on this plan."""
     for step in w.own:
-        formula = w.steps.get(step.length) if isinstance(step, LayOff) else None
-        if isinstance(formula, Calculate) and formula.makes.endswith("^t"):
+        formula = w.steps.get(step.length) if isinstance(step, LayOff) and step.quantity == "tangential" else None
+        if isinstance(formula, Calculate):
             yield formula
 
 
@@ -75,7 +75,7 @@ def _mass(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     """Kilograms laid off for newtons."""
     weight = w.steps.get(step.length)
     if isinstance(weight, Calculate):
-        mass = next((n for n, _ in weight.terms[0].factors if n.startswith("m_")), None)
+        mass = next((n for n, _ in weight.terms[0].factors if letter_of(n) == "m"), None)
         if mass:
             alone = w.variant("mass_for_weight", step, replace(step, length=mass), weight=0.5)
             yield alone
@@ -91,7 +91,7 @@ def _moments(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     count = max(1, len(formula.terms))
     for i, term in enumerate(formula.terms if count > 1 else ()):
         name = next((n for n, _ in term.factors), "")
-        inertia = name.startswith("MI_")
+        inertia = letter_of(name) == "MI"
         mistake = "inertia_moment_reversed" if inertia else "moment_sign"
         turned = _replaced(formula, i, replace(term, coefficient=-term.coefficient))
         yield _of_moments(w, step, mistake, (turned,), 1.0 if inertia else 1 / count, name)
@@ -144,11 +144,11 @@ def _reaction(w: PlanSteps, step: Cross) -> Iterator[Variant]:
     for side in ("along", "across"):
         direction = step.along if side == "along" else step.across
         guide = w.link_line(direction)
-        if guide and guide.startswith("∥"):
+        if guide and (named := guide_of(guide)) is not None:
             others = [guide, *_links(w, step)]
             for i, other in enumerate(others):
                 swap = replace(step, along=other) if side == "along" else replace(step, across=other)
-                about = {"guide": guide.removeprefix("∥")}
+                about = {"guide": named}
                 weight = 0.7 if i == 0 else 0.3 / (len(others) - 1)
                 yield w.variant("guide_reaction_not_normal", step, swap, weight=weight, about=about)
 

@@ -10,7 +10,7 @@ from planes.check.grading.handwork import Taken, Variant
 from planes.check.grading.plan_steps import PlanSteps
 from planes.drafting.steps import CrossArc, CrossArcs, LayOff, Step
 from planes.words import Written
-from planes.words.names import label_of
+from planes.words.names import label_of, letter_of
 
 LEAST_OFFSET = 1e-6  # relative: a guide nearer to the pivot passes through it
 LEAST_SCALE = 0.04  # a link drawn longer or shorter by less is a matter of care, not of scale
@@ -23,9 +23,9 @@ def position_variants(w: PlanSteps, taken: Mapping[str, Taken], mu: float) -> It
         if name not in w.program.givens:
             continue
         users = [s for s in w.program.steps if name in (n for n, _ in s.reads())]
-        if name.startswith("side_"):
+        if letter_of(name) == "side":
             yield from _marked(w, "other_assembly", users, {name: -float(value)})
-        elif name.startswith("e_") and value:
+        elif letter_of(name) == "e" and value:
             yield from _marked(w, "guide_offset_ignored", users, {name: 0.0})
     yield from _centred(w)
     for step in w.own:

@@ -9,7 +9,6 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 from planes.check.reading.opened import MB, contents, too_many
 from planes.words import Phrase
@@ -112,7 +111,7 @@ def _header(row: Sequence[str]) -> list[str] | None:
     return None
 
 
-def _add(paper: ReadPaper, row: Mapping[str, Any], line: int) -> None:
+def _add(paper: ReadPaper, row: Mapping[str, object], line: int) -> None:
     """One row of whichever table."""
     if len(paper.spots) + len(paper.segments) + len(paper.results) >= MOST:
         raise too_many(paper.file, "rows", MOST)
@@ -132,7 +131,7 @@ def _add(paper: ReadPaper, row: Mapping[str, Any], line: int) -> None:
         raise paper.refuse("check_row", line=line)
 
 
-def _number(paper: ReadPaper, cell: Any, line: int) -> float:
+def _number(paper: ReadPaper, cell: object, line: int) -> float:
     try:
         number = float(str(cell).replace(",", ".").replace("−", "-").replace(" ", "").replace("\u00a0", ""))
     except ValueError:
@@ -142,7 +141,7 @@ def _number(paper: ReadPaper, cell: Any, line: int) -> float:
     return number
 
 
-def _length(paper: ReadPaper, cell: Any, line: int) -> float:
+def _length(paper: ReadPaper, cell: object, line: int) -> float:
     """A length on a sheet, mm."""
     found = _number(paper, cell, line)
     if abs(found) > LARGEST_MM:
@@ -150,7 +149,7 @@ def _length(paper: ReadPaper, cell: Any, line: int) -> float:
     return found
 
 
-def _rounding(cell: Any) -> float:
+def _rounding(cell: object) -> float:
     """The error of a number as it is rounded: 12.5 by 0.1/√12 mm."""
     text = str(cell).replace(",", ".")
     if "e" in text.lower():
@@ -175,7 +174,7 @@ def _read_json(paper: ReadPaper, text: str) -> None:
             _add(paper, row, line)
 
 
-def _json_rows(part: Any, key: str) -> Iterable[Mapping[str, Any]]:
+def _json_rows(part: object, key: str) -> Iterable[Mapping[str, object]]:
     if isinstance(part, dict):
         for name, value in part.items():
             if key == "mark" and isinstance(value, list) and len(value) == 2:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
@@ -66,13 +65,13 @@ class Nudged(Tool):
         super().__init__(Many(), True)
         self.skill, self.columns, self.at, self.end = skill, columns, 0, 0
 
-    def make(self, step: Step, way: Sequence[Step], things: Env) -> Any:
+    def make(self, step: Step, way: Sequence[Step], things: Env) -> Point:
         """The errors of every step of the way are those of the one it makes."""
         self.at = self.columns.start.get(step.makes, 0)
         self.end = self.at + 8 if self.at else 0
         return super().make(step, way, things)
 
-    def spread(self, value: Any) -> Any:
+    def spread(self, value: Point) -> Point:
         """The value as an array of all columns, to be nudged."""
         import numpy
 
@@ -105,7 +104,7 @@ class Nudged(Tool):
         out[self._next()] += self.skill.ruler_mm
         return out
 
-    def taken(self, name: str, place: complex, error_mm: float) -> Any:
+    def taken(self, name: str, place: complex, error_mm: float) -> Point:
         """A mark read from a person's drawing, with the error of the reading."""
         out = self.spread(complex(place))
         column = self.columns.start[f"read {name}"]

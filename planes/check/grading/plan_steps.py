@@ -10,7 +10,7 @@ from planes.drafting.program import Program
 from planes.drafting.steps import LayOff, Step, Turn
 from planes.drafting.steps.reckoning import Calculate, Product
 from planes.plans import Plans
-from planes.words.names import POLE, at, label_of, plan_of
+from planes.words.names import POLE, at, guide_of, label_of, plan_of
 
 Words = Mapping[str, str]  # names for the sentence about a mistake
 
@@ -40,8 +40,7 @@ class PlanSteps:
 
     def perpendiculars(self) -> list[str]:
         """Perpendiculars to links among the program's directions."""
-        found = [d for d in self.steps if (of := self.link_line(d)) and not of.startswith("∥")]
-        return [d for d in found if not d.startswith("⊥∥")]
+        return [d for d in self.steps if (of := self.link_line(d)) and guide_of(of) is None]
 
     def reversed_length(self, step: LayOff, factor: float = -1.0) -> tuple[Step, ...]:
         """The same length laid off times a number (backwards, twice, half)."""
@@ -51,7 +50,8 @@ class PlanSteps:
 
     def square(self, of: str, name: str) -> Turn:
         """A perpendicular of another name."""
-        return Turn(name, of, 1)
+        line = self.plans.means[of]
+        return Turn(name, of, 1, means=replace(line, quantity="across"))
 
     def variant(
         self, mistake: str, step: Step, *swap: Step, weight: float = 1.0, about: Words | None = None

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 from planes.check.grading.handwork import Hand, Variant
 from planes.check.grading.mistakes import motion_variants
@@ -17,7 +16,7 @@ from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
-from planes.geometry.arithmetic import One
+from planes.geometry.arithmetic import One, Point
 from planes.plans import Plans, mechanism_plans
 from planes.plans.scales import scales
 from planes.scene import Scene
@@ -39,6 +38,13 @@ class Asked:
     others: Mapping[str, ReadPaper] = field(default_factory=dict)  # drawings of earlier plans
     spelt: Callable[[str], str] = str  # how the scene's sheets letter a vector: F_56 for F_50
 
+    def line(self, file: str) -> list[str]:
+        """The words of the command that checks a file so."""
+        words = ["planes", "check", self.scene.file, file, "--plan", self.plan]
+        words += ["--variant", self.scene.variant] if self.scene.variant else []
+        drive = self.scene.mechanism.drive if self.scene.mechanism and self.value is not None else None
+        return [*words, f"--{drive.kind}={self.value:g}"] if drive else words
+
 
 @dataclass
 class PreparedPlan:
@@ -46,10 +52,15 @@ class PreparedPlan:
 
     asked: Asked
     plans: Plans
-    given: dict[str, Any]
+    given: Env
     program: Program
     marks: list[str]
     said_mu: float
+
+    @property
+    def names(self) -> Names:
+        """Names of the plan's marks as people write them."""
+        return mark_names(self.plans, self.asked.plan)
 
     def written(self, vectors: Iterable[str]) -> Names:
         """Names of vectors of a force plan as sheets of the scene letter them, and as the program does."""
@@ -94,6 +105,13 @@ def marks_of(plans: Plans, plan: str) -> list[str]:
     return [m for m in own if label_of(m) != POLE]
 
 
+def mark_names(plans: Plans, plan: str) -> Names:
+    """Names of a plan's marks; the normal part of a driven point, n_A, may be written with its pivot too: n_AO."""
+    turning = {n: m for mark, m in plans.means.items() if m.quantity == "normal" and m.about and (n := label_of(mark))}
+    labels = [label_of(m) for m in marks_of(plans, plan)]
+    return Names(labels, spelt=lambda n: f"n_{turning[n].of}{turning[n].about}" if n in turning else n)
+
+
 def variants_of(bench: PreparedPlan, hand: Hand, mu: float) -> Sequence[Variant]:
     """Every mistake of the catalogue that could be made in the plan."""
     ways = bench.ways()
@@ -109,15 +127,15 @@ def variants_of(bench: PreparedPlan, hand: Hand, mu: float) -> Sequence[Variant]
 class _Snapping(Tool):
     """Draws exactly, but goes on from where things are on the picture."""
 
-    snap: Callable[[Step, Any], Any] = lambda _, made: made
+    snap: Callable[[Step, Point], Point] = lambda _, made: made
 
-    def make(self, step: Step, way: Sequence[Step], things: Env) -> Any:
+    def make(self, step: Step, way: Sequence[Step], things: Env) -> Point:
         made = super().make(step, way, things)
         things[step.makes] = self.snap(step, made)
         return made
 
 
-def redrawn(bench: PreparedPlan, variant: Variant | None, snap: Callable[[Step, Any], Any]) -> dict[str, Any] | None:
+def redrawn(bench: PreparedPlan, variant: Variant | None, snap: Callable[[Step, Point], Point]) -> Env | None:
     """The program drawn exactly, every thing passed through ``snap``; None where that cannot be drawn."""
     things = {**bench.given, **(variant.givens if variant else {})}
     try:

@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from itertools import permutations
 
 from planes.check.grading.arithmetic_slips import SHARE, Scored, Things, WrittenNumber, first_of, number_mistake
 from planes.check.grading.handwork import Hand, Variant
 from planes.check.grading.judging import MARGIN
+from planes.check.grading.prepared_plan import PreparedPlan
+from planes.geometry.arithmetic import One, Real
 from planes.plans import Plans
 from planes.plans.quantities import Quantity
-from planes.words.names import POLE, at, mu_of, plan_of
+from planes.words.names import POLE, at, label_of, mu_of, plan_of
 from planes.words.spelling import Names
 
 
@@ -49,25 +51,19 @@ def _figure(name: str, q: Quantity, value: float) -> WrittenNumber:
     """How a quantity of the catalogue is read off a drawing."""
     one = q.whole
     plan = plan_of(one.end) if one.part else {"omega": "velocity", "epsilon": "acceleration"}.get(q.key, "")
-    return WrittenNumber(name, value, lambda things: one.take(things, None), not one.part, plan, one.value)
+    return WrittenNumber(name, value, lambda things: one.take(things, One()), not one.part, plan, one.value)
 
 
-def segment_figures(
-    plans: Plans, plan: str, labels: Sequence[str], written: Iterable[tuple[str, float]]
-) -> tuple[list[WrittenNumber], list[str]]:
+def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -> tuple[list[WrittenNumber], list[str]]:
     """Figures of a table of segments ("pb", "bc"; of a force plan also "G_2"), and the names that mean nothing."""
-    pairs: dict[str, tuple[str, str]] = {}
-    made = {s.makes for s in plans.program.sliced([at(plan, n) for n in labels]).steps}
-    ends = [n for n in (POLE, *labels) if at(plan, n) in made]  # a scheme has no pole
-    for s in plans.segments:
+    plan, labels = bench.asked.plan, [label_of(m) for m in bench.marks]
+    ends = [n for n in (POLE, *labels) if at(plan, n) in bench.program.made]  # a scheme has no pole
+    pairs = {one + two: (one, two) for one, two in permutations(ends, 2)}
+    for s in bench.plans.segments:
         if s.plan == plan and s.start != s.end and {s.start, s.end} <= set(ends):
-            pairs.setdefault(s.start + s.end, (s.start, s.end))
             pairs.setdefault(s.name.replace("^", ""), (s.start, s.end))
-    for one in ends:
-        for two in ends:
-            if one != two:
-                pairs.setdefault(one + two, (one, two))
-    names, found, unknown = Names(pairs, poles=False), [], []
+    spelt = {one + two: bench.names.spelt(one) + bench.names.spelt(two) for one, two in permutations(ends, 2)}
+    names, found, unknown = Names(pairs, poles=False, spelt=lambda pair: spelt.get(pair, pair)), [], []
     for text, mm in written:
         name = names.find(text)
         if name is None:
@@ -77,7 +73,7 @@ def segment_figures(
     return found, unknown
 
 
-def _millimetres(plan: str, start: str, end: str) -> Callable[[Things], Any]:
+def _millimetres(plan: str, start: str, end: str) -> Callable[[Things], Real]:
     return lambda things: abs(things[at(plan, end)] - things[at(plan, start)])
 
 

@@ -10,12 +10,12 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
-from typing import Any
+from typing import TypeVar
 
 from planes.check.grading.grading import grade, readable
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.reading.chains import true_vectors
+from planes.check.reading.chains import SURELY_MM, alongside, true_vectors
 from planes.check.reading.lone_vectors import arrows_of, others
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke
@@ -23,7 +23,6 @@ from planes.check.reading.words_near import LEADER_MM, Candidates
 from planes.drafting.drawing import run
 from planes.words.errors import PlanesError
 from planes.words.names import POLE, kind_of, label_of
-from planes.words.spelling import Names
 
 REACH_MM = 1.5  # a hand's mark is no farther from where it should be; grading tells whether it is near enough
 SHARE = 0.015  # of a vector's length, by which it may be off besides
@@ -38,7 +37,7 @@ def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates,
     scheme = kind_of(bench.asked.plan) == "position"
     arrows = [] if scheme else arrows_of(sketch)
     tips = [z for z, _ in sketch.rounds] if scheme else [z for arrow in arrows for z in arrow]
-    names = Names(truth)
+    names = bench.names
     words = [(n, w) for w in sketch.words if (n := names.find(w.text)) in truth]
     plain = [way for k, s in enumerate(sketch.strokes) if not sketch.ways or not sketch.ways[k] for way in (s, s[::-1])]
     plain = [(a, b) for a, b in plain if all(abs(a - z) > SHORT_MM for z in tips)]  # no leader begins at a mark
@@ -93,7 +92,14 @@ def vectors_as_planned(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     spots = [ReadMark(n, z, sketch.error_mm) for name, (a, b) in rows.items() for n, z in ((POLE, a), (name, b))]
     paper = ReadPaper(sketch.file, spots, whole=len(rows) == len(sides))
     over = over or any(max(abs(a - d), abs(b - c)) < UPON_MM for (a, b), (c, d) in combinations(rows.values(), 2))
-    return paper if not over and _named(rows, rows, word, VECTORS_MM) and is_right(bench, paper) else nothing
+
+    def nearer(one: str, two: str) -> float:
+        beside = sum(
+            alongside(*rows[one], *arrow) for arrow in arrows
+        )  # with a third the words stand where there is room
+        return SURELY_MM if beside == 2 and alongside(*rows[one], *rows[two]) else VECTORS_MM
+
+    return paper if not over and _named(rows, rows, word, nearer) and is_right(bench, paper) else nothing
 
 
 def _alike(stroke: Stroke, true: complex) -> bool:
@@ -107,13 +113,20 @@ def _like(stroke: Stroke, known: Sequence[complex]) -> complex:
     return min(known, key=lambda t: min(abs(v - t), abs(v + t)))
 
 
+Place = TypeVar("Place", complex, Stroke)
+
+
 def _named(
-    found: Mapping[str, Any], words: Iterable[str], word: Callable[[str, Any], float], nearer: float = EXCHANGED_MM
+    found: Mapping[str, Place],
+    words: Iterable[str],
+    word: Callable[[str, Place], float],
+    nearer: Callable[[str, str], float] = lambda _, __: EXCHANGED_MM,
 ) -> bool:
-    """Whether the word of all that have one is beside it, and no two are exchanged; ``word`` tells how far it is."""
+    """Whether the word of all that have one is beside it, and no two are exchanged; ``word`` tells how far it is, and
+    ``nearer`` by how much two words must be nearer to each other's places for that."""
     own = {n: word(n, found[n]) for n in words}
     return all(map(math.isfinite, own.values())) and not any(
-        word(one, found[two]) + word(two, found[one]) + nearer < own[one] + own[two]
+        word(one, found[two]) + word(two, found[one]) + nearer(one, two) < own[one] + own[two]
         for one, two in combinations(own, 2)
     )
 

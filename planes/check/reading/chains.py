@@ -10,7 +10,7 @@ from itertools import combinations, pairwise
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.reading.strokes import Nodes, ReadDrawing, Words
+from planes.check.reading.strokes import Nodes, ReadDrawing, Stroke, Words
 from planes.drafting.drawing import run
 from planes.words.names import POLE, at
 from planes.words.spelling import Names
@@ -18,6 +18,8 @@ from planes.words.spelling import Names
 NEAR_MM = 9.0
 NO_WORD, FAR_WORD, UNLIKE, TOO_FAR = 5.0, 9.0, 7.0, 13.0  # what a name may cost, mm of distance from its word
 NAMED_UNLIKE = 3.0  # what is written counts for more than what is likely
+SURELY_MM = 0.5  # of two vectors there and back a name is that of the one so much nearer
+NARROW, WIDE = 0.1, 0.2  # of their length, how far apart the ends of two vectors there and back may be
 TIP = 8.0  # of two vectors upon each other a name belongs to the one whose tip is nearer
 LONGEST = 26  # vectors in a polygon
 MOST_LINES = 4 * LONGEST
@@ -27,10 +29,12 @@ MOST_TRAILS, MOST_SEEN = 400, 20000
 
 @dataclass(frozen=True)
 class Edge:
-    """A line between two nodes, drawn on either way or, where an arrowhead says so, ``onward`` only."""
+    """A line between two nodes, drawn on either way or, where an arrowhead says so, ``onward`` only; it is ``drawn``
+    near its nodes: forces of one line stand side by side."""
 
     start: int
     end: int
+    drawn: Stroke
     onward: bool = False
 
     def other(self, node: int) -> int:
@@ -54,7 +58,7 @@ def force_chain(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: R
         words = beside(sketch.words, nodes, edges, bench.written(truth))
         best: tuple[float, list[ReadMark], bool] | None = None
         for start, trail in _trails(edges, pole):
-            rows = _rows(start, trail, nodes, words, truth, sketch.error_mm)
+            rows = _rows(start, trail, nodes, words, truth, sketch)
             whole = trail[-1][1] == start and len(trail) == len(edges)
             if rows and (best is None or rows[0] + WHOLE * whole > best[0]):
                 best = rows[0] + WHOLE * whole, rows[1], whole
@@ -84,13 +88,13 @@ def _edges(sketch: ReadDrawing, nodes: Nodes, split: bool) -> list[Edge]:
         if way < 0:
             (a, b), (i, j) = (b, a), (j, i)
         u = (b - a) / abs(b - a)
-        inside = []
+        inside = list[tuple[float, int]]()
         for n in range(nodes.corners if split else 0):
             local = (nodes.places[n] - a) * u.conjugate()
             if n not in (i, j) and abs(local.imag) < 0.5 and 1 < local.real < abs(b - a) - 1:
                 inside.append((local.real, n))
-        path = [i, *(n for _, n in sorted(inside)), j]
-        found += [Edge(one, two, way != 0) for one, two in pairwise(path) if one != two]
+        path = [(i, a), *((n, nodes.places[n]) for _, n in sorted(inside)), (j, b)]
+        found += [Edge(one, two, (z, w), way != 0) for (one, z), (two, w) in pairwise(path) if one != two]
     return found
 
 
@@ -116,8 +120,7 @@ def beside(
         if name is None or name == POLE:
             continue
         for edge in edges:
-            for start, end in ((edge.start, edge.end), (edge.end, edge.start)):
-                a, b = nodes.places[start], nodes.places[end]
+            for end, (a, b) in ((edge.end, edge.drawn), (edge.start, edge.drawn[::-1])):
                 far, short = min((word.distance(a + (b - a) * t / 8), 1 - t / 8) for t in range(1, 8))
                 if far <= NEAR_MM:
                     middle = abs((a + b) / 2 - word.place) / max(abs(b - a), 5.0)
@@ -128,10 +131,18 @@ def beside(
 
 def _there_and_back(nodes: Nodes, one: Edge, two: Edge) -> bool:
     """Whether two lines lie upon each other, one going where the other comes from."""
-    if one is two:
-        return False
-    a, b, c, d = (nodes.places[n] for n in (one.start, one.end, two.end, two.start))
-    return max(abs(a - c), abs(b - d)) < 0.1 * abs(b - a)
+    a, b, c, d = (nodes.places[n] for n in (one.start, one.end, two.start, two.end))
+    return one is not two and back_and_forth(a, b, c, d)
+
+
+def back_and_forth(a: complex, b: complex, c: complex, d: complex, share: float = NARROW) -> bool:
+    """Whether a vector from c to d goes back where one from a to b came from, or nearly there."""
+    return max(abs(a - d), abs(b - c)) < share * abs(b - a)
+
+
+def alongside(a: complex, b: complex, c: complex, d: complex) -> bool:
+    """Whether one vector lies beside another, whichever way it goes."""
+    return back_and_forth(a, b, c, d, WIDE) or back_and_forth(a, b, d, c, WIDE)
 
 
 def _pole(words: Sequence[Words], nodes: Nodes) -> int | None:
@@ -173,7 +184,7 @@ def _rows(
     nodes: Nodes,
     words: Mapping[str, Mapping[tuple[Edge, int], float]],
     truth: Mapping[str, complex],
-    error_mm: float,
+    sketch: ReadDrawing,
 ) -> tuple[float, list[ReadMark]] | None:
     """A trail's vectors named by the words beside them and by their likeness, with how well all this fits."""
     ends = [nodes.places[i] for i in (pole, *(node for _, node in trail))]
@@ -186,10 +197,28 @@ def _rows(
     names = named_best(costs)
     if not any(names):
         return None
+    _by_words(names, trail, ends, words, sketch)
     score = sum(TOO_FAR - cost[n] for n, cost in zip(names, costs, strict=True) if n)
-    start = ReadMark(POLE, ends[0], error_mm)
-    rows = [ReadMark(n or f"?{i}", z, error_mm) for i, (n, z) in enumerate(zip(names, ends[1:], strict=True))]
+    start = ReadMark(POLE, ends[0], sketch.error_mm)
+    rows = [ReadMark(n or f"?{i}", z, sketch.error_mm) for i, (n, z) in enumerate(zip(names, ends[1:], strict=True))]
     return (score - 3 * names.count(None)) / TOO_FAR, [start, *rows]
+
+
+def _by_words(
+    names: list[str | None],
+    trail: Trail,
+    ends: Sequence[complex],
+    words: Mapping[str, Mapping[tuple[Edge, int], float]],
+    sketch: ReadDrawing,
+) -> None:
+    """Of two vectors there and back, and no third beside them, each is what stands nearer to it, were it reversed."""
+    for i, j in combinations(range(len(trail)), 2):
+        near = [words.get(n or "", {}) for n in (names[i], names[j])]
+        a, b, c, d = *ends[i : i + 2], *ends[j : j + 2]
+        if all(near) and back_and_forth(a, b, c, d, WIDE) and sum(alongside(a, b, *s) for s in sketch.strokes) == 2:
+            as_named = near[0].get(trail[i], FAR_WORD) + near[1].get(trail[j], FAR_WORD)
+            if near[1].get(trail[i], FAR_WORD) + near[0].get(trail[j], FAR_WORD) < as_named - SURELY_MM:
+                names[i], names[j] = names[j], names[i]
 
 
 def named_best(costs: Sequence[Mapping[str, float]]) -> list[str | None]:

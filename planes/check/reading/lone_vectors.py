@@ -6,12 +6,13 @@ forces of one line are drawn side by side. Then lines do not make up one chain, 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.chains import FAR_WORD, NEAR_MM, NO_WORD, TOO_FAR, UNLIKE, named_best, true_vectors
-from planes.check.reading.strokes import ReadDrawing, Stroke, headed
+from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke, headed
 from planes.drafting.drawing import run
 from planes.words.names import POLE, at
 
@@ -27,18 +28,13 @@ Costs = list[dict[str, float]]
 
 def lone_vectors(sketch: ReadDrawing, bench: PreparedPlan) -> tuple[list[ReadMark], bool]:
     """The plan's vectors, each as a row of its own, and whether nothing can have been overlooked."""
-    arrows = arrows_of(sketch)
-    bare = [
-        s
-        for stroke in sketch.strokes
-        if abs(stroke[1] - stroke[0]) < HEADLESS_MM and stroke not in arrows and stroke[::-1] not in arrows
-        for s in (stroke, stroke[::-1])
-    ]
-    sides = true_vectors(bench)
-    names = _named([*arrows, *bare], sketch, bench, {**others(bench), **sides})
-    rows = [(n, a, b) for n, (a, b) in zip(names, [*arrows, *bare], strict=True) if n in sides]
+    arrows, sides = arrows_of(sketch), true_vectors(bench)
+    bare = [s for s in sketch.strokes if abs(s[1] - s[0]) < HEADLESS_MM and s not in arrows and s[::-1] not in arrows]
+    named = _named([(s,) for s in arrows] + [(s, s[::-1]) for s in bare], sketch, bench, {**others(bench), **sides})
+    rows = [(n, *stroke) for n, stroke in named if n in sides]
     spots = [ReadMark(n, z, sketch.error_mm) for name, a, b in rows for n, z in ((POLE, a), (name or "", b))]
-    seen = all(n in names for n, v in sides.items() if abs(v) < HEADLESS_MM)
+    names = [n for n, _ in named]
+    seen = all(n in names for n, v in sides.items() if SHORT_MM < abs(v) < HEADLESS_MM)
     return spots, bool(arrows) and all(names[: len(arrows)]) and seen
 
 
@@ -48,22 +44,26 @@ def arrows_of(sketch: ReadDrawing) -> list[Stroke]:
 
 
 def _named(
-    arrows: Sequence[Stroke], sketch: ReadDrawing, bench: PreparedPlan, known: Mapping[str, complex]
-) -> list[str | None]:
-    """The arrows' names, at the size that explains them best: it is the drawer's choice."""
+    arrows: Sequence[Sequence[Stroke]], sketch: ReadDrawing, bench: PreparedPlan, known: Mapping[str, complex]
+) -> list[tuple[str | None, Stroke]]:
+    """Each arrow's name and way, of those it may go, at the size that explains all best: it is the drawer's choice."""
     lengths = [abs(t) for t in known.values() if abs(t) > HEADLESS_MM]
     sizes: list[float] = []
-    for ratio in sorted(abs(b - a) / t for a, b in arrows for t in lengths) if not bench.asked.mu else ():
+    for ratio in sorted(abs(b - a) / t for (a, b), *_ in arrows for t in lengths) if not bench.asked.mu else ():
         if LEAST < ratio < 1 / LEAST and (not sizes or ratio > ALIKE * sizes[-1]):
             sizes.append(ratio)
-    best: tuple[float, list[str | None]] | None = None
+    best: tuple[float, list[str | None], list[Costs]] = math.inf, [], []
     for size in (1.0, *sizes):
-        costs = _costs(arrows, sketch, bench, {n: t * size for n, t in known.items()})
+        ways = [_costs(strokes, sketch, bench, {n: t * size for n, t in known.items()}) for strokes in arrows]
+        costs = [{n: min(row[n] for row in rows if n in row) for n in set[str]().union(*rows)} for rows in ways]
         names = named_best(costs)
         price = sum(row[n] if n else TOO_FAR for n, row in zip(names, costs, strict=True)) + OTHER * (size != 1.0)
-        if best is None or price < best[0]:
-            best = price, names
-    return best[1] if best else []
+        if price < best[0]:
+            best = price, names, ways
+    return [
+        (name, min(zip(rows, strokes, strict=True), key=lambda way: way[0].get(name or "", math.inf))[1])
+        for name, rows, strokes in zip(*best[1:], arrows, strict=True)
+    ]
 
 
 def others(bench: PreparedPlan) -> dict[str, complex]:

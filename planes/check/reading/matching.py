@@ -17,11 +17,10 @@ from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
 from planes.check.reading.lone_vectors import lone_vectors
 from planes.check.reading.sizing import sized
 from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, covered, headed, hinged
-from planes.check.reading.words_near import Candidates, by_words, led, origin_of, pole_of
+from planes.check.reading.words_near import Candidates, begun, by_words, led, origin_of, pole_of
 from planes.drafting.drawing import run
 from planes.words import Phrase
 from planes.words.names import POLE, at, kind_of, label_of
-from planes.words.spelling import Names
 
 POLE_MM = 2.7  # ends nearer than this to a printed pole are at it
 APART_MM = 0.7  # two marks nearer than this are one place
@@ -50,7 +49,7 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None = No
         paper.notes.append(Phrase("check_no_lines"))
         return paper
     labels = [label_of(m) for m in bench.marks]
-    near = by_words([*sketch.words, *led(sketch, nodes)], nodes, labels)
+    near = by_words([*sketch.words, *led(sketch, nodes)], nodes, bench.names)
     first = len(sketch.rounds) if len(sketch.rounds) >= len(labels) else nodes.corners if headed(sketch) else None
     if first is not None:  # where marks are told from where lines merely cross or end
         near = {n: {i: far for i, far in held.items() if i < first} or held for n, held in near.items()}
@@ -62,7 +61,8 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None = No
         paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))
         return paper
     find = origin_of if kind_of(bench.asked.plan) == "position" else pole_of
-    origin = pole if pole is not None else find(nodes, bench, near)
+    beside = near | ({POLE: begun(sketch, nodes) | near[POLE]} if POLE in near else {})
+    origin = pole if pole is not None else find(nodes, bench, beside)
     if origin is None:
         return paper
     poles = dict.fromkeys([origin, *(nodes.places[i] for i in near.get(POLE, ()))])
@@ -225,7 +225,7 @@ def scaled(
     named = next(iter(marks), None)
     if pole is None or named is None:
         return sketch, None
-    name = Names(label_of(m) for m in bench.marks).find(named)
+    name = bench.names.find(named)
     if name is None or abs(marks[named] - pole) == 0:
         return sketch, None
     truth = run(bench.program, bench.given)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from planes.check.reading.strokes import ReadDrawing, Round, Stroke, Words
+from planes.geometry.arrays import Booleans, Complexes
 
 TOGETHER_MM = 2.3  # strokes no farther apart belong together: a force is drawn this far beside another one
 NEAR_WORD_MM = 12.0  # a word farther off names something else
@@ -66,7 +66,7 @@ def without_letters(sketch: ReadDrawing) -> None:
     sketch.short = [s for s, good in zip(sketch.short, kept[count:], strict=True) if good]
 
 
-def _touched(ends: Any, inside: Any, tips: Sequence[complex]) -> Any:
+def _touched(ends: Complexes, inside: Booleans, tips: Sequence[complex]) -> Booleans:
     """Which strokes meet one that is no letter, or an arrowhead."""
     import numpy
 
@@ -101,14 +101,13 @@ def parts(sketch: ReadDrawing) -> list[ReadDrawing]:
     return sorted((p for p in found if p is not None), key=lambda p: -len(p.strokes))
 
 
-def _shapes(strokes: Sequence[Stroke], rounds: Sequence[Round]) -> Any:
+def _shapes(strokes: Sequence[Stroke], rounds: Sequence[Round]) -> list[object]:
     """Strokes as lines, circles as discs."""
-    import numpy
     from shapely import linestrings, points
 
     lines = linestrings([[(a.real, a.imag), (b.real, b.imag)] for a, b in strokes]) if strokes else []
     discs = points([(z.real, z.imag) for z, _ in rounds]) if rounds else []
-    return numpy.array([*lines, *(disc.buffer(r) for disc, (_, r) in zip(discs, rounds, strict=True))], object)
+    return [*lines, *(disc.buffer(r) for disc, (_, r) in zip(discs, rounds, strict=True))]
 
 
 def _part(sketch: ReadDrawing, held: list[int]) -> ReadDrawing | None:

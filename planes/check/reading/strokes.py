@@ -90,8 +90,8 @@ def _finite(z: complex) -> bool:
 
 def headed(sketch: ReadDrawing) -> list[int]:
     """The strokes with arrowheads, where so many have one that a vector is told from a construction line by it."""
-    found = [k for k, way in enumerate(sketch.ways) if way]
-    return found if len(found) >= max(FEWEST_HEADS, HEADED * len(sketch.strokes)) else []
+    heads = [k for k, way in enumerate(sketch.ways) if way]
+    return heads if len(heads) >= max(FEWEST_HEADS, HEADED * len(sketch.strokes)) else []
 
 
 def hinged(sketch: ReadDrawing) -> ReadDrawing:
@@ -201,8 +201,7 @@ class Nodes:
 
     def nearest(self, z: complex, reach: float) -> int | None:
         """The nearest node, if any is that near."""
-        found = self.within(z, reach)
-        return found[0] if found else None
+        return next(iter(self.within(z, reach)), None)
 
     @property
     def crowded(self) -> bool:
@@ -210,8 +209,7 @@ class Nodes:
         if len(self.places) < 60:
             return False
         xs, ys = [z.real for z in self.places], [z.imag for z in self.places]
-        area = max((max(xs) - min(xs)) * (max(ys) - min(ys)), 1.0)
-        return len(self.places) / area > CROWD or len(self.places) > 3000
+        return len(self.places) > min(CROWD * max((max(xs) - min(xs)) * (max(ys) - min(ys)), 1.0), 3000)
 
 
 def crossings(strokes: Sequence[Stroke]) -> Iterable[complex]:

@@ -28,8 +28,8 @@ def style_rules(root: ElementTree.Element) -> dict[str, Looks]:
 
 
 def _declared(text: str) -> Looks:
-    pairs = (part.partition(":") for part in text.split(";"))
-    return {k.strip(): v.strip() for k, _, v in pairs if k.strip() in LOOKS}
+    pairs = re.findall(r"([^:;]+):([^;]*)", text)
+    return {k.strip(): v.strip() for k, v in pairs if k.strip() in LOOKS}
 
 
 def looks_of(e: ElementTree.Element, rules: Mapping[str, Looks]) -> Looks:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
 from xml.etree import ElementTree
 from xml.parsers import expat
 
@@ -30,7 +29,7 @@ def tree(data: bytes, file: str) -> ElementTree.Element:
         depth -= 1
         builder.end(_name(tag))
 
-    def entity(*_: Any) -> None:
+    def entity(*_: object) -> None:
         raise PlanesError(Phrase("check_svg_entities", file=file))
 
     parser.buffer_text = True

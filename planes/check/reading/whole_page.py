@@ -13,8 +13,7 @@ from planes.check.reading.parts import parts
 from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.titles import mu_over
 from planes.words.errors import PlanesError
-from planes.words.names import POLE, kind_of, label_of
-from planes.words.spelling import Names, tidy
+from planes.words.names import kind_of
 
 MOST = 6  # parts that are read
 OPEN = 2.0  # what it costs a force polygon not to close, in marks
@@ -25,11 +24,10 @@ def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     """The marks of the plan on a page that may show other things too."""
     found = parts(sketch)
     force = kind_of(bench.asked.plan) == "force"
-    known = bench.written(true_vectors(bench)) if force else Names(map(label_of, bench.marks))
+    known = bench.written(true_vectors(bench)) if force else bench.names
 
     def named(part: ReadDrawing) -> int:
-        words = [one.text for w in part.words for one in w.listed()]
-        return len({n for w in words if (n := known.find(w)) and (n == POLE or tidy(n) == tidy(w))} - {None})
+        return len({known.exactly(one.text) for w in part.words for one in w.listed()} - {None})
 
     likely = sorted(found, key=named, reverse=True)[:MOST]
     likely = [p for p in likely if 2 * named(p) >= named(likely[0])]

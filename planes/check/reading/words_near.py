@@ -2,28 +2,30 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.parts import NEAR_WORD_MM
-from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, Words
+from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, Words, headed
 from planes.drafting.drawing import run
 from planes.words.names import POLE, label_of
-from planes.words.spelling import Names, tidy
+from planes.words.spelling import Names
 
 LEADER_MM = 2.5  # a line from a word ends so near it
+BUSY_MM = 4.0
 NEAR_POINT_MM = 1.5  # a point of a scheme is where it should be
 
 Candidates = dict[str, dict[int, float]]
 
 
-def by_words(words: Iterable[Words], nodes: Nodes, labels: Iterable[str]) -> Candidates:
+def by_words(words: Iterable[Words], nodes: Nodes, names: Names) -> Candidates:
     """Nodes near the word of every mark, with the distance from the word."""
-    names, found = Names(labels), Candidates()
+    found = Candidates()
     for word in words:
-        name = names.find(word.text)
-        if name is None or (tidy(word.text) != tidy(name) and name != POLE):
+        name = names.exactly(word.text)
+        if name is None:
             continue
         for node in nodes.within(word.middle, NEAR_WORD_MM + word.width):
             distance = word.distance(nodes.places[node]) + (2.0 if node >= nodes.corners else 0.0)
@@ -54,6 +56,12 @@ def _between(z: complex, a: complex, b: complex) -> bool:
     """Whether a place is on the way from a to b, not at its ends."""
     local = (z - a) / (b - a) * abs(b - a)
     return abs(local.imag) < LEADER_MM / 2 and LEADER_MM / 2 < local.real < abs(b - a) - LEADER_MM / 2
+
+
+def begun(sketch: ReadDrawing, nodes: Nodes) -> dict[int, float]:
+    """The node where most vectors begin, which is as good as one not far from the word p."""
+    starts = Counter(nodes.ends[k, 0 if sketch.ways[k] > 0 else 1] for k in headed(sketch))
+    return {node: BUSY_MM for node, count in starts.most_common(1) if count > 1}
 
 
 def pole_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
 
 from planes.check import STATUS, Outcome
 from planes.check.report.rows import as_json
 from planes.words import Lang, say
 from planes.words.errors import PlanesError
+from planes.words.records import Json
+
+
+def heads(lang: Lang) -> list[str]:
+    """Names of the columns of a table of drawings."""
+    return [say(k, lang) for k in ("check_file", "check_verdict", "check_mark", "check_first")]
 
 
 @dataclass
@@ -41,7 +46,7 @@ class Checked:
         """File, verdict, mark, sentence."""
         return [self.file, say(f"verdict_{self.verdict}", lang), self.first, self.said(lang)]
 
-    def as_json(self, lang: Lang) -> dict[str, Any]:
+    def as_json(self, lang: Lang) -> Json:
         """The object of the drawing, with its file."""
         if self.found:
             return {"file": self.file, **as_json(self.found, lang)}

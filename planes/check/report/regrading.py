@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 from planes.batch.symbols import Num, Vec, place_of
 from planes.batch.tape import Tape
@@ -20,8 +19,11 @@ from planes.check.grading.handwork import Person, Variant
 from planes.check.grading.perturbing import Skill
 from planes.drafting.drawing import draw_steps
 from planes.drafting.steps import Same
+from planes.drafting.tools import Env
+from planes.geometry.arithmetic import Real, Truth
+from planes.words.records import Json
 
-Things = dict[str, Any]
+Things = Env
 SURELY_MM = 0.2  # how surely a person places a mark on the screen
 
 
@@ -38,7 +40,7 @@ class Retraced:
 class _Plain(Recording):
     """The arithmetic of a page: what is only there for the last digits is done without."""
 
-    def gap(self, c: Any, d: Any, r: Any, s: Any) -> Any:
+    def gap(self, c: Vec, d: Vec, r: Num, s: Num) -> Real:
         """(r + s)² - |d - c|²."""
         way = d - c
         return (r + s) * (r + s) - (way.real * way.real + way.imag * way.imag)
@@ -56,7 +58,7 @@ class _TapeHand(Person, TracingTool):
         self.sources.append(Source(place, size))
         return Num(self.tape, place)
 
-    def is_read(self, mark: str) -> Any:
+    def is_read(self, mark: str) -> Truth:
         """Whether a mark is a person's own: known now, or by a number of the tape."""
         if mark in self.late:
             return Num(self.tape, self.tape.leaf("given", f"{mark}?")) > 0.5
@@ -93,7 +95,7 @@ class _Desk:
         """What the steps touched by a mistake make of the person's marks."""
         return variant.drawn(self.program, self.things, self.tool, self.taken)
 
-    def misses(self, marks: Iterable[str], made: Mapping[str, Any]) -> dict[str, tuple[int, int]]:
+    def misses(self, marks: Iterable[str], made: Things) -> dict[str, tuple[int, int]]:
         """Places of what each mark misses by."""
         off = {m: self.own[m] - made[m] for m in marks if m in made}
         return {m: (place_of(self.tape, z.real), place_of(self.tape, z.imag)) for m, z in off.items()}
@@ -124,7 +126,7 @@ def _short(found: Retraced) -> Retraced:
     return Retraced(tape, sources, moved(found.misses), [moved(one) for one in found.under])
 
 
-def exported(tape: Tape, sources: Iterable[Source]) -> dict[str, Any]:
+def exported(tape: Tape, sources: Iterable[Source]) -> Json:
     """A tape as plain data: names of operations, [operation, arguments…] in order, constants, givens, sources."""
     names = sorted({op for op, _ in tape.ops})
     return {
@@ -136,6 +138,6 @@ def exported(tape: Tape, sources: Iterable[Source]) -> dict[str, Any]:
     }
 
 
-def _number(value: Any) -> float | None:
+def _number(value: float) -> float | None:
     """A constant; null stands for what is no number."""
     return float(value) if math.isfinite(value) else None

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 from planes.check import Outcome
+from planes.check.grading.arithmetic_slips import Scored
 from planes.check.grading.grading import close_call
 from planes.words import Lang, Phrase
 from planes.words.names import label_of
+from planes.words.records import Json
 
 
-def mark_rows(out: Outcome) -> list[dict[str, Any]]:
+def mark_rows(out: Outcome) -> list[Json]:
     """The marks of the JSON (or the segments of a table of segments)."""
     g = out.grading
     if g is None:
@@ -19,7 +20,7 @@ def mark_rows(out: Outcome) -> list[dict[str, Any]]:
     rows = []
     for mark, verdict in g.verdicts.items():
         own, miss = g.hand.taken.get(mark), g.judgement.misses.get(mark)
-        row: dict[str, Any] = {
+        row: Json = {
             "mark": label_of(mark),
             "read_mm": None,
             "read_error_mm": None,
@@ -49,7 +50,7 @@ def mark_rows(out: Outcome) -> list[dict[str, Any]]:
     return rows
 
 
-def _segment_row(s: Any) -> dict[str, Any]:
+def _segment_row(s: Scored) -> Json:
     off = abs(abs(s.figure.given) - s.true)
     row = {
         "mark": s.figure.name,
@@ -62,7 +63,7 @@ def _segment_row(s: Any) -> dict[str, Any]:
     return row | ({"warning": Phrase("check_close").told("en")} if s.close else {})
 
 
-def result_rows(out: Outcome) -> list[dict[str, Any]]:
+def result_rows(out: Outcome) -> list[Json]:
     """The results of the JSON."""
     rows = []
     for s in out.results.scored if out.results else []:
@@ -72,7 +73,7 @@ def result_rows(out: Outcome) -> list[dict[str, Any]]:
     return rows
 
 
-def as_json(out: Outcome, lang: Lang = "en") -> dict[str, Any]:
+def as_json(out: Outcome, lang: Lang = "en") -> Json:
     """The object ``planes check --json`` prints."""
     asked, plans = out.bench.asked, out.bench.plans
     value = float(out.bench.given[plans.drive_given])

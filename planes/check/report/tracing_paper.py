@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shlex
 from dataclasses import replace
-from typing import Any
 
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare
@@ -14,10 +13,11 @@ from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
 from planes.words import Lang
 from planes.words.names import POLE, kind_of, label_of
+from planes.words.records import Json
 from planes.words.units import mu_text
 
 
-def tracing_data(asked: Asked, lang: Lang) -> dict[str, Any]:
+def tracing_data(asked: Asked, lang: Lang) -> Json:
     """All plans of a scene, the one asked for first, mm from their poles."""
     bench = prepare(asked)
     others = [p for p in known_plans(bench.plans) if p != asked.plan]
@@ -30,11 +30,12 @@ def tracing_data(asked: Asked, lang: Lang) -> dict[str, Any]:
     }
 
 
-def _plan(bench: PreparedPlan, lang: Lang) -> dict[str, Any]:
+def _plan(bench: PreparedPlan, lang: Lang) -> Json:
     plan, kind = bench.asked.plan, kind_of(bench.asked.plan)
     truth = run(bench.program, bench.given)
     marks = {label_of(m): complex(truth[m]) for m in bench.marks}
     said = say_plan(plan, lang)
+    line = shlex.join(bench.asked.line("⟦file⟧")).replace("'⟦file⟧'", "⟦file⟧")
     names = [(s.name, s.start, s.end) for s in sides_of(bench.plans, plan)] if kind == "force" else []
     return {
         "key": plan,
@@ -44,14 +45,5 @@ def _plan(bench: PreparedPlan, lang: Lang) -> dict[str, Any]:
         "far": max(marks, key=lambda n: abs(marks[n])),
         "vectors": vectors(bench),
         "names": names,
-        "command": _command(bench),
+        "command": f"{line} --pole ⟦pole⟧ --mark ⟦mark⟧",  # the page puts in the picture and the places of two points
     }
-
-
-def _command(bench: PreparedPlan) -> str:
-    """How to check the picture itself; the page puts in its name and the places of two points."""
-    asked, kind = bench.asked, bench.plans.mechanism.drive.kind
-    words = ["planes", "check", asked.scene.file, "⟦file⟧", "--plan", asked.plan]
-    words += ["--variant", asked.scene.variant] if asked.scene.variant else []
-    words += [f"--{kind}={asked.value:g}"] if asked.value is not None else []
-    return f"{shlex.join(words)} --pole ⟦pole⟧ --mark ⟦mark⟧".replace("'⟦file⟧'", "⟦file⟧")

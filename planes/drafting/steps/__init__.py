@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from planes.drafting.steps.base import Kind, Read, Step, directions, marks, values
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs, Touch
-from planes.drafting.tools import Env, Tool
+from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 
 __all__ = [
@@ -40,7 +40,7 @@ class Put(Step):
     def reads(self) -> tuple[Read, ...]:
         return ((self.at, "place"), *values(self.mu)) if self.at else ()
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         return tool.mark(env[self.at] * env[self.mu]) if self.at and self.mu else 0j
 
 
@@ -54,7 +54,7 @@ class Aim(Step):
     def reads(self) -> tuple[Read, ...]:
         return values(self.angle)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         return tool.ar.cis_deg(env[self.angle])
 
 
@@ -69,7 +69,7 @@ class Through(Step):
     def reads(self) -> tuple[Read, ...]:
         return marks(self.start, self.end)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         return plane.unit(env[self.end] - env[self.start], tool.ar)
 
 
@@ -85,7 +85,7 @@ class Turn(Step):
     def reads(self) -> tuple[Read, ...]:
         return directions(self.of) + values(self.angle)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         turned = env[self.of] * (1, 1j, -1, -1j)[self.quarter % 4]
         return turned * tool.ar.cis_deg(env[self.angle]) if self.angle else turned
 
@@ -102,7 +102,7 @@ class LayOff(Step):
     def reads(self) -> tuple[Read, ...]:
         return marks(self.start) + directions(self.along) + values(self.length, self.mu)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         return tool.mark(env[self.start] + tool.ray(env[self.along]) * (env[self.length] * env[self.mu]))
 
 
@@ -118,7 +118,7 @@ class Carry(Step):
     def reads(self) -> tuple[Read, ...]:
         return marks(self.start, self.first, self.second)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         segment = (env[self.second] - env[self.first]) * (1, 1j, -1, -1j)[self.quarter % 4]
         return tool.mark(env[self.start] + segment)
 
@@ -132,7 +132,7 @@ class Same(Step):
     def reads(self) -> tuple[Read, ...]:
         return marks(self.of)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         return env[self.of]
 
 
@@ -148,7 +148,7 @@ class Similar(Step):
     def reads(self) -> tuple[Read, ...]:
         return (*marks(self.start, self.end), (self.ratio, "place"))
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         return tool.mark(env[self.start] + (env[self.end] - env[self.start]) * env[self.ratio])
 
 
@@ -164,6 +164,6 @@ class Image(Step):
     def reads(self) -> tuple[Read, ...]:
         return marks(self.start, *self.of, *self.like, *self.image)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         (a, b), (c, d), (e, f) = self.of, self.like, self.image
         return tool.mark(env[self.start] + (env[b] - env[a]) * ((env[f] - env[e]) / (env[d] - env[c])))

@@ -8,9 +8,9 @@ so the same step serves one position or an array of many.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, ClassVar, Literal
+from typing import ClassVar, Literal
 
-from planes.drafting.tools import Env, Tool
+from planes.drafting.tools import Env, Thing, Tool
 from planes.words.names import HELPERS, Meaning
 
 Kind = Literal["mark", "direction", "value", "place"]
@@ -44,7 +44,7 @@ class Step:
         """Names of what the step needs, each with its kind."""
         raise NotImplementedError
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         """The thing itself, from the things in ``env``."""
         raise NotImplementedError
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from planes.drafting.steps.base import Kind, Read, Step, directions, marks, values
-from planes.drafting.tools import Env, Tool
+from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 
 
@@ -23,7 +23,7 @@ class Cross(Step):
     def reads(self) -> tuple[Read, ...]:
         return marks(self.start, self.other) + directions(self.along, self.across)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         u, w = tool.ray(env[self.along]), tool.ray(env[self.across])
         place, sharpness, gap = plane.lines(env[self.start], u, env[self.other], w)
         tool.sharpen(self.makes, abs(sharpness))
@@ -56,7 +56,7 @@ class CrossArc(Step):
         lines = directions(self.along, ray)
         return marks(self.start, self.centre, hub) + lines + values(self.radius, self.mu, self.side, length)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         radius = abs(env[self.radius] * env[self.mu])
         u = tool.ray(env[self.along])
         arm = None
@@ -86,7 +86,7 @@ class CrossArcs(Step):
     def reads(self) -> tuple[Read, ...]:
         return marks(self.centre, self.other) + values(self.radius, self.other_radius, self.mu, self.side)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         r, s = abs(env[self.radius] * env[self.mu]), abs(env[self.other_radius] * env[self.mu])
         centre, other = env[self.centre], env[self.other]
         place, sharpness, far, near = plane.arcs(centre, r, other, s, env[self.side], tool.ar)
@@ -114,7 +114,7 @@ class Touch(Step):
     def reads(self) -> tuple[Read, ...]:
         return marks(self.start, self.end) + values(self.offset, self.mu, self.side)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         offset = env[self.offset] * env[self.mu] if self.offset else 0.0
         start, end = env[self.start], env[self.end]
         u, sharpness, miss = plane.tangent(start, end, offset, env[self.side], tool.ar)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from planes.drafting.steps.base import Kind, Read, Step, directions, marks, values
-from planes.drafting.tools import Env, Tool
+from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
-from planes.geometry.arithmetic import Arithmetic
+from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class Measure(Step):
     def reads(self) -> tuple[Read, ...]:
         return marks(self.start, self.end) + directions(self.along) + values(self.mu)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         segment = env[self.end] - env[self.start]
         length = plane.dot(env[self.along], segment) if self.along else abs(segment)
         return tool.read(length) / env[self.mu]
@@ -45,7 +45,7 @@ class Drop(Step):
     def reads(self) -> tuple[Read, ...]:
         return marks(self.point, self.about) + directions(self.along) + values(self.mu)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         arm = plane.cross(env[self.point] - env[self.about], env[self.along])
         return tool.read(arm) / env[self.mu]
 
@@ -60,7 +60,7 @@ class Protractor(Step):
     def reads(self) -> tuple[Read, ...]:
         return directions(self.of)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         return tool.ar.angle_deg(env[self.of])
 
 
@@ -71,9 +71,9 @@ class Product:
     coefficient: float
     factors: tuple[tuple[str, int], ...]
 
-    def value(self, env: Mapping[str, Any], ar: Arithmetic) -> Any:
+    def value(self, env: Mapping[str, Thing], ar: Arithmetic) -> Real:
         """The product itself."""
-        product: Any = self.coefficient
+        product: Real = self.coefficient
         for name, power in self.factors:
             product = product * ar.power(env[name], power)
         return product
@@ -89,8 +89,8 @@ class Calculate(Step):
     def reads(self) -> tuple[Read, ...]:
         return values(*dict.fromkeys(name for t in self.terms for name, _ in t.factors))
 
-    def draw(self, env: Env, tool: Tool) -> Any:
-        total: Any = 0.0
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        total: Real = 0.0
         for term in self.terms:
             total = total + term.value(env, tool.ar)
         return total
@@ -112,10 +112,10 @@ class Sense(Step):
     def reads(self) -> tuple[Read, ...]:
         return marks(self.start, self.end, *self.beside) + directions(self.along)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         segment = env[self.end] - env[self.start]
         length = plane.dot(env[self.along], segment) if self.along else abs(segment)
-        largest: Any = 0.0
+        largest: Real = 0.0
         for mark in self.beside:
             largest = tool.ar.maximum(largest, abs(env[mark]))
         moving = abs(length) > tool.still * largest
@@ -133,7 +133,7 @@ class SenseOf(Step):
     def reads(self) -> tuple[Read, ...]:
         return values(self.value)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         return tool.ar.sign(env[self.value])
 
 
@@ -155,7 +155,7 @@ class Lean(Step):
     def reads(self) -> tuple[Read, ...]:
         return directions(self.normal, self.along) + values(self.coefficient, self.sliding)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
+    def draw(self, env: Env, tool: Tool) -> Thing:
         friction = env[self.coefficient] * env[self.sliding] * self.push
         return plane.unit(env[self.normal] - env[self.along] * friction, tool.ar)
 
@@ -181,12 +181,12 @@ class Choose(Step):
         pushes = tuple(dict.fromkeys(p for t in self.trials for p in t.pushes))
         return marks(*(t.mark for t in self.trials)) + values(*pushes, self.mu) + marks(self.size)
 
-    def draw(self, env: Env, tool: Tool) -> Any:
-        chosen: Any = complex("nan")
-        sharp: Any = 1.0
-        count: Any = 0
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        chosen: Point = complex("nan")
+        sharp: Real = 1.0
+        count: Real = 0
         for trial in reversed(self.trials):
-            true: Any = True
+            true: Truth = True
             slack = (1e-10 * (abs(env[trial.mark]) + abs(env[self.size])) + tool.doubt_mm) / env[self.mu]
             for push, sign in zip(trial.pushes, trial.signs, strict=True):
                 true = true & (env[push] * sign >= -slack)

@@ -1,4 +1,5 @@
-"""Names of marks, vectors and values as they are lettered on a sheet: F_21^t -> F_{21}^{t}, I_2 -> Φ_{2}."""
+"""Names of marks, vectors and values as people letter them: F_21^t -> F_{21}^{t}, I_2 -> Φ_{2}; curves over the cycle:
+vq_C -> v_{qC}, F_21_x -> F_{21x}."""
 
 from __future__ import annotations
 
@@ -7,19 +8,11 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 from planes.words import Lang, say
+from planes.words.names import parted
 
 PRIME = "′"
-_GREEK = {
-    "omega": "ω",
-    "epsilon": "ε",
-    "phi": "φ",
-    "alpha": "α",
-    "beta": "β",
-    "gamma": "γ",
-    "delta": "δ",
-    "psi": "ψ",
-    "theta": "θ",
-}
+_SPELT = ("omega", "epsilon", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta")
+_GREEK = dict(zip(_SPELT, "ωεφαβγδψθ", strict=True))
 _INDEXED = re.compile(r"([^\W\d_]+)(\d+)")
 
 
@@ -92,6 +85,16 @@ class Naming:
         """The balancing moment or force."""
         return f"{'M' if turning else 'F'}_{{{say('balance', self.lang)}}}"
 
+    def named(self, name: str, plan: str = "") -> str:
+        """A name in running text: a mark of a plan, an arm, a point or a vector; a direction is its vector's."""
+        plain = name.strip("|‖°").removesuffix("_given")
+        letter, _, index = plain.partition("_")
+        if letter in ("h", "H") and index:
+            return self.arm(index.partition("^")[0].rpartition("_")[0] if letter == "h" else index, plain)
+        if "'" in plain or plain == "p":
+            return self.mark(plain, plan)
+        return self.vector(parted(plain)) if index else lettered(plain)
+
 
 def flat(text: str) -> str:
     """A name without the markup of its indices, to stand in an index itself."""
@@ -120,3 +123,33 @@ def greek(name: str) -> str:
     if letter == "angle" and index:
         return f"∠{index.replace('_', ',')}"
     return _GREEK.get(letter, letter) + (f"_{{{index.replace('_', ',')}}}" if index else "")
+
+
+def lettered_curve(name: str, naming: Naming) -> str:
+    """A curve's name with its index lowered: a letter, then _{…}."""
+    head, _, index = name.partition("_")
+    index, _, axis = index.partition("_")
+    if head == "r":
+        return f"{axis or 'r'}_{{{index}}}"
+    if head == "u":
+        return f"u_{{{index}{',' + axis if axis else ''}}}"
+    if head in ("M", "MZ", "Fb", "FbZ"):
+        return naming.balancing(head.startswith("M")) + ("^{Ж}" if head.endswith("Z") else "")
+    if head == "F":
+        return _reaction(name, naming)
+    if head == "coriolis":
+        return f"a^{{k}}_{{{index}{axis}}}"
+    if index == "slide":
+        index, _, axis = axis.partition("_")
+    letter, analogue = rate_of(head)
+    return f"{letter}_{{{analogue}{index}{axis}}}"
+
+
+def _reaction(name: str, naming: Naming) -> str:
+    """F_21, F_11_10, F_21_x, F_50_arm, F_50_moment."""
+    *links, last = name.split("_")[1:]
+    if last not in ("x", "y", "arm", "moment"):
+        links, last = [*links, last], ""
+    shown = naming.reaction("_".join(links))
+    letter = {"arm": "h", "moment": "M"}.get(last, "F")
+    return f"{letter}_{{{shown}{last if last in ('x', 'y') else ''}}}"

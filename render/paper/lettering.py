@@ -5,24 +5,53 @@ the height of the capitals from edge to edge; draw the paths with round ends and
 but for raised and lowered characters.  Small letters are 7/10 h high, letters stand 2/10 h apart (half of
 that where both neighbours are open, as in ГА), words 6/10 h.  Slanted lettering is the upright one
 sheared to 75°.
+
+The letters stand in ``glyphs.json`` on the grid of ГОСТ 2.304, type B: one cell is the pen width d, a capital fills
+ten rows.  A point is the centre of a cell, so a capital runs from row 0 to row 9, a small letter to row 6, a descender
+to row -3, signs of operation stand about row 4, brackets reach from row -1.7 to row 10.3; columns are counted to the
+right.  A path is a list of words:
+
+    x,y              straight line to the point (after the start or after ``|``: pen set down there)
+    hx,y             quarter oval to the point, leaving level and arriving upright
+    vx,y             quarter oval to the point, leaving upright and arriving level
+    cx,y x,y x,y     cubic Bézier curve: two handles and the end point
+    |                pen up
+    ox,y,x,y         closed oval between two corners
+    .x,y             dot
+    @A or @A,dx,dy   the strokes of another glyph, moved by dx, dy
 """
 
+from __future__ import annotations
+
+import json
 import math
 import unicodedata
 from collections.abc import Iterator
 from functools import lru_cache
 from itertools import pairwise
-
-from render.paper.lettering.cyrillic import CYRILLIC
-from render.paper.lettering.latin import DIGITS, GREEK, LATIN
-from render.paper.lettering.signs import SAME, SHIFTED, SIGNS
+from pathlib import Path
 
 PEN = 0.1  # pen width over letter height
 LETTER_GAP = 2.0  # clear distance of letters, in pen widths
 WORD_GAP = 6.0  # clear distance of words, in pen widths
 SLANT = 1 / math.tan(math.radians(75))  # shear of the slanted lettering
 SMALL = 0.7  # size of raised and lowered characters, and of their pen
-GLYPHS: dict[str, str] = {**LATIN, **DIGITS, **GREEK, **CYRILLIC, **SIGNS}
+_TABLES: dict[str, dict[str, str]] = json.loads(Path(__file__).with_name("glyphs.json").read_text("utf-8"))
+GLYPHS: dict[str, str] = {char: path for table in _TABLES.values() for char, path in table.items()}
+SAME: dict[str, str] = dict(
+    zip(
+        "АВЕІЈКМНОРЅСТХаеіјорѕсухΑΒΕΖΗΙΚΜΝΟΡΤΥΧοΓΠΦκµϕ∆∙⋅‧ʼ∼⟂‑‐―",
+        "ABEIJKMHOPSCTXaeijopscyxABEZHIKMNOPTYXoГПФкμφΔ···’~⊥--—",
+        strict=True,
+    )
+)
+"""Characters drawn exactly as another one: the look-alikes of the alphabets and doubles of signs."""
+SHIFTED: dict[str, tuple[str, float]] = {
+    **{c: (base, 4.5) for c, base in zip("⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ⁻⁺⁽⁾", "0123456789n−+()", strict=True)},
+    "°": ("○", 6.5),
+    **{c: (base, -3.0) for c, base in zip("₀₁₂₃₄₅₆₇₈₉ₙ₋₊₍₎", "0123456789n−+()", strict=True)},
+}
+"""Raised and lowered characters: the character they repeat at ``SMALL`` size and the shift in d."""
 _BOX = "0,0 0,6 4,6 4,0 0,0"
 _ROUND = 0.6  # handle of a quarter oval: 0.552 is an ellipse, more is squarer
 _DOT = 0.2  # radius of the pen's path in a dot, in d
@@ -193,17 +222,6 @@ def pens(text: str, height_mm: float) -> tuple[float, ...]:
 def width(text: str, height_mm: float) -> float:
     """Width in mm of the ink of a line of upright text, from edge to edge, no gap after it."""
     return _layout(text)[0] * PEN * height_mm
-
-
-def box(text: str, height_mm: float, slant: bool = False) -> tuple[float, float, float, float]:
-    """Bounds (x0, y0, x1, y1) of the ink in mm, half the pen width included; zeros for no ink."""
-    drawn = zip(strokes(text, height_mm, slant), pens(text, height_mm), strict=True)
-    edges = [(z, pen / 2) for line, pen in drawn for z in line]
-    if not edges:
-        return 0.0, 0.0, 0.0, 0.0
-    low, high = [z - complex(half, half) for z, half in edges], [z + complex(half, half) for z, half in edges]
-    x0, y0 = min(z.real for z in low), min(z.imag for z in low)
-    return x0, y0, max(z.real for z in high), max(z.imag for z in high)
 
 
 def missing(text: str) -> str:

@@ -1,0 +1,194 @@
+"""What a page judges moved marks by, as plain data: the tape, the right plan, the rule, what may have to be said."""
+
+from __future__ import annotations
+
+import base64
+import math
+from collections.abc import Mapping
+
+from planes.check import Outcome
+from planes.check.fiducials import SHEET_MM
+from planes.check.grading.evidence import SMALLEST, SURE
+from planes.check.grading.grading import READABLE, Grading, key_marks
+from planes.check.grading.handwork import LEAST_MM, Variant
+from planes.check.grading.jointly import order_of_reckoning
+from planes.check.grading.judging import (
+    FALSE_ALARM,
+    LEFT_OUT,
+    MARGIN,
+    OTHER_CAUSE,
+    SLIP,
+    TOO_WELL,
+    UNDRAWN,
+    WARN,
+    breadth,
+)
+from planes.check.grading.polygons import sides_of
+from planes.check.grading.prepared_plan import variants_of
+from planes.check.report.regrading import SURELY_MM, exported, retrace
+from planes.check.report.shown import own_marks, own_order, shown_plans, vectors
+from planes.check.vision.photograph import blank_pole
+from planes.drafting.steps import Same
+from planes.plans.lettering import lettering
+from planes.plans.scales import extent
+from planes.words import Lang, Phrase, Written, say
+from planes.words.names import POLE, kind_of, label_of, plan_of
+from planes.words.records import Json
+
+Pair = list[float]
+MARGIN_MM = 12.0  # about a drawing on a page
+
+
+def moved_marks(found: Outcome, grading: Grading, lang: Lang) -> Json:
+    """What a page needs to judge marks that are moved."""
+    bench = found.bench
+    plan = bench.asked.plan
+    variants = list(variants_of(bench, grading.hand, grading.mu))
+    traced = retrace(grading, variants)
+    truth = {label_of(m): complex(grading.truth[m]) for m in grading.marks}
+    taken = grading.hand.taken
+    earlier = {
+        f"{m}.{axis}": value
+        for m, t in taken.items()
+        if plan_of(m) != plan
+        for axis, value in zip("xy", _pair(t.place), strict=True)
+    }
+    force = kind_of(plan) == "force"
+    return {
+        "lettering": lettering(bench.asked.scene, bench.plans),
+        "kind": kind_of(plan),
+        "marks": [_mark(grading, m, traced.misses[m]) for m in grading.marks],
+        "vectors": vectors(bench),
+        "truth": {POLE: [0.0, 0.0], **{n: _pair(z) for n, z in truth.items()}},
+        "rows": [(s.name, s.start, s.end) for s in sides_of(bench.plans, plan)]
+        if force
+        else [(n, POLE, n) for n in truth],
+        "chained": force,
+        "earlier": earlier,
+        "order": [(s.name, s.start, s.end) for s in own_order(found)],
+        "tape": exported(traced.tape, traced.sources),
+        "variants": [_variant(v, under, lang) for v, under in zip(variants, traced.under, strict=True) if under],
+        "rule": _rule(grading),
+        "said": _said(found, lang),
+        "otherwise": _otherwise(found, grading, lang),
+        "words": {k: say(f"verdict_{k}", lang) for k in ("right", "wrong", "follows", "unread")}
+        | {"close": say("check_close", lang)},
+        "strokes": [[*_pair(a), *_pair(b)] for a, b in found.paper.strokes],
+        **_shown(found, truth),
+    }
+
+
+def _mark(grading: Grading, mark: str, miss: tuple[int, int]) -> Json:
+    """A mark: where it is, if it was read, and what it is judged by."""
+    taken, label = grading.hand.taken.get(mark), label_of(mark)
+    true = grading.truth[mark]
+    place = taken.place if taken else true
+    error = taken.error_mm if taken else SURELY_MM
+    xx, xy, yy = grading.loose.miss(grading.loose.things[mark], true).cov
+    return {
+        "name": label,
+        "key": mark,
+        "x": place.real,
+        "y": place.imag,
+        "read": taken is not None,
+        "error": error,
+        "miss": miss,
+        "true": [true.real, true.imag],
+        "free": [xx + error**2, xy, yy + error**2],
+    }
+
+
+def _variant(v: Variant, under: Mapping[str, tuple[int, int]], lang: Lang) -> Json:
+    said = Phrase(f"mistake_{v.mistake}", **{"mark": v.blames, **v.about}).told(lang)
+    return {
+        "mistake": v.mistake,
+        "blames": v.blames,
+        "weight": v.weight,
+        "said": said,
+        "under": {label_of(m): places for m, places in under.items()},
+    }
+
+
+def _rule(grading: Grading) -> Json:
+    """The numbers judging goes by."""
+    absent, gap = (grading.rebuilt.absent, grading.rebuilt.gap) if grading.rebuilt else (set[str](), None)
+    plan, point = plan_of(grading.marks[0]), grading.hand.tool.skill.point_mm
+    return {
+        "false_alarm": FALSE_ALARM,
+        "least": LEAST_MM,
+        "slip": SLIP,
+        "other": OTHER_CAUSE,
+        "undrawn": UNDRAWN,
+        "left_out": LEFT_OUT,
+        "margin": MARGIN,
+        "too_well": TOO_WELL,
+        "warn": WARN,
+        "broad": breadth(extent(grading.truth, plan)),
+        "readable": READABLE,
+        "key": [label_of(m) for m in key_marks(grading)],
+        "absent": sorted(absent),
+        "shown_by": [(label_of(m), [label_of(k) for k in by]) for m, by in grading.shown_by.items()],
+        "same": [
+            label_of(s.makes) for s in grading.hand.program.steps if isinstance(s, Same) and s.makes in grading.marks
+        ],
+        "smallest": SMALLEST * point,
+        "sure": SURE,
+        "free": not grading.said_mu,
+        "gap": math.sqrt(2 * point**2 + 2 * gap.error_mm**2) if gap else None,
+        "order": [label_of(m) for m in order_of_reckoning(grading.hand.program.steps, grading.marks)],
+    }
+
+
+def _said(found: Outcome, lang: Lang) -> dict[str, str]:
+    """Sentences a page may come to, with places for names and numbers."""
+    phrases = {
+        "right": found.right(""),
+        "as_seen": found.right("⟦names⟧"),
+        "nothing_drawn": Phrase("check_nothing_drawn", size="⟦size⟧"),
+        "by_chance": Phrase("check_by_chance", size="⟦size⟧", count="⟦count⟧"),
+        "nothing": Phrase("check_nothing_read", names="⟦names⟧"),
+        "too_little": Phrase("check_too_little", found="⟦found⟧", count="⟦count⟧", names="⟦names⟧"),
+        "other": Phrase("check_other_drawing", count="⟦count⟧", wrong="⟦wrong⟧"),
+        "unclear": Phrase("check_unclear", mark="⟦mark⟧", off="⟦off⟧"),
+    }
+    return {k: p.told(lang) for k, p in phrases.items()}
+
+
+def _otherwise(found: Outcome, grading: Grading, lang: Lang) -> Json | None:
+    """What is wrong though no mark is: a force that is not there, a polygon that does not close."""
+    left = grading.left_out
+    if left:
+        said = Phrase(f"mistake_{grading.left_out_mistake}", mark=left)
+        return {"first": left, "mark": left, "said": said.told(lang)}
+    if grading.gap_wrong and grading.rebuilt:
+        said = Phrase("mistake_not_closed", gap=Written(f"{grading.gap_wrong:.1f}"), mark=grading.rebuilt.closing)
+        return {"first": grading.rebuilt.closing, "mark": None, "said": said.told(lang)}
+    return None
+
+
+def _shown(found: Outcome, truth: Mapping[str, complex]) -> Json:
+    """The picture where there is one, and the part of the paper to show."""
+    paper = found.paper
+    if paper.picture:
+        (w, h), pole = SHEET_MM, blank_pole(found.bench)
+        box = paper.box or (-pole.real, -pole.imag, w - pole.real, h - pole.imag)
+        href = "data:image/jpeg;base64," + base64.b64encode(paper.picture).decode()
+        unread = found.grading is None or any(m not in found.grading.hand.taken for m in found.grading.marks)
+        return {"picture": {"href": href, "box": box}, "box": box if unread else _about(found, truth)}
+    return {"picture": None, "box": _about(found, truth)}
+
+
+def _about(found: Outcome, truth: Mapping[str, complex]) -> Pair:
+    """A box about both plans: left, bottom, right, top."""
+    shown = shown_plans(found)
+    vectors_shown = [*shown.own, *shown.true, *found.paper.strokes]
+    places = [0j, *truth.values(), *own_marks(found).values(), *(z for v in vectors_shown for z in v)]
+    places = [z for z in places if math.isfinite(abs(z)) and abs(z) < 2000]
+    xs, ys = [z.real for z in places], [z.imag for z in places]
+    low, high = complex(min(xs), min(ys)), complex(max(xs), max(ys))
+    margin = complex(MARGIN_MM, MARGIN_MM)
+    return [*_pair(low - margin), *_pair(high + margin)]
+
+
+def _pair(z: complex) -> Pair:
+    return [round(z.real, 4), round(z.imag, 4)]

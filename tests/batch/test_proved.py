@@ -1,0 +1,100 @@
+"""Of many positions too, none that contradicts itself gives a number: wrong formulas are put in for some of them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from planes.batch import compiled
+from planes.cli import main
+from planes.course.survey import lines_of
+from planes.drafting.drawing import FEW
+from planes.drafting.steps import Similar
+from planes.drafting.steps.reckoning import Calculate
+from planes.scene import load
+from planes.solving import solve
+from planes.words.errors import Contradiction
+from tests.plans.test_proofs import COUPLE, WRONG, Spoil, cycle_of
+from tests.solving.test_failures import SLIDER
+
+HIGH = np.arange(20.0, 20.0 + FEW)
+LONG = np.linspace(20.0, 80.0, 8 * FEW)
+RATES = SLIDER.replace("C: 0.3", "C: 0.3, S: [0.1, 0.1]")
+
+
+def bent(m: pytest.MonkeyPatch) -> None:
+    """The third point of a link is drawn in a wrong place of the velocity plan, past 50° alone."""
+    similar = Similar.draw
+
+    def wrong(self: Similar, env: Any, tool: Any) -> Any:
+        off = tool.ar.where(env["angle_x_1"] > 50, 1.001, 1.0) if self.makes == "velocity:s" else 1.0
+        return similar(self, env, tool) * off
+
+    m.setattr(Similar, "draw", wrong)
+
+
+def unbalanced(m: pytest.MonkeyPatch) -> None:
+    """A tangential part of a reaction is reckoned wrong, past 50° alone."""
+    value = Calculate.draw
+
+    def wrong(self: Calculate, env: Any, tool: Any) -> Any:
+        off = tool.ar.where(env["angle_x_1"] > 50, 1.001, 1.0) if self.makes == "F_21^t" else 1.0
+        return value(self, env, tool) * off
+
+    m.setattr(Calculate, "draw", wrong)
+
+
+@pytest.mark.parametrize("values", [HIGH, LONG], ids=["few", "many"])
+@pytest.mark.parametrize("fast", [False, True], ids=["arrays", "compiled"])
+@pytest.mark.parametrize(
+    "spoil, scene, names, reason",
+    [
+        (bent, RATES, ["r_C", "r_S", "v_C", "v_S", "omega_2"], "link_bent"),
+        (unbalanced, SLIDER + COUPLE, ["F_21", "F_30"], "link_unbalanced"),
+    ],
+    ids=["bent", "unbalanced"],
+)
+def test_a_position_that_fails_a_proof_of_what_is_asked_is_masked(
+    spoil: Spoil, scene: str, names: list[str], reason: str, fast: bool, values: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if fast and not compiled.available():
+        pytest.skip("no compiler")
+    scene = scene.replace("phi: 60", "phi: 40")
+    (right,) = cycle_of(scene, names).blocks(values, fast=fast)
+    assert not right.failed.any() and np.isfinite(right.table).all()
+    spoil(monkeypatch)
+    c = cycle_of(scene, names)
+    (block,) = c.blocks(values, fast=fast)
+    assert (block.failed == (values > 50)).all() and np.isnan(block.table[:, block.failed]).all()
+    assert {c.reasons[k - 1].key for k in set(block.codes[block.failed].tolist())} == {reason}
+    assert np.allclose(block.table[:, ~block.failed], right.table[:, ~block.failed], rtol=1e-12, atol=1e-12)
+
+
+def test_a_table_says_of_a_contradiction_what_a_position_says(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    scene, out = tmp_path / "s.yaml", tmp_path / "t.csv"
+    scene.write_text(RATES.replace("phi: 60", "phi: 40") + "find: [r_C, r_S, v_C, v_S, omega_2]\n", encoding="utf-8")
+    bent(monkeypatch)
+    assert main(["cycle", str(scene), "--phi", "40:60:1", "-o", str(out)]) == 2
+    assert "the points of link 2 do not move as one body" in capsys.readouterr().err
+    rows = out.read_text(encoding="utf-8").splitlines()[1:]
+    assert [row.endswith("link_bent") for row in rows] == [k > 10 for k in range(21)]
+
+
+@pytest.mark.parametrize("spoil, scene, reason, plan", WRONG.values(), ids=WRONG.keys())
+def test_a_folder_refuses_what_a_scene_refuses(
+    spoil: Spoil, scene: str, reason: str, plan: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "scene.yaml"
+    path.write_text(scene, encoding="utf-8")
+    assert all(row.right for row in lines_of((str(path), "en", None)))
+    spoil(monkeypatch)
+    with pytest.raises(Contradiction) as refused:
+        solve(load(str(path)))
+    (row,) = lines_of((str(path), "en", None))
+    assert refused.value.reason == reason and not row.right and not row.solved
+    assert row.balancing is None and any(refused.value.told("en") in remark for remark in row.remarks)
