@@ -158,6 +158,8 @@ def _look(out: Outcome) -> None:
         _results(out)
     if not (out.grading or (out.segments and out.segments.scored) or (out.results and out.results.scored)):
         out.unreadable = Phrase("check_nothing_read", names=", ".join(label_of(m) for m in bench.marks))
+    elif not paper.pole_told and out.grading and out.grading.strays and not out.grading.surely_wrong:
+        out.unreadable = out.unreadable or Phrase("check_unsure", mark=out.grading.strays)
 
 
 def _scale_notes(out: Outcome) -> list[Phrase]:

@@ -14,7 +14,7 @@ from planes.documents import rendered, sheet_of
 from planes.solving import Position
 from render.sheet import Sheet
 from render.sheet.single import Page
-from tests.check.test_own_sheets import ASSIGNMENTS, SCENES, drawn, spoiled, view
+from tests.check.test_own_sheets import ASSIGNMENTS, SCENES, drawn, made, spoiled, view
 
 
 def looked(sample: str, plan: str, written: Page | Sheet, folder: Path) -> Outcome:
@@ -28,6 +28,13 @@ def there(position: Position, plan: str) -> bool:
     """Whether there is something to draw."""
     marks = [m for m in position.drawing.things if m.startswith(f"{plan}:")]
     return plan == "position" or any(abs(position.drawing[m]) > 1e-6 for m in marks)
+
+
+def wrongly(sample: str, plan: str) -> Position:
+    """A sample's position with a mistake of the catalogue in the plan."""
+    k = spoiled(sample, plan, 1)
+    assert k is not None
+    return made(sample, plan, drawn(sample)[1], k)[0]
 
 
 VIEWS = (
@@ -44,9 +51,7 @@ def test_a_view_is_right_and_with_one_step_spoiled_wrong_there(
 ) -> None:
     found = looked(sample, plan, view(sample, plan, drawn(sample)[1]), tmp_path)
     assert found.verdict == "right", found.sentence.told("en")
-    made = spoiled(sample, plan, 1)
-    assert made
-    found = looked(sample, plan, view(sample, plan, made[0]), tmp_path)
+    found = looked(sample, plan, view(sample, plan, wrongly(sample, plan)), tmp_path)
     assert (found.verdict, found.first_wrong, found.mistake) == ("wrong", where, mistake)
 
 
@@ -67,6 +72,6 @@ def test_a_plan_of_a_whole_sheet_is_right(plan: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize("sample", [*SCENES, *ASSIGNMENTS])
 def test_no_spoiled_view_is_right(sample: str, tmp_path: Path) -> None:
     for plan in known_plans(drawn(sample)[1].plans):
-        made = spoiled(sample, plan, 1) if there(drawn(sample)[1], plan) else None
-        if made:
-            assert looked(sample, plan, view(sample, plan, made[0]), tmp_path).verdict != "right", plan
+        if there(drawn(sample)[1], plan) and spoiled(sample, plan, 1) is not None:
+            written = view(sample, plan, wrongly(sample, plan))
+            assert looked(sample, plan, written, tmp_path).verdict != "right", plan

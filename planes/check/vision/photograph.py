@@ -78,7 +78,7 @@ def paper_of_picture(
             break
     if best is None or (best.flat.by in ("scale", "part") and best.explained < EXPLAINED and pole is None):
         raise PlanesError(Phrase("check_no_marks"))
-    paper.notes = list(best.flat.notes)
+    paper.notes, paper.pole_told = list(best.flat.notes), pole is not None or best.flat.by == "marks"
     paper.picture, paper.box = shown(best.flat), best.box(bench)
     if best.crowd:
         paper.notes.append(Phrase("check_crowd", count=f"> {2 * MOST_LINES}"))
