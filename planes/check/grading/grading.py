@@ -26,8 +26,6 @@ OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated 
 LONG_MM = 3.0  # a shorter vector shows no scale
 NAMELESS = "?"  # begins the name of a line that has none
 READABLE = 0.5  # the share of a plan's crossings that must be read
-FAR_MM = 3.0  # a mark this far off was not merely misread
-FITTING = 0.9  # the share of the other marks that must be seen, and right, before one of them is blamed
 
 
 @dataclass
@@ -103,15 +101,6 @@ class Grading:
             marks = (n for n, kind in step.reads() if kind == "mark")
             found[step.makes] = {step.makes}.union(*(found[n] for n in marks))
         return found
-
-    @property
-    def surely_wrong(self) -> bool:
-        """Whether a mark is wrong by far, while nearly all others were seen and are right: no misreading does that."""
-        found = self.judgement
-        off = max((abs(found.misses[m].off) for m in found.wrong), default=0.0)
-        fitting = found.explained if found.named else found.misses.keys() - found.wrong
-        others = [m for m in self.shown_by if label_of(m) != found.first_wrong]
-        return off > FAR_MM and sum(m in fitting for m in others) >= FITTING * len(others)
 
     @property
     def strays(self) -> str | None:
