@@ -38,7 +38,7 @@ Ends = tuple[complex, complex]
 
 
 @dataclass(frozen=True)
-class Arrow:
+class SeenArrow:
     """A vector on a sheet, with how surely each end is known."""
 
     start: complex
@@ -54,20 +54,20 @@ class ArrowSheet:
     seen: Seen
     cover: InkCover = field(init=False)
     full: Ink = field(init=False)
-    known: dict[complex, list[Arrow]] = field(default_factory=dict)
+    known: dict[complex, list[SeenArrow]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         ink = self.seen.ink
         self.cover = InkCover(self.seen, complex(math.inf))
         self.full = Ink(ink.flat, evened(ink.flat), ink.paper, ink.pencil)
 
-    def like(self, vector: complex) -> list[Arrow]:
+    def like(self, vector: complex) -> list[SeenArrow]:
         """Arrows that may be a vector (remembered)."""
         if vector not in self.known:
             self.known[vector] = list(self._like(vector))
         return self.known[vector]
 
-    def _like(self, vector: complex) -> Iterator[Arrow]:
+    def _like(self, vector: complex) -> Iterator[SeenArrow]:
         reach = REACH_MM + SHARE * abs(vector)
         for start in (p for p in self.seen.places if p.tip or p.ended):
             goal = start.z + vector
@@ -77,13 +77,13 @@ class ArrowSheet:
                 closer = None if tips else self.seen.closer(start.z, goal)
                 tips += [closer.z] if closer and abs(closer.z - goal) < reach else []
                 for tip in tips or [p.z for p in ends if p.ended]:
-                    yield Arrow(start.z, tip, (start.sigma, 0.15), bool(tips))
+                    yield SeenArrow(start.z, tip, (start.sigma, 0.15), bool(tips))
 
-    def beside(self, arrow: Arrow) -> float:
+    def beside(self, arrow: SeenArrow) -> float:
         """The share of an arrow's way on which its ink is not just there, in tenths."""
         return round(1 - self.seen.ink.covered(arrow.start, arrow.tip, STEP_MM / 2), 1)
 
-    def short(self, a: complex, b: complex) -> Arrow | None:
+    def short(self, a: complex, b: complex) -> SeenArrow | None:
         """A short vector about where it belongs: by itself, or at least some ink where it should be."""
         way, steps = (b - a) / abs(b - a), round(ASIDE_MM / STEP_MM)
         moved = (1j * way * STEP_MM * k for k in sorted(range(-steps, steps + 1), key=abs))
@@ -92,8 +92,8 @@ class ArrowSheet:
             line = fitted(self.full, a + by, b + by)
             start, tip = sorted(line.ends, key=lambda z: (z * way.conjugate()).real) if line else (b, a)
             if max(abs(start - a - by), abs(tip - b - by)) < REACH_MM / 2:
-                return Arrow(start, tip, (0.2, 0.2), False)
-        return Arrow(a + inked[0], b + inked[0], (HIDDEN_MM, HIDDEN_MM), False) if inked else None
+                return SeenArrow(start, tip, (0.2, 0.2), False)
+        return SeenArrow(a + inked[0], b + inked[0], (HIDDEN_MM, HIDDEN_MM), False) if inked else None
 
 
 def _drawn(bench: PreparedPlan, variant: Variant | None) -> tuple[dict[str, Ends], list[Ends]] | None:
@@ -124,7 +124,7 @@ def _fits(vector: Ends, start: complex, tip: complex, pole: complex) -> bool:
 
 def _laid(
     sheet: ArrowSheet, needed: Mapping[str, Ends], drawn: list[Ends]
-) -> tuple[dict[str, Arrow], complex, bool] | None:
+) -> tuple[dict[str, SeenArrow], complex, bool] | None:
     """The arrow of every vector, the pole, and whether none is missing or over; None where a long one has none."""
     long = {n: e for n, e in needed.items() if abs(e[1] - e[0]) > HEADED_MM}
     likely = {n: sheet.like(b - a) for n, (a, b) in long.items()}
@@ -138,7 +138,7 @@ def _laid(
                 for n, xs in likely.items()
             ]
             best = max(best, (sum(map(bool, near)), -sum(map(min, filter(None, near))), pole), key=lambda b: b[:2])
-    pole, found = best[2], dict[str, Arrow]()
+    pole, found = best[2], dict[str, SeenArrow]()
     for name, (a, b) in sorted(needed.items(), key=lambda side: -abs(side[1][1] - side[1][0])):
         length = abs(b - a)
         if length < DRAWN_MM:
@@ -154,7 +154,7 @@ def _laid(
             return None
         arrow = arrow or sheet.short(a + pole, b + pole)
         if arrow is None and length < SURE_MM:
-            arrow = Arrow(a + pole, b + pole, (HIDDEN_MM, HIDDEN_MM), False)
+            arrow = SeenArrow(a + pole, b + pole, (HIDDEN_MM, HIDDEN_MM), False)
         if arrow is not None:
             found[name] = arrow
     ends = [b + pole for a, b in drawn if abs(b - a) > DRAWN_MM]
