@@ -49,8 +49,8 @@ def wrongly(sample: str, plan: str) -> Position:
 
 VIEWS = (
     ("sliding-driver", "acceleration", "e'", "similarity_mirrored"),
-    ("six-link", "force:2-3", "F_21t", "force_doubled"),
-    ("kind-2-rrp", "force:2-3", "I_3", "inertia_along_acceleration"),
+    ("six-link", "velocity", "h", "across_guide"),
+    ("kind-1-rrr", "velocity", "s2", "similarity_on_pole_segments"),
 )
 
 
@@ -66,6 +66,7 @@ def test_a_view_is_right_and_with_one_step_spoiled_wrong_there(
 
 
 DOUBTFUL = (
+    ("assignment-12", "force:2-3"),
     ("bntu-3", "force:2-3"),  # a short arrow is not told from its neighbour
     ("kind-1-rrr", "position"),  # a mass centre's dot touches a line
     ("kind-3-rpr", "force:2-3"),
@@ -81,7 +82,8 @@ def test_a_right_view_is_never_wrong(sample: str, plan: str, tmp_path: Path) -> 
 
 
 BLIND = (
-    ("six-link", "force:1"),  # a force left out or merely unseen
+    ("six-link", "force:2-3"),  # a vector of a force plan drawn elsewhere or merely unseen
+    ("kind-2-rrp", "force:2-3"),
     ("bntu-2", "velocity"),  # one vector: whose end the second mark shares is not seen
     ("bntu-2", "force:1"),
     ("bntu-2", "acceleration"),

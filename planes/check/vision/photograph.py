@@ -76,7 +76,8 @@ def paper_of_picture(
             best, paper.scale_mark = look, named
         if best.flat.by in ("scale", "part") and best.explained >= EXPLAINED:
             break
-    if best is None or (best.flat.by in ("scale", "part") and best.explained < EXPLAINED and pole is None):
+    told = best and (best.flat.by not in ("scale", "part") or pole is not None)
+    if best is None or not (told or (best.spots and best.explained >= EXPLAINED)):
         raise PlanesError(Phrase("check_no_marks"))
     paper.notes, paper.pole_told = list(best.flat.notes), pole is not None or best.flat.by == "marks"
     paper.picture, paper.box = shown(best.flat), best.box(bench)
