@@ -13,9 +13,11 @@ if TYPE_CHECKING:
     Booleans = NDArray[np.bool_]
     Indices = NDArray[np.intp]
     Texts = NDArray[np.str_]
+    Greys = NDArray[np.uint8]
+    """A picture: grey, or any other numbers of a byte."""
     Floats = float | Array
     """A number of one position, or an array with one for each of many."""
     Points = complex | Complexes
     """A place or a vector of one position, or an array with one for each of many."""
 else:
-    Array = Complexes = Booleans = Indices = Texts = Floats = Points = object
+    Array = Complexes = Booleans = Indices = Texts = Greys = Floats = Points = object

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import tracemalloc
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,10 @@ from tests import confusion
 cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
 
+from planes.check.reading.opened import MB  # noqa: E402
 from planes.check.vision.decoding import MOST_PAGE, load  # noqa: E402
+from planes.check.vision.page_parts import parts_of  # noqa: E402
+from planes.check.vision.picture import MOST_FLAT, PX_PER_MM, Flat  # noqa: E402
 from tests import picture_corpus as corpus  # noqa: E402
 from tests.helpers import photographs  # noqa: E402
 
@@ -68,9 +72,22 @@ def written(kind: str, grey: Any, file: Path) -> Path:
     "kind", ["see-through", "16-bit", "16-bit, see-through", "palette", "CMYK", "turned in the camera"]
 )
 def test_a_file_is_read_as_it_is_seen(kind: str, scan: Any, tmp_path: Path) -> None:
-    found = load(written(kind, scan, tmp_path / "p"))
+    found, _ = load(written(kind, scan, tmp_path / "p"))
     assert found.shape == scan.shape and found.dtype == np.uint8
     assert abs(found.astype(int) - scan).mean() < 4
+
+
+@pytest.mark.parametrize(("dpi", "told"), [(200, True), (72, False), (None, False)])
+def test_a_file_tells_its_scale_if_its_paper_is_of_a_likely_size(dpi: int | None, told: bool, tmp_path: Path) -> None:
+    """Cameras write 72 into their pictures, whatever they show."""
+    file = tmp_path / "p.png"
+    Image.new("L", (1654, 1169), 255).save(file, **({"dpi": (dpi, dpi)} if dpi else {}))
+    scale = load(file)[1]
+    assert (scale is not None and abs(scale - 200 / 25.4) < 0.01) if told else scale is None
+    exposed = Image.Exif()
+    exposed.get_ifd(0x8769)[0x829A] = 0.01
+    Image.new("L", (1654, 1169), 255).save(file.with_suffix(".jpg"), dpi=(200, 200), exif=exposed)
+    assert load(file.with_suffix(".jpg"))[1] is None
 
 
 @pytest.mark.few(1)
@@ -94,7 +111,8 @@ def test_a_page_as_large_as_a_house_is_looked_at_from_afar(tmp_path: Path) -> No
     canvas = Canvas(str(file), pagesize=(14400, 14400))
     canvas.line(0, 0, 14400, 14400)
     canvas.save()
-    assert load(file).size <= 1.01 * MOST_PAGE
+    grey, scale = load(file)
+    assert grey.size <= 1.01 * MOST_PAGE and scale and abs(grey.shape[0] / scale - 14400 * 25.4 / 72) < 1
 
 
 @pytest.mark.few(3)
@@ -121,3 +139,14 @@ def test_what_is_no_picture_is_refused_in_a_sentence(
     assert told.out == "" and told.err.startswith(f"{file}: {said}; ") and told.err.count("\n") == 1
     with pytest.raises(PlanesError):
         load(file)
+
+
+def test_the_largest_page_is_taken_apart_within_500_mb() -> None:
+    """Counted, not timed: what is asked for at once, the decoded picture among it."""
+    tracemalloc.start()
+    grey = np.full((4900, 6900), 255, np.uint8)
+    cv2.line(grey, (500, 500), (6000, 4000), 0, 4)
+    page = parts_of(Flat(grey, PX_PER_MM, by="scale"))
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert grey.size <= MOST_FLAT and len(page.boxes) == 2 and peak < 500 * MB

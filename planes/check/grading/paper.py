@@ -51,6 +51,7 @@ class ReadPaper:
     scale_mark: str | None = None  # the vector the picture's scale was taken from
     mu: float | None = None  # the scale its title says
     whole: bool = True
+    pole_told: bool = True  # whether it was named, printed or drawn as such, not guessed from what a picture shows
     picture: bytes = b""  # the flat picture, for the report
     box: tuple[float, float, float, float] | None = None  # where it lies: left, bottom, right, top, mm from the pole
     strokes: list[tuple[complex, complex]] = field(default_factory=list)  # lines of a drawing of lines, from the pole

@@ -32,7 +32,7 @@ def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     likely = sorted(found, key=named, reverse=True)[:MOST]
     likely = [p for p in likely if 2 * named(p) >= named(likely[0])]
     papers = [(_paper_of(replace(part), bench, sketch), named(part)) for part in likely or [sketch]]
-    return max(papers, key=lambda p: _worth(bench, p[0]) + NAMED * p[1])[0] if len(papers) > 1 else papers[0][0]
+    return max(papers, key=lambda p: worth(bench, p[0]) + NAMED * p[1])[0] if len(papers) > 1 else papers[0][0]
 
 
 def _paper_of(part: ReadDrawing, bench: PreparedPlan, page: ReadDrawing) -> ReadPaper:
@@ -43,7 +43,7 @@ def _paper_of(part: ReadDrawing, bench: PreparedPlan, page: ReadDrawing) -> Read
     return paper
 
 
-def _worth(bench: PreparedPlan, paper: ReadPaper) -> float:
+def worth(bench: PreparedPlan, paper: ReadPaper) -> float:
     """How many marks of a paper are where their steps lead, less those that are not."""
     bench = bench.at(paper.mu, told=True) if paper.mu else bench
     try:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 from planes.check.vision.heads import heads_of
 from planes.check.vision.ink import LIGHT, Ink
 from planes.check.vision.line_fitting import Fitted, Tip
+from planes.geometry.arrays import Array, Complexes
 
 USUAL_MM = 3.0  # about how long a head is
 STEP_MM, CELL_MM = 0.2, 0.1  # along a line and across
@@ -25,6 +25,8 @@ SHAPE_MM = (0.2, 0.03)  # σ of a fitted head's length and half of its width
 ERROR = 20.0  # the error of a fit by how much ink it leaves: places of a picture err together
 NUDGES = (0.05, 0.03, 0.02, 0.1, 0.04)
 LEAST_MM = 0.1  # no tip is surer
+
+Likeness = tuple[Array, Array]  # what heads are like, and how much they differ: length, half of the width
 
 
 def find_heads(ink: Ink, lines: Sequence[Fitted]) -> None:
@@ -72,7 +74,7 @@ def _sights(ink: Ink, line: Fitted, lines: Sequence[Fitted]) -> Iterator[Sight]:
         yield Sight(line, thin.width, sign, x, y, dark[near], known, start, end if free else None)
 
 
-def _known(z: Any, lines: Sequence[Fitted]) -> Any:
+def _known(z: Complexes, lines: Sequence[Fitted]) -> Array:
     """How dark the lines alone make places."""
     import numpy
 
@@ -85,14 +87,14 @@ def _known(z: Any, lines: Sequence[Fitted]) -> Any:
     return dark
 
 
-def _shade(far: Any) -> Any:
+def _shade(far: Array) -> Array:
     """Darkness at a distance outside of an edge."""
     import numpy
 
     return numpy.clip(0.5 - far / (2 * SOFT_MM), 0, 1)
 
 
-def _head(x: Any, y: Any, p: Any, width: float) -> Any:
+def _head(x: Array, y: Array, p: Array, width: float) -> Array:
     """Darkness of a head and of the line it ends: tip at p[0], p[1], turned by p[2], p[3] long, p[4] half as wide."""
     import numpy
 
@@ -112,17 +114,17 @@ class Sight:
     line: Fitted
     width: float  # of the line behind the head
     sign: int
-    x: Any
-    y: Any
-    dark: Any
-    known: Any
-    p: Any  # of the head: where its tip is along and aside, its turn, its length, half of its width
+    x: Array
+    y: Array
+    dark: Array
+    known: Array
+    p: Array  # of the head: where its tip is along and aside, its turn, its length, half of its width
     end: float | None = None  # where the line ends, if nothing else does there
     sigma: float = 1.0
     gain: float = 0.0  # how much of the ink that no line explains it does
     error: float = 2.0  # of its ink, in which places err together
 
-    def off(self, p: Any, like: tuple[Any, Any] | None) -> Any:
+    def off(self, p: Array, like: Likeness | None) -> Array:
         """What such a head is off the ink, and off what heads are like."""
         import numpy
 
@@ -134,7 +136,7 @@ class Sight:
             ties.extend((p[3:] - like[0]) / like[1])
         return numpy.append((_seen(model) - self.dark).ravel(), self.error * numpy.array(ties))
 
-    def fit(self, like: tuple[Any, Any] | None) -> None:
+    def fit(self, like: Likeness | None) -> None:
         """The head that fits best (Levenberg and Marquardt's way)."""
         import numpy
 
@@ -191,6 +193,6 @@ class Sight:
         return Tip(s, self.sign, z, max(self.sigma, LEAST_MM), float(self.p[3]))
 
 
-def _seen(dark: Any) -> Any:
+def _seen(dark: Array) -> Array:
     """Darkness as :meth:`Ink.at` tells it, of which the lightest part is taken for paper."""
     return (dark - LIGHT).clip(0) / (1 - LIGHT)

@@ -8,7 +8,9 @@ opposite sides.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TypeVar
+
+from planes.geometry.arrays import Array, Booleans, Complexes, Greys
 
 LEFT_MM, OTHER_MM = 20.0, 5.0  # of the frame from the sheet's edges
 REACH_MM, ACROSS_MM, ALONG_MM = 6.0, 0.125, 2.0  # how far from its place a side is looked for, and how closely
@@ -16,6 +18,8 @@ BENT_MM = 0.3  # of a side: less is not worth mending
 SEEN = 0.6  # of a side, at least, must be seen
 CONTRAST = 8.0  # of a line, in greys, to be one
 MOST_BENT = 0.25  # of a lens, at a picture's corner
+
+Place = TypeVar("Place", complex, Complexes)
 
 
 @dataclass
@@ -25,18 +29,18 @@ class Bend:
     middle: complex
     half: float  # of the picture's diagonal
     lens: tuple[float, float]
-    view: Any
+    view: Array
     size_px: tuple[float, float]
     shrink: float = 1.0  # by which the picture was made smaller before it was looked at
-    sides: Any = None  # how far the paper moves the left, right, lower, upper side outwards, px, at even steps
+    sides: Array | None = None  # how far the paper moves the left, right, lower, upper side outwards, px, at even steps
 
-    def straight(self, z: Any) -> Any:
+    def straight(self, z: Place) -> Place:
         """Pixels of the picture as they would be without the lens's bend."""
         d = z - self.middle
         r2 = (abs(d) / self.half) ** 2
         return self.middle + d * (1 + self.lens[0] * r2 + self.lens[1] * r2 * r2)
 
-    def seen(self, z: Any) -> Any:
+    def seen(self, z: Place) -> Place:
         """Where the lens puts what should be at ``z``."""
         d, out = z - self.middle, z - self.middle
         for _ in range(12):
@@ -44,7 +48,7 @@ class Bend:
             out = d / (1 + self.lens[0] * r2 + self.lens[1] * r2 * r2)
         return self.middle + out
 
-    def paper(self, z: Any) -> Any:
+    def paper(self, z: Place) -> Place:
         """How much the paper moves a place of the flat picture."""
         import numpy
 
@@ -54,28 +58,30 @@ class Bend:
         steps = numpy.linspace(0, 1, self.sides.shape[1])
         shares = zip((v, v, u, u), self.sides, strict=True)
         left, right, upper, lower = (numpy.interp(share, steps, side) for share, side in shares)
-        return (1 - u) * left + u * right + 1j * ((1 - v) * upper + v * lower)
+        moved: Place = (1 - u) * left + u * right + 1j * ((1 - v) * upper + v * lower)
+        return moved
 
-    def flat(self, z: Any) -> Any:
+    def flat(self, z: Place) -> Place:
         """Where on the flat picture a pixel of the picture as it was is."""
         place = through(self.view, self.straight(z * self.shrink))
         return place - self.paper(place)
 
-    def source(self, z: Any) -> Any:
+    def source(self, z: Place) -> Place:
         """Which pixel of the picture a place of the flat picture is seen at."""
         import numpy
 
-        return self.seen(through(numpy.linalg.inv(self.view), z + self.paper(z)))
+        return self.seen(through(numpy.asarray(numpy.linalg.inv(self.view), float), z + self.paper(z)))
 
 
-def through(view: Any, z: Any) -> Any:
+def through(view: Array, z: Place) -> Place:
     """Places through a homography."""
     w = view[2, 0] * z.real + view[2, 1] * z.imag + view[2, 2]
     x = view[0, 0] * z.real + view[0, 1] * z.imag + view[0, 2]
-    return (x + 1j * (view[1, 0] * z.real + view[1, 1] * z.imag + view[1, 2])) / w
+    place: Place = (x + 1j * (view[1, 0] * z.real + view[1, 1] * z.imag + view[1, 2])) / w
+    return place
 
 
-def bend_of(grey: Any, view: Any, scale: float, size_mm: tuple[float, float]) -> Bend | None:
+def bend_of(grey: Greys, view: Array, scale: float, size_mm: tuple[float, float]) -> Bend | None:
     """The bend of a picture seen by ``view`` (its pixels to ``scale`` a mm); None where there is none to speak of."""
     height, width = grey.shape
     size = size_mm[0] * scale, size_mm[1] * scale
@@ -87,7 +93,7 @@ def bend_of(grey: Any, view: Any, scale: float, size_mm: tuple[float, float]) ->
     return bend
 
 
-def add_paper(bend: Bend, grey: Any, scale: float, size_mm: tuple[float, float]) -> None:
+def add_paper(bend: Bend, grey: Greys, scale: float, size_mm: tuple[float, float]) -> None:
     """Put to a bend what its lens leaves for the paper."""
     import numpy
 
@@ -114,7 +120,7 @@ def _ends(size_mm: tuple[float, float]) -> list[tuple[complex, complex]]:
     return [(corners[0], corners[3]), (corners[1], corners[2]), (corners[3], corners[2]), (corners[0], corners[1])]
 
 
-def _sides(grey: Any, bend: Bend, scale: float, size_mm: tuple[float, float]) -> list[tuple[Any, Any]] | None:
+def _sides(grey: Greys, bend: Bend, scale: float, size_mm: tuple[float, float]) -> list[tuple[Complexes, Array]] | None:
     """The frame's sides as they are seen: pixels, and how far they are off (mm, in x or down); None if not all are."""
     import numpy
 
@@ -136,7 +142,7 @@ def _sides(grey: Any, bend: Bend, scale: float, size_mm: tuple[float, float]) ->
     return out
 
 
-def _sampled(grey: Any, z: Any) -> Any:
+def _sampled(grey: Greys, z: Complexes) -> Array:
     """Grey at places between pixels."""
     import numpy
 
@@ -146,10 +152,11 @@ def _sampled(grey: Any, z: Any) -> Any:
     u, v = x - i, y - j
     upper = grey[j, i] * (1 - u) + grey[j, i + 1] * u
     lower = grey[j + 1, i] * (1 - u) + grey[j + 1, i + 1] * u
-    return upper * (1 - v) + lower * v
+    dark: Array = upper * (1 - v) + lower * v
+    return dark
 
 
-def _line(rows: Any) -> tuple[Any, Any]:
+def _line(rows: Array) -> tuple[Array, Booleans]:
     """Where across each row a thin dark line runs that goes on from row to row, mm, and in which rows it is seen."""
     import numpy
 
@@ -177,12 +184,12 @@ def _line(rows: Any) -> tuple[Any, Any]:
     return middle * ACROSS_MM - REACH_MM, good
 
 
-def _lens(bend: Bend, sides: list[Any]) -> tuple[float, float]:
+def _lens(bend: Bend, sides: list[Complexes]) -> tuple[float, float]:
     """The lens that makes the frame's sides straight (Gauss and Newton's way), but for what bends opposite sides the
     same way: that is the paper's."""
     import numpy
 
-    def crooked(k: Any) -> Any:
+    def crooked(k: Array) -> Array:
         bend.lens = float(k[0]), float(k[1])
         found = []
         for side in sides:

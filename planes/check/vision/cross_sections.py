@@ -3,31 +3,32 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+
+from planes.geometry.arrays import Array, Booleans
 
 CELL_MM = 0.1  # of a row across the line
 UPON_MM = 0.15  # lines nearer than this are in the same place
 
 
-def nearest(off: Any) -> tuple[Any, Any, Any]:
+def nearest(off: Array) -> tuple[Array, Array, Booleans]:
     """How far the nearest other line is on the left and on the right, and whether one is in the very same place."""
     import numpy
 
     left = numpy.where(off > 0, off, numpy.inf).min(axis=0)
     right = numpy.where(off < 0, -off, numpy.inf).min(axis=0)
-    return left, right, (numpy.abs(off) < UPON_MM).any(axis=0)
+    return left, right, numpy.asarray((numpy.abs(off) < UPON_MM).any(axis=0))
 
 
 @dataclass
 class Rows:
     """Ink across a line, a row every step: what is nearer to the line than to any beside it."""
 
-    dark: Any
-    t: Any
-    middle: Any
-    left: Any  # how far another line is
-    right: Any
-    upon: Any
+    dark: Array
+    t: Array
+    middle: Array
+    left: Array  # how far another line is
+    right: Array
+    upon: Booleans
     reach: float
 
     def __post_init__(self) -> None:
@@ -41,7 +42,7 @@ class Rows:
         self.rim = (self.dark * (own & far & ~near)).sum(axis=1) * CELL_MM
         self.centroid = self.middle + (ink * self.off).sum(axis=1) * CELL_MM / numpy.maximum(self.mass, 1e-6)
 
-    def middles(self, width: float) -> tuple[Any, Any]:
+    def middles(self, width: float) -> tuple[Booleans, Array]:
         """Which rows tell where the line's middle is, and where: by all of its ink, or by its free edge."""
         import numpy
 
@@ -56,7 +57,7 @@ class Rows:
             good = good | one_sided
         return good, found
 
-    def _edge(self, sign: int) -> tuple[Any, Any]:
+    def _edge(self, sign: int) -> tuple[Array, Booleans]:
         """Where the ink ends to the left (1) or to the right (-1) of the middle, and where that is near."""
         import numpy
 

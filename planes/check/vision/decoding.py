@@ -4,60 +4,71 @@ from __future__ import annotations
 
 import io
 from pathlib import Path
-from typing import Any
+from types import ModuleType
+from typing import TYPE_CHECKING
 
 from planes.check.reading.opened import MB, contents, hushed
 from planes.check.vision.colours import in_one_shade, plainest
 from planes.check.vision.picture import cv
+from planes.geometry.arrays import Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
+
+if TYPE_CHECKING:
+    from PIL import Image
 
 LARGEST = 200 * MB
 MOST_BYTES = 320 * MB  # to decode a picture: 64 million pixels, half of that where all must be held several times over
 MOST_PAGE = 34_000_000
 LEAST_PX = 40
 ROWS = 256
-PAGE_DPI = 200
+PAGE_DPI, LEAST_DPI = 200, 100  # of a page that is drawn; a file that says less says nothing of its paper
+EXIF, EXPOSURE = 0x8769, 0x829A  # where a camera tells it
+MOST_MM = 900.0  # nor does one that would be of larger paper
 PDF_IMAGES, PDF_DEPTH = 1000, 5
 PNG, PNG_END = b"\x89PNG", b"IEND"
 
 
-def load(path: str | Path) -> Any:
-    """A picture (or the first page of a PDF) in one shade. :class:`PlanesError` where it is none, or is too large."""
+def load(path: str | Path) -> tuple[Greys, float | None]:
+    """A picture (or the first page of a PDF) in one shade, and its pixels to a mm where the file tells them.
+
+    :class:`PlanesError` where it is no picture, or is too large.
+    """
     cv()  # or a sentence that it is missing
     data = contents(path, LARGEST)
     if not data:
         raise PlanesError(Phrase("check_empty", file=str(path)))
     with guarded("check_picture", path), hushed():
-        found = _page(data, str(path)) if data[:5] == b"%PDF-" else _decoded(data, str(path))
+        found, scale = _page(data, str(path)) if data[:5] == b"%PDF-" else _decoded(data, str(path))
     if found is None:
         raise PlanesError(Phrase("check_picture", file=str(path)))
     if min(found.shape) < LEAST_PX:
         raise PlanesError(Phrase("check_small_picture", file=str(path), size=f"{found.shape[1]} × {found.shape[0]}"))
-    return found
+    return found, scale
 
 
-def _decoded(data: bytes, file: str) -> Any:
+def _decoded(data: bytes, file: str) -> tuple[Greys | None, float | None]:
     """The pixels in grey, on white paper where they are transparent; None where the file is no whole picture."""
     import numpy
 
-    see_through = _looked_into(data, file)
+    see_through, scale = _looked_into(data, file)
     cv2, bits = cv(), numpy.frombuffer(data, numpy.uint8)
     if data[:4] == PNG and PNG_END not in data[-64:]:
-        return None  # it was cut short
+        return None, scale  # it was cut short
     told = cv2.utils.logging.getLogLevel()
     cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
     try:
         whole = cv2.imdecode(bits, cv2.IMREAD_UNCHANGED) if see_through else None
         if whole is None or whole.ndim < 3 or whole.shape[2] != 4:
-            return in_one_shade(cv2, bits)
-        return _on_paper(cv2, whole)
+            return in_one_shade(cv2, bits), scale
+        return _on_paper(cv2, whole), scale
     finally:
         cv2.utils.logging.setLogLevel(told)
 
 
-def _looked_into(data: bytes, file: str) -> bool:
-    """Whether a picture may be transparent, by its header alone; refused if decoding it would take too much memory."""
+def _looked_into(data: bytes, file: str) -> tuple[bool, float | None]:
+    """Whether a picture may be transparent, and its pixels to a mm, by its header alone; refused if decoding it would
+    take too much memory."""
     import warnings
 
     from PIL import Image
@@ -74,10 +85,17 @@ def _looked_into(data: bytes, file: str) -> bool:
     each = 10 if see_through or head.format == "TIFF" or "progressive" in head.info else 5
     if pixels * each > MOST_BYTES:
         raise PlanesError(Phrase("check_large_picture", file=file, size=f"{head.width} × {head.height}"))
-    return bool(see_through)
+    return bool(see_through), _scale_of(head)
 
 
-def _on_paper(cv2: Any, whole: Any) -> Any:
+def _scale_of(head: Image.Image) -> float | None:
+    """The pixels to a mm a file tells of; a camera, which tells its exposure, knows nothing of the paper."""
+    across, down = (float(dpi) for dpi in head.info.get("dpi", (0, 0)))
+    true = across > LEAST_DPI and abs(across - down) < 1 and max(head.size) * 25.4 / across < MOST_MM
+    return across / 25.4 if true and EXPOSURE not in head.getexif().get_ifd(EXIF) else None
+
+
+def _on_paper(cv2: ModuleType, whole: Greys) -> Greys:
     """A transparent picture on white paper in grey, some rows at a time."""
     import numpy
 
@@ -90,7 +108,7 @@ def _on_paper(cv2: Any, whole: Any) -> Any:
     return out
 
 
-def _page(data: bytes, file: str) -> Any:
+def _page(data: bytes, file: str) -> tuple[Greys, float]:
     """A page of a PDF at 200 pixels per inch (fewer of a very large one), in one shade."""
     import numpy
     import pypdfium2
@@ -105,4 +123,4 @@ def _page(data: bytes, file: str) -> Any:
     scale = min(PAGE_DPI / 72, (MOST_PAGE / max(w * h, 1.0)) ** 0.5, 30_000 / max(w, h, 1.0))
     if min(w, h) * scale < LEAST_PX:
         raise PlanesError(Phrase("check_small_picture", file=file, size=f"{w * scale:.0f} × {h * scale:.0f}"))
-    return plainest(cv(), numpy.ascontiguousarray(page.render(scale=scale).to_numpy()[..., :3]))
+    return plainest(cv(), numpy.ascontiguousarray(page.render(scale=scale).to_numpy()[..., :3])), scale * 72 / 25.4

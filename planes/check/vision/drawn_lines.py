@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import statistics
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Any
 
 from planes.check.vision.arrow_tips import find_heads
 from planes.check.vision.ink import DARK, Ink
 from planes.check.vision.line_fitting import Fitted, fitted
 from planes.check.vision.residual_ink import MOST_MM, left_over, stroke_of
+from planes.geometry.arrays import Array, Booleans
 
 SHORT_MM = 7.0  # of strokes that do not tell how wide lines are
 OWN = 0.22  # the share of a line that must be its own and not another's
@@ -74,7 +74,7 @@ def _unmet(ink: Ink, edges: Sequence[Edge], lines: Sequence[Fitted]) -> Iterator
     for (a, b), known in zip(edges, met, strict=True):
         if not known:
             aside = -1j * (b - a) / abs(b - a) * half
-            if float((ink.at(numpy.linspace(a + aside, b + aside, 9)) > DARK).mean()) > 0.7:
+            if float((ink.at(numpy.linspace(a + aside, b + aside, 9, dtype=complex)) > DARK).mean()) > 0.7:
                 yield a + aside, b + aside
 
 
@@ -83,7 +83,7 @@ def _usual(lines: Sequence[Fitted]) -> float:
     return min(statistics.median([x.width for x in lines if x.length > SHORT_MM] or [PENCIL_MM]), PENCIL_MM)
 
 
-def _met(line: Fitted, edges: Sequence[Edge], usual: float) -> tuple[Any, Any]:
+def _met(line: Fitted, edges: Sequence[Edge], usual: float) -> tuple[Booleans, Array]:
     """Which edges are a line's, and how much of it each is along; one that is too wide is two."""
     import numpy
 

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
 
 from planes.check.vision.bend import LEFT_MM, OTHER_MM
 from planes.check.vision.picture import LARGEST_PX, PX_PER_MM, Flat, cv
+from planes.geometry.arrays import Array, Greys
 
 SIZES_MM = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}  # lying
 LEAST_SHARE = 0.2  # of the picture that a frame takes up
@@ -19,7 +19,7 @@ NEAR_RATIO = (0.004, 0.15)  # formats whose frames are so nearly of the shape se
 LOOK_PX = 2000
 
 
-def by_frame(grey: Any, paper: str | None = None) -> Iterator[Flat]:
+def by_frame(grey: Greys, paper: str | None = None) -> Iterator[Flat]:
     """The sheet seen straight by its frame, for every format it may be (only ``paper`` if named), the likeliest first.
 
     Nothing where there is no frame.
@@ -38,7 +38,7 @@ def by_frame(grey: Any, paper: str | None = None) -> Iterator[Flat]:
         yield _straight(grey, corners, (w, h))
 
 
-def frame_corners(grey: Any) -> Any:
+def frame_corners(grey: Greys) -> Array | None:
     """Corners of the frame in pixels: lower left, lower right, upper right, upper left; None where there is none."""
     import numpy
 
@@ -63,7 +63,7 @@ def frame_corners(grey: Any) -> Any:
     return None
 
 
-def _ordered(quad: Any) -> Any:
+def _ordered(quad: Array) -> Array:
     """Lower left first, counter-clockwise as one sees it, of a picture that is about upright."""
     import numpy
 
@@ -74,7 +74,7 @@ def _ordered(quad: Any) -> Any:
     return numpy.roll(quad, -first, axis=0)
 
 
-def _refined(grey: Any, quad: Any, reach: float) -> Any:
+def _refined(grey: Greys, quad: Array, reach: float) -> Array | None:
     """Corners where the middles of the frame's lines cross; None where a side is no line on both sides of paper."""
     import numpy
 
@@ -104,7 +104,7 @@ def _refined(grey: Any, quad: Any, reach: float) -> Any:
     return numpy.array(corners)
 
 
-def shape_of(corners: Any, size_px: tuple[int, int]) -> tuple[float, bool]:
+def shape_of(corners: Array, size_px: tuple[int, int]) -> tuple[float, bool]:
     """Width over height of a rectangle, and whether it is seen askew, by a camera looking at the picture's middle.
 
     The lens's length follows from the two vanishing points; where the view is nearly straight the sides tell.
@@ -128,7 +128,7 @@ def shape_of(corners: Any, size_px: tuple[int, int]) -> tuple[float, bool]:
     return math.sqrt(across / up), True
 
 
-def _straight(grey: Any, corners: Any, size_mm: tuple[float, float]) -> Flat:
+def _straight(grey: Greys, corners: Array, size_mm: tuple[float, float]) -> Flat:
     """The sheet from above."""
     import numpy
 

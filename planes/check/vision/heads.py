@@ -7,10 +7,11 @@ the line may end or be another vector's.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from planes.check.vision.ink import DARK, Ink
 from planes.check.vision.line_fitting import Fitted
+from planes.geometry.arrays import Array, Booleans
 
 STEP_MM, ASIDE_MM = 0.2, 0.1
 BASE_MM = 0.15  # how far before the first row that shows it whole a base is
@@ -66,7 +67,11 @@ def heads_of(ink: Ink, line: Fitted) -> list[SeenHead]:
 
 
 def _whole(
-    s: Any, halves: Mapping[int, Any], taken: Mapping[int, Any], found: Mapping[int, list[SeenHead]], width: float
+    s: Array,
+    halves: Mapping[int, Array],
+    taken: Mapping[int, Booleans],
+    found: Mapping[int, list[SeenHead]],
+    width: float,
 ) -> Iterator[SeenHead]:
     """Heads seen from both sides, and from one side where the other is another line's."""
     import numpy
@@ -129,7 +134,7 @@ def _shaft(ink: Ink, a: complex, b: complex) -> tuple[float, float] | None:
     return float(near.mean()), len(near) * ASIDE_MM
 
 
-def _sides(s: Any, half: Any, taken: Any) -> list[SeenHead]:
+def _sides(s: Array, half: Array, taken: Booleans) -> list[SeenHead]:
     """Heads that point along the line, as one side of it shows them; ``half`` is how far its ink reaches there."""
     import numpy
 
@@ -149,7 +154,7 @@ def _sides(s: Any, half: Any, taken: Any) -> list[SeenHead]:
     return found
 
 
-def _tip(s: Any, half: Any, top: int, before: float, jump: float) -> float | None:
+def _tip(s: Array, half: Array, top: int, before: float, jump: float) -> float | None:
     """Where the side of a head with its base at a row meets the head's own line; None where it does not narrow so."""
     import numpy
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import statistics
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from planes.check.fiducials import ARM_MM, SIDE_MM, centres
 from planes.check.vision.picture import Flat, cv
+from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices, Points
 
 LETTER_MM = 7.5  # smaller separate marks of ink are letters
 SPECK_MM, USUAL_MM, LIKE = 1.5, 3.5, 1.3  # smaller ones are none; their usual size; how much larger one may be
@@ -23,19 +23,19 @@ class Ink:
     """A sheet's ink: ``even`` is the picture with even light, 255 where there is none but a pencil's lines may be."""
 
     flat: Flat
-    even: Any
+    even: Greys
     paper: float  # the grey at which paper (with a grid or what was rubbed out) ends
     pencil: float  # the grey of the darkest lines
-    letters: Any = None  # where there may be letters, or short vectors
+    letters: Booleans | None = None  # where there may be letters, or short vectors
 
     @property
-    def mask(self) -> Any:
+    def mask(self) -> Greys:
         """Where there is ink: ones and zeros, a pixel each."""
         import numpy
 
         return (self.even < self.paper - DARK * (self.paper - self.pencil)).astype(numpy.uint8)
 
-    def at(self, z: Any) -> Any:
+    def at(self, z: Complexes) -> Array:
         """Darkness of places in mm (an array of complex numbers of one or two axes): 0 of paper, 1 of a line."""
         import numpy
 
@@ -44,10 +44,10 @@ class Ink:
         across, down = (numpy.ascontiguousarray(r, numpy.float32) for r in rows)
         cv2 = cv()
         grey = cv2.remap(self.even, across, down, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=255)
-        dark = (self.paper - grey.astype(numpy.float32)) / (self.paper - self.pencil)
-        return numpy.clip(dark, 0, 1).reshape(numpy.shape(z))
+        dark: Array = (self.paper - grey.astype(numpy.float32)) / (self.paper - self.pencil)
+        return dark.clip(0, 1).reshape(numpy.shape(z))
 
-    def lettered(self, z: Any) -> Any:
+    def lettered(self, z: Points) -> Booleans:
         """Whether there may be letters at places in mm (an array of complex numbers)."""
         import numpy
 
@@ -56,7 +56,8 @@ class Ink:
             return numpy.zeros(len(local), bool)
         down = numpy.clip(self.even.shape[0] - local.imag, 0, self.even.shape[0] - 1).astype(int)
         across = numpy.clip(local.real, 0, self.even.shape[1] - 1).astype(int)
-        return self.letters[down, across]
+        held: Booleans = self.letters[down, across]
+        return held
 
     def covered(self, a: complex, b: complex, reach: float = 0.45) -> float:
         """The share of the way from ``a`` to ``b`` along which there is ink, ``reach`` mm to either side."""
@@ -67,7 +68,7 @@ class Ink:
             return 1.0
         along = numpy.linspace(a, b, max(4, int(length / 0.3)))
         across = 1j * (b - a) / length * numpy.linspace(-reach, reach, 7)
-        dark: Any = self.at(along[:, None] + across[None, :]).max(axis=1) > DARK
+        dark = self.at(along[:, None] + across[None, :]).max(axis=1) > DARK
         return float(dark.mean())
 
 
@@ -83,27 +84,36 @@ def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
     paper, pencil = _levels(even)
     ink = Ink(flat, even, paper, pencil)
     labels, sizes = _pieces(ink, ink.mask)
-    ink.even[~_spread(sizes[labels] >= LETTER_MM)] = 255
+    ink.even[~_spread((sizes >= LETTER_MM)[labels])] = 255
     ink.even = numpy.ascontiguousarray(ink.even)
     if cross is not None:
         ink.letters = _joined(ink, cross, [mm for mm in sizes if SPECK_MM < mm < LETTER_MM])
     return ink
 
 
-def evened(flat: Flat) -> Any:
+def evened(flat: Flat) -> Greys:
     """The picture as if the light were the same everywhere: paper is 255."""
+    import numpy
+
+    cv2 = cv()
+    even = numpy.minimum(cv2.divide(flat.grey, light_of(flat), scale=250.0), 255)
+    soft: Greys = cv2.GaussianBlur(even, (0, 0), 0.8)
+    return soft
+
+
+def light_of(flat: Flat) -> Greys:
+    """The picture as if nothing were drawn on its paper."""
     import numpy
 
     cv2 = cv()
     small = cv2.resize(flat.grey, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA)
     light = cv2.dilate(small, numpy.ones((7, 7), numpy.uint8))
     light = cv2.GaussianBlur(light, (0, 0), 0.7 * flat.scale)
-    light = cv2.resize(light, flat.grey.shape[::-1], interpolation=cv2.INTER_LINEAR)
-    even = numpy.minimum(cv2.divide(flat.grey, light, scale=250.0), 255)
-    return cv2.GaussianBlur(even, (0, 0), 0.8)
+    whole: Greys = cv2.resize(light, flat.grey.shape[::-1], interpolation=cv2.INTER_LINEAR)
+    return whole
 
 
-def _levels(even: Any) -> tuple[float, float]:
+def _levels(even: Greys) -> tuple[float, float]:
     """The greys of paper and of a pencil's lines; a grid and what was rubbed out are paper."""
     import numpy
 
@@ -115,7 +125,7 @@ def _levels(even: Any) -> tuple[float, float]:
     return 255.0 - LIGHT * (255.0 - pencil), pencil
 
 
-def _joined(ink: Ink, cross: complex, letters: Sequence[float]) -> Any:
+def _joined(ink: Ink, cross: complex, letters: Sequence[float]) -> Booleans:
     """Where there is ink no larger than letters (so large are the others) that but a printed cross joins to lines."""
     import numpy
 
@@ -124,10 +134,10 @@ def _joined(ink: Ink, cross: complex, letters: Sequence[float]) -> Any:
         arm = numpy.array([ink.flat.px(cross + way * mm) for mm in (HEART_MM, ARM_MM)]).round().astype(numpy.int32)
         cv().polylines(mask, [arm], False, 0, round(2 * RIM_MM * ink.flat.scale))
     parts, sizes = _pieces(ink, mask)
-    return (parts > 0) & (sizes[parts] < LIKE * statistics.median(letters or [USUAL_MM]))
+    return (parts > 0) & (sizes < LIKE * statistics.median(letters or [USUAL_MM]))[parts]
 
 
-def _pieces(ink: Ink, mask: Any) -> tuple[Any, Any]:
+def _pieces(ink: Ink, mask: Greys) -> tuple[Indices, Array]:
     """Separate pieces of ink: the number of each pixel's, and how large each is, mm (0: no ink)."""
     import numpy
 
@@ -137,14 +147,15 @@ def _pieces(ink: Ink, mask: Any) -> tuple[Any, Any]:
     return labels, sizes
 
 
-def _spread(where: Any) -> Any:
+def _spread(where: Booleans) -> Booleans:
     """The places, and those around them where ink fades."""
     import numpy
 
-    return cv().dilate(where.astype(numpy.uint8), numpy.ones((9, 9), numpy.uint8)) > 0
+    wider: Greys = cv().dilate(where.astype(numpy.uint8), numpy.ones((9, 9), numpy.uint8))
+    return wider > 0
 
 
-def _whiten_printed(flat: Flat, even: Any) -> None:
+def _whiten_printed(flat: Flat, even: Greys) -> None:
     """Paint over the corner marks, the frame and what lies outside of it."""
     cv2 = cv()
     for z in centres((even.shape[1] / flat.scale, even.shape[0] / flat.scale)):
@@ -154,7 +165,7 @@ def _whiten_printed(flat: Flat, even: Any) -> None:
     _whiten_frame(flat, even)
 
 
-def _whiten_frame(flat: Flat, even: Any) -> None:
+def _whiten_frame(flat: Flat, even: Greys) -> None:
     """Paint over the frame and what lies outside of it."""
     left, other = (int(mm * flat.scale) for mm in FRAME_MM)
     even[:other], even[-other:] = 255, 255

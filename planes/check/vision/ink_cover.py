@@ -10,9 +10,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import reduce
 from operator import or_
-from typing import Any
 
 from planes.check.vision.places import HEADED_MM, Seen
+from planes.geometry.arrays import Complexes
 
 STEP_MM = 0.5
 ROUTE_MM = 0.9  # ink farther than this from a vector is not its own
@@ -30,7 +30,7 @@ class InkCover:
     seen: Seen
     pole: complex
     arrows: bool = True  # whether its lines are vectors
-    steps: Any = None
+    steps: Complexes = field(init=False)
     tips: list[tuple[complex, complex]] = field(default_factory=list)  # and the unit way they point
     known: dict[tuple[complex, complex], tuple[int, int]] = field(default_factory=dict)
 

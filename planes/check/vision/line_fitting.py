@@ -9,10 +9,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeVar, overload
 
 from planes.check.vision.cross_sections import CELL_MM, Rows, nearest
 from planes.check.vision.ink import DARK, Ink
+from planes.geometry.arrays import Array, Booleans, Complexes
 
 STEP_MM = 0.2
 DRIFT_MM = 0.1  # how far off a line the ink of its end may be
@@ -25,6 +26,8 @@ WHITE = 0.25  # of a pencil's darkness: where nothing is
 BEND_MM = 0.3  # σ of how far a long line's middle is off its chord
 MOST_BENT_MM = 0.7  # a line that is bent more is two that lie side by side
 UNSTEADY_MM = 0.05  # σ of what a hand does beside bending
+
+Number = TypeVar("Number", float, Array)
 
 
 @dataclass(frozen=True)
@@ -57,15 +60,23 @@ class Fitted:
     def length(self) -> float:
         return self.high - self.low
 
+    @overload
+    def at(self, s: float) -> complex: ...
+    @overload
+    def at(self, s: Array) -> Complexes: ...
     def at(self, s: Any) -> Any:
         """The place at s (a number or an array)."""
         return self.origin + self.along * (s + 1j * self.bow(s))
 
-    def bow(self, s: Any) -> Any:
+    def bow(self, s: Number) -> Number:
         """How far to the left of its chord the line is at s (a number or an array)."""
         c0, c1, c2 = self.shape
         return c0 + c1 * s + c2 * s * s
 
+    @overload
+    def direction(self, s: float) -> complex: ...
+    @overload
+    def direction(self, s: Array) -> Complexes: ...
     def direction(self, s: Any) -> Any:
         """The unit direction at s (a number or an array)."""
         u = 1 + 1j * (self.shape[1] + 2 * self.shape[2] * s)
@@ -91,9 +102,10 @@ def fitted(ink: Ink, a: complex, b: complex, beside: Sequence[Fitted] = ()) -> F
     along = (b - a) / length
     s = numpy.arange(-BEYOND_MM, length + BEYOND_MM, STEP_MM)
     t = numpy.arange(-1.5, 1.51, CELL_MM)
-    dark = ink.at((a + along * s)[:, None] + (1j * along * t)[None, :])
+    way = numpy.asarray(a + along * s, complex)
+    dark = ink.at(way[:, None] + (1j * along * t)[None, :])
     inside = (s >= 0) & (s <= length)
-    others = _others(a + along * s, along, beside)
+    others = _others(way, along, beside)
     shape, sigma, width = numpy.zeros(3), 0.2, 0.5
     for reach in (0.8, 0.55, 0.55):
         middle = shape[0] + shape[1] * s + shape[2] * s * s
@@ -116,7 +128,7 @@ def fitted(ink: Ink, a: complex, b: complex, beside: Sequence[Fitted] = ()) -> F
     return line if line.length > 1.0 and sagitta < MOST_BENT_MM else None
 
 
-def _others(z: Any, along: complex, beside: Sequence[Fitted]) -> Any:
+def _others(z: Complexes, along: complex, beside: Sequence[Fitted]) -> Array:
     """How far to the left of places on a line the others are that run along it: a row each, nan where there is none."""
     import numpy
 
@@ -131,7 +143,7 @@ def _others(z: Any, along: complex, beside: Sequence[Fitted]) -> Any:
     return found
 
 
-def _laid(s: Any, found: Any, length: float) -> tuple[Any, float]:
+def _laid(s: Array, found: Array, length: float) -> tuple[Array, float]:
     """Coefficients of the line laid robustly through places across it, and its lateral error."""
     import numpy
 
@@ -142,7 +154,8 @@ def _laid(s: Any, found: Any, length: float) -> tuple[Any, float]:
     ridge = numpy.diag([1e-9, 1e-6, bend**2])
     weight, c = numpy.ones_like(x), numpy.zeros(3)
     for _ in range(6):
-        c = numpy.linalg.solve((rows * weight[:, None]).T @ rows + ridge, (rows * weight[:, None]).T @ found)
+        weighed = (rows * weight[:, None]).T
+        c = numpy.linalg.solve(weighed @ rows + ridge, weighed @ found).astype(float)
         left = found - rows @ c
         scale = max(1.5 * float(numpy.median(numpy.abs(left))), 0.02)
         weight = numpy.where(numpy.abs(left) < 4 * scale, (1 - (left / (4 * scale)) ** 2) ** 2, 0.0)
@@ -153,7 +166,7 @@ def _laid(s: Any, found: Any, length: float) -> tuple[Any, float]:
     return numpy.array([first, c[1] / half - 2 * k * middle, k]), sigma
 
 
-def _extend(line: Fitted, s: Any, t: Any, dark: Any) -> None:
+def _extend(line: Fitted, s: Array, t: Array, dark: Array) -> None:
     """Move the ends to where the ink ends."""
     import numpy
 
@@ -178,7 +191,7 @@ def _extend(line: Fitted, s: Any, t: Any, dark: Any) -> None:
     line.low, line.high = ends
 
 
-def _last(core: Any, alone: Any, i: int, sign: int) -> int:
+def _last(core: Array, alone: Booleans, i: int, sign: int) -> int:
     """The last row of a line's ink; beyond a gap that is only what is plainly its own, and not another's it meets."""
     last, white, own, torn = i, 0.0, 0, False
     while 0 <= i < len(core) and white < GAP_MM and abs(i - last) * STEP_MM < 2 * GAP_MM:

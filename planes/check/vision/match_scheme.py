@@ -52,6 +52,14 @@ class SoughtScheme(Search):
         """What it costs that a point is nowhere."""
         return NO_MARK if mark in self.centres else NO_POINT
 
+    def _likely(
+        self, step: Step, goal: complex, places: Mapping[str, complex], found: Mapping[str, Place]
+    ) -> list[tuple[float, Place | None]]:
+        """The places that a mark may mean; a mass centre's is a dot, not where lines happen to cross near it."""
+        likely = super()._likely(step, goal, places, found)
+        dots = [one for one in likely if one[1] is None or one[1].tip or step.makes not in self.centres]
+        return dots or [(self._missing(step.makes), None)]
+
     def _closer(self, mark: str, goal: complex, places: Mapping[str, complex]) -> Iterator[Place]:
         """No line of a scheme has a head."""
         return iter(())

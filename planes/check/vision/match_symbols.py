@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from planes.check.vision.ink import DARK, Ink, evened
 from planes.check.vision.picture import cv
+from planes.geometry.arrays import Array, Greys
 
 PX_PER_MM = 4.0
 RADII_MM = (0.8, 0.95, 1.1, 1.25, 1.4, 1.6, 1.8, 2.1, 2.4)  # of a hinge's circle
@@ -51,7 +51,7 @@ def _dots(ink: Ink) -> Iterator[tuple[float, complex, float]]:
     yield from _peaks(ink, score, 0.3, k, DOT_SIGMA, 0.0)
 
 
-def _smaller(ink: Ink, even: Any) -> tuple[Any, float]:
+def _smaller(ink: Ink, even: Greys) -> tuple[Array, float]:
     """The share of ink in the pixels of a smaller picture, and how many of these there are to a mm."""
     import numpy
 
@@ -61,7 +61,7 @@ def _smaller(ink: Ink, even: Any) -> tuple[Any, float]:
     return cv2.resize(mask, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA), ink.flat.scale * factor
 
 
-def _mean(mask: Any, inner: float, outer: float) -> Any:
+def _mean(mask: Array, inner: float, outer: float) -> Array:
     """The share of ink between two circles about every pixel."""
     import numpy
 
@@ -69,11 +69,12 @@ def _mean(mask: Any, inner: float, outer: float) -> Any:
     y, x = numpy.mgrid[-reach : reach + 1, -reach : reach + 1]
     r = numpy.hypot(x, y)
     kernel = numpy.clip(outer + 0.5 - r, 0, 1) - (numpy.clip(inner + 0.5 - r, 0, 1) if inner > 0 else 0)
-    return cv().filter2D(mask, -1, (kernel / kernel.sum()).astype(numpy.float32))
+    mean: Array = cv().filter2D(mask, -1, (kernel / kernel.sum()).astype(numpy.float32))
+    return mean
 
 
 def _peaks(
-    ink: Ink, score: Any, least: float, k: float, sigma: float, bonus: float
+    ink: Ink, score: Array, least: float, k: float, sigma: float, bonus: float
 ) -> Iterator[tuple[float, complex, float]]:
     """The highest places, each where the score about it has its middle."""
     import numpy

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 from planes.check.vision.drawn_lines import lines_on
 from planes.check.vision.ink import ink_of
 from planes.check.vision.picture import Flat, cv
 from planes.check.vision.places import Seen, places_of
 from planes.check.vision.residual_ink import patches
+from planes.geometry.arrays import Greys
 
 WIDEST_MM = 1.4  # of a stroke
 SHORTEST_MM = 1.5
@@ -47,7 +47,7 @@ def sheet_of(flat: Flat, cross: complex | None = None) -> Seen | None:
     return Seen(ink, found, places_of(found), patches(ink, found))
 
 
-def _edges(ink: Any) -> list[tuple[complex, complex]]:
+def _edges(ink: Greys) -> list[tuple[complex, complex]]:
     """Both edges of every stroke, in pixels, the ink to their right as one sees it."""
     found = cv().createLineSegmentDetector(2, scale=0.8).detect(ink)[0]
     if found is None:

@@ -2,26 +2,32 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 from planes.check.fiducials import SHEET_MM, pole_place
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.reading.whole_page import worth
 from planes.check.vision.decoding import load
 from planes.check.vision.frame import by_frame
+from planes.check.vision.match_apart import vectors_apart
 from planes.check.vision.match_force import vectors_on
 from planes.check.vision.match_motion import marks_on
 from planes.check.vision.match_scheme import points_on
+from planes.check.vision.page_parts import parts_of
 from planes.check.vision.pencil_lines import sheet_of
-from planes.check.vision.picture import Flat, by_points, cv, flatten
+from planes.check.vision.picture import Flat, by_points, by_scale, cv, flatten
+from planes.check.vision.places import Seen
 from planes.check.vision.poles import pole_found, pole_on
 from planes.drafting.drawing import run
-from planes.words import Phrase
+from planes.geometry.arrays import Greys
+from planes.words import Phrase, Written
 from planes.words.errors import PlanesError
 from planes.words.names import at, kind_of, label_of
 from planes.words.spelling import Names
+from planes.words.units import mu_text
 
 MOST_LINES = 120  # a plan has far fewer
 EXPLAINED = 0.6  # the share of a picture's lines that must be the plan's
@@ -39,6 +45,7 @@ class Look:
     hidden: tuple[str, ...] = ()  # vectors whose ends are not seen
     bare: bool = False  # whether there are no lines at all
     crowd: bool = False  # whether there are too many to look at
+    mu: float | None = None  # the scale it was found at, where it is not the stated one
 
     def box(self, bench: PreparedPlan) -> tuple[float, float, float, float]:
         """Where the flat picture lies, mm from the pole: left, bottom, right, top."""
@@ -61,15 +68,18 @@ def paper_of_picture(
     ``pole`` and ``marks`` are places in pixels (y down), ``format_`` is "A4" to "A1". :class:`PlanesError` where it is
     no picture or has nothing to measure by.
     """
-    grey = load(file)
+    grey, scale = load(file)
     paper, best = ReadPaper(file, whole=False), None
-    for flat, named in _flats(bench, grey, pole, marks or {}, format_):
-        look = looked(bench, flat, 0j if named else None if pole is None else flat.place(pole))
+    for flat, named in _flats(bench, grey, scale, pole, marks or {}, format_):
+        look = _best(bench, flat, 0j if named else None if pole is None else flat.place(pole))
         if best is None or look.explained > best.explained:
             best, paper.scale_mark = look, named
-    if best is None:
+        if best.flat.by in ("scale", "part") and best.explained >= EXPLAINED:
+            break
+    told = best and (best.flat.by not in ("scale", "part") or pole is not None)
+    if best is None or not (told or (best.spots and best.explained >= EXPLAINED)):
         raise PlanesError(Phrase("check_no_marks"))
-    paper.notes = list(best.flat.notes)
+    paper.notes, paper.pole_told = list(best.flat.notes), pole is not None or best.flat.by == "marks"
     paper.picture, paper.box = shown(best.flat), best.box(bench)
     if best.crowd:
         paper.notes.append(Phrase("check_crowd", count=f"> {2 * MOST_LINES}"))
@@ -78,7 +88,12 @@ def paper_of_picture(
     elif best.explained < EXPLAINED:
         paper.notes.append(Phrase("check_no_plan_seen", share=f"{100 * max(best.explained, 0.0):.0f}"))
     else:
-        paper.spots, paper.whole = best.spots, best.whole
+        paper.spots, paper.whole, paper.mu = best.spots, best.whole, best.mu
+        if best.mu:
+            kind = kind_of(bench.asked.plan)
+            paper.notes.append(
+                Phrase("check_mu_found", mu=Written(mu_text(best.mu, kind), mu_text(best.mu, kind, "ru")))
+            )
         if not best.spots:
             paper.notes.append(Phrase("check_force_unsure"))
         if best.hidden:
@@ -87,7 +102,12 @@ def paper_of_picture(
 
 
 def _flats(
-    bench: PreparedPlan, grey: Any, pole: complex | None, marks: Mapping[str, complex], format_: str | None
+    bench: PreparedPlan,
+    grey: Greys,
+    scale: float | None,
+    pole: complex | None,
+    marks: Mapping[str, complex],
+    format_: str | None,
 ) -> Iterator[tuple[Flat, str | None]]:
     """Ways the picture may be made flat; with the vector its scale is taken from, if it is."""
     if pole is not None and marks:
@@ -97,24 +117,60 @@ def _flats(
     if flat is not None:
         yield flat, None
         return
+    if scale is not None and format_ is None:
+        yield by_scale(grey, scale), None
     for flat in by_frame(grey, format_):
         yield flat, None
 
 
-def looked(bench: PreparedPlan, flat: Flat, pole: complex | None) -> Look:
+def _best(bench: PreparedPlan, flat: Flat, pole: complex | None) -> Look:
+    """What a flat picture shows best: all of it, or of a page of known scale one of its parts."""
+    if flat.by != "scale" or pole is not None:
+        return looked(bench, flat, pole, sheet_of(flat, _printed(bench, flat)))
+    page, looks = parts_of(flat), list[tuple[float, Look]]()
+    seen: dict[int, tuple[Flat, Seen | None]] = {}
+    for k, mu in page.likely(bench, _ends(bench)):
+        part, sheet = seen[k] = seen.get(k) or (one := page.cut(k), sheet_of(one))
+        there = bench.at(mu, told=True) if mu != bench.said_mu else bench
+        look = looked(there, part, None, sheet)
+        look.mu = mu if mu != bench.said_mu else None
+        good = worth(there, ReadPaper("", look.spots, whole=look.whole)) if look.explained >= EXPLAINED else -math.inf
+        looks.append((good, look))
+        if good >= len(bench.marks):
+            break
+    if all(good == -math.inf for good, _ in looks):
+        looks.append((0.0, looked(bench, flat, None, sheet_of(flat))))
+    return max(looks, key=lambda found: (found[0], found[1].explained))[1]
+
+
+def _ends(bench: PreparedPlan) -> list[complex]:
+    """The pole and the marks of the right plan."""
+    truth = run(bench.program, bench.given)
+    return [0j, *(complex(truth[m]) for m in bench.marks)]
+
+
+def _printed(bench: PreparedPlan, flat: Flat) -> complex | None:
+    """Where a blank has its pole, if the picture is of its size."""
+    return blank_pole(bench) if flat.size_mm == SHEET_MM else None
+
+
+def looked(bench: PreparedPlan, flat: Flat, pole: complex | None, seen: Seen | None) -> Look:
     """What a flat picture shows; the pole may be named, is printed on a blank, or must be found."""
-    printed = blank_pole(bench) if flat.size_mm == SHEET_MM else None
-    seen = sheet_of(flat, printed)
+    printed = _printed(bench, flat)
     if seen is None or len(seen.lines) > MOST_LINES:
         return Look(flat, 0j, crowd=True)
     if not seen.lines:
         return Look(flat, 0j, explained=0.0, bare=True)
+    force = kind_of(bench.asked.plan) == "force"
+    if flat.by in ("scale", "part") and force and pole is None:
+        found = vectors_apart(bench, seen)
+        return Look(flat, found[1], found[0], True, 1.0) if found else Look(flat, 0j, explained=0.0)
     near = pole if pole is not None else printed
     if near is None or (flat.by == "frame" and pole is None and not pole_on(seen, near).ended):
         near = pole_found(bench, seen)
     if near is None:
         return Look(flat, 0j, explained=0.0)
-    if kind_of(bench.asked.plan) == "force":
+    if force:
         return Look(flat, near, *vectors_on(bench, seen, near))
     find = points_on if kind_of(bench.asked.plan) == "position" else marks_on
     spots, explained = find(bench, seen, near)
@@ -128,7 +184,7 @@ def shown(flat: Flat) -> bytes:
     return bytes(cv2.imencode(".jpg", small, [cv2.IMWRITE_JPEG_QUALITY, 75])[1])
 
 
-def _by_hand(bench: PreparedPlan, grey: Any, pole: complex, marks: Mapping[str, complex]) -> tuple[Flat, str]:
+def _by_hand(bench: PreparedPlan, grey: Greys, pole: complex, marks: Mapping[str, complex]) -> tuple[Flat, str]:
     """Scale by a named pole and vector."""
     labels = [label_of(m) for m in bench.marks]
     name = next((n for n in (Names(labels).find(k) for k in marks) if n and n != "p"), None)
@@ -141,5 +197,4 @@ def _by_hand(bench: PreparedPlan, grey: Any, pole: complex, marks: Mapping[str, 
 
 def blank_pole(bench: PreparedPlan) -> complex:
     """Where the blank of this plan has its pole."""
-    truth = run(bench.program, bench.given)
-    return pole_place([complex(truth[m]) for m in bench.marks])
+    return pole_place(_ends(bench)[1:])

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
+from types import ModuleType
 
 from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, centres
 from planes.check.vision.bend import Bend, add_paper, bend_of
+from planes.geometry.arrays import Array, Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
@@ -20,11 +21,11 @@ MOST_FLAT = 34_000_000  # pixels of the largest sheet, A1
 class Flat:
     """A picture made flat: grey, ``scale`` pixels to a millimetre, its lower left corner at ``corner`` (mm)."""
 
-    grey: Any
+    grey: Greys
     scale: float
     corner: complex = 0j
-    by: str = "marks"  # what it was made flat by: "marks" of a blank, "points" named, the "frame"
-    warp: Any = None
+    by: str = "marks"  # what it was made flat by: "marks" of a blank, "points" named, the "frame", its file's "scale"
+    warp: Array | None = None
     notes: list[Phrase] = field(default_factory=list)
     bend: Bend | None = None  # instead of ``warp``, where the picture's lens or paper bends it
 
@@ -53,7 +54,7 @@ class Flat:
         return local.real, self.grey.shape[0] - local.imag
 
 
-def cv() -> Any:
+def cv() -> ModuleType:
     """OpenCV, or a sentence that says how to get it."""
     try:
         import cv2
@@ -62,7 +63,7 @@ def cv() -> Any:
     return cv2
 
 
-def dictionary() -> Any:
+def dictionary() -> object:
     """The blank's corner marks for OpenCV's detector."""
     import numpy
 
@@ -72,7 +73,7 @@ def dictionary() -> Any:
     return aruco.Dictionary(table, 5, 3)
 
 
-def find_marks(grey: Any) -> dict[int, Any]:
+def find_marks(grey: Greys) -> dict[int, Array]:
     """Corners of the blank's marks in pixels, by their numbers."""
     cv2 = cv()
     parameters = cv2.aruco.DetectorParameters()
@@ -80,7 +81,7 @@ def find_marks(grey: Any) -> dict[int, Any]:
     parameters.adaptiveThreshWinSizeStep = 20
     parameters.minMarkerPerimeterRate = 0.07  # a mark's outline is a sixth of the sheet's length; a grid's cell is none
     detector = cv2.aruco.ArucoDetector(dictionary(), parameters)
-    found: dict[int, Any] = {}
+    found: dict[int, Array] = {}
     for longest in (1100, 700, 2000, 3200):  # small is quick, and hides the grain
         factor = min(1.0, longest / max(grey.shape))
         if len(found) < 4:
@@ -91,7 +92,7 @@ def find_marks(grey: Any) -> dict[int, Any]:
     return found
 
 
-def _sharpened(grey: Any, quad: Any) -> Any:
+def _sharpened(grey: Greys, quad: Array) -> Array:
     """Corners of a mark to a fraction of a pixel, where its edges meet in the whole picture."""
     import numpy
 
@@ -100,10 +101,11 @@ def _sharpened(grey: Any, quad: Any) -> Any:
     reach = int(min(max(side / CELLS * 0.6, 2), 12))
     stop = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 30, 0.005)
     start = numpy.ascontiguousarray(quad, numpy.float32).reshape(-1, 1, 2)
-    return cv2.cornerSubPix(grey, start, (reach, reach), (-1, -1), stop).reshape(4, 2)
+    sharp: Array = cv2.cornerSubPix(grey, start, (reach, reach), (-1, -1), stop).reshape(4, 2)
+    return sharp
 
 
-def flatten(grey: Any, size_mm: tuple[float, float] = SHEET_MM) -> Flat | None:
+def flatten(grey: Greys, size_mm: tuple[float, float] = SHEET_MM) -> Flat | None:
     """The sheet seen straight from above, if its corner marks (three at least) are found."""
     import numpy
 
@@ -134,7 +136,9 @@ def flatten(grey: Any, size_mm: tuple[float, float] = SHEET_MM) -> Flat | None:
     return Flat(flat, PX_PER_MM, 0j, "marks", whole, _few(marks))
 
 
-def _unbent(grey: Any, bend: Bend, seen: list[Any], true: list[Any], size_mm: tuple[float, float]) -> Any:
+def _unbent(
+    grey: Greys, bend: Bend, seen: list[Array], true: list[tuple[float, float]], size_mm: tuple[float, float]
+) -> Greys:
     """The flat picture of a bent one, by its corner marks as they would be seen without the lens's bend."""
     import numpy
 
@@ -151,23 +155,30 @@ def _unbent(grey: Any, bend: Bend, seen: list[Any], true: list[Any], size_mm: tu
         cv2.resize(m.astype(numpy.float32), size, interpolation=cv2.INTER_LINEAR)[:height, :width]
         for m in (source.real, source.imag)
     )
-    return cv2.remap(grey, *maps, cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
+    flat: Greys = cv2.remap(grey, *maps, cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
+    return flat
 
 
-def _few(marks: Mapping[int, Any]) -> list[Phrase]:
+def _few(marks: Mapping[int, Array]) -> list[Phrase]:
     return [] if len(marks) == 4 else [Phrase("check_three_marks")]
 
 
-def by_points(grey: Any, pole: complex, mark: complex, length_mm: float) -> Flat:
+def by_points(grey: Greys, pole: complex, mark: complex, length_mm: float) -> Flat:
     """The picture as it is, its scale from two points in pixels (x right, y down); the pole becomes the origin."""
-    cv2 = cv()
-    apart = abs(mark - pole)
-    if apart < 10 or length_mm <= 0:
+    if abs(mark - pole) < 10 or length_mm <= 0:
         raise PlanesError(Phrase("check_points"))
-    factor = PX_PER_MM * length_mm / apart
+    return by_scale(grey, abs(mark - pole) / length_mm, pole)
+
+
+def by_scale(grey: Greys, scale: float, pole: complex | None = None) -> Flat:
+    """The picture as it is, of so many pixels to a mm; the pole, if it is named, becomes the origin."""
+    import numpy
+
+    cv2, factor = cv(), PX_PER_MM / scale
     if not 0.05 < factor < 8 or grey.size * factor * factor > MOST_FLAT:
         raise PlanesError(Phrase("check_points"))
     how = cv2.INTER_AREA if factor < 1 else cv2.INTER_CUBIC
     flat = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=how)
-    corner = -complex(pole.real * factor, flat.shape[0] - pole.imag * factor) / PX_PER_MM
-    return Flat(flat, PX_PER_MM, corner, "points")
+    corner = -complex(pole.real * factor, flat.shape[0] - pole.imag * factor) / PX_PER_MM if pole is not None else 0j
+    by, warp = "scale" if pole is None else "points", numpy.diag([factor, factor, 1.0])
+    return Flat(flat, PX_PER_MM, corner, by, warp)

@@ -7,12 +7,12 @@ import statistics
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
 
 from planes.check.vision.drawn_lines import on
 from planes.check.vision.heads import head_at
 from planes.check.vision.ink import Ink
 from planes.check.vision.line_fitting import Fitted
+from planes.geometry.arrays import Complexes
 
 END_MM = 2.2  # a line that stops nearer than this to a crossing may end there
 CLEAR_MM, DIM_MM = 0.2, 1.2  # σ along a line of an end that stands free, of one within other ink
@@ -45,7 +45,7 @@ class Seen:
     lines: list[Fitted]
     places: list[Place] = field(default_factory=list)
     patches: list[complex] = field(default_factory=list)  # places of ink that is on no line
-    spots: Any = None  # the places as an array
+    spots: Complexes | None = None  # the places as an array
     looked: dict[tuple[complex, complex], Place | None] = field(default_factory=dict)
 
     def within(self, z: complex, reach: float) -> list[Place]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
 
 from planes.check.grading.handwork import Hand, Miss, Variant
 from planes.check.grading.polygons import Side
@@ -99,7 +98,7 @@ def spread_of(bench: PreparedPlan, sides: list[Side]) -> dict[str, Miss]:
     """The covariance of every vector as a hand would draw it."""
     hand, plan = Hand(bench.program, bench.given, bench.asked.skill, {}), bench.asked.plan
 
-    def end(name: str) -> Any:
+    def end(name: str) -> complex:
         return 0j if name == POLE else hand.things[at(plan, name)]
 
     return {s.name: hand.miss(0j, end(s.end) - end(s.start)) for s in sides}

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 from planes.check.vision.ink import Ink
 from planes.check.vision.line_fitting import Fitted
 from planes.check.vision.picture import cv
+from planes.geometry.arrays import Complexes
 
 RIM_MM = 0.35  # of an arrowhead beside its line
 LEAST_MM, MOST_MM = 1.2, 12.0  # of what is left: less is nothing, more is letters that touch
@@ -16,7 +16,7 @@ STRAIGHT_MM = 0.3  # how far a stroke's ink is from its middle line
 LARGE_MM, CELL_MM = 2.5, 0.5
 
 
-def left_over(ink: Ink, lines: Sequence[Fitted]) -> Iterator[Any]:
+def left_over(ink: Ink, lines: Sequence[Fitted]) -> Iterator[Complexes]:
     """Separate pieces of ink on no line: the places of each, mm."""
     import numpy
 
@@ -30,10 +30,10 @@ def left_over(ink: Ink, lines: Sequence[Fitted]) -> Iterator[Any]:
     for k, (x, y, w, h, area) in enumerate(stats.tolist()):
         if k and least < max(w, h) < most and area > THICK_MM * LEAST_MM * flat.scale**2:
             down, across = numpy.nonzero(labels[y : y + h, x : x + w] == k)
-            yield flat.mm(x, y) + (across - 1j * down) / flat.scale
+            yield numpy.asarray(flat.mm(x, y) + (across - 1j * down) / flat.scale, complex)
 
 
-def stroke_of(part: Any) -> tuple[complex, complex] | None:
+def stroke_of(part: Complexes) -> tuple[complex, complex] | None:
     """The ends of a straight stroke; None where a piece is none."""
     import numpy
 
