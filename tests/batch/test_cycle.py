@@ -46,7 +46,7 @@ def whole(c: Cycle, values: Any, **how: Any) -> tuple[Any, Any]:
 needs_compiler = pytest.mark.skipif(not compiled.available(), reason="the extra planes[fast] is not installed")
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @needs_compiler
 @pytest.mark.parametrize("name", NAMES)
 def test_compiled_loop_and_arrays_agree(name: str) -> None:

@@ -246,7 +246,7 @@ def test_bad_tables_are_one_sentence(tmp_path: Path, text: str) -> None:
     file = tmp_path / "t.csv"
     file.write_text(text, encoding="utf-8")
     done = subprocess.run(
-        [sys.executable, "-m", "planes.cli", "check", SIX, str(file), "--plan", "velocity"],
+        [sys.executable, "-m", "planes", "check", SIX, str(file), "--plan", "velocity"],
         capture_output=True,
         text=True,
         check=False,
@@ -332,7 +332,7 @@ def test_pictures_of_something_else(what: str, tmp_path: Path) -> None:
             picture = photographs.sheet([], [], 150 + 100j, photographs.SCAN, random.Random(1))
         cv2.imwrite(str(file), picture)
     done = subprocess.run(
-        [sys.executable, "-m", "planes.cli", "check", SIX, str(file), "--plan", "velocity"],
+        [sys.executable, "-m", "planes", "check", SIX, str(file), "--plan", "velocity"],
         capture_output=True,
         text=True,
         check=False,

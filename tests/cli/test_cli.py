@@ -16,7 +16,7 @@ from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"
 SIX, CRANK, SLIDING = (str(SAMPLES / f"{n}.yaml") for n in ("six-link", "kind-2-rrp", "sliding-driver"))
-MODULE = [sys.executable, "-m", "planes.cli"]
+MODULE = [sys.executable, "-m", "planes"]
 Run = Callable[..., tuple[int, str, str]]
 
 
@@ -359,6 +359,7 @@ def loaded(argv: list[str]) -> Iterator[str]:
     yield from modules
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(
     "argv",
     [

@@ -28,7 +28,7 @@ from tests.helpers import ROOT
 from tests.helpers.counting import PATIENCE_S
 
 SAMPLES = ROOT / "samples"
-COMMAND = [sys.executable, "-m", "planes.cli", "course"]
+COMMAND = [sys.executable, "-m", "planes", "course"]
 LIGHT = "course: 1\nlang: ru\ntitle: Осень\nsheet: {group: М-31, teacher: Петров}\ndocuments: [task, blank, key]\n"
 
 

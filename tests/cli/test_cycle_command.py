@@ -156,6 +156,7 @@ def test_graphical_constructions_beside_the_exact_values(capsys: Any) -> None:
     assert len(rows) == 1 and float(rows[0][4]) == pytest.approx(0, abs=1.0)
 
 
+@pytest.mark.slow
 def test_another_law_of_motion(capsys: Any) -> None:
     assert "ω1 = 3 rad/s, ε1 = 0 rad/s²" in out_of(capsys, TWELVE, "--omega", "3", "--epsilon", "0", "--lang", "en")
 

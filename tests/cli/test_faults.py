@@ -173,6 +173,7 @@ def test_two_tables_of_one_name_are_each_whole(tmp_path: Path) -> None:
     assert target.read_text("utf-8").count("\n") == 91 and list(tmp_path.iterdir()) == [target]
 
 
+@pytest.mark.slow
 def test_the_binary_tables_hold_what_the_text_holds(tmp_path: Path) -> None:
     files = {s: tmp_path / f"t.{s}" for s in ("csv", "npy", "npz")}
     for file in files.values():

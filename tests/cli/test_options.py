@@ -105,6 +105,7 @@ def test_an_option_has_an_effect_or_is_refused(base, option, capsys, tmp_path, m
         assert (status, out, files) != (ONCE[tuple(base)][0], ONCE[tuple(base)][1], ONCE[tuple(base)][3])
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("option", [*SOLVE, ["--remedy"], ["--variant", "А"]])
 def test_an_option_of_a_folder_has_an_effect_or_is_refused(option, capsys, tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)

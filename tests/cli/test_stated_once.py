@@ -41,6 +41,7 @@ def stated(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return found
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_command_states_the_mechanism_once(
     command: str, stated: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch

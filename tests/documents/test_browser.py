@@ -108,7 +108,7 @@ def test_what_is_shown_at_any_position_is_what_is_solved(page: Any, index: int) 
         assert abs(complex(x, y) - complex(*drawn.results["points"][point][letter]) * mus[f"mu_{plan}"]) < 0.1
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["six-link", "kind-3-rpr", "sliding-driver"])
 def test_every_sentence_at_other_positions_has_the_numbers_reckoned_there(
     browser: Any, tmp_path: Path, name: str
@@ -297,6 +297,7 @@ def test_practice_to_the_end_with_a_score(page: Any) -> None:
     assert page.is_visible("#told") and not page.is_visible("#task")
 
 
+@pytest.mark.slow
 def test_it_prints_as_a_handout_of_numbered_frames(page: Any, tmp_path: Path) -> None:
     import pypdfium2
 
@@ -311,6 +312,7 @@ def test_it_prints_as_a_handout_of_numbered_frames(page: Any, tmp_path: Path) ->
     assert "план ускорений" in text.lower() and 5 <= len(paper) <= 20
 
 
+@pytest.mark.slow
 def test_on_a_telephone_nothing_runs_off_the_page(page: Any) -> None:
     page.set_viewport_size({"width": 390, "height": 844})
     for k in (5, 20, 34, 43, 50):

@@ -117,6 +117,7 @@ def test_moved_marks_are_judged_anew_and_their_table_is_judged_alike(
     assert errors == []
 
 
+@pytest.mark.slow
 def test_a_misread_mark_is_dragged_right(browser: Any, tmp_path: Path) -> None:
     found = handed_in("six-link", "velocity", None)
     place = next(s for s in found.paper.spots if s.name == "c").place
@@ -142,6 +143,7 @@ def test_a_misread_mark_is_dragged_right(browser: Any, tmp_path: Path) -> None:
     assert errors == []
 
 
+@pytest.mark.slow
 def test_a_polygon_is_shown_and_dragged_in_the_order_it_was_laid(browser: Any, tmp_path: Path) -> None:
     """A corner takes with it the two sides that meet there, whatever the program's own order is."""
     found = handed_in("six-link", "force:2-3", None)

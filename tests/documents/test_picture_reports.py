@@ -78,7 +78,7 @@ def test_the_picture_lies_beneath_the_person_s_own_plan(plan: str, tmp_path: Pat
     assert conflicts(names, [m for m in marks if not isinstance(m, Text)]) == ()
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", [".pdf", ".svg", ".png"])
 def test_printed_reports_carry_the_picture(
     suffix: str, scan: tuple[Path, corpus.Drawn, complex], tmp_path: Path

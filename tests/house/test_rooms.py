@@ -23,7 +23,7 @@ LAYERS = (  # a room imports from the layers above its own in this list, and fro
 )
 ROOMS = [room for layer in LAYERS for room in layer.split()]
 LAYER = {room: number for number, layer in enumerate(LAYERS) for room in layer.split()}
-FACE = ("planes", "planes.__main__", "planes.cli.__main__")  # face and commands open every door; no room imports them
+FACE = ("planes", "planes.__main__")  # face and commands open every door; no room imports them
 LONGEST_FILE = 250
 USUAL_BODY, LONG_BODY, LONGEST_BODY = 5, 15, 50  # lines: of half the functions, of nine in ten, of any
 

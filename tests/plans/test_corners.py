@@ -295,6 +295,7 @@ def test_whatever_is_asked_alone_is_answered(name: str) -> None:
                 assert value == whole[key][one][part]
 
 
+@pytest.mark.slow
 def test_every_name_that_may_be_asked_gives_something() -> None:
     scene = TWO_SLIDERS
     plans, _ = plans_of(loads(scene))

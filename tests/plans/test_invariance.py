@@ -131,6 +131,7 @@ def test_mirrored_in_the_x_axis(case: Case) -> None:
     same(want, draw(scene))
 
 
+@pytest.mark.slow
 @FEW
 @given(RUBBED, st.sampled_from([1e-6, 1e-3, 0.37, 1e3, 1e6]), st.sampled_from([1e-3, 1.0, 1e4]))
 def test_lengths_and_forces_rescaled(case: Case, k: float, f: float) -> None:

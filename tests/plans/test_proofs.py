@@ -114,6 +114,7 @@ COMMANDS = {
 }
 
 
+@pytest.mark.few(6)
 @pytest.mark.parametrize("argv", COMMANDS.values(), ids=COMMANDS.keys())
 def test_every_command_refuses(
     argv: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

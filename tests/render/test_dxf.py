@@ -175,6 +175,7 @@ def test_the_cells_of_the_form_are_attributes_to_be_edited():
 # lettering
 
 
+@pytest.mark.slow
 def test_strokes_instead_of_texts_have_the_width_of_their_pen():
     found = sheet("kind-1-rrr")
     entities = apart(read(found, text="strokes"))

@@ -107,7 +107,7 @@ def test_the_face_is_that_of_the_time_a_mark_is_made():
 SETTINGS = [{"lettering": "slanted"}, {"font": "DejaVu Sans"}, {"font": "dejavu serif", "lettering": "slanted"}]
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("settings", SETTINGS, ids=str)
 @pytest.mark.parametrize("name", ["kind-2-rrp", "kind-3-rpr", "vectors"])
 def test_nothing_overlaps_in_any_face(name, settings):
