@@ -208,7 +208,7 @@ def photo_of(what: str) -> Any:
     return cv2.resize(small, (1300, 900), interpolation=cv2.INTER_CUBIC).astype(np.uint8)  # a landscape, say
 
 
-@pytest.mark.few(0, slow=3)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("plan", ["velocity", "force:2-3"])
 @pytest.mark.parametrize("what", ["empty sheet", "10 000 lines", "hatching", "landscape"])
 def test_what_is_no_plan_is_said_to_be_none(
@@ -286,7 +286,7 @@ def coloured(easel_: Easel, camera: Camera, inks: tuple[float, float, float], fi
     return drawn
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize(("lens", "curl_mm"), [(-0.08, 0), (-0.03, 0), (0.08, 0), (0, 4), (0.05, -3)])
 def test_a_lens_that_bends_and_paper_that_curls_are_told_by_the_frame(
     lens: float, curl_mm: float, tmp_path: Path

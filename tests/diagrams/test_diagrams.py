@@ -243,7 +243,7 @@ def test_limits_of_assembly_are_found_and_what_grows_there_is_said() -> None:
     json.dumps(plain, allow_nan=False)
 
 
-@pytest.mark.few(1, slow=3)
+@pytest.mark.few(1, slow=1)
 @pytest.mark.parametrize("seed", range(10))
 def test_a_driver_can_go_as_far_as_every_step_can_be_drawn(seed: int) -> None:
     rng = random.Random(seed)

@@ -103,7 +103,7 @@ def random_scene(seed: int) -> Scene:
     return replace(loads(to_yaml(make(rng, rng.choices(KINDS, k=2), friction=seed % 3 == 0).scene)), find=None)
 
 
-@pytest.mark.few(1, slow=6)
+@pytest.mark.few(1, slow=4)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_no_ink_on_ink_unsaid_on_random_mechanisms(seed: int) -> None:
     drawn = 0

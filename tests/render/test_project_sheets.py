@@ -40,7 +40,7 @@ def words(sheet):
     return {plain(m.text) for m in sheet.marks if isinstance(m, Text)}
 
 
-@pytest.mark.few(1, slow=12)
+@pytest.mark.few(1, slow=8)
 @pytest.mark.parametrize(("name", "number"), NUMBERED)
 def test_nothing_overlaps_and_every_letter_is_known(name, number):
     found = sheet(name, number)
@@ -48,7 +48,7 @@ def test_nothing_overlaps_and_every_letter_is_known(name, number):
     assert lettering.missing("".join(words(found))) == ""
 
 
-@pytest.mark.few(0, slow=8)
+@pytest.mark.few(0, slow=4)
 @pytest.mark.parametrize(("name", "number"), NUMBERED)
 @pytest.mark.parametrize("value", [45.0, 200.0])
 def test_other_positions_do_not_overlap_either(name, number, value):
