@@ -342,6 +342,7 @@ def test_every_sample_steps_and_turns_without_complaint(browser: Any, tmp_path: 
     assert errors == []
 
 
+@pytest.mark.slow
 def test_a_turn_of_the_crank_draws_little(browser: Any, lesson: str) -> None:
     """One position makes so few new nodes and attributes that any machine turns the crank smoothly."""
     page = browser.new_page()

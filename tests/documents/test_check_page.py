@@ -232,6 +232,7 @@ def test_the_page_names_what_nobody_has_seen(
     assert errors == []
 
 
+@pytest.mark.slow
 def test_the_page_says_where_too_little_is_seen_to_judge_by(browser: Any, tmp_path: Path) -> None:
     """A mark near the pole, one by itself at the stated scale, one at a scale of its own, one that tells something."""
     bench = prepare(Asked(load(SAMPLES / "kind-1-rrr.yaml"), "velocity"))

@@ -40,7 +40,7 @@ def examine(case: Case, text: str | None = None) -> None:
         assert measured_closing_mm(drawn) <= 1e-9
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("options", OPTIONS.values(), ids=OPTIONS.keys())
 def test_chains_of_up_to_three_groups(options: dict[str, Any]) -> None:
     @FEW

@@ -27,7 +27,7 @@ NEAR_MM = 0.05
 MM = 25.4 / 72
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", list(KEPT))
 def test_the_marks_are_the_kept_ones(name):
     scene, number = KEPT[name]
