@@ -20,8 +20,8 @@ from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
 from planes.drafting.clearness import clear, far_apart
 from planes.drafting.drawing import prove_many, run
 from planes.drafting.instruments import Exact, Instrument
+from planes.drafting.link_proofs import Rigid, Slid
 from planes.drafting.program import Program
-from planes.drafting.proofs import Rigid, Slid
 from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array, Booleans, Floats, Indices
 from planes.plans import Plans
@@ -99,9 +99,16 @@ class Cycle:
         return trace(self.program, self.given, takes, self.folded, must=must, forces=self.forces)
 
     @cached_property
-    def forces(self) -> frozenset[tuple[str, str]]:
-        """The ends of the forces among the columns."""
-        return sides_of(self.columns)
+    def forces(self) -> list[tuple[str, str]]:
+        """The ends of the forces among the columns, but of those that are reckoned of nothing: no load reaches them."""
+        own = np.array([self.plans.mechanism.drive.position])
+        things = run(self.program, {**self.given, **self.moving(own, slice(0, 1))}).things
+        sides = sides_of(self.columns)
+        if not (still := [s for s in sides if (things[s[0]] == things[s[1]]).all()]):
+            return sides
+        exact = self.claims.bounds(own)[:, 0] == 0
+        rough = {(c.start, c.end) for c, sure in zip(self.columns, exact, strict=True) if not sure}
+        return [s for s in sides if s not in still or s in rough]
 
     @cached_property
     def reasons(self) -> tuple[Reason, ...]:

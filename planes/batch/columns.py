@@ -33,6 +33,6 @@ def columns_of(plans: Plans, quantities: Iterable[Quantity] | None = None) -> li
     return list({c.name: c for q in chosen for c in q.columns}.values())
 
 
-def sides_of(columns: Iterable[Column]) -> frozenset[tuple[str, str]]:
-    """The ends of the forces among columns, on their plans."""
-    return frozenset((c.start, c.end) for c in columns if c.part and c.unit == "N")
+def sides_of(columns: Iterable[Column]) -> list[tuple[str, str]]:
+    """The ends of the forces among columns, on their plans; each once."""
+    return list(dict.fromkeys((c.start, c.end) for c in columns if c.part and c.unit == "N"))

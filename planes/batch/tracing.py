@@ -11,7 +11,7 @@ from planes.batch.tape import Tape
 from planes.drafting.clearness import clear
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
-from planes.drafting.proofs import TOLD_APART, Proof, speeds
+from planes.drafting.proofs import TOLD_APART, Proof, gaps
 from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic, One, Point, Real, Truth, size
 from planes.geometry.arrays import Floats
@@ -184,10 +184,8 @@ def trace(
 def _proved(proofs: Sequence[Proof], things: Mapping[str, Point], ar: Arithmetic) -> dict[str, Truth]:
     """Whether every proof of a reason holds; where it does not, a loop only suspects: arrays find out."""
     found: dict[str, Truth] = {}
-    speed = speeds(proofs, things, ar)
-    for proof in proofs:
-        gap, size = proof.gap(things, ar, speed[proof.beside])
-        found[proof.reason] = found.get(proof.reason, True) & (gap <= TOLD_APART * size)
+    for proof, gap, least in gaps(proofs, things, ar):
+        found[proof.reason] = found.get(proof.reason, True) & (gap <= TOLD_APART * least)
     return found
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from functools import reduce
 
 from planes.drafting.program import Program
 from planes.drafting.steps import Through, Touch
@@ -38,22 +39,18 @@ def clear(program: Program, things: Mapping[str, Thing], tool: Tool, sides: Iter
             one, two = things[step.start], things[step.end]
             apart, size = _size(two - one, ar), ar.maximum(_size(one, ar), _size(two, ar))
             ok = ok & ((apart >= BLUNT * CLEAR * size) | (apart == 0))
-    return ok & _none_faint(program, things, tool, {side: plan_of(side[0]) for side in sides})
+    return ok & _none_faint(program, things, tool, sides)
 
 
-def _none_faint(
-    program: Program, things: Mapping[str, Thing], tool: Tool, plans: Mapping[tuple[str, str], str]
-) -> Truth:
-    """Whether no force is nothing beside others; of many drawings one that is nothing at all is believed, as links
-    without a load have it at every position."""
-    ar, ok = tool.ar, True
-    largest: dict[str, Real] = dict.fromkeys(plans.values(), 0.0)
-    for step in program.steps if plans else ():
-        if (plan := plan_of(step.makes)) in largest and step.kind == "mark":
-            largest[plan] = ar.maximum(largest[plan], ar.size(things[step.makes]))
-    for (start, end), plan in plans.items():
+def _none_faint(program: Program, things: Mapping[str, Thing], tool: Tool, sides: Iterable[tuple[str, str]]) -> Truth:
+    """Whether no force is nothing, or next to nothing, beside others."""
+    ar, ok, largest = tool.ar, True, dict[str, Real]()
+    for start, end in sides:
+        plan = plan_of(start)
+        if plan not in largest:
+            largest[plan] = reduce(ar.maximum, (ar.size(things[s.makes]) for s in program.marks.get(plan, ())), 0.0)
         size = ar.size(things[end] - things[start])
-        ok = ok & ((size > NOTHING * largest[plan]) | ((size if tool.many else largest[plan]) == 0))
+        ok = ok & ((size > NOTHING * largest[plan]) | (largest[plan] == 0))
     return ok
 
 

@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from planes.drafting.instruments import Exact, Instrument, Shaken
 from planes.drafting.program import Program
-from planes.drafting.proofs import TOLD_APART, Gap, Proof, Things, Twofold, speeds
+from planes.drafting.proofs import TOLD_APART, Proof, Things, Twofold, gaps
 from planes.drafting.steps.base import Step
 from planes.drafting.tools import Env, Thing, Tool
-from planes.geometry.arithmetic import Arithmetic, One, Real, Truth
+from planes.geometry.arithmetic import Real, Truth
 from planes.words import Phrase
 from planes.words.errors import Contradiction, PlanFailure, ProgramError, valid_names
+from planes.words.names import mu_of
 from planes.words.pictures import Pictured
 from planes.words.things import name_in_words, plan_phrase
 
+FEW, SOME = 512, 128  # positions: so few are all looked at, of more some
 LEAST = 1e-290  # SI: smaller numbers have fewer digits than doubles
-FEW = 64  # positions
 SHAKEN = range(4)  # seeds of the blunter drawings
 Instead = Mapping[str, Sequence[Step]]  # steps in the place of the one that makes the name; the last makes it too
 NOTHING: Instead = {}
@@ -119,37 +120,42 @@ def proved(program: Program, given: Mapping[str, Thing], drawn: Drawing | None =
 
 
 def prove_many(drawing: Drawing, given: Mapping[str, Thing]) -> None:
-    """Of many exact drawings, mask those that fail any proof: of a few each is looked at, of more the last, which is
-    quickly done by itself, and each where that fails. The balancing loads were compared in each when they were drawn.
+    """Of many exact drawings, mask those that fail any proof: of very many some are looked at, evenly among them, and
+    each where one of those fails. The balancing loads were compared in each when they were drawn.
     """
     proofs = [p for p in drawing.program.proofs if not isinstance(p, Twofold)]
-    if math.prod(drawing.tool.shape) > FEW:
-        last = {n: v.item(-1) if getattr(v, "shape", ()) else v for n, v in drawing.things.items()}
-        proofs = [p for p, wrong, _ in _apart(proofs, last, One()) if wrong]
+    if (count := math.prod(drawing.tool.shape)) > FEW:
+        read = {name for p in proofs for name in (*p.reads(), mu_of(p.plan))} & drawing.things.keys()
+        some = {
+            n: v.ravel()[:: -(count // SOME)].copy() if getattr(v, "shape", ()) else v
+            for n in read
+            for v in [drawing.things[n]]
+        }
+        proofs = [p for p, wrong, *_ in _apart(proofs, some, drawing.tool) if wrong.any()]
     _prove(drawing, given, proofs)
 
 
-def _apart(proofs: Sequence[Proof], things: Things, ar: Arithmetic) -> Iterator[tuple[Proof, Truth, Gap]]:
-    """Whether proofs fail, if only by rounding; and their gaps."""
-    speed = speeds(proofs, things, ar)
-    for proof in proofs:
-        gap, size = proof.gap(things, ar, speed[proof.beside])
-        yield proof, gap > TOLD_APART * size + LEAST, (gap, size)
+def _apart(proofs: Sequence[Proof], things: Things, tool: Tool) -> list[tuple[Proof, Truth, Real, Real]]:
+    """Whether proofs fail, if only by rounding; how far their sides are apart, and beside what size."""
+    with tool.quiet():
+        return [(p, gap > TOLD_APART * size + LEAST, gap, size) for p, gap, size in gaps(proofs, things, tool.ar)]
 
 
 def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]) -> None:
     """Refuse, or mask, what is apart by more than a drawing a thousand times blunter can tell."""
     tool = drawing.tool
     with tool.quiet():
-        apart = list(_apart(proofs, drawing.things, tool.ar))
-    for proof, wrong, (gap, size) in apart:
+        apart = [
+            (p, gap, size, gap > TOLD_APART * size + LEAST) for p, gap, size in gaps(proofs, drawing.things, tool.ar)
+        ]
+    for proof, gap, size, wrong in apart:
         if not (wrong.any() if tool.many else wrong):
             continue
         wrong = wrong & (gap > _doubt(drawing.program, given, proof, gap))
         if tool.many:
             _mask(drawing, proof, ~wrong)
         elif wrong:
-            numbers = proof.numbers(drawing.things, (gap, size))
+            numbers = proof.numbers(drawing.things, gap, size)
             raise Contradiction(proof.reason, plan=plan_phrase(proof.plan), **numbers)
 
 
@@ -162,7 +168,7 @@ def _doubt(program: Program, given: Mapping[str, Thing], proof: Proof, gap: Real
         except PlanFailure:
             return math.inf
         with drawing.tool.quiet():
-            most = drawing.tool.ar.maximum(most, abs(proof.gap(drawing.things, drawing.tool.ar)[0] - gap))
+            most = drawing.tool.ar.maximum(most, abs(proof.gap(drawing.things, drawing.tool.ar) - gap))
     return most
 
 

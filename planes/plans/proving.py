@@ -9,7 +9,8 @@ from collections.abc import Iterator
 
 from planes.drafting.draft import Draft
 from planes.drafting.equations import Equation
-from planes.drafting.proofs import Balanced, LinkMotion, Point, Proof, Rigid, Slid, Twofold, VectorProof
+from planes.drafting.link_proofs import Balanced, LinkMotion, Point, Rigid, Slid
+from planes.drafting.proofs import Proof, Twofold, VectorProof
 from planes.drafting.steps.reckoning import Calculate
 from planes.plans.bodies import SCHEME
 from planes.plans.kinematics import Rates

@@ -10,7 +10,7 @@ from planes.drafting.tools import Thing
 from planes.plans.measuring import BLUNT, DrawingReader, say_plan
 from planes.plans.quantities import Quantity
 from planes.words import Lang, say
-from planes.words.names import mover
+from planes.words.names import index_of
 
 
 def warnings(
@@ -20,7 +20,7 @@ def warnings(
     blunt = _blunt(reader, lang).items()
     said = [say("blunt", lang, makes=", ".join(marks), angle_deg=angle) for angle, marks in blunt]
     for reason, step, _ in reader.drawing.tool.notes:
-        said.append(say(reason, lang, makes=mover(str(getattr(step, "makes", "")))))
+        said.append(say(reason, lang, makes=index_of(str(getattr(step, "makes", "")))))
     rough, none = _doubts(reader, wanted, given)
     if faint := [*_faint(reader), *none]:
         said.append(say("faint", lang, makes=", ".join(faint)))

@@ -178,11 +178,6 @@ def given_of(name: str) -> str:
     return name.removesuffix(".x").removesuffix(".y")
 
 
-def mover(sense: str) -> str:
-    """The point or link whose sense of motion a value is: B of "moves_B", 3 of "turns_3"."""
-    return sense.partition("_")[2]
-
-
 def mu_of(plan: str) -> str:
     """Name of the scale of a plan: every plan has its own (mm per SI unit)."""
     return f"mu_{plan}"

@@ -11,7 +11,7 @@ import pytest
 
 from planes.batch import Cycle, compiled
 from planes.cli import main
-from planes.scene import loads
+from planes.scene import load, loads
 from planes.solving import plans_of, solve
 from planes.solving.tables import report
 from tests.helpers.near_limits import FAMILIES, case, walk
@@ -38,6 +38,18 @@ links:
 assembly: {D: right}
 drive: {link: 1, s: 208781.2, velocity: 150773240.0, acceleration: -70990062700.0}
 loads: [{link: 3, point: B, force: 0.017, direction: 177.7}, {link: 2, point: C, force: 0.03, direction: 169.6}]
+"""
+EATEN = """\
+planes: 1
+frame: {points: {O: [0, 0]}, guides: {x-x: {through: O, angle: 0}}}
+links:
+  1: {points: {O: 0, A: 0.1}}
+  2: {points: {A: 0, B: 0.4}}
+  3: {points: {B: 0}, slides: x-x}
+assembly: {B: ahead}
+drive: {link: 1, phi: 60, omega: 10}
+loads: [{link: 3, point: B, force: 1e+17, direction: 0}, {link: 3, point: B, force: 0.3, direction: 0},
+  {link: 3, point: B, force: 1e+17, direction: 180}]
 """
 
 
@@ -126,3 +138,19 @@ def test_sizes_too_different_to_reckon_with_are_warned_of(size: str) -> None:
     assert any("less than three correct digits" in w for w in position.results["warnings"])
     (block,) = Cycle(plans_of(loads(far))[0]).blocks([60.0, 70.0], fast=False)
     assert np.isnan(block.table).any(axis=0).all() and block.codes.all()
+
+
+@pytest.mark.parametrize("fast", [False, True])
+def test_a_force_that_rounding_makes_exactly_nothing_is_left_out_of_a_table(fast: bool) -> None:
+    if fast and not compiled.available():
+        pytest.skip("the compiler is not installed")
+    c = Cycle(plans_of(loads(EATEN))[0], ["F_23"])
+    (block,) = c.blocks(np.linspace(50.0, 60.0, 16), fast=fast)
+    assert block.failed.all() and np.isnan(block.table).all()
+
+
+def test_a_force_no_load_reaches_is_exactly_nothing() -> None:
+    c = Cycle(plans_of(load(Path(__file__).parents[2] / "samples" / "assignment-12.yaml"))[0], ["F_50", "F_45"])
+    (block,) = c.blocks([60.0, 61.0], fast=False)
+    row = [x.name for x in c.columns].index("F_50_y")
+    assert not block.failed.any() and (block.table[row] == 0).all() and len(c.forces) == 1

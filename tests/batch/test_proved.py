@@ -20,28 +20,33 @@ from planes.words.errors import Contradiction
 from tests.plans.test_proofs import COUPLE, WRONG, Spoil, cycle_of
 from tests.solving.test_failures import SLIDER
 
-HIGH = np.arange(20.0, 20.0 + FEW)
-LONG = np.linspace(20.0, 80.0, 8 * FEW)
+HIGH = np.arange(20.0, 84.0)
+LONG = np.linspace(20.0, 80.0, 2 * FEW)
 RATES = SLIDER.replace("C: 0.3", "C: 0.3, S: [0.1, 0.1]")
 
 
+def spoiled(phi: Any) -> Any:
+    """Neither the first positions nor the last."""
+    return (phi > 50) & (phi < 75)
+
+
 def bent(m: pytest.MonkeyPatch) -> None:
-    """The third point of a link is drawn in a wrong place of the velocity plan, past 50° alone."""
+    """The third point of a link is drawn in a wrong place of the velocity plan, between 50° and 75° alone."""
     similar = Similar.draw
 
     def wrong(self: Similar, env: Any, tool: Any) -> Any:
-        off = tool.ar.where(env["angle_x_1"] > 50, 1.001, 1.0) if self.makes == "velocity:s" else 1.0
+        off = tool.ar.where(spoiled(env["angle_x_1"]), 1.001, 1.0) if self.makes == "velocity:s" else 1.0
         return similar(self, env, tool) * off
 
     m.setattr(Similar, "draw", wrong)
 
 
 def unbalanced(m: pytest.MonkeyPatch) -> None:
-    """A tangential part of a reaction is reckoned wrong, past 50° alone."""
+    """A tangential part of a reaction is reckoned wrong, between 50° and 75° alone."""
     value = Calculate.draw
 
     def wrong(self: Calculate, env: Any, tool: Any) -> Any:
-        off = tool.ar.where(env["angle_x_1"] > 50, 1.001, 1.0) if self.makes == "F_21^t" else 1.0
+        off = tool.ar.where(spoiled(env["angle_x_1"]), 1.001, 1.0) if self.makes == "F_21^t" else 1.0
         return value(self, env, tool) * off
 
     m.setattr(Calculate, "draw", wrong)
@@ -68,7 +73,7 @@ def test_a_position_that_fails_a_proof_of_what_is_asked_is_masked(
     spoil(monkeypatch)
     c = cycle_of(scene, names)
     (block,) = c.blocks(values, fast=fast)
-    assert (block.failed == (values > 50)).all() and np.isnan(block.table[:, block.failed]).all()
+    assert (block.failed == spoiled(values)).all() and np.isnan(block.table[:, block.failed]).all()
     assert {c.reasons[k - 1].key for k in set(block.codes[block.failed].tolist())} == {reason}
     assert np.allclose(block.table[:, ~block.failed], right.table[:, ~block.failed], rtol=1e-12, atol=1e-12)
 
