@@ -172,9 +172,8 @@ class Cycle:
 
     @cached_property
     def _suspected(self) -> list[int]:
-        """The codes of what the compiled loop cannot decide: what fails a proof may be but rounded."""
-        proofs = {p.reason for p in self.program.proofs}
-        return [k for k, r in enumerate(self.reasons, 1) if r.key in proofs]
+        """The codes of what the compiled loop cannot decide."""
+        return [k for k, r in enumerate(self.reasons, 1) if r.key in self.trace.proofs]
 
     def _drawn(
         self, moving: Mapping[str, Floats], count: int, instrument: Instrument | None

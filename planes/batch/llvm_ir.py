@@ -30,8 +30,8 @@ INTRINSICS = {"sqrt": 1, "fabs": 1, "floor": 1, "copysign": 2, "fma": 3}
 class LoopText:
     """The loop being written: places of the tape to names in the loop."""
 
-    def __init__(self, tape: Tape, names: dict[int, str]) -> None:
-        self.tape, self.names, self.t = tape, names, Lines()
+    def __init__(self, tape: Tape, names: dict[int, str], rough: frozenset[int]) -> None:
+        self.tape, self.names, self.rough, self.t = tape, names, rough, Lines()
 
     def name(self, place: int) -> str:
         """What stands for a place: its name in the loop, or the constant itself."""
@@ -44,13 +44,14 @@ class LoopText:
         """One operation."""
         op, args = self.tape.ops[place]
         if op not in ("const", "given"):
-            self.names[place] = self._line(op, [self.name(a) for a in args], args)
+            fused = " contract" if place in self.rough else ""
+            self.names[place] = self._line(op, [self.name(a) for a in args], args, fused)
 
-    def _line(self, op: str, a: list[str], args: tuple[int, ...]) -> str:
+    def _line(self, op: str, a: list[str], args: tuple[int, ...], fused: str) -> str:
         t = self.t
         match op:
             case "add" | "sub" | "mul":
-                return t.op("f" + op, a[0], a[1])
+                return t.op("f" + op, a[0], a[1], fused)
             case "inv":
                 return t.op("fdiv", literal(1.0), a[0])
             case "neg":
@@ -83,11 +84,18 @@ def _row(t: Lines, begin: int) -> str:
 
 
 def module(
-    tape: Tape, order: list[int], inputs: list[int], fixed: list[int], outputs: list[int], codes: list[int], stride: int
+    tape: Tape,
+    order: list[int],
+    inputs: list[int],
+    fixed: list[int],
+    outputs: list[int],
+    codes: list[int],
+    rough: frozenset[int],
+    stride: int,
 ) -> str:
     """The module of a function run(rows, fixed, n): rows of ``inputs`` first, then it fills rows of ``outputs``, and
     last the number of the first of the conditions ``codes`` that does not hold (0: all hold); returns the sum of these.
-    Rows are ``stride`` numbers apart.
+    Rows are ``stride`` numbers apart. The places ``rough`` may be rounded as suits the machine.
     """
     head = Lines()
     names = {}
@@ -95,7 +103,7 @@ def module(
         pointer = head(f"getelementptr inbounds double, ptr %fixed, i64 {k}")
         loaded = head(f"load double, ptr {pointer}, align 8")
         names[place] = head(f"fcmp une double {loaded}, {literal(0.0)}") if tape.ops[place][0] in TESTS else loaded
-    text = LoopText(tape, {place: name.replace("%v", "%c") for place, name in names.items()})
+    text = LoopText(tape, {place: name.replace("%v", "%c") for place, name in names.items()}, rough)
     for k, place in enumerate(inputs):
         text.names[place] = text.t(f"load double, ptr {_row(text.t, k * stride)}, align 8")
     for place in order:
@@ -116,7 +124,7 @@ def _frame() -> list[str]:
     declared = [
         f"declare double @llvm.{name}.f64({', '.join(['double'] * count)})" for name, count in INTRINSICS.items()
     ]
-    start = "define double @run(ptr noalias %rows, ptr noalias %fixed, i64 %n) {\nentry:"
+    start = "define double @run(ptr noalias %rows, ptr noalias %fixed, i64 %n) #0 {\nentry:"
     return [*declared, sine(), cosine(), arctangent(), gap(), start]
 
 
@@ -131,5 +139,6 @@ CLOSE = (
     "  br i1 %more, label %loop, label %done, !llvm.loop !0",
     "done:\n  ret double %sum\n}",
     "!0 = distinct !{!0, !1}",
+    'attributes #0 = { "prefer-vector-width"="512" }',  # as wide as the machine has
     '!1 = !{!"llvm.loop.vectorize.enable", i1 true}',
 )

@@ -11,7 +11,7 @@ from planes.batch.tape import Tape
 from planes.drafting.clearness import clear
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
-from planes.drafting.proofs import TOLD_APART, Proof, gaps
+from planes.drafting.proofs import TOLD_APART, Proof, in_si
 from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic, One, Point, Real, Truth, size
 from planes.geometry.arrays import Floats
@@ -138,6 +138,7 @@ class Trace:
     requires: tuple[tuple[str, str, int], ...]  # reason, what the step makes, place of the condition
     sources: tuple[Source, ...]
     turns: tuple[int, ...]  # places of the tests whether a thing moves, and which way
+    proofs: frozenset[str]  # reasons that are but suspicions: what fails a proof may be only rounded
 
     def givens(self) -> dict[str, int]:
         """Names of the given numbers (of a place, "name.x" and "name.y") and where they stand."""
@@ -173,20 +174,28 @@ def trace(
     taken = [take(things, tool.ar) for take in takes]
     outputs = tuple(place_of(tape, x) for x in taken)
     if must:
-        for reason, holds in _proved(program.proofs, things, tool.ar).items():
+        for reason, holds in _proved(program, things, tool.ar).items():
             tool.failures.append((reason, None, holds, {}))
         tool.require(_finite(tape, [x for x, m in zip(taken, must, strict=True) if m]), None, "no_digits")
         tool.require(clear(program, things, tool, forces), None, UNCLEAR)
     requires = tuple((r, str(getattr(s, "makes", "")), place_of(tape, ok)) for r, s, ok, _ in tool.failures)
-    return Trace(tape, outputs, requires, tuple(tool.sources), tuple(ar.turns))
+    proofs = frozenset(p.reason for p in program.proofs)
+    return Trace(tape, outputs, requires, tuple(tool.sources), tuple(ar.turns), proofs)
 
 
-def _proved(proofs: Sequence[Proof], things: Mapping[str, Point], ar: Arithmetic) -> dict[str, Truth]:
-    """Whether every proof of a reason holds; where it does not, a loop only suspects: arrays find out."""
-    found: dict[str, Truth] = {}
-    for proof, gap, least in gaps(proofs, things, ar):
-        found[proof.reason] = found.get(proof.reason, True) & (gap <= TOLD_APART * least)
-    return found
+def _proved(program: Program, things: Mapping[str, Point], ar: Arithmetic) -> dict[str, Truth]:
+    """Whether the proofs of every reason hold, those of a plan together and beside all its marks, which is soon done;
+    where they do not, a loop only suspects: arrays find out."""
+    together: dict[tuple[str, str], list[Proof]] = {}
+    for proof in program.proofs:
+        together.setdefault((proof.reason, proof.plan), []).append(proof)
+    holds: dict[str, Truth] = {}
+    for (reason, plan), proofs in together.items():
+        sizes = [ar.size(in_si(things, step.makes)) for step in program.marks.get(plan, ())]
+        size = sum(sizes or [proof.size(things, ar) for proof in proofs])
+        gap = sum(proof.gap(things, ar) for proof in proofs)
+        holds[reason] = holds.get(reason, True) & (gap <= TOLD_APART * size)
+    return holds
 
 
 def _finite(tape: Tape, numbers: list[Real]) -> Truth:

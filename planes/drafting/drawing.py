@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import reduce
 
 from planes.drafting.instruments import Exact, Instrument, Shaken
 from planes.drafting.program import Program
@@ -142,16 +143,13 @@ def _apart(proofs: Sequence[Proof], things: Things, tool: Tool) -> list[tuple[Pr
 
 
 def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]) -> None:
-    """Refuse, or mask, what is apart by more than a drawing a thousand times blunter can tell."""
-    tool = drawing.tool
-    with tool.quiet():
-        apart = [
-            (p, gap, size, gap > TOLD_APART * size + LEAST) for p, gap, size in gaps(proofs, drawing.things, tool.ar)
-        ]
-    for proof, gap, size, wrong in apart:
+    """Refuse, or mask, what is apart by more than drawings a thousand times blunter can tell."""
+    tool, blunter = drawing.tool, None
+    for proof, wrong, gap, size in _apart(proofs, drawing.things, tool):
         if not (wrong.any() if tool.many else wrong):
             continue
-        wrong = wrong & (gap > _doubt(drawing.program, given, proof, gap))
+        blunter = _blunter(drawing.program, given) if blunter is None else blunter
+        wrong = wrong & (gap > _doubt(blunter, proof, gap, tool))
         if tool.many:
             _mask(drawing, proof, ~wrong)
         elif wrong:
@@ -159,17 +157,19 @@ def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]
             raise Contradiction(proof.reason, plan=plan_phrase(proof.plan), **numbers)
 
 
-def _doubt(program: Program, given: Mapping[str, Thing], proof: Proof, gap: Real) -> Real:
-    """How much a drawing a thousand times blunter than doubles moves a gap; without end where it cannot be drawn."""
-    most: Real = 0.0
-    for seed in SHAKEN:
-        try:
-            drawing = run(program, given, Shaken(seed))
-        except PlanFailure:
-            return math.inf
-        with drawing.tool.quiet():
-            most = drawing.tool.ar.maximum(most, abs(proof.gap(drawing.things, drawing.tool.ar) - gap))
-    return most
+def _blunter(program: Program, given: Mapping[str, Thing]) -> list[Things]:
+    """Drawings a thousand times blunter than doubles; none of what cannot be drawn so."""
+    try:
+        return [run(program, given, Shaken(seed)).things for seed in SHAKEN]
+    except PlanFailure:
+        return []
+
+
+def _doubt(blunter: list[Things], proof: Proof, gap: Real, tool: Tool) -> Real:
+    """How much they move a gap; without end where there are none."""
+    with tool.quiet():
+        moved = [abs(proof.gap(things, tool.ar) - gap) for things in blunter]
+        return reduce(tool.ar.maximum, moved) if moved else math.inf
 
 
 def _mask(drawing: Drawing, proof: Proof, ok: Truth) -> None:

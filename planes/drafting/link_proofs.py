@@ -61,9 +61,9 @@ class LinkMotion:
         return 1j * (things[self.epsilon] if self.epsilon else 0.0) - omega**2
 
 
-def _accelerations(plan: str, points: Iterable[Point], things: Things, ar: Arithmetic) -> Real:
-    """How large accelerations are: no drive need have one; velocities are measured by their drive's."""
-    return sum(ar.size(in_si(things, p.on(plan))) for p in points) if plan == "acceleration" else 0.0
+def _seen(plan: str, points: Iterable[Point], things: Things, ar: Arithmetic) -> Real:
+    """How large the rates of points are together."""
+    return sum(ar.size(in_si(things, p.on(plan))) for p in points)
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ class Rigid(Proof):
     def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
         if self.plan == "position":
             return sum(abs(p.local) + abs(self.body.origin.local) for p in self.points)
-        return speed + _accelerations(self.plan, self.points, things, ar)
+        return speed + _seen(self.plan, self.points, things, ar)
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,7 @@ class Slid(Proof):
     def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
         if self.plan == "position":
             return ar.size(in_si(things, self.slider.place)) + abs(self.through) + abs(self.offset)
-        return speed + _accelerations(self.plan, [self.slider], things, ar)
+        return speed + _seen(self.plan, [self.slider], things, ar)
 
 
 @dataclass(frozen=True)

@@ -104,9 +104,8 @@ class VectorProof(Proof):
         return abs(plane.cross(things[along], vector)) if along else abs(abs(vector) - abs(things[length]))
 
     def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
-        if stated := {length for *_, length in self.rows if length}:
-            return sum(abs(things[length]) for length in stated)
-        return sum(ar.size(vector) for vector, _ in self._vectors(things))
+        stated = sum(abs(things[length]) for length in {row[4] for row in self.rows if row[4]})
+        return stated + sum(ar.size(in_si(things, mark)) for mark in {mark for row in self.rows for mark in row[:2]})
 
     def _vectors(self, things: Things) -> Iterator[tuple[Complex, VectorRow]]:
         mu = things[mu_of(self.plan)]

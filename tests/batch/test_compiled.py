@@ -36,7 +36,7 @@ def test_what_is_known_is_folded_away_and_nothing_is_recorded_twice() -> None:
 
 
 def looped(tape: Tape, outputs: list[Any], **inputs: Any) -> Any:
-    trace = Trace(tape, tuple(place_of(tape, x) for x in outputs), (), (), ())
+    trace = Trace(tape, tuple(place_of(tape, x) for x in outputs), (), (), (), frozenset())
     loop = compiled.fuse(trace, tuple(inputs)).bound({})
     return loop(np.array(list(inputs.values())))[0]
 
