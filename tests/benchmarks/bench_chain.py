@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import tempfile
+from pathlib import Path
+
 import pytest
+from conftest import peak
 
 from planes.diagrams.summary import summary
 from planes.diagrams.text import as_json
@@ -13,24 +17,35 @@ from planes.scene import loads
 from tests.diagrams.test_degenerate import chain
 
 
+def timed(benchmark, group: str, links: int, positions: int, memory: str) -> None:
+    benchmark.group, benchmark.extra_info["what"] = group, f"{links} links"
+    benchmark.extra_info |= {"positions": positions, "memory": memory}
+
+
+def of_process(links: int, command: str) -> str:
+    """The memory the whole command takes."""
+    with tempfile.TemporaryDirectory() as folder:
+        scene = Path(folder) / "chain.yaml"
+        scene.write_text(chain(links // 2), encoding="utf-8")
+        return peak(f"from planes.cli import main\nmain({[word.format(scene) for word in command.split()]!r})\n")
+
+
 @pytest.mark.parametrize("links", [21, 51])
 def bench_cycle_of_a_chain(benchmark, links: int) -> None:
     scene = loads(chain(links // 2))
-    benchmark.group, benchmark.extra_info["what"] = "a cycle's summary", f"{links} links"
-    benchmark.extra_info["positions"] = 721
+    timed(benchmark, "a cycle's summary", links, 721, of_process(links, "cycle {} --json"))
     benchmark.pedantic(lambda: as_json(summary(scene, plans_of(scene.mechanism))), rounds=1)
 
 
 @pytest.mark.parametrize("links", [51, 201])
 def bench_structure_of_a_chain(benchmark, links: int) -> None:
     mechanism = loads(chain(links // 2)).mechanism
-    benchmark.group, benchmark.extra_info["what"] = "structure", f"{links} links"
-    benchmark.extra_info["positions"] = 1
+    timed(benchmark, "structure", links, 1, of_process(links, "structure {}"))
     benchmark(analyse, mechanism)
 
 
-def bench_sheet_of_a_chain(benchmark) -> None:
-    scene = loads(chain(10))
-    benchmark.group, benchmark.extra_info["what"] = "a sheet", "21 links"
-    benchmark.extra_info["positions"] = 1
+@pytest.mark.parametrize("links", [11, 21])
+def bench_sheet_of_a_chain(benchmark, links: int) -> None:
+    scene = loads(chain(links // 2))
+    timed(benchmark, "a sheet", links, 1, of_process(links, "sheet {0} -o {0}.svg"))
     benchmark.pedantic(lambda: sheet_of(scene, None, "ru"), rounds=1)

@@ -5,12 +5,8 @@ Run: pytest tests/benchmarks
 
 from __future__ import annotations
 
-import subprocess
-import sys
-from pathlib import Path
-
 import pytest
-from conftest import SAMPLES, SCENES, angles, plans
+from conftest import SAMPLES, SCENES, angles, peak, plans
 
 from planes.batch import Cycle
 from planes.drafting.drawing import run
@@ -73,25 +69,21 @@ def bench_everything(benchmark, name: str, count: int, forces: bool, way: str) -
 def bench_length(benchmark, count: int, way: str) -> None:
     """A six-link with all forces, more and more positions; and the most memory a process of its own takes for them."""
     cycle, values = Cycle(plans("six-link"), asked("six-link", True)), Span(145.0, 10 / count, count)
-    if Path("/proc/self/status").exists():
-        benchmark.extra_info["memory"] = f"{memory(way, count):.0f} MB"
+    benchmark.extra_info["memory"] = memory(way, count)
     benchmark.group = f"six-link, all with forces, {way}, how long"
     benchmark.extra_info |= {"what": f"{count} positions", "positions": count}
     rounds = max(3, min(200, 2 * 10**6 // count))
     benchmark.pedantic(lambda: through(cycle, values, way == "fused"), rounds=rounds, warmup_rounds=1)
 
 
-def memory(way: str, count: int) -> float:
-    """MB of a process that goes through so many positions."""
-    text = (
+def memory(way: str, count: int) -> str:
+    """Of a process that goes through so many positions."""
+    return peak(
         "from planes.scene.ranges import Span\nfrom planes.batch import Cycle\n"
-        "from planes.plans import state\nfrom planes.scene import load\n"
-        f"cycle = Cycle(state(load({str(SAMPLES / 'six-link.yaml')!r}).mechanism))\n"
+        "from planes.plans import plans_of\nfrom planes.scene import load\n"
+        f"cycle = Cycle(plans_of(load({str(SAMPLES / 'six-link.yaml')!r}).mechanism))\n"
         f"for _ in cycle.blocks(Span(145.0, {10 / count}, {count}), fast={way == 'fused'}): pass\n"
-        "print(next(line.split()[1] for line in open('/proc/self/status') if line.startswith('VmHWM')))\n"
     )
-    done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=True)
-    return float(done.stdout) / 1024
 
 
 @pytest.mark.parametrize("what", ["steps drawn", "drawn, measured and told"])

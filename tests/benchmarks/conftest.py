@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import platform
+import subprocess
+import sys
 from functools import cache
 from pathlib import Path
 
@@ -14,7 +16,8 @@ from planes.plans import Plans, plans_of
 from planes.scene import load
 from planes.scene.ranges import Span
 
-SAMPLES = Path(__file__).parents[2] / "samples"
+ROOT = Path(__file__).parents[2]
+SAMPLES = ROOT / "samples"
 SCENES = {"four-bar": "kind-1-rrr", "slider-crank": "kind-2-rrp", "slotted lever": "kind-3-rpr", "six-link": "six-link"}
 
 
@@ -28,6 +31,15 @@ def plans(name: str) -> Plans:
 def angles(name: str, count: int) -> np.ndarray:
     """Degrees about the scene's own position, where all four mechanisms work."""
     return Span(plans(name).mechanism.drive.position - 5, 10 / count, count)[0:count]
+
+
+def peak(text: str) -> str:
+    """The most memory a process takes that runs ``text``; "" where the system does not tell."""
+    if not Path("/proc/self/status").exists():
+        return ""
+    tell = "print(next(line.split()[1] for line in open('/proc/self/status') if line.startswith('VmHWM')))"
+    done = subprocess.run([sys.executable, "-c", text + tell], capture_output=True, text=True, check=True, cwd=ROOT)
+    return f"{float(done.stdout.split()[-1]) / 1024:.0f} MB"
 
 
 def pytest_terminal_summary(terminalreporter, config):
