@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import reduce
 from typing import ClassVar
@@ -61,11 +60,6 @@ class LinkMotion:
         return 1j * (things[self.epsilon] if self.epsilon else 0.0) - omega**2
 
 
-def _seen(plan: str, points: Iterable[Point], things: Things, ar: Arithmetic) -> Real:
-    """How large the rates of points are together."""
-    return sum(ar.size(in_si(things, p.on(plan))) for p in points)
-
-
 @dataclass(frozen=True)
 class Rigid(Proof):
     """The points of a link keep their distances, and their rates are those of one turning body."""
@@ -86,7 +80,9 @@ class Rigid(Proof):
     def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
         if self.plan == "position":
             return sum(abs(p.local) + abs(self.body.origin.local) for p in self.points)
-        return speed + _seen(self.plan, self.points, things, ar)
+        reach = sum(ar.size(in_si(things, p.place)) + abs(p.local) for p in self.points) + abs(self.body.origin.local)
+        turning = ar.size(self.body.spin(self.plan, things)) * reach  # one about its hinge is no less long
+        return speed + turning + sum(ar.size(in_si(things, p.on(self.plan))) for p in self.points)
 
 
 @dataclass(frozen=True)
@@ -118,7 +114,9 @@ class Slid(Proof):
     def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
         if self.plan == "position":
             return ar.size(in_si(things, self.slider.place)) + abs(self.through) + abs(self.offset)
-        return speed + _seen(self.plan, [self.slider], things, ar)
+        reach = ar.size(in_si(things, self.slider.place)) + abs(self.through)
+        turning = ar.size(self.owner.spin(self.plan, things)) * reach
+        return speed + turning + sum(ar.size(in_si(things, mark)) for mark in self.slider.rates[: ORDER[self.plan]])
 
 
 @dataclass(frozen=True)
