@@ -90,6 +90,7 @@ def test_a_table_says_of_a_contradiction_what_a_position_says(
     assert [row.endswith("link_bent") for row in rows] == [k > 10 for k in range(21)]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("spoil, scene, reason, plan", WRONG.values(), ids=WRONG.keys())
 def test_a_folder_refuses_what_a_scene_refuses(
     spoil: Spoil, scene: str, reason: str, plan: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

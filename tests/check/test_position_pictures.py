@@ -117,6 +117,7 @@ def test_another_scheme_is_not_this_one(tmp_path: Path) -> None:
         assert found.verdict == "unreadable", other
 
 
+@pytest.mark.slow
 def test_an_empty_blank_of_a_scheme(tmp_path: Path) -> None:
     drawn = schemes.Scheme()
     for symbols in (0, 2):

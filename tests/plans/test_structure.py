@@ -324,7 +324,7 @@ def test_structure_of_any_order_takes_work_as_links_squared_at_most(make: Callab
     assert max(counts) == counts[0]
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("kinds", [["RRR"], list(KINDS)])
 def test_all_plans_of_a_chain_take_work_and_memory_as_its_links(kinds: list[str]) -> None:
     calls, sizes = [], []
