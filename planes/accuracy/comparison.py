@@ -12,7 +12,7 @@ from planes.accuracy.baselines import Loops, differences
 from planes.accuracy.digits import Digits
 from planes.accuracy.other_programs import Triple, kinepy_at, pylinkage_at
 from planes.batch import Cycle
-from planes.batch.reading import read
+from planes.batch.tape import read
 from planes.batch.tracing import given_values
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.instruments import Instrument

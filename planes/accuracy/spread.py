@@ -8,8 +8,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from planes.batch.columns import Ready
-from planes.batch.reading import read
 from planes.batch.slopes import SLOPES, STIFF, Carrying
+from planes.batch.tape import read
 from planes.batch.tracing import Trace, given_values, trace
 from planes.drafting.instruments import Pencil
 from planes.geometry.arrays import Array, Floats

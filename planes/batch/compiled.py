@@ -14,7 +14,7 @@ from importlib.util import find_spec
 import numpy as np
 
 from planes.batch.llvm_ir import EXTRA, module, row_of
-from planes.batch.reading import read
+from planes.batch.tape import read
 from planes.batch.tracing import Trace
 from planes.geometry.arrays import Array, Floats, Indices
 

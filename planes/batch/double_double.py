@@ -11,8 +11,7 @@ from collections.abc import Iterable, Mapping
 
 import numpy as np
 
-from planes.batch.reading import OPS, Number, Op, read
-from planes.batch.tape import Tape
+from planes.batch.tape import OPS, Number, Op, Tape, read
 from planes.geometry.arithmetic import Real, Truth
 from planes.geometry.arrays import Array, Floats
 from planes.geometry.error_free import two_product, two_sum

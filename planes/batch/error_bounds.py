@@ -15,10 +15,9 @@ from collections.abc import Iterable, Mapping, Sequence
 import numpy as np
 
 from planes.batch.columns import Ready, sides_of
-from planes.batch.reading import read
 from planes.batch.rounding import BLIND, LARGEST, USUAL, Lost, bent, rounding, unit_parts, whole_numbers
 from planes.batch.slopes import STIFF, Carrying, Values, times
-from planes.batch.tape import Tape
+from planes.batch.tape import Tape, read
 from planes.batch.tracing import given_values, trace
 from planes.geometry.arrays import Array, Booleans, Floats, Indices
 from planes.words.names import given_of, is_scale

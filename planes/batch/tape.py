@@ -1,14 +1,18 @@
-"""A tape: what a program reckons, as one straight line of real operations, each recorded once.
-
-What is reckoned twice is recorded once. Readers of a tape compile it (``compiled``) or weigh its errors
+"""A tape: what a program reckons, as one straight line of real operations, each recorded once; and how it is read with
+numbers: floats, numpy arrays, or any an arithmetic knows. Others compile it (``compiled``) or weigh its errors
 (``error_bounds``).
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from planes.geometry.arithmetic import Real
+from planes.geometry.arrays import Floats
+from planes.geometry.error_free import gap
 
 Args = tuple[int, ...]
 COMMUTE = frozenset({"add", "mul", "max", "min", "and", "or", "eq", "hypot"})
@@ -61,3 +65,56 @@ class Tape:
             if (op == "given" and self.values[place] in names) or not moved.isdisjoint(args):
                 moved.add(place)
         return frozenset(moved)
+
+
+Number = Real  # of a tape being read: an array, or a longer number
+Op = Callable[..., Number]
+OPS: dict[str, Op] = {
+    "add": lambda a, b: a + b,
+    "sub": lambda a, b: a - b,
+    "mul": lambda a, b: a * b,
+    "inv": lambda a: 1.0 / a,
+    "neg": lambda a: -a,
+    "abs": np.abs,
+    "sqrt": lambda a: np.sqrt(np.maximum(a, 0.0)),
+    "hypot": np.hypot,
+    "sin": np.sin,
+    "cos": np.cos,
+    "atan2": np.arctan2,
+    "floor": np.floor,
+    "gap": gap,
+    "max": np.maximum,
+    "min": np.minimum,
+    "sel": np.where,
+    "lt": lambda a, b: a < b,
+    "le": lambda a, b: a <= b,
+    "eq": lambda a, b: a == b,
+    "and": lambda a, b: a & b,
+    "or": lambda a, b: a | b,
+    "not": np.logical_not,
+}
+
+
+def read(
+    tape: Tape,
+    order: Iterable[int],
+    given: Mapping[str, Floats],
+    real: Callable[[Floats], Number] = np.float64,
+    ops: Mapping[str, Op] = OPS,
+) -> dict[int, Number]:
+    """The numbers at the places of ``order``, of the kind ``real``, by the operations ``ops``; errors of instruments
+    are 0."""
+    found: dict[int, Number] = {}
+    with np.errstate(all="ignore"):
+        for place in order:
+            op, args = tape.ops[place]
+            if op == "given":
+                found[place] = real(given[tape.values[place]])
+            elif op == "source":
+                found[place] = real(0.0)
+            elif op == "const":
+                value = tape.values[place]
+                found[place] = np.bool_(value) if isinstance(value, bool) else real(value)
+            else:
+                found[place] = ops[op](*(found[a] for a in args))
+    return found

@@ -16,8 +16,8 @@ from planes.accuracy.stability import approach
 from planes.batch import Cycle, compiled
 from planes.batch.double_double import TWO_OPS, apart
 from planes.batch.error_bounds import Claims
-from planes.batch.reading import OPS, read
 from planes.batch.rounding import EXACT, LARGEST, USUAL, bent, rounding, whole_numbers
+from planes.batch.tape import OPS, read
 from planes.batch.tracing import given_values
 from planes.cli import main
 from planes.drafting.drawing import run

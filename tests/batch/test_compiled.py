@@ -9,9 +9,8 @@ import numpy as np
 import pytest
 
 from planes.batch import compiled
-from planes.batch.reading import read
 from planes.batch.symbols import Num, Vec, number, place_of
-from planes.batch.tape import Tape
+from planes.batch.tape import Tape, read
 from planes.batch.tracing import Recording, Trace
 from tests.helpers import ROOT
 

@@ -11,7 +11,7 @@ import numpy as np
 from planes.accuracy.digits import Long
 from planes.batch import Cycle
 from planes.batch.double_double import TWO_OPS, Two, twofold
-from planes.batch.reading import read
+from planes.batch.tape import read
 from planes.batch.tracing import given_values, trace
 from planes.plans import plans_of, written
 from planes.scene.mechanism import Mechanism
