@@ -29,7 +29,8 @@ def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     def named(part: ReadDrawing) -> int:
         return len({known.exactly(one.text) for w in part.words for one in w.listed()} - {None})
 
-    likely = sorted(found, key=named, reverse=True)[:MOST]
+    likely = [p for p in found if mu_over(sketch.words, p, bench.asked.plan)[1]]  # what stands under the plan's title
+    likely = sorted(likely or found, key=named, reverse=True)[:MOST]
     likely = [p for p in likely if 2 * named(p) >= named(likely[0])]
     papers = [(_paper_of(replace(part), bench, sketch), named(part)) for part in likely or [sketch]]
     return max(papers, key=lambda p: worth(bench, p[0]) + NAMED * p[1])[0] if len(papers) > 1 else papers[0][0]
@@ -37,7 +38,7 @@ def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
 
 def _paper_of(part: ReadDrawing, bench: PreparedPlan, page: ReadDrawing) -> ReadPaper:
     """The marks of a plan on a part of a page, at the scale its title says."""
-    mu = None if bench.asked.mu else mu_over(page.words, part, kind_of(bench.asked.plan))
+    mu = None if bench.asked.mu else mu_over(page.words, part, bench.asked.plan)[0]
     paper = paper_of(part, bench.at(mu, told=True) if mu else bench)
     paper.mu = mu
     return paper

@@ -14,6 +14,7 @@ from planes.words.names import POLE, label_of
 from planes.words.spelling import Names
 
 LEADER_MM = 2.5  # a line from a word ends so near it
+SHY_MM = 1.0  # and so near what it names: it stops at the sign or the arrow that stands there
 BUSY_MM = 4.0
 NEAR_POINT_MM = 1.5  # a point of a scheme is where it should be
 
@@ -40,8 +41,8 @@ def led(sketch: ReadDrawing, nodes: Nodes) -> Iterator[Words]:
     places = nodes.places[: nodes.corners]
     for k, stroke in enumerate(sketch.strokes if len(sketch.strokes) <= CROSSINGS else ()):
         for j in (0, 1):
-            z, at_node = stroke[j], nodes.ends[k, 1 - j]
-            if nodes.weights[nodes.ends[k, j]] > 1 or at_node >= nodes.corners or (sketch.ways and sketch.ways[k]):
+            z, at_node = stroke[j], next((i for i in nodes.within(stroke[1 - j], SHY_MM) if i < nodes.corners), None)
+            if nodes.weights[nodes.ends[k, j]] > 1 or at_node is None or (sketch.ways and sketch.ways[k]):
                 continue
             if any(_between(w, *stroke) for i, w in enumerate(places) if i != at_node):
                 continue
