@@ -17,7 +17,7 @@ from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
 from planes.check.reading.lone_vectors import lone_vectors
 from planes.check.reading.sizing import sized
 from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, covered, headed, hinged
-from planes.check.reading.words_near import Candidates, begun, by_words, led, origin_of, pole_of
+from planes.check.reading.words_near import Candidates, begun, by_words, led, led_to_vectors, origin_of, pole_of
 from planes.drafting.drawing import run
 from planes.words import Phrase
 from planes.words.names import POLE, at, kind_of, label_of
@@ -55,6 +55,7 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None = No
         near = {n: {i: far for i, far in held.items() if i < first} or held for n, held in near.items()}
     bench = sized(bench, sketch, nodes, near)
     if kind_of(bench.asked.plan) == "force":
+        sketch.words += led_to_vectors(sketch) if headed(sketch) else ()
         found = vectors_as_planned(sketch, bench)
         return found if found.spots else _polygon(sketch, nodes, bench, paper)
     if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):

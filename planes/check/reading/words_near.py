@@ -15,6 +15,7 @@ from planes.words.spelling import Names
 
 LEADER_MM = 2.5  # a line from a word ends so near it
 SHY_MM = 1.0  # and so near what it names: it stops at the sign or the arrow that stands there
+ON_MM = 0.3
 BUSY_MM = 4.0
 NEAR_POINT_MM = 1.5  # a point of a scheme is where it should be
 
@@ -51,6 +52,26 @@ def led(sketch: ReadDrawing, nodes: Nodes) -> Iterator[Words]:
                 for w in sketch.words
                 if w.distance(z) < LEADER_MM
             )
+
+
+def led_to_vectors(sketch: ReadDrawing) -> Iterator[Words]:
+    """Words with a line from them to the vector they name, as if they stood on it."""
+    vectors = [s for k, s in enumerate(sketch.strokes) if sketch.ways[k]]
+    ends = [z for s in vectors for z in s]
+    plain = [way for k, s in enumerate(sketch.strokes) if not sketch.ways[k] for way in (s, s[::-1])]
+    vectors += [s for s in plain if abs(s[1] - s[0]) < LEADER_MM]  # too short for a head
+    for a, b in plain if len(sketch.strokes) <= CROSSINGS else ():
+        if abs(b - a) < LEADER_MM or any(abs(a - z) < SHY_MM for z in ends) or not any(_on(b, *s) for s in vectors):
+            continue
+        word = min(sketch.words, key=lambda w: w.distance(a), default=None)
+        if word is not None and word.distance(a) < LEADER_MM:
+            yield replace(word, place=b, height=0.1, width=0.1)
+
+
+def _on(z: complex, a: complex, b: complex) -> bool:
+    """Whether a place is on the line from a to b."""
+    local = (z - a) / (b - a) * abs(b - a)
+    return abs(local.imag) < ON_MM and -ON_MM < local.real < abs(b - a) + ON_MM
 
 
 def _between(z: complex, a: complex, b: complex) -> bool:
