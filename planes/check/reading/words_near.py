@@ -17,6 +17,7 @@ LEADER_MM = 2.5  # a line from a word ends so near it
 SHY_MM = 1.0  # and so near what it names: it stops at the sign or the arrow that stands there
 ON_MM = 0.3
 BUSY_MM = 4.0
+HIT_MM = 2.5  # a mark is where the plan leads
 NEAR_POINT_MM = 1.5  # a point of a scheme is where it should be
 
 Candidates = dict[str, dict[int, float]]
@@ -82,8 +83,18 @@ def _between(z: complex, a: complex, b: complex) -> bool:
 
 def begun(sketch: ReadDrawing, nodes: Nodes) -> dict[int, float]:
     """The node where most vectors begin, which is as good as one not far from the word p."""
-    starts = Counter(nodes.ends[k, 0 if sketch.ways[k] > 0 else 1] for k in headed(sketch))
-    return {node: BUSY_MM for node, count in starts.most_common(1) if count > 1}
+    return {node: BUSY_MM for node, count in _starts(sketch, nodes).most_common(1) if count > 1}
+
+
+def _starts(sketch: ReadDrawing, nodes: Nodes) -> Counter[int]:
+    """How many vectors begin at each node."""
+    return Counter(nodes.ends[k, 0 if sketch.ways[k] > 0 else 1] for k in headed(sketch))
+
+
+def busiest(sketch: ReadDrawing, nodes: Nodes, pole: complex) -> complex:
+    """Of the nodes as near as a pole is told by where the plan leads, the one where most vectors begin."""
+    starts = _starts(sketch, nodes)
+    return nodes.places[max(nodes.within(pole, HIT_MM), key=lambda i: starts[i])]
 
 
 def pole_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
@@ -96,7 +107,7 @@ def pole_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | No
     scores = []
     for i in beside or range(len(nodes.places)):
         z = nodes.places[i]
-        hits = sum(nodes.nearest(z + e, 2.5) is not None for e in ends)
+        hits = sum(nodes.nearest(z + e, HIT_MM) is not None for e in ends)
         scores.append((hits - (0.5 * beside[i] if beside else 0.0), nodes.weights[i], i))
     best = max(scores)
     return nodes.places[best[2]] if beside or best[0] >= max(2, 0.5 * len(ends)) else None
