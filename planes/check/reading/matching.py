@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from planes.check.grading.handwork import Hand, Taken
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
-from planes.check.reading.as_planned import is_right, marks_as_planned, vectors_as_planned
+from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, vectors_as_planned
 from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
 from planes.check.reading.lone_vectors import lone_vectors
 from planes.check.reading.sizing import sized
@@ -89,7 +89,7 @@ def _polygon(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: Read
     if paper.spots and not told and not is_right(bench, paper):  # any figure of lines would do
         paper.spots = []
         paper.notes.append(Phrase("check_force_unsure"))
-    return paper
+    return told_apart(sketch, bench, paper)
 
 
 def _at(pole: complex, z: complex) -> complex:

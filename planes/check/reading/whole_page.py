@@ -4,19 +4,17 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from planes.check.grading.grading import grade
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.reading.as_planned import worth
 from planes.check.reading.chains import true_vectors
 from planes.check.reading.matching import paper_of
 from planes.check.reading.parts import parts
 from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.titles import mu_over
-from planes.words.errors import PlanesError
 from planes.words.names import kind_of
 
 MOST = 6  # parts that are read
-OPEN = 2.0  # what it costs a force polygon not to close, in marks
 NAMED = 0.1  # what a name of the plan beside a part is worth, in marks drawn rightly
 
 
@@ -42,15 +40,3 @@ def _paper_of(part: ReadDrawing, bench: PreparedPlan, page: ReadDrawing) -> Read
     paper = paper_of(part, bench.at(mu, told=True) if mu else bench)
     paper.mu = mu
     return paper
-
-
-def worth(bench: PreparedPlan, paper: ReadPaper) -> float:
-    """How many marks of a paper are where their steps lead, less those that are not."""
-    bench = bench.at(paper.mu, told=True) if paper.mu else bench
-    try:
-        found = grade(bench, paper) if paper.spots else None
-    except PlanesError:
-        found = None
-    if found is None:
-        return -len(bench.marks)
-    return len(found.judgement.misses) - 2.0 * len(found.judgement.wrong) - OPEN * bool(found.gap_wrong)
