@@ -37,9 +37,9 @@ def joined(words: Sequence[Words]) -> list[Words]:
 
 
 def _goes_on(first: Words, whole: Words, word: Words) -> bool:
-    """Whether a piece of text is an index of the word before it, or its second index."""
+    """Whether a piece of text is an index of the word before it, or its second index, or what follows that."""
     local = (word.place - first.place) * first.along.conjugate()
-    small = word.height < INDEX * first.height or set(word.text) <= set("'′’")
+    small = word.height < INDEX * first.height or word.text[:1] in "'′’,"
     level = RISE[0] * first.height < local.imag < RISE[1] * first.height
     along = abs(word.along - first.along) < 0.02 and any(
         GAP[0] * first.height < local.real - end < GAP[1] * first.height for end in (first.width, whole.width)

@@ -54,8 +54,8 @@ def _titles(words: Sequence[Words]) -> Iterator[Words]:
 def _read(text: str, plan: str) -> float | None:
     """μ of a plan, as its title has it; of a force plan of other links, none."""
     said = _MU.search(text)
-    links = re.findall(r"\d+", text[: said.start()] if said else "")
-    if kind_of(plan) == "force" and links and links != re.findall(r"\d+", plan):
+    own, links = re.findall(r"\d+", plan), re.findall(r"\d+", text[: said.start()] if said else "")
+    if kind_of(plan) == "force" and links and links[-len(own) :] != own:
         return None
     try:
         return read_mu(said[1].replace(",", "."), kind_of(plan)) if said else None
