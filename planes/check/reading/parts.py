@@ -18,7 +18,13 @@ AROUND = 0.35  # how far beyond a word's box its letters may reach, in heights
 TOUCH_MM = 0.05
 INDEX = 0.95  # an index is no taller than this, in heights of the letter before it
 RISE = (-0.8, 1.2)  # where the foot of an index may be, in heights of its letter
+WIDE, NARROW, SIGNS = 0.7, 0.35, " .,:;′'’|()"  # how wide letters and signs are, in heights
 GAP = (-0.4, 0.5)  # how far from its letter it may stand
+
+
+def breadth(text: str) -> float:
+    """About how wide a text is, in heights of its letters."""
+    return sum(NARROW if c in SIGNS else WIDE for c in text.strip())
 
 
 def joined(words: Sequence[Words]) -> list[Words]:
