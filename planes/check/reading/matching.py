@@ -17,7 +17,16 @@ from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
 from planes.check.reading.lone_vectors import lone_vectors
 from planes.check.reading.sizing import sized
 from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, covered, headed, hinged
-from planes.check.reading.words_near import Candidates, begun, busiest, by_words, led, led_to_vectors, origin_of, pole_of
+from planes.check.reading.words_near import (
+    Candidates,
+    begun,
+    busiest,
+    by_words,
+    led,
+    led_to_vectors,
+    origin_of,
+    pole_of,
+)
 from planes.drafting.drawing import run
 from planes.words import Phrase
 from planes.words.names import POLE, at, kind_of, label_of
@@ -186,7 +195,8 @@ class _MarkSearch:
             for i in self.nodes.within(guess, far):
                 z = self.nodes.places[i]
                 together = not self.worded and guess == guesses[0][0] and any(abs(u - guess) < far for u in used)
-                if (self._fresh(i, used) or together) and any(covered(self.sketch.strokes, s, z) >= ALONG for s in starts):
+                drawn = any(covered(self.sketch.strokes, s, z) >= ALONG for s in starts)
+                if drawn and (self._fresh(i, used) or together):
                     return z
         return None
 

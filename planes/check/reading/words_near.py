@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from planes.check.grading.prepared_plan import PreparedPlan
@@ -48,11 +48,13 @@ def led(sketch: ReadDrawing, nodes: Nodes) -> Iterator[Words]:
                 continue
             if any(_between(w, *stroke) for i, w in enumerate(places) if i != at_node):
                 continue
-            yield from (
-                replace(w, place=nodes.places[at_node], height=0.1, width=0.1)
-                for w in sketch.words
-                if w.distance(z) < LEADER_MM
-            )
+            yield from _put(sketch.words, z, nodes.places[at_node])
+
+
+def _put(words: Sequence[Words], begin: complex, end: complex) -> list[Words]:
+    """The words a line begins at, the nearest or all in its row, put where the line ends."""
+    far = min([LEADER_MM, *(w.distance(begin) for w in words)])
+    return [replace(w, place=end, height=0.1, width=0.1) for w in words if w.distance(begin) <= far < LEADER_MM]
 
 
 def led_to_vectors(sketch: ReadDrawing) -> Iterator[Words]:
@@ -64,9 +66,7 @@ def led_to_vectors(sketch: ReadDrawing) -> Iterator[Words]:
     for a, b in plain if len(sketch.strokes) <= CROSSINGS else ():
         if abs(b - a) < LEADER_MM or any(abs(a - z) < SHY_MM for z in ends) or not any(_on(b, *s) for s in vectors):
             continue
-        word = min(sketch.words, key=lambda w: w.distance(a), default=None)
-        if word is not None and word.distance(a) < LEADER_MM:
-            yield replace(word, place=b, height=0.1, width=0.1)
+        yield from _put(sketch.words, a, b)
 
 
 def _on(z: complex, a: complex, b: complex) -> bool:
@@ -121,7 +121,8 @@ def origin_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | 
 
     def worth(origin: complex, far: float) -> float:
         off = {n: min(abs(nodes.places[i] - origin - z) for i in near[n]) for n, z in truth.items() if n in near}
-        return sum(len(off) if fixed.find(n) else 1.0 for n in off if off[n] < NEAR_POINT_MM) - 0.05 * far
+        fits = {n: max(1.0 - mm / NEAR_POINT_MM, 0.0) for n, mm in off.items()}
+        return sum(fit * (len(off) if fixed.find(n) else 1.0) for n, fit in fits.items()) - 0.05 * far
 
     if not places:
         return pole_of(nodes, bench, near)
