@@ -17,16 +17,7 @@ from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
 from planes.check.reading.lone_vectors import lone_vectors
 from planes.check.reading.sizing import sized
 from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, covered, headed, hinged
-from planes.check.reading.words_near import (
-    Candidates,
-    begun,
-    busiest,
-    by_words,
-    led,
-    led_to_vectors,
-    origin_of,
-    pole_of,
-)
+from planes.check.reading.words_near import Candidates, by_words, led, led_to_vectors, start_of
 from planes.drafting.drawing import run
 from planes.words import Phrase
 from planes.words.names import POLE, at, kind_of, label_of
@@ -70,12 +61,9 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None = No
     if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):
         paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))
         return paper
-    scheme = kind_of(bench.asked.plan) == "position"
-    beside = near | ({POLE: begun(sketch, nodes) | near[POLE]} if POLE in near else {})
-    origin = pole if pole is not None else (origin_of if scheme else pole_of)(nodes, bench, beside)
+    origin = pole if pole is not None else start_of(sketch, nodes, bench, near)
     if origin is None:
         return paper
-    origin = origin if scheme or pole is not None else busiest(sketch, nodes, origin)
     poles = dict.fromkeys([origin, *(nodes.places[i] for i in near.get(POLE, ()))])
     found = marks_as_planned(sketch, bench, near, poles)
     if found.spots:

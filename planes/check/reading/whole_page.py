@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 from planes.check.grading.paper import ReadPaper
-from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.grading.prepared_plan import PreparedPlan, known_plans
 from planes.check.reading.as_planned import worth
 from planes.check.reading.chains import true_vectors
 from planes.check.reading.matching import paper_of
 from planes.check.reading.parts import parts
 from planes.check.reading.strokes import ReadDrawing
-from planes.check.reading.titles import mu_over
+from planes.check.reading.titles import elsewhere, mu_over
 from planes.words.names import kind_of
 
 MOST = 6  # parts that are read
@@ -27,7 +27,10 @@ def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     def named(part: ReadDrawing) -> int:
         return len({known.exactly(one.text) for w in part.words for one in w.listed()} - {None})
 
-    likely = [p for p in found if mu_over(sketch.words, p, bench.asked.plan)[1]]  # what stands under the plan's title
+    plans = known_plans(bench.plans)
+    if elsewhere(sketch.words, bench.asked.plan, plans):
+        return ReadPaper(sketch.file, whole=False)
+    likely = [p for p in found if mu_over(sketch.words, p, bench.asked.plan, plans)[1]]  # under the plan's own title
     likely = sorted(likely or found, key=named, reverse=True)[:MOST]
     likely = [p for p in likely if 2 * named(p) >= named(likely[0])]
     papers = [(_paper_of(replace(part), bench, sketch), named(part)) for part in likely or [sketch]]
@@ -36,7 +39,7 @@ def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
 
 def _paper_of(part: ReadDrawing, bench: PreparedPlan, page: ReadDrawing) -> ReadPaper:
     """The marks of a plan on a part of a page, at the scale its title says."""
-    mu = None if bench.asked.mu else mu_over(page.words, part, bench.asked.plan)[0]
+    mu = None if bench.asked.mu else mu_over(page.words, part, bench.asked.plan, known_plans(bench.plans))[0]
     paper = paper_of(part, bench.at(mu, told=True) if mu else bench)
     paper.mu = mu
     return paper

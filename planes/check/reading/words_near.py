@@ -10,7 +10,7 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, Words, headed
 from planes.drafting.drawing import run
-from planes.words.names import POLE, label_of
+from planes.words.names import POLE, kind_of, label_of
 from planes.words.spelling import Names
 
 LEADER_MM = 2.5  # a line from a word ends so near it
@@ -81,23 +81,19 @@ def _between(z: complex, a: complex, b: complex) -> bool:
     return abs(local.imag) < LEADER_MM / 2 and LEADER_MM / 2 < local.real < abs(b - a) - LEADER_MM / 2
 
 
-def begun(sketch: ReadDrawing, nodes: Nodes) -> dict[int, float]:
-    """The node where most vectors begin, which is as good as one not far from the word p."""
-    return {node: BUSY_MM for node, count in _starts(sketch, nodes).most_common(1) if count > 1}
+def start_of(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
+    """Where the pole of a plan is, or the origin of a scheme's axes; None where nothing shows it."""
+    if kind_of(bench.asked.plan) == "position":
+        return _origin_of(nodes, bench, near)
+    starts = Counter(nodes.ends[k, 0 if sketch.ways[k] > 0 else 1] for k in headed(sketch))
+    begun = {node: BUSY_MM for node, count in starts.most_common(1) if count > 1}
+    pole = _pole_of(nodes, bench, near | ({POLE: begun | near[POLE]} if POLE in near else {}))
+    if pole is None:
+        return None
+    return nodes.places[max(nodes.within(pole, HIT_MM), key=lambda i: starts[i])]  # where most vectors begin
 
 
-def _starts(sketch: ReadDrawing, nodes: Nodes) -> Counter[int]:
-    """How many vectors begin at each node."""
-    return Counter(nodes.ends[k, 0 if sketch.ways[k] > 0 else 1] for k in headed(sketch))
-
-
-def busiest(sketch: ReadDrawing, nodes: Nodes, pole: complex) -> complex:
-    """Of the nodes as near as a pole is told by where the plan leads, the one where most vectors begin."""
-    starts = _starts(sketch, nodes)
-    return nodes.places[max(nodes.within(pole, HIT_MM), key=lambda i: starts[i])]
-
-
-def pole_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
+def _pole_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
     """The node from which the true plan would meet most nodes, one beside the word p if there is any."""
     truth = run(bench.program, bench.given)
     ends = [truth[m] for m in bench.marks if abs(truth[m]) > 1]
@@ -113,7 +109,7 @@ def pole_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | No
     return nodes.places[best[2]] if beside or best[0] >= max(2, 0.5 * len(ends)) else None
 
 
-def origin_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
+def _origin_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
     """The origin of a scheme's axes: so that the frame's points, then most others, stand beside their words."""
     truth = {label_of(m): complex(run(bench.program, bench.given)[m]) for m in bench.marks}
     places = [(nodes.places[i] - truth[n], far) for n, held in near.items() if n in truth for i, far in held.items()]
@@ -125,5 +121,5 @@ def origin_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | 
         return sum(fit * (len(off) if fixed.find(n) else 1.0) for n, fit in fits.items()) - 0.05 * far
 
     if not places:
-        return pole_of(nodes, bench, near)
+        return _pole_of(nodes, bench, near)
     return max(places, key=lambda p: worth(*p))[0]
