@@ -107,6 +107,9 @@ LED_ASTRAY = (
     ("assignments/51", 1, "acceleration", ".dxf"),  # a row of names written in pieces; a line that stops short
     ("assignments/19", 1, "position", ".svg"),  # a line from a name that begins near another name
     ("sliding-driver", None, "position", ".dxf"),  # the origin
+    ("assignments/48", None, "velocity", ".dxf"),  # where vectors begin and the word of the pole is, though not nearest
+    ("assignments/59", None, "position", ".dxf"),  # a line drawn twice
+    ("assignments/51", None, "velocity", ".svg"),  # a line from a name that passes close to another mark
     ("bntu-2", 2, "force:1", ".dxf"),  # a free body of the same forces
     ("assignments/55", 2, "force:4-5", ".svg"),
     ("assignments/63", 2, "force:1", ".pdf"),

@@ -131,7 +131,8 @@ def _shapes(strokes: Sequence[Stroke], rounds: Sequence[Round]) -> list[object]:
 
 
 def _part(sketch: ReadDrawing, held: list[int]) -> ReadDrawing | None:
-    """Some of the strokes, with the words and circles near them."""
+    """Some of the strokes, each once, with the words and circles near them."""
+    held = list({(sketch.strokes[k], sketch.ways[k] if sketch.ways else 0): k for k in held}.values())
     strokes = [sketch.strokes[k] for k in held]
     xs, ys = [z.real for s in strokes for z in s], [z.imag for s in strokes for z in s]
     if max(max(xs) - min(xs), max(ys) - min(ys)) < LEAST_MM:

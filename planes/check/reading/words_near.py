@@ -78,7 +78,7 @@ def _on(z: complex, a: complex, b: complex) -> bool:
 def _between(z: complex, a: complex, b: complex) -> bool:
     """Whether a place is on the way from a to b, not at its ends."""
     local = (z - a) / (b - a) * abs(b - a)
-    return abs(local.imag) < LEADER_MM / 2 and LEADER_MM / 2 < local.real < abs(b - a) - LEADER_MM / 2
+    return abs(local.imag) < ON_MM and LEADER_MM / 2 < local.real < abs(b - a) - LEADER_MM / 2
 
 
 def start_of(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
@@ -86,8 +86,11 @@ def start_of(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, near: Candi
     if kind_of(bench.asked.plan) == "position":
         return _origin_of(nodes, bench, near)
     starts = Counter(nodes.ends[k, 0 if sketch.ways[k] > 0 else 1] for k in headed(sketch))
-    begun = {node: BUSY_MM for node, count in starts.most_common(1) if count > 1}
-    pole = _pole_of(nodes, bench, near | ({POLE: begun | near[POLE]} if POLE in near else {}))
+    beside = dict(near.get(POLE, {}))
+    for node, count in starts.most_common(1):
+        if beside and count > 1:  # where most begin is as good as where the word p is, or not far from it
+            beside[node] = min(beside.values()) if node in beside else BUSY_MM
+    pole = _pole_of(nodes, bench, near | {POLE: beside})
     if pole is None:
         return None
     return nodes.places[max(nodes.within(pole, HIT_MM), key=lambda i: starts[i])]  # where most vectors begin
