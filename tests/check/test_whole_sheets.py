@@ -110,6 +110,8 @@ LED_ASTRAY = (
     ("assignments/48", None, "velocity", ".dxf"),  # where vectors begin and the word of the pole is, though not nearest
     ("assignments/59", None, "position", ".dxf"),  # a line drawn twice
     ("assignments/51", None, "velocity", ".svg"),  # a line from a name that passes close to another mark
+    ("assignments/61", 1, "acceleration", ".dxf"),  # a line from a name that crosses the pole
+    ("assignments/46", 2, "force:4-5", ".dxf"),  # vectors each named, of a polygon that is no one chain
     ("bntu-2", 2, "force:1", ".dxf"),  # a free body of the same forces
     ("assignments/55", 2, "force:4-5", ".svg"),
     ("assignments/63", 2, "force:1", ".pdf"),

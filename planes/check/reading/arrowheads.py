@@ -110,7 +110,8 @@ def given(strokes: Sequence[Stroke], heads: Sequence[Arrowhead]) -> tuple[list[i
     if len(strokes) * len(heads) > MOST_PAIRS:
         return found, tips
     ends = numpy.array(strokes, complex).reshape(-1, 2)
-    near = ((abs(ends - head.tip) < max(NEAR_MM, 2 * head.length)).any(axis=1).nonzero()[0] for head in heads)
+    reach = [max(NEAR_MM, 2 * head.length) for head in heads]
+    near = [numpy.flatnonzero(abs(ends - h.tip).min(axis=1) < far) for h, far in zip(heads, reach, strict=True)]
     wanted = [(_candidates(strokes, head, held), head.tip) for head, held in zip(heads, near, strict=True)]
     wanted.sort(key=lambda w: len(w[0]))
     for candidates, tip in wanted:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from planes.check.grading.handwork import Hand, Taken
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
-from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, vectors_as_planned
+from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, vectors_as_planned, worth
 from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
 from planes.check.reading.lone_vectors import lone_vectors
 from planes.check.reading.sizing import sized
@@ -79,8 +79,9 @@ def _polygon(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: Read
     paper = force_chain(sketch, nodes, bench, paper)
     if not paper.whole and 0 < len(headed(sketch)) <= MOST_LINES:
         rows, every = lone_vectors(sketch, bench)
-        if every or 2 * sum(not spot.name.startswith("?") for spot in paper.spots[1:]) <= len(rows):
-            paper.spots, paper.whole = rows, every
+        lone, named = replace(paper, spots=rows, whole=every), sum(not s.name.startswith("?") for s in paper.spots[1:])
+        if every or 2 * named <= len(rows) or worth(bench, lone) > worth(bench, paper):
+            paper = lone
     names = bench.written(true_vectors(bench))
     told = headed(sketch) or any((names.find(w.text) or POLE) != POLE for w in sketch.words)
     if paper.spots and not told and not is_right(bench, paper):  # any figure of lines would do

@@ -46,7 +46,8 @@ def led(sketch: ReadDrawing, nodes: Nodes) -> Iterator[Words]:
             z, at_node = stroke[j], next((i for i in nodes.within(stroke[1 - j], SHY_MM) if i < nodes.corners), None)
             if nodes.weights[nodes.ends[k, j]] > 1 or at_node is None or (sketch.ways and sketch.ways[k]):
                 continue
-            if any(_between(w, *stroke) for i, w in enumerate(places) if i != at_node):
+            through = abs(stroke[1 - j] - places[at_node]) < ON_MM  # a line drawn on; one that stops short points there
+            if through and any(_between(w, *stroke) for i, w in enumerate(places) if i != at_node):
                 continue
             yield from _put(sketch.words, z, nodes.places[at_node])
 
