@@ -47,7 +47,7 @@ def led(sketch: ReadDrawing, nodes: Nodes) -> Iterator[Words]:
             if nodes.weights[nodes.ends[k, j]] > 1 or at_node is None or (sketch.ways and sketch.ways[k]):
                 continue
             through = abs(stroke[1 - j] - places[at_node]) < ON_MM  # a line drawn on; one that stops short points there
-            if through and any(_between(w, *stroke) for i, w in enumerate(places) if i != at_node):
+            if through and any(_on(w, *stroke, LEADER_MM / 2) for i, w in enumerate(places) if i != at_node):
                 continue
             yield from _put(sketch.words, z, nodes.places[at_node])
 
@@ -65,21 +65,15 @@ def led_to_vectors(sketch: ReadDrawing) -> Iterator[Words]:
     plain = [way for k, s in enumerate(sketch.strokes) if not sketch.ways[k] for way in (s, s[::-1])]
     vectors += [s for s in plain if abs(s[1] - s[0]) < LEADER_MM]  # too short for a head
     for a, b in plain if len(sketch.strokes) <= CROSSINGS else ():
-        if abs(b - a) < LEADER_MM or any(abs(a - z) < SHY_MM for z in ends) or not any(_on(b, *s) for s in vectors):
-            continue
-        yield from _put(sketch.words, a, b)
+        clear = abs(b - a) > LEADER_MM and all(abs(a - z) > SHY_MM for z in ends)
+        if clear and any(_on(b, *s, -ON_MM) for s in vectors):
+            yield from _put(sketch.words, a, b)
 
 
-def _on(z: complex, a: complex, b: complex) -> bool:
-    """Whether a place is on the line from a to b."""
+def _on(z: complex, a: complex, b: complex, within: float) -> bool:
+    """Whether a place is on the line from a to b, ``within`` mm from its ends at the least."""
     local = (z - a) / (b - a) * abs(b - a)
-    return abs(local.imag) < ON_MM and -ON_MM < local.real < abs(b - a) + ON_MM
-
-
-def _between(z: complex, a: complex, b: complex) -> bool:
-    """Whether a place is on the way from a to b, not at its ends."""
-    local = (z - a) / (b - a) * abs(b - a)
-    return abs(local.imag) < ON_MM and LEADER_MM / 2 < local.real < abs(b - a) - LEADER_MM / 2
+    return abs(local.imag) < ON_MM and within < local.real < abs(b - a) - within
 
 
 def start_of(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
