@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Callable, Iterable
+from functools import lru_cache
 
 from planes.words.names import POLE
 
@@ -17,6 +18,7 @@ def latin(name: str) -> str:
     return name.translate(_ALIKE)
 
 
+@lru_cache(4096)
 def tidy(name: str) -> str:
     """A name without markup: Latin letters, straight primes, no indices' signs."""
     text = unicodedata.normalize("NFKC", name).strip().translate(_PRIMES).replace("″", "''")

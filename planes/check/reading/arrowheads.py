@@ -7,7 +7,7 @@ told from a tick, and is itself no part of the plan.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
 from planes.check.reading.strokes import Arrowhead, ReadDrawing, Stroke
@@ -104,10 +104,16 @@ def given(strokes: Sequence[Stroke], heads: Sequence[Arrowhead]) -> tuple[list[i
 
     With them the tips of those strokes that end within their heads.
     """
+    import numpy
+
     found, tips = [0] * len(strokes), dict[int, complex]()
     if len(strokes) * len(heads) > MOST_PAIRS:
         return found, tips
-    wanted = sorted(((_candidates(strokes, head), head.tip) for head in heads), key=lambda w: len(w[0]))
+    ends = numpy.array(strokes, complex).reshape(-1, 2)
+    reach = [max(NEAR_MM, 2 * head.length) for head in heads]
+    near = [numpy.flatnonzero(abs(ends - h.tip).min(axis=1) < far) for h, far in zip(heads, reach, strict=True)]
+    wanted = [(_candidates(strokes, head, held), head.tip) for head, held in zip(heads, near, strict=True)]
+    wanted.sort(key=lambda w: len(w[0]))
     for candidates, tip in wanted:
         free = [(far + 5 * (found[k] != 0), k, way) for far, k, way in candidates if found[k] in (0, -way)]
         if free:
@@ -117,11 +123,13 @@ def given(strokes: Sequence[Stroke], heads: Sequence[Arrowhead]) -> tuple[list[i
     return found, tips
 
 
-def _candidates(strokes: Sequence[Stroke], head: Arrowhead) -> list[tuple[float, int, int]]:
-    """Ends of strokes a head may belong to: how far it is (less than nothing if within it), which stroke, which end."""
+def _candidates(strokes: Sequence[Stroke], head: Arrowhead, held: Iterable[int]) -> list[tuple[float, int, int]]:
+    """Ends of the strokes ``held`` a head may belong to: how far it is (less than nothing if within it), which stroke,
+    which end."""
     tip, way, long = head
     found = []
-    for k, (a, b) in enumerate(strokes):
+    for k in map(int, held):
+        a, b = strokes[k]
         near = min(NEAR_MM, 0.4 * abs(b - a))
         for end, sign in ((b, 1), (a, -1)):
             off, turn = (end - tip) * way.conjugate(), sign * (b - a) * way.conjugate()
@@ -148,7 +156,7 @@ def _open(strokes: Sequence[Stroke], free: Sequence[Stroke]) -> list[tuple[Arrow
         return []
     for head, wings, far in spread:
         longer = [s for s in strokes if s not in wings and abs(s[1] - s[0]) > 1.3 * far]
-        if _candidates(longer, head):
+        if _candidates(longer, head, range(len(longer))):
             found.append((head, wings))
     return found
 

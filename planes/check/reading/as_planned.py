@@ -9,16 +9,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, pairwise
 from typing import TypeVar
 
 from planes.check.grading.grading import grade, readable
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.reading.chains import SURELY_MM, alongside, true_vectors
+from planes.check.reading.chains import SURELY_MM, WIDE, alongside, back_and_forth, true_vectors
 from planes.check.reading.lone_vectors import arrows_of, others
 from planes.check.reading.parts import NEAR_WORD_MM
-from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke
+from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke, Words
 from planes.check.reading.words_near import LEADER_MM, Candidates
 from planes.drafting.drawing import run
 from planes.words.errors import PlanesError
@@ -28,6 +28,7 @@ REACH_MM = 1.5  # a hand's mark is no farther from where it should be; grading t
 SHARE = 0.015  # of a vector's length, by which it may be off besides
 FARTHEST_MM = 2 * NEAR_WORD_MM  # where marks crowd their names stand farther off
 EXCHANGED_MM, VECTORS_MM = 6.0, 3.0  # two words so much nearer to each other's marks, or vectors, are exchanged
+OPEN, NAMED = 2.0, 0.5  # what it costs a force polygon not to close, and what a known mistake explains, in marks
 UPON_MM = 1.0  # of two vectors upon each other no distance tells which name is whose
 
 
@@ -74,8 +75,7 @@ def vectors_as_planned(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     words = [(spelt.find(w.text), w) for w in sketch.words]
 
     def word(name: str, stroke: Stroke) -> float:
-        a, b = stroke
-        far = min((w.distance(a + (b - a) * t / 8) for n, w in words if n == name for t in range(1, 8)), default=0.0)
+        far = min((_beside(w, stroke) for n, w in words if n == name), default=0.0)
         return far if far <= FARTHEST_MM else math.inf
 
     bare = [way for s in (*sketch.strokes, *sketch.short) for way in (s, s[::-1]) if abs(s[1] - s[0]) < 2 * REACH_MM]
@@ -138,3 +138,43 @@ def is_right(bench: PreparedPlan, paper: ReadPaper) -> bool:
     except PlanesError:
         return False
     return found is not None and not found.strays and readable(found) is None
+
+
+def told_apart(sketch: ReadDrawing, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
+    """Of two vectors there and back that the words do not tell apart, each by the name that a mistake explains."""
+    names = bench.written(true_vectors(bench))
+    words = [(names.find(w.text), w) for w in sketch.words]
+    strokes = {k: (one.place, two.place) for k, (one, two) in enumerate(pairwise(paper.spots), 1) if two.name != POLE}
+
+    def word(name: str, k: int) -> float:
+        return min((_beside(w, strokes[k]) for n, w in words if n == name), default=FARTHEST_MM)
+
+    for i, j in combinations(strokes, 2):
+        one, two = paper.spots[i].name, paper.spots[j].name
+        doubt = abs(word(one, i) + word(two, j) - word(one, j) - word(two, i)) < SURELY_MM
+        if doubt and back_and_forth(*strokes[i], *strokes[j], WIDE):
+            spots = list(paper.spots)
+            spots[i], spots[j] = replace(spots[i], name=two), replace(spots[j], name=one)
+            other = replace(paper, spots=spots)
+            if not is_right(bench, other) and worth(bench, other) > worth(bench, paper):
+                paper = other
+    return paper
+
+
+def _beside(word: Words, stroke: Stroke) -> float:
+    """How far a word is from the middle part of a vector."""
+    a, b = stroke
+    return min(word.distance(a + (b - a) * t / 8) for t in range(1, 8))
+
+
+def worth(bench: PreparedPlan, paper: ReadPaper) -> float:
+    """How many marks of a paper are where their steps lead, less those that are not."""
+    bench = bench.at(paper.mu, told=True) if paper.mu else bench
+    try:
+        found = grade(bench, paper) if paper.spots else None
+    except PlanesError:
+        found = None
+    if found is None:
+        return -len(bench.marks)
+    judged = found.judgement
+    return len(judged.misses) - 2.0 * len(judged.wrong) - OPEN * bool(found.gap_wrong) + NAMED * bool(judged.named)

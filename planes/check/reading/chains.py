@@ -125,7 +125,8 @@ def beside(
                 if far <= NEAR_MM:
                     middle = abs((a + b) / 2 - word.place) / max(abs(b - a), 5.0)
                     upon = TIP * (short - 0.5) if any(_there_and_back(nodes, edge, e) for e in edges) else 0.0
-                    found.setdefault(name, {})[edge, end] = far + 2 * min(middle, 1.0) + upon
+                    cost, costs = far + 2 * min(middle, 1.0) + upon, found.setdefault(name, {})
+                    costs[edge, end] = min(cost, costs.get((edge, end), cost))
     return found
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from planes.check.reading.arrowheads import head_of, settle, tapered
 from planes.check.reading.opened import MB, contents, too_many
-from planes.check.reading.parts import joined, without_letters
+from planes.check.reading.parts import breadth, joined, without_letters
 from planes.check.reading.strokes import ROUND_MM, Arrowhead, ReadDrawing, Words
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
@@ -115,7 +115,7 @@ def _entity(found: ReadDrawing, entity: Any, scale: float) -> None:
             height, below = entity.dxf.char_height * scale, (entity.dxf.get("attachment_point", 1) - 1) // 3
             insert = _z(entity.dxf.insert, scale) - 1j * along * height * (1 - below / 2)
             text = entity.plain_text()
-            width = 0.7 * height * len(text.strip())
+            width = height * breadth(text)
             back = (entity.dxf.get("attachment_point", 1) - 1) % 3 / 2
             _words(found, text, insert - along * width * back, height, along, width)
 
@@ -171,7 +171,7 @@ def _text(found: ReadDrawing, entity: Any, scale: float) -> None:
     placed = entity.dxf.get("align_point") if (across or up) and across not in (3, 5) else None
     at = entity.ocs().to_wcs(placed if placed is not None else entity.dxf.insert)
     height, text = entity.dxf.height * scale, entity.plain_text()
-    width = 0.7 * height * len(text.strip())
+    width = height * breadth(text)
     if fitted is not None:  # between two places
         span = _z(fitted, scale) - _z(entity.dxf.insert, scale)
         width, along = abs(span) or width, span / abs(span) if span else along

@@ -103,4 +103,5 @@ def _costs(arrows: Sequence[Stroke], sketch: ReadDrawing, bench: PreparedPlan, k
 def _unlike(v: complex, true: complex) -> float:
     """How unlike a vector is the true one: hardly, if it is the true one reversed, for then its name must tell."""
     back = abs(v + true) < abs(v - true)
-    return min(1.0, abs(v + true if back else v - true) / (SHARE * abs(true) + 1) + REVERSED * back)
+    off = abs(v + true if back else v - true)
+    return min(1.0, off / (SHARE * abs(true) + 1) + REVERSED * back) + min(1.0, off / (abs(true) + 1))

@@ -6,18 +6,18 @@ mistake of the catalogue; what is nowhere stays unread.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from planes.check.grading.handwork import Hand, Taken
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
-from planes.check.reading.as_planned import is_right, marks_as_planned, vectors_as_planned
+from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, vectors_as_planned, worth
 from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
 from planes.check.reading.lone_vectors import lone_vectors
 from planes.check.reading.sizing import sized
 from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, covered, headed, hinged
-from planes.check.reading.words_near import Candidates, begun, by_words, led, origin_of, pole_of
+from planes.check.reading.words_near import Candidates, by_words, led, led_to_vectors, start_of
 from planes.drafting.drawing import run
 from planes.words import Phrase
 from planes.words.names import POLE, at, kind_of, label_of
@@ -55,14 +55,13 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None = No
         near = {n: {i: far for i, far in held.items() if i < first} or held for n, held in near.items()}
     bench = sized(bench, sketch, nodes, near)
     if kind_of(bench.asked.plan) == "force":
+        sketch.words += led_to_vectors(sketch) if headed(sketch) else ()
         found = vectors_as_planned(sketch, bench)
         return found if found.spots else _polygon(sketch, nodes, bench, paper)
     if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):
         paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))
         return paper
-    find = origin_of if kind_of(bench.asked.plan) == "position" else pole_of
-    beside = near | ({POLE: begun(sketch, nodes) | near[POLE]} if POLE in near else {})
-    origin = pole if pole is not None else find(nodes, bench, beside)
+    origin = pole if pole is not None else start_of(sketch, nodes, bench, near)
     if origin is None:
         return paper
     poles = dict.fromkeys([origin, *(nodes.places[i] for i in near.get(POLE, ()))])
@@ -80,14 +79,15 @@ def _polygon(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: Read
     paper = force_chain(sketch, nodes, bench, paper)
     if not paper.whole and 0 < len(headed(sketch)) <= MOST_LINES:
         rows, every = lone_vectors(sketch, bench)
-        if every or 2 * sum(not spot.name.startswith("?") for spot in paper.spots[1:]) <= len(rows):
-            paper.spots, paper.whole = rows, every
+        lone, named = replace(paper, spots=rows, whole=every), sum(not s.name.startswith("?") for s in paper.spots[1:])
+        if every or 2 * named <= len(rows) or worth(bench, lone) > worth(bench, paper):
+            paper = lone
     names = bench.written(true_vectors(bench))
     told = headed(sketch) or any((names.find(w.text) or POLE) != POLE for w in sketch.words)
     if paper.spots and not told and not is_right(bench, paper):  # any figure of lines would do
         paper.spots = []
         paper.notes.append(Phrase("check_force_unsure"))
-    return paper
+    return told_apart(sketch, bench, paper)
 
 
 def _at(pole: complex, z: complex) -> complex:
@@ -135,10 +135,11 @@ class _MarkSearch:
     costs: dict[str, dict[int, float]] = field(default_factory=dict)  # of every node near its word, by mark
     odd: dict[str, set[int]] = field(default_factory=dict)  # those of them where another mark is, and should not be
 
-    @property
-    def used(self) -> list[complex]:
-        """Where marks are already."""
-        return [self.origin, *self.found.values()]
+    def used(self, name: str) -> list[complex]:
+        """Where marks are already, but for those whose names stand in a row with this one: they are in one place."""
+        row = {w.place for w in self.sketch.words if self.bench.names.find(w.text) == name}
+        beside = {self.bench.names.find(w.text) for w in self.sketch.words if w.place in row}
+        return [self.origin, *(z for n, z in self.found.items() if n not in beside)]
 
     def look(self, mark: str, near: Mapping[int, float] | None) -> None:
         """Find one mark by its word, else by where it should be, or by where a mistake would put it."""
@@ -172,36 +173,37 @@ class _MarkSearch:
         miss = hand.miss(hand.things[mark], hand.number(mark))
         reach = min(max(miss.reach(3.0), 1.2), 8.0)
         guesses = [(self.origin + z, share * reach) for z, share in _guesses(self.bench, hand, mark)]
+        used = self.used(name)
         if near:
-            self.odd[name] = {i for i in near if self._strange(i, guesses)}
-            costs = self.costs[name] = {i: far + self._odd(i, guesses) for i, far in near.items()}
+            odd = self.odd[name] = {i for i in near if self._strange(i, guesses, used)}
+            costs = self.costs[name] = {i: far + self._odd(i, guesses) + USED * (i in odd) for i, far in near.items()}
             return self.nodes.places[min(costs, key=lambda i: costs[i])]
         step = next(s for s in self.bench.program.steps if s.makes == mark)
         starts = [self.origin, *(taken[n].place + self.origin for n in _starts(step) if n in taken)]
         for guess, far in guesses[:1] if self.worded else guesses:
             for i in self.nodes.within(guess, far):
                 z = self.nodes.places[i]
-                together = not self.worded and guess == guesses[0][0] and any(abs(u - guess) < far for u in self.used)
-                if (self._fresh(i) or together) and any(covered(self.sketch.strokes, s, z) >= ALONG for s in starts):
+                together = not self.worded and guess == guesses[0][0] and any(abs(u - guess) < far for u in used)
+                drawn = any(covered(self.sketch.strokes, s, z) >= ALONG for s in starts)
+                if drawn and (self._fresh(i, used) or together):
                     return z
         return None
 
-    def _fresh(self, node: int) -> bool:
-        return all(abs(self.nodes.places[node] - u) > APART_MM for u in self.used)
+    def _fresh(self, node: int, used: Sequence[complex]) -> bool:
+        return all(abs(self.nodes.places[node] - u) > APART_MM for u in used)
 
     def _odd(self, node: int, guesses: list[tuple[complex, float]]) -> float:
         """How strange it would be, in mm of distance from its word, for a mark to be at a node."""
         z = self.nodes.places[node]
         fits = [abs(z - guess) <= far for guess, far in guesses]
         odd = 0.0 if fits[0] else 1.5 if any(fits) else 3.0
-        odd += USED if self._strange(node, guesses) else 0.0
         return odd + (2.0 if self.tips is not None and node not in self.tips else 0.0)
 
-    def _strange(self, node: int, guesses: list[tuple[complex, float]]) -> bool:
+    def _strange(self, node: int, guesses: list[tuple[complex, float]], used: Sequence[complex]) -> bool:
         """Whether another mark is at a node already, where the two should not be together."""
         place, reach = guesses[0]
-        together = any(abs(u - place) < reach for u in self.used) and abs(self.nodes.places[node] - place) <= reach
-        return not self._fresh(node) and not together
+        together = any(abs(u - place) < reach for u in used) and abs(self.nodes.places[node] - place) <= reach
+        return not self._fresh(node, used) and not together
 
 
 def _guesses(bench: PreparedPlan, hand: Hand, mark: str) -> Iterator[tuple[complex, float]]:

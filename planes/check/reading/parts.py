@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from planes.check.reading.strokes import ReadDrawing, Round, Stroke, Words
 from planes.geometry.arrays import Booleans, Complexes
@@ -17,7 +18,13 @@ AROUND = 0.35  # how far beyond a word's box its letters may reach, in heights
 TOUCH_MM = 0.05
 INDEX = 0.95  # an index is no taller than this, in heights of the letter before it
 RISE = (-0.8, 1.2)  # where the foot of an index may be, in heights of its letter
+WIDE, NARROW, SIGNS = 0.7, 0.35, " .,:;′'’|()"  # how wide letters and signs are, in heights
 GAP = (-0.4, 0.5)  # how far from its letter it may stand
+
+
+def breadth(text: str) -> float:
+    """About how wide a text is, in heights of its letters."""
+    return sum(NARROW if c in SIGNS else WIDE for c in text.strip())
 
 
 def joined(words: Sequence[Words]) -> list[Words]:
@@ -36,9 +43,9 @@ def joined(words: Sequence[Words]) -> list[Words]:
 
 
 def _goes_on(first: Words, whole: Words, word: Words) -> bool:
-    """Whether a piece of text is an index of the word before it, or its second index."""
+    """Whether a piece of text is an index of the word before it, or its second index, or what follows that."""
     local = (word.place - first.place) * first.along.conjugate()
-    small = word.height < INDEX * first.height or set(word.text) <= set("'′’")
+    small = word.height < INDEX * first.height or word.text[:1] in "'′’,"
     level = RISE[0] * first.height < local.imag < RISE[1] * first.height
     along = abs(word.along - first.along) < 0.02 and any(
         GAP[0] * first.height < local.real - end < GAP[1] * first.height for end in (first.width, whole.width)
@@ -49,18 +56,23 @@ def _goes_on(first: Words, whole: Words, word: Words) -> bool:
 def without_letters(sketch: ReadDrawing) -> None:
     """Strokes within the box of a word, that touch nothing beyond it, are the letters of that word."""
     import numpy
+    from shapely import STRtree
 
     if not sketch.strokes or not sketch.words:
         return
-    ends = numpy.array(sketch.strokes + sketch.short)
-    length = abs(ends[:, 1] - ends[:, 0])
-    inside = numpy.zeros(len(ends), bool)
+    every = numpy.array(sketch.strokes + sketch.short)
+    begins = STRtree(_dots(every[:, 0]))
+    letter = numpy.zeros(len(every), bool)
     for word in sketch.words:
-        local, high = (ends - word.place) * word.along.conjugate(), word.height
+        high = word.height
         over = AROUND * high
+        near = begins.query(_dots(numpy.array([word.middle]))[0].buffer(max(word.width, high) + 2 * high))
+        ends = every[near]
+        local = (ends - word.place) * word.along.conjugate()
         held = (local.real > -over) & (local.real < word.width + over) & (local.imag > -over - 0.35 * high)
-        inside |= (held & (local.imag < high + 2 * over)).all(axis=1) & (length < LETTER * high)
-    kept = _touched(ends, inside, [head.tip for head in sketch.heads]) | ~inside
+        small = abs(ends[:, 1] - ends[:, 0]) < LETTER * high
+        letter[near] |= (held & (local.imag < high + 2 * over)).all(axis=1) & small
+    kept = _touched(every, letter, [head.tip for head in sketch.heads]) | ~letter
     count = len(sketch.strokes)
     sketch.strokes = [s for s, good in zip(sketch.strokes, kept[:count], strict=True) if good]
     sketch.short = [s for s, good in zip(sketch.short, kept[count:], strict=True) if good]
@@ -69,12 +81,20 @@ def without_letters(sketch: ReadDrawing) -> None:
 def _touched(ends: Complexes, inside: Booleans, tips: Sequence[complex]) -> Booleans:
     """Which strokes meet one that is no letter, or an arrowhead."""
     import numpy
+    from shapely import STRtree
 
     others = numpy.concatenate([ends[~inside].ravel(), numpy.array(list(tips), complex)])
     found = numpy.zeros(len(ends), bool)
-    for k in numpy.flatnonzero(inside) if len(others) else ():
-        found[k] = min(abs(others - ends[k, 0]).min(), abs(others - ends[k, 1]).min()) < TOUCH_MM
+    near = STRtree(_dots(others)).query(_dots(ends[inside].ravel()), predicate="dwithin", distance=TOUCH_MM)[0]
+    found[numpy.flatnonzero(inside)[near // 2]] = True
     return found
+
+
+def _dots(places: Complexes) -> Any:  # shapely has no types of its own for many points
+    """Places as points."""
+    from shapely import points
+
+    return points(places.real, places.imag)
 
 
 def parts(sketch: ReadDrawing) -> list[ReadDrawing]:
@@ -111,7 +131,8 @@ def _shapes(strokes: Sequence[Stroke], rounds: Sequence[Round]) -> list[object]:
 
 
 def _part(sketch: ReadDrawing, held: list[int]) -> ReadDrawing | None:
-    """Some of the strokes, with the words and circles near them."""
+    """Some of the strokes, each once, with the words and circles near them."""
+    held = list({(sketch.strokes[k], sketch.ways[k] if sketch.ways else 0): k for k in held}.values())
     strokes = [sketch.strokes[k] for k in held]
     xs, ys = [z.real for s in strokes for z in s], [z.imag for s in strokes for z in s]
     if max(max(xs) - min(xs), max(ys) - min(ys)) < LEAST_MM:

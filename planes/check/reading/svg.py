@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 
 from planes.check.reading.arrowheads import head_of, settle
 from planes.check.reading.opened import MB, contents, too_many
-from planes.check.reading.parts import without_letters
+from planes.check.reading.parts import breadth, without_letters
 from planes.check.reading.strokes import ROUND_MM, Arrowhead, ReadDrawing, Words
 from planes.check.reading.svg_shapes import NUMBER, Looks, circles, looks_of, number, outline, rings, style_rules
 from planes.check.reading.svg_tree import MOST, tree
@@ -199,7 +199,7 @@ def _size(*said: ElementTree.Element) -> float:
 
 def _box(e: ElementTree.Element, text: str, size: float) -> tuple[complex, float, float]:
     """Where a piece of text begins, its width and its height."""
-    width = number(e.get("textLength")) or 0.7 * 0.73 * size * len(text.strip())
+    width = number(e.get("textLength")) or 0.73 * size * breadth(text)
     return complex(number(e.get("x")), number(e.get("y"))), width, 0.73 * size
 
 

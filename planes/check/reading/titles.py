@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from planes.check.reading.strokes import ReadDrawing, Words
+from planes.words.names import kind_of
 from planes.words.units import UnitError, read_mu
 
 FAR_MM = 40.0  # a title farther over a plan is that of something else
@@ -14,21 +15,21 @@ GAP = 2.0  # how far a piece of a title may be from the piece before it, in heig
 _MU = re.compile(r"[μµ]\s*_?\w*\s*=\s*(\d.*)")
 
 
-def mu_over(words: Sequence[Words], part: ReadDrawing, kind: str) -> float | None:
-    """μ in the nearest title over a part of a page, if it is that of such a plan."""
+def mu_over(words: Sequence[Words], part: ReadDrawing, plan: str, plans: Sequence[str]) -> tuple[float | None, bool]:
+    """μ in the nearest title over a part of a page of those of this plan of ``plans``, and whether none is nearer."""
     ends = [z for stroke in part.strokes for z in stroke]
     if not ends:
-        return None
+        return None, False
     left, right = min(z.real for z in ends), max(z.real for z in ends)
     low, high = min(z.imag for z in ends), max(z.imag for z in ends)
     found = []
     for title in _titles(words):
         aside = max(left - title.place.real - title.width, title.place.real - right, 0.0)
         up = title.place.imag - high
-        mu = _read(title.text, kind)
-        if mu and title.middle.imag > (low + high) / 2 and max(aside, up) < FAR_MM:
-            found.append((abs(complex(aside, max(up, 0.0))), mu))
-    return min(found)[1] if found else None
+        if title.middle.imag > (low + high) / 2 and max(aside, up) < FAR_MM:
+            found.append((abs(complex(aside, max(up, 0.0))), _read(title.text, plan, plans) or 0.0))
+    own = min((one for one in found if one[1]), default=None)
+    return (own[1], own == min(found)) if own else (None, False)
 
 
 def _titles(words: Sequence[Words]) -> Iterator[Words]:
@@ -50,10 +51,21 @@ def _titles(words: Sequence[Words]) -> Iterator[Words]:
         yield word
 
 
-def _read(text: str, kind: str) -> float | None:
-    """μ of a kind of plans, as a title has it."""
+def elsewhere(words: Sequence[Words], plan: str, plans: Sequence[str]) -> bool:
+    """Whether titles on a page are of other plans of its kind, and none of this one."""
+    alike = [p for p in plans if kind_of(p) == kind_of(plan)]
+    shown = {p for title in _titles(words) for p in alike if _read(title.text, p, plans)}
+    return bool(shown) and plan not in shown
+
+
+def _read(text: str, plan: str, plans: Sequence[str]) -> float | None:
+    """μ of a plan, as its title has it; none, if the title names the links of another one."""
     said = _MU.search(text)
+    links = re.findall(r"\d+", text[: said.start()] if said else "")
+    named = [p for p in plans if (own := re.findall(r"\d+", p)) and links[-len(own) :] == own]
+    if named and plan not in named:
+        return None
     try:
-        return read_mu(said[1].replace(",", "."), kind) if said else None
+        return read_mu(said[1].replace(",", "."), kind_of(plan)) if said else None
     except UnitError:
         return None

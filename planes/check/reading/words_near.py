@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, Words, headed
 from planes.drafting.drawing import run
-from planes.words.names import POLE, label_of
+from planes.words.names import POLE, kind_of, label_of
 from planes.words.spelling import Names
 
 LEADER_MM = 2.5  # a line from a word ends so near it
+SHY_MM = 1.0  # and so near what it names: it stops at the sign or the arrow that stands there
+ON_MM = 0.3
 BUSY_MM = 4.0
+HIT_MM = 2.5  # a mark is where the plan leads
 NEAR_POINT_MM = 1.5  # a point of a scheme is where it should be
 
 Candidates = dict[str, dict[int, float]]
@@ -40,31 +43,55 @@ def led(sketch: ReadDrawing, nodes: Nodes) -> Iterator[Words]:
     places = nodes.places[: nodes.corners]
     for k, stroke in enumerate(sketch.strokes if len(sketch.strokes) <= CROSSINGS else ()):
         for j in (0, 1):
-            z, at_node = stroke[j], nodes.ends[k, 1 - j]
-            if nodes.weights[nodes.ends[k, j]] > 1 or at_node >= nodes.corners or (sketch.ways and sketch.ways[k]):
+            z, at_node = stroke[j], next((i for i in nodes.within(stroke[1 - j], SHY_MM) if i < nodes.corners), None)
+            if nodes.weights[nodes.ends[k, j]] > 1 or at_node is None or (sketch.ways and sketch.ways[k]):
                 continue
-            if any(_between(w, *stroke) for i, w in enumerate(places) if i != at_node):
+            through = abs(stroke[1 - j] - places[at_node]) < ON_MM  # a line drawn on; one that stops short points there
+            if through and any(_on(w, *stroke, LEADER_MM / 2) for i, w in enumerate(places) if i != at_node):
                 continue
-            yield from (
-                replace(w, place=nodes.places[at_node], height=0.1, width=0.1)
-                for w in sketch.words
-                if w.distance(z) < LEADER_MM
-            )
+            yield from _put(sketch.words, z, nodes.places[at_node])
 
 
-def _between(z: complex, a: complex, b: complex) -> bool:
-    """Whether a place is on the way from a to b, not at its ends."""
+def _put(words: Sequence[Words], begin: complex, end: complex) -> list[Words]:
+    """The words a line begins at, the nearest or all in its row, put where the line ends."""
+    far = min([LEADER_MM, *(w.distance(begin) for w in words)])
+    return [replace(w, place=end, height=0.1, width=0.1) for w in words if w.distance(begin) <= far < LEADER_MM]
+
+
+def led_to_vectors(sketch: ReadDrawing) -> Iterator[Words]:
+    """Words with a line from them to the vector they name, as if they stood on it."""
+    vectors = [s for k, s in enumerate(sketch.strokes) if sketch.ways[k]]
+    ends = [z for s in vectors for z in s]
+    plain = [way for k, s in enumerate(sketch.strokes) if not sketch.ways[k] for way in (s, s[::-1])]
+    vectors += [s for s in plain if abs(s[1] - s[0]) < LEADER_MM]  # too short for a head
+    for a, b in plain if len(sketch.strokes) <= CROSSINGS else ():
+        clear = abs(b - a) > LEADER_MM and all(abs(a - z) > SHY_MM for z in ends)
+        if clear and any(_on(b, *s, -ON_MM) for s in vectors):
+            yield from _put(sketch.words, a, b)
+
+
+def _on(z: complex, a: complex, b: complex, within: float) -> bool:
+    """Whether a place is on the line from a to b, ``within`` mm from its ends at the least."""
     local = (z - a) / (b - a) * abs(b - a)
-    return abs(local.imag) < LEADER_MM / 2 and LEADER_MM / 2 < local.real < abs(b - a) - LEADER_MM / 2
+    return abs(local.imag) < ON_MM and within < local.real < abs(b - a) - within
 
 
-def begun(sketch: ReadDrawing, nodes: Nodes) -> dict[int, float]:
-    """The node where most vectors begin, which is as good as one not far from the word p."""
+def start_of(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
+    """Where the pole of a plan is, or the origin of a scheme's axes; None where nothing shows it."""
+    if kind_of(bench.asked.plan) == "position":
+        return _origin_of(nodes, bench, near)
     starts = Counter(nodes.ends[k, 0 if sketch.ways[k] > 0 else 1] for k in headed(sketch))
-    return {node: BUSY_MM for node, count in starts.most_common(1) if count > 1}
+    beside = dict(near.get(POLE, {}))
+    for node, count in starts.most_common(1):
+        if beside and count > 1:  # where most begin is as good as where the word p is, or not far from it
+            beside[node] = min(beside.values()) if node in beside else BUSY_MM
+    pole = _pole_of(nodes, bench, near | {POLE: beside})
+    if pole is None:
+        return None
+    return nodes.places[max(nodes.within(pole, HIT_MM), key=lambda i: starts[i])]  # where most vectors begin
 
 
-def pole_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
+def _pole_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
     """The node from which the true plan would meet most nodes, one beside the word p if there is any."""
     truth = run(bench.program, bench.given)
     ends = [truth[m] for m in bench.marks if abs(truth[m]) > 1]
@@ -74,13 +101,13 @@ def pole_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | No
     scores = []
     for i in beside or range(len(nodes.places)):
         z = nodes.places[i]
-        hits = sum(nodes.nearest(z + e, 2.5) is not None for e in ends)
+        hits = sum(nodes.nearest(z + e, HIT_MM) is not None for e in ends)
         scores.append((hits - (0.5 * beside[i] if beside else 0.0), nodes.weights[i], i))
     best = max(scores)
     return nodes.places[best[2]] if beside or best[0] >= max(2, 0.5 * len(ends)) else None
 
 
-def origin_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
+def _origin_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
     """The origin of a scheme's axes: so that the frame's points, then most others, stand beside their words."""
     truth = {label_of(m): complex(run(bench.program, bench.given)[m]) for m in bench.marks}
     places = [(nodes.places[i] - truth[n], far) for n, held in near.items() if n in truth for i, far in held.items()]
@@ -88,8 +115,9 @@ def origin_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | 
 
     def worth(origin: complex, far: float) -> float:
         off = {n: min(abs(nodes.places[i] - origin - z) for i in near[n]) for n, z in truth.items() if n in near}
-        return sum(len(off) if fixed.find(n) else 1.0 for n in off if off[n] < NEAR_POINT_MM) - 0.05 * far
+        fits = {n: max(1.0 - mm / NEAR_POINT_MM, 0.0) for n, mm in off.items()}
+        return sum(fit * (len(off) if fixed.find(n) else 1.0) for n, fit in fits.items()) - 0.05 * far
 
     if not places:
-        return pole_of(nodes, bench, near)
+        return _pole_of(nodes, bench, near)
     return max(places, key=lambda p: worth(*p))[0]

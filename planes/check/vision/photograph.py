@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from planes.check.fiducials import SHEET_MM, pole_place
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.reading.whole_page import worth
+from planes.check.reading.as_planned import worth
 from planes.check.vision.decoding import load
 from planes.check.vision.frame import by_frame
 from planes.check.vision.match_apart import vectors_apart
