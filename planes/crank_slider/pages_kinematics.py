@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -22,9 +23,8 @@ FITS = {"position": 110.0, "velocity": 58.0, "acceleration": 58.0, "force": 78.0
 def write_given(w: ChapterWriter, c: Calculation) -> None:
     """What the calculation starts from."""
     g, s = c.given, c.given.shape
-    w.text("lead")
-    w.head("h_given", 1)
-    rows = [
+    w.write("given", g)
+    rows = (
         ("g_r", "r", s.r, "m"),
         ("g_l", "l", s.l, "m"),
         ("g_c", "AC", s.c, "m"),
@@ -38,11 +38,11 @@ def write_given(w: ChapterWriter, c: Calculation) -> None:
         ("g_d", "D", g.bore, "m"),
         ("g_p0", "p_{0}", g.ambient / 1e6, "MPa"),
         ("g_strokes", "", float(len(g.indicator.names)), ""),
-    ]
+    )
     told = [(w.say(k), sign, f"{w.number(v)} {w.say(u) if u else ''}".strip()) for k, sign, v, u in rows]
     if g.speed.unevenness:
         told.append((w.say("g_uneven"), "δ; n", f"{w.number(g.speed.unevenness)}; {w.number(g.speed.waves)}"))
-    w.table("t_given", [w.say("c_what"), w.say("c_sign"), w.say("c_value")], told)
+    w.table("t_given", w.words("c_what", "c_sign", "c_value"), told)
     scene, solved = drawn_at(w, c, chosen(c))
     w.figure("f_scheme", DrawnViews(scene, solved, (("scheme",),), True), phi=chosen(c))
 
@@ -73,104 +73,53 @@ def scene_at(c: Calculation, phi_deg: float) -> Scene:
     return replace(c.scene, mechanism=replace(mechanism, drive=drive), find=None)
 
 
+def values_at(c: Calculation, phi_deg: float, **more: object) -> SimpleNamespace:
+    """What the text of one position names: the numbers of the calculation at its step, and ``more``."""
+    k, s = c.at(phi_deg), c.given.shape
+    found = {name: at_step(getattr(c, name), k) for name in ("motion", "points", "plane", "forces")}
+    motion = found["motion"]
+    beta = math.degrees(float(swing(s, np.radians(motion.phi_deg))))
+    rates = {"phi": float(motion.phi_deg), "omega": float(motion.omega), "eps": float(motion.epsilon), "beta": beta}
+    return SimpleNamespace(s=s, given=c.given, parts=c.parts, work=c.work, **rates, **found, **more)
+
+
+def at_step(of: object, k: int) -> SimpleNamespace:
+    """The numbers of a record of arrays at one step of the cycle."""
+    named = of if isinstance(of, dict) else vars(of)
+    rows = {name: v[k] if isinstance(v, np.ndarray) else v for name, v in named.items()}
+    return SimpleNamespace(**{name: at_step(v, k) if isinstance(v, dict) else v for name, v in rows.items()})
+
+
 def write_kinematics(w: ChapterWriter, c: Calculation) -> None:
     """Both ways, the plans, the results over a turn."""
-    w.head("h_kin", 1)
-    _points(w, c)
-    _plane(w, c)
-    w.head("h_plans")
-    scene, solved = drawn_at(w, c, chosen(c))
+    s, phi = c.given.shape, chosen(c)
+    v = values_at(c, phi)
+    v.k, v.twice, v.lean, v.printed_3 = s.c / s.l, 2 * phi, phi + v.beta, _mistake_3(w, c)
+    v.root = math.sqrt(s.l**2 - (s.r * math.sin(math.radians(phi))) ** 2)
+    v.steady = "-" if v.eps else f"={w.tex(v.points.a.B.real)}[m/s²]"
+    v.normal, v.tangent = v.plane.omega**2 * s.l, v.plane.epsilon * s.l
+    w.write("points", v)
+    w.write("plane", v)
+    scene, solved = drawn_at(w, c, phi)
     plans = tuple((p, f"equations {p}") for p in ("velocity", "acceleration"))
-    w.figure("f_kinplans", DrawnViews(scene, solved, plans, True), phi=chosen(c))
+    w.figure("f_kinplans", DrawnViews(scene, solved, plans, True), phi=phi)
     _results(w, c)
 
 
-def _points(w: ChapterWriter, c: Calculation) -> None:
-    s, k = c.given.shape, c.at(chosen(c))
-    w.head("h_points")
-    w.text("k_points", k=s.c / s.l)
-    w.formulas("places")
-    w.text("k_derive")
-    w.formulas("rates")
-    _mistake_3(w, c)
-    _numbers(w, c, k)
-
-
-def _mistake_3(w: ChapterWriter, c: Calculation) -> None:
+def _mistake_3(w: ChapterWriter, c: Calculation) -> str:
+    """How far off the text's (3) is."""
     if not c.given.speed.unevenness:
-        w.mistake("m_3", size=w.say("m_3_none"))
-        return
+        return w.say("m_3_none")
     s = c.given.shape
     off = np.abs(text_acceleration(s, c.motion) - c.points.a["B"]) / (s.omega**2 * s.r)
-    w.mistake("m_3", size=w.say("m_3_size", percent=float(100 * off.max())))
-
-
-def _numbers(w: ChapterWriter, c: Calculation, k: int) -> None:
-    s, p, t, b = c.given.shape, c.points, w.tex, w.bracketed
-    phi, omega = float(c.motion.phi_deg[k]), float(c.motion.omega[k])
-    w.text("k_at", phi=phi, omega=omega, eps=float(c.motion.epsilon[k]))
-    root = math.sqrt(s.l**2 - (s.r * math.sin(math.radians(phi))) ** 2)
-    angle = f"{t(phi)}\\degree"
-    w.formula(
-        rf"s=\sqrt{{{t(s.l)}^2-{t(s.r)}^2\sin^2{angle}}}={t(root)}[m],\quad x_B={t(s.r)}\cos{angle}+{t(root)}="
-        rf"{t(p.r['B'][k].real)}[m]"
-    )
-    w.formula(
-        rf"v_B=-{t(omega)}\cdot{t(s.r)}\sin{angle}-{t(omega)}\,\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}="
-        rf"{t(p.v['B'][k].real)}[m/s]"
-    )
-    e, a_b = float(c.motion.epsilon[k]), t(p.a["B"][k].real)
-    w.formula(
-        rf"a_B=-{t(omega)}^2\left[{t(s.r)}\cos{angle}+\frac{{{t(s.r)}^2\cos{t(2 * phi)}\degree}}{{{t(root)}}}+"
-        rf"\frac{{{t(s.r)}^4\sin^2{angle}\cos^2{angle}}}{{{t(root)}^3}}\right]" + ("-" if e else f"={a_b}[m/s²]")
-    )
-    if e:
-        w.formula(
-            rf"-{b(e)}\left[{t(s.r)}\sin{angle}+\frac{{{t(s.r)}^2\sin{angle}\cos{angle}}}{{{t(root)}}}\right]="
-            rf"{a_b}[m/s²]"
-        )
-    w.formula(
-        rf"v_C=\sqrt{{v_{{xC}}^2+v_{{yC}}^2}}=\sqrt{{{b(p.v['C'][k].real)}^2+{b(p.v['C'][k].imag)}^2}}="
-        rf"{t(abs(p.v['C'][k]))}[m/s],\quada_C=\sqrt{{{b(p.a['C'][k].real)}^2+{b(p.a['C'][k].imag)}^2}}="
-        rf"{t(abs(p.a['C'][k]))}[m/s²]"
-    )
-
-
-def _plane(w: ChapterWriter, c: Calculation) -> None:
-    s, k, t, b = c.given.shape, c.at(chosen(c)), w.tex, w.bracketed
-    phi, omega, eps = (float(v[k]) for v in (c.motion.phi_deg, c.motion.omega, c.motion.epsilon))
-    beta = math.degrees(float(swing(s, np.radians(phi))))
-    turning = -float(c.plane.omega[k])
-    w.head("h_plane")
-    w.text("k_plane")
-    w.formulas("instant_centre")
-    w.mistake("m_5")
-    w.text("k_accel")
-    w.formulas("accelerations")
-    w.text("k_at", phi=phi, omega=omega, eps=eps)
-    tangent = float(c.plane.epsilon[k]) * s.l
-    w.formula(
-        rf"\beta=\arcsin\frac{{{t(s.r)}\sin{t(phi)}\degree}}{{{t(s.l)}}}={t(beta)}\degree,\quad\omega_{{AB}}="
-        rf"\frac{{{t(omega)}\cdot{t(s.r)}\cos{t(phi)}\degree}}{{{t(s.l)}\cos{b(beta)}\degree}}={t(turning)}[rad/s]"
-    )
-    w.formula(
-        rf"|v_B|={t(omega)}\cdot{t(s.r)}\,\frac{{|\sin{t(phi + beta)}\degree|}}{{\cos{b(beta)}\degree}}="
-        rf"{t(abs(c.plane.v['B'][k]))}[m/s],\quad a_{{BA}}^n={b(turning)}^2\cdot{t(s.l)}={t(turning**2 * s.l)}[m/s²]"
-    )
-    w.formula(
-        rf"a_{{BA}}^\tau={t(tangent)}[m/s²],\quad \varepsilon_{{AB}}=\frac{{a_{{BA}}^\tau}}{{l}}="
-        rf"{t(tangent / s.l)}[rad/s²],\quad a_B={t(-c.plane.a['B'][k].real)}[m/s²]"
-    )
+    return w.say("m_3_size", percent=float(100 * off.max()))
 
 
 def _results(w: ChapterWriter, c: Calculation) -> None:
     s, ways = c.given.shape, c.agreement
-    w.head("h_kintable")
-    w.text("k_agree", step=c.given.step_deg)
-    rows = [
-        (w.say(k), *(w.number(part[k], 2) for part in (ways.velocity, ways.acceleration, ways.omega, ways.epsilon)))
-        for k in ("points_plane", "points_plans", "plane_plans")
-    ]
+    w.write("results", c)
+    compared = (ways.velocity, ways.acceleration, ways.omega, ways.epsilon)
+    rows = [(w.say(k), *(w.number(part[k], 2) for part in compared)) for k in ways.velocity]
     w.table("t_agree", [w.say("c_ways"), "v", "a", "ω_{AB}", "ε_{AB}"], rows)
     turn, unit, rate = c.turn, s.omega * s.r, s.omega**2 * s.r
     phi = c.motion.phi_deg[turn]
@@ -179,7 +128,7 @@ def _results(w: ChapterWriter, c: Calculation) -> None:
     rates = {f"{letter}_{{{n}}}": of[n] for letter, of in (("v", v), ("a", a)) for n in "ABC"}
     columns = {"φ, °": phi, "x_{B}": p.r["B"].real, **rates, "ω_{AB}": q.omega, "ε_{AB}": q.epsilon}
     w.over_cycle("t_kin", c.steps(len(phi)), columns)
-    w.chart("f_7a", "x_phi", "y_v", lines(phi, {n: np.abs(v[n][turn]) / unit for n in v}), ticks=30)
-    w.chart("f_7b", "x_phi", "y_a", lines(phi, {n: np.abs(a[n][turn]) / rate for n in a}), ticks=30)
     turned = {r"$\omega_{AB}/\omega$": q.omega / s.omega, r"$\varepsilon_{AB}/\omega^2$": q.epsilon / s.omega**2}
-    w.chart("f_omega", "x_phi", "y_w", lines(phi, {name: x[turn] for name, x in turned.items()}), ticks=30)
+    sizes = [{n: np.abs(x) / whole for n, x in of.items()} for of, whole in ((v, unit), (a, rate))]
+    for key, y, curves in (("f_7a", "y_v", sizes[0]), ("f_7b", "y_a", sizes[1]), ("f_omega", "y_w", turned)):
+        w.chart(key, "x_phi", y, lines(phi, {n: x[turn] for n, x in curves.items()}), ticks=30)
