@@ -11,8 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from planes.crank_slider.engine import EngineCycle, RodMotion
-from planes.crank_slider.kinematics import swing
+from planes.crank_slider.kinematics import EngineCycle, RodMotion, swing
 from planes.crank_slider.shape import CrankSliderShape
 from planes.geometry.arrays import Array, Complexes
 
@@ -142,23 +141,11 @@ def work(shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleForces
     curve = np.concatenate([[0.0], np.cumsum(steps)])
     excess = float(curve.max() - curve.min())
     high, low = float(f.torque.max()), float(f.torque.min())
+    unevenness, flywheel = (high - low) / abs(mean) if mean else math.inf, excess / (allowed * shape.omega**2)
     seconds = cycle / shape.omega
-    swept = math.pi / 4 * bore**2 * 2 * shape.r
-    return Work(
-        mean,
-        high,
-        low,
-        (high - low) / abs(mean) if mean else math.inf,
-        gas,
-        friction,
-        total,
-        excess,
-        excess / (allowed * shape.omega**2),
-        total / seconds,
-        gas / seconds,
-        gas / swept,
-        curve,
-    )
+    pressure = gas / (math.pi / 4 * bore**2 * 2 * shape.r)
+    powers = total / seconds, gas / seconds
+    return Work(mean, high, low, unevenness, gas, friction, total, excess, flywheel, *powers, pressure, curve)
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from planes.crank_slider.indicator import Indicator
-from planes.crank_slider.materials import Material
-from planes.crank_slider.sections import Round, Shank, Web
+from planes.crank_slider.parts import Material, Round, Shank, Web
 from planes.crank_slider.shape import CrankSliderShape
 
 

@@ -9,8 +9,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from planes.crank_slider.calculation import Calculation
-from planes.crank_slider.engine import loaded
-from planes.crank_slider.kinematics import swing, text_acceleration
+from planes.crank_slider.kinematics import loaded, swing, text_acceleration
 from planes.crank_slider.pages import ChapterWriter, lines
 from planes.scene import Scene
 from planes.solving import Position, plans_of, position
