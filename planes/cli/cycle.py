@@ -129,11 +129,11 @@ def _listing(args: argparse.Namespace, scene: Scene, span: Span | None, as_json:
 
 
 def _summary(args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Callable[[object], str]) -> int:
+    from planes.diagrams.driven import FULL
     from planes.diagrams.summary import summary
     from planes.diagrams.text import as_json as plain
     from planes.diagrams.text import report
     from planes.diagrams.turn import reach
-    from planes.diagrams.working_range import FULL
     from planes.plans import mechanism_plans
 
     plans = mechanism_plans(scene)

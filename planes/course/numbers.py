@@ -10,10 +10,10 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from planes.course import Course, ParameterChoice
-from planes.course.fingerprint import fingerprint
+from planes.course.ledger import fingerprint
 from planes.course.random_numbers import choices_of, dice, draw_numbers
 from planes.course.scenes import own_scene
-from planes.course.shares import Share
+from planes.course.students import Share
 from planes.scene import Scene, loads
 from planes.scene.mechanism import FRAME
 from planes.scene.source import Node, SourceScalar

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from planes.diagrams.driven import FULL
 from planes.diagrams.summary import summary
-from planes.diagrams.working_range import FULL
 from planes.plans import Plans
 from planes.scene import Scene, load
 from planes.solving import Position, solve, told

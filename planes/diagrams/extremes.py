@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from planes.diagrams.curves import Curve, Sample
+from planes.diagrams.driven import FULL
 from planes.diagrams.turn import Grid, WholeTurn
-from planes.diagrams.working_range import FULL
 from planes.geometry.arrays import Array
 
 CELLS = 8  # parts a bracket is cut into, each round

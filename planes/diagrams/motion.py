@@ -7,12 +7,11 @@ from math import isfinite
 import numpy as np
 
 from planes.diagrams.curves import curves_of, output_curves, transfer_curves
-from planes.diagrams.driven import driven
+from planes.diagrams.driven import FULL, driven
 from planes.diagrams.extremes import extremes
 from planes.diagrams.graphical import Construction, differentiated, integrated
 from planes.diagrams.stages import Motion
 from planes.diagrams.turn import Grid, WholeTurn, grid, span_of, turn_of, unwound
-from planes.diagrams.working_range import FULL
 from planes.geometry.arrays import Array
 from planes.plans import Plans, mechanism_plans
 from planes.scene import Scene

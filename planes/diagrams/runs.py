@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from planes.diagrams.driven import FULL
 from planes.diagrams.motion import dead_points, driven_grid, ends_of
-from planes.diagrams.working_range import FULL
 from planes.geometry.arrays import Array
 from planes.plans import Plans
 

@@ -9,10 +9,9 @@ from functools import cached_property
 import numpy as np
 
 from planes.diagrams.curves import Curve
-from planes.diagrams.driven import driven
+from planes.diagrams.driven import FULL, driven
 from planes.diagrams.extremes import Extreme, extremes, varies
 from planes.diagrams.turn import Grid, grid, in_one_piece, turn_of
-from planes.diagrams.working_range import FULL
 from planes.geometry.arrays import Array, Complexes
 from planes.plans import Plans
 from planes.scene import Scene

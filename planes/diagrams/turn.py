@@ -15,7 +15,7 @@ import numpy as np
 from planes.batch import CHUNK, Block, Cycle, Reason
 from planes.batch.columns import columns_of
 from planes.diagrams.curves import UNIT, Curve, CycleVector, arrows_of, curves_of
-from planes.diagrams.working_range import FULL, WorkingRange
+from planes.diagrams.driven import FULL, WorkingRange
 from planes.geometry.arrays import Array, Booleans, Indices
 from planes.plans import Plans
 from planes.scene.ranges import Span

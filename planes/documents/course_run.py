@@ -13,11 +13,10 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from planes.course import Course
-from planes.course.fingerprint import fingerprint
-from planes.course.ledger import Ledger, digest
+from planes.course.ledger import Ledger, digest, fingerprint
 from planes.course.numbers import Question, Settled, again, question, settle
 from planes.course.scenes import used_names
-from planes.course.shares import Share, shares
+from planes.course.students import Share, shares
 from planes.course.summary import StudentRow, as_blocks, as_csv
 from planes.course.workers import Each
 from planes.documents.course import Made, Order, make, names_of

@@ -11,11 +11,10 @@ from typing import Any
 
 from planes.scene import source
 from planes.scene.doubts import read_doubts
-from planes.scene.laws import read_laws
 from planes.scene.links import read_frame, read_links
 from planes.scene.mechanism import Mechanism, Where
 from planes.scene.motion import read_assembly, read_drive, read_friction, read_gravity, read_loads
-from planes.scene.parameters import choose, read_parameters, read_variants, with_numbers
+from planes.scene.parameters import choose, read_laws, read_parameters, read_variants, with_numbers
 from planes.scene.reader import Reader
 from planes.scene.settings import read_find, read_number_of_frame, read_plans, read_sheet, read_vector_mu, read_words
 from planes.scene.source import Node, SourceTable

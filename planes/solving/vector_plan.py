@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from planes.drafting.draft import Draft
 from planes.drafting.equations import Equation, Term, unknown
 from planes.scene import Scene, VectorGiven
-from planes.scene.statement import Sides, ends, read_equation
+from planes.scene.vectors import Sides, ends, read_equation
 from planes.words import Phrase, Told, table
 from planes.words.errors import EquationError, PlanFailure, SceneError, choices
 from planes.words.names import POLE, at, label_of, mu_of
