@@ -140,11 +140,9 @@ class Summary:
 
     def _row(self, curve: Curve, y: Array) -> CurveSummary:
         some, size, rounds = self.extremes[curve.name], float(np.nanmax(np.abs(y))), self.grid.rounds(curve)
-        if not some:
-            k = int(np.flatnonzero(np.isfinite(y))[0])
-            one = Extreme(float(self.grid.places[k]), float(y[k]), 1)
-            return CurveSummary((curve.name,), curve.unit, curve.group, one, one, (), size, rounds)
-        low, high = min(some, key=lambda e: e.value), max(some, key=lambda e: e.value)
+        k = int(np.flatnonzero(np.isfinite(y))[0])
+        of = some or [Extreme(float(self.grid.places[k]), float(y[k]), 1)]  # a constant's only one
+        low, high = min(of, key=lambda e: e.value), max(of, key=lambda e: e.value)
         return CurveSummary((curve.name,), curve.unit, curve.group, low, high, tuple(some), size, rounds)
 
     def _shown(self, curve: Curve) -> bool:

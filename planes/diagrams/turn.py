@@ -44,12 +44,8 @@ class WholeTurn:
         unit = unit_drive(self.plans)
         own = [columns[n] for n in self.needs if not n.startswith(UNIT)]
         one = [columns[n.removeprefix(UNIT)] for n in self.needs if n.startswith(UNIT)]
-        runs = []
-        if own:
-            runs.append(("", Cycle(self.plans, columns=own)))
-        if one:
-            runs.append((UNIT, Cycle(self.plans, known=unit, columns=one)))
-        return tuple(runs)
+        runs = ("", None, own), (UNIT, unit, one)
+        return tuple((prefix, Cycle(self.plans, known=known, columns=some)) for prefix, known, some in runs if some)
 
     @property
     def reasons(self) -> tuple[Reason, ...]:

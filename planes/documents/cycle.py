@@ -10,7 +10,7 @@ import numpy as np
 from planes.diagrams.curves import Curve, curves_of, output_curves
 from planes.diagrams.driven import FULL
 from planes.diagrams.extremes import Extreme, extremes
-from planes.diagrams.runs import Runs
+from planes.diagrams.motion import Runs
 from planes.diagrams.turn import Grid, WholeTurn, grid, turn_of
 from planes.geometry.arrays import Array
 from planes.plans import Plans, mechanism_plans

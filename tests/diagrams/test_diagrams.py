@@ -14,7 +14,7 @@ import pytest
 from planes.diagrams.curves import UNIT, curves_of
 from planes.diagrams.driven import WorkingRange
 from planes.diagrams.extremes import extremes
-from planes.diagrams.listing import decimals
+from planes.diagrams.long_run import decimals
 from planes.diagrams.motion import dead_points, driven_grid
 from planes.diagrams.summary import Summary, summary
 from planes.diagrams.text import as_json, report
