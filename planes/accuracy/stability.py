@@ -133,13 +133,8 @@ def _worst(
     def worst(row: Array, by: Callable[[Array], Array] = np.max) -> Array:
         return np.array([by(row[k][works[k]]) for k in crowds])  # refused once is refused
 
-    return Approach(
-        limit,
-        worst(distances, np.min),
-        worst(sharp, np.min),
-        worst(claims),
-        {key: worst(row) for key, row in errors.items()},
-    )
+    near = worst(distances, np.min), worst(sharp, np.min)
+    return Approach(limit, *near, worst(claims), {key: worst(row) for key, row in errors.items()})
 
 
 def _sharpness(bench: Comparison, value: float, k: int) -> float:

@@ -6,7 +6,7 @@ import json
 import math
 import traceback
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from planes.course import Course, ParameterChoice
@@ -98,11 +98,6 @@ def drawn(q: Question) -> dict[str, str]:
 
     chance = dice(q.seed, *q.student, q.file.rpartition("/")[2], q.copy)
     return draw_numbers(choices_of(q.text, q.file, q.draw), make, q.sharpness_deg, chance)
-
-
-def again(q: Question) -> Question:
-    """The same question after its answer fell together with somebody else's."""
-    return replace(q, copy=q.copy + 1)
 
 
 @dataclass(frozen=True)

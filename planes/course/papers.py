@@ -138,7 +138,7 @@ def segments(drawn: Position, name: str, plan: Json, lang: Lang) -> DocumentTabl
         found = plan["segments"].get(s.start + s.end)
         if s.plan == name and found and found["name"] == s.name:
             value = number(found["value"] if found["mm"] > NOISE_MM else 0.0, lang)
-            rows.append((f"⟨{_vector(drawn, s)}⟩", f"⟨{s.start}⟩⟨{s.end}⟩", _mm(found["mm"], lang), value))
+            rows.append((f"⟨{_vector(drawn, s)}⟩", f"⟨{s.start}⟩⟨{s.end}⟩", decimal(f"{found['mm']:.1f}", lang), value))
     size = unit({"velocity": "v", "acceleration": "a"}.get(name, "F"), lang)
     head = (say("key_vector", lang), say("segment", lang), say("mm", lang), size)
     mu = decimal(say_mu(plan["mu"], lang), lang)
@@ -154,10 +154,6 @@ def _vector(drawn: Position, s: Segment) -> str:
     points = {label_of(mark): point for mark, point in marks}
     point = points.get(s.end) or s.end.rstrip("'").upper()
     return f"{s.plan[0]}_{point}"
-
-
-def _mm(size: float, lang: Lang) -> str:
-    return decimal(f"{size:.1f}", lang)
 
 
 def worst_crossing(drawn: Position, lang: Lang) -> str:

@@ -6,6 +6,7 @@ import json
 import re
 from collections.abc import Iterator, Mapping
 
+from planes.scene.reader import entries_of
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.scene.source import parse as parse_text
 
@@ -19,13 +20,11 @@ def own_scene(text: str, file: str, variant: str | None, numbers: Mapping[str, s
     entries = dict(table.entries)
     variants = entries.pop("variants", None)
     if isinstance(parameters := entries.get("parameters"), SourceTable):
-        chosen = variants.entries.get(variant) if variant and isinstance(variants, SourceTable) else None
-        more = chosen.entries if isinstance(chosen, SourceTable) else {}
+        more = entries_of(entries_of(variants).get(variant or ""))
         drawn = {name: SourceScalar(value, 0) for name, value in numbers.items()}
         entries["parameters"] = SourceTable({**parameters.entries, **more, **drawn}, 0)
     if sheet:
-        before = entries.get("sheet")
-        entries["sheet"] = SourceTable({**(before.entries if isinstance(before, SourceTable) else {}), **sheet}, 0)
+        entries["sheet"] = SourceTable({**entries_of(entries.get("sheet")), **sheet}, 0)
     return "".join(f"{key}:{_block(value, 0, len(key))}\n" for key, value in entries.items())
 
 
@@ -57,8 +56,7 @@ def _quoted(text: str) -> str:
 def used_names(text: str, file: str) -> tuple[str, ...]:
     """The parameters a scene's mechanism is made of, directly or through one another."""
     table = parse_text(text, file)
-    parameters = table.entries.get("parameters")
-    own = parameters.entries if isinstance(parameters, SourceTable) else {}
+    own = entries_of(table.entries.get("parameters"))
     found = {n for key, node in table.entries.items() if key not in _WORDS for n in _names(node)} & own.keys()
     todo = list(found)
     while todo:
@@ -76,7 +74,5 @@ def _names(node: Node) -> Iterator[str]:
     """Every word that could name a parameter."""
     if isinstance(node, SourceScalar):
         yield from _NAME.findall(node.text)
-    for inner in (
-        node.entries.values() if isinstance(node, SourceTable) else node.items if isinstance(node, Items) else ()
-    ):
+    for inner in node.items if isinstance(node, Items) else entries_of(node).values():
         yield from _names(inner)

@@ -8,8 +8,10 @@ estimates of machine design courses; ψ_σ = 0.02 + 2·10⁻⁴ σ_B, ψ_τ = 0.
 from __future__ import annotations
 
 import bisect
+import json
 import math
 from dataclasses import dataclass
+from pathlib import Path
 
 _SIDES = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 10.0, 1e9)
 _ALPHA = (0.208, 0.219, 0.231, 0.246, 0.258, 0.267, 0.282, 0.291, 0.312, 0.333)
@@ -101,21 +103,8 @@ def torsion_factor(ratio: float) -> float:
 
 ELASTICITY_MPA = 2.1e5
 
-STEELS: dict[str, tuple[float, float, bool]] = {
-    # name: strength, yield (MPa), alloyed
-    "20": (410, 245, False),
-    "35": (530, 315, False),
-    "40": (570, 335, False),
-    "45": (600, 355, False),
-    "50": (630, 375, False),
-    "20Х": (780, 635, True),
-    "40Х": (980, 785, True),
-    "45Х": (1030, 835, True),
-    "40ХН": (980, 785, True),
-    "12ХН3А": (930, 685, True),
-    "30ХГСА": (1080, 835, True),
-    "18Х2Н4МА": (1130, 835, True),
-}
+STEELS: dict[str, tuple[float, float, bool]] = json.loads(Path(__file__).with_name("steels.json").read_text("utf-8"))
+"""By the name of a steel its strength and yield (MPa), and whether it is alloyed."""
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from types import MappingProxyType
 from typing import TypeVar
 
-from planes.crank_slider.indicator import FOUR, TWO, UNITS, Indicator, Points, span
+from planes.crank_slider.given import FOUR, TWO, UNITS, Indicator, Points, span
 from planes.scene.reader import Reader, part
 from planes.scene.source import Items, Node, SourceTable
 from planes.words import Phrase, Told

@@ -18,14 +18,9 @@ def driven(plans: Plans) -> tuple[str, bool]:
             return name, True
     on_frame = [p for p in plans.structure.pairs if p.joins(FRAME)]
     grounded = [n for n in (group.last, group.first) if any(p.joins(n) for p in on_frame)]
-    free = [n for n in (group.last, group.first) if not _turns_with_driver(plans, n)]
+    slid = {n: m.links[n].slides for n in (group.last, group.first)}  # on the driver's guide it only turns with it
+    free = [n for n, slides in slid.items() if not slides or m.owner(slides.guide) != m.drive.link]
     return (grounded or free or [group.last])[0], False
-
-
-def _turns_with_driver(plans: Plans, name: str) -> bool:
-    """Whether a link slides on a guide of the driver, and so only repeats its turning."""
-    slides = plans.mechanism.links[name].slides
-    return slides is not None and plans.mechanism.owner(slides.guide) == plans.mechanism.drive.link
 
 
 FULL = 360.0

@@ -146,7 +146,7 @@ def reason(table: Cycle, reasons: tuple[Reason, ...], gap: Gap, lang: Lang) -> s
     try:
         proved(table.program, given, run(table.program, given))
     except PlanFailure as failure:
-        return failure.sentence(lang)
+        return failure.told(lang)
     why = reasons[gap.code - 1]
     (block,) = table.blocks([gap.first], fast=False)
     empty = (c.name for c, row in zip(table.columns, block.table, strict=True) if np.isnan(row[0]) and not c.beside)

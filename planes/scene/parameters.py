@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from planes.scene.expressions import RESERVED, evaluate, is_name, names_in
 from planes.scene.mechanism import Law
-from planes.scene.reader import MAX_NAME, Keys, Reader, part, texts
+from planes.scene.reader import MAX_NAME, Keys, Reader, entries_of, part, texts
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, choices, shown
@@ -36,7 +36,7 @@ def with_numbers(
     reader: Reader, node: Node | None, chosen: SourceTable | None, numbers: Mapping[str, float]
 ) -> SourceTable:
     """The chosen variant with numbers put in the place of parameters by whoever runs the program."""
-    known = node.entries if isinstance(node, SourceTable) else {}
+    known = entries_of(node)
     for name in numbers:
         if name not in known:
             valid = reader.offer(name, known, Phrase("parameters_all"))
@@ -64,7 +64,7 @@ def read_variants(reader: Reader, node: Node | None, parameters: Node | None) ->
     """The variants by name, each a table that overrides parameters."""
     if node is None:
         return {}
-    known = parameters.entries if isinstance(parameters, SourceTable) else {}
+    known = entries_of(parameters)
     variants = reader.names(node, "variants", Phrase("a_variant"))
     tables: dict[str, SourceTable] = {}
     for name, entry in variants.entries.items():

@@ -121,6 +121,10 @@ class Reader:
         node = table.entries.get(key)
         return None if isinstance(node, SourceScalar) and node.absent else node
 
+    def present(self, table: SourceTable) -> dict[str, Node]:
+        """The values of a table that are not empty."""
+        return {key: node for key, node in table.entries.items() if self.optional(table, key) is not None}
+
     def required(self, table: SourceTable, key: str, what: Told) -> Node:
         """The value of a key that must be there."""
         node = table.entries.get(key)
@@ -181,6 +185,11 @@ def section(name: str) -> Phrase:
     return Phrase("section", name=name)
 
 
+def entries_of(node: Node | None) -> Mapping[str, Node]:
+    """What a table holds; nothing where the node is no table."""
+    return node.entries if isinstance(node, SourceTable) else {}
+
+
 def kind(node: Node) -> Told:
     """What a node is, in words."""
     if isinstance(node, SourceTable):
@@ -198,3 +207,16 @@ def texts(node: Node, path: Keys = ()) -> Iterator[tuple[Keys, SourceScalar]]:
     )
     for key, one in entries:
         yield from texts(one, (*path, key))
+
+
+def line_of(table: SourceTable, path: Keys) -> int:
+    """The line of the deepest key of a path that is there."""
+    line = table.line
+    node: Node = table
+    for key in path:
+        if isinstance(node, SourceTable) and key in node.entries:
+            line, node = node.lines[key], node.entries[key]
+        elif isinstance(node, Items):
+            node = node.items[int(key)]
+            line = node.line
+    return line

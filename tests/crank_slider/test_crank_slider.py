@@ -11,7 +11,7 @@ import pytest
 from scipy.interpolate import PchipInterpolator
 
 from planes.crank_slider.forces import balance, classical, printed, replaced
-from planes.crank_slider.indicator import monotone
+from planes.crank_slider.given import monotone
 from planes.crank_slider.kinematics import EngineCycle, as_plane_motion, as_points, swing
 from planes.crank_slider.shape import CrankSliderShape
 from tests.helpers.crank_slider_scenes import SAMPLE, calculated, changed, two_stroke
