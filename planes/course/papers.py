@@ -127,8 +127,10 @@ def answers(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[
     for name, plan in drawn.results.get("plans", {}).items():
         if name != "position" and (table := segments(drawn, name, plan, lang)):
             yield table
-    if worst := worst_crossing(drawn, lang):
-        yield Paragraph(worst)
+    if drawn.drawing.sharpness:  # how bluntly lines meet at the worst, for who grades the drawing
+        least = min(drawn.drawing.sharpness.values())
+        angle = math.degrees(math.asin(max(0.0, min(1.0, least))))
+        yield Paragraph(say("key_sharpness", lang, angle=number(angle, lang, 3)))
 
 
 def segments(drawn: Position, name: str, plan: Json, lang: Lang) -> DocumentTable | None:
@@ -154,15 +156,6 @@ def _vector(drawn: Position, s: Segment) -> str:
     points = {label_of(mark): point for mark, point in marks}
     point = points.get(s.end) or s.end.rstrip("'").upper()
     return f"{s.plan[0]}_{point}"
-
-
-def worst_crossing(drawn: Position, lang: Lang) -> str:
-    """How bluntly lines meet at the worst, for who grades the drawing."""
-    if not drawn.drawing.sharpness:
-        return ""
-    least = min(drawn.drawing.sharpness.values())
-    angle = math.degrees(math.asin(max(0.0, min(1.0, least))))
-    return say("key_sharpness", lang, angle=number(angle, lang, 3))
 
 
 STEP_DEG, APART_DEG = 15, 30.0

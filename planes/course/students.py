@@ -6,7 +6,6 @@ from __future__ import annotations
 import csv
 import re
 import unicodedata
-from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -125,7 +124,8 @@ def shares(course: Course) -> tuple[Share, ...]:
         for k, (s, p) in enumerate(zip(course.students, places, strict=True))
         for a in _assignments(course, s, k)
     ]
-    free = {a.name: _free(a, [s for s, own, _ in wanted if own is a]) for a in course.assignments}
+    taken = {(a.name, s.variant) for s, a, _ in wanted}  # variants somebody has asked for
+    free = {a.name: iter([v for v in a.variants if (a.name, v) not in taken]) for a in course.assignments}
     return tuple(
         Share(
             s,
@@ -142,12 +142,6 @@ def _assignments(course: Course, student: Student, number: int) -> list[Assignme
     own = wished(student, course.assignments)
     count = min(course.each, len(course.assignments))
     return [own] if own else [course.assignments[(number + k) % len(course.assignments)] for k in range(count)]
-
-
-def _free(assignment: Assignment, students: list[Student]) -> Iterator[str]:
-    """The variants none of its students has asked for."""
-    taken = {s.variant for s in students}
-    return (v for v in assignment.variants if v not in taken)
 
 
 def _places(students: tuple[Student, ...]) -> list[str]:

@@ -112,6 +112,12 @@ class ChapterWriter:
         cells = (tuple(x if isinstance(x, str) else self.number(x) for x in row) for row in rows)
         self.blocks.append(DocumentTable(title, (tuple(head), *cells)))
 
+    def sizes(self, part: str, values: object) -> list[tuple[str, str, str]]:
+        """Rows of a table of ``report.txt``: what it is, its sign, its value with the unit."""
+        rows = ([cell.strip() for cell in line.split("|")] for line in _parts()[part])
+        told = ((key, sign, self.number(_value(path, values)), unit) for key, sign, path, unit in rows)
+        return [(self.say(key), sign, f"{x} {self.say(unit)}" if unit else x) for key, sign, x, unit in told]
+
     def figure(self, key: str, of: Chart | DrawnViews | ShaftSketch, **parts: object) -> None:
         self.charts += 1
         self.blocks.append(Figure(of, f"{self.say('figure')} {self.charts}. {self.say(key, **parts)}"))

@@ -9,7 +9,7 @@ import numpy as np
 
 from planes.crank_slider.calculation import Calculation
 from planes.crank_slider.pages import KN, ChapterWriter, lines
-from planes.crank_slider.pages_kinematics import at_step
+from planes.crank_slider.pages_mechanics import at_step
 from planes.crank_slider.shaft import Section, along
 from planes.solving.document import Chart, PlottedLine, ShaftSketch
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from planes.crank_slider.given import Concentration, Counterweights, Given, Limits, PistonPin, Shaft, Speed
+from planes.crank_slider.given import UNITS, Concentration, Counterweights, Given, Limits, PistonPin, Shaft, Speed
 from planes.crank_slider.parts import ELASTICITY_MPA, STEELS, Material, Round, Shank, Web, made, steel
 from planes.crank_slider.reading_table import Values, read_indicator
 from planes.crank_slider.shape import shape_of
@@ -27,11 +27,12 @@ def read(scene: Scene) -> Given:
     reader, what = Reader(scene.file, scene.parameters), section("crank_slider")
     top = Values(reader, reader.table(scene.crank_slider, what, (*_KEYS, *_PARTS)), what)
     indicator = read_indicator(top)
+    pascals = UNITS[indicator.unit]
     flywheel = top.inner("flywheel", ("unevenness",))
     given = Given(
         shape,
         top.above("bore"),
-        top.pressure("ambient", indicator.unit, 0.1e6),
+        top.not_negative("ambient", 0.1e6 / pascals) * pascals,
         indicator,
         _step(top),
         top.part("speed", ("unevenness", "waves", "phase"), _speed) or Speed(),

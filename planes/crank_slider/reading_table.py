@@ -83,10 +83,6 @@ class Values:
         both = self.reader.place(node, self.named(key))
         return both.real, both.imag
 
-    def pressure(self, key: str, unit: str, usual: float) -> float:
-        """A pressure in the diagram's unit, as Pa."""
-        return self.not_negative(key, usual / UNITS[unit]) * UNITS[unit]
-
 
 def read_indicator(top: Values) -> Indicator:
     """The diagram with every stage it needs, each over the whole of its stroke, joined to the next."""

@@ -11,8 +11,7 @@ import numpy as np
 from planes.crank_slider.calculation import Calculation
 from planes.crank_slider.forces import printed
 from planes.crank_slider.pages import ChapterWriter
-from planes.crank_slider.pages_forces import write_forces
-from planes.crank_slider.pages_kinematics import write_given, write_kinematics
+from planes.crank_slider.pages_mechanics import write_forces, write_given, write_kinematics
 from planes.crank_slider.pages_strength import checks, write_balance, write_strength, write_summary
 from planes.solving.document import Block, DocumentTable, Heading
 from planes.solving.tables import table
@@ -93,9 +92,7 @@ def _but_curve(thing: object) -> Json:
 def _kinematics(c: Calculation) -> Json:
     p = c.points
     return {
-        "phi_deg": c.motion.phi_deg,
-        "omega": c.motion.omega,
-        "epsilon": c.motion.epsilon,
+        **{name: getattr(c.motion, name) for name in ("phi_deg", "omega", "epsilon")},
         "points": {n: {"r": p.r[n], "v": p.v[n], "a": p.a[n]} for n in ("A", "B", "C")},
         "omega_AB": c.plane.omega,
         "epsilon_AB": c.plane.epsilon,

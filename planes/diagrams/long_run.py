@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -31,14 +31,8 @@ FULL_TURN = Span(0.0, 1.0, 361)
 TOLD = 20  # how many failed ranges are told in words
 
 
-class ColumnHead(Protocol):
-    """What stands over a column."""
-
-    @property
-    def name(self) -> str: ...
-
-    @property
-    def unit(self) -> str: ...
+Heads = Sequence[tuple[str, str]]
+"""What stands over the columns: name and unit."""
 
 
 @dataclass
@@ -60,17 +54,18 @@ def write_cycle(
     plans = mechanism_plans(scene)
     table = Cycle(plans, scene.find)
     span = values or whole(plans)
-    blocks, columns = table.blocks(span, fast=fast), table.columns
+    blocks, heads = table.blocks(span, fast=fast), [(c.name, c.unit) for c in table.columns]
     if errors:
         blocks = table.beside(blocks)
-        columns = [*columns, *(c._replace(name=f"± {c.name}") for c in columns)]
-    return _written(table, columns, table.reasons, blocks, len(span), output, lang)
+        heads += [(f"± {name}", unit) for name, unit in heads]
+    return _written(table, heads, table.reasons, blocks, len(span), output, lang)
 
 
 def write_curves(turn: WholeTurn, values: Span | None, output: str, lang: Lang) -> int:
     """Write a table of chosen curves, analogues among them if they are asked for; the exit status."""
     span = values or whole(turn.plans)
-    return _written(turn.cycles[0][1], turn.curves, turn.reasons, turn.blocks(span), len(span), output, lang)
+    heads = [(c.name, c.unit) for c in turn.curves]
+    return _written(turn.cycles[0][1], heads, turn.reasons, turn.blocks(span), len(span), output, lang)
 
 
 def whole(plans: Plans) -> Span:
@@ -81,7 +76,7 @@ def whole(plans: Plans) -> Span:
 
 def _written(
     table: Cycle,
-    columns: Sequence[ColumnHead],
+    heads: Heads,
     reasons: tuple[Reason, ...],
     blocks: Iterator[Block],
     count: int,
@@ -91,7 +86,7 @@ def _written(
     kind = table.plans.mechanism.drive.kind
     drive = ("phi", "°") if kind == "phi" else ("s", "m")
     gaps: list[Gap] = []
-    with opened(Path(output), TableHead(drive, [(c.name, c.unit) for c in columns], reasons), count) as writer:
+    with opened(Path(output), TableHead(drive, heads, reasons), count) as writer:
         for block in progress(blocks, count, lang):
             writer.write(block)
             collect(gaps, block)

@@ -92,11 +92,6 @@ class Summary:
         return {c.name: e for c, e in zip(self.grid.turn.curves, extremes(self.grid), strict=True)}
 
     @cached_property
-    def ranges(self) -> tuple[tuple[float, float], ...]:
-        """The parts of the range in which the mechanism assembles."""
-        return self.grid.ranges
-
-    @cached_property
     def stroke(self) -> DrivenStroke | None:
         """The driven link's stroke, or angle of swing; None where it turns over."""
         link, slides = driven(self.plans)

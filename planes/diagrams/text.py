@@ -60,7 +60,7 @@ def _place(s: Summary, value: float, lang: Lang) -> str:
 def _assembles(s: Summary, lang: Lang) -> list[str]:
     if bool(s.grid.works.all()):
         return []
-    ranges = ", ".join(f"{_place(s, a, lang)}…{_place(s, b, lang)}" for a, b in s.ranges)
+    ranges = ", ".join(f"{_place(s, a, lang)}…{_place(s, b, lang)}" for a, b in s.grid.ranges)
     return [say("cycle_assembles", lang, name=drive_name(s), ranges=ranges)]
 
 
@@ -129,7 +129,7 @@ def as_json(s: Summary) -> Json:
         "variant": s.scene.variant,
         "drive": {"kind": drive.kind, "velocity": drive.velocity, "acceleration": drive.acceleration},
         "range": [float(s.grid.places[0]), float(s.grid.places[-1])],
-        "assembles": [list(r) for r in s.ranges],
+        "assembles": [list(r) for r in s.grid.ranges],
     }
     if stroke:
         found["driven"] = {

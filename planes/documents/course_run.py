@@ -14,8 +14,7 @@ from pathlib import Path
 
 from planes.course import Course
 from planes.course.ledger import Ledger, digest, fingerprint
-from planes.course.numbers import Question, Settled, question, settle
-from planes.course.scenes import used_names
+from planes.course.numbers import Question, Settled, question, settle, used_names
 from planes.course.students import Share, shares
 from planes.course.summary import StudentRow, as_blocks, as_csv
 from planes.course.workers import Each

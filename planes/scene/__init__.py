@@ -159,7 +159,7 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
 
 
 def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mapping[str, Node]) -> Scene:
-    where: Where = MappingProxyType(dict(source.lines(table)))
+    where: Where = MappingProxyType({path: line for path, _, line in source.walk(table) if path})
     of_vectors = "vectors" in table.entries
     mechanism = None if of_vectors else _mechanism(reader, table, where, stated)
     vectors = read_vectors(reader, table.entries["vectors"]) if of_vectors else {}

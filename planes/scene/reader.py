@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from planes.geometry.degrees import cos_deg, sin_deg
 from planes.scene.expressions import evaluate
-from planes.scene.source import Items, Node, SourceScalar, SourceTable
+from planes.scene.source import Items, Node, SourceScalar, SourceTable, walk
 from planes.words import Phrase, Told
 from planes.words.errors import ExpressionError, SceneError, choices, shown
 
@@ -197,16 +197,9 @@ def kind(node: Node) -> Told:
     return Phrase("a_list") if isinstance(node, Items) else (Phrase("empty") if node.absent else shown(node.text))
 
 
-def texts(node: Node, path: Keys = ()) -> Iterator[tuple[Keys, SourceScalar]]:
+def texts(node: Node) -> Iterator[tuple[Keys, SourceScalar]]:
     """Every text beneath a node with its path."""
-    if isinstance(node, SourceScalar):
-        yield path, node
-        return
-    entries = (
-        node.entries.items() if isinstance(node, SourceTable) else ((str(k), one) for k, one in enumerate(node.items))
-    )
-    for key, one in entries:
-        yield from texts(one, (*path, key))
+    return ((path, one) for path, one, _ in walk(node) if isinstance(one, SourceScalar))
 
 
 def line_of(table: SourceTable, path: Keys) -> int:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+
 from planes.drafting.program import Program
 from planes.drafting.steps.base import Step
 from planes.plans import mechanism_plans
@@ -18,7 +20,7 @@ def explain(scene: Scene, lang: Lang = "en") -> str:
     dropped = [s for s in whole.steps if s.makes not in kept.made]
     lines = [say("explain_kept", lang, kept=len(kept.steps), all=len(whole.steps)), *_listed(kept.steps, lang)]
     if dropped:
-        lines += ["", say("explain_dropped", lang, dropped=len(dropped)), *_listed(tuple(dropped), lang)]
+        lines += ["", say("explain_dropped", lang, dropped=len(dropped)), *_listed(dropped, lang)]
     return "\n".join(lines) + "\n"
 
 
@@ -30,11 +32,8 @@ def _programs(scene: Scene) -> tuple[Program, Program]:
     return mechanism_plans(scene).program, plans_of(scene)[0].program
 
 
-def _listed(steps: tuple[Step, ...], lang: Lang) -> list[str]:
-    return [f"  {_line(s, lang)}" for s in steps]
-
-
-def _line(step: Step, lang: Lang) -> str:
-    verb = say(f"step_{type(step).__name__}", lang)
-    names = ", ".join(dict.fromkeys(name for name, kind in step.reads() if not is_scale(name)))
-    return f"{step.makes}: {verb}" + (f" ({say('explain_reads', lang, reads=names)})" if names else "")
+def _listed(steps: Iterable[Step], lang: Lang) -> Iterator[str]:
+    for step in steps:
+        verb = say(f"step_{type(step).__name__}", lang)
+        names = ", ".join(dict.fromkeys(name for name, kind in step.reads() if not is_scale(name)))
+        yield f"  {step.makes}: {verb}" + (f" ({say('explain_reads', lang, reads=names)})" if names else "")

@@ -1,12 +1,16 @@
-"""What the operating system says of a failure, in Russian."""
+"""What the operating system says of a failure, in Russian; and the language it speaks."""
 
 from __future__ import annotations
 
 import errno
 import json
+import locale
 import os
 from functools import cache
 from pathlib import Path
+from typing import Literal
+
+RUSSIAN = ("ru", "be", "uk", "kk")
 
 
 @cache
@@ -19,3 +23,9 @@ def _told() -> dict[str, str]:
 def in_russian(text: str) -> str:
     """The Russian of what the system says; anything else as it is."""
     return _told().get(text, text)
+
+
+def home_lang() -> Literal["ru", "en"]:
+    """Russian where the system speaks Russian, Belarusian, Ukrainian or Kazakh; else English."""
+    said = next((os.environ[k] for k in ("LC_ALL", "LC_MESSAGES", "LANG") if os.environ.get(k)), "")
+    return "ru" if (said or locale.getlocale()[0] or "").lower().startswith(RUSSIAN) else "en"

@@ -7,6 +7,7 @@ import math
 import platform
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy
@@ -15,11 +16,10 @@ import pytest
 from planes.course import ParameterChoice, ledger
 from planes.course import random_numbers as numbers
 from planes.course.ledger import Ledger, digest
-from planes.course.numbers import again, main_answers, question, settle
+from planes.course.numbers import main_answers, own_scene, question, settle, used_names
 from planes.course.papers import clearest
 from planes.course.random_numbers import around, choices_of, dice, draw_numbers
 from planes.course.reading import read_course
-from planes.course.scenes import own_scene, used_names
 from planes.course.students import shares
 from planes.drafting.drawing import run
 from planes.plans import plans_of
@@ -202,7 +202,7 @@ def test_numbers_are_ones_own_whoever_else_is_there(folder: Make) -> None:
     many = read_course(folder("course: 1\nvariants: drawn\n", "Абрамов\nИванов\nКим\nПетров\n"))
     told = [{s.student.name: settle(question(c, s, "en")).scene for s in shares(c)} for c in (few, many)]
     assert told[0].items() <= told[1].items() and len(set(told[1].values())) == 4
-    question_again = again(question(few, shares(few)[0], "en"))
+    question_again = replace(question(few, shares(few)[0], "en"), copy=1)
     assert settle(question_again).scene not in told[1].values()
 
 
