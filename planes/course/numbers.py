@@ -1,4 +1,5 @@
-"""What one student works with: the numbers settled, the scene written, the mechanism solved. A task for any worker."""
+"""What one student works with: the numbers settled, the scene written (the assignment's, with other numbers in its
+parameters, as a file anew), the mechanism solved. A task for any worker."""
 
 from __future__ import annotations
 

@@ -34,11 +34,9 @@ def summary(c: Calculation, lang: Lang) -> str:
     """The checks and the torque as lines for a terminal."""
     writer = ChapterWriter(lang)
     write_summary(writer, c)
-    lines = [c.scene.title.get(lang, "")]
-    lines += [
-        f"{writer.say('l_mean')} M = {writer.number(c.work.mean)} {writer.say('N·m')}; "
-        f"{writer.number(c.work.power / 1e3)} {writer.say('kW')}"
-    ]
+    mean, power = (writer.number(x) for x in (c.work.mean, c.work.power / 1e3))
+    torque = f"{writer.say('l_mean')} M = {mean} {writer.say('N·m')}"
+    lines = [c.scene.title.get(lang, ""), f"{torque}; {power} {writer.say('kW')}"]
     checked = [b for b in writer.blocks if isinstance(b, DocumentTable)][:-1]  # the last lists the text's errors
     for block in checked:
         lines += table(writer.say("t_summary"), block.rows[0], block.rows[1:])

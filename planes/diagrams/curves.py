@@ -214,11 +214,8 @@ def _vector(name: str, unit: str, group: Group, base: str, slope: str = "", fact
 def output_curves(plans: Plans) -> tuple[str, ...]:
     """The curves of a mechanism's driven link that are drawn first: its place, velocity and acceleration."""
     link, slides = driven(plans)
-    return (
-        (f"s_{link}", f"v_slide_{link}", f"a_slide_{link}")
-        if slides
-        else (f"phi_{link}", f"omega_{link}", f"epsilon_{link}")
-    )
+    letters = ("s", "v_slide", "a_slide") if slides else ("phi", "omega", "epsilon")
+    return tuple(f"{letter}_{link}" for letter in letters)
 
 
 def transfer_curves(plans: Plans) -> tuple[str, ...]:

@@ -1,4 +1,5 @@
-"""The command ``planes cycle``: a table of many positions, with a progress bar, and ranges that failed in words."""
+"""Positions of a cycle one by one: as a table of many, with a progress bar and the ranges that failed in words, and as
+a listing of a few, as text and as JSON."""
 
 from __future__ import annotations
 
@@ -29,10 +30,6 @@ from planes.words.records import Json
 
 FULL_TURN = Span(0.0, 1.0, 361)
 TOLD = 20  # how many failed ranges are told in words
-
-
-Heads = Sequence[tuple[str, str]]
-"""What stands over the columns: name and unit."""
 
 
 @dataclass
@@ -76,7 +73,7 @@ def whole(plans: Plans) -> Span:
 
 def _written(
     table: Cycle,
-    heads: Heads,
+    heads: Sequence[tuple[str, str]],
     reasons: tuple[Reason, ...],
     blocks: Iterator[Block],
     count: int,

@@ -22,7 +22,10 @@ def read_parameters(reader: Reader, node: Node | None, chosen: SourceTable | Non
         return {}
     table = reader.table(node, "parameters")
     for name, line in table.lines.items():
-        _check_parameter(reader, name, line)
+        if name in RESERVED:
+            raise reader.error(Phrase("reserved_parameter", name=name), line)
+        if len(name) > MAX_NAME or not is_name(name):
+            raise reader.error(Phrase("bad_parameter", name=shown(name), most=MAX_NAME), line)
     entries = {**table.entries, **(chosen.entries if chosen else {})}
     written = {name: _scalar(reader, entry, Phrase("parameter", name=name)) for name, entry in entries.items()}
     try:
@@ -44,13 +47,6 @@ def with_numbers(
     line = node.line if node else 1
     given: dict[str, Node] = {name: SourceScalar(repr(float(value)), line) for name, value in numbers.items()}
     return SourceTable({**(chosen.entries if chosen else {}), **given}, line)
-
-
-def _check_parameter(reader: Reader, name: str, line: int) -> None:
-    if name in RESERVED:
-        raise reader.error(Phrase("reserved_parameter", name=name), line)
-    if len(name) > MAX_NAME or not is_name(name):
-        raise reader.error(Phrase("bad_parameter", name=shown(name), most=MAX_NAME), line)
 
 
 def _scalar(reader: Reader, node: Node, what: Phrase) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from planes.drafting.program import Program
 from planes.drafting.steps.base import Step
 from planes.plans import mechanism_plans
 from planes.scene import Scene
@@ -16,20 +15,16 @@ from planes.words.names import is_scale
 
 def explain(scene: Scene, lang: Lang = "en") -> str:
     """The kept and the dropped steps of a scene, one on a line, in the order they would be drawn."""
-    whole, kept = _programs(scene)
+    if scene.mechanism is None:
+        plan, spans = stated(scene)
+        whole, kept = program_of(plan, plan.spans), program_of(plan, spans)
+    else:
+        whole, kept = mechanism_plans(scene).program, plans_of(scene)[0].program
     dropped = [s for s in whole.steps if s.makes not in kept.made]
     lines = [say("explain_kept", lang, kept=len(kept.steps), all=len(whole.steps)), *_listed(kept.steps, lang)]
     if dropped:
         lines += ["", say("explain_dropped", lang, dropped=len(dropped)), *_listed(dropped, lang)]
     return "\n".join(lines) + "\n"
-
-
-def _programs(scene: Scene) -> tuple[Program, Program]:
-    """All that a scene states, and what of it is drawn."""
-    if scene.mechanism is None:
-        plan, spans = stated(scene)
-        return program_of(plan, plan.spans), program_of(plan, spans)
-    return mechanism_plans(scene).program, plans_of(scene)[0].program
 
 
 def _listed(steps: Iterable[Step], lang: Lang) -> Iterator[str]:

@@ -107,17 +107,14 @@ def solve_vectors(scene: Scene, instrument: Instrument | None = None) -> VectorR
         given[side] = _choose(plan, given, side, names)
     try:
         drawing = run(program, given)
-        mu = scene.mu.get("vectors") or standard_mu(max(abs(drawing[m]) for m in _marks(program)), FIT_MM)
+        longest = max(abs(drawing[s.makes]) for s in program.steps if s.kind == "mark")
+        mu = scene.mu.get("vectors") or standard_mu(longest, FIT_MM)
         given[mu_of(PLAN)] = mu
         drawing = run(program, given, instrument)
     except PlanFailure as failure:
         raise plan.failure(failure) from None
     scatter = scatter_mm(program, given, mu_of(PLAN), instrument, spans) if isinstance(instrument, Pencil) else {}
     return VectorResults(scene, plan, drawing, mu, quantity, spans, scatter)
-
-
-def _marks(program: Program) -> list[str]:
-    return [s.makes for s in program.steps if s.kind == "mark"]
 
 
 def _choose(plan: VectorPlan, given: Mapping[str, Thing], side: str, names: tuple[str, ...]) -> float:
