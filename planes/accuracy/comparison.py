@@ -139,17 +139,16 @@ class Comparison:
         drive, q, rows = self.plans.mechanism.drive, np.empty(0), []
         for k, value in enumerate(values):
             loops = Loops(self.at(k))
-            q = loops.start(self._whole_drawing(float(value), k).__getitem__) if k in self.begins else q
+            if k in self.begins:
+                plans = self.at(k)
+                given = {**plans.given, **self.cycle.mus, plans.drive_given: float(value)}
+                q = loops.start(run(plans.program, given).__getitem__)
             try:
                 q = loops.newton(q, loops.target(q, float(value)))
                 rows.append(self._row(loops.points(q, *loops.rates(q, drive.velocity, drive.acceleration))))
             except np.linalg.LinAlgError:
                 rows.append(self._row({}))
         return np.array(rows).T
-
-    def _whole_drawing(self, value: float, k: int) -> Drawing:
-        plans = self.at(k)
-        return run(plans.program, {**plans.given, **self.cycle.mus, plans.drive_given: value})
 
     def pylinkage(self, values: Array) -> Array:
         """By pylinkage, told where every point is about."""

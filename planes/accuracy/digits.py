@@ -69,9 +69,7 @@ class Long:
         return (r + s) ** 2 - apart.real**2 - apart.imag**2
 
 
-@lru_cache(maxsize=8)
-def _arithmetic(digits: int) -> Long:
-    return Long(digits)
+_arithmetic = lru_cache(maxsize=8)(Long)
 
 
 class _LongTool(Tool):

@@ -154,13 +154,9 @@ def _limits(way: MovedGiven) -> Iterator[Limit]:
     values, found = way.values, way.openness(way.values)
     works = found > 0
     edges = np.flatnonzero(works[1:] != works[:-1])
-    middle = found[1:-1]
-    dips = (
-        np.flatnonzero(
-            (middle <= BLUNT) & works[:-2] & works[1:-1] & works[2:] & (middle <= found[:-2]) & (middle <= found[2:])
-        )
-        + 1
-    )
+    before, middle, after = found[:-2], found[1:-1], found[2:]
+    blunt = (middle <= BLUNT) & (middle <= before) & (middle <= after)
+    dips = 1 + np.flatnonzero(blunt & works[:-2] & works[1:-1] & works[2:])
     spots = [(way.away(values[k]), k, k + 1) for k in edges] + [(way.away(values[k]), k - 1, k + 1) for k in dips]
     for _, low, high in sorted(spots):
         limit = _between(way, values, works, int(low), int(high))

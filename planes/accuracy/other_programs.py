@@ -147,14 +147,8 @@ class Kinepy:
             return self.system.add_revolute(one, two, *((z.real, z.imag) for z in ends))
         (way, along), (own, first) = _axis(m, pair), _slider(m, pair)
         offset = m.link(pair.link).slides.offset or 0.0  # type: ignore[union-attr]
-        return self.system.add_prismatic(
-            one,
-            two,
-            cmath.phase(way),
-            (way.conjugate() * along).imag,
-            cmath.phase(own),
-            (own.conjugate() * first).imag - offset,
-        )
+        beside, aside = (way.conjugate() * along).imag, (own.conjugate() * first).imag - offset
+        return self.system.add_prismatic(one, two, cmath.phase(way), beside, cmath.phase(own), aside)
 
     def places(self, values: Any, points: dict[str, tuple[str, complex]], signs: tuple[int, ...]) -> dict[str, Any]:
         """Places of points (link, place on it) at values of the drive (rad or m)."""

@@ -16,7 +16,7 @@ from planes.accuracy.other_programs import Pylinkage, installed
 from planes.accuracy.variation import alterable, altered, changed
 from planes.batch import compiled
 from planes.batch.error_bounds import Claims
-from planes.geometry.arrays import Array, Booleans
+from planes.geometry.arrays import Array
 from planes.plans import Plans
 
 DECADES, EACH, CROWD = 14, 2, 8  # points of a curve in a decade, and positions of which each is the worst
@@ -114,33 +114,20 @@ def _measured(limit: Limit, bench: Comparison, values: Array, distances: Array) 
         claims = np.max(Claims(bench.cycle).bounds(values)[told] / size, axis=0)
         errors = {key: np.max(np.abs(table - truth)[told] / size, axis=0) for key, table in found.items()}
         errors = {key: np.where(np.isfinite(row), row, math.nan) for key, row in errors.items()}
-    sharp = [_sharpness(bench, float(v), k) if works[k] else math.nan for k, v in enumerate(values)]
-    return _worst(limit, distances, works, np.array(sharp), claims, errors)
+    sharp = np.full(len(values), math.nan)
+    for k in np.flatnonzero(works):
+        drawn = bench.drawn(float(values[k]), Digits(50), int(k))
+        sharp[k] = float(min(drawn.sharpness.values(), default=1.0))
+    crowds = [k for k in np.arange(len(distances)).reshape(CROWD, -1).T if works[k].any()]
+
+    def worst(row: Array, by: Callable[[Array], Array] = np.max) -> Array:
+        return np.array([by(row[k][works[k]]) for k in crowds])  # refused once is refused
+
+    near = worst(distances, np.min), worst(sharp, np.min)
+    return Approach(limit, *near, worst(claims), {key: worst(row) for key, row in errors.items()})
 
 
 def _sizes(bench: Comparison, truth: Array) -> Array:
     """For each column and position the largest place, velocity or acceleration of its crowd."""
     size = bench.sizes(truth).reshape(len(truth), CROWD, -1)
     return np.broadcast_to(size.max(axis=1, keepdims=True), size.shape).reshape(truth.shape)
-
-
-def _worst(
-    limit: Limit, distances: Array, works: Booleans, sharp: Array, claims: Array, errors: dict[str, Array]
-) -> Approach:
-    """The worst of each crowd of positions."""
-    crowds = [k for k in np.arange(len(distances)).reshape(CROWD, -1).T if works[k].any()]
-
-    def worst(row: Array, by: Callable[[Array], Array] = np.max) -> Array:
-        return np.array([by(row[k][works[k]]) for k in crowds])  # refused once is refused
-
-    return Approach(
-        limit,
-        worst(distances, np.min),
-        worst(sharp, np.min),
-        worst(claims),
-        {key: worst(row) for key, row in errors.items()},
-    )
-
-
-def _sharpness(bench: Comparison, value: float, k: int) -> float:
-    return min((float(s) for s in bench.drawn(value, Digits(50), k).sharpness.values()), default=1.0)

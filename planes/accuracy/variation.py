@@ -43,10 +43,7 @@ def _link(plans: Plans, name: str, value: float) -> Link:
         return replace(link, guides={**link.guides, means.of: replace(link.guides[means.of], angle_deg=value)})
     if means.about not in link.points:
         return link
-    return _stretched(link, link.points[means.of], value / plans.given[name])
-
-
-def _stretched(link: Link, start: complex, times: float) -> Link:
+    start, times = link.points[means.of], value / plans.given[name]
     points = {p: start + (z - start) * times for p, z in link.points.items()}
     guides = {n: replace(g, through=points.get(g.through_point or "", g.through)) for n, g in link.guides.items()}
     return replace(link, points=points, guides=guides)

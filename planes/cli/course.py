@@ -10,7 +10,7 @@ from planes.course.reading import read_course
 from planes.course.workers import crowd
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
-from planes.words.options import home_lang
+from planes.words.system import home_lang
 
 FOLDER = "out"
 

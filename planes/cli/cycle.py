@@ -111,7 +111,7 @@ def _table(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
 
 
 def _listing(args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Callable[[object], str]) -> int:
-    from planes.diagrams.listing import listed_json, listing, unsolved
+    from planes.diagrams.long_run import listed_json, listing, unsolved
     from planes.diagrams.turn import turn_of
     from planes.plans import mechanism_plans
 
@@ -129,11 +129,11 @@ def _listing(args: argparse.Namespace, scene: Scene, span: Span | None, as_json:
 
 
 def _summary(args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Callable[[object], str]) -> int:
+    from planes.diagrams.driven import FULL
     from planes.diagrams.summary import summary
     from planes.diagrams.text import as_json as plain
     from planes.diagrams.text import report
     from planes.diagrams.turn import reach
-    from planes.diagrams.working_range import FULL
     from planes.plans import mechanism_plans
 
     plans = mechanism_plans(scene)
@@ -153,8 +153,7 @@ def _summary(args: argparse.Namespace, scene: Scene, span: Span | None, as_json:
 
 def _graphical(args: argparse.Namespace, scene: Scene, as_json: Callable[[object], str]) -> int:
     from planes.diagrams.graphical_text import as_json as plain
-    from planes.diagrams.graphical_text import report
-    from planes.diagrams.motion import constructed
+    from planes.diagrams.graphical_text import constructed, report
 
     if args.output:
         from planes.documents import draw_constructions

@@ -10,7 +10,7 @@ from itertools import pairwise
 from typing import Any, NoReturn
 
 from planes.words import Lang, say, table
-from planes.words.options import home_lang
+from planes.words.system import home_lang
 
 HEADS = ("usage_line", "usage_given", "usage_options", "usage_help", "usage_version")
 

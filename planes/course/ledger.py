@@ -1,7 +1,7 @@
 """The folder of results: every file appears whole, with a line in the manifest that says what it was made from.
 
 A run that was cut short leaves a journal beside the manifest; the next one reads both, keeps the files that are what
-they were, and clears away what was only begun.
+they were, and clears away what was only begun. The fingerprint of the program is part of what a file was made from.
 """
 
 from __future__ import annotations
@@ -9,8 +9,11 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import platform
 from collections.abc import Iterable
 from contextlib import suppress
+from functools import cache
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import NamedTuple, TextIO
 
@@ -18,6 +21,36 @@ from planes.scene.files import PART, cannot_write, sayable, whole
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.records import Json
+
+LIBRARIES = ("numpy", "shapely", "reportlab", "ezdxf", "svgwrite", "matplotlib", "fonttools", "pillow", "pypdfium2")
+
+
+@cache
+def fingerprint() -> str:
+    """The program's own files, words and letters among them, Python and the libraries that reckon and draw, as one hash:
+    the same for two programs that make the same files of the same scenes."""
+    house = Path(__file__).parents[2]
+    every = (f for room in ("planes", "render") for f in (house / room).rglob("*"))
+    files = [f for f in every if f.is_file() and "__pycache__" not in f.parts]
+    found = hashlib.sha256()
+    for file in sorted(files, key=lambda f: f.relative_to(house).as_posix()):
+        found.update(file.relative_to(house).as_posix().encode() + b"\0" + file.read_bytes() + b"\0")
+    found.update(repr(made_with()).encode())
+    return found.hexdigest()
+
+
+def made_with() -> dict[str, str]:
+    """Python and the libraries, with their versions."""
+    python = {"python": f"{platform.python_implementation()} {platform.python_version()}"}
+    return python | {name: _version(name) for name in LIBRARIES}
+
+
+def _version(name: str) -> str:
+    try:
+        return version(name)
+    except PackageNotFoundError:
+        return "-"
+
 
 MANIFEST, JOURNAL = "manifest.json", ".journal"
 DRAFT = f"{JOURNAL}{PART}"  # the one file that is being written

@@ -1,20 +1,26 @@
-"""What a student and a teacher read, as blocks of a note: the task, the answers, the summary of the course."""
+"""What a student and a teacher read, as blocks of a note: the task, the answers. A scheme that must not give the answer
+away is shown in a position that reads well, not in the one asked."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from itertools import combinations
 
 from planes.drafting.draft import Segment
+from planes.drafting.drawing import Drawing, run
 from planes.lesson.formulas import number, unit
 from planes.lesson.note import Note
+from planes.plans import Plans
 from planes.plans.measuring import say_plan
+from planes.plans.scales import unit_scales
 from planes.scene import Scene
 from planes.scene.mechanism import Load, Mechanism
 from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
 from planes.solving.tables import say_mu
 from planes.words import Lang, decimal, say
+from planes.words.errors import PlanFailure
 from planes.words.names import POLE, at, kind_of, label_of, parts_of
 from planes.words.records import Json
 
@@ -45,14 +51,14 @@ def given(scene: Scene, drawn: Position, used: Sequence[str], lang: Lang) -> Blo
     names = [n for n in scene.parameters if n in used]
     if not names:  # all numbers stand in the scene itself
         return next(b for b in Note(scene, drawn, lang).opening() if isinstance(b, DocumentTable))
-    cells = [(lettered(n), number(scene.parameters[n], lang, 6), unit_of(n, lang)) for n in names]
+    cells = [(parameter_sign(n), number(scene.parameters[n], lang, 6), unit_of(n, lang)) for n in names]
     high = -(-len(cells) // ACROSS)
     cells += [("", "", "")] * (ACROSS * high - len(cells))
     rows = (tuple(c for k in range(ACROSS) for c in cells[row + k * high]) for row in range(high))
     return DocumentTable(say("task_given", lang), (head * ACROSS, *rows))
 
 
-def lettered(name: str) -> str:
+def parameter_sign(name: str) -> str:
     """A parameter as it is written: l_AB lettered, angle_AOH as ∠AOH."""
     letter, index, _ = parts_of(name)
     return f"∠{index}" if index and letter == "angle" else _ANGLES.get(name) or f"⟨{name}⟩"
@@ -121,8 +127,10 @@ def answers(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[
     for name, plan in drawn.results.get("plans", {}).items():
         if name != "position" and (table := segments(drawn, name, plan, lang)):
             yield table
-    if worst := worst_crossing(drawn, lang):
-        yield Paragraph(worst)
+    if drawn.drawing.sharpness:  # how bluntly lines meet at the worst, for who grades the drawing
+        least = min(drawn.drawing.sharpness.values())
+        angle = math.degrees(math.asin(max(0.0, min(1.0, least))))
+        yield Paragraph(say("key_sharpness", lang, angle=number(angle, lang, 3)))
 
 
 def segments(drawn: Position, name: str, plan: Json, lang: Lang) -> DocumentTable | None:
@@ -132,7 +140,7 @@ def segments(drawn: Position, name: str, plan: Json, lang: Lang) -> DocumentTabl
         found = plan["segments"].get(s.start + s.end)
         if s.plan == name and found and found["name"] == s.name:
             value = number(found["value"] if found["mm"] > NOISE_MM else 0.0, lang)
-            rows.append((f"⟨{_vector(drawn, s)}⟩", f"⟨{s.start}⟩⟨{s.end}⟩", _mm(found["mm"], lang), value))
+            rows.append((f"⟨{_vector(drawn, s)}⟩", f"⟨{s.start}⟩⟨{s.end}⟩", decimal(f"{found['mm']:.1f}", lang), value))
     size = unit({"velocity": "v", "acceleration": "a"}.get(name, "F"), lang)
     head = (say("key_vector", lang), say("segment", lang), say("mm", lang), size)
     mu = decimal(say_mu(plan["mu"], lang), lang)
@@ -150,14 +158,46 @@ def _vector(drawn: Position, s: Segment) -> str:
     return f"{s.plan[0]}_{point}"
 
 
-def _mm(size: float, lang: Lang) -> str:
-    return decimal(f"{size:.1f}", lang)
+STEP_DEG, APART_DEG = 15, 30.0
+FAR = 4.0  # points a quarter of the mechanism apart read as well as links at a right angle
 
 
-def worst_crossing(drawn: Position, lang: Lang) -> str:
-    """How bluntly lines meet at the worst, for who grades the drawing."""
-    if not drawn.drawing.sharpness:
-        return ""
-    least = min(drawn.drawing.sharpness.values())
-    angle = math.degrees(math.asin(max(0.0, min(1.0, least))))
-    return say("key_sharpness", lang, angle=number(angle, lang, 3))
+def clearest(plans: Plans, value: float) -> float:
+    """The driver's angle (degrees), well away from ``value``, at which points and links stand best apart.
+
+    A sliding driver stays where it is.
+    """
+    if plans.mechanism.drive.kind != "phi":
+        return value
+    scores = dict(_scores(plans, value))
+    return max(scores, key=lambda v: round(scores[v], 3), default=value)
+
+
+def _scores(plans: Plans, value: float) -> Iterator[tuple[float, float]]:
+    """Every position that can be drawn, and how well it reads, from 0 to 1."""
+    for phi in range(0, 360, STEP_DEG):
+        if abs((phi - value + 180) % 360 - 180) >= APART_DEG:
+            try:
+                drawing = run(plans.program, {**plans.given, **unit_scales(plans), plans.drive_given: float(phi)})
+            except PlanFailure:
+                continue
+            yield float(phi), min(_points_apart(plans, drawing), _links_apart(plans, drawing))
+
+
+def _points_apart(plans: Plans, drawing: Drawing) -> float:
+    """How far the two nearest hinges are apart, against the whole."""
+    hinges = dict.fromkeys(pair.point for pair in plans.structure.pairs if pair.kind == "R")
+    spots = [complex(drawing[plans.points[name].position]) for name in hinges]
+    gaps = [abs(a - b) for a, b in combinations(spots, 2)]
+    gaps = [gap for gap in gaps if gap > 1e-6 * max(gaps)]
+    return FAR * min(gaps) / max(gaps) if gaps else 1.0
+
+
+def _links_apart(plans: Plans, drawing: Drawing) -> float:
+    """The sine of the least angle between two links joined by a hinge."""
+    found = [1.0]
+    for pair in plans.structure.pairs:
+        one, two = (plans.links[name].angle for name in (pair.link, pair.other))
+        if one and two and pair.kind == "R":
+            found.append(abs(math.sin(math.radians(drawing[one] - drawing[two]))))
+    return min(found)

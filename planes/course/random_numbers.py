@@ -10,7 +10,7 @@ import hashlib
 import math
 import random
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 
 import numpy
 
@@ -19,6 +19,7 @@ from planes.drafting.drawing import run
 from planes.plans import Plans, mechanism_plans
 from planes.plans.scales import unit_scales
 from planes.scene import Scene
+from planes.scene.reader import entries_of
 from planes.scene.source import SourceScalar, SourceTable
 from planes.scene.source import parse as parse_text
 from planes.solving import solve
@@ -45,8 +46,7 @@ def around_turn(plans: Plans, values: tuple[float, ...] = ROUND) -> list[float |
 def choices_of(text: str, file: str, draw: Mapping[str, ParameterChoice] | None) -> dict[str, tuple[str, ...]]:
     """What each drawn parameter of a scene may be, as it is written, in the order of the scene."""
     table = parse_text(text, file)
-    parameters = table.entries.get("parameters")
-    own = parameters.entries if isinstance(parameters, SourceTable) else {}
+    own = entries_of(table.entries.get("parameters"))
     plain = {k: float(v.text) for k, v in own.items() if isinstance(v, SourceScalar) and _NUMBER.fullmatch(v.text)}
     asked = _usual(table, plain) if draw is None else {k: c for k, c in draw.items() if k in own}
     found = {}
@@ -61,8 +61,7 @@ def choices_of(text: str, file: str, draw: Mapping[str, ParameterChoice] | None)
 
 def _usual(table: SourceTable, plain: Mapping[str, float]) -> dict[str, ParameterChoice]:
     """What is drawn when nothing is said: the driver's place, lengths and coordinates, its speed, loads."""
-    drive = table.entries["drive"]
-    at = drive.entries.get("phi") if isinstance(drive, SourceTable) else None
+    at = entries_of(table.entries["drive"]).get("phi")
     angle = at.text if isinstance(at, SourceScalar) else ""
     found = {}
     for name, value in plain.items():
@@ -79,15 +78,10 @@ def around(value: float, percent: float) -> tuple[str, ...]:
     reach = abs(value) * percent / 100
     if not reach:
         return (f"{value:.10g}",)
-    power = math.floor(math.log10(reach / 2))
-    unit, by = next((u, k) for u, k in _steps(power) if k * 10.0**u <= reach / 2 * (1 + 1e-9))
-    step = by * 10.0**unit
+    unit = math.floor(math.log10(reach / 2))
+    step = next(k * 10.0**unit for k in (5, 2, 1) if k * 10.0**unit <= reach / 2 * (1 + 1e-9))
     first, last = math.ceil((value - reach) / step - 1e-9), math.floor((value + reach) / step + 1e-9)
     return tuple(f"{round(k * step, max(0, -unit)):.10g}" for k in range(first, last + 1))
-
-
-def _steps(power: int) -> Iterator[tuple[int, int]]:
-    yield from ((power, 5), (power, 2), (power, 1))
 
 
 def dice(seed: int, *names: object) -> random.Random:

@@ -17,22 +17,8 @@ from planes.words import Phrase, Told
 from planes.words.errors import PlanesError, SceneError, choices, shown
 
 NAME = "course.yaml"
-KEYS = (
-    "course",
-    "title",
-    "lang",
-    "sheet",
-    "students",
-    "assignments",
-    "each",
-    "variants",
-    "draw",
-    "sharpness",
-    "documents",
-    "formats",
-    "plans",
-    "seed",
-)
+_KEYS = "course title lang sheet students assignments each variants draw sharpness documents formats plans seed"
+KEYS = tuple(_KEYS.split())
 PLANS = ("position", "velocity", "acceleration", "force")
 MOST_VALUES = 10_000  # numbers a parameter may be drawn from
 MOST_EACH = 100
@@ -103,7 +89,7 @@ def _student(reader: Reader, number: int, node: Node) -> Student:
     if isinstance(node, SourceScalar):
         return Student(reader.text(node, what), line=node.line)
     table = reader.table(node, what, ("name", "group", "assignment", "variant"))
-    said = {k: reader.text(v, part(k, what)) for k in table.entries if (v := reader.optional(table, k)) is not None}
+    said = {k: reader.text(v, part(k, what)) for k, v in reader.present(table).items()}
     reader.required(table, "name", what)
     return Student(said["name"], said.get("group", ""), said.get("assignment"), said.get("variant"), node.line)
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from planes.diagrams.driven import FULL
 from planes.diagrams.summary import summary
-from planes.diagrams.working_range import FULL
 from planes.plans import Plans
 from planes.scene import Scene, load
 from planes.solving import Position, solve, told
@@ -105,18 +105,15 @@ def _no_turn(scene: Scene, plans: Plans, lang: Lang) -> Iterator[str]:
     drive = plans.mechanism.drive
     if drive.kind != "phi":
         return
-    ranges = summary(scene, plans).ranges
+    ranges = summary(scene, plans).grid.ranges
     starts = [*(low for low, _ in ranges[1:]), ranges[0][0] + FULL]
     pairs = zip([high for _, high in ranges], starts, strict=True)
     gaps = [(high % FULL, high % FULL + low - high) for high, low in pairs if low > high + 1e-9]
     if not gaps:
         return
-    said = tuple(Phrase("survey_gap", low=_angle(a, lang), high=_angle(b, lang)) for a, b in gaps)
+    angles = ([decimal(f"{x:.1f}".removesuffix(".0"), lang) + "°" for x in gap] for gap in gaps)
+    said = tuple(Phrase("survey_gap", low=low, high=high) for low, high in angles)
     yield say("survey_no_turn", lang, link=drive.link, ranges=said)
-
-
-def _angle(value: float, lang: Lang) -> str:
-    return decimal(f"{value:.1f}".removesuffix(".0"), lang) + "°"
 
 
 def report(lines: Sequence[SurveyRow], lang: Lang) -> str:

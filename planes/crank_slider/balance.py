@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from planes.crank_slider.engine import EngineCycle, Found
 from planes.crank_slider.forces import replaced
 from planes.crank_slider.given import Counterweights, Shaft
+from planes.crank_slider.kinematics import EngineCycle, Found
 from planes.crank_slider.shape import CrankSliderShape
 from planes.geometry.arrays import Array, Complexes
 

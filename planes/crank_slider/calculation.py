@@ -8,14 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from planes.crank_slider.balance import Balance, balanced
-from planes.crank_slider.engine import EngineCycle, Found, RodMotion, follow
-from planes.crank_slider.fatigue import Fatigue, checked
 from planes.crank_slider.forces import CycleForces, Replacement, Work, balance, classical, replaced, work
 from planes.crank_slider.given import Given
-from planes.crank_slider.kinematics import apart, as_plane_motion, as_points
+from planes.crank_slider.kinematics import EngineCycle, Found, RodMotion, apart, as_plane_motion, as_points, follow
 from planes.crank_slider.reading import read
 from planes.crank_slider.rod import PinStrength, RodStrength, pin_strength, rod_strength
-from planes.crank_slider.shaft import Section, Supports, sections, supports
+from planes.crank_slider.shaft import Fatigue, Section, Supports, checked, sections, supports
 from planes.geometry.arrays import Array
 from planes.scene import Scene
 from planes.words import Phrase
@@ -103,26 +101,15 @@ def calculate(scene: Scene) -> Calculation:
     level = balanced(shape, given.shaft, weights, motion, found) if given.shaft and weights else None
     held = supports(shape, given.shaft, weights, level, forces) if given.shaft else None
     cut = sections(shape, given.shaft, held) if given.shaft and held else {}
-    result = Calculation(
-        scene,
-        given,
-        motion,
-        pressure,
-        points,
-        plane,
-        found,
-        forces,
-        classical(shape, motion, plane),
-        replaced(shape),
-        done,
-        _agreement(given, motion, points, plane, found, forces, done),
-        level,
-        held,
-        cut,
-        _fatigue(given, cut),
-        rod_strength(shape, motion, plane, forces, given.rod, given.materials["rod"]) if given.rod else None,
-        pin_strength(motion, forces, given.pin, given.materials["piston_pin"]) if given.pin else None,
+    agreement = _agreement(given, motion, points, plane, found, forces, done)
+    rod, pin, steels = given.rod, given.pin, given.materials
+    parts = (
+        rod_strength(shape, motion, plane, forces, rod, steels["rod"]) if rod else None,
+        pin_strength(motion, forces, pin, steels["piston_pin"]) if pin else None,
     )
+    loads = forces, classical(shape, motion, plane), replaced(shape), done
+    cranks = level, held, cut, _fatigue(given, cut)
+    result = Calculation(scene, given, motion, pressure, points, plane, found, *loads, agreement, *cranks, *parts)
     _check_thin(result)
     return result
 
@@ -139,12 +126,8 @@ def _fatigue(given: Given, cut: dict[str, Section]) -> tuple[Fatigue, ...]:
     if shaft is None:
         return ()
     steel, k = given.materials["shaft"], given.concentration
-    rounds = (
-        ("journal_A", shaft.journal, "journal"),
-        ("crankpin", shaft.crankpin, "crankpin"),
-        ("journal_B", shaft.journal, "journal"),
-    )
-    return tuple(checked(cut[name], of, steel, k[key]) for name, of, key in rounds)
+    rounds = {"journal_A": "journal", "crankpin": "crankpin", "journal_B": "journal"}
+    return tuple(checked(cut[name], getattr(shaft, of), steel, k[of]) for name, of in rounds.items())
 
 
 def _check_thin(c: Calculation) -> None:

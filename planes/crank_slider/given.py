@@ -1,14 +1,108 @@
-"""What ``crank_slider:`` of a scene gives: the diagram, the law of rotation, and the sizes of the parts."""
+"""What ``crank_slider:`` of a scene gives: the indicator diagram, the law of rotation, and the sizes of the parts.
+
+The diagram is the pressure over the cycle from tables of its stages, by monotone interpolation. Between two points the
+curve never leaves their pressures (Fritsch and Carlson's cubic with harmonic slopes), so no pressure is invented that
+the table does not bound.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from planes.crank_slider.indicator import Indicator
-from planes.crank_slider.materials import Material
-from planes.crank_slider.sections import Round, Shank, Web
+import numpy as np
+
+from planes.crank_slider.parts import Material, Round, Shank, Web
 from planes.crank_slider.shape import CrankSliderShape
+from planes.geometry.arrays import Array, Indices
+
+FOUR = ("intake", "compression", "expansion", "exhaust")
+TWO = ("compression", "expansion")
+UNITS = {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "bar": 1e5}
+AWAY = ("intake", "expansion")  # the stages in which the piston goes away from its top dead centre
+
+Points = tuple[tuple[float, float], ...]
+
+
+@dataclass(frozen=True)
+class Indicator:
+    """``over`` "path": [part of the stroke from top dead centre, p]; "angle": [degrees from the cycle's start, p]."""
+
+    over: str
+    unit: str
+    stages: Mapping[str, Points]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The stages in the order of the cycle."""
+        return FOUR if "intake" in self.stages else TWO
+
+    @property
+    def cycle_deg(self) -> float:
+        """The crank's turn in one cycle: 720° or 360°."""
+        return 180.0 * len(self.names)
+
+    @property
+    def start_deg(self) -> float:
+        """The crank angle at which the cycle begins: top dead centre is 0°; two strokes begin at the bottom."""
+        return 0.0 if "intake" in self.stages else 180.0
+
+    def pressure(self, turned_deg: Array, path: Array) -> Array:
+        """Absolute pressure, Pa, ``turned_deg`` after the cycle's start, where the piston has gone ``path`` of S."""
+        turned, found = np.asarray(turned_deg, float), np.zeros(np.shape(turned_deg))
+        for k, name in enumerate(self.names):
+            inside = (turned >= 180.0 * k) & (turned <= 180.0 * (k + 1))
+            at = np.asarray(path)[inside] if self.over == "path" else turned[inside]
+            found[inside] = self.curve(name)(at) * UNITS[self.unit]
+        return found
+
+    def curve(self, stage: str) -> Callable[[Array], Array]:
+        """The pressure of one stage in the table's unit over its own variable."""
+        points = sorted(self.stages[stage])
+        return monotone([x for x, _ in points], [p for _, p in points])
+
+
+def span(stage: str, over: str, names: tuple[str, ...]) -> tuple[float, float]:
+    """Where the table of a stage must begin and end."""
+    if over == "path":
+        return (0.0, 1.0) if stage in AWAY else (1.0, 0.0)
+    k = names.index(stage)
+    return 180.0 * k, 180.0 * (k + 1)
+
+
+def monotone(x: list[float], y: list[float]) -> Callable[[Array], Array]:
+    """The cubic through the points that has no bump between them."""
+    xs, ys = np.array(x, float), np.array(y, float)
+    h, d = np.diff(xs), np.diff(ys) / np.diff(xs)
+    slopes = _slopes(h, d)
+
+    def value(at: Array) -> Array:
+        at = np.clip(at, xs[0], xs[-1])
+        k: Indices = np.clip(np.searchsorted(xs, at, side="right") - 1, 0, len(h) - 1)
+        t, one = (at - xs[k]) / h[k], h[k]
+        rise = t * t * (3.0 - 2.0 * t)
+        bend = t * (1.0 - t) ** 2 * slopes[k] - t * t * (1.0 - t) * slopes[k + 1]
+        found: Array = ys[k] + rise * (ys[k + 1] - ys[k]) + one * bend
+        return found
+
+    return value
+
+
+def _slopes(h: Array, d: Array) -> Array:
+    if len(d) == 1:
+        return np.array([d[0], d[0]])
+    inner = np.zeros(len(d) - 1)
+    same = d[:-1] * d[1:] > 0.0
+    w1, w2 = 2.0 * h[1:] + h[:-1], h[1:] + 2.0 * h[:-1]
+    inner[same] = ((w1 + w2)[same]) / (w1[same] / d[:-1][same] + w2[same] / d[1:][same])
+    return np.array([_end(h[0], h[1], d[0], d[1]), *inner, _end(h[-1], h[-2], d[-1], d[-2])])
+
+
+def _end(h0: float, h1: float, d0: float, d1: float) -> float:
+    slope = ((2.0 * h0 + h1) * d0 - h0 * d1) / (h0 + h1)
+    if slope * d0 <= 0.0:
+        return 0.0
+    return 3.0 * d0 if d0 * d1 <= 0.0 and abs(slope) > 3.0 * abs(d0) else slope
 
 
 @dataclass(frozen=True)

@@ -1,13 +1,19 @@
-"""The writer of a report: fills a document in one language from the table of words."""
+"""The writer of a report: fills a document in one language from ``report.txt`` and the table of words.
+
+A line of ``report.txt`` is a heading (``#``, ``##``), a formula (``$ … № number``), a mistake of the text (``!``) or a
+sentence, by its key and the values of its places; ``?name`` before it: only where that value is something, ``?!name``:
+where it is not. In a formula ‹name› is a value, ‹(name)› one that stands in brackets if it is negative.
+"""
 
 from __future__ import annotations
 
-import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
+from operator import attrgetter
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -27,8 +33,10 @@ from planes.solving.document import (
 from planes.words import Lang, decimal, say
 from planes.words.units import quantity
 
+KN = 1e-3
 UNITS = ("m/s²", "m/s", "rad/s²", "rad/s", "MPa", "N·m", "N", "kgm2", "kg", "J", "m", "kW")
 """Units of formulas, written [kW]."""
+_PLACE = re.compile("‹([^›]+)›")
 
 
 @dataclass
@@ -59,18 +67,30 @@ class ChapterWriter:
             text = f"{mantissa}\\cdot10^{{{plain}}}"
         return text.replace(".", "{,}") if self.lang == "ru" else text
 
-    def bracketed(self, value: float) -> str:
-        """The same, in brackets if it is negative."""
-        return f"({self.tex(value)})" if value < 0 else self.tex(value)
+    def write(self, part: str, values: object) -> None:
+        """A part of ``report.txt``: its headings, sentences and formulas, their places filled with ``values``."""
+        for line in _parts()[part]:
+            flag, line = line.split(" ", 1) if line[0] == "?" else ("", line)
+            if not flag or bool(_value(flag.strip("?!"), values)) != flag.startswith("?!"):
+                self._line(line, values)
 
-    def head(self, key: str, level: int = 2) -> None:
-        self.blocks.append(Heading(self.say(key), level))
+    def _line(self, line: str, values: object) -> None:
+        mark, _, told = line.partition(" ")
+        if mark == "$":
+            tex, _, number = told.partition(" № ")
+            self.formula(_PLACE.sub(lambda place: self._placed(place[1], values), tex), number)
+        elif mark in ("#", "##"):
+            self.blocks.append(Heading(self.say(told), len(mark)))
+        else:
+            key, *given = line.removeprefix("! ").split()
+            parts = {name: _value(path, values) for name, _, path in (one.partition("=") for one in given)}
+            self.blocks.append(Paragraph(self.say(key, **parts), mistake=mark == "!"))
 
-    def text(self, key: str, **parts: object) -> None:
-        self.blocks.append(Paragraph(self.say(key, **parts)))
-
-    def mistake(self, key: str, **parts: object) -> None:
-        self.blocks.append(Paragraph(self.say(key, **parts), mistake=True))
+    def _placed(self, path: str, values: object) -> str:
+        """What stands at the place of a formula."""
+        value = _value(path.strip("()"), values)
+        text = value if isinstance(value, str) else self.tex(value)
+        return f"({text})" if path[0] == "(" and value < 0 else text
 
     def formula(self, tex: str, number: str = "") -> None:
         """A formula; ``§key§`` in it is a subscript of the table."""
@@ -81,15 +101,22 @@ class ChapterWriter:
         tex = re.sub(r"\\(sin|cos)(?=[^a-z]|$)", r"\\,\\\1\\,", tex).replace(r"\,^", "^")
         self.blocks.append(Formula(tex, number))
 
-    def formulas(self, group: str) -> None:
-        """A group of the text's formulas, which have no numbers put in."""
-        for tex, *number in _formulas()[group]:
-            self.formula(tex, *number)
+    def words(self, *keys: str) -> tuple[str, ...]:
+        """The words of several keys."""
+        return tuple(map(self.say, keys))
 
-    def table(self, key: str, head: Sequence[str], rows: Sequence[Sequence[str]], **parts: object) -> None:
+    def table(self, key: str, head: Sequence[str], rows: Iterable[Sequence[str | float]]) -> None:
+        """A table with its number; numbers stand in it as in a text."""
         self.tables += 1
-        title = f"{self.say('table')} {self.tables}. {self.say(key, **parts)}"
-        self.blocks.append(DocumentTable(title, (tuple(head), *map(tuple, rows))))
+        title = f"{self.say('table')} {self.tables}. {self.say(key)}"
+        cells = (tuple(x if isinstance(x, str) else self.number(x) for x in row) for row in rows)
+        self.blocks.append(DocumentTable(title, (tuple(head), *cells)))
+
+    def sizes(self, part: str, values: object) -> list[tuple[str, str, str]]:
+        """Rows of a table of ``report.txt``: what it is, its sign, its value with the unit."""
+        rows = ([cell.strip() for cell in line.split("|")] for line in _parts()[part])
+        told = ((key, sign, self.number(_value(path, values)), unit) for key, sign, path, unit in rows)
+        return [(self.say(key), sign, f"{x} {self.say(unit)}" if unit else x) for key, sign, x, unit in told]
 
     def figure(self, key: str, of: Chart | DrawnViews | ShaftSketch, **parts: object) -> None:
         self.charts += 1
@@ -108,10 +135,17 @@ class ChapterWriter:
 
 
 @cache
-def _formulas() -> dict[str, list[list[str]]]:
-    """Groups of formulas, each with its number in the text if it has one."""
-    groups: dict[str, list[list[str]]] = json.loads(Path(__file__).with_name("formulas.json").read_text("utf-8"))
-    return groups
+def _parts() -> dict[str, list[str]]:
+    """The lines of every part of the report by its name."""
+    text = Path(__file__).with_name("report.txt").read_text("utf-8")
+    named = (part.partition("]\n") for part in text.removeprefix("[").split("\n["))
+    return {name: told.rstrip().split("\n") for name, _, told in named}
+
+
+def _value(path: str, values: object) -> Any:
+    """The value at a path: ``-`` stands before one turned about, ``|`` around one whose size is meant."""
+    value = attrgetter(path.strip("|-"))(values)
+    return abs(value) if path[0] == "|" else -value if path[0] == "-" else value
 
 
 def lines(x: Array, named: Mapping[str, Array]) -> list[PlottedLine]:

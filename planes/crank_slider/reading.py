@@ -3,73 +3,67 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
-from planes.crank_slider.given import Counterweights, Given, Limits, Speed
-from planes.crank_slider.reading_parts import read_concentration, read_materials, read_pin, read_rod, read_shaft
+from planes.crank_slider.given import UNITS, Concentration, Counterweights, Given, Limits, PistonPin, Shaft, Speed
+from planes.crank_slider.parts import ELASTICITY_MPA, STEELS, Material, Round, Shank, Web, made, steel
 from planes.crank_slider.reading_table import Values, read_indicator
-from planes.crank_slider.shape import CrankSliderShape, shape_of
+from planes.crank_slider.shape import shape_of
 from planes.scene import Scene
 from planes.scene.reader import Reader, section
+from planes.scene.source import SourceScalar
 from planes.words import Phrase
-from planes.words.errors import SceneError
+from planes.words.errors import SceneError, choices, shown
 
 _KEYS = ("bore", "ambient", "indicator", "step", "speed", "flywheel", "positions")
 _PARTS = ("shaft", "counterweights", "rod", "piston_pin", "materials", "fatigue", "limits")
+_SHAFT = ("span", "pin_from_B", "webs", "journal", "crankpin", "web", "masses")
+_MATERIAL = ("name", "strength_MPa", "yield_MPa", "alloyed", "fatigue_MPa", "fatigue_torsion_MPa", "elasticity_MPa")
 
 
 def read(scene: Scene) -> Given:
     """All that the calculation of a scene starts from."""
     shape = shape_of(scene)
     assert scene.crank_slider is not None
-    reader = Reader(scene.file, scene.parameters)
-    top = Values(
-        reader, reader.table(scene.crank_slider, section("crank_slider"), (*_KEYS, *_PARTS)), section("crank_slider")
-    )
+    reader, what = Reader(scene.file, scene.parameters), section("crank_slider")
+    top = Values(reader, reader.table(scene.crank_slider, what, (*_KEYS, *_PARTS)), what)
     indicator = read_indicator(top)
+    pascals = UNITS[indicator.unit]
+    flywheel = top.inner("flywheel", ("unevenness",))
     given = Given(
         shape,
         top.above("bore"),
-        top.pressure("ambient", indicator.unit, 0.1e6),
+        top.not_negative("ambient", 0.1e6 / pascals) * pascals,
         indicator,
         _step(top),
-        _speed(top),
-        _flywheel(top),
+        top.part("speed", ("unevenness", "waves", "phase"), _speed) or Speed(),
+        flywheel.between("unevenness", 1e-4, 0.5) if flywheel else 0.02,
         _positions(top, indicator.cycle_deg, indicator.start_deg),
+        top.part("shaft", _SHAFT, _shaft),
+        top.part("counterweights", ("radius", "masses", "translating"), _counterweights),
+        top.part("rod", ("height", "width", "flange", "web"), _rod),
+        top.part("piston_pin", ("diameter", "bore", "length", "bush", "gap"), _pin),
+        top.part("materials", ("shaft", "rod", "piston_pin"), _materials) or {},
+        top.part("fatigue", ("journal", "crankpin"), _concentration) or {},
+        top.part("limits", ("static", "fatigue", "buckling", "bush_MPa", "boss_MPa"), _limits) or Limits(),
     )
-    return _parts(scene, top, given)
+    _check_parts(scene, top, given)
+    return given
 
 
-def _parts(scene: Scene, top: Values, given: Given) -> Given:
-    shaft, rod, pin = read_shaft(top), read_rod(top), read_pin(top)
-    weights = _counterweights(top)
-    if weights and not shaft:
+def _check_parts(scene: Scene, top: Values, given: Given) -> None:
+    """Whatever a part needs is there, and the crank weighs what its shaft does."""
+    shaft, shape = given.shaft, given.shape
+    if given.counterweights and not shaft:
         raise top.error(Phrase("cs_needs", what="shaft", other="counterweights"), "counterweights")
-    if shaft:
-        _check_crank_mass(scene, given.shape, shaft.pin_mass * given.shape.r + shaft.web_mass * shaft.web_radius)
-    materials, concentration = read_materials(top), read_concentration(top)
-    for part, there in (("shaft", shaft), ("rod", rod), ("piston_pin", pin)):
-        if there and part not in materials:
-            raise top.error(Phrase("cs_needs", what=f"materials.{part}", other=part), part)
-    if shaft and concentration.keys() != {"journal", "crankpin"}:
-        raise top.error(Phrase("cs_needs", what="fatigue: {journal: …, crankpin: …}", other="shaft"), "shaft")
-    return replace(
-        given,
-        shaft=shaft,
-        counterweights=weights,
-        rod=rod,
-        pin=pin,
-        materials=materials,
-        concentration=concentration,
-        limits=_limits(top),
-    )
-
-
-def _check_crank_mass(scene: Scene, shape: CrankSliderShape, by_shaft: float) -> None:
-    by_link = shape.m1 * shape.s
-    if shape.m1 and not math.isclose(by_link, by_shaft, rel_tol=0.01):
-        words = Phrase("cs_crank_mass", link=by_link, shaft=by_shaft, name=shape.crank)
+    by_shaft = shaft.pin_mass * shape.r + shaft.web_mass * shaft.web_radius if shaft else 0.0
+    if shaft and shape.m1 and not math.isclose(shape.m1 * shape.s, by_shaft, rel_tol=0.01):
+        words = Phrase("cs_crank_mass", link=shape.m1 * shape.s, shaft=by_shaft, name=shape.crank)
         raise SceneError(words, scene.file, scene.where.get(("crank_slider", "shaft", "masses")))
+    for part, there in (("shaft", shaft), ("rod", given.rod), ("piston_pin", given.pin)):
+        if there and part not in given.materials:
+            raise top.error(Phrase("cs_needs", what=f"materials.{part}", other=part), part)
+    if shaft and given.concentration.keys() != {"journal", "crankpin"}:
+        raise top.error(Phrase("cs_needs", what="fatigue: {journal: …, crankpin: …}", other="shaft"), "shaft")
 
 
 def _step(top: Values) -> float:
@@ -79,18 +73,9 @@ def _step(top: Values) -> float:
     return step
 
 
-def _speed(top: Values) -> Speed:
-    table = top.inner("speed", ("unevenness", "waves", "phase"))
-    if table is None:
-        return Speed()
-    return Speed(
-        table.between("unevenness", 0.0, 0.5), table.between("waves", 0.5, 20, 1.0), table.number("phase", 0.0)
-    )
-
-
-def _flywheel(top: Values) -> float:
-    table = top.inner("flywheel", ("unevenness",))
-    return 0.02 if table is None else table.between("unevenness", 1e-4, 0.5)
+def _speed(table: Values) -> Speed:
+    unevenness, waves = table.between("unevenness", 0.0, 0.5), table.between("waves", 0.5, 20, 1.0)
+    return Speed(unevenness, waves, table.number("phase", 0.0))
 
 
 def _positions(top: Values, cycle: float, start: float) -> tuple[float, ...]:
@@ -104,28 +89,90 @@ def _positions(top: Values, cycle: float, start: float) -> tuple[float, ...]:
     return found[:6]
 
 
-def _counterweights(top: Values) -> Counterweights | None:
-    table = top.inner("counterweights", ("radius", "masses", "translating"))
-    if table is None:
-        return None
+def _counterweights(table: Values) -> Counterweights:
     masses = table.pair("masses")
     if masses and min(masses) < 0.0:
         raise table.error(Phrase("negative", what=table.named("masses"), value=min(masses)), "masses")
     return Counterweights(table.above("radius"), masses, table.between("translating", 0.0, 1.0, 0.5))
 
 
-def _limits(top: Values) -> Limits:
+def _limits(table: Values) -> Limits:
     usual = Limits()
-    table = top.inner("limits", ("static", "fatigue", "buckling", "bush_MPa", "boss_MPa"))
-    if table is None:
-        return usual
     low, high = fatigue = table.pair("fatigue") or usual.fatigue
     if not 1.0 <= low < high:
         raise table.error(Phrase("cs_range", what=table.named("fatigue"), low=1.0, high=high, value=low), "fatigue")
-    return Limits(
-        table.between("static", 1.0, 20.0, usual.static),
-        fatigue,
-        table.between("buckling", 1.0, 50.0, usual.buckling),
-        table.above("bush_MPa", usual.bush_mpa),
-        table.above("boss_MPa", usual.boss_mpa),
+    static, buckling = (
+        table.between(key, 1.0, most, getattr(usual, key)) for key, most in (("static", 20.0), ("buckling", 50.0))
     )
+    pressures = table.above("bush_MPa", usual.bush_mpa), table.above("boss_MPa", usual.boss_mpa)
+    return Limits(static, fatigue, buckling, *pressures)
+
+
+def _shaft(table: Values) -> Shaft:
+    span, n, m = table.above("span"), table.above("pin_from_B"), table.above("webs")
+    if m >= min(n, span - n):
+        raise table.error(Phrase("cs_span", webs=m, left=span - n, right=n), "webs")
+    web = table.needed("web", ("width", "thickness"))
+    masses = table.needed("masses", ("pin", "webs", "webs_radius"))
+    journal, crankpin = (_bored(table.needed(key, ("diameter", "bore"))) for key in ("journal", "crankpin"))
+    section = Web(web.above("width"), web.above("thickness"))
+    rotating = masses.not_negative("pin"), masses.not_negative("webs"), masses.number("webs_radius")
+    return Shaft(span, n, m, journal, crankpin, section, *rotating)
+
+
+def _bored(table: Values) -> Round:
+    outer, bore = table.above("diameter"), table.not_negative("bore", 0.0)
+    if bore >= outer:
+        raise table.error(Phrase("cs_thin", what=table.what, inner=bore, outer=outer), "bore")
+    return Round(outer, bore)
+
+
+def _rod(table: Values) -> Shank:
+    """The rod's shank: an I-section, or a bar where flange and web are left out."""
+    height, width = table.above("height"), table.above("width")
+    flange, web = table.above("flange", height / 2), table.above("web", width)
+    for key, inner, outer in (("flange", 2 * flange, height), ("web", web, width)):
+        if inner > outer:
+            raise table.error(Phrase("cs_thin", what=table.named(key), inner=inner, outer=outer), key)
+    return Shank(height, width, flange, web)
+
+
+def _pin(table: Values) -> PistonPin:
+    length, bush, gap = table.above("length"), table.above("bush"), table.above("gap")
+    if not bush <= gap < length:
+        raise table.error(Phrase("cs_pin_length", gap=gap, bush=bush, length=length), "gap")
+    return PistonPin(_bored(table), length, bush, gap)
+
+
+def _materials(table: Values) -> dict[str, Material]:
+    """The steel of each part: a name of the table or its own numbers in MPa."""
+    return {key: _material(table, key) for key in table.table.entries}
+
+
+def _material(table: Values, key: str) -> Material:
+    node = table.reader.required(table.table, key, table.what)
+    if isinstance(node, SourceScalar):
+        name = table.reader.text(node, table.named(key))
+        if found := steel(name):
+            return found
+        what = Phrase("about", what=table.named(key), why=shown(name))
+        raise table.error(Phrase("cs_no_steel", what=what, valid=choices(name, STEELS)), key)
+    inner = table.needed(key, _MATERIAL)
+    strength, yields = inner.above("strength_MPa"), inner.above("yield_MPa")
+    if yields > strength:
+        raise inner.error(Phrase("cs_yield", what=inner.what, one=yields, two=strength), "yield_MPa")
+    name_node, alloyed = (inner.reader.optional(inner.table, k) for k in ("name", "alloyed"))
+    name = key if name_node is None else inner.reader.text(name_node, inner.named("name"))
+    is_alloyed = alloyed is not None and inner.reader.word(alloyed, inner.named("alloyed"), ("yes", "no")) == "yes"
+    bending, torsion = (inner.above(k) if k in inner.table.entries else None for k in _MATERIAL[4:6])
+    return made(name, strength, yields, is_alloyed, bending, torsion, inner.above("elasticity_MPa", ELASTICITY_MPA))
+
+
+def _concentration(table: Values) -> dict[str, Concentration]:
+    """Stress raisers of journal and crank pin."""
+    found = {}
+    for key in table.table.entries:
+        inner = table.needed(key, ("k_sigma", "k_tau", "size_sigma", "size_tau"))
+        raised = inner.between("k_sigma", 1.0, 20.0), inner.between("k_tau", 1.0, 20.0)
+        found[key] = Concentration(*raised, inner.between("size_sigma", 0.1, 1.0), inner.between("size_tau", 0.1, 1.0))
+    return found

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from types import MappingProxyType
+from typing import TypeVar
 
-from planes.crank_slider.indicator import FOUR, TWO, UNITS, Indicator, Points, span
+from planes.crank_slider.given import FOUR, TWO, UNITS, Indicator, Points, span
 from planes.scene.reader import Reader, part
 from planes.scene.source import Items, Node, SourceTable
 from planes.words import Phrase, Told
 from planes.words.errors import SceneError
+
+Part = TypeVar("Part")
 
 
 class Values:
@@ -32,6 +35,11 @@ class Values:
         if node is None:
             return None
         return Values(self.reader, self.reader.table(node, self.named(key), keys), self.named(key))
+
+    def part(self, key: str, keys: Sequence[str], read: Callable[[Values], Part]) -> Part | None:
+        """What is read from the table under a key, None if it is not there."""
+        table = self.inner(key, keys)
+        return None if table is None else read(table)
 
     def needed(self, key: str, keys: Sequence[str]) -> Values:
         """The table under a key that must be there."""
@@ -74,10 +82,6 @@ class Values:
             return None
         both = self.reader.place(node, self.named(key))
         return both.real, both.imag
-
-    def pressure(self, key: str, unit: str, usual: float) -> float:
-        """A pressure in the diagram's unit, as Pa."""
-        return self.not_negative(key, usual / UNITS[unit]) * UNITS[unit]
 
 
 def read_indicator(top: Values) -> Indicator:

@@ -7,14 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from planes.crank_slider.engine import EngineCycle, RodMotion
-from planes.crank_slider.fatigue import factor
 from planes.crank_slider.forces import CycleForces
 from planes.crank_slider.given import PistonPin
-from planes.crank_slider.kinematics import swing
-from planes.crank_slider.materials import Material
-from planes.crank_slider.sections import Shank
-from planes.crank_slider.shaft import MPA
+from planes.crank_slider.kinematics import EngineCycle, RodMotion, swing
+from planes.crank_slider.parts import Material, Shank
+from planes.crank_slider.shaft import MPA, factor
 from planes.crank_slider.shape import CrankSliderShape
 from planes.geometry.arrays import Array
 
@@ -76,28 +73,17 @@ def rod_strength(
     sigma_b = moment / of.modulus * MPA
     both = np.abs(large) / of.area * MPA + sigma_b
     push, pull, bend, worst = (int(np.argmax(x)) for x in (large, -large, moment, both))
-    squeezed = max(float(large[push]), 0.0)
-    limit = math.pi * math.sqrt(2 * steel.elasticity / steel.yields)
+    squeezed, pulled = max(float(large[push]), 0.0), max(float(-large[pull]), 0.0)
+    stress, limit = squeezed / of.area * MPA, math.pi * math.sqrt(2 * steel.elasticity / steel.yields)
+    squeezed_deg, pulled_deg, bending_deg, sigma_deg = (float(m.phi_deg[k]) for k in (push, pull, bend, worst))
+    sigma = float(both[worst])
     planes = tuple(
-        _buckling(mu, shape.l, math.sqrt(j / of.area), limit, squeezed / of.area * MPA, steel)
+        _buckling(mu, shape.l, math.sqrt(j / of.area), limit, stress, steel)
         for mu, j in ((1.0, of.inertia), (0.5, of.inertia_across))
     )
-    return RodStrength(
-        squeezed,
-        float(m.phi_deg[push]),
-        max(float(-large[pull]), 0.0),
-        float(m.phi_deg[pull]),
-        squeezed / of.area * MPA,
-        max(float(-large[pull]), 0.0) / of.area * MPA,
-        float(moment[bend]),
-        float(m.phi_deg[bend]),
-        float(sigma_b[bend]),
-        float(both[worst]),
-        float(m.phi_deg[worst]),
-        factor(steel.yields, float(both[worst])),
-        limit,
-        (planes[0], planes[1]),
-    )
+    axials = squeezed, squeezed_deg, pulled, pulled_deg, stress, pulled / of.area * MPA
+    bent = float(moment[bend]), bending_deg, float(sigma_b[bend])
+    return RodStrength(*axials, *bent, sigma, sigma_deg, factor(steel.yields, sigma), limit, (planes[0], planes[1]))
 
 
 def _bending(shape: CrankSliderShape, way: RodMotion, beta: Array) -> Array:

@@ -2,19 +2,21 @@
 
 z runs from the shaft's axis to the crank pin, y along the pin's motion, x along the shaft from bearing A to B; power
 is taken off at B. The text's A′, B′ are opposed to z, A″, B″ to y. The rod's rotating mass is in the pin's load
-already (the plans give that load whole), so Φ holds the crank's own masses alone.
+already (the plans give that load whole), so Φ holds the crank's own masses alone. Fatigue, (35): the cycle of stress at
+the worst point of a round section's edge.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
 from planes.crank_slider.balance import Balance
 from planes.crank_slider.forces import CycleForces
-from planes.crank_slider.given import Counterweights, Shaft
-from planes.crank_slider.sections import Round
+from planes.crank_slider.given import Concentration, Counterweights, Shaft
+from planes.crank_slider.parts import Material, Round
 from planes.crank_slider.shape import CrankSliderShape
 from planes.geometry.arrays import Array
 
@@ -113,3 +115,48 @@ def along(shape: CrankSliderShape, shaft: Shaft, s: Supports, k: int) -> Along:
     y = np.array([0, a2 * m, a2 * m, a2 * middle, b2 * m, b2 * m, 0])
     t = float(s.T[k]) * shape.r
     return Along(x, z, y, np.array([0, 0, a2 * shape.r, a2 * shape.r, a2 * shape.r, t, t]))
+
+
+@dataclass(frozen=True)
+class Fatigue:
+    """Amplitudes and means in MPa, factors n_σ, n_τ, n; ``angle_deg`` from z to the worst point of the edge."""
+
+    section: str
+    angle_deg: float
+    sigma_a: float
+    sigma_m: float
+    tau_a: float
+    tau_m: float
+    n_sigma: float
+    n_tau: float
+    n: float
+    static: float  # yield over the largest σ_eq of the cycle
+
+
+def checked(section: Section, of: Round, steel: Material, k: Concentration) -> Fatigue:
+    """The factors of one round section."""
+    theta = np.radians(np.arange(0.0, 360.0))[:, None]
+    sigma = (section.bending_z * np.cos(theta) + section.bending_y * np.sin(theta)) / of.modulus * MPA
+    top, low = sigma.max(axis=1), sigma.min(axis=1)
+    amplitude, mean = (top - low) / 2, (top + low) / 2
+    worse = k.k_sigma / k.size_sigma * amplitude + steel.psi * np.maximum(mean, 0.0)
+    at = int(np.argmax(worse))
+    tau = section.torsion / (2 * of.modulus) * MPA
+    tau_a, tau_m = float(tau.max() - tau.min()) / 2, abs(float(tau.max() + tau.min())) / 2
+    n_sigma = factor(steel.fatigue, float(worse[at]))
+    n_tau = factor(steel.fatigue_torsion, k.k_tau / k.size_tau * tau_a + steel.psi_torsion * tau_m)
+    n, static = total(n_sigma, n_tau), factor(steel.yields, float(section.equivalent.max()))
+    sigma_a, sigma_m = float(amplitude[at]), float(mean[at])
+    return Fatigue(section.name, float(at), sigma_a, sigma_m, tau_a, tau_m, n_sigma, n_tau, n, static)
+
+
+def factor(limit: float, stress: float) -> float:
+    """A safety factor; infinite where there is no stress."""
+    return limit / stress if stress > 0.0 else math.inf
+
+
+def total(n_sigma: float, n_tau: float) -> float:
+    """n = n_σ·n_τ/√(n_σ² + n_τ²)."""
+    if math.isinf(n_sigma) or math.isinf(n_tau):
+        return min(n_sigma, n_tau)
+    return n_sigma * n_tau / math.hypot(n_sigma, n_tau)

@@ -55,10 +55,8 @@ class _Recogniser:
     def __init__(self, scene: Scene, mechanism: Mechanism, structure: Structure) -> None:
         self.scene, self.m, self.structure = scene, mechanism, structure
         g = structure.groups[0] if structure.groups else None
-        fits = len(structure.groups) == 1 and g is not None and g.name == "RRP" and mechanism.drive.kind == "phi"
-        if not fits or g is None or g.last_outer.mate(g.last) != FRAME:
-            raise self.error(Phrase("cs_not_one", formula=structure.formula), "links")
-        if g.last_outer.link != g.last:
+        fits = len(structure.groups) == 1 and mechanism.drive.kind == "phi"
+        if not (fits and g and g.name == "RRP" and g.last_outer.mate(g.last) == FRAME and g.last_outer.link == g.last):
             raise self.error(Phrase("cs_not_one", formula=structure.formula), "links")
         self.crank, self.rod, self.slider = (mechanism.links[n] for n in (mechanism.drive.link, g.first, g.last))
         self.guide = g.last_outer.guide
@@ -75,35 +73,20 @@ class _Recogniser:
         self.check_guide()
         self.check_motion()
         r, c = self.check_crank(), self.check_rod()
-        length = abs(self.rod.points[self.hinge] - self.rod.points[self.pin])
+        crank, rod, slider = self.crank, self.rod, self.slider
+        length = abs(rod.points[self.hinge] - rod.points[self.pin])
         if length <= r:
-            raise self.error(Phrase("cs_short_rod", rod=length, crank=r), "links", self.rod.name, "points")
-        s = (self.crank.points[self.crank.mass_centre] - self.crank.points[self.pivot]).real
-        return CrankSliderShape(
-            self.crank.name,
-            self.rod.name,
-            self.slider.name,
-            self.pivot,
-            self.pin,
-            self.hinge,
-            self.rod.mass_centre,
-            r,
-            length,
-            c,
-            s,
-            self.crank.mass or 0.0,
-            self.number(self.rod, "mass"),
-            self.number(self.slider, "mass"),
-            self.crank.inertia or 0.0,
-            self.number(self.rod, "inertia"),
-            self.m.gravity or 0.0,
-            self.m.friction.get(self.guide, 0.0),
-            self.m.drive.velocity,
-        )
+            raise self.error(Phrase("cs_short_rod", rod=length, crank=r), "links", rod.name, "points")
+        s = (crank.points[crank.mass_centre] - crank.points[self.pivot]).real
+        names = crank.name, rod.name, slider.name, self.pivot, self.pin, self.hinge, rod.mass_centre
+        masses = crank.mass or 0.0, self.number(rod, "mass"), self.number(slider, "mass")
+        inertias = crank.inertia or 0.0, self.number(rod, "inertia")
+        loads = self.m.gravity or 0.0, self.m.friction.get(self.guide, 0.0)
+        return CrankSliderShape(*names, r, length, c, s, *masses, *inertias, *loads, self.m.drive.velocity)
 
     def number(self, link: Link, key: str) -> float:
         """A mass or inertia that must be given and above zero."""
-        value = link.mass if key == "mass" else link.inertia
+        value: float | None = getattr(link, key)
         if not value:
             raise self.error(Phrase("cs_no_mass", name=link.name, key=key), "links", link.name)
         return value

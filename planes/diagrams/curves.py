@@ -27,6 +27,7 @@ Sample = Mapping[str, Array]
 
 Group = Literal["place", "analogue", "rate", "force"]
 UNIT = "q:"
+RATE_UNITS = {"v": "m/s", "a": "m/s²", "omega": "rad/s", "epsilon": "rad/s²"}
 
 
 @dataclass(frozen=True)
@@ -66,7 +67,7 @@ def analogue_units(turning: bool) -> dict[str, str]:
 
 def curves_of(plans: Plans) -> dict[str, Curve]:
     """Every curve of a mechanism by its name, in the order they are listed; a reaction's other name leads to it too."""
-    found = {c.name: c for c in (*_places(plans), *_analogues(plans), *_rates(plans), *_forces(plans))}
+    found = {c.name: c for c in (*_places(plans), *_motions(plans, "q"), *_motions(plans), *_forces(plans))}
     for r in plans.reactions.values():
         found.setdefault(force_name(r.pair.other, r.pair.link), found[r.key])
     for link in _turning(plans):
@@ -137,38 +138,28 @@ def _along(plans: Plans, link: str) -> tuple[tuple[str, ...], Callable[[Sample],
     return needs, read
 
 
-def _analogues(plans: Plans) -> Iterator[Curve]:
-    units = analogue_units(plans.mechanism.drive.kind == "phi")
+def _motions(plans: Plans, q: str = "") -> Iterator[Curve]:
+    """Rates of links, sliders and points, or with "q" their analogues: the same columns of the run with a unit drive.
+    A velocity's slope is that run's acceleration."""
+    rate, run, units = plans.mechanism.drive.velocity, "", RATE_UNITS
+    if q:
+        rate, run, units = 1.0, UNIT, analogue_units(plans.mechanism.drive.kind == "phi")
+    group: Group = "analogue" if q else "rate"
+    slope = UNIT if rate else ""
     for link in _turning(plans):
-        yield _scalar(
-            ratio_name(plans, link), units["omega"], "analogue", f"{UNIT}omega_{link}", f"{UNIT}epsilon_{link}"
-        )
-        yield _scalar(f"epsilonq_{link}", units["epsilon"], "analogue", f"{UNIT}epsilon_{link}")
+        name, quick = ratio_name(plans, link) if q else f"omega_{link}", f"epsilon_{link}"
+        yield _scalar(name, units["omega"], group, f"{run}omega_{link}", slope and slope + quick, rate)
+        yield _scalar(f"epsilon{q}_{link}", units["epsilon"], group, run + quick)
     for link in _sliding(plans):
-        need, quick = f"{UNIT}v_slide_{link}", f"{UNIT}a_slide_{link}"
-        yield _scalar(f"vq_slide_{link}", units["v"], "analogue", need, quick)
-        yield _scalar(f"aq_slide_{link}", units["a"], "analogue", quick)
+        need, quick = f"{run}v_slide_{link}", f"a_slide_{link}"
+        yield _scalar(f"v{q}_slide_{link}", units["v"], group, need, slope and slope + quick, rate)
+        yield _scalar(f"a{q}_slide_{link}", units["a"], group, run + quick)
     for p in _moving(plans):
-        yield from _vector(f"vq_{p}", units["v"], "analogue", f"{UNIT}v_{p}", f"{UNIT}a_{p}")
-        yield from _vector(f"aq_{p}", units["a"], "analogue", f"{UNIT}a_{p}")
-
-
-def _rates(plans: Plans) -> Iterator[Curve]:
-    rate = plans.mechanism.drive.velocity
-    for link in _turning(plans):
-        slope = f"{UNIT}epsilon_{link}" if rate else ""
-        yield _scalar(f"omega_{link}", "rad/s", "rate", f"omega_{link}", slope, rate)
-        yield _scalar(f"epsilon_{link}", "rad/s²", "rate", f"epsilon_{link}")
-    for link in _sliding(plans):
-        slope = f"{UNIT}a_slide_{link}" if rate else ""
-        yield _scalar(f"v_slide_{link}", "m/s", "rate", f"v_slide_{link}", slope, rate)
-        yield _scalar(f"a_slide_{link}", "m/s²", "rate", f"a_slide_{link}")
-    for p in _moving(plans):
-        yield from _vector(f"v_{p}", "m/s", "rate", f"v_{p}", f"{UNIT}a_{p}" if rate else "", rate)
-        yield from _vector(f"a_{p}", "m/s²", "rate", f"a_{p}")
+        yield from _vector(f"v{q}_{p}", units["v"], group, f"{run}v_{p}", slope and f"{slope}a_{p}", rate)
+        yield from _vector(f"a{q}_{p}", units["a"], group, f"{run}a_{p}")
     for link, slide in plans.acceleration_slides.items():
-        if slide.coriolis:
-            yield from _vector(f"coriolis_{link}", "m/s²", "rate", f"coriolis_{link}")
+        if slide.coriolis and not q:
+            yield from _vector(f"coriolis_{link}", units["a"], group, f"coriolis_{link}")
 
 
 def _forces(plans: Plans) -> Iterator[Curve]:
@@ -223,11 +214,8 @@ def _vector(name: str, unit: str, group: Group, base: str, slope: str = "", fact
 def output_curves(plans: Plans) -> tuple[str, ...]:
     """The curves of a mechanism's driven link that are drawn first: its place, velocity and acceleration."""
     link, slides = driven(plans)
-    return (
-        (f"s_{link}", f"v_slide_{link}", f"a_slide_{link}")
-        if slides
-        else (f"phi_{link}", f"omega_{link}", f"epsilon_{link}")
-    )
+    letters = ("s", "v_slide", "a_slide") if slides else ("phi", "omega", "epsilon")
+    return tuple(f"{letter}_{link}" for letter in letters)
 
 
 def transfer_curves(plans: Plans) -> tuple[str, ...]:

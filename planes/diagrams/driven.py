@@ -1,6 +1,9 @@
-"""The driven link: what a mechanism is there to move, and how its place is counted."""
+"""The driven link (what a mechanism is there to move, how its place is counted), and the driver's working range: a
+whole turn, or to where the mechanism stops."""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 from planes.plans import Plans
 from planes.scene.mechanism import FRAME
@@ -15,11 +18,27 @@ def driven(plans: Plans) -> tuple[str, bool]:
             return name, True
     on_frame = [p for p in plans.structure.pairs if p.joins(FRAME)]
     grounded = [n for n in (group.last, group.first) if any(p.joins(n) for p in on_frame)]
-    free = [n for n in (group.last, group.first) if not _turns_with_driver(plans, n)]
+    slid = {n: m.links[n].slides for n in (group.last, group.first)}  # on the driver's guide it only turns with it
+    free = [n for n, slides in slid.items() if not slides or m.owner(slides.guide) != m.drive.link]
     return (grounded or free or [group.last])[0], False
 
 
-def _turns_with_driver(plans: Plans, name: str) -> bool:
-    """Whether a link slides on a guide of the driver, and so only repeats its turning."""
-    slides = plans.mechanism.links[name].slides
-    return slides is not None and plans.mechanism.owner(slides.guide) == plans.mechanism.drive.link
+FULL = 360.0
+
+
+@dataclass(frozen=True)
+class WorkingRange:
+    """The driver's working range (degrees or metres) about its place; ``whole``: it goes round."""
+
+    start: float
+    end: float
+    whole: bool = False
+
+    def inner(self, margin: float) -> WorkingRange:
+        """The range without a part of it at each end, where rates grow without bounds."""
+        away = margin * (self.end - self.start)
+        return WorkingRange(self.start + away, self.end - away)
+
+    def values(self, count: int) -> list[float]:
+        """So many values and one more, evenly from end to end."""
+        return [self.start + (self.end - self.start) * k / count for k in range(count + 1)]

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from planes.diagrams.curves import Curve, Sample
+from planes.diagrams.driven import FULL
 from planes.diagrams.turn import Grid, WholeTurn
-from planes.diagrams.working_range import FULL
 from planes.geometry.arrays import Array
 
 CELLS = 8  # parts a bracket is cut into, each round
@@ -56,7 +56,8 @@ def extremes(g: Grid) -> list[list[Extreme]]:
     for start in range(0, len(brackets), BATCH):
         batch = brackets[start : start + BATCH]
         for bracket, place, value in _joined(g, batch, *_refined(g.turn, batch)):
-            found[bracket.curve].append(Extreme(_wrapped(g, place), value, bracket.sense))
+            again = g.closed and place >= g.places[-1] - 1e-9
+            found[bracket.curve].append(Extreme(place - FULL if again else place, value, bracket.sense))
     return [sorted(some, key=lambda e: e.place) for some in found]
 
 
@@ -92,10 +93,6 @@ def varies(y: Array, noise: float) -> bool:
     """Whether a curve is more than a constant, and than the rounding of larger numbers."""
     good = y[np.isfinite(y)]
     return bool(len(good) > 2 and np.ptp(good) > STILL * (np.abs(good).max() + 1e-300) + noise)
-
-
-def _wrapped(g: Grid, place: float) -> float:
-    return place - FULL if g.closed and place >= g.places[-1] - 1e-9 else place
 
 
 def _brackets(g: Grid, k: int, y: Array) -> list[_Bracket]:

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
 
-from planes.diagrams.stages import Motion, Stage
+from planes.diagrams.motion import Motion
 from planes.drafting.draft import Draft
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.instruments import Instrument
@@ -32,6 +32,19 @@ RIGHT, UP = "→", "↑"
 TIME, PAPER = "mu_t", "mu_paper"
 
 
+@dataclass(frozen=True)
+class Stage:
+    """One diagram of a construction: its ``rank`` (0 place, 1 velocity, 2 acceleration), μ (mm per SI unit), the
+    distance of its pole (None: it has none), and its points: (half sections from the start, label)."""
+
+    plan: str
+    rank: int
+    mu: float
+    pole_mm: float | None
+    points: tuple[tuple[int, str], ...]
+    given: bool
+
+
 @dataclass
 class Construction:
     """A drawing program with its givens and diagrams in the order they are drawn."""
@@ -45,8 +58,6 @@ class Construction:
     @cached_property
     def program(self) -> Program:
         """The steps, checked."""
-        from planes.drafting.program import Program
-
         return Program(tuple(self.draft.steps.values()))
 
     def drawn(self, instrument: Instrument | None = None, more: Mapping[str, Point] | None = None) -> Drawing:

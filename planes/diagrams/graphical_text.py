@@ -5,12 +5,15 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from planes.diagrams.graphical import Construction
-from planes.diagrams.stages import Stage
+from planes.diagrams.graphical import Construction, Stage, differentiated, integrated
+from planes.diagrams.motion import motion_of
 from planes.drafting.drawing import Drawing
 from planes.drafting.instruments import Exact, Pencil
+from planes.plans import mechanism_plans
+from planes.scene import Scene
 from planes.solving.tables import table
-from planes.words import Lang, say
+from planes.words import Lang, Phrase, say
+from planes.words.errors import PlanesError
 from planes.words.records import Json
 from planes.words.units import RATES, quantity
 
@@ -28,10 +31,24 @@ class MeasuredDiagram:
     pencil: list[float]
 
     @property
+    def rows(self) -> list[tuple[int, str, float, float, float]]:
+        """Half sections, label, what was found, the exact value, the deviation; the last middle is not told twice."""
+        rows = zip(self.stage.points, self.found, self.exact, self.pencil, strict=True)
+        return [(half, label, found, exact, spread) for (half, label), found, exact, spread in rows if half >= 0]
+
+    @property
     def worst(self) -> float:
         """The largest error of the method itself, as a part of the largest exact value."""
         size = max(map(abs, self.exact)) or 1.0
         return max(abs(f - e) for f, e in zip(self.found, self.exact, strict=True)) / size
+
+
+def constructed(scene: Scene, sections: int, pole_mm: float | None = None) -> list[Construction]:
+    """Both graphical constructions of the driven link's motion."""
+    if pole_mm is not None and not 1.0 <= pole_mm <= 500.0:
+        raise PlanesError(Phrase("graphical_pole", pole=pole_mm))
+    motion = motion_of(mechanism_plans(scene), sections, scene.file)
+    return [differentiated(motion, pole_mm), integrated(motion, pole_mm)]
 
 
 def readings(c: Construction, pencil: Pencil | None = None) -> list[MeasuredDiagram]:
@@ -69,40 +86,19 @@ def scales(c: Construction, lang: Lang) -> list[str]:
 
 def as_json(constructions: list[Construction]) -> Json:
     """The constructions as plain things: scales, poles, and every point with what was found and what is exact, SI."""
-    return {
-        "planes": 1,
-        "constructions": [
-            {
-                "kind": c.kind,
-                "link": c.motion.link,
-                "mu_t": c.mu_t,
-                "diagrams": [
-                    {
-                        "quantity": LETTERS[c.motion.slides][r.stage.rank],
-                        "unit": RATES[c.motion.slides][r.stage.rank],
-                        "mu": r.stage.mu,
-                        "pole_mm": r.stage.pole_mm,
-                        "given": r.stage.given,
-                        "points": [
-                            {
-                                "point": label,
-                                "phi_deg": _angle(c, half),
-                                "found": found,
-                                "exact": exact,
-                                "pencil": spread,
-                            }
-                            for (half, label), found, exact, spread in zip(
-                                r.stage.points, r.found, r.exact, r.pencil, strict=True
-                            )
-                            if half >= 0
-                        ],
-                    }
-                    for r in readings(c)
-                ],
-            }
-            for c in constructions
-        ],
-    }
+    told = []
+    for c in constructions:
+        diagrams = [_diagram(c, r) for r in readings(c)]
+        told.append({"kind": c.kind, "link": c.motion.link, "mu_t": c.mu_t, "diagrams": diagrams})
+    return {"planes": 1, "constructions": told}
+
+
+def _diagram(c: Construction, r: MeasuredDiagram) -> Json:
+    stage, keys = r.stage, ("point", "phi_deg", "found", "exact", "pencil")
+    points = [dict(zip(keys, (label, _angle(c, half), *numbers), strict=True)) for half, label, *numbers in r.rows]
+    letter, unit = (names[c.motion.slides][stage.rank] for names in (LETTERS, RATES))
+    scale = {"mu": stage.mu, "pole_mm": stage.pole_mm, "given": stage.given}
+    return {"quantity": letter, "unit": unit, **scale, "points": points}
 
 
 def report(constructions: list[Construction], lang: Lang) -> str:
@@ -120,31 +116,15 @@ def report(constructions: list[Construction], lang: Lang) -> str:
 def _reading(c: Construction, r: MeasuredDiagram, lang: Lang) -> list[str]:
     rank, slides = r.stage.rank, c.motion.slides
     unit = say(RATES[slides][rank], lang)
-    head = [
-        say("graphical_point", lang),
-        "φ1, °",
-        say("graphical_found", lang),
-        say("graphical_exact", lang),
-        "Δ, %",
-        say("graphical_pencil", lang),
-    ]
+    point, found_head, exact_head, pencil = (say(f"graphical_{k}", lang) for k in ("point", "found", "exact", "pencil"))
     size = max(map(abs, r.exact)) or 1.0
     rows = []
-    for (half, label), found, exact, spread in zip(r.stage.points, r.found, r.exact, r.pencil, strict=True):
-        if half < 0:
-            continue  # the last middle over again
-        cells: list[float] = [0.0 if abs(x) < 1e-12 * size else x for x in (found, exact)]
-        rows.append(
-            [
-                label,
-                quantity(_angle(c, half), "", 5),
-                *map(quantity, cells),
-                f"{100 * (found - exact) / size:.2f}",
-                f"{100 * spread / size:.2f}",
-            ]
-        )
+    for half, label, found, exact, spread in r.rows:
+        cells = (quantity(0.0 if abs(x) < 1e-12 * size else x) for x in (found, exact))
+        shares = (f"{100 * x / size:.2f}" for x in (found - exact, spread))
+        rows.append([label, quantity(_angle(c, half), "", 5), *cells, *shares])
     title = f"{LETTERS[slides][rank]}{c.motion.link}, {unit}"
-    lines = table(title, head, rows)
+    lines = table(title, [point, "φ1, °", found_head, exact_head, "Δ, %", pencil], rows)
     return [*lines, "  " + say("graphical_worst", lang, error=f"{100 * r.worst:.2f}")]
 
 

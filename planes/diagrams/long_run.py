@@ -1,38 +1,35 @@
-"""The command ``planes cycle``: a table of many positions, with a progress bar, and ranges that failed in words."""
+"""Positions of a cycle one by one: as a table of many, with a progress bar and the ranges that failed in words, and as
+a listing of a few, as text and as JSON."""
 
 from __future__ import annotations
 
+import math
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol
+from typing import Any
 
 import numpy as np
 
 from planes.batch import Block, Cycle, Reason
 from planes.batch.streams import TableHead, opened
+from planes.diagrams.curves import Curve
 from planes.diagrams.turn import WholeTurn
 from planes.drafting.drawing import proved, run
 from planes.plans import Plans, mechanism_plans
+from planes.plans.scales import unit_scales
 from planes.scene import Scene
 from planes.scene.ranges import Span
-from planes.solving import told
+from planes.solving import failed, key_of, told
+from planes.solving.nearest import nearest
+from planes.solving.tables import table
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError, PlanFailure
+from planes.words.records import Json
 
 FULL_TURN = Span(0.0, 1.0, 361)
 TOLD = 20  # how many failed ranges are told in words
-
-
-class ColumnHead(Protocol):
-    """What stands over a column."""
-
-    @property
-    def name(self) -> str: ...
-
-    @property
-    def unit(self) -> str: ...
 
 
 @dataclass
@@ -54,17 +51,18 @@ def write_cycle(
     plans = mechanism_plans(scene)
     table = Cycle(plans, scene.find)
     span = values or whole(plans)
-    blocks, columns = table.blocks(span, fast=fast), table.columns
+    blocks, heads = table.blocks(span, fast=fast), [(c.name, c.unit) for c in table.columns]
     if errors:
         blocks = table.beside(blocks)
-        columns = [*columns, *(c._replace(name=f"± {c.name}") for c in columns)]
-    return _written(table, columns, table.reasons, blocks, len(span), output, lang)
+        heads += [(f"± {name}", unit) for name, unit in heads]
+    return _written(table, heads, table.reasons, blocks, len(span), output, lang)
 
 
 def write_curves(turn: WholeTurn, values: Span | None, output: str, lang: Lang) -> int:
     """Write a table of chosen curves, analogues among them if they are asked for; the exit status."""
     span = values or whole(turn.plans)
-    return _written(turn.cycles[0][1], turn.curves, turn.reasons, turn.blocks(span), len(span), output, lang)
+    heads = [(c.name, c.unit) for c in turn.curves]
+    return _written(turn.cycles[0][1], heads, turn.reasons, turn.blocks(span), len(span), output, lang)
 
 
 def whole(plans: Plans) -> Span:
@@ -75,7 +73,7 @@ def whole(plans: Plans) -> Span:
 
 def _written(
     table: Cycle,
-    columns: Sequence[ColumnHead],
+    heads: Sequence[tuple[str, str]],
     reasons: tuple[Reason, ...],
     blocks: Iterator[Block],
     count: int,
@@ -85,7 +83,7 @@ def _written(
     kind = table.plans.mechanism.drive.kind
     drive = ("phi", "°") if kind == "phi" else ("s", "m")
     gaps: list[Gap] = []
-    with opened(Path(output), TableHead(drive, [(c.name, c.unit) for c in columns], reasons), count) as writer:
+    with opened(Path(output), TableHead(drive, heads, reasons), count) as writer:
         for block in progress(blocks, count, lang):
             writer.write(block)
             collect(gaps, block)
@@ -140,8 +138,72 @@ def reason(table: Cycle, reasons: tuple[Reason, ...], gap: Gap, lang: Lang) -> s
     try:
         proved(table.program, given, run(table.program, given))
     except PlanFailure as failure:
-        return failure.sentence(lang)
+        return failure.told(lang)
     why = reasons[gap.code - 1]
     (block,) = table.blocks([gap.first], fast=False)
     empty = (c.name for c, row in zip(table.columns, block.table, strict=True) if np.isnan(row[0]) and not c.beside)
     return say("no_digits", lang, makes=why.makes or ", ".join(empty) or "…")
+
+
+DECIMALS = 5
+
+
+def or_none(value: float) -> float | None:
+    """A number for a program: none where it grows without bound."""
+    return value if math.isfinite(value) else None
+
+
+def listed(turn: WholeTurn, values: Any) -> dict[str, list[float]]:
+    """Every curve at each value of the drive, by its name."""
+    sample = turn.sample(values)
+    return {c.name: [float(x) for x in c.read(sample) + np.zeros(len(values))] for c in turn.curves}
+
+
+def listed_json(turn: WholeTurn, values: Any) -> Json:
+    """The listing for a program: None where a curve has no value."""
+    rows, key = listed(turn, values), key_of(turn.plans)
+    positions = [
+        {key: float(v), "values": {n: or_none(row[k]) for n, row in rows.items()}} for k, v in enumerate(values)
+    ]
+    return {"planes": 1, "units": {c.name: c.unit for c in turn.curves}, "positions": positions}
+
+
+def unsolved(turn: WholeTurn, values: Any, lang: Lang) -> list[str]:
+    """Why positions cannot be drawn, a sentence for each that cannot."""
+    plans, found = turn.plans, []
+    given = {**plans.given, **dict.fromkeys(unit_scales(plans), 1000.0)}
+    for value in map(float, values):
+        try:
+            run(plans.program, {**given, plans.drive_given: value})
+        except PlanFailure as failure:
+            found.append(failed(failure, value, plans.mechanism.drive.kind, nearest(plans, value)).told(lang))
+    return found
+
+
+def listing(turn: WholeTurn, values: Any, lang: Lang) -> str:
+    """Every curve in each position, in the order of the analytic method, with five decimals."""
+    told_rows, kind = listed(turn, values), turn.plans.mechanism.drive.kind
+    lines: list[str] = []
+    for key, curves in _chapters(turn.curves):
+        rows = [[c.name, say(c.unit, lang), *map(decimals, told_rows[c.name])] for c in curves]
+        head = ["", say("column_unit", lang), *(told(float(v), kind, lang) for v in values)]
+        lines += table(say(key, lang), head, rows)
+    return "\n".join(lines[1:]) + "\n"
+
+
+def _chapters(curves: tuple[Curve, ...]) -> list[tuple[str, list[Curve]]]:
+    def chapter(c: Curve) -> str:
+        if c.group not in ("analogue", "rate"):
+            return f"group_{c.group}"
+        return f"group_{c.group}_" + ("a" if c.name.startswith(("a", "epsilon", "coriolis")) else "v")
+
+    keys = ("place", "analogue_v", "analogue_a", "rate_v", "rate_a", "force")
+    return [(f"group_{k}", [c for c in curves if chapter(c) == f"group_{k}"]) for k in keys]
+
+
+def decimals(value: float) -> str:
+    """A number with five decimals, the zeros at its end left out, as a calculating sheet prints it."""
+    if not math.isfinite(value):
+        return "—"
+    text = f"{value:.{DECIMALS}f}".rstrip("0").rstrip(".")
+    return "0" if text in ("-0", "") else text

@@ -1,27 +1,49 @@
-"""The driven link's motion through a uniform turn, in equal sections: what graphical diagrams start from."""
+"""The driven link's motion through a uniform turn, in equal sections: what graphical diagrams start from; and the
+driver's places from which curves are drawn: runs between dead points, where forces may jump, and stations."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import isfinite
 
 import numpy as np
 
 from planes.diagrams.curves import curves_of, output_curves, transfer_curves
-from planes.diagrams.driven import driven
+from planes.diagrams.driven import FULL, driven
 from planes.diagrams.extremes import extremes
-from planes.diagrams.graphical import Construction, differentiated, integrated
-from planes.diagrams.stages import Motion
 from planes.diagrams.turn import Grid, WholeTurn, grid, span_of, turn_of, unwound
-from planes.diagrams.working_range import FULL
 from planes.geometry.arrays import Array
-from planes.plans import Plans, mechanism_plans
-from planes.scene import Scene
+from planes.plans import Plans
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
 DENSE = 10  # places of the drawn curve within a section
 FEWEST, MOST = 6, 72
 INSET = 0.02  # of a range that ends at limits of assembly
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A uniform motion over one turn: ``time`` (s) at the ends of the sections, ``closed`` if it comes back.
+
+    ``ends`` and ``middles`` hold for each rank (0 place, 1 velocity, 2 acceleration) the exact values at the ends and
+    at the middles of the sections, SI (an angle in radians); ``curves`` the same over a dense time, for drawing.
+    """
+
+    link: str
+    slides: bool
+    angles: tuple[float, ...]
+    time: tuple[float, ...]
+    closed: bool
+    ends: tuple[tuple[float, ...], ...]
+    middles: tuple[tuple[float, ...], ...]
+    dense_time: tuple[float, ...]
+    curves: tuple[tuple[float, ...], ...]
+
+    @property
+    def sections(self) -> int:
+        """How many sections the turn is divided into."""
+        return len(self.time) - 1
 
 
 def motion_of(plans: Plans, sections: int = 12, file: str = "") -> Motion:
@@ -98,9 +120,42 @@ def _apart(one: float, two: float, g: Grid) -> float:
     return abs((one - two + FULL / 2) % FULL - FULL / 2) if g.closed else abs(one - two)
 
 
-def constructed(scene: Scene, sections: int, pole_mm: float | None = None) -> list[Construction]:
-    """Both graphical constructions of the driven link's motion."""
-    if pole_mm is not None and not 1.0 <= pole_mm <= 500.0:
-        raise PlanesError(Phrase("graphical_pole", pole=pole_mm))
-    motion = motion_of(mechanism_plans(scene), sections, scene.file)
-    return [differentiated(motion, pole_mm), integrated(motion, pole_mm)]
+BESIDE = 1e-6  # degrees (or metres) on either side of a dead point, where what depends on the sense of motion jumps
+STEPS = 720
+STATIONS = 12
+
+
+class Runs:
+    """Places of the driver between two ends, split where the driven link stands still."""
+
+    def __init__(self, plans: Plans, start: float, end: float) -> None:
+        self.plans, self.start, self.end = plans, start, end
+        places = driven_grid(plans, start, end)
+        self.dead, self.closed = dead_points(places), places.closed
+
+    @classmethod
+    def whole(cls, plans: Plans) -> Runs:
+        """Over the working range: a whole turn from the first extreme position, if there is one."""
+        return cls(plans, *ends_of(plans)[:2])
+
+    def pieces(self) -> list[Array]:
+        """Places in runs between dead points, each run up to the very point."""
+        dead = self._dead()
+        inside = sorted(d for d in dead if self.start + BESIDE < d < self.end - BESIDE)
+        first, last = (BESIDE * any(abs(d - end) <= BESIDE for d in dead) for end in (self.start, self.end))
+        edges = [self.start + first, *(e for d in inside for e in (d - BESIDE, d + BESIDE)), self.end - last]
+        step = (self.end - self.start) / STEPS
+        return [
+            np.linspace(a, b, max(2, round((b - a) / step) + 1)) for a, b in zip(edges[::2], edges[1::2], strict=True)
+        ]
+
+    def _dead(self) -> set[float]:
+        return {d + FULL * k for d in self.dead for k in ((-1, 0, 1) if self.closed else (0,))}
+
+    def stations(self) -> Array:
+        """Places of the numbered positions: every twelfth part of the range (of a turn, 30°), from the start."""
+        return np.linspace(self.start, self.end, STATIONS + 1)
+
+    def read_stations(self) -> Array:
+        """The same, those on a dead point just past it: on the point itself a load that opposes motion is nothing."""
+        return np.array([z + BESIDE * any(abs(z - d) < BESIDE for d in self._dead()) for z in self.stations()])

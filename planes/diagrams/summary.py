@@ -9,10 +9,9 @@ from functools import cached_property
 import numpy as np
 
 from planes.diagrams.curves import Curve
-from planes.diagrams.driven import driven
+from planes.diagrams.driven import FULL, driven
 from planes.diagrams.extremes import Extreme, extremes, varies
 from planes.diagrams.turn import Grid, grid, in_one_piece, turn_of
-from planes.diagrams.working_range import FULL
 from planes.geometry.arrays import Array, Complexes
 from planes.plans import Plans
 from planes.scene import Scene
@@ -93,11 +92,6 @@ class Summary:
         return {c.name: e for c, e in zip(self.grid.turn.curves, extremes(self.grid), strict=True)}
 
     @cached_property
-    def ranges(self) -> tuple[tuple[float, float], ...]:
-        """The parts of the range in which the mechanism assembles."""
-        return self.grid.ranges
-
-    @cached_property
     def stroke(self) -> DrivenStroke | None:
         """The driven link's stroke, or angle of swing; None where it turns over."""
         link, slides = driven(self.plans)
@@ -141,11 +135,9 @@ class Summary:
 
     def _row(self, curve: Curve, y: Array) -> CurveSummary:
         some, size, rounds = self.extremes[curve.name], float(np.nanmax(np.abs(y))), self.grid.rounds(curve)
-        if not some:
-            k = int(np.flatnonzero(np.isfinite(y))[0])
-            one = Extreme(float(self.grid.places[k]), float(y[k]), 1)
-            return CurveSummary((curve.name,), curve.unit, curve.group, one, one, (), size, rounds)
-        low, high = min(some, key=lambda e: e.value), max(some, key=lambda e: e.value)
+        k = int(np.flatnonzero(np.isfinite(y))[0])
+        of = some or [Extreme(float(self.grid.places[k]), float(y[k]), 1)]  # a constant's only one
+        low, high = min(of, key=lambda e: e.value), max(of, key=lambda e: e.value)
         return CurveSummary((curve.name,), curve.unit, curve.group, low, high, tuple(some), size, rounds)
 
     def _shown(self, curve: Curve) -> bool:

@@ -6,7 +6,7 @@ import math
 
 from planes.diagrams.curves import Curve
 from planes.diagrams.extremes import Extreme
-from planes.diagrams.listing import or_none
+from planes.diagrams.long_run import or_none
 from planes.diagrams.summary import CurveSummary, DrivenStroke, Summary
 from planes.solving import told
 from planes.solving.tables import table
@@ -43,21 +43,13 @@ def drive_name(s: Summary) -> str:
 
 def _drive(s: Summary, lang: Lang) -> str:
     drive = s.plans.mechanism.drive
-    v, a = ("ω", "ε") if drive.kind == "phi" else ("v", "a")
-    units = RATES[drive.kind != "phi"][1:]
-    shown = [f"{quantity(x)} {say(u, lang)}" for x, u in zip((drive.velocity, drive.acceleration), units, strict=True)]
+    letters = ("ω", "ε") if drive.kind == "phi" else ("v", "a")
+    rates = zip((drive.velocity, drive.acceleration), RATES[drive.kind != "phi"][1:], strict=True)
+    v, a = (f"{quantity(x)} {say(unit, lang)}" for x, unit in rates)
+    velocity, acceleration = (letter + drive.link for letter in letters)
     first, last = (told(float(x), drive.kind, lang) for x in (s.grid.places[0], s.grid.places[-1]))
-    return say(
-        "cycle_range",
-        lang,
-        name=drive_name(s),
-        first=first,
-        last=last,
-        velocity=v + drive.link,
-        v=shown[0],
-        acceleration=a + drive.link,
-        a=shown[1],
-    )
+    parts = {"velocity": velocity, "v": v, "acceleration": acceleration, "a": a}
+    return say("cycle_range", lang, name=drive_name(s), first=first, last=last, **parts)
 
 
 def _place(s: Summary, value: float, lang: Lang) -> str:
@@ -68,7 +60,7 @@ def _place(s: Summary, value: float, lang: Lang) -> str:
 def _assembles(s: Summary, lang: Lang) -> list[str]:
     if bool(s.grid.works.all()):
         return []
-    ranges = ", ".join(f"{_place(s, a, lang)}…{_place(s, b, lang)}" for a, b in s.ranges)
+    ranges = ", ".join(f"{_place(s, a, lang)}…{_place(s, b, lang)}" for a, b in s.grid.ranges)
     return [say("cycle_assembles", lang, name=drive_name(s), ranges=ranges)]
 
 
@@ -77,10 +69,8 @@ def _flips(s: Summary, lang: Lang) -> list[str]:
     found: dict[str, list[str]] = {}
     for name, place in s.grid.flips:
         found.setdefault(_place(s, place, lang), []).append(index_of(name))
-    return [
-        say("cycle_flips", lang, name=drive_name(s), place=place, links=", ".join(links))
-        for place, links in found.items()
-    ]
+    name = drive_name(s)
+    return [say("cycle_flips", lang, name=name, place=place, links=", ".join(of)) for place, of in found.items()]
 
 
 def _stroke(s: Summary, lang: Lang) -> list[str]:
@@ -97,29 +87,15 @@ def _stroke(s: Summary, lang: Lang) -> list[str]:
     if stroke.others:
         lines.append(say("stroke_more", lang, count=stroke.others))
     if stroke.K is not None and stroke.forth and stroke.back:
-        lines.append(
-            say(
-                "time_ratio",
-                lang,
-                ratio=quantity(stroke.K, "", 5),
-                forth=quantity(stroke.forth, "", 6),
-                back=quantity(stroke.back, "", 6),
-            )
-        )
+        forth, back = (quantity(x, "", 6) for x in (stroke.forth, stroke.back))
+        lines.append(say("time_ratio", lang, ratio=quantity(stroke.K, "", 5), forth=forth, back=back))
     return lines
 
 
 def _dead(s: Summary, stroke: DrivenStroke, e: Extreme, lang: Lang) -> str:
-    unit = f" {say('m', lang)}" if stroke.slides else "°"
-    key = {"": "stroke_place", "limit": "stroke_limit", "end": "stroke_end"}[e.at]
-    return say(
-        key,
-        lang,
-        name=drive_name(s),
-        place=_place(s, e.place, lang),
-        curve=stroke.curve,
-        value=quantity(e.value, "", 5) + unit,
-    )
+    value = quantity(e.value, "", 5) + (f" {say('m', lang)}" if stroke.slides else "°")
+    place = _place(s, e.place, lang)
+    return say(f"stroke_{e.at or 'place'}", lang, name=drive_name(s), place=place, curve=stroke.curve, value=value)
 
 
 def _cells(s: Summary, row: CurveSummary, lang: Lang) -> list[str]:
@@ -153,7 +129,7 @@ def as_json(s: Summary) -> Json:
         "variant": s.scene.variant,
         "drive": {"kind": drive.kind, "velocity": drive.velocity, "acceleration": drive.acceleration},
         "range": [float(s.grid.places[0]), float(s.grid.places[-1])],
-        "assembles": [list(r) for r in s.ranges],
+        "assembles": [list(r) for r in s.grid.ranges],
     }
     if stroke:
         found["driven"] = {

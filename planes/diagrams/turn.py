@@ -15,7 +15,7 @@ import numpy as np
 from planes.batch import CHUNK, Block, Cycle, Reason
 from planes.batch.columns import columns_of
 from planes.diagrams.curves import UNIT, Curve, CycleVector, arrows_of, curves_of
-from planes.diagrams.working_range import FULL, WorkingRange
+from planes.diagrams.driven import FULL, WorkingRange
 from planes.geometry.arrays import Array, Booleans, Indices
 from planes.plans import Plans
 from planes.scene.ranges import Span
@@ -44,12 +44,8 @@ class WholeTurn:
         unit = unit_drive(self.plans)
         own = [columns[n] for n in self.needs if not n.startswith(UNIT)]
         one = [columns[n.removeprefix(UNIT)] for n in self.needs if n.startswith(UNIT)]
-        runs = []
-        if own:
-            runs.append(("", Cycle(self.plans, columns=own)))
-        if one:
-            runs.append((UNIT, Cycle(self.plans, known=unit, columns=one)))
-        return tuple(runs)
+        runs = ("", None, own), (UNIT, unit, one)
+        return tuple((prefix, Cycle(self.plans, known=known, columns=some)) for prefix, known, some in runs if some)
 
     @property
     def reasons(self) -> tuple[Reason, ...]:

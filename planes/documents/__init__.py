@@ -19,7 +19,7 @@ from planes.solving import Position
 from planes.solving.vectors import solve_vectors
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
-from planes.words.options import home_lang
+from planes.words.system import home_lang
 from render.paper.faces import lettered
 from render.paper.fonts import face_of
 from render.sheet import Sheet

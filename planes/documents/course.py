@@ -9,10 +9,9 @@ from functools import cached_property
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading.prepared_plan import Asked
 from planes.course import Course
-from planes.course.fingerprint import fingerprint
+from planes.course.ledger import fingerprint
 from planes.course.numbers import why
-from planes.course.papers import answers, task
-from planes.course.position import clearest
+from planes.course.papers import answers, clearest, task
 from planes.documents import rendered, sheet_of
 from planes.documents.check import blank_marks
 from planes.documents.lesson import note, placed

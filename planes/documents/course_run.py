@@ -13,11 +13,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from planes.course import Course
-from planes.course.fingerprint import fingerprint
-from planes.course.ledger import Ledger, digest
-from planes.course.numbers import Question, Settled, again, question, settle
-from planes.course.scenes import used_names
-from planes.course.shares import Share, shares
+from planes.course.ledger import Ledger, digest, fingerprint
+from planes.course.numbers import Question, Settled, question, settle, used_names
+from planes.course.students import Share, shares
 from planes.course.summary import StudentRow, as_blocks, as_csv
 from planes.course.workers import Each
 from planes.documents.course import Made, Order, make, names_of
@@ -88,7 +86,7 @@ class Conductor:
             todo = list(alike(self.given, settled))
             if not todo:
                 break
-            asked |= {s: again(asked[s]) for s in todo}
+            asked |= {s: replace(asked[s], copy=asked[s].copy + 1) for s in todo}
         settled |= dict.fromkeys(todo, Settled(fault=Phrase("course_too_few").told(self.lang)))
         for share in self.given:
             self.kept_or_written(share, asked[share], settled[share])

@@ -8,10 +8,8 @@ from argparse import Namespace
 from pathlib import Path
 
 from planes.crank_slider.calculation import Calculation, calculate
-from planes.crank_slider.numbers import as_json
-from planes.crank_slider.pages_forces import worked
-from planes.crank_slider.pages_kinematics import scene_at
-from planes.crank_slider.report import document, summary
+from planes.crank_slider.pages_mechanics import scene_at, worked
+from planes.crank_slider.report import as_json, document, summary
 from planes.scene import Scene
 from planes.scene.files import keep
 from planes.words import Lang, Phrase

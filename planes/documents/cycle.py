@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 
 from planes.diagrams.curves import Curve, curves_of, output_curves
+from planes.diagrams.driven import FULL
 from planes.diagrams.extremes import Extreme, extremes
-from planes.diagrams.runs import Runs
+from planes.diagrams.motion import Runs
 from planes.diagrams.turn import Grid, WholeTurn, grid, turn_of
-from planes.diagrams.working_range import FULL
 from planes.geometry.arrays import Array
 from planes.plans import Plans, mechanism_plans
 from planes.plans.lettering import lettering

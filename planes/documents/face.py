@@ -25,7 +25,7 @@ from planes.solving import solve as solve_each
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.names import kind_of
-from planes.words.options import home_lang
+from planes.words.system import home_lang
 from planes.words.units import read_mu
 from render.sheet import Sheet
 from render.sheet.single import Page

@@ -36,7 +36,7 @@ def over_cycle(
     names, loops = (asked(scene.sheet, key) for key in SHOWN)
     if not names and not loops:
         return (), ()
-    from planes.diagrams.runs import Runs
+    from planes.diagrams.motion import Runs
     from planes.diagrams.turn import turn_of
 
     turn = turn_of(plans, names, loops, scene.file)
@@ -104,7 +104,7 @@ def constructions(
     scene: Scene, composer: Composer, sections: int = STATIONS, pole_mm: float | None = None
 ) -> list[View]:
     """Both graphical constructions of the driven link's motion."""
-    from planes.diagrams.motion import constructed
+    from planes.diagrams.graphical_text import constructed
     from render.views.graphical import Graphical
 
     found = []

@@ -10,10 +10,9 @@ import numpy as np
 from planes.batch import Cycle
 from planes.batch.columns import columns_of
 from planes.diagrams.curves import curves_of, output_curves
-from planes.diagrams.driven import driven
+from planes.diagrams.driven import FULL, WorkingRange, driven
 from planes.diagrams.motion import dead_points, driven_grid
 from planes.diagrams.turn import span_of, unwound
-from planes.diagrams.working_range import FULL, WorkingRange
 from planes.documents.graphs import known, over_cycle
 from planes.geometry.arrays import Array
 from planes.plans import Plans

@@ -11,12 +11,11 @@ from typing import Any
 
 from planes.scene import source
 from planes.scene.doubts import read_doubts
-from planes.scene.laws import read_laws
 from planes.scene.links import read_frame, read_links
 from planes.scene.mechanism import Mechanism, Where
 from planes.scene.motion import read_assembly, read_drive, read_friction, read_gravity, read_loads
-from planes.scene.parameters import choose, read_parameters, read_variants, with_numbers
-from planes.scene.reader import Reader
+from planes.scene.parameters import choose, read_laws, read_parameters, read_variants, with_numbers
+from planes.scene.reader import Reader, entries_of
 from planes.scene.settings import read_find, read_number_of_frame, read_plans, read_sheet, read_vector_mu, read_words
 from planes.scene.source import Node, SourceTable
 from planes.scene.vectors import VectorGiven, read_equations, read_vectors
@@ -154,17 +153,13 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
     chosen = choose(reader, tables, variant, table.lines.get("variants", 1))
     changed = with_numbers(reader, given, chosen, parameters)
     reader.parameters = MappingProxyType(read_parameters(reader, given, changed))
-    stated = {**_entries(given), **_entries(changed)}
+    stated = {**entries_of(given), **entries_of(changed)}
     reading = ReadWith(variant, tuple(tables), reader.parameters, text, MappingProxyType(parameters))
     return _scene(reader, table, reading, stated)
 
 
-def _entries(node: Node | None) -> Mapping[str, Node]:
-    return node.entries if isinstance(node, SourceTable) else {}
-
-
 def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mapping[str, Node]) -> Scene:
-    where: Where = MappingProxyType(dict(source.lines(table)))
+    where: Where = MappingProxyType({path: line for path, _, line in source.walk(table) if path})
     of_vectors = "vectors" in table.entries
     mechanism = None if of_vectors else _mechanism(reader, table, where, stated)
     vectors = read_vectors(reader, table.entries["vectors"]) if of_vectors else {}

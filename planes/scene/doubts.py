@@ -9,8 +9,8 @@ from dataclasses import fields
 from itertools import combinations
 
 from planes.scene.mechanism import Link, Mechanism
-from planes.scene.reader import Keys, texts
-from planes.scene.source import Items, Node, SourceScalar, SourceTable
+from planes.scene.reader import Keys, line_of, texts
+from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.words import Phrase
 from planes.words.errors import Doubt
 
@@ -39,21 +39,8 @@ def read_doubts(
             for guide, value in mechanism.friction.items()
             if value >= STEEP
         ]
-    said = [Doubt(phrase, file, _line(table, path)) for phrase, path in found]
+    said = [Doubt(phrase, file, line_of(table, path)) for phrase, path in found]
     return sorted(said, key=lambda doubt: doubt.line)
-
-
-def _line(table: SourceTable, path: Keys) -> int:
-    """The line of the deepest key of a path that is there."""
-    line = table.line
-    node: Node = table
-    for key in path:
-        if isinstance(node, SourceTable) and key in node.entries:
-            line, node = node.lines[key], node.entries[key]
-        elif isinstance(node, Items):
-            node = node.items[int(key)]
-            line = node.line
-    return line
 
 
 def _empty(table: SourceTable) -> Iterator[tuple[Phrase, Keys]]:

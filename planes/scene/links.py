@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from types import MappingProxyType
 
 from planes.scene.mechanism import FRAME, Guide, Link, Slide
-from planes.scene.reader import Reader, part
+from planes.scene.reader import Reader, line_of, part
 from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.words import Phrase
 from planes.words.spelling import latin
@@ -128,7 +128,7 @@ def _check_alike(reader: Reader, table: SourceTable, links: Iterable[Link]) -> N
             first, other = seen.setdefault(latin(point), (point, owner))
             if first != point:
                 one, two = Phrase("point", name=point, owner=owner), Phrase("point", name=first, owner=other)
-                line = table.line if link.name == FRAME else _at(table, link.name, "points", point)
+                line = table.line if link.name == FRAME else line_of(table, (link.name, "points", point))
                 raise reader.error(Phrase("points_alike", one=one, two=two), line)
 
 
@@ -139,7 +139,7 @@ def _owners(reader: Reader, table: SourceTable, links: dict[str, Link], frame: L
             if guide in owners:
                 owner = Phrase("the_frame") if owners[guide] == FRAME else Phrase("link", name=owners[guide])
                 raise reader.error(
-                    Phrase("guide_twice", guide=guide, name=name, owner=owner), _at(table, name, "guides", guide)
+                    Phrase("guide_twice", guide=guide, name=name, owner=owner), line_of(table, (name, "guides", guide))
                 )
             owners[guide] = name
     return owners
@@ -151,16 +151,7 @@ def _check_slide(reader: Reader, table: SourceTable, link: Link, owners: dict[st
         others = [name for name, owner in owners.items() if owner != link.name]
         valid = reader.offer(guide, others, Phrase("guides_all"))
         raise reader.error(
-            Phrase("no_guide", name=link.name, guide=guide[:60], valid=valid), _at(table, link.name, "slides")
+            Phrase("no_guide", name=link.name, guide=guide[:60], valid=valid), line_of(table, (link.name, "slides"))
         )
     if owners[guide] == link.name:
-        raise reader.error(Phrase("own_guide", name=link.name, guide=guide), _at(table, link.name, "slides"))
-
-
-def _at(node: Node, *path: str) -> int:
-    """The line of a key somewhere below a table."""
-    line = node.line
-    for key in path:
-        if isinstance(node, SourceTable):
-            line, node = node.lines[key], node.entries[key]
-    return line
+        raise reader.error(Phrase("own_guide", name=link.name, guide=guide), line_of(table, (link.name, "slides")))

@@ -1,12 +1,17 @@
-"""Parameters of a scene: their values, which may be expressions of one another, and the variants that override them."""
+"""Parameters of a scene: their values, which may be expressions of one another, and the variants that override them.
+
+Numbers that depend on what the drive's place is taken from hold at that place alone: with ``phi: phi_1`` a force of
+3000*sin(phi_1) is calculated once, and would stay as it is while the drive moves.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from planes.scene.expressions import RESERVED, evaluate, is_name, names_in
-from planes.scene.reader import MAX_NAME, Reader, part
-from planes.scene.source import Node, SourceScalar, SourceTable
+from planes.scene.mechanism import Law
+from planes.scene.reader import MAX_NAME, Keys, Reader, entries_of, part, texts
+from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, choices, shown
 
@@ -17,11 +22,14 @@ def read_parameters(reader: Reader, node: Node | None, chosen: SourceTable | Non
         return {}
     table = reader.table(node, "parameters")
     for name, line in table.lines.items():
-        _check_parameter(reader, name, line)
+        if name in RESERVED:
+            raise reader.error(Phrase("reserved_parameter", name=name), line)
+        if len(name) > MAX_NAME or not is_name(name):
+            raise reader.error(Phrase("bad_parameter", name=shown(name), most=MAX_NAME), line)
     entries = {**table.entries, **(chosen.entries if chosen else {})}
-    texts = {name: _scalar(reader, entry, Phrase("parameter", name=name)) for name, entry in entries.items()}
+    written = {name: _scalar(reader, entry, Phrase("parameter", name=name)) for name, entry in entries.items()}
     try:
-        return resolve(texts)
+        return resolve(written)
     except ExpressionError as error:
         what = Phrase("parameter", name=error.parameter)
         raise reader.error(Phrase("about", what=what, why=error.phrase), entries[error.parameter]) from None
@@ -31,7 +39,7 @@ def with_numbers(
     reader: Reader, node: Node | None, chosen: SourceTable | None, numbers: Mapping[str, float]
 ) -> SourceTable:
     """The chosen variant with numbers put in the place of parameters by whoever runs the program."""
-    known = node.entries if isinstance(node, SourceTable) else {}
+    known = entries_of(node)
     for name in numbers:
         if name not in known:
             valid = reader.offer(name, known, Phrase("parameters_all"))
@@ -39,13 +47,6 @@ def with_numbers(
     line = node.line if node else 1
     given: dict[str, Node] = {name: SourceScalar(repr(float(value)), line) for name, value in numbers.items()}
     return SourceTable({**(chosen.entries if chosen else {}), **given}, line)
-
-
-def _check_parameter(reader: Reader, name: str, line: int) -> None:
-    if name in RESERVED:
-        raise reader.error(Phrase("reserved_parameter", name=name), line)
-    if len(name) > MAX_NAME or not is_name(name):
-        raise reader.error(Phrase("bad_parameter", name=shown(name), most=MAX_NAME), line)
 
 
 def _scalar(reader: Reader, node: Node, what: Phrase) -> str:
@@ -59,7 +60,7 @@ def read_variants(reader: Reader, node: Node | None, parameters: Node | None) ->
     """The variants by name, each a table that overrides parameters."""
     if node is None:
         return {}
-    known = parameters.entries if isinstance(parameters, SourceTable) else {}
+    known = entries_of(parameters)
     variants = reader.names(node, "variants", Phrase("a_variant"))
     tables: dict[str, SourceTable] = {}
     for name, entry in variants.entries.items():
@@ -82,29 +83,29 @@ def choose(reader: Reader, variants: Mapping[str, SourceTable], variant: str | N
     raise reader.error(Phrase("no_variant", name=shown(variant), valid=valid), line)
 
 
-def resolve(texts: Mapping[str, str]) -> dict[str, float]:
+def resolve(written: Mapping[str, str]) -> dict[str, float]:
     """Values of parameters that may be expressions of one another, in the order given.
 
     An error carries the parameter it arose in, as ``parameter``; a cycle is refused with its names.
     """
     values: dict[str, float] = {}
-    for start in texts:
-        _resolve_from(start, texts, values)
-    return {name: values[name] for name in texts}
+    for start in written:
+        _resolve_from(start, written, values)
+    return {name: values[name] for name in written}
 
 
-def _resolve_from(start: str, texts: Mapping[str, str], values: dict[str, float]) -> None:
+def _resolve_from(start: str, written: Mapping[str, str], values: dict[str, float]) -> None:
     path: dict[str, list[str]] = {}
     current: str | None = None if start in values else start
     while current is not None:
         try:
             if current not in path:
-                path[current] = [name for name in names_in(texts[current]) if name in texts]
+                path[current] = [name for name in names_in(written[current]) if name in written]
             todo = next((name for name in path[current] if name not in values), None)
             if todo in path:
                 raise ExpressionError(_cycle(list(path), str(todo)))
             if todo is None:
-                values[current] = evaluate(texts[current], values, texts)
+                values[current] = evaluate(written[current], values, written)
                 path.popitem()
         except ExpressionError as error:
             raise ExpressionError(error.phrase, current) from None
@@ -115,3 +116,66 @@ def _cycle(path: list[str], name: str) -> Phrase:
     loop = [*path[path.index(name) :], name]
     words = loop if len(loop) <= 8 else [*loop[:6], "…", name]
     return Phrase("circle_of_one", name=name) if len(loop) == 2 else Phrase("circle", names=tuple(words))
+
+
+_GIVEN = ("force", "moment", "direction", "angle")  # numbers of a load
+_RATES = ("omega", "epsilon", "velocity", "acceleration")
+Uses = Mapping[str, list[str]]
+
+
+def read_laws(table: SourceTable, parameters: Mapping[str, Node]) -> dict[Keys, Law]:
+    """The places of loads, rates and friction whose numbers change with the drive, with the parameter they share."""
+    drive = table.entries["drive"]
+    assert isinstance(drive, SourceTable)
+    place = next(drive.entries[key] for key in ("phi", "s") if key in drive.entries)
+    uses = {name: _names(node) for name, node in parameters.items()} if _names(place) else {}
+    moving = _leaves(_names(place), uses)
+    shape = (node for key in ("frame", "links") for _, node in texts(table.entries[key]))
+    fixed = _leaves((name for node in shape for name in _names(node)), uses) if moving else set()
+    with_drive = _users(moving - fixed or moving, uses)
+    found = {}
+    for path, node in _numbers(table) if with_drive else ():
+        if shared := next((name for name in _names(node) if name in with_drive), None):
+            found[path] = Law(path, shared, node.line)
+    return found
+
+
+def _numbers(table: SourceTable) -> Iterator[tuple[Keys, SourceScalar]]:
+    for path, node in texts(
+        SourceTable({k: v for k, v in table.entries.items() if k in ("loads", "drive", "friction")}, 0)
+    ):
+        if path[0] == "friction" or path[-1] in (_GIVEN if path[0] == "loads" else _RATES):
+            yield path, node
+
+
+def _names(node: Node) -> list[str]:
+    """The names an expression uses; none where the text is something else."""
+    try:
+        return [] if isinstance(node, SourceTable | Items) else names_in(node.text)
+    except ExpressionError:
+        return []
+
+
+def _leaves(names: Iterable[str], uses: Uses) -> set[str]:
+    """The parameters given by numbers that these are made of."""
+    return {name for name in _reached(names, uses) if name in uses and not uses[name]}
+
+
+def _users(names: Iterable[str], uses: Uses) -> set[str]:
+    """These parameters, and all that are made of them."""
+    users: dict[str, list[str]] = {}
+    for name, used in uses.items():
+        for one in used:
+            users.setdefault(one, []).append(name)
+    return _reached(names, users)
+
+
+def _reached(names: Iterable[str], ways: Uses) -> set[str]:
+    found = set(names)
+    todo = list(found)
+    while todo:
+        for name in ways.get(todo.pop(), ()):
+            if name not in found:
+                found.add(name)
+                todo.append(name)
+    return found

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from planes.geometry.degrees import cos_deg, sin_deg
 from planes.scene.expressions import evaluate
-from planes.scene.source import Items, Node, SourceScalar, SourceTable
+from planes.scene.source import Items, Node, SourceScalar, SourceTable, walk
 from planes.words import Phrase, Told
 from planes.words.errors import ExpressionError, SceneError, choices, shown
 
@@ -121,6 +121,10 @@ class Reader:
         node = table.entries.get(key)
         return None if isinstance(node, SourceScalar) and node.absent else node
 
+    def present(self, table: SourceTable) -> dict[str, Node]:
+        """The values of a table that are not empty."""
+        return {key: node for key, node in table.entries.items() if self.optional(table, key) is not None}
+
     def required(self, table: SourceTable, key: str, what: Told) -> Node:
         """The value of a key that must be there."""
         node = table.entries.get(key)
@@ -181,6 +185,11 @@ def section(name: str) -> Phrase:
     return Phrase("section", name=name)
 
 
+def entries_of(node: Node | None) -> Mapping[str, Node]:
+    """What a table holds; nothing where the node is no table."""
+    return node.entries if isinstance(node, SourceTable) else {}
+
+
 def kind(node: Node) -> Told:
     """What a node is, in words."""
     if isinstance(node, SourceTable):
@@ -188,13 +197,19 @@ def kind(node: Node) -> Told:
     return Phrase("a_list") if isinstance(node, Items) else (Phrase("empty") if node.absent else shown(node.text))
 
 
-def texts(node: Node, path: Keys = ()) -> Iterator[tuple[Keys, SourceScalar]]:
+def texts(node: Node) -> Iterator[tuple[Keys, SourceScalar]]:
     """Every text beneath a node with its path."""
-    if isinstance(node, SourceScalar):
-        yield path, node
-        return
-    entries = (
-        node.entries.items() if isinstance(node, SourceTable) else ((str(k), one) for k, one in enumerate(node.items))
-    )
-    for key, one in entries:
-        yield from texts(one, (*path, key))
+    return ((path, one) for path, one, _ in walk(node) if isinstance(one, SourceScalar))
+
+
+def line_of(table: SourceTable, path: Keys) -> int:
+    """The line of the deepest key of a path that is there."""
+    line = table.line
+    node: Node = table
+    for key in path:
+        if isinstance(node, SourceTable) and key in node.entries:
+            line, node = node.lines[key], node.entries[key]
+        elif isinstance(node, Items):
+            node = node.items[int(key)]
+            line = node.line
+    return line

@@ -104,11 +104,7 @@ def read_sheet(reader: Reader, node: Node | None) -> Mapping[str, object]:
     table = reader.table(node, "sheet", SHEET_KEYS)
     if all(reader.optional(table, key) for key in ("number", "designation")):
         reader.one_of(table, ("number", "designation"), section("sheet"))
-    return {
-        key: _setting(reader, key, entry)
-        for key, entry in table.entries.items()
-        if reader.optional(table, key) is not None
-    }
+    return {key: _setting(reader, key, entry) for key, entry in reader.present(table).items()}
 
 
 def _setting(reader: Reader, key: str, node: Node) -> object:
@@ -146,11 +142,7 @@ def _revision(reader: Reader, node: Node, what: Phrase) -> dict[str, str]:
             dict(zip(_REVISIONS, node.items, strict=False)), node.line, dict.fromkeys(_REVISIONS, node.line)
         )
     table = reader.table(node, what, _REVISIONS)
-    return {
-        key: reader.text(entry, part(key, what))
-        for key, entry in table.entries.items()
-        if reader.optional(table, key) is not None
-    }
+    return {key: reader.text(entry, part(key, what)) for key, entry in reader.present(table).items()}
 
 
 def read_number_of_frame(reader: Reader, node: Node | None) -> str:

@@ -64,16 +64,15 @@ class SourceTable:
 Node = SourceScalar | Items | SourceTable
 
 
-def lines(node: Node, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], int]]:
-    """Every path of keys (and numbers in lists, from "0") in the tree with its line."""
+def walk(node: Node, path: tuple[str, ...] = (), line: int = 0) -> Iterator[tuple[tuple[str, ...], Node, int]]:
+    """Every node of the tree with its path of keys (and numbers in lists, from "0") and its line, that of its key."""
+    yield path, node, line or node.line
     if isinstance(node, SourceTable):
         for key, value in node.entries.items():
-            yield (*path, key), node.lines[key]
-            yield from lines(value, (*path, key))
+            yield from walk(value, (*path, key), node.lines.get(key, 0))
     elif isinstance(node, Items):
         for index, value in enumerate(node.items):
-            yield (*path, str(index)), value.line
-            yield from lines(value, (*path, str(index)))
+            yield from walk(value, (*path, str(index)))
 
 
 def read(path: str | Path) -> str:

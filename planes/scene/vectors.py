@@ -4,11 +4,105 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from itertools import pairwise
 
 from planes.scene.reader import MAX_NAME, Reader, part
 from planes.scene.source import Node, SourceScalar
 from planes.words import Phrase
-from planes.words.errors import shown
+from planes.words.errors import EquationError, shown
+from planes.words.names import POLE
+
+_RATE = re.compile(r"([va])_([^\W\d_]\d*)([^\W\d_]\d*)?(?:\^([ntkr]))?")
+
+
+@dataclass(frozen=True)
+class Sides:
+    """An equation as names: the vectors of each side, each with its sign made plus by moving it across."""
+
+    text: str
+    left: tuple[str, ...]
+    right: tuple[str, ...]
+
+    def __str__(self) -> str:
+        return " = ".join(" + ".join(side) or "0" for side in (self.left, self.right))
+
+
+def read_equation(text: str) -> Sides:
+    """Read "v_C = v_B + v_CB" or "F_21 + G_2 - F_03 = 0"; a minus carries a vector to the other side.
+
+    :class:`EquationError` where the text is no sum of names, a name stands twice, or a chain breaks.
+    """
+    parts = text.split("=")
+    if len(parts) != 2:
+        raise EquationError(Phrase("one_equals", text=text))
+    sides: tuple[list[str], list[str]] = ([], [])
+    for index, side in enumerate(parts):
+        for sign, name in _terms(side, text):
+            sides[index if sign == "+" else 1 - index].append(name)
+    names = sides[0] + sides[1]
+    for name in names:
+        if names.count(name) > 1:
+            raise EquationError(Phrase("vector_twice", text=text, name=name))
+    if not names:
+        raise EquationError(Phrase("no_vectors", text=text))
+    found = Sides(text, tuple(sides[0]), tuple(sides[1]))
+    check_chain(found)
+    return found
+
+
+def _terms(part: str, text: str) -> list[tuple[str, str]]:
+    part = part.strip().replace("−", "-")
+    if part == "0":
+        return []
+    pieces = re.split(r"([+-])", part)
+    pieces = pieces[1:] if pieces[0].strip() == "" else ["+", *pieces]
+    found = []
+    for sign, name in zip(pieces[::2], pieces[1::2], strict=False):
+        if not re.fullmatch(r"[^\W\d][\w^'′]*", name.strip()):
+            word = repr(name.strip()) if name.strip() else Phrase("nothing")
+            raise EquationError(Phrase("not_vector", text=text, name=word))
+        found.append((sign, name.strip()))
+    if not found:
+        raise EquationError(Phrase("side_empty", text=text))
+    return found
+
+
+def ends(name: str) -> tuple[str, str] | None:
+    """Marks a velocity or acceleration runs between by its name: v_C p→c, v_CB b→c, a_CB^n b'→n_CB; else None."""
+    match = _RATE.fullmatch(name)
+    if not match:
+        return None
+    letter, one, other, part = match.groups()
+    prime = "'" if letter == "a" else ""
+    start = other.lower() + prime if other else POLE
+    end = one.lower() + prime
+    middle = f"{'n' if part in 'nt' else 'k'}_{one}{other or ''}" if part else ""
+    if part in ("n", "k"):
+        return start, middle
+    return (middle, end) if part else (start, end)
+
+
+def check_chain(sides: Sides) -> None:
+    """Each vector of a side starts where the one before it ends, and both sides join the same marks."""
+    reached = []
+    for side in (sides.left, sides.right):
+        spans = [(name, ends(name)) for name in side]
+        if not spans or any(span is None for _, span in spans):
+            return
+        for (_, before), (name, after) in pairwise(spans):
+            assert before and after
+            if before[1] != after[0]:
+                raise EquationError(
+                    Phrase("chain_order", text=sides.text, name=name, start=after[0], reached=before[1])
+                )
+        first, last = spans[0][1], spans[-1][1]
+        assert first and last
+        reached.append((first[0], last[1]))
+    if len(reached) == 2 and reached[0] != reached[1]:
+        (start, end), (other_start, other_end) = reached
+        why = Phrase("chain_ends", text=sides.text, start=start, end=end, other_start=other_start, other_end=other_end)
+        raise EquationError(why)
+
 
 _KEYS = ("value", "direction", "perpendicular_to", "near")
 _NAME = re.compile(r"[^\W\d][\w'′″^]*")

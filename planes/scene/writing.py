@@ -7,7 +7,7 @@ from contextlib import suppress
 
 import yaml
 
-from planes.scene.mechanism import Assembly, Drive, Guide, Link, Load, Mechanism, Slide
+from planes.scene.mechanism import Drive, Guide, Link, Load, Mechanism, Slide
 from planes.scene.source import Items, SourceScalar, SourceTable
 from planes.words.records import Json
 
@@ -48,7 +48,7 @@ def _said(value: object) -> bool:
 def _mechanism(m: Mechanism) -> Iterator[tuple[str, object]]:
     yield "frame", _link(m.frame)
     yield "links", {name: _link(link) for name, link in m.links.items()}
-    yield "assembly", {name: _assembly(a) for name, a in m.assembly.items()}
+    yield "assembly", {name: a.order or {"near": a.near} for name, a in m.assembly.items()}
     yield "drive", _drive(m.drive)
     yield "loads", [_load(load) for load in m.loads]
     yield "gravity", m.gravity
@@ -70,10 +70,9 @@ def _as_written(node: object) -> object:
 
 
 def _link(link: Link) -> Json:
+    on_axis = link.name != "0"
     said = {
-        "points": {name: place if place.imag else place.real for name, place in link.points.items()}
-        if link.name != "0"
-        else dict(link.points),
+        "points": {name: z.real if on_axis and not z.imag else z for name, z in link.points.items()},
         "guides": {name: _guide(guide) for name, guide in link.guides.items()},
         "slides": None if link.slides is None else _slide(link.slides),
         "centre": link.centre,
@@ -95,10 +94,6 @@ def _slide(slide: Slide) -> Json | str:
     more = {"angle": slide.angle_deg, "offset": slide.offset}
     given = {key: value for key, value in more.items() if value is not None}
     return {"guide": slide.guide, **given} if given else slide.guide
-
-
-def _assembly(a: Assembly) -> Json | str:
-    return a.order or {"near": a.near}
 
 
 def _drive(drive: Drive) -> Json:

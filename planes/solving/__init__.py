@@ -8,6 +8,7 @@ from pathlib import Path
 
 from planes.drafting.drawing import Drawing, proved, run
 from planes.drafting.instruments import PENCILS, Exact, Instrument, Pencil
+from planes.drafting.program import Program
 from planes.drafting.tools import Thing
 from planes.plans import Plans, mechanism_plans, sliced
 from planes.plans.measuring import DrawingReader
@@ -19,6 +20,7 @@ from planes.solving.nearest import nearest
 from planes.solving.warned import warnings
 from planes.words import Lang, Phrase, Told
 from planes.words.errors import PlanFailure
+from planes.words.names import at
 from planes.words.pictures import Pictured
 from planes.words.records import Json
 
@@ -204,7 +206,11 @@ def position(
     found = tuple(map(reader.read, results_of(plans, wanted)))
     results = {key_of(plans): value, **as_json(plans, found, GROUPS if wanted is None else ())}
     names = None if wanted is None else {n for q in wanted for n in (q.name, q.path[-1])}
-    errors = pencil_errors(plans, given, instrument, reader) if isinstance(instrument, Pencil) else None
+    errors = None
+    if isinstance(instrument, Pencil):
+        parts = [(plan, key, s) for plan in plans.drawn for key, s in reader.plan_segments(plan).items()]
+        spans = {f"{plan}:{key}": (at(plan, s.start), at(plan, s.end)) for plan, key, s in parts}
+        errors = scatter_mm(plans.program, given, plans.drive_given, instrument, spans)
     drawn = reader.plans(names, errors)
     if drawn or wanted is None:
         results["plans"] = drawn
@@ -220,16 +226,13 @@ def as_json(plans: Plans, found: Iterable[Measured], groups: Iterable[str] = ())
     return out
 
 
-def pencil_errors(plans: Plans, given: Mapping[str, Thing], pencil: Pencil, reader: DrawingReader) -> dict[str, float]:
-    """Standard deviation, in mm, of every segment over many draughtsmen with the same pencil."""
+def scatter_mm(
+    program: Program, given: Mapping[str, Thing], repeated: str, pencil: Pencil, spans: Mapping[str, tuple[str, str]]
+) -> dict[str, float]:
+    """Standard deviation, in mm, of the length between marks over many draughtsmen with the same pencil; one given is
+    ``repeated`` for each of them."""
     import numpy
 
-    crowd = {**given, plans.drive_given: numpy.full(PENCILS, float(given[plans.drive_given]))}
-    drawing = run(plans.program, crowd, pencil)
-    many = DrawingReader(plans, drawing, reader.scales)
-    found = {}
-    for plan in plans.drawn:
-        for key, s in many.plan_segments(plan).items():
-            length = abs(drawing[f"{plan}:{s.end}"] - drawing[f"{plan}:{s.start}"])
-            found[f"{plan}:{key}"] = float(numpy.nanstd(length)) if numpy.ndim(length) else 0.0
-    return found
+    crowd = run(program, {**given, repeated: numpy.full(PENCILS, given[repeated])}, pencil)
+    found = {name: numpy.nanstd(abs(crowd[end] - crowd[start])) for name, (start, end) in spans.items()}
+    return {name: float(size) for name, size in found.items()}

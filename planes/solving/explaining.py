@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from planes.drafting.program import Program
+from collections.abc import Iterable, Iterator
+
 from planes.drafting.steps.base import Step
 from planes.plans import mechanism_plans
 from planes.scene import Scene
@@ -14,27 +15,20 @@ from planes.words.names import is_scale
 
 def explain(scene: Scene, lang: Lang = "en") -> str:
     """The kept and the dropped steps of a scene, one on a line, in the order they would be drawn."""
-    whole, kept = _programs(scene)
+    if scene.mechanism is None:
+        plan, spans = stated(scene)
+        whole, kept = program_of(plan, plan.spans), program_of(plan, spans)
+    else:
+        whole, kept = mechanism_plans(scene).program, plans_of(scene)[0].program
     dropped = [s for s in whole.steps if s.makes not in kept.made]
     lines = [say("explain_kept", lang, kept=len(kept.steps), all=len(whole.steps)), *_listed(kept.steps, lang)]
     if dropped:
-        lines += ["", say("explain_dropped", lang, dropped=len(dropped)), *_listed(tuple(dropped), lang)]
+        lines += ["", say("explain_dropped", lang, dropped=len(dropped)), *_listed(dropped, lang)]
     return "\n".join(lines) + "\n"
 
 
-def _programs(scene: Scene) -> tuple[Program, Program]:
-    """All that a scene states, and what of it is drawn."""
-    if scene.mechanism is None:
-        plan, spans = stated(scene)
-        return program_of(plan, plan.spans), program_of(plan, spans)
-    return mechanism_plans(scene).program, plans_of(scene)[0].program
-
-
-def _listed(steps: tuple[Step, ...], lang: Lang) -> list[str]:
-    return [f"  {_line(s, lang)}" for s in steps]
-
-
-def _line(step: Step, lang: Lang) -> str:
-    verb = say(f"step_{type(step).__name__}", lang)
-    names = ", ".join(dict.fromkeys(name for name, kind in step.reads() if not is_scale(name)))
-    return f"{step.makes}: {verb}" + (f" ({say('explain_reads', lang, reads=names)})" if names else "")
+def _listed(steps: Iterable[Step], lang: Lang) -> Iterator[str]:
+    for step in steps:
+        verb = say(f"step_{type(step).__name__}", lang)
+        names = ", ".join(dict.fromkeys(name for name, kind in step.reads() if not is_scale(name)))
+        yield f"  {step.makes}: {verb}" + (f" ({say('explain_reads', lang, reads=names)})" if names else "")

@@ -65,18 +65,8 @@ def rescaled(
     again.results["remedied"] = sorted(large)
     for kind, (plan, marks, angle, size) in large.items():
         said, now = (mu_text(x[mu_of(plan)], kind, lang) for x in (p.scales, again.scales))
-        again.results["warnings"].append(
-            say(
-                "remedy_scale",
-                lang,
-                marks=marks,
-                angle_deg=f"{angle:.2g}",
-                said=said,
-                mu=now,
-                size_mm=f"{size:.0f}",
-                plan=say_plan(plan, lang),
-            )
-        )
+        parts = {"marks": marks, "angle_deg": f"{angle:.2g}", "size_mm": f"{size:.0f}", "plan": say_plan(plan, lang)}
+        again.results["warnings"].append(say("remedy_scale", lang, said=said, mu=now, **parts))
     return again
 
 

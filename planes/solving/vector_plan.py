@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from planes.drafting.draft import Draft
 from planes.drafting.equations import Equation, Term, unknown
 from planes.scene import Scene, VectorGiven
-from planes.scene.statement import Sides, ends, read_equation
+from planes.scene.vectors import Sides, ends, read_equation
 from planes.words import Phrase, Told, table
 from planes.words.errors import EquationError, PlanFailure, SceneError, choices
 from planes.words.names import POLE, at, label_of, mu_of
@@ -136,7 +136,7 @@ class VectorPlan:
         named = ends(total or (right or left)[-1])
         target = named[1] if named and named[1] not in self.labels else f"e{index + 1}"
         if left and right:
-            first, second = (left, right) if self._whole(left) else (right, left)
+            first, second = (left, right) if not any(map(self._open, left)) else (right, left)
             one = self._chain(first, self._fresh(target))
             other = self._chain(second, one[-1].end)
             return (one, other) if first is left else (other, one)
@@ -150,10 +150,6 @@ class VectorPlan:
     def _open(self, name: str) -> bool:
         """Whether something of a vector is not known yet."""
         return None in self.known.get(name, ())
-
-    def _whole(self, names: tuple[str, ...]) -> bool:
-        """Whether all of these vectors are known."""
-        return not any(self._open(name) for name in names)
 
     def _chain(self, names: Iterable[str], target: str) -> tuple[Term, ...]:
         """The side's terms, known ones first, from the pole to the target, or where a vector drawn before ends."""

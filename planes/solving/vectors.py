@@ -8,10 +8,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from planes.drafting.drawing import Drawing, run
-from planes.drafting.instruments import PENCILS, Instrument, Pencil
+from planes.drafting.instruments import Instrument, Pencil
 from planes.drafting.program import Program
 from planes.drafting.tools import Thing
 from planes.scene import Scene
+from planes.solving import scatter_mm
 from planes.solving.vector_plan import PLAN, VectorPlan, quantity_of
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanFailure, SceneError, choices
@@ -55,13 +56,8 @@ class VectorResults:
         error = self.scatter_mm.get(name, 8 * self.drawing.tool.ar.eps * (abs(start) + abs(end)) / blunt)
         if self.errors:
             error = self.errors["plans"][PLAN]["segments"][name]["mm"] or error
-        return {
-            "mm": float(mm),
-            "value": float(mm / self.mu),
-            "unit": UNIT[self.quantity],
-            "error_mm": float(error),
-            "name": name,
-        }
+        sizes = {"mm": float(mm), "value": float(mm / self.mu)}
+        return {**sizes, "unit": UNIT[self.quantity], "error_mm": float(error), "name": name}
 
     def warnings(self, lang: Lang = "en") -> list[str]:
         """Crossings too blunt to be drawn well."""
@@ -79,20 +75,12 @@ class VectorResults:
             for n, v in self.vectors().items()
         }
         sharpness = {label_of(k): float(v) for k, v in self.drawing.sharpness.items()}
-        plan = {
-            "mu": mu_text(self.mu, self.quantity),
-            "segments": {n: self.segment(n) for n in self.spans},
-            "sharpness": sharpness,
-        }
+        segments = {n: self.segment(n) for n in self.spans}
+        plan = {"mu": mu_text(self.mu, self.quantity), "segments": segments, "sharpness": sharpness}
         errors = {} if self.errors is None else {"errors": self.errors}
-        return {
-            "planes": 1,
-            "scene": self.scene.file,
-            "vectors": found,
-            "plans": {PLAN: plan},
-            **errors,
-            "warnings": [*(d.told(lang) for d in self.scene.doubts), *self.warnings(lang)],
-        }
+        warnings = [*(d.told(lang) for d in self.scene.doubts), *self.warnings(lang)]
+        told = {"planes": 1, "scene": self.scene.file, "vectors": found, "plans": {PLAN: plan}}
+        return {**told, **errors, "warnings": warnings}
 
 
 def stated(scene: Scene) -> tuple[VectorPlan, dict[str, tuple[str, str]]]:
@@ -119,27 +107,14 @@ def solve_vectors(scene: Scene, instrument: Instrument | None = None) -> VectorR
         given[side] = _choose(plan, given, side, names)
     try:
         drawing = run(program, given)
-        mu = scene.mu.get("vectors") or standard_mu(max(abs(drawing[m]) for m in _marks(program)), FIT_MM)
+        longest = max(abs(drawing[s.makes]) for s in program.steps if s.kind == "mark")
+        mu = scene.mu.get("vectors") or standard_mu(longest, FIT_MM)
         given[mu_of(PLAN)] = mu
         drawing = run(program, given, instrument)
     except PlanFailure as failure:
         raise plan.failure(failure) from None
-    scatter = _scatter(program, given, instrument, spans) if isinstance(instrument, Pencil) else {}
+    scatter = scatter_mm(program, given, mu_of(PLAN), instrument, spans) if isinstance(instrument, Pencil) else {}
     return VectorResults(scene, plan, drawing, mu, quantity, spans, scatter)
-
-
-def _marks(program: Program) -> list[str]:
-    return [s.makes for s in program.steps if s.kind == "mark"]
-
-
-def _scatter(
-    program: Program, given: Mapping[str, Thing], pencil: Pencil, spans: Mapping[str, tuple[str, str]]
-) -> dict[str, float]:
-    """Standard deviation, in mm, of every vector over many draughtsmen with the same pencil."""
-    import numpy
-
-    many = run(program, {**given, mu_of(PLAN): numpy.full(PENCILS, given[mu_of(PLAN)])}, pencil)
-    return {n: float(numpy.nanstd(abs(many[e] - many[s]))) for n, (s, e) in spans.items()}
 
 
 def _choose(plan: VectorPlan, given: Mapping[str, Thing], side: str, names: tuple[str, ...]) -> float:

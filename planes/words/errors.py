@@ -88,10 +88,6 @@ class PlanFailure(PlanesError, ArithmeticError):
         self.reason, self.numbers = reason, numbers
         super().__init__(Phrase(reason, **numbers))
 
-    def sentence(self, lang: Lang = "en") -> str:
-        """What went wrong, in words of a language."""
-        return self.told(lang)
-
 
 class Contradiction(PlanesError, ArithmeticError):
     """A drawing that contradicts itself: the fault is the program's, so nothing of it is given; ``reason`` is a key of

@@ -33,14 +33,14 @@ class Naming:
 
     def point(self, name: str) -> str:
         """A point of the scheme: S2 -> S_{2}."""
-        return lettered(name)
+        return lowered(name)
 
     def mark(self, label: str, plan: str) -> str:
         """A mark of a plan of rates: s2' -> s_{2}′, n_CB -> n_{CB}, the pole of accelerations π."""
         if label == "p":
             return "π" if plan == "acceleration" else "p"
         primes, label = len(label) - len(label.rstrip("'′")), label.rstrip("'′")
-        return lettered(label) + PRIME * primes
+        return lowered(label) + PRIME * primes
 
     def vector(self, name: str) -> str:
         """A vector or a value: v_CB, a_HL^k, F_21^t, G_2, I_2, P_5, omega_2, M_3, l_AB, omegaq_2 of a unit drive."""
@@ -93,7 +93,7 @@ class Naming:
             return self.arm(index.partition("^")[0].rpartition("_")[0] if letter == "h" else index, plain)
         if "'" in plain or plain == "p":
             return self.mark(plain, plan)
-        return self.vector(parted(plain)) if index else lettered(plain)
+        return self.vector(parted(plain)) if index else lowered(plain)
 
 
 def flat(text: str) -> str:
@@ -108,7 +108,7 @@ def rate_of(letter: str) -> tuple[str, str]:
     return (_GREEK.get(plain, plain), letter[len(plain) :]) if known else (letter, "")
 
 
-def lettered(name: str) -> str:
+def lowered(name: str) -> str:
     """A letter with its number lowered: S2 -> S_{2}."""
     match = _INDEXED.fullmatch(name)
     if match:

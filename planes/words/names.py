@@ -10,34 +10,11 @@ from typing import Literal
 POLE = "p"
 AGAIN = "~"
 """Ends the name of a direction that is drawn a second time, from other marks: to people it is the same line."""
-Quantity = Literal[
-    "guide",
-    "foot",
-    "trial",
-    "normal",
-    "coriolis",
-    "weight",
-    "inertia",
-    "load",
-    "couple",
-    "tangential",
-    "reaction",
-    "arm",
-    "length",
-    "offset",
-    "place",
-    "angle",
-    "rate",
-    "along",
-    "across",
-    "towards",
-    "with",
-    "against",
-    "leaning",
-    "down",
-    "given",
-    "own",
-]
+Mark = Literal["guide", "foot", "trial", "normal", "coriolis"]
+Loading = Literal["weight", "inertia", "load", "couple", "tangential", "reaction", "arm"]
+Size = Literal["length", "offset", "place", "angle", "rate"]
+Line = Literal["along", "across", "towards", "with", "against", "leaning", "down", "given", "own"]
+Quantity = Literal[Mark, Loading, Size, Line]
 
 HELPERS = ("guide", "foot", "trial")
 """Marks that are drawn and never asked of anybody."""

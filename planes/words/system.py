@@ -1,37 +1,31 @@
-"""What the operating system says of a failure, in Russian."""
+"""What the operating system says of a failure, in Russian; and the language it speaks."""
 
 from __future__ import annotations
 
 import errno
+import json
+import locale
 import os
+from functools import cache
+from pathlib import Path
+from typing import Literal
 
-SYSTEM = {
-    os.strerror(code): words
-    for code, words in {
-        errno.ENOENT: "нет такого файла или папки",
-        errno.EACCES: "нет прав доступа",
-        errno.EPERM: "не разрешено",
-        errno.EISDIR: "это папка",
-        errno.ENOTDIR: "часть пути не папка",
-        errno.ENOSPC: "на диске нет места",
-        errno.EROFS: "диск доступен только для чтения",
-        errno.ENAMETOOLONG: "слишком длинное имя файла",
-        errno.EEXIST: "такой файл уже есть",
-        errno.ENOTEMPTY: "папка не пуста",
-        errno.EBUSY: "файл занят",
-        errno.ELOOP: "ссылки замкнуты в круг",
-        errno.EMFILE: "открыто слишком много файлов",
-        errno.EDQUOT: "исчерпана квота диска",
-        errno.EIO: "ошибка чтения или записи",
-        errno.EFBIG: "файл слишком велик",
-        errno.EINVAL: "недопустимое имя или значение",
-        errno.ENOMEM: "не хватает памяти",
-        errno.ECONNREFUSED: "в соединении отказано",
-        errno.ETIMEDOUT: "время ожидания истекло",
-    }.items()
-}
+RUSSIAN = ("ru", "be", "uk", "kk")
+
+
+@cache
+def _told() -> dict[str, str]:
+    """The Russian of each sentence of the system; ``system.json`` has it by the name of the failure."""
+    named = json.loads(Path(__file__).with_name("system.json").read_text("utf-8"))
+    return {os.strerror(getattr(errno, name)): words for name, words in named.items() if hasattr(errno, name)}
 
 
 def in_russian(text: str) -> str:
     """The Russian of what the system says; anything else as it is."""
-    return SYSTEM.get(text, text)
+    return _told().get(text, text)
+
+
+def home_lang() -> Literal["ru", "en"]:
+    """Russian where the system speaks Russian, Belarusian, Ukrainian or Kazakh; else English."""
+    said = next((os.environ[k] for k in ("LC_ALL", "LC_MESSAGES", "LANG") if os.environ.get(k)), "")
+    return "ru" if (said or locale.getlocale()[0] or "").lower().startswith(RUSSIAN) else "en"

@@ -7,8 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from planes.diagrams.graphical import Construction
-from planes.diagrams.stages import Stage
+from planes.diagrams.graphical import Construction, Stage
 from planes.drafting.drawing import Drawing
 from planes.words import say
 from planes.words.lettering import Naming

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 from planes.scene.mechanism import FRAME, Link
 from planes.solving import Position
-from planes.words.lettering import Naming, lettered
+from planes.words.lettering import Naming, lowered
 from planes.words.names import ends_of
 from render import labels
 from render.labels.footprints import ink
@@ -121,7 +121,7 @@ class Scheme:
         ends = foot + reach * along, foot - reach * along
         for letter, end in zip(ends_of(link.slides.guide), ends, strict=True):
             if letter:
-                self.named.append(labels.Label(lettered(letter), end, 3.5, name=f"guide {link.slides.guide}"))
+                self.named.append(labels.Label(lowered(letter), end, 3.5, name=f"guide {link.slides.guide}"))
 
     def size(self, link: Link) -> tuple[float, float]:
         """The size of a slider's block: of two in one place the frame's (or the later one) holds the other."""

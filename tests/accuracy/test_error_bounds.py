@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from planes.accuracy.digits import Digits
-from planes.accuracy.spread import Spread
+from planes.accuracy.errors import Spread
 from planes.accuracy.stability import approach
 from planes.batch import Cycle, compiled
 from planes.batch.double_double import TWO_OPS, apart

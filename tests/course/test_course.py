@@ -7,20 +7,20 @@ import math
 import platform
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy
 import pytest
 
-from planes.course import ParameterChoice, fingerprint
+from planes.course import ParameterChoice, ledger
 from planes.course import random_numbers as numbers
 from planes.course.ledger import Ledger, digest
-from planes.course.numbers import again, main_answers, question, settle
-from planes.course.position import clearest
+from planes.course.numbers import main_answers, own_scene, question, settle, used_names
+from planes.course.papers import clearest
 from planes.course.random_numbers import around, choices_of, dice, draw_numbers
 from planes.course.reading import read_course
-from planes.course.scenes import own_scene, used_names
-from planes.course.shares import shares
+from planes.course.students import shares
 from planes.drafting.drawing import run
 from planes.plans import plans_of
 from planes.plans.scales import unit_scales
@@ -153,13 +153,13 @@ def test_folders_have_no_names_of_devices(folder: Make) -> None:
 
 
 def test_what_files_are_made_by_tells_python_and_the_libraries(monkeypatch: pytest.MonkeyPatch) -> None:
-    made = fingerprint.made_with()
+    made = ledger.made_with()
     assert made["python"].split() == [platform.python_implementation(), platform.python_version()]
     assert made["numpy"] == numpy.__version__ and "-" not in made.values()
-    whole = {fingerprint.fingerprint.__wrapped__()}
+    whole = {ledger.fingerprint.__wrapped__()}
     for name in ("python", "numpy"):
-        monkeypatch.setattr(fingerprint, "made_with", lambda other=name: made | {other: "0"})
-        whole.add(fingerprint.fingerprint.__wrapped__())
+        monkeypatch.setattr(ledger, "made_with", lambda other=name: made | {other: "0"})
+        whole.add(ledger.fingerprint.__wrapped__())
     assert len(whole) == 3
 
 
@@ -202,7 +202,7 @@ def test_numbers_are_ones_own_whoever_else_is_there(folder: Make) -> None:
     many = read_course(folder("course: 1\nvariants: drawn\n", "Абрамов\nИванов\nКим\nПетров\n"))
     told = [{s.student.name: settle(question(c, s, "en")).scene for s in shares(c)} for c in (few, many)]
     assert told[0].items() <= told[1].items() and len(set(told[1].values())) == 4
-    question_again = again(question(few, shares(few)[0], "en"))
+    question_again = replace(question(few, shares(few)[0], "en"), copy=1)
     assert settle(question_again).scene not in told[1].values()
 
 

@@ -10,11 +10,9 @@ import numpy as np
 import pytest
 from scipy.interpolate import PchipInterpolator
 
-from planes.crank_slider.engine import EngineCycle
-from planes.crank_slider.forces import balance, classical, replaced
-from planes.crank_slider.indicator import monotone
-from planes.crank_slider.kinematics import as_plane_motion, as_points, swing
-from planes.crank_slider.misprints import printed
+from planes.crank_slider.forces import balance, classical, printed, replaced
+from planes.crank_slider.given import monotone
+from planes.crank_slider.kinematics import EngineCycle, as_plane_motion, as_points, swing
 from planes.crank_slider.shape import CrankSliderShape
 from tests.helpers.crank_slider_scenes import SAMPLE, calculated, changed, two_stroke
 

@@ -8,12 +8,10 @@ import math
 import numpy as np
 import pytest
 
-from planes.crank_slider.fatigue import checked, total
 from planes.crank_slider.given import Concentration, PistonPin, Shaft
-from planes.crank_slider.materials import made, steel
+from planes.crank_slider.parts import Round, Shank, Web, made, steel, torsion_factor
 from planes.crank_slider.rod import moment_along, pin_strength
-from planes.crank_slider.sections import Round, Shank, Web, torsion_factor
-from planes.crank_slider.shaft import Section, along, sections, supports
+from planes.crank_slider.shaft import Section, along, checked, sections, supports, total
 from tests.helpers.crank_slider_scenes import SAMPLE, calculated, changed
 
 BAR = Shaft(0.3, 0.1, 0.05, Round(0.05), Round(0.04), Web(0.06, 0.03), 2.0, 3.0, 0.02)

@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 
 from planes.diagrams.curves import UNIT, curves_of
+from planes.diagrams.driven import WorkingRange
 from planes.diagrams.extremes import extremes
-from planes.diagrams.listing import decimals
+from planes.diagrams.long_run import decimals
 from planes.diagrams.motion import dead_points, driven_grid
 from planes.diagrams.summary import Summary, summary
 from planes.diagrams.text import as_json, report
 from planes.diagrams.turn import WholeTurn, grid, reach, span_of, turn_of, unwound
-from planes.diagrams.working_range import WorkingRange
 from planes.plans import Plans, plans_of
 from planes.scene import Scene, load, loads
 from planes.solving.nearest import trials

@@ -9,9 +9,8 @@ import numpy as np
 import pytest
 
 from planes.diagrams.graphical import Construction, differentiated, integrated
-from planes.diagrams.graphical_text import readings, report
-from planes.diagrams.motion import constructed, motion_of
-from planes.diagrams.stages import Motion
+from planes.diagrams.graphical_text import constructed, readings, report
+from planes.diagrams.motion import Motion, motion_of
 from planes.drafting.drawing import run
 from planes.drafting.instruments import Exact, Pencil
 from planes.drafting.steps import Carry, Cross, Through

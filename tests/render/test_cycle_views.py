@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from planes.diagrams.motion import constructed
+from planes.diagrams.graphical_text import constructed
 from planes.documents import sheet_of, view_of
 from planes.scene import load
 from planes.words.lettering import Naming

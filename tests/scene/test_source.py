@@ -6,7 +6,7 @@ import pytest
 import yaml
 
 from planes.scene import source
-from planes.scene.source import Items, SourceScalar, SourceTable, lines, parse, read
+from planes.scene.source import Items, SourceScalar, SourceTable, parse, read, walk
 from planes.words.errors import SceneError
 from tests.helpers.counting import at_most
 
@@ -83,7 +83,7 @@ def test_everything_stays_text_and_knows_its_line():
     ]
     assert isinstance(tree.entries["list"], Items) and [n.line for n in tree.entries["list"].items] == [5, 6]
     assert tree.lines["none"] == 8
-    assert dict(lines(tree))["list", "1"] == 6
+    assert {path: line for path, _, line in walk(tree)}["list", "1"] == 6
 
 
 def test_one_document_may_have_marks_and_windows_lines():

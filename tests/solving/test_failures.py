@@ -305,7 +305,7 @@ def test_near_picks_the_nearer_of_the_two_and_keeps_its_side() -> None:
 def test_no_digits_left_is_a_failure_and_not_a_number() -> None:
     with pytest.raises(PlanFailure) as caught:
         raise PlanFailure("no_digits", makes="c")
-    assert caught.value.sentence("ru") == "в c не осталось верных цифр"
+    assert caught.value.told("ru") == "в c не осталось верных цифр"
 
 
 @pytest.mark.slow

@@ -1,10 +1,17 @@
-"""Cross-sections of shafts and rods: area and section moduli, SI."""
+"""What parts are made of: their cross-sections (area and section moduli, SI) and their steels.
+
+Strength and yield are the least values of ГОСТ 1050 (carbon steels, normalised) and ГОСТ 4543 (alloy steels, hardened
+and tempered). Fatigue limits: σ₋₁ = 0.43 σ_B of carbon and 0.35 σ_B + 120 MPa of alloy steels, τ₋₁ = 0.58 σ₋₁, the
+estimates of machine design courses; ψ_σ = 0.02 + 2·10⁻⁴ σ_B, ψ_τ = 0.5 ψ_σ as in ГОСТ 25.504.
+"""
 
 from __future__ import annotations
 
 import bisect
+import json
 import math
 from dataclasses import dataclass
+from pathlib import Path
 
 _SIDES = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 10.0, 1e9)
 _ALPHA = (0.208, 0.219, 0.231, 0.246, 0.258, 0.267, 0.282, 0.291, 0.312, 0.333)
@@ -92,3 +99,46 @@ def torsion_factor(ratio: float) -> float:
     k = max(1, min(bisect.bisect_left(_SIDES, ratio), len(_SIDES) - 1))
     share = (ratio - _SIDES[k - 1]) / (_SIDES[k] - _SIDES[k - 1])
     return _ALPHA[k - 1] + share * (_ALPHA[k] - _ALPHA[k - 1])
+
+
+ELASTICITY_MPA = 2.1e5
+
+STEELS: dict[str, tuple[float, float, bool]] = json.loads(Path(__file__).with_name("steels.json").read_text("utf-8"))
+"""By the name of a steel its strength and yield (MPa), and whether it is alloyed."""
+
+
+@dataclass(frozen=True)
+class Material:
+    """A steel in MPa: strength, yield, fatigue limits in bending and torsion, ψ's, E."""
+
+    name: str
+    strength: float
+    yields: float
+    fatigue: float
+    fatigue_torsion: float
+    psi: float
+    psi_torsion: float
+    elasticity: float = ELASTICITY_MPA
+    estimated: bool = True  # whether the fatigue limits are estimates
+
+
+def made(
+    name: str,
+    strength: float,
+    yields: float,
+    alloyed: bool,
+    fatigue: float | None = None,
+    torsion: float | None = None,
+    elasticity: float = ELASTICITY_MPA,
+) -> Material:
+    """A material; the fatigue limits not given are estimated from the strength."""
+    bending = fatigue or (0.35 * strength + 120.0 if alloyed else 0.43 * strength)
+    psi = 0.02 + 2e-4 * strength
+    estimated = fatigue is None or torsion is None
+    return Material(name, strength, yields, bending, torsion or 0.58 * bending, psi, psi / 2, elasticity, estimated)
+
+
+def steel(name: str) -> Material | None:
+    """The steel of that name, in Cyrillic or look-alike Latin letters."""
+    known = name.strip().upper().translate(str.maketrans("XHACM", "ХНАСМ"))
+    return made(known, *STEELS[known]) if known in STEELS else None

@@ -1,0 +1,181 @@
+"""The chapters of balancing and of strength; the summary."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from types import SimpleNamespace
+
+import numpy as np
+
+from planes.crank_slider.calculation import Calculation
+from planes.crank_slider.pages import KN, ChapterWriter, lines
+from planes.crank_slider.pages_mechanics import at_step
+from planes.crank_slider.shaft import Section, along
+from planes.solving.document import Chart, PlottedLine, ShaftSketch
+
+WRONG = {"3": "3", "5": "5), (7", "20": "20), (21", "22": "22", "24": "24)–(26", "32": "31), (32", "35": "35"}
+"""Errors of the source text: the key of what is wrong, and its formulas."""
+
+
+def write_balance(w: ChapterWriter, c: Calculation) -> None:
+    """Rotating masses, counterweights, first-order forces."""
+    b, weights = c.balance, c.given.counterweights
+    if b is None or weights is None:
+        return
+    v = SimpleNamespace(b=b, weights=weights, s=c.given.shape, shaft=c.given.shaft, apart=b.left + b.right)
+    (v.needed_1, v.needed_2), (v.chosen_1, v.chosen_2) = b.needed, b.chosen
+    w.write("balance", v)
+
+    def pair(found: float, expected: float) -> str:
+        own, other = (w.number(force * KN, near=b.force * KN) for force in (found, expected))
+        return f"{own} ({other})"
+
+    names = {x.name: w.say(f"w_{x.name}", part=weights.translating) for x in b.cases}
+    rows = [
+        (names[x.name], w.number(x.static_moment), *map(pair, (x.along, x.across, x.second), x.expected))
+        for x in b.cases
+    ]
+    w.table("t_first", w.words("c_weights", "c_static", "c_along", "c_across", "c_second"), rows)
+    w.write("shaking", v)
+    closed = [(x.name, np.append(x.curve, x.curve[0]) * KN) for x in b.cases]
+    curves = tuple(PlottedLine(z.real, z.imag, names[name], i) for i, (name, z) in enumerate(closed))
+    w.figure("f_shaking", Chart(w.say("x_along"), w.say("y_across"), curves, equal=True, height_mm=90))
+
+
+def write_strength(w: ChapterWriter, c: Calculation) -> None:
+    """Materials, the crankshaft, the rod, the piston pin."""
+    if c.given.materials:
+        w.write("strength", c)
+        rows = []
+        for key, m in c.given.materials.items():
+            values = (m.strength, m.yields, m.fatigue, m.fatigue_torsion, m.psi, m.psi_torsion)
+            rows.append((w.say(f"p_{key}"), m.name, *values))
+        sigmas = (f"σ_{{{w.say('sub_B')}}}", f"σ_{{{w.say('sub_Y')}}}", "σ_{−1}", "τ_{−1}", "ψ_{σ}", "ψ_{τ}")
+        w.table("t_material", (*w.words("c_part", "c_steel"), *sigmas), rows)
+        w.write("shaft", c)
+        if c.given.shaft:
+            _bearings(w, c)
+            _static(w, c)
+            _fatigue(w, c)
+    if c.rod:
+        _rod(w, c)
+    if c.pin:
+        _pin(w, c)
+
+
+def cases(c: Calculation) -> dict[str, int]:
+    """The steps of the largest normal and the largest tangential force."""
+    return {"I": int(np.argmax(np.abs(c.forces.K))), "II": int(np.argmax(np.abs(c.forces.T)))}
+
+
+def _bearings(w: ChapterWriter, c: Calculation) -> None:
+    """The bearings, and the moments along the shaft in both cases."""
+    shaft, held, weights, r = c.given.shaft, c.supports, c.given.counterweights, c.given.shape.r
+    assert shaft and held
+    cw = w.say("sub_cw")
+    labels = {"load": "N_{c1}, P_{t1}", "web": "Φ", "weight_0": f"Φ_{{1{cw}}}", "weight_1": f"Φ_{{2{cw}}}"}
+    radius = weights.radius if weights else r
+    sketch = ShaftSketch(shaft.span, shaft.span - shaft.pin_from_b, shaft.webs, r, radius, labels)
+    w.figure("f_sketch", sketch, a=shaft.left, b=shaft.right)
+    at = [SimpleNamespace(name=name, phi=c.motion.phi_deg[k]) for name, k in cases(c).items()]
+    w.write("reactions", SimpleNamespace(held=held, K=at[0], T=at[1]))
+    for (name, k), case in zip(cases(c).items(), at, strict=True):
+        case.held, case.shaft, case.to_right = at_step(held, k), shaft, shaft.span - shaft.webs
+        case.left, case.right = held.web - held.left_weight, held.web - held.right_weight
+        w.write("case", case)
+        d = along(c.given.shape, shaft, held, k)
+        curves = lines(d.x, {w.say("l_Mz"): d.z, w.say("l_My"): d.y, w.say("l_Mx"): d.torque})
+        w.figure("f_moments", Chart(w.say("x_shaft"), w.say("y_Nm"), tuple(curves), height_mm=58), case=name)
+
+
+def _static(w: ChapterWriter, c: Calculation) -> None:
+    w.write("static", c)
+    rows = []
+    for s in c.sections.values():
+        columns = (s.bending_z, s.bending_y, s.torsion, s.sigma, s.tau, s.equivalent)
+        rows += [(f"{w.say(f'x_{s.name}')}, {name}", *(x[k] for x in columns)) for name, k in cases(c).items()]
+    head = (w.say("c_section"), "M_{z}", "M_{y}", "M_{x}", "σ", "τ", f"σ_{{{w.say('sub_eq')}}}")
+    w.table("t_static", head, rows)
+    worst, limits, steel = dangerous(c), c.given.limits, c.given.materials["shaft"]
+    at = int(np.argmax(worst.equivalent))
+    v = SimpleNamespace(limits=limits, steel=steel, worst=at_step(worst, at), section=w.say(f"x_{worst.name}"))
+    v.phi, v.top, v.allowed = c.motion.phi_deg[at], worst.equivalent[at], steel.yields / limits.static
+    v.holds = v.top <= v.allowed
+    v.sign = r"\leq" if v.holds else ">"
+    w.write("dangerous", v)
+
+
+def dangerous(c: Calculation) -> Section:
+    """The section with the largest stress over the cycle."""
+    return max(c.sections.values(), key=lambda s: float(s.equivalent.max()))
+
+
+def _fatigue(w: ChapterWriter, c: Calculation) -> None:
+    rows = []
+    for f in c.fatigue:
+        values = (f.angle_deg, f.sigma_a, f.sigma_m, f.tau_a, f.tau_m, f.n_sigma, f.n_tau, f.n)
+        rows.append((w.say(f"x_{f.section}"), *values))
+    signs = ("θ, °", "σ_{a}", "σ_{m}", "τ_{a}", "τ_{m}", "n_{σ}", "n_{τ}", "n")
+    w.table("t_fatigue", (w.say("c_section").partition(",")[0], *signs), rows)
+    f, (low, high) = min(c.fatigue, key=lambda one: one.n), c.given.limits.fatigue
+    k = c.given.concentration["crankpin" if f.section == "crankpin" else "journal"]
+    v = SimpleNamespace(f=f, k=k, steel=c.given.materials["shaft"], section=w.say(f"x_{f.section}"), low=low, high=high)
+    v.mean, v.weak, v.strong, v.right = max(f.sigma_m, 0.0), f.n < low, f.n > high, low <= f.n <= high
+    v.above = "" if v.strong else ", ".join(w.say(f"x_{one.section}") for one in c.fatigue if one.n > high)
+    w.write("fatigue", v)
+
+
+def _rod(w: ChapterWriter, c: Calculation) -> None:
+    r, of = c.rod, c.given.rod
+    assert r and of
+    v = SimpleNamespace(r=r, steel=c.given.materials["rod"], limits=c.given.limits)
+    v.area, v.modulus, v.bending = of.area * 1e6, of.modulus * 1e9, r.bending * 1e3
+    w.write("rod", v)
+    rows = [(w.say(f"b_plane_{i}"), b.mu, b.slenderness, b.critical, r.sigma_c, b.n) for i, b in enumerate(r.planes)]
+    cr, sq = w.words("sub_cr", "sub_c")
+    w.table("t_buckling", [w.say("c_plane"), "μ", "Λ", f"σ_{{{cr}}}", f"σ_{{{sq}}}", "n"], rows)
+    v.holds = min(b.n for b in r.planes) >= v.limits.buckling
+    w.write("buckling", v)
+
+
+def _pin(w: ChapterWriter, c: Calculation) -> None:
+    p, pin, limits, mm = c.pin, c.given.pin, c.given.limits, 1e3
+    assert p and pin
+    ratio = pin.section.bore / pin.section.d
+    v = SimpleNamespace(p=p, pin=pin, limits=limits, ratio=ratio, above=1 + ratio + ratio**2, below=1 + ratio**2)
+    v.d, v.bush, v.bosses = pin.section.d * mm, pin.bush * mm, (pin.length - pin.gap) * mm
+    v.area, v.moment = pin.section.area * 1e6, p.moment * 1e3
+    v.holds = p.bush <= limits.bush_mpa and p.boss <= limits.boss_mpa
+    w.write("pin", v)
+
+
+def write_summary(w: ChapterWriter, c: Calculation) -> None:
+    """Every check in one table, and every error of the source text in another."""
+    w.write("summary", c)
+    rows = []
+    for name, found, low, high, ok in checks(c):
+        bounds = ("" if low is None else f"{w.number(low)} ≤ ", "" if high is None else f" ≤ {w.number(high)}")
+        rows.append((w.say(f"c_{name}"), found, "…".join(bounds), w.say("yes" if ok else "no")))
+    if rows:
+        w.table("t_summary", w.words("c_check", "c_found", "c_needed", "c_verdict"), rows)
+    w.table("t_wrong", w.words("c_formula", "c_error"), [(f"({n})", w.say(f"e_{key}")) for key, n in WRONG.items()])
+
+
+def checks(c: Calculation) -> Iterator[tuple[str, float, float | None, float | None, bool]]:
+    """Name, value found, bounds, whether it holds."""
+    for name, value, low, high in _found(c):
+        yield name, value, low, high, (low is None or value >= low) and (high is None or value <= high)
+
+
+def _found(c: Calculation) -> Iterator[tuple[str, float, float | None, float | None]]:
+    g = c.given.limits
+    if c.sections:
+        yield "static_shaft", c.given.materials["shaft"].yields / float(dangerous(c).equivalent.max()), g.static, None
+        yield "fatigue_shaft", min(f.n for f in c.fatigue), *g.fatigue
+    if c.rod:
+        yield "rod_static", c.rod.n, g.static, None
+        yield "rod_buckling", min(b.n for b in c.rod.planes), g.buckling, None
+    if c.pin:
+        yield "pin_static", c.pin.n, g.static, None
+        yield "pin_bush", c.pin.bush, None, g.bush_mpa
+        yield "pin_boss", c.pin.boss, None, g.boss_mpa
