@@ -17,7 +17,6 @@ from planes.scene.mechanism import Mechanism
 from planes.solving import told
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
-from planes.words.names import index_of
 from render.charts.chart_files import METADATA
 from render.charts.method_charts import MethodErrors, MethodPoint, draw
 
@@ -56,8 +55,8 @@ def _ways(way: Approach, lang: Lang) -> MethodErrors:
 
 def name_of(key: str, lang: Lang) -> str:
     """A method in words."""
-    tool = index_of(key)
-    return say(key, lang, number=version(tool) if tool in installed() else "30")
+    versions = {f"method_{tool}": version(tool) for tool in installed()}
+    return say(key, lang, number=versions.get(key, "30"))
 
 
 def axis(limit: Limit, lang: Lang) -> str:

@@ -20,7 +20,7 @@ from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
 from planes.scene import Scene
 from planes.scene.files import keep, save, sayable
-from planes.words import Lang, Phrase, say
+from planes.words import Lang, Phrase, say, under
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
 from planes.words.names import POLE, kind_of, parted
@@ -32,24 +32,7 @@ from render.paper.numbers import decimal
 from render.paper.photo import Photo
 from render.sheet import blank, check_sheet
 
-TRACE_WORDS = (
-    "open",
-    "plan",
-    "by",
-    "layer_plan",
-    "layer_names",
-    "picture",
-    "paper",
-    "zoom",
-    "pole",
-    "turned",
-    "scale",
-    "hint",
-    "check",
-    "not_picture",
-)
 MOST_COMMON = 8  # mistakes of a class that are listed
-PAGE_WORDS = ("own", "next", "truth", "picture", "save", "reset", "moved", "steps", "numbers", "drag", "noscript")
 
 
 def write_blank(asked: Asked, output: str, lang: Lang) -> None:
@@ -82,8 +65,7 @@ def _write(marks: list[Mark], title: str, output: str, lang: Lang, under: Photo 
 
 def write_trace(asked: Asked, output: str, lang: Lang) -> None:
     """The right plans as a page to lay over a picture."""
-    words = {k: say(f"trace_{k}", lang) for k in TRACE_WORDS}
-    write_text(trace_page.page(tracing_data(asked, lang), words, lang), output)
+    write_text(trace_page.page(tracing_data(asked, lang), under("trace_", lang, "check"), lang), output)
 
 
 def write_report(found: Outcome, output: str, lang: Lang) -> None:
@@ -92,7 +74,7 @@ def write_report(found: Outcome, output: str, lang: Lang) -> None:
     if suffix == ".json":
         write_text(json.dumps(as_json(found, lang), ensure_ascii=False, allow_nan=False), output)
     elif suffix in (".html", ".htm"):
-        words = {k: say(f"check_page_{k}", lang) for k in PAGE_WORDS}
+        words = under("check_page_", lang, "check")
         write_text(check_page.page(report.page_data(found, lang), words, lang), output)
     else:
         marks, photo = check_sheet.compose(SHEET_MM, _overlay(found, lang))

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import html
 from collections.abc import Iterator
+from typing import get_args
 
-from planes.words import table
-from planes.words.names import index_of, lettered
+from planes.words import Lang, table, under
+from planes.words.names import lettered
 from planes.words.records import Json
 from render.page import web_page
 from render.paper.letters import NAME, written
 
+LANGS: tuple[Lang, ...] = get_args(Lang)
 SHARED = {"scheme": "scheme", "formula": "formula", "shifted": "shifted"} | {
     key: f"lesson_{key}" for key in ("ccw", "cw", "still")
 }
@@ -23,8 +25,9 @@ NOSCRIPT = (
 
 def page(data: Json, lang: str) -> str:
     """The whole page; ``data`` is what :func:`planes.lesson.data.lesson_data` exports."""
-    keys = {index_of(key): key for key in table("en", "pages")} | SHARED
-    words = {key: {"ru": table("ru")[name], "en": table("en")[name]} for key, name in keys.items()}
+    shared = {lang: {key: table(lang)[name] for key, name in SHARED.items()} for lang in LANGS}
+    told = {lang: under("page_", lang, "pages") | shared[lang] for lang in LANGS}
+    words = {key: {lang: told[lang][key] for lang in LANGS} for key in told["en"]}
     title = data["title"].get(lang, "")
     parts = {
         "title": html.escape(title),
