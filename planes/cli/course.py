@@ -13,6 +13,7 @@ from planes.words.errors import PlanesError
 from planes.words.options import home_lang
 
 FOLDER = "out"
+READY = ("planes.documents.course", "render.report.pdf", "reportlab.platypus", "numpy", "shapely")
 
 
 def run(args: argparse.Namespace) -> int:
@@ -29,7 +30,7 @@ def run(args: argparse.Namespace) -> int:
     for doubt in (doubt for assignment in course.assignments for doubt in assignment.doubts):
         print(doubt.told(lang), file=sys.stderr)
     folder = Path(args.output) if args.output else Path(course.file).parent / FOLDER
-    with crowd(args.jobs, args.scheduler) as each, bar() as step:
+    with crowd(args.jobs, args.scheduler, READY) as each, bar() as step:
         report = conduct(course, folder, each, lang, step, bool(args.scheduler))
     for place, file, sentence in (*report.faults, *report.said):
         print(f"{place}{f'/{file}' if file else ''}: {sentence}", file=sys.stderr)
