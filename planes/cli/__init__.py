@@ -10,17 +10,21 @@ import sys
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 
-from planes.cli.idle import check_needs, check_options
 from planes.cli.options import (
     add_blank_options,
     add_check_options,
     add_course_options,
     add_crank_slider_options,
     add_cycle_options,
+    add_positions,
     add_solve_options,
+    check_needs,
+    check_options,
+    range_of,
+    value_of,
+    values_of,
 )
 from planes.cli.parser import CommandParser, Parser, lang_of
-from planes.cli.positions import add_positions, range_of, value_of, values_of
 from planes.scene import Scene, load
 from planes.scene.ranges import read_span
 from planes.words import Lang, Phrase, say

@@ -5,22 +5,27 @@ from __future__ import annotations
 import argparse
 import json
 import re
+import sys
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path
 
 from planes.check import STATUS, Outcome, check
+from planes.check.grading.paper import ReadPaper
 from planes.check.grading.perturbing import HAND, cad
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.handed_in import LINES, PICTURES, Known, read_paper
 from planes.check.report import heads, numbers_of, rows_of
+from planes.check.report.classes import Checked, ClassWork
+from planes.check.report.classes import heads as class_heads
 from planes.check.report.rows import as_json
-from planes.cli.classes import check_class
-from planes.cli.idle import check_options
+from planes.cli.options import check_options
 from planes.scene import Scene
 from planes.solving.tables import table
 from planes.words import Lang, Phrase, say
-from planes.words.errors import PlanesError
+from planes.words.errors import PlanesError, guarded
 from planes.words.names import kind_of
+from planes.words.spreadsheet import as_csv
 from planes.words.units import read_mu
 
 _PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?{0})\s*[,;]\s*([-+]?{0})\s*".format(r"(?:\d+\.?\d*|\.\d+)"))
@@ -129,3 +134,69 @@ def write_blank(args: argparse.Namespace, scene: Scene, value: float | None) -> 
 
     write(Asked(scene, args.plan, value, _mu(args)), args.output, args.lang)
     return 0
+
+
+Reader = Callable[[str], ReadPaper]
+NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp")  # lie beside the drawings
+
+
+def check_class(args: argparse.Namespace, asked: Asked, read: Reader) -> int:
+    """Every drawing of a folder: a row for each, on the terminal and in the file of ``-o``."""
+    folder = Path(args.drawing)
+    files = [f for f in sorted(folder.iterdir()) if f.is_file() and not f.name.startswith((".", "~$"))]
+    files = [f for f in files if f.suffix.lower() not in NO_DRAWINGS]
+    if not files:
+        raise PlanesError(Phrase("check_empty_folder", file=args.drawing))
+    group = ClassWork(folder.name)
+    for file in _shown(files):
+        name = file.name.encode("utf-8", "replace").decode()  # any bytes at all may be the name of a file
+        try:
+            with guarded("check_broken", name):  # one file never stops the others
+                group.all.append(Checked(name, check(asked, read(str(file)))))
+        except PlanesError as error:
+            group.all.append(Checked(name, refused=error))
+    if args.output:
+        _write_class(group, args.output, args.lang)
+    print(_json(group, args.lang) if args.json else "\n".join(_class_table(group, args.lang)).lstrip())
+    return group.status
+
+
+def _class_table(group: ClassWork, lang: Lang) -> list[str]:
+    rows = [class_heads(lang), *(one.row(lang) for one in group.all)]
+    widths = [max(len(row[i]) for row in rows) for i in range(3)]
+    aligned = ("  ".join([*(c.ljust(w) for c, w in zip(row, widths, strict=False)), row[3]]) for row in rows)
+    return [say("check_class", lang), *(f"  {line.rstrip()}" for line in aligned)]
+
+
+def _json(group: ClassWork, lang: Lang) -> str:
+    return json.dumps([one.as_json(lang) for one in group.all], ensure_ascii=False, allow_nan=False)
+
+
+def _csv(group: ClassWork, lang: Lang) -> str:
+    table = as_csv([class_heads(lang), *(one.row(lang) for one in group.all)])
+    return f"\ufeff{table}"  # so that a spreadsheet knows the letters
+
+
+def _write_class(group: ClassWork, output: str, lang: Lang) -> None:
+    """The table as a page, a spreadsheet or objects; a folder gets a report for each drawing and the page."""
+    from planes.documents.check import write_class, write_text
+
+    suffix = Path(output).suffix.lower()
+    if suffix == ".json":
+        write_text(_json(group, lang), output)
+    elif suffix == ".csv":
+        write_text(_csv(group, lang), output)
+    elif suffix in (".html", ".htm", ""):
+        write_class(group, output, lang)
+    else:
+        raise PlanesError(Phrase("check_class_output", file=output))
+
+
+def _shown(files: list[Path]) -> Iterable[Path]:
+    """The files, with a bar where a person waits."""
+    if not sys.stderr.isatty():
+        return files
+    from tqdm import tqdm
+
+    shown: Iterable[Path] = tqdm(files, unit="", leave=False)
+    return shown

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from planes.cli.idle import check_needs, check_options
+from planes.cli.options import check_needs, check_options
 from planes.scene import Scene
 from planes.scene.ranges import Span
 from planes.words import Phrase

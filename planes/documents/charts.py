@@ -17,7 +17,7 @@ from planes.scene.mechanism import Mechanism
 from planes.solving import told
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
-from render.charts.chart_files import METADATA
+from render.charts import METADATA
 from render.charts.method_charts import MethodErrors, MethodPoint, draw
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from urllib.parse import quote
 
@@ -19,18 +19,18 @@ from planes.check.vision.photograph import blank_pole
 from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
 from planes.scene import Scene
-from planes.scene.files import keep, save, sayable
+from planes.scene.files import keep, sayable
 from planes.words import Lang, Phrase, say, under
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
 from planes.words.names import POLE, kind_of, parted
 from planes.words.units import mu_text
-from render.files import pdf, png, svg
+from render.files import Page
 from render.page import check_page, class_page, trace_page
+from render.paper.letters import decimal
 from render.paper.marks import Mark
-from render.paper.numbers import decimal
 from render.paper.photo import Photo
-from render.sheet import blank, check_sheet
+from render.sheet import check_sheet
 
 MOST_COMMON = 8  # mistakes of a class that are listed
 
@@ -48,19 +48,13 @@ def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Mark], str]:
     mu = decimal(mu_text(bench.said_mu, kind_of(asked.plan), lang), lang)
     squares = [(z, cells(k), SIDE_MM) for k, z in enumerate(centres(SHEET_MM))]
     texts = [f"{say_plan(asked.plan, lang)}, μ = {mu}", title, *more]
-    return blank.compose(SHEET_MM, squares, blank_pole(bench), texts), title
+    return check_sheet.blank(SHEET_MM, squares, blank_pole(bench), texts), title
 
 
-def _write(marks: list[Mark], title: str, output: str, lang: Lang, under: Photo | None = None) -> None:
-    suffix = Path(output).suffix.lower()
-    writers = {".svg": svg.write, ".pdf": pdf.write}
-    with sayable(output):
-        if suffix in writers:
-            save(writers[suffix](marks, SHEET_MM, title, lang=lang, under=under), output)
-        elif suffix == ".png":
-            png.write(marks, SHEET_MM, title, output, under=under)
-        else:
-            raise PlanesError(Phrase("check_output", file=output))
+def _write(marks: Iterable[Mark], title: str, output: str, lang: Lang, under: Photo | None = None) -> None:
+    if Path(output).suffix.lower() not in (".svg", ".pdf", ".png"):
+        raise PlanesError(Phrase("check_output", file=output))
+    Page(tuple(marks), SHEET_MM, title, lang, under=under).write(output)
 
 
 def write_trace(asked: Asked, output: str, lang: Lang) -> None:

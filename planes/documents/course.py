@@ -13,7 +13,7 @@ from planes.course.fingerprint import fingerprint
 from planes.course.numbers import why
 from planes.course.papers import answers, task
 from planes.course.position import clearest
-from planes.documents import rendered, sheet_of
+from planes.documents import sheet_of
 from planes.documents.check import blank_marks
 from planes.documents.lesson import note, placed
 from planes.lesson.data import lesson_data
@@ -25,7 +25,7 @@ from planes.words import Lang, Phrase
 from planes.words.names import kind_of
 from render.files import pdf
 from render.page.lesson_page import page
-from render.report import rendered as rendered_document
+from render.report import rendered
 from render.sheet import Sheet
 from render.sheet.composer import Composer
 
@@ -99,7 +99,7 @@ class Desk:
     def file(self, name: str) -> bytes:
         """The contents of one file."""
         if sheet := self.sheet(name):
-            return rendered(sheet, f".{name.rpartition('.')[2]}", self.order.lang)
+            return sheet.rendered(f".{name.rpartition('.')[2]}")
         makers = {"task": self.task, "blank": self.blank, "key": self.key, "lesson": self.lesson, "note": self.note}
         return makers[name.partition(".")[0]]()
 
@@ -132,7 +132,7 @@ class Desk:
 
     def set(self, blocks: list[Block]) -> bytes:
         """Blocks as a PDF."""
-        return rendered_document(blocks, ".pdf", Composer(self.scene, self.order.lang, self.drawn.plans).naming)
+        return rendered(blocks, ".pdf", Composer(self.scene, self.order.lang, self.drawn.plans).naming)
 
     def blank(self) -> bytes:
         """A page for each plan."""

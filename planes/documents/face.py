@@ -15,7 +15,7 @@ from planes.check import Outcome
 from planes.check import check as judge
 from planes.check.grading.prepared_plan import Asked
 from planes.check.handed_in import Known, read_paper
-from planes.documents import picture, sheet_of, view_of, write
+from planes.documents import picture, sheet_of, view_of
 from planes.documents.lesson import Lesson
 from planes.drafting.instruments import Instrument
 from planes.plans import mechanism_plans
@@ -27,8 +27,8 @@ from planes.words.errors import PlanesError
 from planes.words.names import kind_of
 from planes.words.options import home_lang
 from planes.words.units import read_mu
+from render.files import Page
 from render.sheet import Sheet
-from render.sheet.single import Page
 
 __all__ = ["check", "cycle", "lesson", "picture", "sheet", "solve"]
 
@@ -164,7 +164,7 @@ def sheet(
     values = None if at is None else [float(at)]
     drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
     if output is not None:
-        write(drawn, Path(output), lang)
+        drawn.write(output)
     return drawn
 
 

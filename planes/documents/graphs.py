@@ -19,8 +19,7 @@ from planes.words.names import letter_of
 from render.sheet.composer import Composer
 from render.sheet.single import LETTER_MM, Makers
 from render.views import View, view
-from render.views.diagrams import DiagramCurve
-from render.views.hodograph import Hodograph
+from render.views.diagrams import DiagramCurve, Hodograph
 
 if TYPE_CHECKING:
     from planes.diagrams.curves import Curve, CycleVector, Sample

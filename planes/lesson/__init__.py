@@ -17,8 +17,7 @@ from planes.drafting.equations import Equation
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
 from planes.lesson.formulas import SLOT, number, paper, unit, value
-from planes.lesson.moments import moment_words
-from planes.lesson.steps import Names, Said, StepWords, whole
+from planes.lesson.steps import Names, Said, StepWords, moment_words, whole
 from planes.plans import Plans
 from planes.words import Lang, decimal, say
 from planes.words.names import POLE, at, force_plan, kind_of, label_of, lettered, mu_of, plan_of

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import io
+import re
+from pathlib import Path
 from typing import Any
 
 from matplotlib import rc_context
@@ -9,10 +12,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, MultipleLocator
 
+from planes.scene import files
 from planes.solving.document import Chart
 from planes.words import Lang
 from render.charts.strokes import Picture, StrokeRenderer
-from render.paper.numbers import decimal
+from render.paper.letters import decimal
 
 MM = 72 / 25.4
 LOOKS = (
@@ -74,3 +78,22 @@ def _frame(plot: Axes, axes: Chart, lang: Lang) -> None:
     plot.yaxis.set_major_formatter(told)
     if any(c.label for c in axes.curves):
         plot.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=3.2)
+
+
+METADATA: dict[str, dict[str, None]] = {
+    ".png": {"Software": None},
+    ".svg": {"Date": None},
+    ".pdf": {"CreationDate": None},
+}
+NAME = re.compile(rb"\b[pmh][0-9a-f]{10}\b")  # of a clip, a marker or a hatch, made of numbers to the last bit
+
+
+def save(figure: Figure, path: Path) -> None:
+    """Write a figure; the names within an SVG are its own count, which rounding of the layout does not change."""
+    kind = path.suffix.lower()
+    out = io.BytesIO()
+    figure.savefig(out, format=kind[1:], metadata=METADATA[kind])
+    data, names = out.getvalue(), dict[bytes, bytes]()
+    if kind == ".svg":
+        data = NAME.sub(lambda m: names.setdefault(m[0], b"n%d" % (len(names) + 1)), data)
+    files.save(data, path)

@@ -21,10 +21,9 @@ from matplotlib.figure import Figure
 from planes.geometry.arrays import Array
 from planes.words import Lang
 from planes.words.lettering import Naming, lettered_curve
-from render.charts import LOOKS, STYLE
-from render.charts.chart_files import save
+from render.charts import LOOKS, STYLE, save
 from render.charts.loops import SQUARE, Loop, draw_loop, math_text
-from render.paper.numbers import number, with_unit
+from render.paper.letters import number, with_unit
 
 LOOK: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path", "axes.grid": False}
 WIDE = 7.2  # inches

@@ -14,7 +14,7 @@ from planes.geometry.arrays import Complexes
 from planes.words import say
 from planes.words.lettering import Naming, lettered_curve
 from planes.words.names import index_of, letter_of
-from render.paper.numbers import number, with_unit
+from render.paper.letters import number, with_unit
 
 SQUARE = 3.6  # of a hodograph
 

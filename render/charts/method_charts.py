@@ -13,8 +13,7 @@ from matplotlib.figure import Figure
 
 from planes.geometry.arrays import Array
 from planes.words import Lang, say
-from render.charts import STYLE
-from render.charts.chart_files import save
+from render.charts import STYLE, save
 
 INK = ("#000000", "#1f5fa8", "#c1440e", "#2f7d32", "#7a3b8f", "#8a6d00", "#777777", "#0f8b8d", "#d0307a")
 LOOK = {  # of a method: colour, marker, dashes

@@ -16,10 +16,8 @@ from typing import TYPE_CHECKING, Literal
 from planes.words import Lang, say
 from render.files.dxf_blocks import insert_form, insert_signs
 from render.files.dxf_entities import GREY, OBLIQUE_DEG, Entities, style_name
-from render.paper.cutting import uncovered
-from render.paper.faces import Face
-from render.paper.ink import checked
-from render.paper.marks import Mark, Text
+from render.paper.ink import checked, uncovered
+from render.paper.marks import Face, Mark, Text
 from render.paper.style import LAYERS, PENS, pen, weight
 
 if TYPE_CHECKING:

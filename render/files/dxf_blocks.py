@@ -12,9 +12,8 @@ from typing import TYPE_CHECKING
 from planes.words import Lang
 from render.files.dxf_entities import NARROWED, Entities, text_looks, xy
 from render.paper import form1, symbols
-from render.paper.faces import Face
 from render.paper.ink import is_circle
-from render.paper.marks import Arc, Line, Mark, Text
+from render.paper.marks import Arc, Face, Line, Mark, Text
 from render.paper.style import DOT_MM, HINGE_MM, LEG_MM
 from render.paper.typeset import plain
 

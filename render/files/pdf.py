@@ -1,6 +1,6 @@
 """Marks -> PDF by reportlab, in true size; text as pen strokes with invisible real text for searching.
 
-The same marks give the same bytes.
+A PNG is the page of the PDF as a picture, with its physical size in the file.  The same marks give the same bytes.
 """
 
 from __future__ import annotations
@@ -27,32 +27,24 @@ POINTS_PER_MM = 72 / 25.4
 FONT = "DejaVuSans"
 _INVISIBLE, _ROUND, _BUTT, _NON_ZERO = 3, 1, 0, 1
 
-Page = tuple[Iterable[Mark], tuple[float, float]]
+PdfPage = tuple[Iterable[Mark], tuple[float, float]]
 
 
 def write(
-    marks: Iterable[Mark],
-    size_mm: tuple[float, float],
-    title: str,
-    *,
-    description: str = "",
-    lang: str = "ru",
-    under: Photo | None = None,
+    marks: Iterable[Mark], size_mm: tuple[float, float], title: str, *, lang: str = "ru", under: Photo | None = None
 ) -> bytes:
     """The sheet as a PDF file of one page, ``under`` it a picture."""
-    return write_pages([(marks, size_mm)], title, description, lang, under)
+    return write_pages([(marks, size_mm)], title, lang, under)
 
 
-def write_pages(
-    pages: Iterable[Page], title: str, description: str = "", lang: str = "ru", under: Photo | None = None
-) -> bytes:
+def write_pages(pages: Iterable[PdfPage], title: str, lang: str = "ru", under: Photo | None = None) -> bytes:
     """Several sheets (marks and width × height in mm) as one PDF file."""
     from reportlab.pdfgen.canvas import Canvas
 
     data = io.BytesIO()
     canvas = Canvas(data, invariant=1, pageCompression=1, lang=lang, initialFontName=_font())
     canvas.setTitle(title)
-    canvas.setSubject(description or title)
+    canvas.setSubject(title)
     canvas.setCreator("planes")
     canvas.setAuthor("")
     for marks, size_mm in pages:
@@ -158,3 +150,24 @@ class _Page(Writer):
         run.setTextTransform(turn.real, turn.imag, -turn.imag, turn.real, laid.origin.real, laid.origin.imag)
         run.textOut(words)
         self.canvas.drawText(run)
+
+
+def write_png(
+    marks: Iterable[Mark], size_mm: tuple[float, float], title: str, *, dpi: float = 200, under: Photo | None = None
+) -> bytes:
+    """The sheet as a PNG file at ``dpi`` pixels per inch, ``under`` it a picture."""
+    return png_of(write(marks, size_mm, title, under=under), dpi)
+
+
+def png_of(data: bytes, dpi: float, page: int = 0) -> bytes:
+    """One page of a PDF file (counted from 0) as a PNG file."""
+    import pypdfium2
+
+    document = pypdfium2.PdfDocument(data)
+    try:
+        picture = document[page].render(scale=dpi / 72).to_pil().convert("RGB")
+    finally:
+        document.close()
+    out = io.BytesIO()
+    picture.save(out, format="PNG", dpi=(dpi, dpi), optimize=False)
+    return out.getvalue()

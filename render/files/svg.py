@@ -28,21 +28,10 @@ FONTS = "DejaVu Sans, Arial, sans-serif"
 
 
 def write(
-    marks: Iterable[Mark],
-    size_mm: tuple[float, float],
-    title: str,
-    *,
-    description: str = "",
-    lang: str = "ru",
-    under: Photo | None = None,
+    marks: Iterable[Mark], size_mm: tuple[float, float], title: str, *, lang: str = "ru", under: Photo | None = None
 ) -> bytes:
     """The sheet as an SVG file, UTF-8, ``under`` it a picture."""
-    return _Sheet(size_mm, title, description, lang).drawn(checked(marks, size_mm), under)
-
-
-def inline(marks: Iterable[Mark], size_mm: tuple[float, float], title: str, lang: str = "ru") -> str:
-    """The sheet as an SVG element, as a notebook shows it."""
-    return write(marks, size_mm, title, lang=lang).decode().partition("?>\n")[2]
+    return _Sheet(size_mm, title, lang).drawn(checked(marks, size_mm), under)
 
 
 def number(value: float) -> str:
@@ -55,7 +44,7 @@ class _Sheet(Writer):
 
     group: Group
 
-    def __init__(self, size_mm: tuple[float, float], title: str, description: str, lang: str) -> None:
+    def __init__(self, size_mm: tuple[float, float], title: str, lang: str) -> None:
         import svgwrite
 
         self.width, self.height = size_mm
@@ -64,7 +53,7 @@ class _Sheet(Writer):
             viewBox=f"0 0 {number(self.width)} {number(self.height)}",
             debug=False,
         )
-        self.svg.set_desc(title, description or None)
+        self.svg.set_desc(title)
         self.svg.attribs.update({"role": "img", "aria-label": title, "xml:lang": lang, "lang": lang})
 
     def drawn(self, marks: Iterable[Mark], under: Photo | None = None) -> bytes:

@@ -9,7 +9,7 @@ from planes.scene import Scene
 from planes.words import Phrase, Told
 from planes.words.errors import SceneError, choices, shown
 from render.paper import outlines
-from render.paper.faces import Face
+from render.paper.marks import Face
 
 FILES = (".ttf", ".otf", ".ttc")
 TRIAL = "АЯабёжщэяABZabyz0123456789.,+−=()′μωεφ"

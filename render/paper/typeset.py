@@ -14,8 +14,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from render.paper import lettering, outlines
-from render.paper.faces import Face, current
-from render.paper.marks import Text
+from render.paper.marks import Face, Text, current
 from render.paper.style import INDEX_DROP, INDEX_GAP, INDEX_RISE, INDEX_SIZE, LETTER_GAP, WORD_GAP
 
 Polyline = tuple[complex, ...]

@@ -11,8 +11,8 @@ from planes.solving.document import Chart, DrawnViews, Figure, ShaftSketch
 from planes.words import Lang
 from render import charts
 from render.charts.strokes import Picture
-from render.files import png, svg
-from render.files.pdf import POINTS_PER_MM, draw_marks
+from render.files import Page, svg
+from render.files.pdf import POINTS_PER_MM, draw_marks, png_of
 from render.labels.footprints import bounds
 from render.paper.marks import Anchor, Arc, Arrow, Line, Mark, Text
 from render.sheet.composer import Composer
@@ -30,12 +30,8 @@ LETTER_MM = {True: 3.5, False: 2.5}  # of equations that stand alone, and of tho
 DPI = 220
 
 
-@dataclass(frozen=True)
-class MarkedFigure:
+class MarkedFigure(Page):
     """Marks in mm on a paper of their own size; like a :class:`Picture` it knows its points and draws itself."""
-
-    marks: tuple[Mark, ...]
-    size: tuple[float, float]
 
     @property
     def width(self) -> float:
@@ -49,8 +45,8 @@ class MarkedFigure:
 
     def svg(self, label: str) -> str:
         """Inline SVG; groups lose their ids, for a page may hold many drawings."""
-        text = svg.write(self.marks, self.size, label).decode()
-        return re.sub(r' (id|xml:lang|lang)="[^"]*"', "", re.sub(r"^<\?xml[^>]*>\s*", "", text)).strip()
+        text = svg.write(self.marks, self.size, label).decode().partition("?>\n")[2]
+        return re.sub(r' (id|xml:lang|lang)="[^"]*"', "", text).strip()
 
     def draw(self, canvas: Canvas) -> None:
         """Draw on a reportlab canvas, the lower left corner in its origin."""
@@ -69,7 +65,7 @@ def raster(picture: Shown) -> bytes:
     canvas = Canvas(data, (picture.width, picture.height), invariant=1)
     picture.draw(canvas)
     canvas.save()
-    return png.from_pdf(data.getvalue(), DPI)
+    return png_of(data.getvalue(), DPI)
 
 
 @dataclass

@@ -8,10 +8,10 @@ from html import escape
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.lettering import Naming
+from render.charts.strokes import formula
 from render.page import web_page
 from render.paper.letters import tagged
 from render.report.figures import Studio
-from render.report.mathematics import formula
 
 
 def write(blocks: Sequence[Block], naming: Naming) -> bytes:

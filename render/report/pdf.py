@@ -18,11 +18,11 @@ from reportlab.platypus import Table as Grid
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.lettering import Naming
+from render.charts.strokes import formula
 from render.paper.letters import tagged
 from render.paper.outlines import dejavu
 from render.report.figures import Shown, Studio
 from render.report.html import is_number
-from render.report.mathematics import formula
 
 if TYPE_CHECKING:
     from reportlab.pdfgen.canvas import Canvas

@@ -13,10 +13,10 @@ from docx.text.paragraph import Paragraph as Words
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.lettering import Naming
+from render.charts.strokes import formula
 from render.paper.letters import pieces
 from render.report.figures import Shown, Studio, raster
 from render.report.html import is_number
-from render.report.mathematics import formula
 
 WIDTH, HEIGHT = 480.0, 540.0  # of a figure, points
 LETTER = 13

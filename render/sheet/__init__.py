@@ -9,13 +9,11 @@ from itertools import product
 from planes.scene import Scene
 from planes.words import Lang, say
 from planes.words.errors import SceneError
-from render.files import svg
-from render.paper.marks import Mark
+from render.files import Page
 from render.paper.typeset import plain
-from render.sheet.frame import FORMATS, Paper
+from render.sheet.frame import FORMATS, Paper, said_cells
 from render.sheet.layout import FULL, QUICK, USUAL, Effort, Field, Packed, pack, spread
 from render.sheet.sizes import LARGEST, Extents, Sizes, grown, relieved
-from render.sheet.title_block import cells
 from render.views import View
 
 SMALLER = (0.8, 0.63, 0.5, 0.4)
@@ -39,27 +37,15 @@ class Contents:
     extents: Extents = lambda sizes: {}
 
 
-@dataclass(frozen=True)
-class Sheet:
+@dataclass(frozen=True, repr=False, kw_only=True)
+class Sheet(Page):
     """A composed sheet: its format, its marks, its views with their places (left, top), and what must be said of it."""
 
     paper: Paper
-    marks: tuple[Mark, ...]
     views: tuple[tuple[View, float, float], ...]
-    title: str
-    warnings: tuple[str, ...] = ()
-
-    @property
-    def size(self) -> tuple[float, float]:
-        """Width and height in mm."""
-        return self.paper.size
 
     def __repr__(self) -> str:
         return f"<Sheet {self.title!r}, {self.size[0]:g} × {self.size[1]:g} mm, {len(self.views)} views>"
-
-    def _repr_svg_(self) -> str:
-        """The picture a notebook shows."""
-        return svg.inline(self.marks, self.size, self.title)
 
 
 def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = None) -> Sheet:
@@ -164,7 +150,8 @@ def finished(
     marks = [m for v, left, top in places for m in v.placed(left, top)]
     title = scene.title.get(lang, "")
     said = (*warnings, *(sentence for v, _, _ in places for sentence in unseen(v, lang)))
-    return Sheet(paper, (*paper.marks(cells(scene, lang, number), lang), *marks), tuple(places), title, said)
+    whole = (*paper.marks(said_cells(scene, lang, number), lang), *marks)
+    return Sheet(whole, paper.size, title, lang, said, paper=paper, views=tuple(places))
 
 
 def unseen(one: View, lang: Lang) -> list[str]:

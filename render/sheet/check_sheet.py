@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from planes.words import Lang
 from render.labels import Label, place
-from render.paper.marks import Arc, Arrow, Line, Mark, Text, moved
-from render.paper.numbers import decimal
+from render.paper.letters import decimal
+from render.paper.marks import Arc, Arrow, Line, Mark, Shape, Text, moved
 from render.paper.photo import Box, Photo, faded, ink_of
 from render.paper.photo import moved as shifted
 from render.paper.typeset import extent
@@ -177,3 +177,47 @@ def wrapped(text: str, width: float, letter: float) -> list[str]:
         else:
             lines.append(word)
     return lines
+
+
+BLANK_LETTER = 5.0
+
+
+def blank(
+    size_mm: tuple[float, float],
+    squares: Iterable[tuple[complex, Sequence[Sequence[bool]], float]],
+    pole: complex,
+    texts: Sequence[str],
+) -> list[Mark]:
+    """The marks of a blank. ``squares`` are (centre, black cells from the top row, side in mm)."""
+    w, h = size_mm
+    frame = (20 + 5j, complex(w - 5, 5), complex(w - 5, h - 5), complex(20, h - 5))
+    out: list[Mark] = [Line(frame, "thin", "frame", True)]
+    for centre, cells, side in squares:
+        out += _square(centre, cells, side)
+    out += [Line((pole - d, pole + d), "thin", "plan") for d in (2 + 0j, 2j)]
+    out.append(Text("p", pole + complex(-5, -6), BLANK_LETTER, name="p"))
+    for k, text in enumerate(texts):
+        out.append(Text(text, complex(38, h - 14 - 7.5 * k), 3.5 if k else BLANK_LETTER))
+    return out
+
+
+def _square(centre: complex, cells: Sequence[Sequence[bool]], side: float) -> list[Mark]:
+    """A corner mark as runs of black cells."""
+    step = side / len(cells)
+    corner = centre + complex(-side, side) / 2
+    out: list[Mark] = []
+    for r, row in enumerate(cells):
+        c = 0
+        while c < len(row):
+            end = c
+            while end < len(row) and row[end]:
+                end += 1
+            if end > c:
+                out.append(_box(corner + complex(c * step, -(r + 1) * step), (end - c) * step, step))
+            c = max(end, c + 1)
+    return out
+
+
+def _box(z: complex, width: float, height: float) -> Shape:
+    over = 0.02  # no hair of white between two boxes
+    return Shape((z - 1j * over, z + width - 1j * over, z + complex(width, height), z + 1j * height), "frame")

@@ -15,7 +15,7 @@ from planes.words import Lang, say
 from planes.words.lettering import Naming
 from planes.words.names import kind_of, links_of, mu_of
 from planes.words.units import mu_text
-from render.paper.numbers import decimal
+from render.paper.letters import decimal
 from render.views import View, stacked, view
 from render.views.formulas import Formulas
 from render.views.moments import MomentLines

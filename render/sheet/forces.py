@@ -13,8 +13,7 @@ from render.sheet.sizes import Sizes
 from render.views import View, beside, view
 from render.views.lever import Lever
 from render.views.loading import Loading
-from render.views.places import Places
-from render.views.plotted import of_position
+from render.views.plotted import Places, of_position
 from render.views.scheme import Scheme
 
 CROWDED, ALONE = 1.3, 2.2  # how much larger than on paper a group, or a link alone, counts: it need not grow as far

@@ -7,10 +7,12 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from planes.words import Lang
+from planes.scene import Scene
+from planes.words import Lang, say
 from render.labels.footprints import Bounds
 from render.paper import form1
-from render.paper.form1 import BLOCK, EDGE, LEFT, TOP_CELL, Cell
+from render.paper.form1 import BESIDE, BLOCK, EDGE, LEFT, TOP_CELL, Cell
+from render.paper.letters import decimal
 from render.paper.marks import Line, Mark, Text
 from render.paper.typeset import extent
 
@@ -123,3 +125,48 @@ def _shrunk(text: str, size: float, width: float) -> float:
     """The letter height at which a line that cannot be broken fits, off the standard series if it must be."""
     wide = _wide(text, size)
     return size if wide <= width else size * width / wide
+
+
+_PEOPLE = ("teacher", "tech", "person", "checked", "approved")
+_SAME = (
+    *("student", "role", "material", "mass", "copied", *_PEOPLE),
+    *(f"{person}_date" for person in _PEOPLE),
+    *BESIDE,
+)
+"""Keys of the scene that are names of cells."""
+
+
+def said_cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str, str]:
+    """Texts of the cells of form 1 by name; ``number`` is that of a sheet of a project of two."""
+    given = scene.sheet
+    said = {key: _said_text(value, lang) for key, value in given.items()}
+    found = {key: said[key] for key in _SAME if key in said}
+    found["student_date"] = said.get("date", "")
+    found["title"] = said.get("title") or scene.title.get(lang, "")
+    if number and "title" not in said:
+        found["title"] += f". {say(f'sheet_{number}', lang)}"
+    found["designation"] = said.get("designation") or said.get("number", "")
+    company = [said.get(key, "") for key in ("company", "university", "department", "group")]
+    found["company"] = " ".join(text for text in company if text)
+    found["scale"] = said.get("scale_note", "")
+    found["sheet"] = said.get("sheet", str(number or ""))
+    found["sheets"] = said.get("sheets", "2" if number else "1")
+    return {**found, **_letters(given.get("letter"), lang), **_revisions(given.get("revisions"), lang)}
+
+
+def _said_text(value: object, lang: Lang) -> str:
+    return decimal(f"{value:g}", lang) if isinstance(value, float) else str(value)
+
+
+def _letters(given: object, lang: Lang) -> dict[str, str]:
+    """Graph 4, filled from its left cell on."""
+    letters = given if isinstance(given, list) else str(given or "").split()
+    return {f"letter_{k + 1}": _said_text(letter, lang) for k, letter in enumerate(letters)}
+
+
+def _revisions(given: object, lang: Lang) -> dict[str, str]:
+    """Graphs 14–18, from the lowest row up."""
+    found: dict[str, str] = {}
+    for k, row in enumerate(given if isinstance(given, list) else ()):
+        found |= {f"revision_{k + 1}_{column}": _said_text(text, lang) for column, text in row.items()}
+    return found

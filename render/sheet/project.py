@@ -8,14 +8,13 @@ from dataclasses import dataclass
 from planes.solving import Position
 from planes.words import say
 from planes.words.names import kind_of, mu_of
+from render.paper.letters import decimal
 from render.paper.marks import Mark, Text
-from render.paper.numbers import decimal
 from render.sheet.composer import LARGER, Composer, drawn_plans
 from render.sheet.forces import Drawer, ForceSheet, extents
 from render.sheet.sizes import Sizes
 from render.views import View, beside, stacked, view
-from render.views.diagrams import SECTIONS, DiagramCurve, Diagrams, section_mm
-from render.views.hodograph import Hodograph, hodograph_view
+from render.views.diagrams import SECTIONS, DiagramCurve, Diagrams, Hodograph, hodograph_view, section_mm
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
 from render.views.plotted import of_position
 from render.views.scheme import Scheme

@@ -17,7 +17,7 @@ from render.paper import symbols
 from render.paper.marks import Arc, Line, Mark, Text
 from render.paper.style import HINGE_MM
 from render.views import View, stacked, view
-from render.views.places import degrees
+from render.views.plotted import degrees
 from render.views.scheme import Scheme
 
 CUP_MM = 2.4  # radius of the cup about a spherical pair's ball

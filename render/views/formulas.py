@@ -12,8 +12,8 @@ from planes.words import say
 from planes.words.lettering import Naming
 from planes.words.names import lines, parallel_to, written
 from planes.words.units import UNIT
+from render.paper.letters import number
 from render.paper.marks import Line, Mark, Text
-from render.paper.numbers import number
 from render.paper.typeset import extent, over
 from render.views.plotted import Plotted
 

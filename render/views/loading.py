@@ -14,10 +14,10 @@ from planes.words.lettering import Naming
 from planes.words.names import at, mu_of
 from render import labels
 from render.paper import symbols
+from render.paper.letters import number
 from render.paper.marks import Arrow, Line, Mark
-from render.paper.numbers import number
 from render.paper.style import BLOCK_MM
-from render.views.places import Places
+from render.views.plotted import Places
 from render.views.senses import freest
 
 FORCE_MM = 15.0  # shortest arrow of a force; forces are not to scale

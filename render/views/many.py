@@ -15,7 +15,7 @@ from planes.words import Lang, say
 from render import labels
 from render.paper.marks import Line, Mark
 from render.paper.typeset import plain
-from render.views.places import NEAR_MM, outline_of
+from render.views.plotted import NEAR_MM, outline_of
 
 MOST = 3.5  # times its usual size a scheme may have in the course of a turn
 NEAR = 1.8  # and so many times where it grows beyond that: the positions farther off are not drawn

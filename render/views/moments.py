@@ -11,8 +11,8 @@ from planes.drafting.steps.reckoning import Calculate, Drop, Product
 from planes.solving import Position
 from planes.words import say
 from planes.words.lettering import Naming, flat
+from render.paper.letters import number
 from render.paper.marks import Mark
-from render.paper.numbers import number
 from render.views.formulas import Setter, Word
 
 NOISE = 1e-9  # of the largest moment of the equation: nothing

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import cmath
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+
+import shapely
 
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation
+from planes.plans.bodies import SCHEME
+from planes.scene.mechanism import Link, Mechanism
 from planes.solving import Position
 from planes.solving.vectors import PLAN, VectorResults
 from planes.words.names import at, kind_of, label_of, mu_of, plan_of
@@ -70,3 +76,107 @@ def of_vectors(found: VectorResults) -> Plotted:
     spans = {name: (label_of(s), label_of(e)) for name, (s, e) in found.spans.items()}
     segments = tuple(Segment(PLAN, start, end, name) for name, (start, end) in spans.items())
     return Plotted(found.drawing, segments, tuple(draft.equations), {mu_of(PLAN): found.mu}, (), found.quantity)
+
+
+NEAR_MM = 0.4  # places closer than this are one
+
+
+@dataclass(frozen=True)
+class Places:
+    """The places of one position."""
+
+    position: Position
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism that is drawn."""
+        return self.position.plans.mechanism
+
+    @cached_property
+    def shared(self) -> dict[str, list[str]]:
+        """Points of more than one link, with those links: the hinges."""
+        held: dict[str, list[str]] = {}
+        for link in (self.mechanism.frame, *self.mechanism.links.values()):
+            for point in link.points:
+                held.setdefault(point, []).append(link.name)
+        return {point: owners for point, owners in held.items() if len(owners) > 1}
+
+    def has(self, point: str) -> bool:
+        """Whether the point has been drawn."""
+        return at(SCHEME, point) in self.position.drawing
+
+    def at(self, point: str) -> complex:
+        """Where a point stands."""
+        return complex(self.position.drawing[at(SCHEME, point)])
+
+    def size(self, links: Sequence[str]) -> float:
+        """The larger side of the box around the points of some links."""
+        drawn = [self.at(p) for name in links for p in self.mechanism.links[name].points if self.has(p)]
+        wide, high = [z.real for z in drawn], [z.imag for z in drawn]
+        return max(max(wide) - min(wide), max(high) - min(high)) if drawn else 0.0
+
+    def line(self, guide: str) -> tuple[complex, complex]:
+        """A point of a guide's line and its direction."""
+        given = self.mechanism.guide(guide)
+        label = given.through_point or f"°{guide}"
+        along = complex(self.position.drawing[f"∥{guide}"])
+        if self.has(label):
+            return self.at(label), along
+        slider = next(x for x in self.mechanism.links.values() if x.slides and x.slides.guide == guide)
+        offset = slider.slides.offset if slider.slides else None
+        mu = self.position.scales[f"mu_{SCHEME}"]
+        return self.at(slider.first_point) - 1j * along * (offset or 0.0) * mu, along
+
+    def foot(self, link: Link) -> tuple[complex, complex]:
+        """The foot of a slider's first point on its guide, and the guide's direction."""
+        assert link.slides
+        through, along = self.line(link.slides.guide)
+        first = self.at(link.first_point)
+        return through + ((first - through) * along.conjugate()).real * along, along
+
+    def doubled(self, link: Link) -> Link | None:
+        """Another slider that is hinged to this one, in one place."""
+        sliders = [x for x in self.mechanism.links.values() if x is not link and x.slides and self.has(x.first_point)]
+        here = self.at(link.first_point)
+        return next((x for x in sliders if abs(self.at(x.first_point) - here) < NEAR_MM), None)
+
+
+def degrees(along: complex) -> float:
+    """The angle of a direction."""
+    return round(math.degrees(cmath.phase(along)), 9)
+
+
+def off(z: complex, a: complex, b: complex) -> float:
+    """Distance of a point from a line."""
+    way = (b - a) / abs(b - a)
+    return abs(((z - a) * way.conjugate()).imag)
+
+
+def outline_of(places: list[complex]) -> list[complex]:
+    """The corners of a link: one point, the ends of a bar, or the hull of a plate."""
+    unique: list[complex] = []
+    for z in places:
+        if all(abs(z - u) > NEAR_MM for u in unique):
+            unique.append(z)
+    if len(unique) < 3:
+        return unique
+    a, b = max(((p, q) for p in unique for q in unique), key=lambda e: abs(e[1] - e[0]))
+    if all(off(z, a, b) < NEAR_MM for z in unique):
+        return [a, b]
+    hull = shapely.MultiPoint([(z.real, z.imag) for z in unique]).convex_hull
+    return [complex(x, y) for x, y in list(hull.exterior.coords)[:-1]]
+
+
+def nearest(z: complex, outline: list[complex]) -> complex:
+    """The point of a link's outline that is nearest to a place."""
+    if len(outline) == 1:
+        return outline[0]
+    if len(outline) > 2:
+        shape = shapely.Polygon([(c.real, c.imag) for c in outline])
+        if shape.contains(shapely.Point(z.real, z.imag)):
+            return z
+    feet = []
+    for a, b in zip(outline, outline[1:] + outline[:1], strict=True):
+        t = ((z - a) * (b - a).conjugate()).real / abs(b - a) ** 2
+        feet.append(a + min(1.0, max(0.0, t)) * (b - a))
+    return min(feet, key=lambda foot: abs(foot - z))

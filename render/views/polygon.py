@@ -11,8 +11,8 @@ from planes.words import say
 from planes.words.lettering import Naming
 from planes.words.names import POLE, at, label_of, plan_of
 from render import labels
+from render.paper.letters import number
 from render.paper.marks import Arrow, Layer, Line, Mark
-from render.paper.numbers import number
 from render.paper.symbols import dot
 from render.paper.typeset import plain
 from render.views import detail, remark

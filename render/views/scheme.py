@@ -16,7 +16,7 @@ from render.labels.footprints import ink
 from render.paper import symbols
 from render.paper.marks import Line, Mark
 from render.paper.style import BLOCK_MM, HINGE_MM
-from render.views.places import NEAR_MM, Places, degrees, nearest, outline_of
+from render.views.plotted import NEAR_MM, Places, degrees, nearest, outline_of
 from render.views.senses import driver_arrows, parted, yielding
 
 RAIL_MM = 17.0  # of a guide shown on each side of its slider

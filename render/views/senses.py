@@ -10,10 +10,10 @@ from planes.words.lettering import Naming
 from render import labels
 from render.labels.footprints import ink, polygons
 from render.paper import symbols
-from render.paper.cutting import cut
+from render.paper.ink import cut
 from render.paper.marks import Line, Mark, Shape, Text
 from render.paper.typeset import layout
-from render.views.places import Places
+from render.views.plotted import Places
 
 LETTER_MM = 5.0
 CLEAR_MM = 0.6  # between a letter and the thin line that is broken for it

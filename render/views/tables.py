@@ -16,8 +16,8 @@ from planes.words.names import POLE, at, kind_of, label_of
 from planes.words.units import UNIT
 from render.paper import symbols
 from render.paper.ink import head as ink_head
+from render.paper.letters import number
 from render.paper.marks import Arc, Line, Mark, Shape, Text
-from render.paper.numbers import number
 from render.paper.typeset import extent
 from render.views import View, remark, view
 from render.views.formulas import NOISE_MM
