@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import argparse
 import json
 import re
 import sys
+from argparse import Namespace
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path
 
-from planes.check import STATUS, Outcome, check
+from planes.check import STATUS, Outcome
+from planes.check import check as judge
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.perturbing import HAND, cad
 from planes.check.grading.prepared_plan import Asked, prepare
@@ -19,7 +20,8 @@ from planes.check.report import heads, numbers_of, rows_of
 from planes.check.report.classes import Checked, ClassWork
 from planes.check.report.classes import heads as class_heads
 from planes.check.report.rows import as_json
-from planes.cli.options import check_options
+from planes.cli.commands import scene_of
+from planes.cli.options import check_options, value_of
 from planes.scene import Scene
 from planes.solving.tables import table
 from planes.words import Lang, Phrase, say
@@ -31,8 +33,10 @@ from planes.words.units import read_mu
 _PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?{0})\s*[,;]\s*([-+]?{0})\s*".format(r"(?:\d+\.?\d*|\.\d+)"))
 
 
-def run(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
+def check(args: Namespace) -> int:
     """Check, print, and give the exit status: 0 right, 1 wrong, 2 unreadable."""
+    scene = scene_of(args)
+    value = value_of(args, scene)
     check_options(args, "check", _answer(args))
     asked, known = ask(args, scene, value), known_of(args)
     if args.trace:
@@ -41,7 +45,7 @@ def run(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
         raise PlanesError(Phrase("check_no_drawing"))
     if Path(args.drawing).is_dir():
         return check_class(args, asked, lambda file: read_paper(file, asked, known))
-    found = check(asked, read_paper(args.drawing, asked, known))
+    found = judge(asked, read_paper(args.drawing, asked, known))
     if args.output:
         from planes.documents.check import write_report
 
@@ -53,7 +57,7 @@ def run(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
     return STATUS[found.verdict]
 
 
-def _answer(args: argparse.Namespace) -> str:
+def _answer(args: Namespace) -> str:
     """Which of the answers is asked for, by what has to be read."""
     files = [Path(args.drawing or ""), *(Path(pair.partition("=")[2]) for pair in args.others)]
     suffixes = {file.suffix.lower() for file in files}
@@ -64,7 +68,7 @@ def _answer(args: argparse.Namespace) -> str:
     return "lines" if suffixes & {*LINES} else "numbers"
 
 
-def _trace(args: argparse.Namespace, asked: Asked) -> int:
+def _trace(args: Namespace, asked: Asked) -> int:
     """The tracing-paper page."""
     from planes.documents.check import write_trace
 
@@ -74,7 +78,7 @@ def _trace(args: argparse.Namespace, asked: Asked) -> int:
     return 0
 
 
-def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:
+def ask(args: Namespace, scene: Scene, value: float | None) -> Asked:
     """The question of the command line."""
     from planes.documents.check import spelling
 
@@ -91,7 +95,7 @@ def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:
     return replace(asked, skill=skill, others=others)
 
 
-def _mu(args: argparse.Namespace) -> float | None:
+def _mu(args: Namespace) -> float | None:
     return None if args.mu is None else read_mu(args.mu, kind_of(args.plan))
 
 
@@ -104,7 +108,7 @@ def _size(asked: Asked) -> float:
     return max(extent(draw(bench.program, bench.given), asked.plan), 10.0)
 
 
-def known_of(args: argparse.Namespace) -> Known:
+def known_of(args: Namespace) -> Known:
     """What the command line tells of the drawing."""
     pole = place(args.pole, "--pole")[1] if args.pole else None
     return Known(pole, dict(place(m, "--mark") for m in args.mark), args.format)
@@ -128,11 +132,12 @@ def told(found: Outcome, lang: Lang) -> str:
     return "\n".join(lines + [f"! {n.told(lang)}" for n in found.notes])
 
 
-def write_blank(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
+def blank(args: Namespace) -> int:
     """``planes blank``: a sheet to draw a plan on."""
-    from planes.documents.check import write_blank as write
+    from planes.documents.check import write_blank
 
-    write(Asked(scene, args.plan, value, _mu(args)), args.output, args.lang)
+    scene = scene_of(args)
+    write_blank(Asked(scene, args.plan, value_of(args, scene), _mu(args)), args.output, args.lang)
     return 0
 
 
@@ -140,7 +145,7 @@ Reader = Callable[[str], ReadPaper]
 NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp")  # lie beside the drawings
 
 
-def check_class(args: argparse.Namespace, asked: Asked, read: Reader) -> int:
+def check_class(args: Namespace, asked: Asked, read: Reader) -> int:
     """Every drawing of a folder: a row for each, on the terminal and in the file of ``-o``."""
     folder = Path(args.drawing)
     files = [f for f in sorted(folder.iterdir()) if f.is_file() and not f.name.startswith((".", "~$"))]
@@ -152,7 +157,7 @@ def check_class(args: argparse.Namespace, asked: Asked, read: Reader) -> int:
         name = file.name.encode("utf-8", "replace").decode()  # any bytes at all may be the name of a file
         try:
             with guarded("check_broken", name):  # one file never stops the others
-                group.all.append(Checked(name, check(asked, read(str(file)))))
+                group.all.append(Checked(name, judge(asked, read(str(file)))))
         except PlanesError as error:
             group.all.append(Checked(name, refused=error))
     if args.output:

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import argparse
 import math
 import sys
-from collections.abc import Callable
+from argparse import Namespace
 from dataclasses import replace
 from pathlib import Path
 
-from planes.cli.options import check_needs, check_options
+from planes.cli.commands import as_json, scene_of
+from planes.cli.options import check_needs, check_options, range_of
 from planes.scene import Scene
-from planes.scene.ranges import Span
+from planes.scene.ranges import Span, read_span
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
@@ -19,8 +19,11 @@ PICTURES = (".png", ".svg", ".pdf")
 LISTED = 24  # positions a listing may have
 
 
-def run(args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Callable[[object], str]) -> int:
+def cycle(args: Namespace) -> int:
     """One of the answers; the exit status."""
+    scene = scene_of(args)
+    kind, text = range_of(args, scene)
+    span = None if text is None else read_span(text, f"--{kind}")
     if scene.mechanism is None:
         raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
     scene = driven_otherwise(scene, args.omega, args.epsilon)
@@ -33,13 +36,13 @@ def run(args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Call
         case "picture":
             return _picture(args, scene, span)
         case "graphical" | "graphical_picture":
-            return _graphical(args, scene, as_json)
+            return _graphical(args, scene)
         case "listing":
-            return _listing(args, scene, span, as_json)
-    return _summary(args, scene, span, as_json)
+            return _listing(args, scene, span)
+    return _summary(args, scene, span)
 
 
-def _answer(args: argparse.Namespace, span: Span | None) -> str:
+def _answer(args: Namespace, span: Span | None) -> str:
     """Which of the answers is asked for."""
     if args.output and Path(args.output).suffix.lower() not in PICTURES:
         return "curves" if args.show is not None else "table"
@@ -83,13 +86,13 @@ def asked(text: str | None, option: str) -> list[str] | None:
     return names
 
 
-def _names(args: argparse.Namespace) -> list[str] | None:
+def _names(args: Namespace) -> list[str] | None:
     """The curves asked for one by one; None: all."""
     names = asked(args.show, "--show")
     return None if names is None or names == ["all"] else [n for name in names for n in name.split("+")]
 
 
-def _picture(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
+def _picture(args: Namespace, scene: Scene, span: Span | None) -> int:
     from planes.documents.cycle import draw_cycle
 
     show, loops, paths = (asked(getattr(args, option), f"--{option}") for option in ("show", "hodograph", "path"))
@@ -97,7 +100,7 @@ def _picture(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
     return 0
 
 
-def _table(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
+def _table(args: Namespace, scene: Scene, span: Span | None) -> int:
     from planes.diagrams.long_run import write_curves, write_cycle
 
     fast = False if args.plain else None
@@ -110,7 +113,7 @@ def _table(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
     return write_curves(turn, span, args.output, args.lang)
 
 
-def _listing(args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Callable[[object], str]) -> int:
+def _listing(args: Namespace, scene: Scene, span: Span | None) -> int:
     from planes.diagrams.listing import listed_json, listing, unsolved
     from planes.diagrams.turn import turn_of
     from planes.plans import mechanism_plans
@@ -128,7 +131,7 @@ def _listing(args: argparse.Namespace, scene: Scene, span: Span | None, as_json:
     return 0
 
 
-def _summary(args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Callable[[object], str]) -> int:
+def _summary(args: Namespace, scene: Scene, span: Span | None) -> int:
     from planes.diagrams.summary import summary
     from planes.diagrams.text import as_json as plain
     from planes.diagrams.text import report
@@ -151,7 +154,7 @@ def _summary(args: argparse.Namespace, scene: Scene, span: Span | None, as_json:
     return 0
 
 
-def _graphical(args: argparse.Namespace, scene: Scene, as_json: Callable[[object], str]) -> int:
+def _graphical(args: Namespace, scene: Scene) -> int:
     from planes.diagrams.graphical_text import as_json as plain
     from planes.diagrams.graphical_text import report
     from planes.diagrams.motion import constructed

@@ -20,13 +20,13 @@ from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
 from planes.scene import Scene
 from planes.scene.files import keep, sayable
-from planes.words import Lang, Phrase, say, under
+from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
 from planes.words.names import POLE, kind_of, parted
 from planes.words.units import mu_text
 from render.files import Page
-from render.page import check_page, class_page, trace_page
+from render.page import check_pages
 from render.paper.letters import decimal
 from render.paper.marks import Mark
 from render.paper.photo import Photo
@@ -59,7 +59,7 @@ def _write(marks: Iterable[Mark], title: str, output: str, lang: Lang, under: Ph
 
 def write_trace(asked: Asked, output: str, lang: Lang) -> None:
     """The right plans as a page to lay over a picture."""
-    write_text(trace_page.page(tracing_data(asked, lang), under("trace_", lang, "check"), lang), output)
+    write_text(check_pages.trace_page(tracing_data(asked, lang), lang), output)
 
 
 def write_report(found: Outcome, output: str, lang: Lang) -> None:
@@ -68,8 +68,7 @@ def write_report(found: Outcome, output: str, lang: Lang) -> None:
     if suffix == ".json":
         write_text(json.dumps(as_json(found, lang), ensure_ascii=False, allow_nan=False), output)
     elif suffix in (".html", ".htm"):
-        words = under("check_page_", lang, "check")
-        write_text(check_page.page(report.page_data(found, lang), words, lang), output)
+        write_text(check_pages.report_page(report.page_data(found, lang), lang), output)
     else:
         marks, photo = check_sheet.compose(SHEET_MM, _overlay(found, lang))
         _write(marks, report.title(found, lang), output, lang, photo)
@@ -94,9 +93,8 @@ def write_class(group: ClassWork, output: str, lang: Lang) -> None:
     often = sorted(common.items(), key=lambda said: -len(said[1]))[:MOST_COMMON]
     told = [(say(f"verdict_{v}", lang), counts[v]) for v in ("right", "wrong", "unreadable")]
     rows = [(one.verdict, quote(one.report), [*one.row(lang)[:-1], _unmarked(one, lang)]) for one in group.all]
-    words = {"common": say("check_common", lang)}
     title = f"{say('check_class', lang)}: {group.title}"
-    write_text(class_page.page(title, told, often, heads(lang), rows, words, lang), output)
+    write_text(check_pages.class_page(title, told, often, heads(lang), rows, lang), output)
 
 
 def _unmarked(one: Checked, lang: Lang) -> str:
