@@ -54,10 +54,20 @@ def chart(shown: Chart, width_mm: float, lang: Lang) -> Picture:
         _frame(plot, shown, lang)
         for x, y, text in shown.notes:
             plot.plot([x], [y], "o", color="#000000", markersize=2.5)
-            plot.annotate(text, (x, y), (3, 3), textcoords="offset points", fontsize=7)
+            beside(plot, text, (x, y), (3, 3), fontsize=7)
         renderer = StrokeRenderer(width, height)
         figure.draw(renderer)
     return renderer.picture
+
+
+def beside(plot: Axes, text: str, place: tuple[float, float], by: tuple[float, float], **looks: Any) -> None:
+    """Words so many points beside a place."""
+    plot.annotate(text, place, by, textcoords="offset points", **looks)
+
+
+def leader(shift: float, least: float, width: float) -> dict[str, Any] | None:
+    """The thin line to words that stand far from what they name."""
+    return {"arrowstyle": "-", "color": "#888888", "linewidth": width} if abs(shift) > least else None
 
 
 def _frame(plot: Axes, axes: Chart, lang: Lang) -> None:

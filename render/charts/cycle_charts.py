@@ -21,7 +21,7 @@ from matplotlib.figure import Figure
 from planes.geometry.arrays import Array
 from planes.words import Lang
 from planes.words.lettering import Naming, lettered_curve
-from render.charts import LOOKS, STYLE, save
+from render.charts import LOOKS, STYLE, beside, save
 from render.charts.loops import SQUARE, Loop, draw_loop, math_text
 from render.paper.letters import number, with_unit
 
@@ -96,8 +96,8 @@ def _panel(plot: Axes, panel: Panel, axis: DriveAxis, naming: Naming, first: boo
     for x in axis.stations:
         plot.axvline(x, color="#bbbbbb", linewidth=0.5, zorder=0)
     _frame(plot, panel, axis, naming)
-    if first:
-        _numbers(plot, axis)
+    for k, x in enumerate(axis.stations if first else ()):  # the numbers of the positions, along the upper edge
+        beside(plot, str(k), (x, 1), (0, 5), xycoords=plot.get_xaxis_transform(), ha="center", fontsize=8.5)
     if last:
         _degrees(plot, axis, lang)
     if many:
@@ -106,12 +106,12 @@ def _panel(plot: Axes, panel: Panel, axis: DriveAxis, naming: Naming, first: boo
 
 def _degrees(plot: Axes, axis: DriveAxis, lang: Lang) -> None:
     """The driver's angles along the lower edge."""
-    where: dict[str, Any] = {"xycoords": plot.get_xaxis_transform(), "textcoords": "offset points", "va": "top"}
+    where: dict[str, Any] = {"xycoords": plot.get_xaxis_transform(), "va": "top"}
     for x in axis.stations:
-        plot.annotate(number(_told(x, axis), lang), (x, 0), (0, -3), ha="center", fontsize=8.5, **where)
+        beside(plot, number(_told(x, axis), lang), (x, 0), (0, -3), ha="center", fontsize=8.5, **where)
     letter = math_text(f"{'φ' if axis.turning else 's'}_{{{axis.link}}}")
     text = with_unit(letter, "°" if axis.turning else "m", lang)
-    plot.annotate(text, (axis.end, 0), (0, -16), ha="right", fontsize=10, **where)
+    beside(plot, text, (axis.end, 0), (0, -16), ha="right", fontsize=10, **where)
 
 
 def _told(place: float, axis: DriveAxis) -> float:
@@ -137,31 +137,10 @@ def _frame(plot: Axes, panel: Panel, axis: DriveAxis, naming: Naming) -> None:
     plot.plot(1, zero, ">", transform=plot.get_yaxis_transform(), **arrow)
     plot.plot(0, 1, "^", transform=plot.transAxes, **arrow)
     names = ", ".join(math_text(lettered_curve(name, naming)) for name, _, _ in panel.curves)
-    plot.annotate(
-        with_unit(names, panel.unit, naming.lang),
-        (0, 1),
-        (7, -2),
-        xycoords="axes fraction",
-        textcoords="offset points",
-        va="top",
-        fontsize=10,
-    )
+    told = with_unit(names, panel.unit, naming.lang)
+    beside(plot, told, (0, 1), (7, -2), xycoords="axes fraction", va="top", fontsize=10)
     plot.yaxis.set_major_formatter(lambda v, _: number(float(f"{v:.6g}"), naming.lang))
     plot.locator_params(axis="y", nbins=5)
-
-
-def _numbers(plot: Axes, axis: DriveAxis) -> None:
-    """Numbers of the positions along the upper edge."""
-    for k, x in enumerate(axis.stations):
-        plot.annotate(
-            str(k),
-            (x, 1),
-            (0, 5),
-            xycoords=plot.get_xaxis_transform(),
-            textcoords="offset points",
-            ha="center",
-            fontsize=8.5,
-        )
 
 
 def _extremes(plot: Axes, marked: Sequence[Marked], axis: DriveAxis, lang: Lang) -> None:
@@ -175,13 +154,10 @@ def _extremes(plot: Axes, marked: Sequence[Marked], axis: DriveAxis, lang: Lang)
         plot.plot([x], [e.value], "o", color="#000000", markersize=3, zorder=5)
         right = x > axis.start + 0.9 * (axis.end - axis.start)
         text = number(e.value if abs(e.value) > 1e-9 * size else 0.0, lang)
-        plot.annotate(
-            text,
-            (x, e.value),
-            (-4 if right else 4, 4 if top else -4),
-            textcoords="offset points",
-            ha="right" if right else "left",
-            va="bottom" if top else "top",
-            fontsize=8,
-            zorder=6,
-        )
+        looks: dict[str, Any] = {
+            "ha": "right" if right else "left",
+            "va": "bottom" if top else "top",
+            "fontsize": 8,
+            "zorder": 6,
+        }
+        beside(plot, text, (x, e.value), (-4 if right else 4, 4 if top else -4), **looks)

@@ -7,6 +7,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Any
 
 from matplotlib.axes import Axes
 
@@ -14,6 +15,7 @@ from planes.geometry.arrays import Complexes
 from planes.words import say
 from planes.words.lettering import Naming, lettered_curve
 from planes.words.names import index_of, letter_of
+from render.charts import beside, leader
 from render.paper.letters import number, with_unit
 
 SQUARE = 3.6  # of a hodograph
@@ -42,14 +44,8 @@ def draw_loop(plot: Axes, loop: Loop, naming: Naming) -> None:
     for run in loop.runs:
         plot.plot(run.real, run.imag, color="#000000", zorder=3)
     for one, two in pairwise(runs):
-        plot.plot(
-            [one[-1].real, two[0].real],
-            [one[-1].imag, two[0].imag],
-            color="#000000",
-            linewidth=0.8,
-            linestyle=(0, (3, 2)),
-            zorder=2,
-        )
+        ends = [one[-1].real, two[0].real], [one[-1].imag, two[0].imag]
+        plot.plot(*ends, color="#000000", linewidth=0.8, linestyle=(0, (3, 2)), zorder=2)
     ink = [complex(z) for run in loop.runs for z in run[::4] if z == z]
     ink += [] if path else [0j]
     if not path:
@@ -73,17 +69,13 @@ def _stations(plot: Axes, loop: Loop, ink: Sequence[complex]) -> None:
         offsets = [d * (1.3 if k > 9 else 1.0) for d in _OFFSETS]
         shift = max(offsets, key=lambda d: _room(z * scale + d, places, taken) - 0.15 * abs(d))
         taken.append(z * scale + shift)
-        line = {"arrowstyle": "-", "color": "#888888", "linewidth": 0.5} if abs(shift) > 12 else None
-        plot.annotate(
-            str(k),
-            (z.real, z.imag),
-            (shift.real, shift.imag),
-            textcoords="offset points",
-            ha="center",
-            va="center",
-            fontsize=8,
-            arrowprops=line,
-        )
+        looks: dict[str, Any] = {
+            "ha": "center",
+            "va": "center",
+            "fontsize": 8,
+            "arrowprops": leader(abs(shift), 12, 0.5),
+        }
+        beside(plot, str(k), (z.real, z.imag), (shift.real, shift.imag), **looks)
 
 
 _OFFSETS = [r * cmath.rect(1, math.pi / 6 * k) for r in (8, 14, 20) for k in range(12)]

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 
 from planes.geometry.arrays import Array
 from planes.words import Lang, say
-from render.charts import STYLE, save
+from render.charts import STYLE, beside, leader, save
 
 INK = ("#000000", "#1f5fa8", "#c1440e", "#2f7d32", "#7a3b8f", "#8a6d00", "#777777", "#0f8b8d", "#d0307a")
 LOOK = {  # of a method: colour, marker, dashes
@@ -83,14 +83,8 @@ def _speed(plot: Axes, spots: Sequence[MethodPoint], front: Sequence[MethodPoint
     plot.set(xscale="log", yscale="log", xlabel=seconds, ylabel=say("chart_error", lang))
     plot.set_title(say("chart_speed", lang), fontsize=10)
     steps = [(m.seconds, m.error) for m in front]
-    plot.plot(
-        *zip(*steps, strict=True),
-        color="#bbbbbb",
-        linewidth=5,
-        solid_capstyle="round",
-        zorder=1,
-        label=say("chart_front", lang),
-    )
+    looks: dict[str, Any] = {"color": "#bbbbbb", "linewidth": 5, "solid_capstyle": "round", "zorder": 1}
+    plot.plot(*zip(*steps, strict=True), label=say("chart_front", lang), **looks)
     for m in spots:
         colour, marker, _ = LOOK[m.key]
         plot.plot([m.seconds], [m.error], marker, color=INK[colour], markersize=7 if marker != "_" else 9, zorder=3)
@@ -110,16 +104,8 @@ def _label(plot: Axes, spots: Sequence[MethodPoint], lang: Lang) -> None:
         words = say(m.key, lang, number=m.number)
         shift = next(d for d in OFFSETS if _free((x + 9, y + d, x + 12 + 5.2 * len(words)), taken))
         taken.append((x + 9, y + shift, x + 12 + 5.2 * len(words)))
-        arrow = {"arrowstyle": "-", "color": "#888888", "linewidth": 0.6} if abs(shift) > 6 else None
-        plot.annotate(
-            words,
-            (m.seconds, m.error),
-            (9, shift),
-            textcoords="offset points",
-            va="center",
-            fontsize=8.5,
-            arrowprops=arrow,
-        )
+        line = leader(shift, 6, 0.6)
+        beside(plot, words, (m.seconds, m.error), (9, shift), va="center", fontsize=8.5, arrowprops=line)
 
 
 OFFSETS = [0.0] + [side * 6.5 * k for k in range(2, 60) for side in (1, -1)]
@@ -137,9 +123,7 @@ def _label_pencils(plot: Axes, pencils: Sequence[MethodPoint], lang: Lang) -> No
     right = max(m.seconds for m in pencils)
     worst, best = max(pencils, key=lambda m: m.error), min(pencils, key=lambda m: m.error)
     text = say("chart_pencils", lang, worst=worst.number, best=best.number)
-    plot.annotate(
-        text, (right, (worst.error * best.error) ** 0.5), (10, 0), textcoords="offset points", va="center", fontsize=8.5
-    )
+    beside(plot, text, (right, (worst.error * best.error) ** 0.5), (10, 0), va="center", fontsize=8.5)
 
 
 def _stability(plot: Axes, ways: MethodErrors, lang: Lang) -> None:
@@ -153,16 +137,8 @@ def _stability(plot: Axes, ways: MethodErrors, lang: Lang) -> None:
         colour, marker, dashes = LOOK[key]
         shown = [max(e, FLOOR) if e < NONSENSE else float("nan") for e in errors]
         wide = {"method_scalar": 1.8, "method_batch": 1.6, "method_compiled": 1.6}.get(key, 1.0)
-        plot.plot(
-            d,
-            shown,
-            color=INK[colour],
-            marker=marker,
-            linestyle=dashes,
-            linewidth=wide,
-            markersize=3.5,
-            label=ways.names[key],
-        )
+        looks: dict[str, Any] = {"color": INK[colour], "marker": marker, "linestyle": dashes, "linewidth": wide}
+        plot.plot(d, shown, markersize=3.5, label=ways.names[key], **looks)
     plot.set_xlim(max(d) * 2, min(d) / 2)
     plot.set_ylim(FLOOR / 3, 1e7)
     plot.figure.legend(*plot.get_legend_handles_labels(), loc="outside lower center", ncols=5, fontsize=8.5)

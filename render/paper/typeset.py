@@ -10,7 +10,7 @@ import cmath
 import math
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from render.paper import lettering, outlines
@@ -106,6 +106,24 @@ def extent(text: str, height_mm: float) -> tuple[float, float, float, float]:
     return _set(text, height_mm, current())[2]
 
 
+def ink_width(text: str, height_mm: float) -> float:
+    """Width in mm of the ink of a marked-up text."""
+    x0, _, x1, _ = extent(text, height_mm)
+    return x1 - x0
+
+
+def wrapped(text: str, width: float, height_mm: float) -> list[str]:
+    """A sentence in lines no wider than so many mm."""
+    lines: list[str] = []
+    for word in text.split():
+        longer = f"{lines[-1]} {word}" if lines else word
+        if lines and ink_width(longer, height_mm) <= width:
+            lines[-1] = longer
+        else:
+            lines.append(word)
+    return lines
+
+
 def over(text: str, height_mm: float, rise: float) -> tuple[float, float]:
     """From where to where, in mm from the left end of the base line, a bar ``rise`` mm above a text runs."""
     face = current()
@@ -124,17 +142,10 @@ def _parts(text: str) -> list[_Part]:
     rest = 0
     for match in _INDEX.finditer(text):
         between, kind, index = text[rest : match.start()], match[1], match[2]
-        last = found[-1] if found and not between else _Part(between)
-        filled = last.lower if kind == "_" else last.upper
-        if between or not found:
-            found.append(last)
-        elif filled:
-            found.append(_Part(""))
-        found[-1] = (
-            _Part(found[-1].base, index, found[-1].upper)
-            if kind == "_"
-            else _Part(found[-1].base, found[-1].lower, index)
-        )
+        side = "lower" if kind == "_" else "upper"
+        if between or not found or getattr(found[-1], side):
+            found.append(_Part(between))
+        found[-1] = replace(found[-1], **{side: index})
         rest = match.end()
     if text[rest:]:
         found.append(_Part(text[rest:]))

@@ -16,7 +16,7 @@ from render.files.pdf import POINTS_PER_MM, draw_marks, png_of
 from render.labels.footprints import bounds
 from render.paper.marks import Anchor, Arc, Arrow, Line, Mark, Text
 from render.sheet.composer import Composer
-from render.views import View, stacked, view
+from render.views import View, beside, stacked, view
 from render.views.plotted import Plotted, of_position
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme
@@ -129,12 +129,8 @@ def rows(views: list[View]) -> list[Shown]:
 
 def _row(views: list[View]) -> MarkedFigure:
     height = max(v.height for v in views) + 4
-    marks: list[Mark] = []
-    left = 2.0
-    for v in views:
-        marks += v.placed(left, height - 2)
-        left += v.width + GAP_MM
-    return MarkedFigure(tuple(marks), (left - GAP_MM + 2, height))
+    row = beside(views, GAP_MM, height - 2, 2.0)
+    return MarkedFigure(row.marks, (row.box[2] + 2, height))
 
 
 def sketch(block: ShaftSketch) -> MarkedFigure:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 
 from planes.words import Lang
 from render.labels import Label, place
@@ -12,7 +13,7 @@ from render.paper.letters import decimal
 from render.paper.marks import Arc, Arrow, Line, Mark, Shape, Text, moved
 from render.paper.photo import Box, Photo, faded, ink_of
 from render.paper.photo import moved as shifted
-from render.paper.typeset import extent
+from render.paper.typeset import ink_width, wrapped
 from render.views.tables import TableGrid, folded
 
 Vector = tuple[complex, complex]
@@ -162,21 +163,8 @@ def _legend(sheet: Overlay, corner: complex) -> list[Mark]:
         if shown:
             out.append(Line((corner + LETTER * 0.5j, corner + 12 + LETTER * 0.5j), style, "text"))
             out.append(Text(name, corner + 14, LETTER))
-            x0, _, x1, _ = extent(name, LETTER)
-            corner += 14 + x1 - x0 + 8
+            corner += 14 + ink_width(name, LETTER) + 8
     return out
-
-
-def wrapped(text: str, width: float, letter: float) -> list[str]:
-    """A sentence in lines no wider than so many mm."""
-    lines: list[str] = []
-    for word in text.split():
-        longer = f"{lines[-1]} {word}" if lines else word
-        if lines and extent(longer, letter)[2] <= width:
-            lines[-1] = longer
-        else:
-            lines.append(word)
-    return lines
 
 
 BLANK_LETTER = 5.0
@@ -207,14 +195,10 @@ def _square(centre: complex, cells: Sequence[Sequence[bool]], side: float) -> li
     corner = centre + complex(-side, side) / 2
     out: list[Mark] = []
     for r, row in enumerate(cells):
-        c = 0
-        while c < len(row):
-            end = c
-            while end < len(row) and row[end]:
-                end += 1
-            if end > c:
-                out.append(_box(corner + complex(c * step, -(r + 1) * step), (end - c) * step, step))
-            c = max(end, c + 1)
+        for black, run in groupby(range(len(row)), key=row.__getitem__):
+            if black:
+                first, *more = run
+                out.append(_box(corner + complex(first * step, -(r + 1) * step), (1 + len(more)) * step, step))
     return out
 
 

@@ -14,7 +14,7 @@ from render.paper import form1
 from render.paper.form1 import BESIDE, BLOCK, EDGE, LEFT, TOP_CELL, Cell
 from render.paper.letters import decimal
 from render.paper.marks import Line, Mark, Text
-from render.paper.typeset import extent
+from render.paper.typeset import ink_width, wrapped
 
 FORMATS: dict[str, tuple[float, float]] = {
     "A4": (210.0, 297.0),
@@ -91,40 +91,20 @@ def fitted(text: str, cell: Cell, name: str = "") -> list[Text]:
     for k, line in enumerate(lines):
         across = 0.0 if cell.anchor == "middle" else _SIDE - wide / 2
         place = middle + complex(across, top - k * _PITCH * size) * turn
-        marks.append(Text(line, place, _shrunk(line, size, wide - 1.2), cell.anchor, cell.turn_deg, "frame", name))
+        inked = ink_width(line, size)
+        shrunk = size if inked <= wide - 1.2 else size * (wide - 1.2) / inked  # off the standard series if it must be
+        marks.append(Text(line, place, shrunk, cell.anchor, cell.turn_deg, "frame", name))
     return marks
 
 
 def _lines(text: str, width: float, height: float, sizes: list[float]) -> tuple[list[str], float]:
     """The text broken between words at the largest letter height at which it fits the cell."""
     for size in sizes:
-        lines = _broken(text, width, size)
-        fits = all(_wide(line, size) <= width for line in lines)
+        lines = wrapped(text, width, size) or [""]
+        fits = all(ink_width(line, size) <= width for line in lines)
         if fits and len(lines) * _PITCH * size - 0.6 * size <= height - 0.8:
             return lines, size
     return [text], sizes[-1]
-
-
-def _broken(text: str, width: float, size: float) -> list[str]:
-    lines: list[str] = []
-    for word in text.split():
-        longer = f"{lines[-1]} {word}" if lines else word
-        if lines and _wide(longer, size) <= width:
-            lines[-1] = longer
-        else:
-            lines.append(word)
-    return lines or [""]
-
-
-def _wide(text: str, size: float) -> float:
-    x0, _, x1, _ = extent(text, size)
-    return x1 - x0
-
-
-def _shrunk(text: str, size: float, width: float) -> float:
-    """The letter height at which a line that cannot be broken fits, off the standard series if it must be."""
-    wide = _wide(text, size)
-    return size if wide <= width else size * width / wide
 
 
 _PEOPLE = ("teacher", "tech", "person", "checked", "approved")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
 
 from planes.diagrams.driven import driven
 from planes.plans import Plans
@@ -15,7 +16,7 @@ from render import labels
 from render.paper.letters import number, scale, unit
 from render.paper.marks import Arrow, Line, Mark, Text
 from render.paper.symbols import dot
-from render.views import View, view
+from render.views import View, beside, view
 
 SECTIONS = 12
 WIDTHS_MM = (12.0, 15.0, 18.0, 24.0, 30.0)  # of a section: over a whole turn μ_φ is 0.4, 0.5, … mm per degree
@@ -87,10 +88,8 @@ class Diagrams:
             Arrow(complex(0, zero), complex(0, zero + top + 8), "thin", "dimension"),
             Text(self.abscissa, complex(wide + 10.5, zero - 1), 3.5),
         ]
-        n, lang = self.naming, self.naming.lang
-        link = n.link(driven(self.plans)[0])
-        name = curve.name or f"{curve.letter}_{{{link}}}"
-        text = f"{name}, μ_{{{curve.letter}}} = {scale(mu, curve.unit, lang)}"
+        name = curve.name or f"{curve.letter}_{{{self.naming.link(driven(self.plans)[0])}}}"
+        text = f"{name}, μ_{{{curve.letter}}} = {scale(mu, curve.unit, self.naming.lang)}"
         marks.append(Text(text, complex(2.5, zero + top + 5), 3.5))
         for piece in pieces(curve.places or self.angles, curve.values):
             points = tuple(complex(self.x(a), zero + mu * v) for a, v in piece)
@@ -111,13 +110,13 @@ class Diagrams:
 
     def sections(self, low: float, high: float) -> list[Mark]:
         """Thin verticals at the numbered positions."""
-        places = [self.section * k for k in range(1, SECTIONS + 1)]
+        places = (self.section * k for k in range(1, SECTIONS + 1))
         return [Line((complex(x, low), complex(x, high)), "construction", "construction") for x in places]
 
     def numbers(self, level: float) -> list[Mark]:
         """Numbers of the positions beneath, the driver's place in the first, and the scale of the axis."""
-        at = [(k, complex(self.section * k, level)) for k in range(SECTIONS + 1)]
-        found: list[Mark] = [Text(str(k), z, 3.5, "middle") for k, z in at]
+        places = (complex(self.section * k, level) for k in range(SECTIONS + 1))
+        found: list[Mark] = [Text(str(k), z, 3.5, "middle") for k, z in enumerate(places)]
         turning, lang = self.plans.mechanism.drive.kind == "phi", self.naming.lang
         letter, key = ("φ", "°") if turning else ("s", "m")
         first = round(self.angles[0], 6) % FULL if turning else self.angles[0]
@@ -133,28 +132,22 @@ def cut_off(curve: DiagramCurve) -> DiagramCurve:
     usual = sizes[len(sizes) // 2] if sizes else 0.0
     calm = [k for k, v in enumerate(curve.values) if v is not None and abs(v) <= STEEP * usual]
     low, high = (calm[0], calm[-1]) if calm else (0, 0)
-    kept = (
-        v if v is not None and low <= k <= high and abs(v) <= WILD * usual else None for k, v in enumerate(curve.values)
-    )
+    near = [v is not None and abs(v) <= WILD * usual for v in curve.values]
+    kept = (v if near[k] and low <= k <= high else None for k, v in enumerate(curve.values))
     return replace(curve, values=tuple(kept))
 
 
 def jumps(curve: DiagramCurve) -> list[tuple[float, float, float]]:
     """Where a curve of its own places breaks off and goes on: the angle, the value before and the one after."""
     rows = zip(curve.places, curve.places[2:], curve.values, curve.values[1:], curve.values[2:], strict=False)
-    return [
-        (a, y, z) for a, b, y, gap, z in rows if gap is None and y is not None and z is not None and abs(b - a) < 1e-4
-    ]
+    near = ((a, y, z) for a, b, y, gap, z in rows if gap is None and abs(b - a) < 1e-4)
+    return [(a, y, z) for a, y, z in near if y is not None and z is not None]
 
 
 def pieces(angles: Sequence[float], values: Sequence[float | None]) -> list[list[tuple[float, float]]]:
     """Runs of angles at which the mechanism works."""
-    found: list[list[tuple[float, float]]] = [[]]
-    for angle, value in zip(angles, values, strict=True):
-        if value is None:
-            found.append([])
-        else:
-            found[-1].append((angle, value))
+    runs = groupby(zip(angles, values, strict=True), key=lambda row: row[1] is not None)
+    found = ([(angle, value) for angle, value in run if value is not None] for _, run in runs)
     return [piece for piece in found if len(piece) > 1]
 
 
@@ -176,21 +169,15 @@ class Hodograph:
 
 def hodograph_view(loops: Sequence[Hodograph], naming: Naming) -> View:
     """Hodographs side by side, each under its name and scale."""
-    marks: list[Mark] = []
-    left = 0.0
-    for one in (_one(loop, naming) for loop in loops):
-        marks += one.placed(left, 0.0)
-        left += one.width + APART_MM
-    return view("hodographs", "", marks, figure=True)
+    row = beside([_one(loop, naming) for loop in loops], APART_MM, top=0.0)
+    return view("hodographs", "", row.marks, figure=True)
 
 
 def _one(loop: Hodograph, naming: Naming) -> View:
     lang = naming.lang
     known = [z for z in loop.path if z is not None] + [0j]
-    wide = max(
-        max(z.real for z in known) - min(z.real for z in known), max(z.imag for z in known) - min(z.imag for z in known)
-    )
-    mu = standard_mu(wide, WIDE_MM)
+    x, y = [z.real for z in known], [z.imag for z in known]
+    mu = standard_mu(max(max(x) - min(x), max(y) - min(y)), WIDE_MM)
     title = f"{say('hodograph', lang, name=loop.name)}, μ_{{{letter_of(loop.name)}}} = {scale(mu, loop.unit, lang)}"
     return view("hodograph", title, _drawn(loop, mu, [z * mu for z in known]), height=3.5)
 

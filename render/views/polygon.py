@@ -80,7 +80,7 @@ class Polygon:
             other = Polygon(self.plotted, plan, self.naming)
             other.collect()
             other.vectors()
-            self.counted[key] = detail.count(other.places.values())
+            self.counted[key] = len(detail.groups_of(other.places.values()))
         return self.counted[key]
 
     def collect(self) -> None:

@@ -18,7 +18,7 @@ from render.paper import symbols
 from render.paper.ink import head as ink_head
 from render.paper.letters import number
 from render.paper.marks import Arc, Line, Mark, Shape, Text
-from render.paper.typeset import extent
+from render.paper.typeset import extent, ink_width
 from render.views import View, remark, view
 from render.views.formulas import NOISE_MM
 from render.views.given import GivenTable
@@ -63,9 +63,7 @@ class TableGrid:
 
     def wide(self, cell: str) -> float:
         """Width of a cell's ink."""
-        sense = self.letter * 1.5 if cell[-1:] in _SENSES else 0.0
-        x0, _, x1, _ = extent(cell.rstrip("↺↻"), self.letter)
-        return x1 - x0 + sense
+        return ink_width(cell.rstrip("↺↻"), self.letter) + (self.letter * 1.5 if cell[-1:] in _SENSES else 0.0)
 
     def cell(self, cell: str, middle: complex) -> tuple[Mark, ...]:
         """A text in the middle of its cell, a curved arrow after it for a sense of turning."""
