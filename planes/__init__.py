@@ -21,8 +21,6 @@ from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from planes.words.pictures import Pictured
-
 if TYPE_CHECKING:
     from planes.documents.face import check, cycle, lesson, picture, sheet, solve
     from planes.drafting.instruments import Exact, Pencil
@@ -38,6 +36,7 @@ _FROM = {
     "planes.drafting.instruments": ("Exact", "Pencil"),
     "planes.solving": ("Position",),
     "planes.words.errors": ("PlanesError",),
+    "planes.documents": ("shown",),  # asked by whatever a notebook shows as a picture
 }
 _HOME = {name: module for module, names in _FROM.items() for name in names}
 __all__ = [
@@ -69,10 +68,4 @@ class _Face(ModuleType):
         return [*__all__, "__version__"]
 
 
-def _shown(thing: Any) -> str | None:
-    """What a notebook shows of a scene, a position or a drawing."""
-    return import_module("planes.documents").shown(thing)  # type: ignore[no-any-return]
-
-
-Pictured.painter = staticmethod(_shown)
 sys.modules[__name__].__class__ = _Face

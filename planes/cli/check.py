@@ -1,12 +1,11 @@
-"""``planes check``: what is read by the file's suffix, checked and printed."""
+"""``planes check`` and ``planes blank``: what is read by the suffix of a file, checked and printed; a folder too."""
 
 from __future__ import annotations
 
 import json
 import re
-import sys
 from argparse import Namespace
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -91,21 +90,16 @@ def ask(args: Namespace, scene: Scene, value: float | None) -> Asked:
         others[name] = read_paper(file, asked, known_of(args))
     skill = HAND
     if args.work == "cad":
-        skill = cad(_size(asked))
+        from planes.drafting.drawing import run
+        from planes.plans.scales import extent
+
+        bench = prepare(asked)
+        skill = cad(max(extent(run(bench.program, bench.given), asked.plan), 10.0))
     return replace(asked, skill=skill, others=others)
 
 
 def _mu(args: Namespace) -> float | None:
     return None if args.mu is None else read_mu(args.mu, kind_of(args.plan))
-
-
-def _size(asked: Asked) -> float:
-    """How large the plan is, mm."""
-    from planes.drafting.drawing import run as draw
-    from planes.plans.scales import extent
-
-    bench = prepare(asked)
-    return max(extent(draw(bench.program, bench.given), asked.plan), 10.0)
 
 
 def known_of(args: Namespace) -> Known:
@@ -147,19 +141,24 @@ NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".
 
 def check_class(args: Namespace, asked: Asked, read: Reader) -> int:
     """Every drawing of a folder: a row for each, on the terminal and in the file of ``-o``."""
+    from planes.documents.lesson import bar
+
     folder = Path(args.drawing)
     files = [f for f in sorted(folder.iterdir()) if f.is_file() and not f.name.startswith((".", "~$"))]
     files = [f for f in files if f.suffix.lower() not in NO_DRAWINGS]
     if not files:
         raise PlanesError(Phrase("check_empty_folder", file=args.drawing))
     group = ClassWork(folder.name)
-    for file in _shown(files):
-        name = file.name.encode("utf-8", "replace").decode()  # any bytes at all may be the name of a file
-        try:
-            with guarded("check_broken", name):  # one file never stops the others
-                group.all.append(Checked(name, judge(asked, read(str(file)))))
-        except PlanesError as error:
-            group.all.append(Checked(name, refused=error))
+    with bar() as step:
+        for file in files:
+            name = file.name.encode("utf-8", "replace").decode()  # any bytes at all may be the name of a file
+            try:
+                with guarded("check_broken", name):  # one file never stops the others
+                    group.all.append(Checked(name, judge(asked, read(str(file)))))
+            except PlanesError as error:
+                group.all.append(Checked(name, refused=error))
+            if step:
+                step(len(group.all), len(files))
     if args.output:
         _write_class(group, args.output, args.lang)
     print(_json(group, args.lang) if args.json else "\n".join(_class_table(group, args.lang)).lstrip())
@@ -177,11 +176,6 @@ def _json(group: ClassWork, lang: Lang) -> str:
     return json.dumps([one.as_json(lang) for one in group.all], ensure_ascii=False, allow_nan=False)
 
 
-def _csv(group: ClassWork, lang: Lang) -> str:
-    table = as_csv([class_heads(lang), *(one.row(lang) for one in group.all)])
-    return f"\ufeff{table}"  # so that a spreadsheet knows the letters
-
-
 def _write_class(group: ClassWork, output: str, lang: Lang) -> None:
     """The table as a page, a spreadsheet or objects; a folder gets a report for each drawing and the page."""
     from planes.documents.check import write_class, write_text
@@ -190,18 +184,9 @@ def _write_class(group: ClassWork, output: str, lang: Lang) -> None:
     if suffix == ".json":
         write_text(_json(group, lang), output)
     elif suffix == ".csv":
-        write_text(_csv(group, lang), output)
+        rows = [class_heads(lang), *(one.row(lang) for one in group.all)]
+        write_text(f"\ufeff{as_csv(rows)}", output)  # begun so that a spreadsheet knows the letters
     elif suffix in (".html", ".htm", ""):
         write_class(group, output, lang)
     else:
         raise PlanesError(Phrase("check_class_output", file=output))
-
-
-def _shown(files: list[Path]) -> Iterable[Path]:
-    """The files, with a bar where a person waits."""
-    if not sys.stderr.isatty():
-        return files
-    from tqdm import tqdm
-
-    shown: Iterable[Path] = tqdm(files, unit="", leave=False)
-    return shown

@@ -63,16 +63,8 @@ def driven_otherwise(scene: Scene, velocity: float | None, acceleration: float |
     drive = mechanism.drive
     v = drive.velocity if velocity is None else velocity
     a = drive.acceleration if acceleration is None else acceleration
-    given = {
-        key
-        for key, rate in (
-            ("omega", velocity),
-            ("velocity", velocity),
-            ("epsilon", acceleration),
-            ("acceleration", acceleration),
-        )
-        if rate is not None
-    }
+    given = {*(("omega", "velocity") if velocity is not None else ())}
+    given |= {*(("epsilon", "acceleration") if acceleration is not None else ())}
     laws = {path: law for path, law in mechanism.laws.items() if path[0] != "drive" or path[1] not in given}
     moved = replace(mechanism, drive=replace(drive, velocity=v, acceleration=a), laws=laws)
     return replace(scene, mechanism=moved)
@@ -148,8 +140,7 @@ def _summary(args: Namespace, scene: Scene, span: Span | None) -> int:
         ends = reach(plans)
     found = summary(scene, plans, *ends, _names(args))
     if not found.grid.works.any():
-        first, last = (f"{x:g}" for x in ends)
-        raise PlanesError(Phrase("cycle_never", first=first, last=last))
+        raise PlanesError(Phrase("cycle_never", first=f"{ends[0]:g}", last=f"{ends[1]:g}"))
     print(as_json(plain(found)) if args.json else report(found, args.lang), end="\n" if args.json else "")
     return 0
 

@@ -154,13 +154,13 @@ def values_of(args: Namespace, scene: Scene) -> list[float] | None:
 
 def range_of(args: Namespace, scene: Scene) -> tuple[str, str | None]:
     """The kind of the drive, and its values as they were written."""
-    kind = scene.mechanism.drive.kind if scene.mechanism else None
+    kind = scene.mechanism.drive.kind if scene.mechanism else ""
     asked = {"phi": args.phi, "s": args.s}
     for option, text in asked.items():
         if text is not None and option != kind:
             why = Phrase("driver_by", kind=kind) if kind else Phrase("no_driver")
             raise PlanesError(Phrase("option_misfit", option=option, file=scene.file, why=why))
-    return kind or "", asked.get(kind or "")
+    return kind, asked.get(kind)
 
 
 def value_of(args: Namespace, scene: Scene) -> float | None:

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
-from typing import Literal
 
-from planes.documents import ours, sheets  # noqa: F401  (ours, before anything of render)
+from planes.documents import ours  # noqa: F401  (ours, before anything of render)
 from planes.documents.graphs import constructions, views_beside
-from planes.documents.sheets import DrawnPosition, turned_once
+from planes.documents.sheets import DrawnPosition, sheet_of, turned_once
 from planes.drafting.drawing import Drawing
 from planes.scene import Scene
 from planes.solving import Position
@@ -18,9 +17,9 @@ from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.options import home_lang
 from render.files import SUFFIXES, Page
-from render.paper.fonts import face_of
+from render.files.dxf import Lettered
 from render.paper.marks import lettered
-from render.sheet import Sheet
+from render.paper.outlines import face_of
 from render.sheet.composer import Composer
 from render.sheet.single import Makers, of_mechanism, of_scene_of_vectors, page, traced
 from render.sheet.sizes import Sizes
@@ -43,7 +42,7 @@ def draw_sheet(
     lang: Lang = "ru",
     number: int | None = None,
     view: str | None = None,
-    text: Literal["text", "strokes"] = "text",
+    text: Lettered = "text",
 ) -> tuple[str, ...]:
     """Draw the sheet of a scene into a file; :class:`PlanesError` in one sentence, and no file, if it cannot be.
 
@@ -77,34 +76,20 @@ def picture(drawn: Scene | Position, view: str | None = None, lang: Lang | None 
         return view_of(drawn, view, None, lang)
     scene = Scene(mechanism=drawn.plans.mechanism, mu=drawn.scales)
     composer = Composer(scene, lang, drawn.plans)
-    return _page(_mechanism_views(scene, drawn, composer), view, composer)
+    return page(_mechanism_views(scene, drawn, composer), view, composer)
 
 
 def view_of(scene: Scene, view: str | None, values: Iterable[float] | None = None, lang: Lang = "ru") -> Page:
     """One view of a scene on a page of its own, by name (the first, if none is named)."""
     with lettered(face_of(scene)):
-        return _view_of(scene, view, values, lang)
-
-
-def _view_of(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> Page:
-    if scene.mechanism is None:
-        composer = Composer(scene, lang)
-        return _page(of_scene_of_vectors(solve_vectors(scene), composer), view, composer)
-    drawn = DrawnPosition(replace(scene, find=None), values, lang)
-    composer = Composer(scene, lang, drawn.stated[0])
-    return _page(_mechanism_views(drawn.scene, drawn.at(Sizes()), composer), view, composer)
+        if scene.mechanism is None:
+            composer = Composer(scene, lang)
+            return page(of_scene_of_vectors(solve_vectors(scene), composer), view, composer)
+        drawn = DrawnPosition(replace(scene, find=None), values, lang)
+        composer = Composer(scene, lang, drawn.stated[0])
+        return page(_mechanism_views(drawn.scene, drawn.at(Sizes()), composer), view, composer)
 
 
 def _mechanism_views(scene: Scene, drawn: Position, composer: Composer) -> Makers:
     more = views_beside(scene, drawn, composer)
     return of_mechanism(drawn, composer, lambda: turned_once(scene, drawn.plans, composer, True), more)
-
-
-def _page(makers: Makers, view: str | None, composer: Composer) -> Page:
-    return page(makers, view or next(iter(makers)), composer)
-
-
-def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", number: int | None = None) -> Sheet:
-    """The composed sheet of one position, or of vectors alone, lettered as the scene says."""
-    with lettered(face_of(scene)):
-        return sheets.sheet_of(scene, values, lang, number)

@@ -37,8 +37,7 @@ MOST_COMMON = 8  # mistakes of a class that are listed
 
 def write_blank(asked: Asked, output: str, lang: Lang) -> None:
     """A sheet to draw a plan on, as PDF, SVG or PNG."""
-    marks, title = blank_marks(asked, lang)
-    _write(marks, title, output, lang)
+    _write(*blank_marks(asked, lang), output, lang)
 
 
 def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Mark], str]:
@@ -110,19 +109,20 @@ def write_text(text: str, output: str) -> None:
 
 def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:
     """What a sheet shows: both plans, the table and the sentence."""
-    kind, naming = kind_of(found.bench.asked.plan), _naming(found, lang)
+    asked, plans = found.bench.asked, found.bench.plans
+    kind, naming = kind_of(asked.plan), Naming(lang, **lettering(asked.scene, plans))
     verdicts = {r["mark"]: r["verdict"] for r in mark_rows(found)}
 
     def name(label: str) -> str:
         return naming.vector(parted(label)) if kind == "force" and label != POLE else naming.mark(label, kind)
 
     first, said = found.first_wrong or "", found.sentence.told(lang)
-    told = name(first) if first in verdicts else naming.vector(first)
-    shown = shown_plans(found)
+    told, shown = name(first) if first in verdicts else naming.vector(first), shown_plans(found)
     photo = Photo(found.paper.picture, found.paper.box) if found.paper.picture and found.paper.box else None
+    laid = photo is None or max(photo.box[:2]) < -1  # on a picture its pole must be known, or it stands at the corner
     return check_sheet.Overlay(
         own=shown.own,
-        true=shown.true if _stands(photo) else [],
+        true=shown.true if laid else [],
         next=leads(found, shown.marks),
         marks={name(n): (z, verdicts.get(n, "right")) for n, z in shown.marks.items()},
         along={name(n): v for n, v in shown.along.items()},
@@ -130,18 +130,13 @@ def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:
         title=report.title(found, lang),
         tables=_tables(found, name, naming),
         sentence=said.replace(f"{first}:", f"{told}:", 1) if first else said,
-        legend=(say("check_page_own", lang), say("check_page_truth", lang), say("check_page_next", lang)),
+        legend=[say(f"check_page_{pen}", lang) for pen in check_sheet.PENS],
         reduced=say("check_reduced", lang, n="{n}"),
         lines=kind == "position",
         notes=[n.told(lang) for n in found.notes],
         photo=photo,
         lang=lang,
     )
-
-
-def _stands(photo: Photo | None) -> bool:
-    """Whether a plan can be laid on a picture: its pole must be known, or it stands at the very corner."""
-    return photo is None or (photo.box[0] < -1 and photo.box[1] < -1)
 
 
 def _tables(found: Outcome, name: Callable[[str], str], naming: Naming) -> list[check_sheet.Table]:
@@ -154,10 +149,6 @@ def _tables(found: Outcome, name: Callable[[str], str], naming: Naming) -> list[
         for _, n, given, true, told in report.numbers_of(found, lang)
     ]
     return [(head, rows), (report.heads(lang)[1], numbers)]
-
-
-def _naming(found: Outcome, lang: Lang) -> Naming:
-    return Naming(lang, **lettering(found.bench.asked.scene, found.bench.plans))
 
 
 def spelling(scene: Scene, lang: Lang) -> Callable[[str], str]:

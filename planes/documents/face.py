@@ -15,8 +15,9 @@ from planes.check import Outcome
 from planes.check import check as judge
 from planes.check.grading.prepared_plan import Asked
 from planes.check.handed_in import Known, read_paper
-from planes.documents import picture, sheet_of, view_of
+from planes.documents import picture, view_of
 from planes.documents.lesson import Lesson
+from planes.documents.sheets import sheet_of
 from planes.drafting.instruments import Instrument
 from planes.plans import mechanism_plans
 from planes.scene import Scene
@@ -72,9 +73,8 @@ def _drive(scene: Scene, phi: Any, s: Any) -> Any:
     asked = {"phi": phi, "s": s}
     for option, value in asked.items():
         if value is not None and option != kind:
-            raise PlanesError(
-                Phrase("option_misfit", option=option, file=scene.file, why=Phrase("driver_by", kind=kind))
-            )
+            why = Phrase("driver_by", kind=kind)
+            raise PlanesError(Phrase("option_misfit", option=option, file=scene.file, why=why))
     return asked[kind]
 
 

@@ -1,4 +1,5 @@
-"""What a scene's sheets are composed of: its position drawn at the sizes asked for, and what else they show."""
+"""What a scene's sheets are composed of: its position drawn at the sizes asked for, and its driver moved once through
+its range from an extreme position of the driven link, for sheet 1."""
 
 from __future__ import annotations
 
@@ -28,6 +29,8 @@ from planes.solving.vectors import solve_vectors
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.names import kind_of, mu_of
+from render.paper.marks import lettered
+from render.paper.outlines import face_of
 from render.sheet import Contents, Sheet, compose
 from render.sheet.composer import Composer
 from render.sheet.project import Project
@@ -39,6 +42,11 @@ from render.views.many import Numbered, PlacedMechanism
 
 def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", number: int | None = None) -> Sheet:
     """The composed sheet of one position, or of vectors alone; ``number`` is that of a sheet of a project."""
+    with lettered(face_of(scene)):
+        return _sheet_of(scene, values, lang, number)
+
+
+def _sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang, number: int | None) -> Sheet:
     if scene.mechanism is None:
         check_names(scene, None)
         found, composer = solve_vectors(scene), Composer(scene, lang)
@@ -51,17 +59,16 @@ def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", nu
 
     def views(sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
         now = drawn.at(sizes)
-        return composer.views(now, letter, together), composer.extras(now, letter)
+        return composer.views(now, letter, together), [v for v in (composer.moments(now, letter),) if v]
 
     return compose(scene, Contents(views, lambda sizes: drawn.extents(sizes, lambda plan: True)), lang)
 
 
 def _numbered(drawn: DrawnPosition, composer: Composer, number: int) -> Sheet:
     """Sheet 1 or 2 of a course project."""
-    scene = drawn.scene
-    project = Project(composer)
+    scene, project = drawn.scene, Project(composer)
     if number == 1:
-        project = turned_once(scene, drawn.at(Sizes()).plans, composer, bool(scene.sheet.get("positions")))
+        project = turned_once(scene, drawn.first.plans, composer, bool(scene.sheet.get("positions")))
 
     def views(sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
         return project.sheet(number, drawn.at, sizes, letter, together), []
@@ -189,7 +196,8 @@ class TurningMechanism:
         points = {p: (rows[f"r_{p}_x"] + 1j * rows[f"r_{p}_y"]).tolist() for p in self.plans.points}
         angles = {q.of: rows[q.name].tolist() for q in self.quantities if q.key == "angle_deg"}
         works = np.isfinite(sum(rows.values())).tolist()
-        return [PlacedMechanism(_at(points, k), _at(angles, k)) if ok else None for k, ok in enumerate(works)]
+        at = ([{name: row[k] for name, row in x.items()} for x in (points, angles)] for k in range(len(works)))
+        return [PlacedMechanism(*one) if ok else None for one, ok in zip(at, works, strict=True)]
 
     def curves(self, rows: Rows) -> tuple[DiagramCurve, ...]:
         """Place, from its least, and rates of the driven link."""
@@ -205,17 +213,9 @@ class TurningMechanism:
         """The numbered positions, and every extreme one, with a prime unless it is a numbered one."""
         section, every = (span.end - span.start) / SECTIONS, FINE // SECTIONS
         last = SECTIONS - 1 if span.whole else SECTIONS
-        places = [(v - span.start) / section for v in extreme]
-        near = {round(p) % (last + 1) for p in places if _close(p)} | {0, 0 if span.whole else SECTIONS}
+        places = [(v, (v - span.start) / section) for v in extreme]
+        between = [(v, p) for v, p in places if abs(p - round(p)) >= CLOSE]
+        near = {round(p) % (last + 1) for v, p in places if (v, p) not in between} | {0, 0 if span.whole else SECTIONS}
         found = [Numbered(str(k), turn[k * every], k in near) for k in range(last + 1)]
-        between = [(v, p) for v, p in zip(extreme, places, strict=True) if not _close(p)]
         primed = self.places(self.rows([v for v, _ in between])) if between else []
         return found + [Numbered(f"{int(p)}′", r, True) for (_, p), r in zip(between, primed, strict=True)]
-
-
-def _at(rows: Rows, k: int) -> dict[str, float]:
-    return {name: row[k] for name, row in rows.items()}
-
-
-def _close(number: float) -> bool:
-    return abs(number - round(number)) < CLOSE

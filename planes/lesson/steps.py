@@ -1,4 +1,4 @@
-"""The words of one drafting step: what is done, along what, with which numbers, and why."""
+"""The words of one drafting step, and of a moment equation: what is done, with which numbers, and why."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.reckoning import Calculate, Choose, Measure, Product
-from planes.lesson.formulas import formula, number, paper, sense, sides, unit, value
+from planes.lesson.formulas import formula, number, sides, slot, unit
 from planes.plans import Plans
 from planes.words import Lang, say
 from planes.words.names import Meaning, kind_of, label_of, lettered, plan_of
@@ -44,9 +44,9 @@ class StepWords:
                 names: Names = {"action": self.action(step.along), "across": self.action(step.across)}
                 return "cross", self.crossing(step.makes), names
             case s.CrossArc():
-                return "arc", "arc", {"action": self.action(step.along), "radius_mm": paper(step.radius, step.mu)}
+                return "arc", "arc", {"action": self.action(step.along), "radius_mm": slot(step.radius, "mm", step.mu)}
             case s.CrossArcs():
-                radii = paper(step.radius, step.mu), paper(step.other_radius, step.mu)
+                radii = slot(step.radius, "mm", step.mu), slot(step.other_radius, "mm", step.mu)
                 return "arcs", "arcs", {"radius_mm": radii[0], "other_mm": radii[1]}
             case s.Similar():
                 return self.similar(step)
@@ -79,16 +79,9 @@ class StepWords:
         """A figure on the segment of two points; or, from a mark that is neither, a vector that is to the segment as
         on the scheme."""
         key = "image" if step.start == step.image[0] else "carried_image"
-        marks = {
-            "start": step.start,
-            "first": step.image[0],
-            "second": step.image[1],
-            "one": step.like[0],
-            "two": step.like[1],
-            "from": step.of[0],
-            "own": step.of[1],
-        }
-        names: Names = {k: lettered(m) for k, m in marks.items()}
+        marks = (step.start, *step.image, *step.like, *step.of)
+        said = "start", "first", "second", "one", "two", "from", "own"
+        names: Names = dict(zip(said, map(lettered, marks), strict=True))
         reason = "similar" if key == "image" else lambda lang: say(f"why_{key}", lang, **names)
         return key, reason, names
 
@@ -104,16 +97,11 @@ class StepWords:
         """Why the lines that cross at a mark have their directions."""
         plan, label = plan_of(mark), label_of(mark)
         kind = kind_of(plan)
-        terms = [
-            t
-            for e in self.plans.equations
-            if e.plan == plan
-            for t in e.terms
-            if t.end == label and t.direction and not t.length and not t.drawn
-        ]
+        there = [(t, whole(e, t.name)) for e in self.plans.equations if e.plan == plan for t in e.terms]
+        terms = [t for t, _ in there if t.end == label and t.direction and not t.length and not t.drawn]
         if kind == "position" or not terms:
             return "cross_position"
-        named = {t.name: whole(e, t.name) for e in self.plans.equations if e.plan == plan for t in e.terms}
+        named = {t.name: name for t, name in there}
         return lambda lang: "; ".join(dict.fromkeys(self.reason(t, named[t.name], kind, lang) for t in terms)) + "."
 
     def reason(self, term: Term, name: str, kind: str, lang: Lang) -> str:
@@ -124,11 +112,11 @@ class StepWords:
     def lay_off(self, step: s.LayOff) -> Words:
         """A known vector: with the formula of its length where it was calculated."""
         kind = kind_of(step.makes)
-        mm = paper(step.length, step.mu)
+        mm = slot(step.length, "mm", step.mu)
         named: Names = {"mm": mm, "way": lambda lang: way(self.plans.means[step.along], lang)}
         source = self.made.get(step.length)
         name = self.vector(step)
-        shown: Names = {**named, "name": name, "value": value(step.length), "unit": lambda lang: unit(name, lang)}
+        shown: Names = {**named, "name": name, "value": slot(step.length), "unit": lambda lang: unit(name, lang)}
         if kind == "position":
             along = self.made[step.along]
             driven = isinstance(along, s.Turn) and along.of == f"x_{self.plans.mechanism.drive.link}"
@@ -153,10 +141,6 @@ class StepWords:
         segments = [x.name for x in self.plans.segments if x.plan == plan and x.end == label]
         return (terms or segments or [label])[0]
 
-    def rate(self, step: Calculate, lang: Lang) -> str:
-        """An angular rate with its formula and its sense."""
-        return f"{formula(step, lang)} ({sense(step.makes)})"
-
 
 def whole(equation: Equation, name: str) -> str:
     """The name a term is told by: what a point does against a guide of the frame is its own vector."""
@@ -168,10 +152,8 @@ def whole(equation: Equation, name: str) -> str:
 
 def way(direction: Meaning, lang: Lang) -> str:
     """How a vector is laid off, in words."""
-    line = direction.line
-    return say(
-        f"lesson_way_{direction.quantity}", lang, line=line, vector=line, one=direction.of, other=direction.about
-    )
+    d, line = direction, direction.line
+    return say(f"lesson_way_{d.quantity}", lang, line=line, vector=line, one=d.of, other=d.about)
 
 
 def _kind_of_vector(step: s.LayOff, kind: str, source: Calculate) -> str:
@@ -205,7 +187,7 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
         "head": f"{found} · ⟨{over}⟩" if over else found,
         "letters": letters,
         "numbers": numbers,
-        "result": lambda lang: f"{lead} = {value(m.unknown)} {unit(m.unknown, lang)}",
+        "result": lambda lang: f"{lead} = {slot(m.unknown)} {unit(m.unknown, lang)}",
     }
     return "moments", {**names, **more}, (*terms, m.unknown) if m.arm else terms
 

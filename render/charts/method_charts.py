@@ -11,6 +11,7 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from planes.accuracy.methods import Method
 from planes.geometry.arrays import Array
 from planes.words import Lang, say
 from render.charts import STYLE, beside, leader, save
@@ -34,16 +35,6 @@ CHARTS: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttyp
 
 
 @dataclass(frozen=True)
-class MethodPoint:
-    """One method on the chart of speed: its key and number in words, seconds per position, relative error."""
-
-    key: str
-    number: str
-    seconds: float
-    error: float
-
-
-@dataclass(frozen=True)
 class MethodErrors:
     """Errors by method (with their ``names``), the claim and the sharpness, over distances to a limit; ``axis`` says
     what these are."""
@@ -60,8 +51,8 @@ class MethodErrors:
 def draw(
     path: Path,
     title: str,
-    spots: Sequence[MethodPoint],
-    front: Sequence[MethodPoint],
+    spots: Sequence[Method],
+    front: Sequence[Method],
     ways: MethodErrors | None,
     seconds: str,
     lang: Lang,
@@ -79,7 +70,7 @@ def draw(
         save(figure, path)
 
 
-def _speed(plot: Axes, spots: Sequence[MethodPoint], front: Sequence[MethodPoint], seconds: str, lang: Lang) -> None:
+def _speed(plot: Axes, spots: Sequence[Method], front: Sequence[Method], seconds: str, lang: Lang) -> None:
     plot.set(xscale="log", yscale="log", xlabel=seconds, ylabel=say("chart_error", lang))
     plot.set_title(say("chart_speed", lang), fontsize=10)
     steps = [(m.seconds, m.error) for m in front]
@@ -96,7 +87,7 @@ def _speed(plot: Axes, spots: Sequence[MethodPoint], front: Sequence[MethodPoint
     plot.legend(loc="lower left")
 
 
-def _label(plot: Axes, spots: Sequence[MethodPoint], lang: Lang) -> None:
+def _label(plot: Axes, spots: Sequence[Method], lang: Lang) -> None:
     """Names beside the marks, each as near as it can stand without touching another mark or name."""
     marks = [plot.transData.transform((m.seconds, m.error)) * 72 / plot.figure.dpi for m in spots]
     taken = [(x - 6, y, x + 6) for x, y in marks]
@@ -116,7 +107,7 @@ def _free(box: tuple[float, float, float], taken: Sequence[tuple[float, float, f
     return all(abs(y - b) >= 12 or right < a or c < left for a, b, c in taken)
 
 
-def _label_pencils(plot: Axes, pencils: Sequence[MethodPoint], lang: Lang) -> None:
+def _label_pencils(plot: Axes, pencils: Sequence[Method], lang: Lang) -> None:
     """One name for all pencils, and the sheets of the largest and the smallest error."""
     if not pencils:
         return

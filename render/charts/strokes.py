@@ -70,10 +70,7 @@ class Picture:
 def _element(s: Stroke, height: float) -> str:
     flipped = []
     for kind, at in s.pieces:
-        xy = (
-            f"{v:.2f}".rstrip("0").rstrip(".") if i % 2 == 0 else f"{height - v:.2f}".rstrip("0").rstrip(".")
-            for i, v in enumerate(at)
-        )
+        xy = (f"{height - v if i % 2 else v:.2f}".rstrip("0").rstrip(".") for i, v in enumerate(at))
         flipped.append(kind + " ".join(xy))
     looks = f' fill="{s.fill or "none"}"'
     if s.line:
@@ -122,24 +119,12 @@ class StrokeRenderer(RendererBase):
             self.picture.strokes.append(Stroke(pieces_of(path, transform, clip), line, float(width), kept, fill))
 
     def draw_text(
-        self,
-        gc: GraphicsContextBase,
-        x: float,
-        y: float,
-        s: str,
-        prop: FontProperties,
-        angle: float,
-        ismath: object = False,
-        mtext: object = None,
+        self, gc: GraphicsContextBase, x: float, y: float, s: str, prop: FontProperties, angle: float, *_: Any, **m: Any
     ) -> None:
         """Text as its outlines."""
         path = TextPath((0, 0), s, size=prop.get_size_in_points(), prop=prop)
         placed = Affine2D().rotate_deg(angle).translate(x, y)
         self.picture.strokes.append(Stroke(pieces_of(path, placed), fill=_hex(gc.get_rgb())))
-
-    def draw_image(self, *args: object, **kwargs: object) -> None:
-        """Charts hold no pictures."""
-        raise NotImplementedError("a chart of strokes holds no pictures")
 
     def get_canvas_width_height(self) -> tuple[float, float]:
         """The paper in points."""

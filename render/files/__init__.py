@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Literal
 
 from planes.scene.files import keep
 from planes.words import Lang, Phrase
@@ -35,7 +34,7 @@ class Page:
         """The picture a notebook shows."""
         return self.rendered(".svg").decode().partition("?>\n")[2]
 
-    def rendered(self, suffix: str, text: Literal["text", "strokes"] = "text") -> bytes:
+    def rendered(self, suffix: str, text: dxf.Lettered = "text") -> bytes:
         """The contents of its file in the format of a suffix; the same page gives the same bytes."""
         drawn = self.marks, self.size, self.title
         match suffix:
@@ -43,12 +42,12 @@ class Page:
                 return svg.write(*drawn, lang=self.lang, under=self.under)
             case ".pdf":
                 return pdf.write(*drawn, lang=self.lang, under=self.under)
-            case ".png":
-                return pdf.write_png(*drawn, under=self.under)
-            case _ if find_spec("ezdxf") is None:
+            case ".dxf" if find_spec("ezdxf") is None:
                 raise PlanesError(Phrase("needs_ezdxf"))
-        return dxf.write(*drawn, lang=self.lang, text=text)
+            case ".dxf":
+                return dxf.write(*drawn, lang=self.lang, text=text)
+        return pdf.write_png(*drawn, under=self.under)
 
-    def write(self, path: str | Path, text: Literal["text", "strokes"] = "text") -> None:
+    def write(self, path: str | Path, text: dxf.Lettered = "text") -> None:
         """Its file, whole or not at all."""
         keep(self.rendered(Path(path).suffix.lower(), text), path)

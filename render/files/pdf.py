@@ -9,6 +9,7 @@ import cmath
 import io
 import math
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from render.files.writer import Lines, Writer, dashes_of
@@ -39,10 +40,11 @@ def write(
 
 def write_pages(pages: Iterable[PdfPage], title: str, lang: str = "ru", under: Photo | None = None) -> bytes:
     """Several sheets (marks and width × height in mm) as one PDF file."""
+    from reportlab.lib.utils import ImageReader
     from reportlab.pdfgen.canvas import Canvas
 
     data = io.BytesIO()
-    canvas = Canvas(data, invariant=1, pageCompression=1, lang=lang, initialFontName=_font())
+    canvas = Canvas(data, invariant=1, pageCompression=1, lang=lang, initialFontName=registered(FONT, dejavu()))
     canvas.setTitle(title)
     canvas.setSubject(title)
     canvas.setCreator("planes")
@@ -51,7 +53,9 @@ def write_pages(pages: Iterable[PdfPage], title: str, lang: str = "ru", under: P
         held = checked(marks, size_mm)
         canvas.setPageSize(tuple(POINTS_PER_MM * side for side in size_mm))
         canvas.scale(POINTS_PER_MM, POINTS_PER_MM)
-        _lay(canvas, under)
+        if under:
+            x0, y0, x1, y1 = under.box
+            canvas.drawImage(ImageReader(io.BytesIO(under.data)), x0, y0, x1 - x0, y1 - y0)
         draw_marks(canvas, held)
         canvas.showPage()
     canvas.save()
@@ -63,27 +67,17 @@ def draw_marks(canvas: Canvas, marks: Iterable[Mark]) -> None:
     canvas.setLineJoin(_ROUND)
     page = _Page(canvas)
     for _, held in by_layer(marks):
-        for mark in held:
-            page.mark(mark)
+        page.all(held)
 
 
-def _lay(canvas: Canvas, photo: Photo | None) -> None:
-    """A picture on the empty page."""
-    if photo:
-        from reportlab.lib.utils import ImageReader
-
-        x0, y0, x1, y1 = photo.box
-        canvas.drawImage(ImageReader(io.BytesIO(photo.data)), x0, y0, x1 - x0, y1 - y0)
-
-
-def _font() -> str:
-    """The name of the embedded font, registered on first use."""
+def registered(name: str, file: Path) -> str:
+    """The name of an embedded font, registered on first use."""
     from reportlab.pdfbase import pdfmetrics
     from reportlab.pdfbase.ttfonts import TTFont
 
-    if FONT not in pdfmetrics.getRegisteredFontNames():
-        pdfmetrics.registerFont(TTFont(FONT, str(dejavu())))
-    return FONT
+    if name not in pdfmetrics.getRegisteredFontNames():
+        pdfmetrics.registerFont(TTFont(name, str(file)))
+    return name
 
 
 class _Page(Writer):
@@ -145,7 +139,7 @@ class _Page(Writer):
         size, turn = height / CAPITALS, cmath.rect(1, math.radians(laid.turn_deg))
         run = self.canvas.beginText()
         run.setTextRenderMode(_INVISIBLE)
-        run.setFont(_font(), size)
+        run.setFont(registered(FONT, dejavu()), size)
         run.setHorizScale(100 * laid.width / self.canvas.stringWidth(words, FONT, size))
         run.setTextTransform(turn.real, turn.imag, -turn.imag, turn.real, laid.origin.real, laid.origin.imag)
         run.textOut(words)

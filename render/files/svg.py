@@ -21,7 +21,6 @@ from render.paper.typeset import layout
 if TYPE_CHECKING:
     from svgwrite import Drawing
     from svgwrite.container import Group
-    from svgwrite.image import Image
     from svgwrite.path import Path
 
 FONTS = "DejaVu Sans, Arial, sans-serif"
@@ -60,19 +59,15 @@ class _Sheet(Writer):
         """The file with a white ground and one group for each layer."""
         self.svg.add(self.svg.rect((0, 0), (number(self.width), number(self.height)), fill=PAPER))
         if under:
-            self.svg.add(self._photo(under))
+            href = "data:image/jpeg;base64," + base64.b64encode(under.data).decode()
+            x0, y0, x1, y1 = under.box
+            corner, size = (number(x0), number(self.height - y1)), (number(x1 - x0), number(y1 - y0))
+            self.svg.add(self.svg.image(href, corner, size, preserveAspectRatio="none"))
         for layer, held in by_layer(marks):
             self.group = self.svg.g(id=layer, fill="none", stroke_linejoin="round", stroke_linecap="round")
-            for mark in held:
-                self.mark(mark)
+            self.all(held)
             self.svg.add(self.group)
         return f'<?xml version="1.0" encoding="UTF-8"?>\n{self.svg.tostring()}\n'.encode()
-
-    def _photo(self, photo: Photo) -> Image:
-        href = "data:image/jpeg;base64," + base64.b64encode(photo.data).decode()
-        x0, y0, x1, y1 = photo.box
-        corner, size = (number(x0), number(self.height - y1)), (number(x1 - x0), number(y1 - y0))
-        return self.svg.image(href, corner, size, preserveAspectRatio="none")
 
     def _xy(self, z: complex) -> str:
         return f"{number(z.real)} {number(self.height - z.imag)}"
@@ -86,9 +81,7 @@ class _Sheet(Writer):
         looks = {"stroke": used.colour, "stroke_width": number(used.width)}
         if dashes:
             looks |= {"stroke_dasharray": " ".join(map(number, dashes)), "stroke_linecap": "butt"}
-        element = self.svg.path(d=path, **looks)
-        self.group.add(element)
-        return element
+        return self.group.add(self.svg.path(d=path, **looks))
 
     def strokes(self, lines: Lines, style: str, layer: str, closed: bool = False) -> None:
         """Polylines as one path."""

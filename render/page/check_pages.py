@@ -1,4 +1,8 @@
-"""The report of a checked drawing as one page: layers, a table of steps, marks to move and judge anew; no network."""
+"""Pages of checking, which ask nothing of the network: a report, a class, tracing paper.
+
+A report has layers, a table of steps, marks to move and judge anew. A class tells how many are right, which mistakes
+whose, and a row for each, sorted at will. Tracing paper lies over a picture that is opened in the page, sent nowhere.
+"""
 
 from __future__ import annotations
 
@@ -29,7 +33,7 @@ def report_page(data: Json, lang: Lang) -> str:
     }
     body, style = web_page.filled(web_page.part("check.html"), parts), web_page.part("check.css")
     code = web_page.part(*(f"{name}.js" for name in SCRIPTS)) if drawn else ""
-    held = {"data": data["page"], "letters": _letters(data)} if drawn else None
+    held = {"data": data["page"], "letters": _letters(data)} if drawn else {}
     return web_page.page(data["title"], lang, style, body, code=code, data=held, kind=data["verdict"])
 
 
@@ -63,16 +67,13 @@ def _table(key: str, caption: str, head: Sequence[str], rows: Sequence[Sequence[
     """A table of rows that begin with their verdict and their name."""
     if not rows:
         return ""
-    cells = "".join(f'<th scope="col">{html.escape(h)}</th>' for h in head)
-    body = ""
+    e, body = html.escape, ""
+    cells = "".join(f'<th scope="col">{e(h)}</th>' for h in head)
     for verdict, name, *row in rows:
-        safe = html.escape(name, quote=True)
-        told = "".join(f"<td>{html.escape(c)}</td>" for c in row)
-        body += f'<tr class="{html.escape(verdict)}" data-mark="{safe}"><th scope="row">{safe}</th>{told}</tr>\n'
-    return (
-        f'<table id="{key}"><caption>{html.escape(caption)}</caption><thead><tr>{cells}</tr></thead>'
-        f"<tbody>{body}</tbody></table>"
-    )
+        told = "".join(f"<td>{e(c)}</td>" for c in row)
+        body += f'<tr class="{e(verdict)}" data-mark="{e(name)}"><th scope="row">{e(name)}</th>{told}</tr>\n'
+    parts = f"<caption>{e(caption)}</caption><thead><tr>{cells}</tr></thead><tbody>{body}</tbody>"
+    return f'<table id="{key}">{parts}</table>'
 
 
 STYLE = """td, th, thead th { text-align: left; vertical-align: top; } td:last-child { max-width: 44rem; }
@@ -110,10 +111,10 @@ def class_page(
     """The page. ``rows`` are verdict, link ("" for none) and the cells; ``common`` sentences with whose: name, link."""
     e = html.escape
     cells = "".join(f'<th scope="col"><button type="button">{e(h)}</button></th>' for h in head)
-    whose = (", ".join(_linked(e(name), link) for name, link in names) for _, names in common)
-    often = "".join(
-        f"<li>{e(said)} — <b>{len(names)}</b>: {told}</li>" for (said, names), told in zip(common, whose, strict=True)
-    )
+    often = ""
+    for said, names in common:
+        whose = ", ".join(_linked(e(name), link) for name, link in names)
+        often += f"<li>{e(said)} — <b>{len(names)}</b>: {whose}</li>"
     body = f"""<h1>{e(title)}</h1>
 <p class="counts">{"".join(f"<span>{e(name)} <b>{count}</b></span>" for name, count in counts)}</p>
 {f"<h2>{e(say('check_common', lang))}</h2><ol>{often}</ol>" if often else ""}

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import html
 from collections.abc import Iterator
-from typing import get_args
 
-from planes.words import Lang, table, under
+from planes.lesson import in_both
+from planes.words import table, under
 from planes.words.names import lettered
 from planes.words.records import Json
 from render.page import web_page
 from render.paper.letters import NAME, written
 
-LANGS: tuple[Lang, ...] = get_args(Lang)
 SHARED = {"scheme": "scheme", "formula": "formula", "shifted": "shifted"} | {
     key: f"lesson_{key}" for key in ("ccw", "cw", "still")
 }
@@ -25,9 +24,8 @@ NOSCRIPT = (
 
 def page(data: Json, lang: str) -> str:
     """The whole page; ``data`` is what :func:`planes.lesson.data.lesson_data` exports."""
-    shared = {lang: {key: table(lang)[name] for key, name in SHARED.items()} for lang in LANGS}
-    told = {lang: under("page_", lang, "pages") | shared[lang] for lang in LANGS}
-    words = {key: {lang: told[lang][key] for lang in LANGS} for key in told["en"]}
+    told = in_both(lambda of: under("page_", of, "pages") | {key: table(of)[name] for key, name in SHARED.items()})
+    words = {key: {of: one[key] for of, one in told.items()} for key in told["en"]}
     title = data["title"].get(lang, "")
     parts = {
         "title": html.escape(title),

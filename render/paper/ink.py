@@ -1,6 +1,7 @@
 """From marks to what is drawn of them: polylines, polygons, order of layers; mm of the sheet, y up.
 
-Shared by the back-ends and by the label placing, so that all of them see the same ink.
+Shared by the back-ends and by the label placing, so that all of them see the same ink.  For files where a paper-white
+disc hides nothing (DXF) lines are really cut under hinges and sliders.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ import cmath
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import groupby, pairwise
 
 import shapely
 
@@ -28,7 +29,7 @@ def checked(marks: Iterable[Mark], size_mm: tuple[float, float]) -> tuple[Mark, 
     for number, mark in enumerate(marks, start=1):
         bad = [value for value in _numbers(mark) if not cmath.isfinite(value)]
         if bad:
-            name = getattr(mark, "name", "") or (mark.text if isinstance(mark, Text) else "")
+            name = getattr(mark, "name", "") or getattr(mark, "text", "")
             called = f" {name!r}" if name else ""
             raise ValueError(
                 f"mark {number}, {type(mark).__name__}{called} on layer {mark.layer!r}, holds {bad[0]}, "
@@ -49,10 +50,9 @@ def _numbers(mark: Mark) -> tuple[complex, ...]:
 
 def by_layer(marks: Iterable[Mark]) -> list[tuple[Layer, list[Mark]]]:
     """The marks layer by layer, from the lowest up; within a layer in the order given."""
-    layers: dict[Layer, list[Mark]] = {layer: [] for layer in LAYERS}
-    for mark in marks:
-        layers[mark.layer].append(mark)
-    return [(layer, held) for layer, held in layers.items() if held]
+    order: dict[Layer, int] = {layer: k for k, layer in enumerate(LAYERS)}
+    held = sorted(marks, key=lambda mark: order[mark.layer])
+    return [(layer, list(of)) for layer, of in groupby(held, key=lambda mark: mark.layer)]
 
 
 def length_mm(points: Sequence[complex], closed: bool = False) -> float:
@@ -118,7 +118,6 @@ def hatch_strokes(hatch: Hatch) -> tuple[tuple[complex, complex], ...]:
     return tuple((a, b) for a, b in sorted(pieces, key=lambda ab: ((ab[0] * turn).imag, (ab[0] * turn).real)))
 
 
-Piece = tuple[complex, ...]
 _SAME_MM = 1e-6
 
 
@@ -167,20 +166,18 @@ def _region(hinge: Arc | Shape) -> shapely.Geometry:
     return shapely.make_valid(shapely.Polygon([(z.real, z.imag) for z in hinge.points]))
 
 
-def _track(mark: Line | Arc | Arrow | Hatch) -> Piece:
+def _track(mark: Line | Arc | Arrow | Hatch) -> Polyline:
     """The path that decides whether a mark meets a hinge."""
     if isinstance(mark, Arc):
         return flattened(mark)
     if isinstance(mark, Arrow):
         return (mark.start, mark.end)
-    if isinstance(mark, Line) and not mark.closed:
-        return mark.points
-    if isinstance(mark, Hatch):
-        return tuple(z for stroke in hatch_strokes(mark) for z in stroke) or (*mark.points, mark.points[0])
-    return (*mark.points, mark.points[0])
+    strokes = tuple(z for stroke in hatch_strokes(mark) for z in stroke) if isinstance(mark, Hatch) else ()
+    around = (*mark.points, mark.points[0]) if isinstance(mark, Hatch) or mark.closed else mark.points
+    return strokes or around
 
 
-def _left(points: Sequence[complex], region: shapely.Geometry) -> list[Piece]:
+def _left(points: Sequence[complex], region: shapely.Geometry) -> list[Polyline]:
     """The pieces of a path outside the region, in order along it."""
     path = _line(points)
     parts = [part for part in shapely.get_parts(path.difference(region)) if part.length > _SAME_MM]
@@ -199,7 +196,7 @@ def _without(mark: Line | Arc | Arrow | Hatch, region: shapely.Geometry) -> list
     return [Line(piece, "thin", mark.layer) for piece in strokes]
 
 
-def _joined(pieces: list[Piece], closed: bool) -> list[Piece]:
+def _joined(pieces: list[Polyline], closed: bool) -> list[Polyline]:
     """The pieces of a closed line, the last run together with the first where the line was begun."""
     if closed and len(pieces) > 1 and abs(pieces[-1][-1] - pieces[0][0]) < _SAME_MM:
         return [pieces[-1] + pieces[0][1:], *pieces[1:-1]]

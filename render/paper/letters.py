@@ -1,4 +1,4 @@
-"""Names in running text: ⟨a_CB^t⟩ as pieces of plain, lowered and raised letters."""
+"""Names and numbers as a language writes them: ⟨a_CB^t⟩ as pieces of plain, lowered and raised letters, units, μ."""
 
 from __future__ import annotations
 

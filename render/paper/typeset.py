@@ -9,7 +9,7 @@ from __future__ import annotations
 import cmath
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -180,6 +180,13 @@ def _strokes(run: Run, face: Face) -> Iterator[tuple[float, Polyline]]:
         yield 0.0, tuple([run.at + complex(z.real + shear * z.imag, z.imag) for z in line])
 
 
+def box_around(edges: Iterable[tuple[complex, float]]) -> tuple[float, float, float, float]:
+    """The box around places, each with half the width of its pen; of none a box of no size."""
+    sides = [(z.real - half, z.imag - half, z.real + half, z.imag + half) for z, half in edges] or [(0.0,) * 4]
+    left, low, right, top = zip(*sides, strict=True)
+    return min(left), min(low), max(right), max(top)
+
+
 _Inked = tuple[tuple[float, Polyline], ...]
 
 
@@ -217,12 +224,4 @@ def _indices(part: _Part, x: float, height: float, face: Face, runs: list[Run]) 
 
 def _bounds(inked: _Inked) -> tuple[float, float, float, float]:
     """Bounds of the ink with half of its pen."""
-    edges = [(z, pen / 2) for pen, line in inked for z in line]
-    if not edges:
-        return 0.0, 0.0, 0.0, 0.0
-    return (
-        min(z.real - half for z, half in edges),
-        min(z.imag - half for z, half in edges),
-        max(z.real + half for z, half in edges),
-        max(z.imag + half for z, half in edges),
-    )
+    return box_around((z, pen / 2) for pen, line in inked for z in line)

@@ -33,8 +33,7 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     writer = _Writer(paper, naming)
     for block in blocks:
         writer.put(block)
-    data = io.BytesIO()
-    paper.save(data)
+    paper.save(data := io.BytesIO())
     return data.getvalue()
 
 

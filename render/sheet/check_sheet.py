@@ -1,4 +1,7 @@
-"""A person's plan over the right one, the table of its steps and what was found in it: a sheet for printing."""
+"""Sheets of checking: a person's plan over the right one with the table of its steps, and a blank to draw a plan on.
+
+A blank has corner marks a camera finds, the frame, the pole, μ and the title.
+"""
 
 from __future__ import annotations
 
@@ -14,6 +17,7 @@ from render.paper.marks import Arc, Arrow, Line, Mark, Shape, Text, moved
 from render.paper.photo import Box, Photo, faded, ink_of
 from render.paper.photo import moved as shifted
 from render.paper.typeset import ink_width, wrapped
+from render.sheet.frame import framed
 from render.views.tables import TableGrid, folded
 
 Vector = tuple[complex, complex]
@@ -44,7 +48,7 @@ class Overlay:
     title: str
     sentence: str
     tables: Sequence[Table]
-    legend: tuple[str, str, str]
+    legend: Sequence[str]
     reduced: str  # "drawn at 1 : {n}"
     lines: bool = False
     notes: Sequence[str] = ()
@@ -79,16 +83,14 @@ class Fit:
 def compose(size_mm: tuple[float, float], sheet: Overlay) -> tuple[list[Mark], Photo | None]:
     """Marks of the sheet, and the picture under them: title and sentence on top, tables where they leave most room."""
     w, h = size_mm
-    corners = (complex(LEFT, EDGE), complex(w - EDGE, EDGE), complex(w - EDGE, h - EDGE), complex(LEFT, h - EDGE))
-    out: list[Mark] = [Line(corners, "thick", "frame", True)]
+    out: list[Mark] = [framed((LEFT, EDGE, w - EDGE, h - EDGE), "thick")]
     said, top = _said(sheet, w, h)
     tables, size = _tables(sheet)
     x0, x1, low = LEFT + GAP, w - EDGE - GAP, EDGE + GAP + 2 * LINE
     room = GAP if tables else 0.0
-    beside = fitted(sheet, (x0, low, x1 - size.real - room, top))
-    under = fitted(sheet, (x0, low + size.imag + room, x1, top))
-    chosen = under if under.reduction < beside.reduction else beside
-    corner = complex(x0, low + size.imag) if chosen is under else complex(x1 - size.real, top)
+    beside = fitted(sheet, (x0, low, x1 - size.real - room, top)), complex(x1 - size.real, top)
+    under = fitted(sheet, (x0, low + size.imag + room, x1, top)), complex(x0, low + size.imag)
+    chosen, corner = min(beside, under, key=lambda way: way[0].reduction)
     out += [*said, *(moved(m, corner) for m in tables), *_legend(sheet, complex(x0, EDGE + GAP))]
     if chosen.reduction > 1:
         text = sheet.reduced.format(n=decimal(f"{chosen.reduction:.3g}", sheet.lang))
@@ -178,8 +180,7 @@ def blank(
 ) -> list[Mark]:
     """The marks of a blank. ``squares`` are (centre, black cells from the top row, side in mm)."""
     w, h = size_mm
-    frame = (20 + 5j, complex(w - 5, 5), complex(w - 5, h - 5), complex(20, h - 5))
-    out: list[Mark] = [Line(frame, "thin", "frame", True)]
+    out: list[Mark] = [framed((LEFT, EDGE, w - EDGE, h - EDGE), "thin")]
     for centre, cells, side in squares:
         out += _square(centre, cells, side)
     out += [Line((pole - d, pole + d), "thin", "plan") for d in (2 + 0j, 2j)]

@@ -1,4 +1,4 @@
-"""Formats of ГОСТ 2.301, the frame 20/5/5/5 and the filled cells of form 1 of ГОСТ 2.104, as marks."""
+"""Formats of ГОСТ 2.301, the frame 20/5/5/5 and form 1 of ГОСТ 2.104 as marks, and what a scene says in its cells."""
 
 from __future__ import annotations
 
@@ -53,27 +53,26 @@ class Paper:
         return right - BLOCK[0], EDGE, right, EDGE + BLOCK[1]
 
     @property
-    def corner(self) -> Bounds:
-        """Where graph 26 stands: in the upper left corner."""
-        top = self.size[1] - EDGE
-        return LEFT, top - TOP_CELL[1], LEFT + TOP_CELL[0], top
-
-    @property
     def taken(self) -> tuple[Bounds, Bounds]:
-        """What views must keep clear of within the field."""
-        return self.block, self.corner
+        """What views must keep clear of within the field: the title block, and graph 26 in the upper left corner."""
+        top = self.size[1] - EDGE
+        return self.block, (LEFT, top - TOP_CELL[1], LEFT + TOP_CELL[0], top)
 
     def marks(self, cells: Mapping[str, str], lang: Lang = "ru") -> tuple[Mark, ...]:
         """Frame, title block and the columns beside the frame, with their cells filled."""
-        x0, y0, x1, y1 = self.field
-        frame = Line((complex(x0, y0), complex(x1, y0), complex(x1, y1), complex(x0, y1)), "frame", "frame", True)
         ruled = [Line((a, b), style, "frame") for a, b, style in form1.lines(self.size)]
         own = [mark for text, cell in form1.words(self.size, lang) for mark in fitted(text, cell)]
         filled: list[Mark] = []
         said = {**cells, "designation_turned": cells.get("designation", ""), "format": self.name}
         for key, cell in form1.cells(self.size).items():
             filled += fitted(said.get(key, ""), cell, f"cell {key}")
-        return (frame, *ruled, *own, *filled)
+        return (framed(self.field, "frame"), *ruled, *own, *filled)
+
+
+def framed(inside: Bounds, style: str) -> Line:
+    """A frame of a sheet."""
+    x0, y0, x1, y1 = inside
+    return Line((complex(x0, y0), complex(x1, y0), complex(x1, y1), complex(x0, y1)), style, "frame", True)
 
 
 def fitted(text: str, cell: Cell, name: str = "") -> list[Text]:

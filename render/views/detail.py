@@ -94,8 +94,8 @@ class Detail:
 
     def label(self, label: labels.Label) -> labels.Label:
         """The label at its enlarged place."""
-        z = label.at
-        return replace(label, at=tuple(map(self.enlarged, z)) if isinstance(z, tuple) else self.enlarged(z), clear=0.7)
+        z, e = label.at, self.enlarged
+        return replace(label, at=(e(z[0]), e(z[1])) if isinstance(z, tuple) else e(z), clear=0.7)
 
 
 def details(vectors: Iterable[Ends], letters: Sequence[str]) -> list[Detail]:

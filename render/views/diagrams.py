@@ -1,4 +1,4 @@
-"""Diagrams of the driven link against the driver's place: displacement, velocity (or ω), acceleration (or ε)."""
+"""Motion over the cycle: diagrams against the driver's place, and hodographs, ends of a vector laid off from a pole."""
 
 from __future__ import annotations
 
@@ -75,7 +75,9 @@ class Diagrams:
             mu = standard_mu(max(map(abs, known), default=0.0), TALL * self.section)
             top, bottom = mu * max([0.0, *known]), mu * min([0.0, *known])
             zero = (lowest - BETWEEN_MM - 7.0 - top) if marks else 0.0
-            marks += self.sections(zero + bottom - 1.5, zero + top + 1.5)
+            for x in (self.section * k for k in range(1, SECTIONS + 1)):  # thin verticals at the numbered positions
+                ends = complex(x, zero + bottom - 1.5), complex(x, zero + top + 1.5)
+                marks.append(Line(ends, "construction", "construction"))
             marks += self.one(curve, mu, zero, top)
             lowest = zero + bottom
         return (*marks, *self.numbers(lowest - 6.5))
@@ -107,11 +109,6 @@ class Diagrams:
     def x(self, angle: float) -> float:
         """The place of an angle on the axis, from the first one."""
         return (angle - self.angles[0]) / (self.angles[-1] - self.angles[0]) * self.section * SECTIONS
-
-    def sections(self, low: float, high: float) -> list[Mark]:
-        """Thin verticals at the numbered positions."""
-        places = (self.section * k for k in range(1, SECTIONS + 1))
-        return [Line((complex(x, low), complex(x, high)), "construction", "construction") for x in places]
 
     def numbers(self, level: float) -> list[Mark]:
         """Numbers of the positions beneath, the driver's place in the first, and the scale of the axis."""

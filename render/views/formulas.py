@@ -123,15 +123,11 @@ class Formulas:
     def drawn(self, plans: tuple[str, ...]) -> tuple[Mark, ...]:
         """All equations of these plans, from the top down."""
         setter, y = Setter(self.letter), 0.0
-        for equation in self.plotted.equations:
-            if equation.plan in plans and self.there(equation):
+        for equation in (e for e in self.plotted.equations if e.plan in plans):
+            if all(self.plotted.has(equation.plan, t.start, t.end) for t in equation.terms):
                 words = self.words(equation) if equation.total else self.closed_words(equation)
                 y = setter.row(words, y) - 1.9 * self.letter
         return tuple(setter.marks)
-
-    def there(self, equation: Equation) -> bool:
-        """Whether an equation is on the drawing."""
-        return all(self.plotted.has(equation.plan, t.start, t.end) for t in equation.terms)
 
     def words(self, equation: Equation) -> list[Word]:
         """v_C = v_B + v_CB; what a point does against the frame is its own vector, with its line of action."""

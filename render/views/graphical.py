@@ -74,11 +74,9 @@ class Graphical:
 
     def one(self, stage: Stage, k: int, zero: complex, bottom: float, top: float) -> list[Mark]:
         """Axes, sections, the exact curve, the construction and what it gave."""
-        wide = self.place(stage.plan, "t").real
-        marks: list[Mark] = [
-            Line((zero + complex(x, bottom - 1.5), zero + complex(x, top + 1.5)), "construction", "construction")
-            for x in self.sections(wide)
-        ]
+        wide, n = self.place(stage.plan, "t").real, self.construction.motion.sections
+        ends = ((zero + wide * k / n + 1j * y for y in (bottom - 1.5, top + 1.5)) for k in range(1, n + 1))
+        marks: list[Mark] = [Line(tuple(two), "construction", "construction") for two in ends]
         marks += [
             Arrow(zero, zero + wide + BEYOND_MM, "thin", "dimension"),
             Arrow(zero + 1j * min(0.0, bottom - 1.5), zero + 1j * (top + 9.0), "thin", "dimension"),
@@ -88,11 +86,6 @@ class Graphical:
         exact = tuple(zero + z for z in self.exact(stage))
         marks.append(Line(exact, "thick" if stage.given else "dash", "plan"))
         return [*marks, *self.pole(stage, zero), *self.curve(stage, zero, wide)]
-
-    def sections(self, wide: float) -> list[float]:
-        """Abscissas of the ends of the sections."""
-        n = self.construction.motion.sections
-        return [wide * k / n for k in range(1, n + 1)]
 
     def heading(self, stage: Stage, k: int) -> str:
         """The quantity and its scale, with the formula it follows from."""
@@ -146,8 +139,8 @@ class Graphical:
         points, by_chords = self.points(stage), self.construction.kind == "differentiation"
         marks: list[Mark] = []
         for label in self.cut_labels(stage):  # ordinates carried to or from the axis
-            ends = self.place(stage.plan, f"h{label}"), self.place(stage.plan, label)
-            marks.append(Line((zero + ends[0], zero + ends[1]), "construction", "construction"))
+            cut, point = self.place(stage.plan, f"h{label}"), self.place(stage.plan, label)
+            marks.append(Line((zero + cut, zero + point), "construction", "construction"))
         if by_chords and stage.rank < 2:
             near = wide / self.construction.motion.sections / 2 + 1e-6
             ends = [z for z in points if -near <= z.real <= wide + 1e-6]

@@ -1,10 +1,10 @@
-"""What the plans of a sheet are drawn from: a drawing with its equations and segments, of a mechanism or of vectors."""
+"""What views are drawn from: plans of a mechanism or of vectors, and where its parts stand on the scheme."""
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -32,11 +32,6 @@ class Plotted:
     fixed: tuple[str, ...] = ()
     quantity: str = ""
 
-    @cached_property
-    def initials(self) -> frozenset[str]:
-        """The first letters of everything drawn."""
-        return frozenset(label_of(name)[:1] for name in self.drawing.things)
-
     def mark(self, plan: str, label: str) -> complex:
         """Where a mark stands, mm from the pole of its plan."""
         return complex(self.drawing[at(plan, label)])
@@ -49,6 +44,10 @@ class Plotted:
         """Labels of all marks of a plan in the order they were drawn, the helping ones left out."""
         made = [s for s in self.drawing.program.steps if s.kind == "mark" and plan_of(s.makes) == plan]
         return [label_of(s.makes) for s in made if not s.loose]
+
+    def drawn_segments(self, plan: str) -> list[Segment]:
+        """The segments of a plan that have been drawn."""
+        return [s for s in self.segments if s.plan == plan and s.start != s.end and self.has(plan, s.start, s.end)]
 
     def mu(self, plan: str) -> float:
         """μ of a plan, mm per SI unit."""
@@ -112,8 +111,13 @@ class Places:
     def size(self, links: Sequence[str]) -> float:
         """The larger side of the box around the points of some links."""
         drawn = [self.at(p) for name in links for p in self.mechanism.links[name].points if self.has(p)]
-        wide, high = [z.real for z in drawn], [z.imag for z in drawn]
-        return max(max(wide) - min(wide), max(high) - min(high)) if drawn else 0.0
+        sides = [z.real for z in drawn], [z.imag for z in drawn]
+        return max(max(side) - min(side) for side in sides) if drawn else 0.0
+
+    def sliders(self, *guides: str) -> Iterator[Link]:
+        """The links that slide on some guides, where they have been drawn."""
+        links = self.mechanism.links.values()
+        return (x for x in links if x.slides and x.slides.guide in guides and self.has(x.first_point))
 
     def line(self, guide: str) -> tuple[complex, complex]:
         """A point of a guide's line and its direction."""
@@ -123,9 +127,8 @@ class Places:
         if self.has(label):
             return self.at(label), along
         slider = next(x for x in self.mechanism.links.values() if x.slides and x.slides.guide == guide)
-        offset = slider.slides.offset if slider.slides else None
-        mu = self.position.scales[f"mu_{SCHEME}"]
-        return self.at(slider.first_point) - 1j * along * (offset or 0.0) * mu, along
+        offset = (slider.slides.offset if slider.slides else None) or 0.0
+        return self.at(slider.first_point) - 1j * along * offset * self.position.scales[mu_of(SCHEME)], along
 
     def foot(self, link: Link) -> tuple[complex, complex]:
         """The foot of a slider's first point on its guide, and the guide's direction."""
@@ -146,12 +149,6 @@ def degrees(along: complex) -> float:
     return round(math.degrees(cmath.phase(along)), 9)
 
 
-def off(z: complex, a: complex, b: complex) -> float:
-    """Distance of a point from a line."""
-    way = (b - a) / abs(b - a)
-    return abs(((z - a) * way.conjugate()).imag)
-
-
 def outline_of(places: list[complex]) -> list[complex]:
     """The corners of a link: one point, the ends of a bar, or the hull of a plate."""
     unique: list[complex] = []
@@ -161,7 +158,8 @@ def outline_of(places: list[complex]) -> list[complex]:
     if len(unique) < 3:
         return unique
     a, b = max(((p, q) for p in unique for q in unique), key=lambda e: abs(e[1] - e[0]))
-    if all(off(z, a, b) < NEAR_MM for z in unique):
+    way = (b - a) / abs(b - a)
+    if all(abs(((z - a) * way.conjugate()).imag) < NEAR_MM for z in unique):
         return [a, b]
     hull = shapely.MultiPoint([(z.real, z.imag) for z in unique]).convex_hull
     return [complex(x, y) for x, y in list(hull.exterior.coords)[:-1]]
@@ -169,14 +167,7 @@ def outline_of(places: list[complex]) -> list[complex]:
 
 def nearest(z: complex, outline: list[complex]) -> complex:
     """The point of a link's outline that is nearest to a place."""
-    if len(outline) == 1:
-        return outline[0]
-    if len(outline) > 2:
-        shape = shapely.Polygon([(c.real, c.imag) for c in outline])
-        if shape.contains(shapely.Point(z.real, z.imag)):
-            return z
-    feet = []
-    for a, b in zip(outline, outline[1:] + outline[:1], strict=True):
-        t = ((z - a) * (b - a).conjugate()).real / abs(b - a) ** 2
-        feet.append(a + min(1.0, max(0.0, t)) * (b - a))
-    return min(feet, key=lambda foot: abs(foot - z))
+    corners = [(c.real, c.imag) for c in outline]
+    kinds = {1: shapely.Point, 2: shapely.LineString}
+    shape = kinds.get(len(corners), shapely.Polygon)(corners)
+    return complex(*shapely.shortest_line(shape, shapely.Point(z.real, z.imag)).coords[0])
