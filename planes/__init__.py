@@ -36,6 +36,7 @@ _FROM = {
     "planes.drafting.instruments": ("Exact", "Pencil"),
     "planes.solving": ("Position",),
     "planes.words.errors": ("PlanesError",),
+    "planes.documents": ("shown",),  # asked by whatever a notebook shows as a picture
 }
 _HOME = {name: module for module, names in _FROM.items() for name in names}
 __all__ = [

@@ -23,7 +23,7 @@ from pathlib import Path
 
 import shapely
 
-from planes.documents import sheet_of, write
+from planes.documents.sheets import sheet_of
 from planes.scene import Scene, load
 from planes.solving import Position, solve
 from planes.words import Lang, say
@@ -93,7 +93,7 @@ def look(job: Job, pictures: str | None = None) -> Looked:
         return Looked(job, failed=error.told(job.lang))
     seconds = time.perf_counter() - start
     if pictures:
-        write(sheet, Path(pictures) / f"{job.path.stem}-{job.number or 'page'}-{job.value or ''}.png", job.lang)
+        sheet.write(Path(pictures) / f"{job.path.stem}-{job.number or 'page'}-{job.value or ''}.png")
     faults = [*clashes(sheet), *unlettered(sheet), *untranslated(sheet, job.lang)]
     faults += omissions(scene, values, sheet, job)
     led = leaders(sheet.marks)

@@ -1,30 +1,28 @@
-"""The command line: ``planes solve · structure · sheet``. Bad input is one sentence and exit status 2."""
+"""The command line: its reader of options, in the language asked for, and the one way a command is run.
+
+Bad input is one sentence and exit status 2.
+"""
 
 from __future__ import annotations
 
 import argparse
 import io
-import json
-import os
+import re
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
+from functools import cache
+from importlib import import_module
+from itertools import pairwise
+from typing import Any, NoReturn
 
-from planes.cli.idle import check_needs, check_options
-from planes.cli.options import (
-    add_blank_options,
-    add_check_options,
-    add_course_options,
-    add_crank_slider_options,
-    add_cycle_options,
-    add_solve_options,
-)
-from planes.cli.parser import CommandParser, Parser, lang_of
-from planes.cli.positions import add_positions, range_of, value_of, values_of
-from planes.scene import Scene, load
-from planes.scene.ranges import read_span
-from planes.words import Lang, Phrase, say
+from planes.cli.options import EITHER, OF_SCENE, OPTIONS, POSITIONED, POSITIONS, Option
+from planes.words import Lang, Phrase, say, table
 from planes.words.errors import PlanesError
+from planes.words.system import home_lang
+
+APART = {"check": "check", "blank": "check", "cycle": "cycle"}
+"""Commands with a module of their own; the others are together in ``commands``."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -36,7 +34,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     lang = lang_of(argv)
     args = _parser(lang).parse_args(argv)
     try:
-        status = int(args.command(args))
+        module = import_module(f"planes.cli.{APART.get(args.command, 'commands')}")
+        status = int(getattr(module, args.command.replace("-", "_"))(args))
         if sys.stdout:
             sys.stdout.flush()
         return status
@@ -54,184 +53,102 @@ def main(argv: Sequence[str] | None = None) -> int:
     return 2
 
 
-def _json(thing: object) -> str:
-    """JSON in the letters the output can hold."""
-    wide = (getattr(sys.stdout, "encoding", "") or "").lower().startswith("utf")
-    return json.dumps(thing, ensure_ascii=not wide, allow_nan=False)
-
-
 def _parser(lang: Lang) -> argparse.ArgumentParser:
     def help_of(key: str) -> str:
-        return say(key, lang)
+        return say(f"help_{key}", lang)
 
-    def command(name: str, run: Callable[[argparse.Namespace], int], text: str) -> argparse.ArgumentParser:
+    reader = Parser(prog="planes", description=help_of("planes"), lang=lang)
+    reader.add_argument("--version", action="version", version=f"planes {sys.modules['planes'].__version__}")
+    commands = reader.add_subparsers(required=True, metavar="COMMAND", parser_class=CommandParser)
+    for name, own in OPTIONS.items():
+        text = help_of(name.replace("-", "_"))
         parser = commands.add_parser(name, help=text, description=text, lang=lang)
-        parser.add_argument("scene", metavar="SCENE", help=help_of("help_scene"))
-        parser.add_argument("--variant", help=help_of("help_variant"))
-        parser.add_argument("--lang", choices=("ru", "en"), default=lang, help=help_of("help_lang"))
-        parser.set_defaults(command=run)
-        return parser
-
-    parser = Parser(prog="planes", description=help_of("help_planes"), lang=lang)
-    parser.add_argument("--version", action="version", version=f"planes {sys.modules['planes'].__version__}")
-    commands = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=CommandParser)
-    solve = command("solve", _solve, help_of("help_solve"))
-    add_positions(solve, help_of)
-    add_solve_options(solve, help_of)
-    structure = command("structure", _structure, help_of("help_structure"))
-    structure.add_argument("--json", action="store_true", help=help_of("help_object"))
-    sheet = command("sheet", _sheet, help_of("help_sheet"))
-    add_positions(sheet, help_of)
-    sheet.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_output"))
-    sheet.add_argument("--remedy", action="store_true", help=help_of("help_remedy"))
-    sheet.add_argument("--text", choices=("text", "strokes"), help=help_of("help_dxf_text"))
-    part = sheet.add_mutually_exclusive_group()
-    part.add_argument("--sheet", type=int, choices=(1, 2), help=help_of("help_sheet_number"))
-    part.add_argument("--view", metavar="NAME", help=help_of("help_view"))
-    lesson = command("lesson", _lesson, help_of("help_lesson"))
-    lesson.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_lesson_output"))
-    note = command("note", _note, help_of("help_note"))
-    add_positions(note, help_of)
-    note.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_note_output"))
-    cycle = command("cycle", _cycle, help_of("help_cycle"))
-    add_positions(cycle, help_of)
-    add_cycle_options(cycle, help_of)
-    chart = command("chart", _chart, help_of("help_chart"))
-    chart.add_argument("-o", "--output", required=True, metavar="FILE", help=help_of("help_chart_output"))
-    chart.add_argument("--table", metavar="FILE", help=help_of("help_table"))
-    crank = command("crank-slider", _crank_slider, help_of("help_crank_slider"))
-    add_crank_slider_options(crank, help_of)
-    check = command("check", _check, help_of("help_check"))
-    add_positions(check, help_of)
-    add_check_options(check, help_of)
-    blank = command("blank", _blank, help_of("help_blank"))
-    add_positions(blank, help_of)
-    add_blank_options(blank, help_of)
-    course = commands.add_parser("course", help=help_of("help_course"), description=help_of("help_course"), lang=lang)
-    add_course_options(course, help_of)
-    course.set_defaults(command=_course)
-    return parser
+        parser.set_defaults(command=name)
+        asked: Option = ("--lang", "lang", {"choices": ("ru", "en"), "default": None if name == "course" else lang})
+        of_scene = (*OF_SCENE, asked, *(POSITIONS if name in POSITIONED else ()))
+        options = (*own, asked) if name == "course" else (*of_scene, *own)
+        one_of = parser.add_mutually_exclusive_group() if name in EITHER else parser
+        for flags, key, how in options:
+            holder = one_of if flags in EITHER.get(name, ()) else parser
+            holder.add_argument(*flags.split(), help=help_of(key), **how)
+    return reader
 
 
-def _scene(args: argparse.Namespace) -> Scene:
-    """The scene asked for; what is doubtful in it goes to stderr."""
-    scene = load(args.scene, args.variant)
-    for doubt in scene.doubts:
-        print(doubt.told(args.lang), file=sys.stderr)
-    return scene
+HEADS = ("usage_line", "usage_given", "usage_options", "usage_help", "usage_version")
 
 
-def _solve(args: argparse.Namespace) -> int:
-    from planes.cli.solve import run
-
-    if os.path.isdir(args.scene):
-        from planes.cli.survey import run as survey
-
-        check_options(args, "solve", "folder")
-        return survey(args, _json)
-    scene = _scene(args)
-    values = values_of(args, scene)
-    check_options(args, "solve", "steps" if args.explain else "positions" if scene.mechanism else "vectors")
-    check_needs(args, ["seed"])
-    if (args.seed or 0) < 0:
-        raise PlanesError(Phrase("seed_negative", seed=args.seed))
-    return run(args, scene, values, _json)
+def lang_of(argv: Sequence[str]) -> Lang:
+    """The language asked for, wherever it stands among the arguments; else the home language."""
+    said: list[Lang] = re.findall(r"(?<=\0)--lang?(?:=|\0)(ru|en)(?=\0)", "\0".join(("", *argv, "")))
+    return said[-1] if said else home_lang()
 
 
-def _structure(args: argparse.Namespace) -> int:
-    from planes.plans import mechanism_plans
-    from planes.plans.alignment import aligned
-    from planes.plans.structure import analyse
-    from planes.solving import structure_json
-    from planes.solving.tables import alignment_report, structure_report
-
-    scene = _scene(args)
-    if scene.mechanism is None:
-        raise PlanesError(Phrase("no_structure", file=args.scene))
-    found = analyse(scene.mechanism, scene.file)
-    try:
-        variant = aligned(mechanism_plans(scene), scene.file)
-    except PlanesError as error:  # the structure is known all the same
-        print(error.told(args.lang), file=sys.stderr)
-        variant = None
-    if args.json:
-        print(_json({**structure_json(found), "self_aligning": variant and variant.json()}))
-    else:
-        told = [structure_report(found, args.lang)] + ([alignment_report(variant, args.lang)] if variant else [])
-        print(*told, sep="\n\n")
-    return 0
+@cache
+def _refusals() -> dict[str, re.Pattern[str]]:
+    """What the reader refuses with, by the key of its words."""
+    english = {key: re.escape(text) for key, text in table("en", "usage").items() if key not in HEADS}
+    return {key: re.compile(re.sub(r"\\{(\w+)\\}", r"(?P<\1>.*?)", text), re.DOTALL) for key, text in english.items()}
 
 
-def _check(args: argparse.Namespace) -> int:
-    from planes.cli.check import run
-
-    scene = _scene(args)
-    return run(args, scene, value_of(args, scene))
-
-
-def _blank(args: argparse.Namespace) -> int:
-    from planes.cli.check import write_blank
-
-    scene = _scene(args)
-    return write_blank(args, scene, value_of(args, scene))
+def refusal(text: str, lang: Lang) -> str:
+    """What the reader of options refuses with, in a language."""
+    for key, pattern in _refusals().items():
+        if match := pattern.fullmatch(text):
+            return say(key, lang, **{name: refusal(part, lang) for name, part in match.groupdict().items()})
+    return text
 
 
-def _sheet(args: argparse.Namespace) -> int:
-    from planes.documents import draw_sheet
+class Parser(argparse.ArgumentParser):
+    """A reader of the command line that speaks a language."""
 
-    scene = _scene(args)
-    values = values_of(args, scene)
-    check_options(args, "sheet", "positions" if scene.mechanism else "vectors")
-    if args.text and not args.output.lower().endswith(".dxf"):
-        raise PlanesError(Phrase("text_dxf"))
-    if args.remedy:
-        from planes.solving.remedies import for_sheet
+    def __init__(self, *args: Any, lang: Lang = "en", **more: Any) -> None:
+        self.lang = lang
+        super().__init__(*args, **more)
 
-        scene, values, said = for_sheet(scene, values, args.lang)
-        print(*said, sep="\n", end="\n" if said else "", file=sys.stderr)
-    for sentence in draw_sheet(scene, values, args.output, args.lang, args.sheet, args.view, args.text or "text"):
-        print(sentence, file=sys.stderr)
-    return 0
+    def headed(self, text: str) -> str:
+        """The help or the usage with its heads in the language."""
+        for key in HEADS:
+            text = text.replace(say(key), say(key, self.lang))
+        return text
 
+    def format_help(self) -> str:
+        """The help, translated."""
+        return self.headed(super().format_help())
 
-def _lesson(args: argparse.Namespace) -> int:
-    from planes.documents.lesson import write_lesson
+    def format_usage(self) -> str:
+        """The usage line, translated."""
+        return self.headed(super().format_usage())
 
-    write_lesson(_scene(args), args.output, args.lang)
-    return 0
-
-
-def _note(args: argparse.Namespace) -> int:
-    from planes.documents.lesson import write_note
-
-    scene = _scene(args)
-    write_note(scene, values_of(args, scene), args.output, args.lang)
-    return 0
+    def error(self, message: str) -> NoReturn:
+        """Usage and what is wrong, and the end."""
+        self.exit(2, f"{self.format_usage()}{self.prog}: {refusal(f'error: {message}', self.lang)}\n")
 
 
-def _cycle(args: argparse.Namespace) -> int:
-    from planes.cli.cycle import run
+class CommandParser(Parser):
+    """The reader of one command, whose options stand anywhere between its files."""
 
-    scene = _scene(args)
-    kind, text = range_of(args, scene)
-    return run(args, scene, None if text is None else read_span(text, f"--{kind}"), _json)
+    _mixing = False
+
+    def parse_known_args(self, args: Sequence[str] | None = None, namespace: Any = None) -> Any:  # type: ignore[override]
+        """Options are taken out first, then what is left is read in order; after ``--`` there are files alone."""
+        line = self._ended(args or ())
+        if self._mixing or "--" in line:
+            return super().parse_known_args(line, namespace)
+        self.usage = argparse.ArgumentParser.format_usage(self).removeprefix("usage: ")  # before it is read in two
+        self._mixing = True
+        try:
+            return self.parse_known_intermixed_args(line, namespace)
+        finally:
+            self._mixing = False
+
+    def _ended(self, args: Sequence[str]) -> list[str]:
+        """The line with the number an option has by itself, where the word after it is none."""
+        lone = {name: one for one in self._actions if one.nargs == "?" for name in one.option_strings}
+        return [
+            f"{word}={lone[word].const}" if word in lone and not _is_whole(after) else word
+            for word, after in pairwise([*args, ""])
+        ]
 
 
-def _course(args: argparse.Namespace) -> int:
-    from planes.cli.course import run
-
-    return run(args)
-
-
-def _chart(args: argparse.Namespace) -> int:
-    from planes.documents.charts import draw_chart
-
-    draw_chart(_scene(args), args.output, args.table, args.lang)
-    return 0
-
-
-def _crank_slider(args: argparse.Namespace) -> int:
-    from planes.documents.crank_slider import run
-
-    check_needs(args, ["phi"])
-    return run(_scene(args), args, args.lang)
+def _is_whole(word: str) -> bool:
+    return word.lstrip("-").isdecimal()

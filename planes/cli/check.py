@@ -1,33 +1,41 @@
-"""``planes check``: what is read by the file's suffix, checked and printed."""
+"""``planes check`` and ``planes blank``: what is read by the suffix of a file, checked and printed; a folder too."""
 
 from __future__ import annotations
 
-import argparse
 import json
 import re
+from argparse import Namespace
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from planes.check import STATUS, Outcome, check
+from planes.check import STATUS, Outcome
+from planes.check import check as judge
+from planes.check.grading.paper import ReadPaper
 from planes.check.grading.perturbing import HAND, cad
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.handed_in import LINES, PICTURES, Known, read_paper
 from planes.check.report import heads, numbers_of, rows_of
+from planes.check.report.classes import Checked, ClassWork
+from planes.check.report.classes import heads as class_heads
 from planes.check.report.rows import as_json
-from planes.cli.classes import check_class
-from planes.cli.idle import check_options
+from planes.cli.commands import scene_of
+from planes.cli.options import check_options, value_of
 from planes.scene import Scene
 from planes.solving.tables import table
 from planes.words import Lang, Phrase, say
-from planes.words.errors import PlanesError
+from planes.words.errors import PlanesError, guarded
 from planes.words.names import kind_of
+from planes.words.spreadsheet import as_csv
 from planes.words.units import read_mu
 
 _PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?{0})\s*[,;]\s*([-+]?{0})\s*".format(r"(?:\d+\.?\d*|\.\d+)"))
 
 
-def run(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
+def check(args: Namespace) -> int:
     """Check, print, and give the exit status: 0 right, 1 wrong, 2 unreadable."""
+    scene = scene_of(args)
+    value = value_of(args, scene)
     check_options(args, "check", _answer(args))
     asked, known = ask(args, scene, value), known_of(args)
     if args.trace:
@@ -36,7 +44,7 @@ def run(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
         raise PlanesError(Phrase("check_no_drawing"))
     if Path(args.drawing).is_dir():
         return check_class(args, asked, lambda file: read_paper(file, asked, known))
-    found = check(asked, read_paper(args.drawing, asked, known))
+    found = judge(asked, read_paper(args.drawing, asked, known))
     if args.output:
         from planes.documents.check import write_report
 
@@ -48,7 +56,7 @@ def run(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
     return STATUS[found.verdict]
 
 
-def _answer(args: argparse.Namespace) -> str:
+def _answer(args: Namespace) -> str:
     """Which of the answers is asked for, by what has to be read."""
     files = [Path(args.drawing or ""), *(Path(pair.partition("=")[2]) for pair in args.others)]
     suffixes = {file.suffix.lower() for file in files}
@@ -59,7 +67,7 @@ def _answer(args: argparse.Namespace) -> str:
     return "lines" if suffixes & {*LINES} else "numbers"
 
 
-def _trace(args: argparse.Namespace, asked: Asked) -> int:
+def _trace(args: Namespace, asked: Asked) -> int:
     """The tracing-paper page."""
     from planes.documents.check import write_trace
 
@@ -69,7 +77,7 @@ def _trace(args: argparse.Namespace, asked: Asked) -> int:
     return 0
 
 
-def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:
+def ask(args: Namespace, scene: Scene, value: float | None) -> Asked:
     """The question of the command line."""
     from planes.documents.check import spelling
 
@@ -82,24 +90,19 @@ def ask(args: argparse.Namespace, scene: Scene, value: float | None) -> Asked:
         others[name] = read_paper(file, asked, known_of(args))
     skill = HAND
     if args.work == "cad":
-        skill = cad(_size(asked))
+        from planes.drafting.drawing import run
+        from planes.plans.scales import extent
+
+        bench = prepare(asked)
+        skill = cad(max(extent(run(bench.program, bench.given), asked.plan), 10.0))
     return replace(asked, skill=skill, others=others)
 
 
-def _mu(args: argparse.Namespace) -> float | None:
+def _mu(args: Namespace) -> float | None:
     return None if args.mu is None else read_mu(args.mu, kind_of(args.plan))
 
 
-def _size(asked: Asked) -> float:
-    """How large the plan is, mm."""
-    from planes.drafting.drawing import run as draw
-    from planes.plans.scales import extent
-
-    bench = prepare(asked)
-    return max(extent(draw(bench.program, bench.given), asked.plan), 10.0)
-
-
-def known_of(args: argparse.Namespace) -> Known:
+def known_of(args: Namespace) -> Known:
     """What the command line tells of the drawing."""
     pole = place(args.pole, "--pole")[1] if args.pole else None
     return Known(pole, dict(place(m, "--mark") for m in args.mark), args.format)
@@ -123,9 +126,67 @@ def told(found: Outcome, lang: Lang) -> str:
     return "\n".join(lines + [f"! {n.told(lang)}" for n in found.notes])
 
 
-def write_blank(args: argparse.Namespace, scene: Scene, value: float | None) -> int:
+def blank(args: Namespace) -> int:
     """``planes blank``: a sheet to draw a plan on."""
-    from planes.documents.check import write_blank as write
+    from planes.documents.check import write_blank
 
-    write(Asked(scene, args.plan, value, _mu(args)), args.output, args.lang)
+    scene = scene_of(args)
+    write_blank(Asked(scene, args.plan, value_of(args, scene), _mu(args)), args.output, args.lang)
     return 0
+
+
+Reader = Callable[[str], ReadPaper]
+NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp")  # lie beside the drawings
+
+
+def check_class(args: Namespace, asked: Asked, read: Reader) -> int:
+    """Every drawing of a folder: a row for each, on the terminal and in the file of ``-o``."""
+    from planes.documents.lesson import bar
+
+    folder = Path(args.drawing)
+    files = [f for f in sorted(folder.iterdir()) if f.is_file() and not f.name.startswith((".", "~$"))]
+    files = [f for f in files if f.suffix.lower() not in NO_DRAWINGS]
+    if not files:
+        raise PlanesError(Phrase("check_empty_folder", file=args.drawing))
+    group = ClassWork(folder.name)
+    with bar() as step:
+        for file in files:
+            name = file.name.encode("utf-8", "replace").decode()  # any bytes at all may be the name of a file
+            try:
+                with guarded("check_broken", name):  # one file never stops the others
+                    group.all.append(Checked(name, judge(asked, read(str(file)))))
+            except PlanesError as error:
+                group.all.append(Checked(name, refused=error))
+            if step:
+                step(len(group.all), len(files))
+    if args.output:
+        _write_class(group, args.output, args.lang)
+    print(_json(group, args.lang) if args.json else "\n".join(_class_table(group, args.lang)).lstrip())
+    return group.status
+
+
+def _class_table(group: ClassWork, lang: Lang) -> list[str]:
+    rows = [class_heads(lang), *(one.row(lang) for one in group.all)]
+    widths = [max(len(row[i]) for row in rows) for i in range(3)]
+    aligned = ("  ".join([*(c.ljust(w) for c, w in zip(row, widths, strict=False)), row[3]]) for row in rows)
+    return [say("check_class", lang), *(f"  {line.rstrip()}" for line in aligned)]
+
+
+def _json(group: ClassWork, lang: Lang) -> str:
+    return json.dumps([one.as_json(lang) for one in group.all], ensure_ascii=False, allow_nan=False)
+
+
+def _write_class(group: ClassWork, output: str, lang: Lang) -> None:
+    """The table as a page, a spreadsheet or objects; a folder gets a report for each drawing and the page."""
+    from planes.documents.check import write_class, write_text
+
+    suffix = Path(output).suffix.lower()
+    if suffix == ".json":
+        write_text(_json(group, lang), output)
+    elif suffix == ".csv":
+        rows = [class_heads(lang), *(one.row(lang) for one in group.all)]
+        write_text(f"\ufeff{as_csv(rows)}", output)  # begun so that a spreadsheet knows the letters
+    elif suffix in (".html", ".htm", ""):
+        write_class(group, output, lang)
+    else:
+        raise PlanesError(Phrase("check_class_output", file=output))

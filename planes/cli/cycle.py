@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import argparse
 import math
 import sys
-from collections.abc import Callable
+from argparse import Namespace
 from dataclasses import replace
 from pathlib import Path
 
-from planes.cli.idle import check_needs, check_options
+from planes.cli.commands import as_json, scene_of
+from planes.cli.options import check_needs, check_options, range_of
 from planes.scene import Scene
-from planes.scene.ranges import Span
+from planes.scene.ranges import Span, read_span
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
@@ -19,8 +19,11 @@ PICTURES = (".png", ".svg", ".pdf")
 LISTED = 24  # positions a listing may have
 
 
-def run(args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Callable[[object], str]) -> int:
+def cycle(args: Namespace) -> int:
     """One of the answers; the exit status."""
+    scene = scene_of(args)
+    kind, text = range_of(args, scene)
+    span = None if text is None else read_span(text, f"--{kind}")
     if scene.mechanism is None:
         raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
     scene = driven_otherwise(scene, args.omega, args.epsilon)
@@ -33,13 +36,13 @@ def run(args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Call
         case "picture":
             return _picture(args, scene, span)
         case "graphical" | "graphical_picture":
-            return _graphical(args, scene, as_json)
+            return _graphical(args, scene)
         case "listing":
-            return _listing(args, scene, span, as_json)
-    return _summary(args, scene, span, as_json)
+            return _listing(args, scene, span)
+    return _summary(args, scene, span)
 
 
-def _answer(args: argparse.Namespace, span: Span | None) -> str:
+def _answer(args: Namespace, span: Span | None) -> str:
     """Which of the answers is asked for."""
     if args.output and Path(args.output).suffix.lower() not in PICTURES:
         return "curves" if args.show is not None else "table"
@@ -60,16 +63,8 @@ def driven_otherwise(scene: Scene, velocity: float | None, acceleration: float |
     drive = mechanism.drive
     v = drive.velocity if velocity is None else velocity
     a = drive.acceleration if acceleration is None else acceleration
-    given = {
-        key
-        for key, rate in (
-            ("omega", velocity),
-            ("velocity", velocity),
-            ("epsilon", acceleration),
-            ("acceleration", acceleration),
-        )
-        if rate is not None
-    }
+    given = {*(("omega", "velocity") if velocity is not None else ())}
+    given |= {*(("epsilon", "acceleration") if acceleration is not None else ())}
     laws = {path: law for path, law in mechanism.laws.items() if path[0] != "drive" or path[1] not in given}
     moved = replace(mechanism, drive=replace(drive, velocity=v, acceleration=a), laws=laws)
     return replace(scene, mechanism=moved)
@@ -83,13 +78,13 @@ def asked(text: str | None, option: str) -> list[str] | None:
     return names
 
 
-def _names(args: argparse.Namespace) -> list[str] | None:
+def _names(args: Namespace) -> list[str] | None:
     """The curves asked for one by one; None: all."""
     names = asked(args.show, "--show")
     return None if names is None or names == ["all"] else [n for name in names for n in name.split("+")]
 
 
-def _picture(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
+def _picture(args: Namespace, scene: Scene, span: Span | None) -> int:
     from planes.documents.cycle import draw_cycle
 
     show, loops, paths = (asked(getattr(args, option), f"--{option}") for option in ("show", "hodograph", "path"))
@@ -97,7 +92,7 @@ def _picture(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
     return 0
 
 
-def _table(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
+def _table(args: Namespace, scene: Scene, span: Span | None) -> int:
     from planes.diagrams.long_run import write_curves, write_cycle
 
     fast = False if args.plain else None
@@ -110,7 +105,7 @@ def _table(args: argparse.Namespace, scene: Scene, span: Span | None) -> int:
     return write_curves(turn, span, args.output, args.lang)
 
 
-def _listing(args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Callable[[object], str]) -> int:
+def _listing(args: Namespace, scene: Scene, span: Span | None) -> int:
     from planes.diagrams.long_run import listed_json, listing, unsolved
     from planes.diagrams.turn import turn_of
     from planes.plans import mechanism_plans
@@ -128,7 +123,7 @@ def _listing(args: argparse.Namespace, scene: Scene, span: Span | None, as_json:
     return 0
 
 
-def _summary(args: argparse.Namespace, scene: Scene, span: Span | None, as_json: Callable[[object], str]) -> int:
+def _summary(args: Namespace, scene: Scene, span: Span | None) -> int:
     from planes.diagrams.driven import FULL
     from planes.diagrams.summary import summary
     from planes.diagrams.text import as_json as plain
@@ -145,13 +140,12 @@ def _summary(args: argparse.Namespace, scene: Scene, span: Span | None, as_json:
         ends = reach(plans)
     found = summary(scene, plans, *ends, _names(args))
     if not found.grid.works.any():
-        first, last = (f"{x:g}" for x in ends)
-        raise PlanesError(Phrase("cycle_never", first=first, last=last))
+        raise PlanesError(Phrase("cycle_never", first=f"{ends[0]:g}", last=f"{ends[1]:g}"))
     print(as_json(plain(found)) if args.json else report(found, args.lang), end="\n" if args.json else "")
     return 0
 
 
-def _graphical(args: argparse.Namespace, scene: Scene, as_json: Callable[[object], str]) -> int:
+def _graphical(args: Namespace, scene: Scene) -> int:
     from planes.diagrams.graphical_text import as_json as plain
     from planes.diagrams.graphical_text import constructed, report
 

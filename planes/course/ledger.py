@@ -27,8 +27,8 @@ LIBRARIES = ("numpy", "shapely", "reportlab", "ezdxf", "svgwrite", "matplotlib",
 
 @cache
 def fingerprint() -> str:
-    """The program's own files, words and letters among them, Python and the libraries that reckon and draw, as one hash:
-    the same for two programs that make the same files of the same scenes."""
+    """The program's own files, words among them, Python and the libraries that reckon and draw, as one hash: the same
+    for two programs that make the same files of the same scenes."""
     house = Path(__file__).parents[2]
     every = (f for room in ("planes", "render") for f in (house / room).rglob("*"))
     files = [f for f in every if f.is_file() and "__pycache__" not in f.parts]

@@ -27,16 +27,14 @@ class Each(Protocol):
     def __call__(self, work: Callable[[Task], Done], tasks: Sequence[Task], /) -> Iterator[tuple[int, Done]]: ...
 
 
-READY = ("planes.documents.course", "render.report.pdf", "reportlab.platypus", "numpy", "shapely")
-"""What workers are made with: imported once."""
 SECONDS = 10  # to find a scheduler
 
 
 @contextmanager
-def crowd(jobs: int | None = None, scheduler: str | None = None, ready: Sequence[str] = READY) -> Iterator[Each]:
+def crowd(jobs: int | None = None, scheduler: str | None = None, ready: Sequence[str] = ()) -> Iterator[Each]:
     """Workers to give tasks to: ``jobs`` processes (None: one a core), or those of a Dask ``scheduler``.
 
-    ``ready`` are the modules of the functions they will be given.
+    ``ready`` are the modules that are imported once for all processes.
     """
     count = jobs or cores()
     if scheduler:

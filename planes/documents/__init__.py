@@ -4,32 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
 
-from planes.documents import ours, sheets  # noqa: F401  (ours, before anything of render)
+from planes.documents import ours  # noqa: F401  (ours, before anything of render)
 from planes.documents.graphs import constructions, views_beside
-from planes.documents.sheets import DrawnPosition
-from planes.documents.turning import turned_once
+from planes.documents.sheets import DrawnPosition, sheet_of, turned_once
 from planes.drafting.drawing import Drawing
 from planes.scene import Scene
-from planes.scene.files import keep
 from planes.solving import Position
 from planes.solving.vectors import solve_vectors
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.system import home_lang
-from render.paper.faces import lettered
-from render.paper.fonts import face_of
-from render.sheet import Sheet
+from render.files import SUFFIXES, Page
+from render.files.dxf import Lettered
+from render.paper.marks import lettered
+from render.paper.outlines import face_of
 from render.sheet.composer import Composer
-from render.sheet.single import Makers, Page, of_mechanism, of_scene_of_vectors, page
+from render.sheet.single import Makers, of_mechanism, of_scene_of_vectors, page, traced
 from render.sheet.sizes import Sizes
-from render.sheet.traces import traced
 from render.views import stacked
-
-SUFFIXES = (".svg", ".pdf", ".png", ".dxf")
 
 
 def shown(thing: Drawing | Scene | Position) -> str | None:
@@ -48,7 +42,7 @@ def draw_sheet(
     lang: Lang = "ru",
     number: int | None = None,
     view: str | None = None,
-    text: str = "text",
+    text: Lettered = "text",
 ) -> tuple[str, ...]:
     """Draw the sheet of a scene into a file; :class:`PlanesError` in one sentence, and no file, if it cannot be.
 
@@ -57,11 +51,10 @@ def draw_sheet(
     ``number`` 1 or 2 is that sheet of a course project; without it everything stands on one page. ``view`` is one
     view alone, without a frame. ``text`` "strokes" letters a DXF in strokes instead of texts.
     """
-    path = Path(output)
-    if path.suffix.lower() not in SUFFIXES:
+    if Path(output).suffix.lower() not in SUFFIXES:
         raise PlanesError(Phrase("bad_suffix", file=output, known=SUFFIXES))
     drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
-    write(drawn, path, lang, text)
+    drawn.write(output, text)
     return drawn.warnings
 
 
@@ -70,7 +63,7 @@ def draw_constructions(scene: Scene, sections: int, pole_mm: float | None, outpu
     composer = Composer(scene, lang)
     with lettered(face_of(scene)):
         both = stacked("graphical", constructions(scene, composer, sections, pole_mm), 20.0)
-        write(page({both.key: lambda: both}, both.key, composer), Path(output), lang)
+        page({both.key: lambda: both}, both.key, composer).write(output)
 
 
 def picture(drawn: Scene | Position, view: str | None = None, lang: Lang | None = None) -> Page:
@@ -83,68 +76,20 @@ def picture(drawn: Scene | Position, view: str | None = None, lang: Lang | None 
         return view_of(drawn, view, None, lang)
     scene = Scene(mechanism=drawn.plans.mechanism, mu=drawn.scales)
     composer = Composer(scene, lang, drawn.plans)
-    return _page(_mechanism_views(scene, drawn, composer), view, composer)
+    return page(_mechanism_views(scene, drawn, composer), view, composer)
 
 
 def view_of(scene: Scene, view: str | None, values: Iterable[float] | None = None, lang: Lang = "ru") -> Page:
     """One view of a scene on a page of its own, by name (the first, if none is named)."""
     with lettered(face_of(scene)):
-        return _view_of(scene, view, values, lang)
-
-
-def _view_of(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> Page:
-    if scene.mechanism is None:
-        composer = Composer(scene, lang)
-        return _page(of_scene_of_vectors(solve_vectors(scene), composer), view, composer)
-    drawn = DrawnPosition(replace(scene, find=None), values, lang)
-    composer = Composer(scene, lang, drawn.stated[0])
-    return _page(_mechanism_views(drawn.scene, drawn.at(Sizes()), composer), view, composer)
+        if scene.mechanism is None:
+            composer = Composer(scene, lang)
+            return page(of_scene_of_vectors(solve_vectors(scene), composer), view, composer)
+        drawn = DrawnPosition(replace(scene, find=None), values, lang)
+        composer = Composer(scene, lang, drawn.stated[0])
+        return page(_mechanism_views(drawn.scene, drawn.at(Sizes()), composer), view, composer)
 
 
 def _mechanism_views(scene: Scene, drawn: Position, composer: Composer) -> Makers:
     more = views_beside(scene, drawn, composer)
     return of_mechanism(drawn, composer, lambda: turned_once(scene, drawn.plans, composer, True), more)
-
-
-def _page(makers: Makers, view: str | None, composer: Composer) -> Page:
-    return page(makers, view or next(iter(makers)), composer)
-
-
-def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", number: int | None = None) -> Sheet:
-    """The composed sheet of one position, or of vectors alone, lettered as the scene says."""
-    with lettered(face_of(scene)):
-        return sheets.sheet_of(scene, values, lang, number)
-
-
-def write(sheet: Sheet | Page, path: Path, lang: Lang, text: str = "text") -> None:
-    """The sheet as a file in the format of its suffix."""
-    keep(rendered(sheet, path.suffix.lower(), lang, text), path)
-
-
-def rendered(sheet: Sheet | Page, suffix: str, lang: Lang, text: str = "text") -> bytes:
-    """The contents of the sheet's file; the same sheet gives the same bytes."""
-    match suffix:
-        case ".svg":
-            from render.files import svg
-
-            return svg.write(sheet.marks, sheet.size, sheet.title, lang=lang)
-        case ".pdf":
-            from render.files import pdf
-
-            return pdf.write(sheet.marks, sheet.size, sheet.title, lang=lang)
-        case ".dxf":
-            found: bytes = _dxf().write(sheet.marks, sheet.size, sheet.title, lang=lang, text=text)
-            return found
-        case _:
-            from render.files import png
-
-            return png.write(sheet.marks, sheet.size, sheet.title)
-
-
-def _dxf() -> Any:
-    """The writer of DXF, if ezdxf is installed."""
-    if find_spec("ezdxf") is None:
-        raise PlanesError(Phrase("needs_ezdxf"))
-    from render.files import dxf
-
-    return dxf

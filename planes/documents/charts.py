@@ -17,9 +17,8 @@ from planes.scene.mechanism import Mechanism
 from planes.solving import told
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
-from planes.words.names import index_of
-from render.charts.chart_files import METADATA
-from render.charts.method_charts import MethodErrors, MethodPoint, draw
+from render.charts import METADATA
+from render.charts.method_charts import MethodErrors, draw
 
 
 def draw_chart(scene: Scene, output: str, table: str | None, lang: Lang) -> None:
@@ -32,9 +31,10 @@ def draw_chart(scene: Scene, output: str, table: str | None, lang: Lang) -> None
     plans = plans_of(moving(scene.mechanism), scene.file)
     methods, way = measure(plans), approach(plans)
     ways = None if way is None else _ways(way, lang)
-    target = output
+    name, cores = machine()
+    seconds, target = f"{say('chart_seconds', lang)}\n{say('chart_machine', lang, name=name, cores=cores)}", output
     try:
-        draw(path, scene.title.get(lang, ""), _spots(methods), _spots(front(methods)), ways, _seconds(lang), lang)
+        draw(path, scene.title.get(lang, ""), methods, front(methods), ways, seconds, lang)
         if table:
             target = table
             save(text(methods, way, lang).encode(), table)
@@ -56,8 +56,8 @@ def _ways(way: Approach, lang: Lang) -> MethodErrors:
 
 def name_of(key: str, lang: Lang) -> str:
     """A method in words."""
-    tool = index_of(key)
-    return say(key, lang, number=version(tool) if tool in installed() else "30")
+    versions = {f"method_{tool}": version(tool) for tool in installed()}
+    return say(key, lang, number=versions.get(key, "30"))
 
 
 def axis(limit: Limit, lang: Lang) -> str:
@@ -70,15 +70,6 @@ def axis(limit: Limit, lang: Lang) -> str:
     drive = f"{letter} = {told(held, kind, lang)}".replace("-", "−")
     key, name = ("length", way.name) if way.unit == "1" else ("angle", way.bench.plans.means[way.name].of)
     return say(f"chart_distance_{key}", lang, name=name, value=value, here=f"{way.here:.6g}", drive=drive)
-
-
-def _seconds(lang: Lang) -> str:
-    name, cores = machine()
-    return say("chart_seconds", lang) + "\n" + say("chart_machine", lang, name=name, cores=cores)
-
-
-def _spots(methods: list[Method]) -> list[MethodPoint]:
-    return [MethodPoint(m.key, m.number, m.seconds, m.error) for m in methods]
 
 
 def text(methods: list[Method], way: Approach | None, lang: Lang) -> str:

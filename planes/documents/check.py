@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from urllib.parse import quote
 
@@ -19,43 +19,25 @@ from planes.check.vision.photograph import blank_pole
 from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
 from planes.scene import Scene
-from planes.scene.files import keep, save, sayable
+from planes.scene.files import keep, sayable
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
 from planes.words.names import POLE, kind_of, parted
 from planes.words.units import mu_text
-from render.files import pdf, png, svg
-from render.page import check_page, class_page, trace_page
+from render.files import Page
+from render.page import check_pages
+from render.paper.letters import decimal
 from render.paper.marks import Mark
-from render.paper.numbers import decimal
 from render.paper.photo import Photo
-from render.sheet import blank, check_sheet
+from render.sheet import check_sheet
 
-TRACE_WORDS = (
-    "open",
-    "plan",
-    "by",
-    "layer_plan",
-    "layer_names",
-    "picture",
-    "paper",
-    "zoom",
-    "pole",
-    "turned",
-    "scale",
-    "hint",
-    "check",
-    "not_picture",
-)
 MOST_COMMON = 8  # mistakes of a class that are listed
-PAGE_WORDS = ("own", "next", "truth", "picture", "save", "reset", "moved", "steps", "numbers", "drag", "noscript")
 
 
 def write_blank(asked: Asked, output: str, lang: Lang) -> None:
     """A sheet to draw a plan on, as PDF, SVG or PNG."""
-    marks, title = blank_marks(asked, lang)
-    _write(marks, title, output, lang)
+    _write(*blank_marks(asked, lang), output, lang)
 
 
 def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Mark], str]:
@@ -65,25 +47,18 @@ def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Mark], str]:
     mu = decimal(mu_text(bench.said_mu, kind_of(asked.plan), lang), lang)
     squares = [(z, cells(k), SIDE_MM) for k, z in enumerate(centres(SHEET_MM))]
     texts = [f"{say_plan(asked.plan, lang)}, μ = {mu}", title, *more]
-    return blank.compose(SHEET_MM, squares, blank_pole(bench), texts), title
+    return check_sheet.blank(SHEET_MM, squares, blank_pole(bench), texts), title
 
 
-def _write(marks: list[Mark], title: str, output: str, lang: Lang, under: Photo | None = None) -> None:
-    suffix = Path(output).suffix.lower()
-    writers = {".svg": svg.write, ".pdf": pdf.write}
-    with sayable(output):
-        if suffix in writers:
-            save(writers[suffix](marks, SHEET_MM, title, lang=lang, under=under), output)
-        elif suffix == ".png":
-            png.write(marks, SHEET_MM, title, output, under=under)
-        else:
-            raise PlanesError(Phrase("check_output", file=output))
+def _write(marks: Iterable[Mark], title: str, output: str, lang: Lang, under: Photo | None = None) -> None:
+    if Path(output).suffix.lower() not in (".svg", ".pdf", ".png"):
+        raise PlanesError(Phrase("check_output", file=output))
+    Page(tuple(marks), SHEET_MM, title, lang, under=under).write(output)
 
 
 def write_trace(asked: Asked, output: str, lang: Lang) -> None:
     """The right plans as a page to lay over a picture."""
-    words = {k: say(f"trace_{k}", lang) for k in TRACE_WORDS}
-    write_text(trace_page.page(tracing_data(asked, lang), words, lang), output)
+    write_text(check_pages.trace_page(tracing_data(asked, lang), lang), output)
 
 
 def write_report(found: Outcome, output: str, lang: Lang) -> None:
@@ -92,8 +67,7 @@ def write_report(found: Outcome, output: str, lang: Lang) -> None:
     if suffix == ".json":
         write_text(json.dumps(as_json(found, lang), ensure_ascii=False, allow_nan=False), output)
     elif suffix in (".html", ".htm"):
-        words = {k: say(f"check_page_{k}", lang) for k in PAGE_WORDS}
-        write_text(check_page.page(report.page_data(found, lang), words, lang), output)
+        write_text(check_pages.report_page(report.page_data(found, lang), lang), output)
     else:
         marks, photo = check_sheet.compose(SHEET_MM, _overlay(found, lang))
         _write(marks, report.title(found, lang), output, lang, photo)
@@ -118,9 +92,8 @@ def write_class(group: ClassWork, output: str, lang: Lang) -> None:
     often = sorted(common.items(), key=lambda said: -len(said[1]))[:MOST_COMMON]
     told = [(say(f"verdict_{v}", lang), counts[v]) for v in ("right", "wrong", "unreadable")]
     rows = [(one.verdict, quote(one.report), [*one.row(lang)[:-1], _unmarked(one, lang)]) for one in group.all]
-    words = {"common": say("check_common", lang)}
     title = f"{say('check_class', lang)}: {group.title}"
-    write_text(class_page.page(title, told, often, heads(lang), rows, words, lang), output)
+    write_text(check_pages.class_page(title, told, often, heads(lang), rows, lang), output)
 
 
 def _unmarked(one: Checked, lang: Lang) -> str:
@@ -136,19 +109,20 @@ def write_text(text: str, output: str) -> None:
 
 def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:
     """What a sheet shows: both plans, the table and the sentence."""
-    kind, naming = kind_of(found.bench.asked.plan), _naming(found, lang)
+    asked, plans = found.bench.asked, found.bench.plans
+    kind, naming = kind_of(asked.plan), Naming(lang, **lettering(asked.scene, plans))
     verdicts = {r["mark"]: r["verdict"] for r in mark_rows(found)}
 
     def name(label: str) -> str:
         return naming.vector(parted(label)) if kind == "force" and label != POLE else naming.mark(label, kind)
 
     first, said = found.first_wrong or "", found.sentence.told(lang)
-    told = name(first) if first in verdicts else naming.vector(first)
-    shown = shown_plans(found)
+    told, shown = name(first) if first in verdicts else naming.vector(first), shown_plans(found)
     photo = Photo(found.paper.picture, found.paper.box) if found.paper.picture and found.paper.box else None
+    laid = photo is None or max(photo.box[:2]) < -1  # on a picture its pole must be known, or it stands at the corner
     return check_sheet.Overlay(
         own=shown.own,
-        true=shown.true if _stands(photo) else [],
+        true=shown.true if laid else [],
         next=leads(found, shown.marks),
         marks={name(n): (z, verdicts.get(n, "right")) for n, z in shown.marks.items()},
         along={name(n): v for n, v in shown.along.items()},
@@ -156,18 +130,13 @@ def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:
         title=report.title(found, lang),
         tables=_tables(found, name, naming),
         sentence=said.replace(f"{first}:", f"{told}:", 1) if first else said,
-        legend=(say("check_page_own", lang), say("check_page_truth", lang), say("check_page_next", lang)),
+        legend=[say(f"check_page_{pen}", lang) for pen in check_sheet.PENS],
         reduced=say("check_reduced", lang, n="{n}"),
         lines=kind == "position",
         notes=[n.told(lang) for n in found.notes],
         photo=photo,
         lang=lang,
     )
-
-
-def _stands(photo: Photo | None) -> bool:
-    """Whether a plan can be laid on a picture: its pole must be known, or it stands at the very corner."""
-    return photo is None or (photo.box[0] < -1 and photo.box[1] < -1)
 
 
 def _tables(found: Outcome, name: Callable[[str], str], naming: Naming) -> list[check_sheet.Table]:
@@ -180,10 +149,6 @@ def _tables(found: Outcome, name: Callable[[str], str], naming: Naming) -> list[
         for _, n, given, true, told in report.numbers_of(found, lang)
     ]
     return [(head, rows), (report.heads(lang)[1], numbers)]
-
-
-def _naming(found: Outcome, lang: Lang) -> Naming:
-    return Naming(lang, **lettering(found.bench.asked.scene, found.bench.plans))
 
 
 def spelling(scene: Scene, lang: Lang) -> Callable[[str], str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -12,9 +13,9 @@ from planes.course import Course
 from planes.course.ledger import fingerprint
 from planes.course.numbers import why
 from planes.course.papers import answers, clearest, task
-from planes.documents import rendered, sheet_of
 from planes.documents.check import blank_marks
 from planes.documents.lesson import note, placed
+from planes.documents.sheets import sheet_of
 from planes.lesson.data import lesson_data
 from planes.plans.scales import FIT_MM
 from planes.scene import Scene, loads
@@ -24,7 +25,7 @@ from planes.words import Lang, Phrase
 from planes.words.names import kind_of
 from render.files import pdf
 from render.page.lesson_page import page
-from render.report import rendered as rendered_document
+from render.report import rendered
 from render.sheet import Sheet
 from render.sheet.composer import Composer
 
@@ -98,7 +99,7 @@ class Desk:
     def file(self, name: str) -> bytes:
         """The contents of one file."""
         if sheet := self.sheet(name):
-            return rendered(sheet, f".{name.rpartition('.')[2]}", self.order.lang)
+            return sheet.rendered(f".{name.rpartition('.')[2]}")
         makers = {"task": self.task, "blank": self.blank, "key": self.key, "lesson": self.lesson, "note": self.note}
         return makers[name.partition(".")[0]]()
 
@@ -119,26 +120,25 @@ class Desk:
 
     def task(self) -> bytes:
         """The sheet of the task, its scheme drawn in another position."""
-        plans = self.drawn.plans
+        plans, order = self.drawn.plans, self.order
         other, fits = clearest(plans, self.drawn.at), {**FIT_MM, "position": FIGURE_MM}
-        shown = position(self.scene, plans, None, other, None, self.order.lang, fits)
-        blocks = list(task(self.scene, self.drawn, shown, self.order.heads, self.order.used, self.order.lang))
-        return self.set(blocks)
+        shown = position(self.scene, plans, None, other, None, order.lang, fits)
+        return self.set(task(self.scene, self.drawn, shown, order.heads, order.used, order.lang))
 
     def key(self) -> bytes:
         """The answers to be read."""
-        return self.set(list(answers(self.scene, self.drawn, self.order.heads, self.order.used, self.order.lang)))
+        return self.set(answers(self.scene, self.drawn, self.order.heads, self.order.used, self.order.lang))
 
-    def set(self, blocks: list[Block]) -> bytes:
+    def set(self, blocks: Iterable[Block]) -> bytes:
         """Blocks as a PDF."""
-        return rendered_document(blocks, ".pdf", Composer(self.scene, self.order.lang, self.drawn.plans).naming)
+        return rendered(list(blocks), ".pdf", Composer(self.scene, self.order.lang, self.drawn.plans).naming)
 
     def blank(self) -> bytes:
         """A page for each plan."""
         plans = [p for p in self.drawn.plans.drawn if kind_of(p) in self.order.plans]
         pages = [blank_marks(Asked(self.scene, plan), self.order.lang, self.order.heads[-1]) for plan in plans]
         title = pages[0][1] if pages else ""
-        return pdf.write_pages([(marks, SHEET_MM) for marks, _ in pages], title, lang=self.order.lang)
+        return pdf.write_pages([(marks, SHEET_MM) for marks, _ in pages], title, self.order.lang)
 
     def lesson(self) -> bytes:
         """The lesson's page."""

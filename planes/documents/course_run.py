@@ -134,8 +134,8 @@ class Conductor:
 
     def order(self, share: Share, text: str) -> Order:
         """What is to be made for a student."""
-        used = used_names(text, SCENE)
-        return Order(text, self.heads(share, text), used, tuple(self.names), self.course.plans, self.lang)
+        heads, used = self.heads(share, text), used_names(text, SCENE)
+        return Order(text, heads, used, tuple(self.names), self.course.plans, self.lang)
 
     def heads(self, share: Share, text: str) -> tuple[str, ...]:
         """What stands above a task: the scene's title, the course, the student, the variant."""

@@ -47,8 +47,7 @@ def _sheet(found: Calculation, path: str, phi: float | None, lang: Lang) -> None
 
 
 def _write(found: Calculation, path: Path, lang: Lang) -> None:
-    suffix = path.suffix.lower()
-    if suffix == ".json":
+    if path.suffix.lower() == ".json":
         keep((json.dumps(as_json(found), ensure_ascii=False, allow_nan=False) + "\n").encode(), path)
     else:
-        keep(report.rendered(document(found, lang), suffix, Composer(found.scene, lang).naming), path)
+        keep(report.rendered(document(found, lang), path.suffix.lower(), Composer(found.scene, lang).naming), path)

@@ -22,8 +22,7 @@ from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
 from planes.words.names import index_of, letter_of
-from render.charts.cycle_charts import DriveAxis, Panel, draw
-from render.charts.loops import Loop
+from render.charts.cycle_charts import DriveAxis, Loop, Panel, draw
 
 
 def draw_cycle(
@@ -42,17 +41,10 @@ def draw_cycle(
     panels = [name.split("+") for name in (show if show is not None else default_curves(plans, hodographs, paths))]
     loops = [*(hodographs or ()), *(f"r_{index_of(p) if letter_of(p) == 'r' else p}" for p in paths or ())]
     turned = Turned(scene, plans, span, [n for names in panels for n in names], loops)
-    naming = Naming(lang, **lettering(scene, plans))
-    title = scene.title.get(lang, "")
+    naming, title = Naming(lang, **lettering(scene, plans)), scene.title.get(lang, "")
+    drawn = [turned.panel(names) for names in panels], [turned.loop(n) for n in loops], turned.drawn()
     with sayable(output):
-        draw(
-            Path(output),
-            title,
-            [turned.panel(names) for names in panels],
-            [turned.loop(n) for n in loops],
-            turned.drawn(),
-            naming,
-        )
+        draw(Path(output), title, *drawn, naming)
 
 
 def default_curves(plans: Plans, hodographs: object = None, paths: object = None) -> tuple[str, ...]:
@@ -74,13 +66,12 @@ class Turned:
         self.runs = Runs.whole(plans) if span is None else Runs(plans, *ends(span))
         self.pieces = [(places, self.turn.sample(places)) for places in self.runs.pieces()]
         self.grid: Grid = grid(self.turn, self.runs.start, self.runs.end)
-        found = extremes(self.grid)
-        self.extremes = {c.name: e for c, e in zip(self.turn.curves, found, strict=True)}
+        self.extremes = {c.name: e for c, e in zip(self.turn.curves, extremes(self.grid), strict=True)}
 
     def panel(self, names: Sequence[str]) -> Panel:
         """The curves of one pair of axes."""
-        curves = [curve_named(self.turn, n) for n in names]
-        drawn = []
+        named = {curve.name: curve for curve in self.turn.curves}
+        curves, drawn = [named[curves_of(self.plans)[n].name] for n in names], []
         for curve in curves:
             read = [(places, curve.read(sample) + np.zeros(len(places))) for places, sample in self.pieces]
             drawn.append((curve.name, [(p, self._joined(curve, p, y)) for p, y in read], self._marked(curve)))
@@ -116,9 +107,3 @@ def ends(span: Span) -> tuple[float, float]:
     """The ends of the places asked for, the lesser first."""
     a, b = span.start, span.start + span.step * (span.count - 1)
     return min(a, b), max(a, b)
-
-
-def curve_named(turn: WholeTurn, name: str) -> Curve:
-    """The curve of a turn that has, or stands behind, a name."""
-    found = curves_of(turn.plans)[name].name
-    return next(c for c in turn.curves if c.name == found)

@@ -15,8 +15,9 @@ from planes.check import Outcome
 from planes.check import check as judge
 from planes.check.grading.prepared_plan import Asked
 from planes.check.handed_in import Known, read_paper
-from planes.documents import picture, sheet_of, view_of, write
+from planes.documents import picture, view_of
 from planes.documents.lesson import Lesson
+from planes.documents.sheets import sheet_of
 from planes.drafting.instruments import Instrument
 from planes.plans import mechanism_plans
 from planes.scene import Scene
@@ -27,8 +28,8 @@ from planes.words.errors import PlanesError
 from planes.words.names import kind_of
 from planes.words.system import home_lang
 from planes.words.units import read_mu
+from render.files import Page
 from render.sheet import Sheet
-from render.sheet.single import Page
 
 __all__ = ["check", "cycle", "lesson", "picture", "sheet", "solve"]
 
@@ -72,9 +73,8 @@ def _drive(scene: Scene, phi: Any, s: Any) -> Any:
     asked = {"phi": phi, "s": s}
     for option, value in asked.items():
         if value is not None and option != kind:
-            raise PlanesError(
-                Phrase("option_misfit", option=option, file=scene.file, why=Phrase("driver_by", kind=kind))
-            )
+            why = Phrase("driver_by", kind=kind)
+            raise PlanesError(Phrase("option_misfit", option=option, file=scene.file, why=why))
     return asked[kind]
 
 
@@ -164,7 +164,7 @@ def sheet(
     values = None if at is None else [float(at)]
     drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
     if output is not None:
-        write(drawn, Path(output), lang)
+        drawn.write(output)
     return drawn
 
 

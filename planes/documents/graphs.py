@@ -5,11 +5,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING
 
+import numpy
+
+from planes.diagrams.curves import Curve, CycleVector, Sample, arrows_of, curves_of
+from planes.diagrams.graphical_text import constructed
+from planes.diagrams.motion import Runs
+from planes.diagrams.turn import turn_of, unwound
 from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array
 from planes.plans import Plans
+from planes.plans.alignment import aligned
 from planes.scene import Scene
 from planes.solving import Position
 from planes.words import Phrase, say
@@ -19,11 +25,9 @@ from planes.words.names import letter_of
 from render.sheet.composer import Composer
 from render.sheet.single import LETTER_MM, Makers
 from render.views import View, view
-from render.views.diagrams import DiagramCurve
-from render.views.hodograph import Hodograph
-
-if TYPE_CHECKING:
-    from planes.diagrams.curves import Curve, CycleVector, Sample
+from render.views.alignment import alignment_view
+from render.views.diagrams import DiagramCurve, Hodograph
+from render.views.graphical import Graphical
 
 STATIONS = 12
 SHOWN = ("diagrams", "hodographs")
@@ -36,42 +40,30 @@ def over_cycle(
     names, loops = (asked(scene.sheet, key) for key in SHOWN)
     if not names and not loops:
         return (), ()
-    from planes.diagrams.motion import Runs
-    from planes.diagrams.turn import turn_of
-
     turn = turn_of(plans, names, loops, scene.file)
     runs = Runs(plans, min(angles), max(angles))
     pieces, at = [(p, turn.sample(p)) for p in runs.pieces()], turn.sample(runs.read_stations())
     curves = tuple(_curve(c, pieces, naming) for c in turn.curves)
-    found = tuple(
-        Hodograph(lettered_curve(a.name, naming), a.unit, known(joined(pieces, a)[1]), known(a.read(at)))
-        for a in turn.arrows
-    )
-    return curves, found
+    found = ((a, lettered_curve(a.name, naming)) for a in turn.arrows)
+    return curves, tuple(Hodograph(n, a.unit, known(joined(pieces, a)[1]), known(a.read(at))) for a, n in found)
 
 
 def check_names(scene: Scene, plans: Plans | None) -> None:
     """Whether there is every diagram and hodograph that ``sheet:`` names, on whichever sheet they are drawn."""
-    for key in SHOWN:
-        names = asked(scene.sheet, key)
+    for key, names in ((key, asked(scene.sheet, key)) for key in SHOWN):
+        line = scene.where.get(("sheet", key))
         if names and plans is None:
-            why = Phrase("cycle_no_mechanism", file=f"sheet.{key}")
-            raise SceneError(why, scene.file, scene.where.get(("sheet", key)))
+            raise SceneError(Phrase("cycle_no_mechanism", file=f"sheet.{key}"), scene.file, line)
         if names and plans:
-            from planes.diagrams.curves import arrows_of, curves_of
-
             there: Mapping[str, object] = curves_of(plans) if key == "diagrams" else arrows_of(plans)
             for n, name in enumerate(names):
                 if name not in there:
-                    line = scene.where.get(("sheet", key, str(n)), scene.where.get(("sheet", key)))
                     why = Phrase("no_curve", name=name, file=f"sheet.{key}", valid=choices(name, there))
-                    raise SceneError(why, scene.file, line)
+                    raise SceneError(why, scene.file, scene.where.get(("sheet", key, str(n)), line))
 
 
 def joined(pieces: Sequence[tuple[Array, Sample]], curve: Curve | CycleVector) -> tuple[Array, Array]:
     """A curve's runs as one row of places and one of values, with nothing between them."""
-    import numpy
-
     x = numpy.concatenate([part for places, _ in pieces for part in (places, places[-1:])][:-1])
     rows = [curve.read(sample) + numpy.zeros(len(places)) for places, sample in pieces]
     return x, numpy.concatenate([part for row in rows for part in (row, [numpy.nan])][:-1])
@@ -79,8 +71,6 @@ def joined(pieces: Sequence[tuple[Array, Sample]], curve: Curve | CycleVector) -
 
 def _curve(curve: Curve, pieces: Sequence[tuple[Array, Sample]], naming: Naming) -> DiagramCurve:
     """A curve as the sheet draws it; an angle is unwound."""
-    from planes.diagrams.turn import unwound
-
     places, values = joined(pieces, curve)
     if curve.angular:
         values = unwound(values)
@@ -104,9 +94,6 @@ def constructions(
     scene: Scene, composer: Composer, sections: int = STATIONS, pole_mm: float | None = None
 ) -> list[View]:
     """Both graphical constructions of the driven link's motion."""
-    from planes.diagrams.graphical_text import constructed
-    from render.views.graphical import Graphical
-
     found = []
     for one in constructed(scene, sections, pole_mm):
         title = say(one.kind, composer.lang, link=composer.naming.link(one.motion.link))
@@ -122,9 +109,6 @@ def views_beside(scene: Scene, drawn: Position, composer: Composer) -> Makers:
         return next(v for v in constructions(scene, composer) if v.key == kind)
 
     def alignment() -> View:
-        from planes.plans.alignment import aligned
-        from render.views.alignment import alignment_view
-
         title = say("self_aligning", composer.lang)
         return alignment_view(drawn, aligned(drawn.plans, scene.file), composer.naming, title, LETTER_MM)
 

@@ -41,20 +41,19 @@ class Lesson:
 
 def write_lesson(scene: Scene, output: str, lang: Lang) -> None:
     """The lesson of a scene as one page; :class:`PlanesError`, and no file, if it cannot be."""
-    path = Path(output)
-    if path.suffix.lower() not in (".html", ".htm"):
+    if Path(output).suffix.lower() not in (".html", ".htm"):
         raise PlanesError(Phrase("lesson_suffix", file=output))
     with bar() as step:
         text = page(lesson_data(scene, step), lang)
-    keep(text.encode(), path)
+    keep(text.encode(), output)
 
 
 def write_note(scene: Scene, values: list[float] | None, output: str, lang: Lang) -> None:
     """The note of one position in the format of the file's suffix."""
-    path = Path(output)
-    if path.suffix.lower() not in SUFFIXES:
+    suffix = Path(output).suffix.lower()
+    if suffix not in SUFFIXES:
         raise PlanesError(Phrase("note_suffix", file=output))
-    keep(note(scene, values, path.suffix.lower(), lang), path)
+    keep(note(scene, values, suffix, lang), output)
 
 
 def note(scene: Scene, values: list[float] | None, suffix: str, lang: Lang) -> bytes:

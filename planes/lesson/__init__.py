@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
+from typing import TypeVar
 
 from planes.drafting import steps as s
 from planes.drafting.draft import Moments
@@ -16,19 +17,19 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
-from planes.lesson.formulas import SLOT, number, paper, unit, value
-from planes.lesson.moments import moment_words
-from planes.lesson.steps import Names, Said, StepWords, whole
+from planes.lesson.formulas import SLOT, formula, number, slot, unit
+from planes.lesson.steps import Names, Said, StepWords, moment_words, whole
 from planes.plans import Plans
 from planes.words import Lang, decimal, say
 from planes.words.names import POLE, at, force_plan, kind_of, label_of, lettered, mu_of, plan_of
 from planes.words.units import mu_text
 
 NOTHING: Names = {}
+One = TypeVar("One")
 LANGS: tuple[Lang, ...] = ("ru", "en")
 
 
-def in_both(told: Callable[[Lang], str]) -> dict[Lang, str]:
+def in_both(told: Callable[[Lang], One]) -> dict[Lang, One]:
     """What is told, in either language."""
     return {lang: told(lang) for lang in LANGS}
 
@@ -67,14 +68,16 @@ class Teller:
         marks = [x for x in drawing.program.steps if x.kind == "mark" and x.makes not in self.trials]
         self.ends = {shown_on(x): x.makes for x in marks if kind_of(shown_on(x)) == "force"}  # the last mark of each
         self.still = {p for p in ("velocity", "acceleration") if p in plans.drawn and self.stands(p)}
+        self.words = StepWords(plans, drawing, self.made)
 
     def frames(self) -> list[Frame]:
         """All frames, in the order of the drawing."""
         put: list[s.Step] = [step for step in self.drawing.program.steps if isinstance(step, s.Put) and step.at]
-        found = [self.fixed(put)] if put else []
+        fixed: Names = {"names": ", ".join(f"⟨{lettered(p.makes)}⟩" for p in put)}
+        found = [self.frame("fixed", "position", tuple(p.makes for p in put), names=fixed)] if put else []
         readings: list[s.Step] = []
         for step in self.drawing.program.steps:
-            if step.kind == "value" and self.tells(step):
+            if step.makes in self.moments or step.makes in self.rates:
                 readings.append(step)
             if step in put or step.makes in self.trials or not self.shown(step):
                 continue
@@ -99,15 +102,6 @@ class Teller:
             return False
         return isinstance(step, s.Touch) or step.kind == "mark"
 
-    def tells(self, step: s.Step) -> bool:
-        """Whether a value is told: angular rates, moment equations, balancing loads."""
-        return step.makes in self.moments or step.makes in self.rates
-
-    def fixed(self, put: list[s.Step]) -> Frame:
-        """The fixed points together."""
-        names = ", ".join(f"⟨{lettered(p.makes)}⟩" for p in put)
-        return self.frame("fixed", "position", tuple(p.makes for p in put), names={"names": names})
-
     def frame(
         self,
         key: str,
@@ -121,8 +115,7 @@ class Teller:
     ) -> Frame:
         """A frame with its words in both languages; what is callable is asked per language."""
         index, found = self.equation_of(plan, makes)
-        kind = "velocity" if plan == "lever" else kind_of(plan)
-        names = {**names, "mu": partial(mu_said, self.scales[mu_of(plan)], kind)}
+        names = {**names, "mu": partial(mu_said, self.scales[mu_of(plan)], plan)}
 
         def told(lang: Lang) -> str:
             return say(f"lesson_{key}", lang, **{k: v(lang) if callable(v) else v for k, v in names.items()})
@@ -145,8 +138,7 @@ class Teller:
         read = dict.fromkeys(name for name, kind in step.reads() if kind == "mark" and name not in self.trials)
         uses = tuple(name for name in read if plan_of(name) != "motion")
         names: Names = {f: lettered(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
-        words = StepWords(self.plans, self.drawing, self.made)
-        key, reason, more = words.of(step)
+        key, reason, more = self.words.of(step)
         makes = () if isinstance(step, s.Touch) else (step.makes,)
         names = {**names, "end": lettered(step.makes), **more}
         return self.frame(key, shown_on(step), makes, uses, reason, names=names)
@@ -165,22 +157,24 @@ class Teller:
         plan = next((f.plan for f in reversed(before) if f.plan in ("velocity", "acceleration")), "velocity")
         index = next((f.equation for f in reversed(before) if f.plan == plan and f.equation is not None), None)
         solved = self.plans.equations[index] if index is not None else None
-        names = self.sought(solved) if solved else []
-        words = StepWords(self.plans, self.drawing, self.made)
+        return self.read_off("measured", plan, self.sought(solved) if solved else [], rates)
+
+    def read_off(self, key: str, plan: str, names: list[str], rates: list[Calculate]) -> Frame:
+        """Segments of a plan measured, and rates with their formula and sense."""
 
         def told(lang: Lang) -> str:
             parts = [self.reading(n, plan, lang) for n in names]
-            return "; ".join(parts + [words.rate(r, lang) for r in rates])
+            return "; ".join(parts + [f"{formula(r, lang)} ({slot(r.makes, 's')})" for r in rates])
 
         uses = tuple(dict.fromkeys(m for n in names for m in self.span(n, plan)))
-        return self.frame("measured", plan, uses=uses, terms=tuple(names), names={"readings": told})
+        return self.frame(key, plan, uses=uses, terms=tuple(names), names={"readings": told})
 
     def sought(self, equation: Equation) -> list[str]:
         """Vectors whose lengths an equation gives: its unknown terms and its total."""
         names = [whole(equation, t.name) for t in equation.terms if not t.drawn and t.length is None]
         return list(dict.fromkeys([*names, *([equation.total] if equation.total else [])]))
 
-    def span(self, name: str, plan: str) -> tuple[str, ...]:
+    def span(self, name: str, plan: str) -> tuple[str, str] | tuple[()]:
         """The ends of the segment of that name."""
         found = next((x for x in self.plans.segments if x.name == name and x.plan == plan and x.start != x.end), None)
         return (at(plan, found.start), at(plan, found.end)) if found else ()
@@ -190,9 +184,9 @@ class Teller:
         span = self.span(name, plan)
         if not span:
             return f"⟨{name}⟩ = 0"
-        read = f"‖{name}‖"
-        self.spans[read] = (span[0], span[1], mu_of(plan))
-        names = {"mm": paper(read, mu_of(plan)), "mu": number(self.scales[mu_of(plan)], lang), "value": value(read)}
+        read, mu = f"‖{name}‖", mu_of(plan)
+        self.spans[read] = (*span, mu)
+        names = {"mm": slot(read, "mm", mu), "mu": number(self.scales[mu], lang), "value": slot(read)}
         return say("lesson_reading", lang, name=name, unit=unit(name, lang), **names)
 
     def closing(self, plan: str) -> list[Frame]:
@@ -202,19 +196,16 @@ class Teller:
         if drive.kind == "s" and plan == force_plan(drive.link):
             names.append(self.plans.balancing)
         names = list(dict.fromkeys(names))
-        told = lambda lang: "; ".join(self.reading(n, plan, lang) for n in names)  # noqa: E731
-        uses = tuple(dict.fromkeys(m for n in names for m in self.span(n, plan)))
-        return [self.frame("closing", plan, uses=uses, terms=tuple(names), names={"readings": told})] if names else []
+        return [self.read_off("closing", plan, names, [])] if names else []
 
     def moment(self, step: s.Step) -> list[Frame]:
         """A moment equation with its numbers."""
-        index = self.moments[step.makes]
-        m: Moments = self.plans.moments[index]
         if not isinstance(step, Calculate):
             return []
-        plan = "lever" if m.links == ("lever",) else "position"
+        index = self.moments[step.makes]
+        m: Moments = self.plans.moments[index]
         key, names, terms = moment_words(m, step, self.cycle)
-        reason = "moments_lever" if plan == "lever" else "moments"
+        plan, reason = ("lever", "moments_lever") if m.links == ("lever",) else ("position", "moments")
         return [self.frame(key, plan, reason=reason, terms=terms, moments=index, names=names)]
 
 
@@ -223,9 +214,9 @@ def shown_on(step: s.Step) -> str:
     return plan_of(step.makes) or "position"
 
 
-def mu_said(mu: float, kind: str, lang: Lang) -> str:
-    """A scale as the language writes it."""
-    return decimal(mu_text(mu, kind, lang), lang)
+def mu_said(mu: float, plan: str, lang: Lang) -> str:
+    """The scale of a plan as the language writes it; the lever is drawn as velocities are."""
+    return decimal(mu_text(mu, "velocity" if plan == "lever" else kind_of(plan), lang), lang)
 
 
 def needed(frames: list[Frame]) -> list[str]:

@@ -28,7 +28,7 @@ from planes.plans.scales import scales
 from planes.scene import Scene
 from planes.words import Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
-from planes.words.names import at, kind_of, mu_of, plan_of
+from planes.words.names import at, mu_of, plan_of
 from planes.words.records import Json
 
 POSITIONS = 360
@@ -91,19 +91,14 @@ def _values(plans: Plans) -> tuple[list[float], int]:
 
 def _plan(plans: Plans, plan: str, mus: Mapping[str, float]) -> Json:
     """A plan with its scale, its title and the letters of the fixed points of the scheme that stand in its pole."""
-    kind = "velocity" if plan == "lever" else kind_of(plan)
     prime = {"velocity": "", "acceleration": "'"}.get(plan)
     fixed = [] if prime is None else [p.lower() + prime for p in pivots(plans.mechanism)]
     return {
         "key": plan,
-        "mu": in_both(partial(mu_said, mus[mu_of(plan)], kind)),
-        "title": in_both(lambda lang: _capital(say_plan(plan, lang))),
+        "mu": in_both(partial(mu_said, mus[mu_of(plan)], plan)),
+        "title": in_both(lambda lang: (told := say_plan(plan, lang))[:1].upper() + told[1:]),
         "fixed": fixed,
     }
-
-
-def _capital(text: str) -> str:
-    return text[:1].upper() + text[1:]
 
 
 def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
@@ -152,15 +147,9 @@ def _equation(plans: Plans, e: Equation) -> Json:
 
 
 def _term(plans: Plans, plan: str, t: Term) -> Json:
-    ends = (t.start, t.end) if t.sign > 0 else (t.end, t.start)
-    return {
-        "name": t.name,
-        "start": at(plan, ends[0]),
-        "end": at(plan, ends[1]),
-        "at": at(plan, t.end),
-        "action": _acted(plans, t),
-        "known": t.known,
-    }
+    start, end = (at(plan, label) for label in ((t.start, t.end) if t.sign > 0 else (t.end, t.start)))
+    own = {"name": t.name, "start": start, "end": end, "at": at(plan, t.end)}
+    return {**own, "action": _acted(plans, t), "known": t.known}
 
 
 def _acted(plans: Plans, t: Term) -> str:
@@ -195,13 +184,9 @@ def _turn(plans: Plans, cycle: Drawing, count: int) -> Json:
         full = numpy.broadcast_to(thing, (count,))
         return [None if not numpy.isfinite(v) else round(float(v), 2) + 0.0 for v in full]
 
-    marks: Json = {}
-    for step in cycle.program.steps:
-        trial = step.makes in cycle.program.trials
-        if step.kind == "mark" and not trial and plan_of(step.makes) != "motion":
-            marks[step.makes] = cycle[step.makes]
+    made = (s.makes for s in cycle.program.steps if s.kind == "mark" and s.makes not in cycle.program.trials)
     own = feet(plans, cycle)
-    marks |= own
+    marks = {m: cycle[m] for m in made if plan_of(m) != "motion"} | own
     angles = {d: numpy.degrees(numpy.angle(cycle[d])) for d in _directions(plans, cycle)}
     return {
         "marks": {n: [column(numpy.real(z)), column(numpy.imag(z))] for n, z in marks.items()},

@@ -35,34 +35,14 @@ def unit(name: str, lang: Lang) -> str:
     return say(key, lang) if key else ""
 
 
-def value(name: str) -> str:
-    """A slot for a value."""
-    return f"⟦v¦{name}⟧"
-
-
-def bracketed(name: str) -> str:
-    """A slot for a value inside a formula."""
-    return f"⟦b¦{name}⟧"
-
-
-def paper(name: str, mu: str) -> str:
-    """A slot for a length in millimetres of paper."""
-    return f"⟦mm¦{name}¦{mu}⟧"
-
-
-def sense(name: str) -> str:
-    """A slot for "clockwise" or "counter-clockwise"."""
-    return f"⟦s¦{name}⟧"
+def slot(name: str, how: str = "v", mu: str = "") -> str:
+    """A slot for a value; of a length in millimetres of paper, with the μ it is drawn at."""
+    return f"⟦{how}¦{name}{mu and f'¦{mu}'}⟧"
 
 
 def number(size: float, lang: Lang, digits: int = 4) -> str:
     """A number as the language writes it."""
     return decimal(quantity(size + 0.0, digits=digits, true_minus=True), lang)
-
-
-def millimetres(size: float, lang: Lang) -> str:
-    """A length on paper, to a tenth."""
-    return decimal(f"{abs(size):.1f}".removesuffix(".0"), lang)
 
 
 def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:
@@ -72,7 +52,7 @@ def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:
         how, name, mu = match.groups()
         size = read(name)
         if how == "mm":
-            return millimetres(size * read(mu), lang)
+            return decimal(f"{abs(size * read(mu)):.1f}".removesuffix(".0"), lang)
         if how == "s":
             return say("lesson_ccw" if size > 0 else "lesson_cw" if size < 0 else "lesson_still", lang)
         shown = number(size, lang)
@@ -89,7 +69,7 @@ def slots(text: str) -> set[str]:
 def formula(step: Calculate, lang: Lang) -> str:
     """``name = symbols = numbers = value unit``."""
     symbols, numbers = sides(step, lambda name: name)
-    return f"⟨{step.makes}⟩ = {symbols} = {numbers} = {value(step.makes)} {unit(step.makes, lang)}"
+    return f"⟨{step.makes}⟩ = {symbols} = {numbers} = {slot(step.makes)} {unit(step.makes, lang)}"
 
 
 def sides(
@@ -98,7 +78,7 @@ def sides(
     """The right side in letters (``shown`` names a value) and in numbers, multiplied by the value ``without``."""
     terms = [_clear(t, without) for i, t in enumerate(step.terms) if i not in drop]
     letters = _sum([_product(t, lambda n: f"⟨{shown(n)}⟩") for t in terms])
-    return letters, _sum([_product(t, bracketed) for t in terms])
+    return letters, _sum([_product(t, lambda n: slot(n, "b")) for t in terms])
 
 
 def _clear(term: Product, without: str) -> Product:

@@ -6,7 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import groupby
+from itertools import count, groupby
 
 from planes.lesson import Frame, Teller, mu_said, value_of
 from planes.lesson.formulas import fill, number, unit
@@ -21,6 +21,7 @@ from planes.words import Lang, decimal, say
 from planes.words.names import kind_of, links_of, mu_of, parts_of
 
 NOISE = 1e-12
+LETTERS = ("l", "e", "m", "J", "g", "omega", "epsilon", "f")  # of what is given, beside loads
 
 
 @dataclass
@@ -50,12 +51,11 @@ class Note:
             self.tables += 1
             yield DocumentTable(self.say("note_table", number=self.tables, title=self.say(key)), (head, *rows))
 
-    def figure(self, key: str, title: str) -> Figure:
-        self.figures += 1
-        return Figure(self.drawn(key), self.say("note_figure", number=self.figures, title=title))
-
-    def drawn(self, key: str) -> DrawnViews:
-        return DrawnViews(self.scene, self.position, ((key,),))
+    def figure(self, key: str, title: str = "") -> Figure:
+        """A view, numbered where it has a title."""
+        self.figures += bool(title)
+        caption = self.say("note_figure", number=self.figures, title=title) if title else ""
+        return Figure(DrawnViews(self.scene, self.position, ((key,),)), caption)
 
     def opening(self) -> Iterator[Block]:
         """Title, task and given numbers."""
@@ -67,11 +67,9 @@ class Note:
         where = f"{'φ' if drive.kind == 'phi' else 's'} = {decimal(where, self.lang)}"
         yield Paragraph(self.say("note_task", title=title, drive=where))
         acting = {n for n, m in plans.means.items() if m.quantity in ("load", "couple")}
-        rows = []
-        for name, size in plans.given.items():
-            shown = name in acting or parts_of(name)[0] in ("l", "e", "m", "J", "g", "omega", "epsilon", "f")
-            if shown and not isinstance(size, complex) and "°" not in name:
-                rows.append((f"⟨{name}⟩", number(float(size), self.lang), unit(name, self.lang)))
+        plain = {n: size for n, size in plans.given.items() if not isinstance(size, complex) and "°" not in n}
+        shown = {n: float(size) for n, size in plain.items() if n in acting or parts_of(n)[0] in LETTERS}
+        rows = [(f"⟨{n}⟩", number(size, self.lang), unit(n, self.lang)) for n, size in shown.items()]
         head = (self.say("quantity"), self.say("value"), self.say("note_unit"))
         yield from self.table("note_given_table", head, rows)
 
@@ -86,15 +84,12 @@ class Note:
 
     def plans(self) -> Iterator[Block]:
         """Every plan with its equations, its steps in words, and its figure."""
-        seen = 0
+        numbers = count(1)
         for plan, frames in groupby(self.placed(), key=lambda pair: pair[0]):
-            held = [f for _, f in frames]
             yield Heading(self.heading(plan))
             if plan not in ("position", "lever"):
-                yield Figure(self.drawn(f"equations {plan}"))
-            for frame in held:
-                seen += 1
-                yield self.prose(frame, seen)
+                yield self.figure(f"equations {plan}")
+            yield from [self.prose(frame, next(numbers)) for _, frame in frames]
             if plan != "lever":
                 yield self.figure("scheme" if plan == "position" else plan, self.caption(plan))
             else:
@@ -102,13 +97,12 @@ class Note:
         if not any(kind_of(f.plan) == "force" for f in self.frames):
             yield Paragraph(self.say("note_no_forces"))
 
-    def placed(self) -> list[tuple[str, Frame]]:
+    def placed(self) -> Iterator[tuple[str, Frame]]:
         """Frames with the plan they are told under: a moment equation under the plan it serves."""
-        found, here = [], "position"
+        here = "position"
         for frame in self.frames:
             here = here if frame.moments is not None and frame.plan == "position" else frame.plan
-            found.append((here, frame))
-        return found
+            yield here, frame
 
     def heading(self, plan: str) -> str:
         if kind_of(plan) != "force":
@@ -117,7 +111,7 @@ class Note:
         return self.say("note_group" if len(links) > 1 else "note_driver", links=", ".join(links))
 
     def caption(self, plan: str) -> str:
-        mu = mu_said(self.position.scales[mu_of(plan)], kind_of(plan), self.lang)
+        mu = mu_said(self.position.scales[mu_of(plan)], plan, self.lang)
         if plan == "position":
             return self.say("note_scheme", mu=mu)
         return self.say("note_plan", plan=say_plan(plan, self.lang), mu=mu)
@@ -161,10 +155,8 @@ class Note:
         """Size and direction."""
         if found is None:
             return "—", "—"
-        z = found.vector
-        if abs(z) <= 1e-9:
-            return "0", "—"
-        return number(abs(z), self.lang), number(round(math.degrees(cmath.phase(z)), 1), self.lang)
+        size, angle = abs(found.vector), math.degrees(cmath.phase(found.vector))
+        return (number(size, self.lang), number(round(angle, 1), self.lang)) if size > 1e-9 else ("0", "—")
 
     def number(self, found: Measured | None) -> str:
         return "—" if found is None else number(0.0 if abs(found.number) <= 1e-9 else found.number, self.lang)

@@ -28,7 +28,7 @@ from planes.lesson.formulas import slots
 from planes.plans import Plans
 from planes.words import Lang, say
 from planes.words.errors import PlanesError
-from planes.words.names import Meaning, kind_of, lettered, mu_of, plan_of
+from planes.words.names import Meaning, at, kind_of, lettered, mu_of, plan_of
 from planes.words.records import Json
 
 Said = dict[Lang, str]
@@ -70,13 +70,9 @@ class Practice:
     def tasks(self, progress: Callable[[int, int], None] | None = None) -> list[Json]:
         """One task for every frame that draws a mark a reader can draw."""
         wrongs = self.wrongs(progress)
-        found = []
-        for index, frame in enumerate(self.frames):
-            for mark in frame.makes[:1]:
-                task = self.task(mark, wrongs.get(mark, []))
-                if task and frame.key != "fixed":
-                    found.append({"frame": index, "mark": mark, **task})
-        return found
+        asked = [(k, f.makes[0]) for k, f in enumerate(self.frames) if f.makes and f.key != "fixed"]
+        tasks = ((k, mark, self.task(mark, wrongs.get(mark, []))) for k, mark in asked)
+        return [{"frame": k, "mark": mark, **task} for k, mark, task in tasks if task]
 
     def wrongs(self, progress: Callable[[int, int], None] | None) -> dict[str, list[Wrong]]:
         """The wrong places of every mark, by drawing every variant of the catalogue."""
@@ -88,9 +84,8 @@ class Practice:
             wanted = [s.makes for s in self.plans.program.steps if plan_of(s.makes) == plan]
             ways = PlanSteps(self.plans, self.plans.program.sliced(wanted), plan)
             for variant in self.variants(ways):
-                wrong = self.drawn(ways, variant)
-                if wrong:
-                    found[f"{plan}:{variant.blames}"].append(wrong)
+                if wrong := self.drawn(ways, variant):
+                    found[at(plan, variant.blames)].append(wrong)
         return found
 
     def mu(self, plan: str) -> float:
@@ -106,13 +101,11 @@ class Practice:
 
     def drawn(self, ways: PlanSteps, variant: Variant) -> Wrong | None:
         """Where the mark a mistake is blamed at would be; None if nothing can be told apart there."""
-        mark = f"{ways.plan}:{variant.blames}"
+        mark = at(ways.plan, variant.blames)
         swap = variant.swaps.get(mark, (self.steps[mark],))
         start = next((s.start for s in (swap[-1], self.steps[mark]) if isinstance(s, LayOff)), mark)
         told = [n for n in self.told.get(mark, ()) if n in self.drawing]
-        steps: list[Step] = []
-        for step in ways.program.steps:
-            steps += variant.swaps.get(step.makes, (step,))
+        steps = [own for step in ways.program.steps for own in variant.swaps.get(step.makes, (step,))]
         try:
             program = Program(tuple(steps)).sliced([mark, start, *(n for n in told if n in self.steps)])
             there = run(program, {**self.given, **variant.givens})
@@ -122,11 +115,8 @@ class Practice:
         if not cmath.isfinite(place) or abs(place - self.drawing[mark]) < APART_MM:
             return None
         untold = any(abs(abs(there[n]) - abs(self.drawing[n])) > 1e-6 * abs(self.drawing[n]) for n in told)
-        names = {
-            "mark": variant.blames,
-            "line": self.plans.means[along].line if (along := getattr(self.steps[mark], "along", "")) else "",
-            **variant.about,
-        }
+        along = getattr(self.steps[mark], "along", "")
+        names = {"mark": variant.blames, "line": self.plans.means[along].line if along else "", **variant.about}
         shown = {**dict.fromkeys(PARTS, ""), **{k: f"⟨{str(v).lstrip('°')}⟩" if v else "" for k, v in names.items()}}
         said = in_both(lambda lang: say(f"mistake_{variant.mistake}", lang, **shown))
         own = swap[-1] if mark in variant.swaps else None
@@ -205,8 +195,8 @@ def _places(wrongs: list[Wrong]) -> list[Json]:
     """Wrong places, each once for a mistake."""
     found: dict[tuple[float, float, str], Json] = {}
     for w in wrongs:
-        at = round(w.place.real, 1), round(w.place.imag, 1)
-        found.setdefault((*at, w.mistake), {"at": list(at), **w.slip})
+        place = round(w.place.real, 1), round(w.place.imag, 1)
+        found.setdefault((*place, w.mistake), {"at": list(place), **w.slip})
     return list(found.values())
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import chain, permutations
 
 import numpy
@@ -25,26 +25,17 @@ def scheme(plans: Plans, cycle: Drawing) -> Json:
     """Links by their points, guides by a mark and a direction, sliders."""
     m = plans.mechanism
     moving = [p for x in m.links.values() for p in x.points]
-    links = [
-        {
-            "name": x.name,
-            "points": [at("position", p) for p in x.points],
-            "hinges": [at("position", p) for p in x.points if moving.count(p) > 1 or p in m.frame.points],
-            "slides": x.slides.guide if x.slides else None,
-        }
-        for x in m.links.values()
-    ]
-    guides = [
-        {
-            "name": g.name,
-            "link": link.name,
-            "mark": (mark := at("position", g.through_point or f"°{g.name}")),
-            "reach": _reach(plans, cycle, g.name, mark),
-        }
-        for link in (m.frame, *m.links.values())
-        for g in link.guides.values()
-        if at("position", g.through_point or f"°{g.name}") in cycle
-    ]
+    links, guides = [], []
+    for x in m.links.values():
+        hinges = [at("position", p) for p in x.points if moving.count(p) > 1 or p in m.frame.points]
+        own = {"name": x.name, "points": [at("position", p) for p in x.points], "hinges": hinges}
+        links.append({**own, "slides": x.slides.guide if x.slides else None})
+    for link in (m.frame, *m.links.values()):
+        for g in link.guides.values():
+            mark = at("position", g.through_point or f"°{g.name}")
+            if mark in cycle:
+                reach = _reach(plans, cycle, g.name, mark)
+                guides.append({"name": g.name, "link": link.name, "mark": mark, "reach": reach})
     fixed = [at("position", p) for p in pivots(m)]
     return {"links": links, "guides": guides, "pivots": fixed, "driver": m.drive.link, "frame": FRAME}
 
@@ -74,36 +65,33 @@ def arms(plans: Plans) -> list[Json]:
     found = []
     for m in plans.moments:
         plan = "lever" if m.links == ("lever",) else "position"
-        forces = _forces(m, steps) + _unknown(plans, m, steps)
+        forces = [*_forces(m, steps), *_unknown(plans, m, steps)]
         found.append({"about": at(plan, m.about), "plan": plan, "links": list(m.links), "forces": forces})
     return found
 
 
-def _forces(m: Moments, steps: dict[str, Step]) -> list[Json]:
-    found = []
+def _forces(m: Moments, steps: dict[str, Step]) -> Iterator[Json]:
     equation = steps.get(m.unknown)
     terms = equation.terms if isinstance(equation, Calculate) else ()
     for (name, arm), term in zip(m.terms, terms, strict=False):
         drop = steps.get(arm)
         if isinstance(drop, Drop):
             own = {"name": name, "mark": drop.point, "along": drop.along, "size": term.factors[0][0]}
-            found.append({**own, "foot": _foot(arm, drop)})
-    return found
+            yield {**own, "foot": _foot(arm, drop)}
 
 
 def _foot(arm: str, drop: Drop) -> str:
     return at(plan_of(drop.point), f"⊥{arm}")
 
 
-def _unknown(plans: Plans, m: Moments, steps: dict[str, Step]) -> list[Json]:
+def _unknown(plans: Plans, m: Moments, steps: dict[str, Step]) -> Iterator[Json]:
     """The tangential reaction a moment equation is solved for."""
     laid = next((s for s in steps.values() if isinstance(s, LayOff) and s.length == m.unknown), None)
     letter, index, _ = parts_of(m.unknown)
     reaction = plans.reactions.get(f"{letter}_{index}")
-    if laid is None or reaction is None:
-        return []
-    mark = at("position", reaction.pair.point)
-    return [{"name": m.unknown, "mark": mark, "along": laid.along, "size": m.unknown, "foot": None}]
+    if laid and reaction:
+        mark = at("position", reaction.pair.point)
+        yield {"name": m.unknown, "mark": mark, "along": laid.along, "size": m.unknown, "foot": None}
 
 
 def feet(plans: Plans, cycle: Drawing) -> dict[str, Points]:

@@ -1,15 +1,18 @@
-"""The words of one drafting step: what is done, along what, with which numbers, and why."""
+"""The words of one drafting step, and of a moment equation: what is done, with which numbers, and why."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
+import numpy
+
 from planes.drafting import steps as s
+from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps.reckoning import Calculate, Choose, Measure
-from planes.lesson.formulas import formula, number, paper, sense, unit, value
+from planes.drafting.steps.reckoning import Calculate, Choose, Measure, Product
+from planes.lesson.formulas import formula, number, sides, slot, unit
 from planes.plans import Plans
 from planes.words import Lang, say
 from planes.words.names import Meaning, kind_of, label_of, lettered, plan_of
@@ -41,9 +44,9 @@ class StepWords:
                 names: Names = {"action": self.action(step.along), "across": self.action(step.across)}
                 return "cross", self.crossing(step.makes), names
             case s.CrossArc():
-                return "arc", "arc", {"action": self.action(step.along), "radius_mm": paper(step.radius, step.mu)}
+                return "arc", "arc", {"action": self.action(step.along), "radius_mm": slot(step.radius, "mm", step.mu)}
             case s.CrossArcs():
-                radii = paper(step.radius, step.mu), paper(step.other_radius, step.mu)
+                radii = slot(step.radius, "mm", step.mu), slot(step.other_radius, "mm", step.mu)
                 return "arcs", "arcs", {"radius_mm": radii[0], "other_mm": radii[1]}
             case s.Similar():
                 return self.similar(step)
@@ -76,16 +79,9 @@ class StepWords:
         """A figure on the segment of two points; or, from a mark that is neither, a vector that is to the segment as
         on the scheme."""
         key = "image" if step.start == step.image[0] else "carried_image"
-        marks = {
-            "start": step.start,
-            "first": step.image[0],
-            "second": step.image[1],
-            "one": step.like[0],
-            "two": step.like[1],
-            "from": step.of[0],
-            "own": step.of[1],
-        }
-        names: Names = {k: lettered(m) for k, m in marks.items()}
+        marks = (step.start, *step.image, *step.like, *step.of)
+        said = "start", "first", "second", "one", "two", "from", "own"
+        names: Names = dict(zip(said, map(lettered, marks), strict=True))
         reason = "similar" if key == "image" else lambda lang: say(f"why_{key}", lang, **names)
         return key, reason, names
 
@@ -101,16 +97,11 @@ class StepWords:
         """Why the lines that cross at a mark have their directions."""
         plan, label = plan_of(mark), label_of(mark)
         kind = kind_of(plan)
-        terms = [
-            t
-            for e in self.plans.equations
-            if e.plan == plan
-            for t in e.terms
-            if t.end == label and t.direction and not t.length and not t.drawn
-        ]
+        there = [(t, whole(e, t.name)) for e in self.plans.equations if e.plan == plan for t in e.terms]
+        terms = [t for t, _ in there if t.end == label and t.direction and not t.length and not t.drawn]
         if kind == "position" or not terms:
             return "cross_position"
-        named = {t.name: whole(e, t.name) for e in self.plans.equations if e.plan == plan for t in e.terms}
+        named = {t.name: name for t, name in there}
         return lambda lang: "; ".join(dict.fromkeys(self.reason(t, named[t.name], kind, lang) for t in terms)) + "."
 
     def reason(self, term: Term, name: str, kind: str, lang: Lang) -> str:
@@ -121,11 +112,11 @@ class StepWords:
     def lay_off(self, step: s.LayOff) -> Words:
         """A known vector: with the formula of its length where it was calculated."""
         kind = kind_of(step.makes)
-        mm = paper(step.length, step.mu)
+        mm = slot(step.length, "mm", step.mu)
         named: Names = {"mm": mm, "way": lambda lang: way(self.plans.means[step.along], lang)}
         source = self.made.get(step.length)
         name = self.vector(step)
-        shown: Names = {**named, "name": name, "value": value(step.length), "unit": lambda lang: unit(name, lang)}
+        shown: Names = {**named, "name": name, "value": slot(step.length), "unit": lambda lang: unit(name, lang)}
         if kind == "position":
             along = self.made[step.along]
             driven = isinstance(along, s.Turn) and along.of == f"x_{self.plans.mechanism.drive.link}"
@@ -150,10 +141,6 @@ class StepWords:
         segments = [x.name for x in self.plans.segments if x.plan == plan and x.end == label]
         return (terms or segments or [label])[0]
 
-    def rate(self, step: Calculate, lang: Lang) -> str:
-        """An angular rate with its formula and its sense."""
-        return f"{formula(step, lang)} ({sense(step.makes)})"
-
 
 def whole(equation: Equation, name: str) -> str:
     """The name a term is told by: what a point does against a guide of the frame is its own vector."""
@@ -165,10 +152,8 @@ def whole(equation: Equation, name: str) -> str:
 
 def way(direction: Meaning, lang: Lang) -> str:
     """How a vector is laid off, in words."""
-    line = direction.line
-    return say(
-        f"lesson_way_{direction.quantity}", lang, line=line, vector=line, one=direction.of, other=direction.about
-    )
+    d, line = direction, direction.line
+    return say(f"lesson_way_{d.quantity}", lang, line=line, vector=line, one=d.of, other=d.about)
 
 
 def _kind_of_vector(step: s.LayOff, kind: str, source: Calculate) -> str:
@@ -180,3 +165,48 @@ def _kind_of_vector(step: s.LayOff, kind: str, source: Calculate) -> str:
     if step.quantity == "normal":
         return "normal" if any(power < 0 for _, power in source.terms[0].factors) else "normal_w"  # v²/l, ω²l
     return "coriolis" if step.quantity == "coriolis" else "tangential"
+
+
+NOISE = 1e-9  # of the largest term: nothing
+
+
+def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Names, tuple[str, ...]]:
+    """The key of the sentence, what it says, and the forces it is about."""
+    dropped = nothing(step, cycle)
+    terms = tuple(name for i, (name, _) in enumerate(m.terms) if i not in dropped)
+    names: Names = {"about": lettered(m.about), "links": lambda lang: _links(m, lang)}
+    if len(dropped) == len(step.terms):
+        force = step.means.of if step.means else m.unknown
+        return "moments_none", {**names, "force": force}, (force,)
+    # every term is divided by the arm of what is sought; a size that stands for a force has its name on this link
+    over = next((name for name, power in step.terms[0].factors if power == -1), "")
+    forces = {term.factors[0][0]: force for (force, _), term in zip(m.terms, step.terms, strict=False)}
+    letters, numbers = sides(step, lambda name: forces.get(name, name), over, dropped)
+    found, lead = f"⟨{m.unknown}⟩", f"; ⟨{m.unknown}⟩" if over else ""
+    more: Names = {
+        "head": f"{found} · ⟨{over}⟩" if over else found,
+        "letters": letters,
+        "numbers": numbers,
+        "result": lambda lang: f"{lead} = {slot(m.unknown)} {unit(m.unknown, lang)}",
+    }
+    return "moments", {**names, **more}, (*terms, m.unknown) if m.arm else terms
+
+
+def nothing(step: Calculate, cycle: Drawing) -> frozenset[int]:
+    """Which terms are nothing beside the largest, in every position."""
+    sizes = [_largest(term, cycle) for term in step.terms]
+    most = NOISE * max(sizes, default=0.0)
+    return frozenset(i for i, size in enumerate(sizes) if size <= most)
+
+
+def _largest(term: Product, cycle: Drawing) -> float:
+    """How large a term becomes, but for what it is divided by."""
+    above = [numpy.asarray(cycle[name], float) ** power for name, power in term.factors if power > 0]
+    sizes = abs(term.coefficient * numpy.prod(numpy.broadcast_arrays(1.0, *above), axis=0))
+    return float(numpy.max(sizes, initial=0.0, where=numpy.isfinite(sizes)))
+
+
+def _links(m: Moments, lang: Lang) -> str:
+    if m.links == ("lever",):
+        return say("lesson_lever_of", lang)
+    return say("lesson_link" if len(m.links) == 1 else "lesson_links", lang, links=", ".join(m.links))

@@ -52,7 +52,7 @@ def _blunt(mark: str, least: float, lang: Lang) -> str:
 def _bad(cycle: Drawing, count: int) -> Booleans:
     """Which of the positions cannot be drawn."""
     bad = cycle.failed()
-    return numpy.zeros(count, bool) if bad is None else numpy.broadcast_to(bad, (count,))
+    return numpy.broadcast_to(False if bad is None else bad, (count,))
 
 
 def reasons(

@@ -22,6 +22,11 @@ def table(lang: Lang, file: str = "*") -> dict[str, str]:
     return {k: v for one in sorted(folder.glob(f"{file}.json")) for k, v in json.loads(one.read_text("utf-8")).items()}
 
 
+def under(prefix: str, lang: Lang, file: str = "*") -> dict[str, str]:
+    """Sentences whose keys begin alike, by the rest of the key."""
+    return {key.removeprefix(prefix): text for key, text in table(lang, file).items() if key.startswith(prefix)}
+
+
 class Phrase:
     """A sentence, or a part of one, not yet told in a language: a key of the table, its names and numbers.
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from importlib import import_module
+import sys
 
 
 class Pictured:
-    """Shown as its scheme or its plans. Who draws it stands floors above, so it is called by name when asked."""
+    """Shown as its scheme or its plans. Who draws them stands floors above: the face of the whole package knows."""
 
     def _repr_svg_(self) -> str | None:
-        shown: str | None = import_module("planes.documents").shown(self)
+        shown: str | None = sys.modules[__name__.partition(".")[0]].shown(self)
         return shown

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import io
+import re
+from pathlib import Path
 from typing import Any
 
 from matplotlib import rc_context
@@ -9,10 +12,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, MultipleLocator
 
+from planes.scene import files
 from planes.solving.document import Chart
 from planes.words import Lang
 from render.charts.strokes import Picture, StrokeRenderer
-from render.paper.numbers import decimal
+from render.paper.letters import decimal
 
 MM = 72 / 25.4
 LOOKS = (
@@ -50,10 +54,20 @@ def chart(shown: Chart, width_mm: float, lang: Lang) -> Picture:
         _frame(plot, shown, lang)
         for x, y, text in shown.notes:
             plot.plot([x], [y], "o", color="#000000", markersize=2.5)
-            plot.annotate(text, (x, y), (3, 3), textcoords="offset points", fontsize=7)
+            beside(plot, text, (x, y), (3, 3), fontsize=7)
         renderer = StrokeRenderer(width, height)
         figure.draw(renderer)
     return renderer.picture
+
+
+def beside(plot: Axes, text: str, place: tuple[float, float], by: tuple[float, float], **looks: Any) -> None:
+    """Words so many points beside a place."""
+    plot.annotate(text, place, by, textcoords="offset points", **looks)
+
+
+def leader(shift: float, least: float, width: float) -> dict[str, Any] | None:
+    """The thin line to words that stand far from what they name."""
+    return {"arrowstyle": "-", "color": "#888888", "linewidth": width} if abs(shift) > least else None
 
 
 def _frame(plot: Axes, axes: Chart, lang: Lang) -> None:
@@ -74,3 +88,22 @@ def _frame(plot: Axes, axes: Chart, lang: Lang) -> None:
     plot.yaxis.set_major_formatter(told)
     if any(c.label for c in axes.curves):
         plot.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=3.2)
+
+
+METADATA: dict[str, dict[str, None]] = {
+    ".png": {"Software": None},
+    ".svg": {"Date": None},
+    ".pdf": {"CreationDate": None},
+}
+NAME = re.compile(rb"\b[pmh][0-9a-f]{10}\b")  # of a clip, a marker or a hatch, made of numbers to the last bit
+
+
+def save(figure: Figure, path: Path) -> None:
+    """Write a figure; the names within an SVG are its own count, which rounding of the layout does not change."""
+    kind = path.suffix.lower()
+    out = io.BytesIO()
+    figure.savefig(out, format=kind[1:], metadata=METADATA[kind])
+    data, names = out.getvalue(), dict[bytes, bytes]()
+    if kind == ".svg":
+        data = NAME.sub(lambda m: names.setdefault(m[0], b"n%d" % (len(names) + 1)), data)
+    files.save(data, path)

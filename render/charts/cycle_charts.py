@@ -6,37 +6,31 @@ is the axis of the driver's angle, in degrees.
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
 from textwrap import fill
-from typing import Any, Protocol
+from typing import Any
 
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from planes.geometry.arrays import Array
-from planes.words import Lang
+from planes.diagrams.extremes import Extreme
+from planes.geometry.arrays import Array, Complexes
+from planes.words import Lang, say
 from planes.words.lettering import Naming, lettered_curve
-from render.charts import LOOKS, STYLE
-from render.charts.chart_files import save
-from render.charts.loops import SQUARE, Loop, draw_loop, math_text
-from render.paper.numbers import number, with_unit
+from planes.words.names import index_of, letter_of
+from render.charts import LOOKS, STYLE, beside, leader, save
+from render.paper.letters import number, with_unit
 
 LOOK: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path", "axes.grid": False}
 WIDE = 7.2  # inches
 TALL = 1.9  # of one pair of axes
 MARGIN = 0.17  # beneath the lowest ordinate, for the number there
-
-
-class Marked(Protocol):
-    @property
-    def place(self) -> float: ...
-    @property
-    def value(self) -> float: ...
 
 
 @dataclass(frozen=True)
@@ -45,7 +39,7 @@ class Panel:
 
     unit: str
     place: bool  # of a place, whose zero need not be seen
-    curves: Sequence[tuple[str, Sequence[tuple[Array, Array]], Sequence[Marked]]]
+    curves: Sequence[tuple[str, Sequence[tuple[Array, Array]], Sequence[Extreme]]]
 
 
 @dataclass(frozen=True)
@@ -97,8 +91,8 @@ def _panel(plot: Axes, panel: Panel, axis: DriveAxis, naming: Naming, first: boo
     for x in axis.stations:
         plot.axvline(x, color="#bbbbbb", linewidth=0.5, zorder=0)
     _frame(plot, panel, axis, naming)
-    if first:
-        _numbers(plot, axis)
+    for k, x in enumerate(axis.stations if first else ()):  # the numbers of the positions, along the upper edge
+        beside(plot, str(k), (x, 1), (0, 5), xycoords=plot.get_xaxis_transform(), ha="center", fontsize=8.5)
     if last:
         _degrees(plot, axis, lang)
     if many:
@@ -107,25 +101,21 @@ def _panel(plot: Axes, panel: Panel, axis: DriveAxis, naming: Naming, first: boo
 
 def _degrees(plot: Axes, axis: DriveAxis, lang: Lang) -> None:
     """The driver's angles along the lower edge."""
-    where: dict[str, Any] = {"xycoords": plot.get_xaxis_transform(), "textcoords": "offset points", "va": "top"}
+    where: dict[str, Any] = {"xycoords": plot.get_xaxis_transform(), "va": "top"}
     for x in axis.stations:
-        plot.annotate(number(_told(x, axis), lang), (x, 0), (0, -3), ha="center", fontsize=8.5, **where)
+        told = round(float(x), 1 if axis.turning else 3)
+        told = told % 360.0 if axis.end - axis.start > 359 else told  # an angle within one turn
+        beside(plot, number(told, lang), (x, 0), (0, -3), ha="center", fontsize=8.5, **where)
     letter = math_text(f"{'φ' if axis.turning else 's'}_{{{axis.link}}}")
     text = with_unit(letter, "°" if axis.turning else "m", lang)
-    plot.annotate(text, (axis.end, 0), (0, -16), ha="right", fontsize=10, **where)
-
-
-def _told(place: float, axis: DriveAxis) -> float:
-    """A place on the axis as it is written: an angle within one turn, to a tenth of a degree."""
-    told = round(float(place), 1 if axis.turning else 3)
-    return told % 360.0 if axis.end - axis.start > 359 else told
+    beside(plot, text, (axis.end, 0), (0, -16), ha="right", fontsize=10, **where)
 
 
 def _frame(plot: Axes, panel: Panel, axis: DriveAxis, naming: Naming) -> None:
     """Arrows at the ends of the axes, the quantity at the upper one."""
     low, high = plot.get_ylim()
-    beside = low > 0 or high < 0  # a place counted from afar: its axis stands beneath it
-    low, high = (low, high) if beside and panel.place else (min(low, 0.0), max(high, 0.0))
+    afar = low > 0 or high < 0  # a place counted from afar: its axis stands beneath it
+    low, high = (low, high) if afar and panel.place else (min(low, 0.0), max(high, 0.0))
     reach = high - low
     plot.set_ylim(low - MARGIN * reach, high + 0.3 * reach)
     plot.set_xlim(axis.start, axis.end + 0.03 * (axis.end - axis.start))
@@ -138,34 +128,13 @@ def _frame(plot: Axes, panel: Panel, axis: DriveAxis, naming: Naming) -> None:
     plot.plot(1, zero, ">", transform=plot.get_yaxis_transform(), **arrow)
     plot.plot(0, 1, "^", transform=plot.transAxes, **arrow)
     names = ", ".join(math_text(lettered_curve(name, naming)) for name, _, _ in panel.curves)
-    plot.annotate(
-        with_unit(names, panel.unit, naming.lang),
-        (0, 1),
-        (7, -2),
-        xycoords="axes fraction",
-        textcoords="offset points",
-        va="top",
-        fontsize=10,
-    )
+    told = with_unit(names, panel.unit, naming.lang)
+    beside(plot, told, (0, 1), (7, -2), xycoords="axes fraction", va="top", fontsize=10)
     plot.yaxis.set_major_formatter(lambda v, _: number(float(f"{v:.6g}"), naming.lang))
     plot.locator_params(axis="y", nbins=5)
 
 
-def _numbers(plot: Axes, axis: DriveAxis) -> None:
-    """Numbers of the positions along the upper edge."""
-    for k, x in enumerate(axis.stations):
-        plot.annotate(
-            str(k),
-            (x, 1),
-            (0, 5),
-            xycoords=plot.get_xaxis_transform(),
-            textcoords="offset points",
-            ha="center",
-            fontsize=8.5,
-        )
-
-
-def _extremes(plot: Axes, marked: Sequence[Marked], axis: DriveAxis, lang: Lang) -> None:
+def _extremes(plot: Axes, marked: Sequence[Extreme], axis: DriveAxis, lang: Lang) -> None:
     """Dots with the values, the greatest above its dot and the least beneath."""
     size = max((abs(m.value) for m in marked), default=0.0)
     for e in marked:
@@ -176,13 +145,99 @@ def _extremes(plot: Axes, marked: Sequence[Marked], axis: DriveAxis, lang: Lang)
         plot.plot([x], [e.value], "o", color="#000000", markersize=3, zorder=5)
         right = x > axis.start + 0.9 * (axis.end - axis.start)
         text = number(e.value if abs(e.value) > 1e-9 * size else 0.0, lang)
-        plot.annotate(
-            text,
-            (x, e.value),
-            (-4 if right else 4, 4 if top else -4),
-            textcoords="offset points",
-            ha="right" if right else "left",
-            va="bottom" if top else "top",
-            fontsize=8,
-            zorder=6,
-        )
+        looks: dict[str, Any] = {
+            "ha": "right" if right else "left",
+            "va": "bottom" if top else "top",
+            "fontsize": 8,
+            "zorder": 6,
+        }
+        beside(plot, text, (x, e.value), (-4 if right else 4, 4 if top else -4), **looks)
+
+
+SQUARE = 3.6  # of a hodograph
+
+
+@dataclass(frozen=True)
+class Loop:
+    """A hodograph or a path: complex places run by run, and those of the numbered positions."""
+
+    name: str
+    unit: str
+    runs: Sequence[Complexes]
+    stations: Complexes
+    closed: bool = True
+
+
+def math_text(text: str) -> str:
+    """A name for matplotlib to set."""
+    return f"${text}$"
+
+
+def draw_loop(plot: Axes, loop: Loop, naming: Naming) -> None:
+    """A curve in the plane, the pole of a hodograph at the origin, positions numbered."""
+    path = letter_of(loop.name) == "r"
+    runs = [*loop.runs, loop.runs[0][:1]] if loop.closed else loop.runs
+    for run in loop.runs:
+        plot.plot(run.real, run.imag, color="#000000", zorder=3)
+    for one, two in pairwise(runs):
+        ends = [one[-1].real, two[0].real], [one[-1].imag, two[0].imag]
+        plot.plot(*ends, color="#000000", linewidth=0.8, linestyle=(0, (3, 2)), zorder=2)
+    ink = [complex(z) for run in loop.runs for z in run[::4] if z == z]
+    if not path:
+        ink.append(0j)
+        plot.plot([0], [0], "+", color="#000000", markersize=9, zorder=4)
+    _square_axes(plot, loop, naming, path, ink)
+    _stations(plot, loop, ink)
+
+
+def _stations(plot: Axes, loop: Loop, ink: Sequence[complex]) -> None:
+    """Dots and numbers of the positions, each number where it touches neither the curve nor another number."""
+    (low, high), points = plot.get_xlim(), SQUARE * 72 * 0.72
+    scale = points / (high - low)  # points of paper per unit
+    places = [z * scale for z in ink]
+    taken: list[complex] = []
+    dots: list[complex] = []
+    for k, z in enumerate(loop.stations):
+        if z != z or any(abs(z - other) * scale < 0.5 for other in dots):
+            continue
+        dots.append(z)
+        plot.plot([z.real], [z.imag], "o", color="#000000", markersize=2.8, zorder=4)
+        offsets = [d * (1.3 if k > 9 else 1.0) for d in _OFFSETS]
+        shift = max(offsets, key=lambda d: _room(z * scale + d, places, taken) - 0.15 * abs(d))
+        taken.append(z * scale + shift)
+        looks: dict[str, Any] = {
+            "ha": "center",
+            "va": "center",
+            "fontsize": 8,
+            "arrowprops": leader(abs(shift), 12, 0.5),
+        }
+        beside(plot, str(k), (z.real, z.imag), (shift.real, shift.imag), **looks)
+
+
+_OFFSETS = [r * cmath.rect(1, math.pi / 6 * k) for r in (8, 14, 20) for k in range(12)]
+
+
+def _room(z: complex, ink: Sequence[complex], taken: Sequence[complex]) -> float:
+    """How far a number stands from the curve (7 points are enough) and from other numbers (11 are)."""
+    near = min((abs(z - other) for other in ink), default=99.0)
+    apart = min((abs(z - other) for other in taken), default=99.0)
+    return min(near, 7.0) + min(apart, 11.0)
+
+
+def _square_axes(plot: Axes, loop: Loop, naming: Naming, path: bool, ink: Sequence[complex]) -> None:
+    """Equal scales along both axes, and what they are."""
+    lang = naming.lang
+    name = index_of(loop.name) if path else lettered_curve(loop.name, naming)
+    key = "chart_path" if path else "chart_hodograph"
+    plot.set_title(say(key, lang, name=math_text(naming.point(name) if path else name)), fontsize=10)
+    plot.set_xlabel(with_unit(math_text("x"), loop.unit, lang))
+    plot.set_ylabel(with_unit(math_text("y"), loop.unit, lang))
+    xs, ys = [z.real for z in ink] or [0.0], [z.imag for z in ink] or [0.0]
+    half = 0.6 * max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0
+    x, y = (max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2
+    plot.set(xlim=(x - half, x + half), ylim=(y - half, y + half))
+    plot.set_aspect("equal")
+    plot.grid(True, linewidth=0.4, color="#dddddd")
+    for ax in (plot.xaxis, plot.yaxis):
+        ax.set_major_formatter(lambda v, _: number(float(f"{v:.6g}"), lang))
+    plot.locator_params(nbins=5)

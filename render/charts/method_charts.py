@@ -11,10 +11,10 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from planes.accuracy.methods import Method
 from planes.geometry.arrays import Array
 from planes.words import Lang, say
-from render.charts import STYLE
-from render.charts.chart_files import save
+from render.charts import STYLE, beside, leader, save
 
 INK = ("#000000", "#1f5fa8", "#c1440e", "#2f7d32", "#7a3b8f", "#8a6d00", "#777777", "#0f8b8d", "#d0307a")
 LOOK = {  # of a method: colour, marker, dashes
@@ -35,16 +35,6 @@ CHARTS: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttyp
 
 
 @dataclass(frozen=True)
-class MethodPoint:
-    """One method on the chart of speed: its key and number in words, seconds per position, relative error."""
-
-    key: str
-    number: str
-    seconds: float
-    error: float
-
-
-@dataclass(frozen=True)
 class MethodErrors:
     """Errors by method (with their ``names``), the claim and the sharpness, over distances to a limit; ``axis`` says
     what these are."""
@@ -61,8 +51,8 @@ class MethodErrors:
 def draw(
     path: Path,
     title: str,
-    spots: Sequence[MethodPoint],
-    front: Sequence[MethodPoint],
+    spots: Sequence[Method],
+    front: Sequence[Method],
     ways: MethodErrors | None,
     seconds: str,
     lang: Lang,
@@ -80,18 +70,12 @@ def draw(
         save(figure, path)
 
 
-def _speed(plot: Axes, spots: Sequence[MethodPoint], front: Sequence[MethodPoint], seconds: str, lang: Lang) -> None:
+def _speed(plot: Axes, spots: Sequence[Method], front: Sequence[Method], seconds: str, lang: Lang) -> None:
     plot.set(xscale="log", yscale="log", xlabel=seconds, ylabel=say("chart_error", lang))
     plot.set_title(say("chart_speed", lang), fontsize=10)
     steps = [(m.seconds, m.error) for m in front]
-    plot.plot(
-        *zip(*steps, strict=True),
-        color="#bbbbbb",
-        linewidth=5,
-        solid_capstyle="round",
-        zorder=1,
-        label=say("chart_front", lang),
-    )
+    looks: dict[str, Any] = {"color": "#bbbbbb", "linewidth": 5, "solid_capstyle": "round", "zorder": 1}
+    plot.plot(*zip(*steps, strict=True), label=say("chart_front", lang), **looks)
     for m in spots:
         colour, marker, _ = LOOK[m.key]
         plot.plot([m.seconds], [m.error], marker, color=INK[colour], markersize=7 if marker != "_" else 9, zorder=3)
@@ -103,7 +87,7 @@ def _speed(plot: Axes, spots: Sequence[MethodPoint], front: Sequence[MethodPoint
     plot.legend(loc="lower left")
 
 
-def _label(plot: Axes, spots: Sequence[MethodPoint], lang: Lang) -> None:
+def _label(plot: Axes, spots: Sequence[Method], lang: Lang) -> None:
     """Names beside the marks, each as near as it can stand without touching another mark or name."""
     marks = [plot.transData.transform((m.seconds, m.error)) * 72 / plot.figure.dpi for m in spots]
     taken = [(x - 6, y, x + 6) for x, y in marks]
@@ -111,16 +95,8 @@ def _label(plot: Axes, spots: Sequence[MethodPoint], lang: Lang) -> None:
         words = say(m.key, lang, number=m.number)
         shift = next(d for d in OFFSETS if _free((x + 9, y + d, x + 12 + 5.2 * len(words)), taken))
         taken.append((x + 9, y + shift, x + 12 + 5.2 * len(words)))
-        arrow = {"arrowstyle": "-", "color": "#888888", "linewidth": 0.6} if abs(shift) > 6 else None
-        plot.annotate(
-            words,
-            (m.seconds, m.error),
-            (9, shift),
-            textcoords="offset points",
-            va="center",
-            fontsize=8.5,
-            arrowprops=arrow,
-        )
+        line = leader(shift, 6, 0.6)
+        beside(plot, words, (m.seconds, m.error), (9, shift), va="center", fontsize=8.5, arrowprops=line)
 
 
 OFFSETS = [0.0] + [side * 6.5 * k for k in range(2, 60) for side in (1, -1)]
@@ -131,16 +107,14 @@ def _free(box: tuple[float, float, float], taken: Sequence[tuple[float, float, f
     return all(abs(y - b) >= 12 or right < a or c < left for a, b, c in taken)
 
 
-def _label_pencils(plot: Axes, pencils: Sequence[MethodPoint], lang: Lang) -> None:
+def _label_pencils(plot: Axes, pencils: Sequence[Method], lang: Lang) -> None:
     """One name for all pencils, and the sheets of the largest and the smallest error."""
     if not pencils:
         return
     right = max(m.seconds for m in pencils)
     worst, best = max(pencils, key=lambda m: m.error), min(pencils, key=lambda m: m.error)
     text = say("chart_pencils", lang, worst=worst.number, best=best.number)
-    plot.annotate(
-        text, (right, (worst.error * best.error) ** 0.5), (10, 0), textcoords="offset points", va="center", fontsize=8.5
-    )
+    beside(plot, text, (right, (worst.error * best.error) ** 0.5), (10, 0), va="center", fontsize=8.5)
 
 
 def _stability(plot: Axes, ways: MethodErrors, lang: Lang) -> None:
@@ -154,16 +128,8 @@ def _stability(plot: Axes, ways: MethodErrors, lang: Lang) -> None:
         colour, marker, dashes = LOOK[key]
         shown = [max(e, FLOOR) if e < NONSENSE else float("nan") for e in errors]
         wide = {"method_scalar": 1.8, "method_batch": 1.6, "method_compiled": 1.6}.get(key, 1.0)
-        plot.plot(
-            d,
-            shown,
-            color=INK[colour],
-            marker=marker,
-            linestyle=dashes,
-            linewidth=wide,
-            markersize=3.5,
-            label=ways.names[key],
-        )
+        looks: dict[str, Any] = {"color": INK[colour], "marker": marker, "linestyle": dashes, "linewidth": wide}
+        plot.plot(d, shown, markersize=3.5, label=ways.names[key], **looks)
     plot.set_xlim(max(d) * 2, min(d) / 2)
     plot.set_ylim(FLOOR / 3, 1e7)
     plot.figure.legend(*plot.get_legend_handles_labels(), loc="outside lower center", ncols=5, fontsize=8.5)

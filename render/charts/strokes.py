@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import lru_cache
 from html import escape
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +15,7 @@ import numpy as np
 from matplotlib.backend_bases import GraphicsContextBase, RendererBase
 from matplotlib.font_manager import FontProperties
 from matplotlib.path import Path
-from matplotlib.textpath import TextPath
+from matplotlib.textpath import TextPath, text_to_path
 from matplotlib.transforms import Affine2D, Transform
 
 if TYPE_CHECKING:
@@ -69,10 +70,7 @@ class Picture:
 def _element(s: Stroke, height: float) -> str:
     flipped = []
     for kind, at in s.pieces:
-        xy = (
-            f"{v:.2f}".rstrip("0").rstrip(".") if i % 2 == 0 else f"{height - v:.2f}".rstrip("0").rstrip(".")
-            for i, v in enumerate(at)
-        )
+        xy = (f"{height - v if i % 2 else v:.2f}".rstrip("0").rstrip(".") for i, v in enumerate(at))
         flipped.append(kind + " ".join(xy))
     looks = f' fill="{s.fill or "none"}"'
     if s.line:
@@ -121,24 +119,12 @@ class StrokeRenderer(RendererBase):
             self.picture.strokes.append(Stroke(pieces_of(path, transform, clip), line, float(width), kept, fill))
 
     def draw_text(
-        self,
-        gc: GraphicsContextBase,
-        x: float,
-        y: float,
-        s: str,
-        prop: FontProperties,
-        angle: float,
-        ismath: object = False,
-        mtext: object = None,
+        self, gc: GraphicsContextBase, x: float, y: float, s: str, prop: FontProperties, angle: float, *_: Any, **m: Any
     ) -> None:
         """Text as its outlines."""
         path = TextPath((0, 0), s, size=prop.get_size_in_points(), prop=prop)
         placed = Affine2D().rotate_deg(angle).translate(x, y)
         self.picture.strokes.append(Stroke(pieces_of(path, placed), fill=_hex(gc.get_rgb())))
-
-    def draw_image(self, *args: object, **kwargs: object) -> None:
-        """Charts hold no pictures."""
-        raise NotImplementedError("a chart of strokes holds no pictures")
 
     def get_canvas_width_height(self) -> tuple[float, float]:
         """The paper in points."""
@@ -152,3 +138,15 @@ class StrokeRenderer(RendererBase):
 def _hex(colour: Iterable[float]) -> str:
     r, g, b = list(colour)[:3]
     return "#" + "".join(f"{round(255 * v):02x}" for v in (r, g, b))
+
+
+@lru_cache(maxsize=2000)
+def formula(tex: str, size: float = 11.0) -> Picture:
+    """A formula at a letter size in points."""
+    prop = FontProperties(family="DejaVu Serif", size=size, math_fontfamily="dejavuserif")
+    text = f"${tex}$"
+    width, height, depth = text_to_path.get_text_width_height_descent(text, prop, True)
+    path = TextPath((0, 0), text, size=size, prop=prop)
+    pad = 1.0
+    moved = path.transformed(Affine2D().translate(pad, depth + pad))
+    return Picture(width + 2 * pad, height + 2 * pad, [Stroke(pieces_of(moved), fill="#000000")], depth + pad)

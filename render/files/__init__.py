@@ -1,1 +1,53 @@
 """Drawings written as files: SVG, PDF, PNG, DXF."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from importlib.util import find_spec
+from pathlib import Path
+
+from planes.scene.files import keep
+from planes.words import Lang, Phrase
+from planes.words.errors import PlanesError
+from render.files import dxf, pdf, svg
+from render.paper.marks import Mark
+from render.paper.photo import Photo
+
+SUFFIXES = (".svg", ".pdf", ".png", ".dxf")
+
+
+@dataclass(frozen=True, repr=False)
+class Page:
+    """Marks on a page of their own size, width × height in mm, ``under`` them a picture; and what must be said."""
+
+    marks: tuple[Mark, ...]
+    size: tuple[float, float]
+    title: str = ""
+    lang: Lang = "ru"
+    warnings: tuple[str, ...] = ()
+    under: Photo | None = None
+
+    def __repr__(self) -> str:
+        return f"<Page {self.title!r}, {self.size[0]:.0f} × {self.size[1]:.0f} mm>"
+
+    def _repr_svg_(self) -> str:
+        """The picture a notebook shows."""
+        return self.rendered(".svg").decode().partition("?>\n")[2]
+
+    def rendered(self, suffix: str, text: dxf.Lettered = "text") -> bytes:
+        """The contents of its file in the format of a suffix; the same page gives the same bytes."""
+        drawn = self.marks, self.size, self.title
+        match suffix:
+            case ".svg":
+                return svg.write(*drawn, lang=self.lang, under=self.under)
+            case ".pdf":
+                return pdf.write(*drawn, lang=self.lang, under=self.under)
+            case ".dxf" if find_spec("ezdxf") is None:
+                raise PlanesError(Phrase("needs_ezdxf"))
+            case ".dxf":
+                return dxf.write(*drawn, lang=self.lang, text=text)
+        return pdf.write_png(*drawn, under=self.under)
+
+    def write(self, path: str | Path, text: dxf.Lettered = "text") -> None:
+        """Its file, whole or not at all."""
+        keep(self.rendered(Path(path).suffix.lower(), text), path)

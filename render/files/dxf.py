@@ -16,16 +16,15 @@ from typing import TYPE_CHECKING, Literal
 from planes.words import Lang, say
 from render.files.dxf_blocks import insert_form, insert_signs
 from render.files.dxf_entities import GREY, OBLIQUE_DEG, Entities, style_name
-from render.paper.cutting import uncovered
-from render.paper.faces import Face
-from render.paper.ink import checked
-from render.paper.marks import Mark, Text
+from render.paper.ink import checked, uncovered
+from render.paper.marks import Face, Mark, Text
 from render.paper.style import LAYERS, PENS, pen, weight
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
 
 OWN_FONT = "isocpeur.ttf"  # a single-stroke font with Cyrillic letters that AutoCAD brings; others put a like one
+Lettered = Literal["text", "strokes"]
 LAYER_STYLES = dict.fromkeys(map(str, LAYERS), "thin") | {
     "construction": "construction",
     "axis": "axis",
@@ -38,12 +37,7 @@ LAYER_STYLES = dict.fromkeys(map(str, LAYERS), "thin") | {
 
 
 def write(
-    marks: Iterable[Mark],
-    size_mm: tuple[float, float],
-    title: str,
-    *,
-    lang: Lang = "ru",
-    text: Literal["text", "strokes"] = "text",
+    marks: Iterable[Mark], size_mm: tuple[float, float], title: str, *, lang: Lang = "ru", text: Lettered = "text"
 ) -> bytes:
     """The sheet as a DXF file (R2010) in millimetres, 1:1."""
     import ezdxf
@@ -73,16 +67,12 @@ def write(
 
 def _fill(document: Drawing, marks: tuple[Mark, ...], size: tuple[float, float], lang: Lang, strokes: bool) -> None:
     """The form as one block, known signs as blocks, the rest as they are."""
-    space = document.modelspace()
     form = [m for m in marks if m.layer == "frame"]
-    if not any(isinstance(m, Text) for m in form):
-        form = []
-    rest = insert_signs(document, uncovered(m for m in marks if not (form and m.layer == "frame")))
-    if form:
+    filled = any(isinstance(m, Text) for m in form)
+    rest = insert_signs(document, uncovered(m for m in marks if not (filled and m.layer == "frame")))
+    if filled:
         insert_form(document, form, size, lang, strokes)
-    entities = Entities(space, LAYER_STYLES, strokes)
-    for mark in rest:
-        entities.mark(mark)
+    Entities(document.modelspace(), LAYER_STYLES, strokes).all(rest)
 
 
 def _tables(document: Drawing, marks: Iterable[Mark], lang: Lang) -> None:
@@ -101,15 +91,8 @@ def _tables(document: Drawing, marks: Iterable[Mark], lang: Lang) -> None:
         )
         made.description = say(f"layer_{layer}", lang)
     for face in dict.fromkeys([Face(), *(m.face for m in marks if isinstance(m, Text))]):
-        _style(document, face)
-
-
-def _style(document: Drawing, face: Face) -> None:
-    """The text style of a face: its own font, or one that stands for our lettering."""
-    name = style_name(face)
-    if name in document.styles:
-        return
-    made = document.styles.add(name, font=Path(face.font).name if face.font else OWN_FONT)
-    made.dxf.oblique = OBLIQUE_DEG if face.slanted else 0.0
-    if face.font:
-        made.set_extended_font_data(face.family)
+        if (name := style_name(face)) not in document.styles:
+            style = document.styles.add(name, font=Path(face.font).name if face.font else OWN_FONT)
+            style.dxf.oblique = OBLIQUE_DEG if face.slanted else 0.0
+            if face.font:
+                style.set_extended_font_data(face.family)

@@ -12,9 +12,8 @@ from typing import TYPE_CHECKING
 from planes.words import Lang
 from render.files.dxf_entities import NARROWED, Entities, text_looks, xy
 from render.paper import form1, symbols
-from render.paper.faces import Face
 from render.paper.ink import is_circle
-from render.paper.marks import Arc, Line, Mark, Text
+from render.paper.marks import Arc, Face, Line, Mark, Text
 from render.paper.style import DOT_MM, HINGE_MM, LEG_MM
 from render.paper.typeset import plain
 
@@ -47,16 +46,9 @@ def insert_signs(document: Drawing, marks: Sequence[Mark]) -> list[Mark]:
     for sign in signs(marks):
         if sign.name not in document.blocks:
             _define(document.blocks.new(sign.name), sign.name)
-        space.add_blockref(
-            sign.name,
-            xy(sign.at),
-            dxfattribs={
-                "layer": sign.layer.upper(),
-                "rotation": sign.turn_deg,
-                "xscale": sign.scale[0],
-                "yscale": sign.scale[1],
-            },
-        )
+        looks = {"layer": sign.layer.upper(), "rotation": sign.turn_deg}
+        looks |= {"xscale": sign.scale[0], "yscale": sign.scale[1]}
+        space.add_blockref(sign.name, xy(sign.at), dxfattribs=looks)
         gone |= {id(mark) for mark in sign.marks}
     return [mark for mark in marks if id(mark) not in gone]
 
@@ -71,9 +63,7 @@ def _define(block: BlockLayout, name: str) -> None:
         SLIDER: (square,),
         POINT: symbols.dot(0j),
     }
-    entities = Entities(block)
-    for mark in own[name]:
-        entities.mark(mark)
+    Entities(block).all(own[name])
     for entity in block:
         if entity.dxf.layer == "SCHEME":
             entity.dxf.layer = "0"  # it lies on the layer of its insert

@@ -8,9 +8,8 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from render.files.writer import Lines, Writer, dashes_of
-from render.paper.faces import Face
 from render.paper.ink import arc_dashes, is_circle
-from render.paper.marks import Arc, Text
+from render.paper.marks import Arc, Face, Text
 from render.paper.style import pen, weight
 from render.paper.typeset import LaidText, layout
 

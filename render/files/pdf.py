@@ -1,6 +1,6 @@
 """Marks -> PDF by reportlab, in true size; text as pen strokes with invisible real text for searching.
 
-The same marks give the same bytes.
+A PNG is the page of the PDF as a picture, with its physical size in the file.  The same marks give the same bytes.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ import cmath
 import io
 import math
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from render.files.writer import Lines, Writer, dashes_of
@@ -27,39 +28,34 @@ POINTS_PER_MM = 72 / 25.4
 FONT = "DejaVuSans"
 _INVISIBLE, _ROUND, _BUTT, _NON_ZERO = 3, 1, 0, 1
 
-Page = tuple[Iterable[Mark], tuple[float, float]]
+PdfPage = tuple[Iterable[Mark], tuple[float, float]]
 
 
 def write(
-    marks: Iterable[Mark],
-    size_mm: tuple[float, float],
-    title: str,
-    *,
-    description: str = "",
-    lang: str = "ru",
-    under: Photo | None = None,
+    marks: Iterable[Mark], size_mm: tuple[float, float], title: str, *, lang: str = "ru", under: Photo | None = None
 ) -> bytes:
     """The sheet as a PDF file of one page, ``under`` it a picture."""
-    return write_pages([(marks, size_mm)], title, description, lang, under)
+    return write_pages([(marks, size_mm)], title, lang, under)
 
 
-def write_pages(
-    pages: Iterable[Page], title: str, description: str = "", lang: str = "ru", under: Photo | None = None
-) -> bytes:
+def write_pages(pages: Iterable[PdfPage], title: str, lang: str = "ru", under: Photo | None = None) -> bytes:
     """Several sheets (marks and width × height in mm) as one PDF file."""
+    from reportlab.lib.utils import ImageReader
     from reportlab.pdfgen.canvas import Canvas
 
     data = io.BytesIO()
-    canvas = Canvas(data, invariant=1, pageCompression=1, lang=lang, initialFontName=_font())
+    canvas = Canvas(data, invariant=1, pageCompression=1, lang=lang, initialFontName=registered(FONT, dejavu()))
     canvas.setTitle(title)
-    canvas.setSubject(description or title)
+    canvas.setSubject(title)
     canvas.setCreator("planes")
     canvas.setAuthor("")
     for marks, size_mm in pages:
         held = checked(marks, size_mm)
         canvas.setPageSize(tuple(POINTS_PER_MM * side for side in size_mm))
         canvas.scale(POINTS_PER_MM, POINTS_PER_MM)
-        _lay(canvas, under)
+        if under:
+            x0, y0, x1, y1 = under.box
+            canvas.drawImage(ImageReader(io.BytesIO(under.data)), x0, y0, x1 - x0, y1 - y0)
         draw_marks(canvas, held)
         canvas.showPage()
     canvas.save()
@@ -71,27 +67,17 @@ def draw_marks(canvas: Canvas, marks: Iterable[Mark]) -> None:
     canvas.setLineJoin(_ROUND)
     page = _Page(canvas)
     for _, held in by_layer(marks):
-        for mark in held:
-            page.mark(mark)
+        page.all(held)
 
 
-def _lay(canvas: Canvas, photo: Photo | None) -> None:
-    """A picture on the empty page."""
-    if photo:
-        from reportlab.lib.utils import ImageReader
-
-        x0, y0, x1, y1 = photo.box
-        canvas.drawImage(ImageReader(io.BytesIO(photo.data)), x0, y0, x1 - x0, y1 - y0)
-
-
-def _font() -> str:
-    """The name of the embedded font, registered on first use."""
+def registered(name: str, file: Path) -> str:
+    """The name of an embedded font, registered on first use."""
     from reportlab.pdfbase import pdfmetrics
     from reportlab.pdfbase.ttfonts import TTFont
 
-    if FONT not in pdfmetrics.getRegisteredFontNames():
-        pdfmetrics.registerFont(TTFont(FONT, str(dejavu())))
-    return FONT
+    if name not in pdfmetrics.getRegisteredFontNames():
+        pdfmetrics.registerFont(TTFont(name, str(file)))
+    return name
 
 
 class _Page(Writer):
@@ -153,8 +139,29 @@ class _Page(Writer):
         size, turn = height / CAPITALS, cmath.rect(1, math.radians(laid.turn_deg))
         run = self.canvas.beginText()
         run.setTextRenderMode(_INVISIBLE)
-        run.setFont(_font(), size)
+        run.setFont(registered(FONT, dejavu()), size)
         run.setHorizScale(100 * laid.width / self.canvas.stringWidth(words, FONT, size))
         run.setTextTransform(turn.real, turn.imag, -turn.imag, turn.real, laid.origin.real, laid.origin.imag)
         run.textOut(words)
         self.canvas.drawText(run)
+
+
+def write_png(
+    marks: Iterable[Mark], size_mm: tuple[float, float], title: str, *, dpi: float = 200, under: Photo | None = None
+) -> bytes:
+    """The sheet as a PNG file at ``dpi`` pixels per inch, ``under`` it a picture."""
+    return png_of(write(marks, size_mm, title, under=under), dpi)
+
+
+def png_of(data: bytes, dpi: float, page: int = 0) -> bytes:
+    """One page of a PDF file (counted from 0) as a PNG file."""
+    import pypdfium2
+
+    document = pypdfium2.PdfDocument(data)
+    try:
+        picture = document[page].render(scale=dpi / 72).to_pil().convert("RGB")
+    finally:
+        document.close()
+    out = io.BytesIO()
+    picture.save(out, format="PNG", dpi=(dpi, dpi), optimize=False)
+    return out.getvalue()

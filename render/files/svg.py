@@ -21,28 +21,16 @@ from render.paper.typeset import layout
 if TYPE_CHECKING:
     from svgwrite import Drawing
     from svgwrite.container import Group
-    from svgwrite.image import Image
     from svgwrite.path import Path
 
 FONTS = "DejaVu Sans, Arial, sans-serif"
 
 
 def write(
-    marks: Iterable[Mark],
-    size_mm: tuple[float, float],
-    title: str,
-    *,
-    description: str = "",
-    lang: str = "ru",
-    under: Photo | None = None,
+    marks: Iterable[Mark], size_mm: tuple[float, float], title: str, *, lang: str = "ru", under: Photo | None = None
 ) -> bytes:
     """The sheet as an SVG file, UTF-8, ``under`` it a picture."""
-    return _Sheet(size_mm, title, description, lang).drawn(checked(marks, size_mm), under)
-
-
-def inline(marks: Iterable[Mark], size_mm: tuple[float, float], title: str, lang: str = "ru") -> str:
-    """The sheet as an SVG element, as a notebook shows it."""
-    return write(marks, size_mm, title, lang=lang).decode().partition("?>\n")[2]
+    return _Sheet(size_mm, title, lang).drawn(checked(marks, size_mm), under)
 
 
 def number(value: float) -> str:
@@ -55,7 +43,7 @@ class _Sheet(Writer):
 
     group: Group
 
-    def __init__(self, size_mm: tuple[float, float], title: str, description: str, lang: str) -> None:
+    def __init__(self, size_mm: tuple[float, float], title: str, lang: str) -> None:
         import svgwrite
 
         self.width, self.height = size_mm
@@ -64,26 +52,22 @@ class _Sheet(Writer):
             viewBox=f"0 0 {number(self.width)} {number(self.height)}",
             debug=False,
         )
-        self.svg.set_desc(title, description or None)
+        self.svg.set_desc(title)
         self.svg.attribs.update({"role": "img", "aria-label": title, "xml:lang": lang, "lang": lang})
 
     def drawn(self, marks: Iterable[Mark], under: Photo | None = None) -> bytes:
         """The file with a white ground and one group for each layer."""
         self.svg.add(self.svg.rect((0, 0), (number(self.width), number(self.height)), fill=PAPER))
         if under:
-            self.svg.add(self._photo(under))
+            href = "data:image/jpeg;base64," + base64.b64encode(under.data).decode()
+            x0, y0, x1, y1 = under.box
+            corner, size = (number(x0), number(self.height - y1)), (number(x1 - x0), number(y1 - y0))
+            self.svg.add(self.svg.image(href, corner, size, preserveAspectRatio="none"))
         for layer, held in by_layer(marks):
             self.group = self.svg.g(id=layer, fill="none", stroke_linejoin="round", stroke_linecap="round")
-            for mark in held:
-                self.mark(mark)
+            self.all(held)
             self.svg.add(self.group)
         return f'<?xml version="1.0" encoding="UTF-8"?>\n{self.svg.tostring()}\n'.encode()
-
-    def _photo(self, photo: Photo) -> Image:
-        href = "data:image/jpeg;base64," + base64.b64encode(photo.data).decode()
-        x0, y0, x1, y1 = photo.box
-        corner, size = (number(x0), number(self.height - y1)), (number(x1 - x0), number(y1 - y0))
-        return self.svg.image(href, corner, size, preserveAspectRatio="none")
 
     def _xy(self, z: complex) -> str:
         return f"{number(z.real)} {number(self.height - z.imag)}"
@@ -97,9 +81,7 @@ class _Sheet(Writer):
         looks = {"stroke": used.colour, "stroke_width": number(used.width)}
         if dashes:
             looks |= {"stroke_dasharray": " ".join(map(number, dashes)), "stroke_linecap": "butt"}
-        element = self.svg.path(d=path, **looks)
-        self.group.add(element)
-        return element
+        return self.group.add(self.svg.path(d=path, **looks))
 
     def strokes(self, lines: Lines, style: str, layer: str, closed: bool = False) -> None:
         """Polylines as one path."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from render.paper.ink import arrow_parts, hatch_strokes, length_mm
 from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
@@ -14,6 +14,11 @@ Lines = Sequence[Sequence[complex]]
 
 class Writer(ABC):
     """Takes marks apart into the four things a format must be able to draw."""
+
+    def all(self, marks: Iterable[Mark]) -> None:
+        """Every mark, in order."""
+        for mark in marks:
+            self.mark(mark)
 
     def mark(self, mark: Mark) -> None:
         """One mark."""

@@ -233,14 +233,12 @@ class Board:
 
     def placed(self) -> tuple[tuple[Text, ...], tuple[Line, ...]]:
         """The chosen places as texts and leader lines."""
-        texts, leaders = [], []
-        now = self.every.some(self.places())
+        texts, leaders, now = [], [], self.every.some(self.places())
         for label, size, box, leader in zip(self.labels, self.extents, now.boxes, now.leaders, strict=True):
             base = complex(box[0], box[1] - size[1])
             texts.append(Text(label.text, base, label.height, layer=label.layer, name=label.name))
             if not math.isnan(leader[0].real):
-                ends = tuple(complex(z) for z in leader)
-                leaders.append(Line(ends, "thin", label.layer, name="leader"))
+                leaders.append(Line(tuple(map(complex, leader)), "thin", label.layer, name="leader"))
         return tuple(texts), tuple(leaders)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
@@ -15,7 +15,7 @@ from planes.geometry.arrays import Array, Indices
 from render.paper.ink import Polyline, arrow_parts, flattened, is_circle
 from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
 from render.paper.style import pen
-from render.paper.typeset import box_of, layout
+from render.paper.typeset import box_around, box_of, layout
 
 Bounds = tuple[float, float, float, float]
 """x0, y0, x1, y1 in mm."""
@@ -69,30 +69,20 @@ class Conflict:
 
 def ink(marks: Iterable[Mark]) -> InkedShapes:
     """The ink of marks; texts count as their boxes, hatched regions and filled shapes as areas."""
-    paths: list[Polyline] = []
-    areas: list[Polyline] = []
-    path_info: list[tuple[float, int]] = []
-    area_info: list[tuple[float, int]] = []
-    for owner, mark in enumerate(marks):
-        half, lines, filled = _parts(mark)
-        paths += lines
-        areas += filled
-        path_info += [(half, owner)] * len(lines)
-        area_info += [(0.0, owner)] * len(filled)
-    info = path_info + area_info
-    shapes = np.concatenate([_strings(paths, shapely.linestrings), polygons(areas)])
-    return InkedShapes(shapes, np.array([half for half, _ in info]), tuple(owner for _, owner in info))
+    parts = list(map(_parts, marks))
+    paths = [(line, half, owner) for owner, (half, lines, _) in enumerate(parts) for line in lines]
+    areas = [(area, 0.0, owner) for owner, (_, _, filled) in enumerate(parts) for area in filled]
+    strings = _strings([line for line, _, _ in paths], shapely.linestrings)
+    shapes = np.concatenate([strings, polygons([area for area, _, _ in areas])])
+    everything = [*paths, *areas]
+    return InkedShapes(shapes, np.array([half for _, half, _ in everything]), tuple(k for _, _, k in everything))
 
 
 def bounds(marks: Iterable[Mark]) -> Bounds:
     """The box around all ink of the marks; of none a box of no size."""
     parts = list(map(_parts, marks))
     edges = [(z, half) for half, lines, _ in parts for z in chain(*lines)]
-    edges += [(z, 0.0) for _, _, filled in parts for z in chain(*filled)]
-    if not edges:
-        return 0.0, 0.0, 0.0, 0.0
-    left, low = min(z.real - half for z, half in edges), min(z.imag - half for z, half in edges)
-    return left, low, max(z.real + half for z, half in edges), max(z.imag + half for z, half in edges)
+    return box_around([*edges, *((z, 0.0) for _, _, filled in parts for z in chain(*filled))])
 
 
 def _parts(mark: Mark) -> tuple[float, list[Polyline], list[Polyline]]:
@@ -136,21 +126,18 @@ def conflicts(texts: Sequence[Text], marks: Sequence[Mark] = (), field: Bounds |
     labels = tuple(label for label in labels if layout(label).strokes)
     others = [mark for mark in marks if not isinstance(mark, Text)]
     boxes = shapely.buffer(polygons([layout(label).box for label in labels]), -_TOUCH_MM)
-    return (*_pairs(labels, boxes), *_struck(labels, boxes, others), *_outside(labels, others, field))
+    return (*_struck(labels, boxes, others), *_outside(labels, others, field))
 
 
-def _pairs(labels: Sequence[Text], boxes: Shapes) -> list[Conflict]:
-    found = shapely.STRtree(boxes).query(boxes, predicate="intersects")
-    pairs = sorted((int(i), int(j)) for i, j in found.T if i < j)
-    return [Conflict("label", labels[i].text, labels[j].text, labels[i].place) for i, j in pairs]
-
-
-def _struck(labels: Sequence[Text], boxes: Shapes, others: Sequence[Mark]) -> list[Conflict]:
+def _struck(labels: Sequence[Text], boxes: Shapes, others: Sequence[Mark]) -> Iterator[Conflict]:
+    """Labels on labels, then labels on strokes."""
+    for i, j in sorted(map(tuple, shapely.STRtree(boxes).query(boxes, predicate="intersects").T.tolist())):
+        if i < j:
+            yield Conflict("label", labels[i].text, labels[j].text, labels[i].place)
     inked = ink(others)
-    if not len(inked.shapes) or not labels:
-        return []
-    pairs = sorted({(int(i), inked.owners[int(k)]) for i, k in inked.within(boxes, 0.0).T})
-    return [Conflict("stroke", labels[i].text, described(others[k]), labels[i].place) for i, k in pairs]
+    if len(inked.shapes) and labels:
+        for i, k in sorted({(i, inked.owners[k]) for i, k in inked.within(boxes, 0.0).T.tolist()}):
+            yield Conflict("stroke", labels[i].text, described(others[k]), labels[i].place)
 
 
 def overprinted(marks: Sequence[Mark]) -> list[str]:
@@ -172,13 +159,9 @@ def overprinted(marks: Sequence[Mark]) -> list[str]:
 def letters(text: Text) -> shapely.Geometry:
     """The ink of a text's own letters."""
     laid = layout(text)
-    return shapely.union_all(
-        [
-            shapely.buffer(shapely.LineString([(z.real, z.imag) for z in line]), pen_mm / 2 or _TOUCH_MM)
-            for pen_mm, line in zip(laid.pens, laid.strokes, strict=True)
-            if len(line) > 1
-        ]
-    )
+    drawn = [(pen_mm, line) for pen_mm, line in zip(laid.pens, laid.strokes, strict=True) if len(line) > 1]
+    halves = [pen_mm / 2 or _TOUCH_MM for pen_mm, _ in drawn]
+    return shapely.union_all(shapely.buffer(_strings([line for _, line in drawn], shapely.linestrings), halves))
 
 
 def _outside(labels: Sequence[Text], others: Sequence[Mark], field: Bounds | None) -> list[Conflict]:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import html
 from collections.abc import Iterator
 
-from planes.words import table
-from planes.words.names import index_of, lettered
+from planes.lesson import in_both
+from planes.words import table, under
+from planes.words.names import lettered
 from planes.words.records import Json
 from render.page import web_page
 from render.paper.letters import NAME, written
@@ -23,8 +24,8 @@ NOSCRIPT = (
 
 def page(data: Json, lang: str) -> str:
     """The whole page; ``data`` is what :func:`planes.lesson.data.lesson_data` exports."""
-    keys = {index_of(key): key for key in table("en", "pages")} | SHARED
-    words = {key: {"ru": table("ru")[name], "en": table("en")[name]} for key, name in keys.items()}
+    told = in_both(lambda of: under("page_", of, "pages") | {key: table(of)[name] for key, name in SHARED.items()})
+    words = {key: {of: one[key] for of, one in told.items()} for key in told["en"]}
     title = data["title"].get(lang, "")
     parts = {
         "title": html.escape(title),

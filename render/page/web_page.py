@@ -28,36 +28,20 @@ SHELL = """<!doctype html>
 {scripts}</body>
 </html>
 """
+NONE: Mapping[str, object] = {}
 _PLACE = re.compile(r"\{(\w+)\}")
 _ACTIVE = re.compile("[<>&\u2028\u2029]")
 
 
 def page(
-    title: str,
-    lang: str,
-    style: str,
-    body: str,
-    *,
-    code: str = "",
-    data: Mapping[str, object] | None = None,
-    kind: str = "",
+    title: str, lang: str, style: str, body: str, *, code: str = "", data: Mapping[str, object] = NONE, kind: str = ""
 ) -> str:
     """The whole page: ``title`` is plain text, ``body`` HTML; ``data`` by the ids under which ``code`` finds them."""
-    held = "".join(
-        f'<script type="application/json" id="{key}">{embedded(one)}</script>\n' for key, one in (data or {}).items()
-    )
-    return filled(
-        SHELL,
-        {
-            "lang": lang,
-            "policy": policy(code),
-            "title": html.escape(title),
-            "style": style,
-            "body": body,
-            "kind": f' class="{html.escape(kind)}"' if kind else "",
-            "scripts": held + (f"<script>{code}</script>\n" if code else ""),
-        },
-    )
+    held = (f'<script type="application/json" id="{key}">{embedded(one)}</script>\n' for key, one in data.items())
+    parts = {"lang": lang, "policy": policy(code), "title": html.escape(title), "style": style, "body": body}
+    parts["kind"] = f' class="{html.escape(kind)}"' if kind else ""
+    parts["scripts"] = "".join(held) + (f"<script>{code}</script>\n" if code else "")
+    return filled(SHELL, parts)
 
 
 def policy(code: str) -> str:

@@ -1,6 +1,7 @@
 """From marks to what is drawn of them: polylines, polygons, order of layers; mm of the sheet, y up.
 
-Shared by the back-ends and by the label placing, so that all of them see the same ink.
+Shared by the back-ends and by the label placing, so that all of them see the same ink.  For files where a paper-white
+disc hides nothing (DXF) lines are really cut under hinges and sliders.
 """
 
 from __future__ import annotations
@@ -8,9 +9,12 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Sequence
-from itertools import pairwise
+from dataclasses import replace
+from itertools import groupby, pairwise
 
-from render.paper.marks import Arc, Arrow, Hatch, Layer, Mark, Text
+import shapely
+
+from render.paper.marks import Arc, Arrow, Hatch, Layer, Line, Mark, Shape, Text
 from render.paper.style import LAYERS, fitted, head_size, pen
 
 Polyline = tuple[complex, ...]
@@ -25,7 +29,7 @@ def checked(marks: Iterable[Mark], size_mm: tuple[float, float]) -> tuple[Mark, 
     for number, mark in enumerate(marks, start=1):
         bad = [value for value in _numbers(mark) if not cmath.isfinite(value)]
         if bad:
-            name = getattr(mark, "name", "") or (mark.text if isinstance(mark, Text) else "")
+            name = getattr(mark, "name", "") or getattr(mark, "text", "")
             called = f" {name!r}" if name else ""
             raise ValueError(
                 f"mark {number}, {type(mark).__name__}{called} on layer {mark.layer!r}, holds {bad[0]}, "
@@ -46,10 +50,9 @@ def _numbers(mark: Mark) -> tuple[complex, ...]:
 
 def by_layer(marks: Iterable[Mark]) -> list[tuple[Layer, list[Mark]]]:
     """The marks layer by layer, from the lowest up; within a layer in the order given."""
-    layers: dict[Layer, list[Mark]] = {layer: [] for layer in LAYERS}
-    for mark in marks:
-        layers[mark.layer].append(mark)
-    return [(layer, held) for layer, held in layers.items() if held]
+    order: dict[Layer, int] = {layer: k for k, layer in enumerate(LAYERS)}
+    held = sorted(marks, key=lambda mark: order[mark.layer])
+    return [(layer, list(of)) for layer, of in groupby(held, key=lambda mark: mark.layer)]
 
 
 def length_mm(points: Sequence[complex], closed: bool = False) -> float:
@@ -113,3 +116,105 @@ def hatch_strokes(hatch: Hatch) -> tuple[tuple[complex, complex], ...]:
         if part.geom_type == "LineString"
     ]
     return tuple((a, b) for a, b in sorted(pieces, key=lambda ab: ((ab[0] * turn).imag, (ab[0] * turn).real)))
+
+
+_SAME_MM = 1e-6
+
+
+def cut(lines: Iterable[Mark], hinges: Sequence[Arc | Shape]) -> tuple[Mark, ...]:
+    """The lines, arcs, arrows and hatching without the pieces inside the hinges' discs (or sliders).
+
+    A hatched region becomes lines where it is cut.  An arrow whose tip would be lost stays whole.
+    """
+    lines = tuple(lines)
+    regions = [_region(hinge) for hinge in hinges]
+    tree = shapely.STRtree(regions)
+    done: list[Mark] = []
+    for mark in lines:
+        if isinstance(mark, (Shape, Text)):
+            done.append(mark)
+            continue
+        hit = sorted(int(k) for k in tree.query(_line(_track(mark)), predicate="intersects"))
+        done.extend(_without(mark, shapely.union_all([regions[k] for k in hit])) if hit else (mark,))
+    return tuple(done)
+
+
+def uncovered(marks: Iterable[Mark]) -> tuple[Mark, ...]:
+    """The marks as they are seen: what lies under a later paper-white disc or shape is cut away.
+
+    Paper-white discs come back as open circles; paper-white shapes are left out.
+    """
+    seen: list[Mark] = []
+    for _, held in by_layer(marks):
+        for mark in held:
+            if isinstance(mark, (Arc, Shape)) and mark.fill == "paper":
+                seen = list(cut(seen, [mark]))
+                if isinstance(mark, Shape):
+                    continue
+                mark = replace(mark, fill="none")
+            seen.append(mark)
+    return tuple(seen)
+
+
+def _line(points: Sequence[complex]) -> shapely.LineString:
+    return shapely.LineString([(z.real, z.imag) for z in points])
+
+
+def _region(hinge: Arc | Shape) -> shapely.Geometry:
+    if isinstance(hinge, Arc):
+        return shapely.Point(hinge.centre.real, hinge.centre.imag).buffer(hinge.radius, quad_segs=64)
+    return shapely.make_valid(shapely.Polygon([(z.real, z.imag) for z in hinge.points]))
+
+
+def _track(mark: Line | Arc | Arrow | Hatch) -> Polyline:
+    """The path that decides whether a mark meets a hinge."""
+    if isinstance(mark, Arc):
+        return flattened(mark)
+    if isinstance(mark, Arrow):
+        return (mark.start, mark.end)
+    strokes = tuple(z for stroke in hatch_strokes(mark) for z in stroke) if isinstance(mark, Hatch) else ()
+    around = (*mark.points, mark.points[0]) if isinstance(mark, Hatch) or mark.closed else mark.points
+    return strokes or around
+
+
+def _left(points: Sequence[complex], region: shapely.Geometry) -> list[Polyline]:
+    """The pieces of a path outside the region, in order along it."""
+    path = _line(points)
+    parts = [part for part in shapely.get_parts(path.difference(region)) if part.length > _SAME_MM]
+    parts.sort(key=lambda part: path.project(part.interpolate(0.5, normalized=True)))
+    return [tuple(complex(x, y) for x, y in part.coords) for part in parts]
+
+
+def _without(mark: Line | Arc | Arrow | Hatch, region: shapely.Geometry) -> list[Mark]:
+    if isinstance(mark, Line):
+        return [Line(piece, mark.style, mark.layer) for piece in _joined(_left(_track(mark), region), mark.closed)]
+    if isinstance(mark, Arc):
+        return _arc_pieces(mark, region)
+    if isinstance(mark, Arrow):
+        return _arrow_pieces(mark, region)
+    strokes = [piece for stroke in hatch_strokes(mark) for piece in _left(stroke, region)]
+    return [Line(piece, "thin", mark.layer) for piece in strokes]
+
+
+def _joined(pieces: list[Polyline], closed: bool) -> list[Polyline]:
+    """The pieces of a closed line, the last run together with the first where the line was begun."""
+    if closed and len(pieces) > 1 and abs(pieces[-1][-1] - pieces[0][0]) < _SAME_MM:
+        return [pieces[-1] + pieces[0][1:], *pieces[1:-1]]
+    return pieces
+
+
+def _arc_pieces(arc: Arc, region: shapely.Geometry) -> list[Mark]:
+    pieces = _joined(_left(flattened(arc), region), is_circle(arc))
+    found: list[Mark] = []
+    for piece in pieces:
+        start, end = (math.degrees(cmath.phase(z - arc.centre)) for z in (piece[0], piece[-1]))
+        start = arc.start_deg + (start - arc.start_deg + 1e-6) % 360 - 1e-6
+        found.append(replace(arc, start_deg=start, end_deg=start + ((end - start) % 360 or 360.0), fill="none"))
+    return found
+
+
+def _arrow_pieces(arrow: Arrow, region: shapely.Geometry) -> list[Mark]:
+    *tail, last = _left((arrow.start, arrow.end), region) or [(arrow.start, arrow.start)]
+    if abs(last[-1] - arrow.end) > _SAME_MM:
+        return [arrow]
+    return [*(Line(piece, arrow.style, arrow.layer) for piece in tail), replace(arrow, start=last[0])]

@@ -134,8 +134,8 @@ def _glyph(char: str, fineness: int, slant: bool) -> tuple[float, tuple[Line, ..
     base, rise = SHIFTED.get(char, (char, 0.0))
     size = _size(char)
     lines = list(_read(GLYPHS.get(SAME.get(base, base), _BOX), 0.2 / fineness))
-    left = min(z.real for line in lines for z in line)
-    right = max(z.real for line in lines for z in line)
+    across = [z.real for line in lines for z in line]
+    left, right = min(across), max(across)
     edge = complex(0.5 * size, 0.5 * size + rise)
     moved = [[size * (z - left) + edge for z in line] for line in lines]
     shear = SLANT if slant else 0.0
@@ -147,16 +147,14 @@ def _glyph(char: str, fineness: int, slant: bool) -> tuple[float, tuple[Line, ..
 @lru_cache(maxsize=512)
 def _profile(char: str) -> dict[int, tuple[float, float]]:
     """Leftmost and rightmost ink per row of the grid, in d."""
-    rows: dict[int, tuple[float, float]] = {}
+    rows: dict[int, list[float]] = {}
     half = 0.5 * _size(char)
     for line in _glyph(char, 5, False)[1]:
         for a, b in pairwise(line):
             n = max(1, math.ceil(2 * abs(b - a)))
-            for k in range(n + 1):
-                z = a + (b - a) * k / n
-                low, high = rows.get(round(z.imag), (math.inf, -math.inf))
-                rows[round(z.imag)] = min(low, z.real - half), max(high, z.real + half)
-    return rows
+            for z in (a + (b - a) * k / n for k in range(n + 1)):
+                rows.setdefault(round(z.imag), []).append(z.real)
+    return {row: (min(x) - half, max(x) + half) for row, x in rows.items()}
 
 
 @lru_cache(maxsize=16384)
@@ -227,5 +225,4 @@ def width(text: str, height_mm: float) -> float:
 def missing(text: str) -> str:
     """Characters of the text that have no glyph, each once, in order; blanks need none."""
     drawn = (GLYPHS, SAME, SHIFTED)
-    unknown = (c for c in _clean(text) if not c.isspace() and not any(c in table for table in drawn))
-    return "".join(dict.fromkeys(unknown))
+    return "".join(dict.fromkeys(c for c in _clean(text) if not c.isspace() and not any(c in known for known in drawn)))

@@ -7,16 +7,45 @@ never scaled by a plan's μ. Back-ends know these six records and nothing else.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
 from typing import Literal
-
-from render.paper.faces import Face, current
 
 Layer = Literal[
     "construction", "axis", "hatch", "table", "dimension", "frame", "scheme", "plan", "force", "result", "text"
 ]
 """From the lowest to the topmost: a paper-white disc hides only what lies beneath it."""
 Anchor = Literal["start", "middle", "end"]
+
+
+@dataclass(frozen=True)
+class Face:
+    """``font`` is the path of a font's file, "" for the engine's own lettering; ``family`` what the font is called."""
+
+    font: str = ""
+    slanted: bool = False
+    family: str = ""
+
+
+OWN = Face()
+_chosen: ContextVar[Face] = ContextVar("face", default=OWN)
+
+
+def current() -> Face:
+    """The face of texts that are made now."""
+    return _chosen.get()
+
+
+@contextmanager
+def lettered(face: Face) -> Iterator[None]:
+    """Within it, texts are made and measured in that face."""
+    token = _chosen.set(face)
+    try:
+        yield
+    finally:
+        _chosen.reset(token)
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,8 @@
-"""Text in the outlines of an installed font: measured and drawn from its own glyphs, without any font at the reader.
+"""Installed fonts: the one a scene asks for, by name or by file, and text in its outlines.
 
-The same contract as ``lettering``: a height is that of the capitals, ink begins at x = 0 on the base line, all in mm.
-A character the font lacks is taken from DejaVu Sans, which comes with matplotlib.
+Text is measured and drawn from the font's own glyphs, without any font at the reader.  The same contract as
+``lettering``: a height is that of the capitals, ink begins at x = 0 on the base line, all in mm.  A character the font
+lacks is taken from DejaVu Sans, which comes with matplotlib.
 """
 
 from __future__ import annotations
@@ -10,10 +11,16 @@ import io
 import logging
 import math
 import unicodedata
+from collections.abc import Iterator
 from functools import cache, lru_cache
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from planes.scene import Scene
+from planes.words import Phrase, Told
+from planes.words.errors import SceneError, choices, shown
+from render.paper.marks import Face
 
 if TYPE_CHECKING:
     from fontTools.ttLib import TTFont
@@ -99,9 +106,9 @@ def _laid(text: str, path: str) -> tuple[float, tuple[Line, ...]]:
         known = char if font.has(char) else "\ufffd"
         lines += [tuple([z + x for z in line]) for line in font.contours(known)]
         x += font.advance(known)
-    left = min((z.real for line in lines for z in line), default=0.0)
-    right = max((z.real for line in lines for z in line), default=0.0)
-    return right - left, tuple(tuple([z - left for z in line]) for line in lines)
+    across = [z.real for line in lines for z in line] or [0.0]
+    left = min(across)
+    return max(across) - left, tuple(tuple([z - left for z in line]) for line in lines)
 
 
 def blank(path: str) -> float:
@@ -120,3 +127,69 @@ def contours(text: str, height_mm: float, path: str) -> tuple[Line, ...]:
     if not 0 < height_mm < math.inf:
         raise ValueError(f"letter height must be a positive number of mm, not {height_mm!r}")
     return tuple(tuple([z * height_mm for z in line]) for line in _laid(text, path)[1])
+
+
+FONT_FILES = (".ttf", ".otf", ".ttc")
+TRIAL = "АЯабёжщэяABZabyz0123456789.,+−=()′μωεφ"
+
+
+def face_of(scene: Scene) -> Face:
+    """The face of a scene's sheets; a font that is not there is a :class:`SceneError` that names near ones."""
+    slanted, font = scene.sheet.get("lettering") == "slanted", str(scene.sheet.get("font") or "").strip()
+    if not font:
+        return Face("", slanted)
+    path, name = _font_file(scene, font) if font.lower().endswith(FONT_FILES) else _installed(scene, font)
+    return Face(path, slanted, name)
+
+
+def _font_file(scene: Scene, name: str) -> tuple[str, str]:
+    """A font's file, its path taken from the scene's folder."""
+    path = Path(scene.file).parent / Path(name).expanduser()
+    if not path.is_file():
+        raise _refused(scene, Phrase("no_font_file", file=shown(name)))
+    return str(path), _checked(scene, str(path), name)
+
+
+def _installed(scene: Scene, name: str) -> tuple[str, str]:
+    """The upright regular file of an installed family, by its name in any letter case."""
+    from matplotlib.font_manager import fontManager
+
+    plain = [f for f in fontManager.ttflist if f.style == "normal" and str(f.fname).lower().endswith(FONT_FILES)]
+    fitting = [f for f in plain if f.name.casefold() == name.casefold()]
+    if fitting:
+        best = min(fitting, key=lambda f: (abs(_weight(f.weight) - 400), f.stretch != "normal", f.fname))
+        return str(best.fname), _checked(scene, str(best.fname), name) and str(best.name)
+    for path, called in _newly_installed({str(f.fname) for f in fontManager.ttflist}):
+        if called.casefold() == name.casefold():
+            return path, called
+    families = sorted({f.name for f in plain if "mpl-data" not in f.fname} | {"DejaVu Sans"})
+    raise _refused(scene, Phrase("no_font", name=shown(name), valid=choices(name, families)))
+
+
+def _weight(weight: object) -> float:
+    return float(weight) if isinstance(weight, (int, float)) else 400.0
+
+
+def _newly_installed(known: set[str]) -> Iterator[tuple[str, str]]:
+    """Files and families of fonts that matplotlib's list, kept from an earlier run, does not have."""
+    from fontTools.ttLib import TTLibError
+    from matplotlib.font_manager import findSystemFonts
+
+    for path in sorted(set(findSystemFonts()) - known):
+        try:
+            yield path, family(path)
+        except (OSError, TTLibError, ValueError):
+            continue
+
+
+def _checked(scene: Scene, path: str, name: str) -> str:
+    """The name of the family, once letters of the file have been drawn for a trial."""
+    try:
+        contours(TRIAL, 5.0, path)
+        return family(path)
+    except Exception as error:  # whatever a reader of fonts says of a file that is none, or a broken one
+        raise _refused(scene, Phrase("bad_font", name=shown(name), why=str(error)[:80] or "?")) from None
+
+
+def _refused(scene: Scene, why: Told) -> SceneError:
+    return SceneError(why, scene.file, scene.where.get(("sheet", "font")))

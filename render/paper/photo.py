@@ -8,7 +8,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from planes.geometry.arrays import Array
 from render.paper.marks import Mark, Shape
 
 if TYPE_CHECKING:
@@ -65,23 +64,17 @@ def faded(photo: Photo, field: Box) -> Photo | None:
     return Photo(out.getvalue(), box)
 
 
-def _lit(grey: Image) -> Array:
-    """The share of the paper's light at every pixel: 1 is clean paper, whatever lamp it lay under."""
+def _pale(grey: Image) -> NDArray[np.uint8]:
+    """Pixels in a few pale shades, by their share of the light of the paper there, whatever lamp it lay under."""
     import numpy as np
     from PIL import ImageFilter
 
     size = max(grey.width // SHADOW_PX, 1), max(grey.height // SHADOW_PX, 1)
     paper = grey.resize(size).filter(ImageFilter.MaxFilter(5)).filter(ImageFilter.GaussianBlur(2)).resize(grey.size)
-    share: Array = np.minimum(np.asarray(grey, float) / np.maximum(np.asarray(paper, float), 16) / CLEAN, 1.0)
-    return share
-
-
-def _pale(grey: Image) -> NDArray[np.uint8]:
-    """Pixels in a few pale shades."""
-    import numpy as np
-
-    shade = np.round((1 - _lit(grey)) * SHADES) / SHADES
-    return (255 * (1 - FADED * shade)).astype(np.uint8)
+    share = np.minimum(np.asarray(grey, float) / np.maximum(np.asarray(paper, float), 16) / CLEAN, 1.0)
+    shade = np.round((1 - share) * SHADES) / SHADES
+    pale: NDArray[np.uint8] = (255 * (1 - FADED * shade)).astype(np.uint8)
+    return pale
 
 
 def ink_of(photo: Photo, lines: Sequence[tuple[complex, complex]]) -> Iterator[Mark]:

@@ -51,8 +51,6 @@ LAYERS: tuple[Layer, ...] = get_args(Layer)
 """The layers from the lowest to the topmost."""
 
 CAPITALS = 0.729  # of the text behind the strokes (DejaVu Sans): height of capitals over the font size
-LETTERS: tuple[float, ...] = (2.5, 3.5, 5.0, 7.0)
-"""Letter heights of ГОСТ 2.304 in mm: small tables, tables and marks, names of points, headings."""
 
 LETTER_GAP = 0.2  # clear distance of letters over their height
 WORD_GAP = 0.6  # clear distance of words over their height

@@ -1,7 +1,7 @@
 """Signs of kinematic schemes (ГОСТ 2.770) as marks: sizes in mm of paper, angles in degrees, y up.
 
 A sign is a tuple of marks in drawing order.  Paper-filled ones (hinges, sliders) hide what was drawn
-before them; ``uncovered`` in ``cutting`` turns that into lines really cut.  So the order is:
+before them; ``uncovered`` in ``ink`` turns that into lines really cut.  So the order is:
 guides, sliders, bars, hinges; then a bar is seen up to the hinge within a slider, a guide only up to the
 slider.  Without a layer of their own the marks lie on "scheme", hatching on "hatch".
 """

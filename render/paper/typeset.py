@@ -9,13 +9,12 @@ from __future__ import annotations
 import cmath
 import math
 import re
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from render.paper import lettering, outlines
-from render.paper.faces import Face, current
-from render.paper.marks import Text
+from render.paper.marks import Face, Text, current
 from render.paper.style import INDEX_DROP, INDEX_GAP, INDEX_RISE, INDEX_SIZE, LETTER_GAP, WORD_GAP
 
 Polyline = tuple[complex, ...]
@@ -107,6 +106,24 @@ def extent(text: str, height_mm: float) -> tuple[float, float, float, float]:
     return _set(text, height_mm, current())[2]
 
 
+def ink_width(text: str, height_mm: float) -> float:
+    """Width in mm of the ink of a marked-up text."""
+    x0, _, x1, _ = extent(text, height_mm)
+    return x1 - x0
+
+
+def wrapped(text: str, width: float, height_mm: float) -> list[str]:
+    """A sentence in lines no wider than so many mm."""
+    lines: list[str] = []
+    for word in text.split():
+        longer = f"{lines[-1]} {word}" if lines else word
+        if lines and ink_width(longer, height_mm) <= width:
+            lines[-1] = longer
+        else:
+            lines.append(word)
+    return lines
+
+
 def over(text: str, height_mm: float, rise: float) -> tuple[float, float]:
     """From where to where, in mm from the left end of the base line, a bar ``rise`` mm above a text runs."""
     face = current()
@@ -125,17 +142,10 @@ def _parts(text: str) -> list[_Part]:
     rest = 0
     for match in _INDEX.finditer(text):
         between, kind, index = text[rest : match.start()], match[1], match[2]
-        last = found[-1] if found and not between else _Part(between)
-        filled = last.lower if kind == "_" else last.upper
-        if between or not found:
-            found.append(last)
-        elif filled:
-            found.append(_Part(""))
-        found[-1] = (
-            _Part(found[-1].base, index, found[-1].upper)
-            if kind == "_"
-            else _Part(found[-1].base, found[-1].lower, index)
-        )
+        side = "lower" if kind == "_" else "upper"
+        if between or not found or getattr(found[-1], side):
+            found.append(_Part(between))
+        found[-1] = replace(found[-1], **{side: index})
         rest = match.end()
     if text[rest:]:
         found.append(_Part(text[rest:]))
@@ -168,6 +178,13 @@ def _strokes(run: Run, face: Face) -> Iterator[tuple[float, Polyline]]:
     shear = lettering.SLANT if face.slanted else 0.0
     for line in outlines.contours(run.text, run.height, face.font):
         yield 0.0, tuple([run.at + complex(z.real + shear * z.imag, z.imag) for z in line])
+
+
+def box_around(edges: Iterable[tuple[complex, float]]) -> tuple[float, float, float, float]:
+    """The box around places, each with half the width of its pen; of none a box of no size."""
+    sides = [(z.real - half, z.imag - half, z.real + half, z.imag + half) for z, half in edges] or [(0.0,) * 4]
+    left, low, right, top = zip(*sides, strict=True)
+    return min(left), min(low), max(right), max(top)
 
 
 _Inked = tuple[tuple[float, Polyline], ...]
@@ -207,12 +224,4 @@ def _indices(part: _Part, x: float, height: float, face: Face, runs: list[Run]) 
 
 def _bounds(inked: _Inked) -> tuple[float, float, float, float]:
     """Bounds of the ink with half of its pen."""
-    edges = [(z, pen / 2) for pen, line in inked for z in line]
-    if not edges:
-        return 0.0, 0.0, 0.0, 0.0
-    return (
-        min(z.real - half for z, half in edges),
-        min(z.imag - half for z, half in edges),
-        max(z.real + half for z, half in edges),
-        max(z.imag + half for z, half in edges),
-    )
+    return box_around((z, pen / 2) for pen, line in inked for z in line)

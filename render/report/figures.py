@@ -11,12 +11,12 @@ from planes.solving.document import Chart, DrawnViews, Figure, ShaftSketch
 from planes.words import Lang
 from render import charts
 from render.charts.strokes import Picture
-from render.files import png, svg
-from render.files.pdf import POINTS_PER_MM, draw_marks
+from render.files import Page, svg
+from render.files.pdf import POINTS_PER_MM, draw_marks, png_of
 from render.labels.footprints import bounds
 from render.paper.marks import Anchor, Arc, Arrow, Line, Mark, Text
 from render.sheet.composer import Composer
-from render.views import View, stacked, view
+from render.views import View, beside, stacked, view
 from render.views.plotted import Plotted, of_position
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme
@@ -30,12 +30,8 @@ LETTER_MM = {True: 3.5, False: 2.5}  # of equations that stand alone, and of tho
 DPI = 220
 
 
-@dataclass(frozen=True)
-class MarkedFigure:
+class MarkedFigure(Page):
     """Marks in mm on a paper of their own size; like a :class:`Picture` it knows its points and draws itself."""
-
-    marks: tuple[Mark, ...]
-    size: tuple[float, float]
 
     @property
     def width(self) -> float:
@@ -49,8 +45,8 @@ class MarkedFigure:
 
     def svg(self, label: str) -> str:
         """Inline SVG; groups lose their ids, for a page may hold many drawings."""
-        text = svg.write(self.marks, self.size, label).decode()
-        return re.sub(r' (id|xml:lang|lang)="[^"]*"', "", re.sub(r"^<\?xml[^>]*>\s*", "", text)).strip()
+        text = svg.write(self.marks, self.size, label).decode().partition("?>\n")[2]
+        return re.sub(r' (id|xml:lang|lang)="[^"]*"', "", text).strip()
 
     def draw(self, canvas: Canvas) -> None:
         """Draw on a reportlab canvas, the lower left corner in its origin."""
@@ -69,7 +65,7 @@ def raster(picture: Shown) -> bytes:
     canvas = Canvas(data, (picture.width, picture.height), invariant=1)
     picture.draw(canvas)
     canvas.save()
-    return png.from_pdf(data.getvalue(), DPI)
+    return png_of(data.getvalue(), DPI)
 
 
 @dataclass
@@ -93,11 +89,10 @@ class Studio:
         """The views of one position, side by side where they fit; a caption with every μ if it is asked for."""
         composer = self.composers.setdefault(id(block.scene), Composer(block.scene, self.lang, block.position.plans))
         plotted = of_position(block.position)
-        stacks = [
-            [v for name in names if (v := _view(name, block, composer, plotted, len(names) == 1))]
-            for names in block.views
-        ]
-        views = [stacked(held[0].key, held) if held[1:] else held[0] for held in stacks if held]
+        views = []
+        for names in block.views:
+            held = [v for name in names if (v := _view(name, block, composer, plotted, len(names) == 1))]
+            views += [stacked(held[0].key, held) if held[1:] else held[0]] if held else []
         if block.scales:
             caption += ": " + "; ".join(_scaled(names[0], composer, plotted) for names in block.views)
         return rows(views), caption
@@ -124,21 +119,16 @@ def rows(views: list[View]) -> list[Shown]:
     """Views set in rows of the page's width."""
     found: list[list[View]] = []
     for v in views:
-        if found and sum(x.width + GAP_MM for x in found[-1]) + v.width <= WIDTH_MM:
-            found[-1].append(v)
-        else:
-            found.append([v])
+        if not found or sum(x.width + GAP_MM for x in found[-1]) + v.width > WIDTH_MM:
+            found.append([])
+        found[-1].append(v)
     return [_row(row) for row in found]
 
 
 def _row(views: list[View]) -> MarkedFigure:
     height = max(v.height for v in views) + 4
-    marks: list[Mark] = []
-    left = 2.0
-    for v in views:
-        marks += v.placed(left, height - 2)
-        left += v.width + GAP_MM
-    return MarkedFigure(tuple(marks), (left - GAP_MM + 2, height))
+    row = beside(views, GAP_MM, height - 2, 2.0)
+    return MarkedFigure(row.marks, (row.box[2] + 2, height))
 
 
 def sketch(block: ShaftSketch) -> MarkedFigure:
@@ -151,31 +141,22 @@ def sketch(block: ShaftSketch) -> MarkedFigure:
     marks: list[Mark] = [Line((-12 + 0j, end + 12 + 0j), "axis", "axis"), Line(bar)]
     for x in (left, right):
         marks += [Line((complex(x, 0), complex(x, down)), "thin"), Arc(complex(x, down), 3.0)]
-    for x, name in ((0.0, "A"), (end, "B")):
-        marks += [
-            Line((complex(x - 5, -8), complex(x, 0), complex(x + 5, -8)), closed=True),
-            Arc(complex(x, 0), 1.5, fill="paper"),
-            Text(name, complex(x - 9 if x == 0 else x + 6, -9), 5),
-        ]
+    for z, aside, name in ((0j, -9, "A"), (complex(end, 0), 6, "B")):
+        marks += [Line((z - 5 - 8j, z, z + 5 - 8j), closed=True), Arc(z, 1.5, fill="paper")]
+        marks.append(Text(name, z + aside - 9j, 5))
     marks += _loads(block, left, right, pin, up, down)
-    low = down - 14
-    for a, b, name in ((0, left, "m"), (right, end, "m"), (left, pin, "a"), (pin, right, "b")):
-        marks += _size(a, b, low, name)
-    marks += [*_size(pin, end, low - 9, "n"), *_size(0, end, low - 18, "L")]
-    box = bounds(marks)
-    by = View("shaft", "", tuple(marks), box)
-    return MarkedFigure(by.placed(2, by.height + 2), (by.width + 4, by.height + 4))
+    above = ((0, left, "m"), (right, end, "m"), (left, pin, "a"), (pin, right, "b"))
+    for k, sizes in enumerate((above, ((pin, end, "n"),), ((0, end, "L"),))):
+        for a, b, name in sizes:
+            marks += _size(a, b, down - 14 - 9 * k, name)
+    return _row([View("shaft", "", tuple(marks), bounds(marks))])
 
 
 def _loads(block: ShaftSketch, left: float, right: float, pin: float, up: float, down: float) -> list[Mark]:
-    said = block.labels
-    found: list[Mark] = [
-        Arrow(complex(pin, up), complex(pin, up + 18), name="N_c"),
-        Text(said["load"], complex(pin + 3, up + 12), 3.5),
-    ]
-    for k, x in enumerate((left, right)):
-        side = -1 if k == 0 else 1
-        anchor: Anchor = "end" if k == 0 else "start"
+    said, top = block.labels, complex(pin, up)
+    found: list[Mark] = [Arrow(top, top + 18j, name="N_c"), Text(said["load"], top + 3 + 12j, 3.5)]
+    sides: tuple[tuple[int, float, Anchor], ...] = ((-1, left, "end"), (1, right, "start"))
+    for k, (side, x, anchor) in enumerate(sides):
         found += [
             Arrow(complex(x, up), complex(x, up + 13), name="Φ"),
             Arrow(complex(x, down - 3), complex(x, down - 12), name="Φ_cw"),
@@ -188,10 +169,6 @@ def _loads(block: ShaftSketch, left: float, right: float, pin: float, up: float,
 def _size(a: float, b: float, y: float, name: str) -> list[Mark]:
     ends = complex(a, y), complex(b, y)
     middle = (ends[0] + ends[1]) / 2
-    ticks: list[Mark] = [Line((z - 2j, z + 3j), "thin", "dimension") for z in ends]
-    return [
-        *ticks,
-        Arrow(middle, ends[0], "thin", "dimension"),
-        Arrow(middle, ends[1], "thin", "dimension"),
-        Text(name, middle + 1j, 3.5, "middle"),
-    ]
+    ticks = (Line((z - 2j, z + 3j), "thin", "dimension") for z in ends)
+    arrows = (Arrow(middle, z, "thin", "dimension") for z in ends)
+    return [*ticks, *arrows, Text(name, middle + 1j, 3.5, "middle")]

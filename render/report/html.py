@@ -8,17 +8,17 @@ from html import escape
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.lettering import Naming
+from render.charts.strokes import formula
 from render.page import web_page
 from render.paper.letters import tagged
 from render.report.figures import Studio
-from render.report.mathematics import formula
 
 
 def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     """The page, UTF-8."""
     title = next((b.text for b in blocks if isinstance(b, Heading)), "")
-    made = _HtmlPage(blocks, naming)
-    return web_page.page(title, naming.lang, web_page.part("report.css"), "\n".join(map(made.block, blocks))).encode()
+    body = "\n".join(map(_HtmlPage(blocks, naming).block, blocks))
+    return web_page.page(title, naming.lang, web_page.part("report.css"), body).encode()
 
 
 class _HtmlPage:
@@ -47,7 +47,10 @@ class _HtmlPage:
             case DocumentTable(caption, rows):
                 return self.table(caption, rows)
             case Figure():
-                return self.figure(block)
+                pictures, caption = self.studio.shown(block)
+                beneath = f"<figcaption>{self.text(caption)}</figcaption>" if caption else ""
+                shown = "".join(p.svg(caption) for p in pictures)
+                return f"<figure>{shown}{beneath}</figure>" if pictures else ""
 
     def heading(self, heading: Heading) -> str:
         """The title with the list of contents, a chapter, which the list links to, or a section."""
@@ -63,21 +66,13 @@ class _HtmlPage:
         """A table that scrolls by itself on a narrow screen."""
         head = "".join(f'<th scope="col">{self.text(cell)}</th>' for cell in rows[0])
         body = "".join("<tr>" + "".join(map(self.cell, row)) + "</tr>" for row in rows[1:])
-        return (
-            f'<div class="wide"><table><caption>{self.text(caption)}</caption><thead><tr>{head}</tr></thead>'
-            f"<tbody>{body}</tbody></table></div>"
-        )
+        parts = f"<caption>{self.text(caption)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody>"
+        return f'<div class="wide"><table>{parts}</table></div>'
 
     def cell(self, cell: str) -> str:
         """A cell of a table."""
         kind = "" if is_number(cell) else ' class="word"'
         return f"<td{kind}>{self.text(cell)}</td>"
-
-    def figure(self, block: Figure) -> str:
-        """A figure with its title beneath."""
-        pictures, caption = self.studio.shown(block)
-        beneath = f"<figcaption>{self.text(caption)}</figcaption>" if caption else ""
-        return f"<figure>{''.join(p.svg(caption) for p in pictures)}{beneath}</figure>" if pictures else ""
 
 
 def is_number(text: str) -> bool:

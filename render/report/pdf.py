@@ -11,18 +11,18 @@ from typing import TYPE_CHECKING
 from reportlab.lib.styles import ParagraphStyle
 from reportlab.lib.units import mm
 from reportlab.pdfbase import pdfmetrics
-from reportlab.pdfbase.ttfonts import TTFont
 from reportlab.platypus import Flowable, SimpleDocTemplate
 from reportlab.platypus import Paragraph as Words
 from reportlab.platypus import Table as Grid
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.lettering import Naming
+from render.charts.strokes import formula
+from render.files.pdf import registered
 from render.paper.letters import tagged
 from render.paper.outlines import dejavu
 from render.report.figures import Shown, Studio
 from render.report.html import is_number
-from render.report.mathematics import formula
 
 if TYPE_CHECKING:
     from reportlab.pdfgen.canvas import Canvas
@@ -40,20 +40,9 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     """The PDF; the same document gives the same bytes."""
     data, font = io.BytesIO(), _fonts()
     title = next((b.text for b in blocks if isinstance(b, Heading)), "")
-    paper = _Paper(
-        data,
-        pagesize=PAGE,
-        leftMargin=LEFT,
-        rightMargin=RIGHT,
-        topMargin=EDGE,
-        bottomMargin=EDGE,
-        title=title,
-        author="",
-        creator="planes",
-        lang=naming.lang,
-        invariant=1,
-        initialFontName=font,
-    )
+    margins = {"leftMargin": LEFT, "rightMargin": RIGHT, "topMargin": EDGE, "bottomMargin": EDGE}
+    told = {"title": title, "author": "", "creator": "planes", "lang": naming.lang}
+    paper = _Paper(data, pagesize=PAGE, invariant=1, initialFontName=font, **margins, **told)
     setter = _Setter(naming)
     paper.build([f for b in blocks for f in setter.flow(b)], onFirstPage=_number, onLaterPages=_headed)
     return data.getvalue()
@@ -62,8 +51,7 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
 def _fonts() -> str:
     """The faces of a document, registered on first use; they come with matplotlib."""
     for name, file in FACES.items():
-        if name not in pdfmetrics.getRegisteredFontNames():
-            pdfmetrics.registerFont(TTFont(name, str(dejavu().parent / file)))
+        registered(name, dejavu().parent / file)
     pdfmetrics.registerFontFamily("Note", normal="Note", bold="NoteBold", italic="NoteItalic", boldItalic="NoteBold")
     return "Note"
 
@@ -102,23 +90,15 @@ class _Setter:
         small = {"fontName": "NoteItalic", "fontSize": 9.5, "leading": 13, "textColor": "#444444"}
         self.why = ParagraphStyle("why", self.plain, **small)
         boxed = {"borderColor": "#aa3333", "borderWidth": 0.8, "borderPadding": 5, "backColor": "#fdf4f2"}
-        self.mistake = ParagraphStyle(
-            "mistake",
-            self.plain,
-            firstLineIndent=0,
-            spaceBefore=12,
-            spaceAfter=14,
-            leftIndent=6,
-            rightIndent=6,
-            **boxed,
-        )
+        apart = {"firstLineIndent": 0, "spaceBefore": 12, "spaceAfter": 14, "leftIndent": 6, "rightIndent": 6}
+        self.mistake = ParagraphStyle("mistake", self.plain, **apart, **boxed)
         self.small = ParagraphStyle("small", self.plain, firstLineIndent=0, alignment=1, spaceBefore=2, spaceAfter=8)
         self.above = ParagraphStyle("above", self.small, alignment=0, keepWithNext=1)
+        bold = {"fontName": "NoteBold", "spaceAfter": 6, "keepWithNext": 1}
+        sizes = (15, 0), (12.5, 14), (10.5, 8)  # of letters, of the room above
         self.heads = [
-            ParagraphStyle(
-                f"h{k}", fontName="NoteBold", fontSize=s, leading=s * 1.3, spaceBefore=b, spaceAfter=6, keepWithNext=1
-            )
-            for k, (s, b) in enumerate(((15, 0), (12.5, 14), (10.5, 8)))
+            ParagraphStyle(f"h{k}", fontSize=s, leading=s * 1.3, spaceBefore=b, **bold)
+            for k, (s, b) in enumerate(sizes)
         ]
 
     def flow(self, block: Block) -> list[Flowable]:
@@ -146,11 +126,10 @@ class _Setter:
 
     def table(self, rows: Sequence[Sequence[str]]) -> Flowable:
         """A grid whose columns are as wide as what stands in them, with smaller letters if there is much."""
-        longest = [max(_length(row[k]) for row in rows) + 2 for k in range(len(rows[0]))]
+        longest = [max(len(re.sub(r"[_^{}⟨⟩]", "", cell)) for cell in column) + 2 for column in zip(*rows, strict=True)]
         size = 9.5 if sum(longest) <= ROOMY else 7.5
-        styles = [
-            ParagraphStyle("cell", fontName="Note", fontSize=size, leading=1.27 * size, alignment=a) for a in (0, 1, 2)
-        ]
+        face = {"fontName": "Note", "fontSize": size, "leading": 1.27 * size}
+        styles = [ParagraphStyle("cell", alignment=a, **face) for a in (0, 1, 2)]
         cells = [[Words(self.text(c), styles[1]) for c in rows[0]]]
         cells += [[Words(self.text(c), styles[2 if is_number(c) else 0]) for c in row] for row in rows[1:]]
         grid = [
@@ -167,10 +146,6 @@ class _Setter:
     def text(self, text: str, plan: str = "") -> str:
         """Running text in tags."""
         return tagged(text, self.naming, plan)
-
-
-def _length(text: str) -> int:
-    return len(re.sub(r"[_^{}⟨⟩]", "", text))
 
 
 class _Picture(Flowable):  # type: ignore[misc]

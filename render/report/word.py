@@ -13,10 +13,10 @@ from docx.text.paragraph import Paragraph as Words
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.lettering import Naming
+from render.charts.strokes import formula
 from render.paper.letters import pieces
 from render.report.figures import Shown, Studio, raster
 from render.report.html import is_number
-from render.report.mathematics import formula
 
 WIDTH, HEIGHT = 480.0, 540.0  # of a figure, points
 LETTER = 13
@@ -33,8 +33,7 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     writer = _Writer(paper, naming)
     for block in blocks:
         writer.put(block)
-    data = io.BytesIO()
-    paper.save(data)
+    paper.save(data := io.BytesIO())
     return data.getvalue()
 
 

@@ -9,13 +9,11 @@ from itertools import product
 from planes.scene import Scene
 from planes.words import Lang, say
 from planes.words.errors import SceneError
-from render.files import svg
-from render.paper.marks import Mark
+from render.files import Page
 from render.paper.typeset import plain
-from render.sheet.frame import FORMATS, Paper
+from render.sheet.frame import FORMATS, Paper, said_cells
 from render.sheet.layout import FULL, QUICK, USUAL, Effort, Field, Packed, pack, spread
 from render.sheet.sizes import LARGEST, Extents, Sizes, grown, relieved
-from render.sheet.title_block import cells
 from render.views import View
 
 SMALLER = (0.8, 0.63, 0.5, 0.4)
@@ -39,27 +37,15 @@ class Contents:
     extents: Extents = lambda sizes: {}
 
 
-@dataclass(frozen=True)
-class Sheet:
+@dataclass(frozen=True, repr=False, kw_only=True)
+class Sheet(Page):
     """A composed sheet: its format, its marks, its views with their places (left, top), and what must be said of it."""
 
     paper: Paper
-    marks: tuple[Mark, ...]
     views: tuple[tuple[View, float, float], ...]
-    title: str
-    warnings: tuple[str, ...] = ()
-
-    @property
-    def size(self) -> tuple[float, float]:
-        """Width and height in mm."""
-        return self.paper.size
 
     def __repr__(self) -> str:
         return f"<Sheet {self.title!r}, {self.size[0]:g} × {self.size[1]:g} mm, {len(self.views)} views>"
-
-    def _repr_svg_(self) -> str:
-        """The picture a notebook shows."""
-        return svg.inline(self.marks, self.size, self.title)
 
 
 def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = None) -> Sheet:
@@ -99,7 +85,7 @@ def fitted(contents: Contents, name: str, last: bool, whole: bool) -> Way | None
 def _tries(name: str, free: bool, last: bool) -> list[Way]:
     """Ways to fill a format, the best looking first."""
     small = (SMALLER if last else SMALLER[:1]) if free else ()
-    first = [*product([Sizes()], LETTERS[name], (True,)), *product([Sizes()], LETTERS[name], (False,))]
+    first = [(Sizes(), letter, together) for together in (True, False) for letter in LETTERS[name]]
     return [*first, *product(map(Sizes, small), LETTERS[name], (True, False))]
 
 
@@ -144,9 +130,7 @@ def packed(views: Sequence[View], paper: Paper, effort: Effort = USUAL) -> Packe
 
 def without(spare: Sequence[View], views: Sequence[View], paper: Paper, number: int | None, lang: Lang) -> str:
     """What was left out, and which format would hold it."""
-    names = list(FORMATS)
-    larger = names[names.index(paper.name) + 1 :]
-    fitting = next((n for n in larger if packed([*views, *spare], Paper(n))), "")
+    fitting = next((n for n in larger_than(paper) if packed([*views, *spare], Paper(n))), "")
     told = "; ".join(f"«{plain(v.title or v.key)}» ({v.width:.0f} × {v.height:.0f} {say('mm', lang)})" for v in spare)
     key = "left_out_larger" if fitting else "left_out_sheet" if number is None else "left_out"
     return say(key, lang, format=paper.name, views=told, larger=fitting)
@@ -161,10 +145,10 @@ def finished(
     warnings: tuple[str, ...] = (),
 ) -> Sheet:
     """The views in their places within frame and title block."""
-    marks = [m for v, left, top in places for m in v.placed(left, top)]
-    title = scene.title.get(lang, "")
+    placed = (m for v, left, top in places for m in v.placed(left, top))
+    marks = (*paper.marks(said_cells(scene, lang, number), lang), *placed)
     said = (*warnings, *(sentence for v, _, _ in places for sentence in unseen(v, lang)))
-    return Sheet(paper, (*paper.marks(cells(scene, lang, number), lang), *marks), tuple(places), title, said)
+    return Sheet(marks, paper.size, scene.title.get(lang, ""), lang, said, paper=paper, views=tuple(places))
 
 
 def unseen(one: View, lang: Lang) -> list[str]:
@@ -177,16 +161,16 @@ def no_room(contents: Contents, paper: Paper, lang: Lang) -> SceneError:
     """Which view is too large, or that all of them together are; and which format holds them, if one was found to."""
     views = contents.views(*_tries(paper.name, bool(contents.extents(Sizes())), True)[-1])[0]
     largest = max(views, key=lambda v: v.width * v.height)
-    alone = packed([largest], paper) is None
+    key = "no_room" if packed([largest], paper) is None else "no_room_together"
+    tried = (n for n in larger_than(paper) if any(fitted(contents, n, True, whole) for whole in (True, False)))
+    fitting = next(tried, "")
+    advice = say("room_on", lang, larger=fitting) if fitting else say("no_room_larger", lang)
+    size = {"width": round(largest.width), "height": round(largest.height)}
+    named = {"format": paper.name, "view": plain(largest.title or largest.key)}
+    return SceneError(say(key, lang, count=len(views), advice=advice, **size, **named))
+
+
+def larger_than(paper: Paper) -> list[str]:
+    """The formats larger than one."""
     names = list(FORMATS)
-    larger = names[names.index(paper.name) + 1 :]
-    fitting = next((n for n in larger if any(fitted(contents, n, True, whole) for whole in (True, False))), "")
-    words = {
-        "format": paper.name,
-        "view": plain(largest.title or largest.key),
-        "count": len(views),
-        "width": round(largest.width),
-        "height": round(largest.height),
-    }
-    words["advice"] = say("room_on", lang, larger=fitting) if fitting else say("no_room_larger", lang)
-    return SceneError(say("no_room" if alone else "no_room_together", lang, **words))
+    return names[names.index(paper.name) + 1 :]

@@ -1,18 +1,23 @@
-"""A person's plan over the right one, the table of its steps and what was found in it: a sheet for printing."""
+"""Sheets of checking: a person's plan over the right one with the table of its steps, and a blank to draw a plan on.
+
+A blank has corner marks a camera finds, the frame, the pole, μ and the title.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 
 from planes.words import Lang
 from render.labels import Label, place
-from render.paper.marks import Arc, Arrow, Line, Mark, Text, moved
-from render.paper.numbers import decimal
+from render.paper.letters import decimal
+from render.paper.marks import Arc, Arrow, Line, Mark, Shape, Text, moved
 from render.paper.photo import Box, Photo, faded, ink_of
 from render.paper.photo import moved as shifted
-from render.paper.typeset import extent
+from render.paper.typeset import ink_width, wrapped
+from render.sheet.frame import framed
 from render.views.tables import TableGrid, folded
 
 Vector = tuple[complex, complex]
@@ -43,7 +48,7 @@ class Overlay:
     title: str
     sentence: str
     tables: Sequence[Table]
-    legend: tuple[str, str, str]
+    legend: Sequence[str]
     reduced: str  # "drawn at 1 : {n}"
     lines: bool = False
     notes: Sequence[str] = ()
@@ -78,16 +83,14 @@ class Fit:
 def compose(size_mm: tuple[float, float], sheet: Overlay) -> tuple[list[Mark], Photo | None]:
     """Marks of the sheet, and the picture under them: title and sentence on top, tables where they leave most room."""
     w, h = size_mm
-    corners = (complex(LEFT, EDGE), complex(w - EDGE, EDGE), complex(w - EDGE, h - EDGE), complex(LEFT, h - EDGE))
-    out: list[Mark] = [Line(corners, "thick", "frame", True)]
+    out: list[Mark] = [framed((LEFT, EDGE, w - EDGE, h - EDGE), "thick")]
     said, top = _said(sheet, w, h)
     tables, size = _tables(sheet)
     x0, x1, low = LEFT + GAP, w - EDGE - GAP, EDGE + GAP + 2 * LINE
     room = GAP if tables else 0.0
-    beside = fitted(sheet, (x0, low, x1 - size.real - room, top))
-    under = fitted(sheet, (x0, low + size.imag + room, x1, top))
-    chosen = under if under.reduction < beside.reduction else beside
-    corner = complex(x0, low + size.imag) if chosen is under else complex(x1 - size.real, top)
+    beside = fitted(sheet, (x0, low, x1 - size.real - room, top)), complex(x1 - size.real, top)
+    under = fitted(sheet, (x0, low + size.imag + room, x1, top)), complex(x0, low + size.imag)
+    chosen, corner = min(beside, under, key=lambda way: way[0].reduction)
     out += [*said, *(moved(m, corner) for m in tables), *_legend(sheet, complex(x0, EDGE + GAP))]
     if chosen.reduction > 1:
         text = sheet.reduced.format(n=decimal(f"{chosen.reduction:.3g}", sheet.lang))
@@ -162,18 +165,44 @@ def _legend(sheet: Overlay, corner: complex) -> list[Mark]:
         if shown:
             out.append(Line((corner + LETTER * 0.5j, corner + 12 + LETTER * 0.5j), style, "text"))
             out.append(Text(name, corner + 14, LETTER))
-            x0, _, x1, _ = extent(name, LETTER)
-            corner += 14 + x1 - x0 + 8
+            corner += 14 + ink_width(name, LETTER) + 8
     return out
 
 
-def wrapped(text: str, width: float, letter: float) -> list[str]:
-    """A sentence in lines no wider than so many mm."""
-    lines: list[str] = []
-    for word in text.split():
-        longer = f"{lines[-1]} {word}" if lines else word
-        if lines and extent(longer, letter)[2] <= width:
-            lines[-1] = longer
-        else:
-            lines.append(word)
-    return lines
+BLANK_LETTER = 5.0
+
+
+def blank(
+    size_mm: tuple[float, float],
+    squares: Iterable[tuple[complex, Sequence[Sequence[bool]], float]],
+    pole: complex,
+    texts: Sequence[str],
+) -> list[Mark]:
+    """The marks of a blank. ``squares`` are (centre, black cells from the top row, side in mm)."""
+    w, h = size_mm
+    out: list[Mark] = [framed((LEFT, EDGE, w - EDGE, h - EDGE), "thin")]
+    for centre, cells, side in squares:
+        out += _square(centre, cells, side)
+    out += [Line((pole - d, pole + d), "thin", "plan") for d in (2 + 0j, 2j)]
+    out.append(Text("p", pole + complex(-5, -6), BLANK_LETTER, name="p"))
+    for k, text in enumerate(texts):
+        out.append(Text(text, complex(38, h - 14 - 7.5 * k), 3.5 if k else BLANK_LETTER))
+    return out
+
+
+def _square(centre: complex, cells: Sequence[Sequence[bool]], side: float) -> list[Mark]:
+    """A corner mark as runs of black cells."""
+    step = side / len(cells)
+    corner = centre + complex(-side, side) / 2
+    out: list[Mark] = []
+    for r, row in enumerate(cells):
+        for black, run in groupby(range(len(row)), key=row.__getitem__):
+            if black:
+                first, *more = run
+                out.append(_box(corner + complex(first * step, -(r + 1) * step), (1 + len(more)) * step, step))
+    return out
+
+
+def _box(z: complex, width: float, height: float) -> Shape:
+    over = 0.02  # no hair of white between two boxes
+    return Shape((z - 1j * over, z + width - 1j * over, z + complex(width, height), z + 1j * height), "frame")

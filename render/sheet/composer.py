@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any, TypeVar
 
 from planes.plans import Plans
 from planes.plans.lettering import lettering
@@ -15,7 +16,7 @@ from planes.words import Lang, say
 from planes.words.lettering import Naming
 from planes.words.names import kind_of, links_of, mu_of
 from planes.words.units import mu_text
-from render.paper.numbers import decimal
+from render.paper.letters import decimal
 from render.views import View, stacked, view
 from render.views.formulas import Formulas
 from render.views.moments import MomentLines
@@ -24,8 +25,13 @@ from render.views.polygon import Polygon
 from render.views.scheme import Scheme
 from render.views.tables import Tables
 
+RANK = {"velocity": 0, "acceleration": 0, "force": 1}
+"""Of kinds of plans that are shown beside the scheme: rates first."""
 LARGER = {2.5: 3.5, 3.5: 5.0, 5.0: 7.0}
 """Letter height of equations beside that of tables, mm."""
+
+
+Shown = TypeVar("Shown", bound=View | None)
 
 
 @dataclass
@@ -35,7 +41,7 @@ class Composer:
     scene: Scene
     lang: Lang
     stated: Plans | None = None  # of a mechanism: what its names mean
-    made: dict[tuple[object, ...], View | None] = field(default_factory=dict)
+    made: dict[tuple[object, ...], Any] = field(default_factory=dict)
     details: dict[tuple[str, float], int] = field(default_factory=dict)  # how many a plan has at its μ
 
     @cached_property
@@ -43,18 +49,16 @@ class Composer:
         """How this sheet names things."""
         return Naming(self.lang, **lettering(self.scene, self.stated))
 
-    def once(self, key: tuple[object, ...], make: Callable[[], View | None]) -> View | None:
+    def once(self, key: tuple[object, ...], make: Callable[[], Shown]) -> Shown:
         """The view of that key, made the first time it is asked for."""
         if key not in self.made:
             self.made[key] = make()
-        return self.made[key]
+        return self.made[key]  # type: ignore[no-any-return]
 
     def stack(self, key: str, *views: View | None, gap: float = 6.0) -> View:
         """Views of this composer one beneath the other, those there are."""
         there = [v for v in views if v]
-        stack = self.once(("stack", key, *map(id, there)), lambda: stacked(key, there, gap))
-        assert stack
-        return stack
+        return self.once(("stack", key, *map(id, there)), lambda: stacked(key, there, gap))
 
     def views(self, position: Position, letter: float, together: bool) -> list[View]:
         """Every view of one position, in the order they are read; ``together``: equations under their plans."""
@@ -67,16 +71,11 @@ class Composer:
         """The tables of one position."""
         return Tables(position, self.naming, letter, self.scene.parameters, self.once)
 
-    def extras(self, position: Position, letter: float) -> list[View]:
-        """Views that fill a sheet which has room for them."""
-        return [v for v in (self.moments(position, letter),) if v]
-
     def vector_views(self, results: VectorResults, letter: float, together: bool) -> list[View]:
         """The views of a scene of vectors alone."""
         plotted = of_vectors(results)
-        found = self.plans(plotted, [PLAN], letter, together)
         rows = Tables.of_vectors(results, self.naming, letter)
-        return [v for v in (*found, rows) if v]
+        return [v for v in (*self.plans(plotted, [PLAN], letter, together), rows) if v]
 
     def plans(self, plotted: Plotted, plans: list[str], letter: float, together: bool) -> list[View | None]:
         """Plans with their equations: beneath each, or all of a kind in one view."""
@@ -86,10 +85,8 @@ class Composer:
             return [self.stack(d.key, d, w) for d, w in zip(drawn, written, strict=True)]
         forces = tuple(p for p in plans if kind_of(p) == "force")
         others = tuple(p for p in plans if p not in forces)
-        found: list[View | None] = [*drawn]
-        for some, title in ((others, "equations"), (forces, "balance_equations")):
-            found.append(self.formulas(plotted, some, letter, say(title, self.lang)) if some else None)
-        return found
+        titled = ((others, "equations"), (forces, "balance_equations"))
+        return [*drawn, *(self.formulas(plotted, some, letter, say(x, self.lang)) for some, x in titled if some)]
 
     def mu(self, plotted: Plotted, plan: str) -> str:
         """μ of a plan as it is written in titles: "μ_{v} = 30 мм/(м·с⁻¹)"."""
@@ -101,19 +98,20 @@ class Composer:
 
     def scheme(self, position: Position) -> View | None:
         """The scheme in the calculated position."""
-        plotted, mu = of_position(position), position.scales[mu_of("position")]
-        title = f"{say('scheme', self.lang)}, {self.mu(plotted, 'position')}"
-        found = Scheme(position, self.naming)
-        return self.once(("scheme", mu), lambda: view("scheme", title, found.drawn(), True, plan="position"))
+        title, found = self.titled(position, "scheme"), Scheme(position, self.naming)
+        key = ("scheme", position.scales[mu_of("position")])
+        return self.once(key, lambda: view("scheme", title, found.drawn(), True, plan="position"))
+
+    def titled(self, position: Position, key: str, **names: str) -> str:
+        """The title of a scheme, with its μ."""
+        return f"{say(key, self.lang, **names)}, {self.mu(of_position(position), 'position')}"
 
     def plan(self, plotted: Plotted, plan: str) -> View:
         """A plan of rates or forces."""
         title = f"{self.plan_name(plan)}, {self.mu(plotted, plan)}"
         polygon = Polygon(plotted, plan, self.naming, counted=self.details)
         key = ("plan", plan, plotted.mu(plan), *polygon.letters()[:1])  # letters of details follow those of other plans
-        made = self.once(key, lambda: view(plan, title, polygon.drawn(), True, polygon.unseen(title), plan))
-        assert made
-        return made
+        return self.once(key, lambda: view(plan, title, polygon.drawn(), True, polygon.unseen(title), plan))
 
     def plan_name(self, plan: str) -> str:
         """The name of a plan in its title."""
@@ -143,6 +141,5 @@ class Composer:
 
 def drawn_plans(plotted: Plotted, position: Position) -> list[str]:
     """The plans that are shown: of rates if anything moves, and all of forces."""
-    plans = position.plans.drawn
-    rates = [p for p in plans if p in ("velocity", "acceleration") and not plotted.still(p)]
-    return rates + [p for p in plans if kind_of(p) == "force" and not plotted.still(p)]
+    drawn = [p for p in position.plans.drawn if kind_of(p) in RANK and not plotted.still(p)]
+    return sorted(drawn, key=lambda p: RANK[kind_of(p)])

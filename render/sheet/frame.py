@@ -1,4 +1,4 @@
-"""Formats of ГОСТ 2.301, the frame 20/5/5/5 and the filled cells of form 1 of ГОСТ 2.104, as marks."""
+"""Formats of ГОСТ 2.301, the frame 20/5/5/5 and form 1 of ГОСТ 2.104 as marks, and what a scene says in its cells."""
 
 from __future__ import annotations
 
@@ -7,12 +7,14 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from planes.words import Lang
+from planes.scene import Scene
+from planes.words import Lang, say
 from render.labels.footprints import Bounds
 from render.paper import form1
-from render.paper.form1 import BLOCK, EDGE, LEFT, TOP_CELL, Cell
+from render.paper.form1 import BESIDE, BLOCK, EDGE, LEFT, TOP_CELL, Cell
+from render.paper.letters import decimal
 from render.paper.marks import Line, Mark, Text
-from render.paper.typeset import extent
+from render.paper.typeset import ink_width, wrapped
 
 FORMATS: dict[str, tuple[float, float]] = {
     "A4": (210.0, 297.0),
@@ -51,27 +53,26 @@ class Paper:
         return right - BLOCK[0], EDGE, right, EDGE + BLOCK[1]
 
     @property
-    def corner(self) -> Bounds:
-        """Where graph 26 stands: in the upper left corner."""
-        top = self.size[1] - EDGE
-        return LEFT, top - TOP_CELL[1], LEFT + TOP_CELL[0], top
-
-    @property
     def taken(self) -> tuple[Bounds, Bounds]:
-        """What views must keep clear of within the field."""
-        return self.block, self.corner
+        """What views must keep clear of within the field: the title block, and graph 26 in the upper left corner."""
+        top = self.size[1] - EDGE
+        return self.block, (LEFT, top - TOP_CELL[1], LEFT + TOP_CELL[0], top)
 
     def marks(self, cells: Mapping[str, str], lang: Lang = "ru") -> tuple[Mark, ...]:
         """Frame, title block and the columns beside the frame, with their cells filled."""
-        x0, y0, x1, y1 = self.field
-        frame = Line((complex(x0, y0), complex(x1, y0), complex(x1, y1), complex(x0, y1)), "frame", "frame", True)
         ruled = [Line((a, b), style, "frame") for a, b, style in form1.lines(self.size)]
         own = [mark for text, cell in form1.words(self.size, lang) for mark in fitted(text, cell)]
         filled: list[Mark] = []
         said = {**cells, "designation_turned": cells.get("designation", ""), "format": self.name}
         for key, cell in form1.cells(self.size).items():
             filled += fitted(said.get(key, ""), cell, f"cell {key}")
-        return (frame, *ruled, *own, *filled)
+        return (framed(self.field, "frame"), *ruled, *own, *filled)
+
+
+def framed(inside: Bounds, style: str) -> Line:
+    """A frame of a sheet."""
+    x0, y0, x1, y1 = inside
+    return Line((complex(x0, y0), complex(x1, y0), complex(x1, y1), complex(x0, y1)), style, "frame", True)
 
 
 def fitted(text: str, cell: Cell, name: str = "") -> list[Text]:
@@ -89,37 +90,62 @@ def fitted(text: str, cell: Cell, name: str = "") -> list[Text]:
     for k, line in enumerate(lines):
         across = 0.0 if cell.anchor == "middle" else _SIDE - wide / 2
         place = middle + complex(across, top - k * _PITCH * size) * turn
-        marks.append(Text(line, place, _shrunk(line, size, wide - 1.2), cell.anchor, cell.turn_deg, "frame", name))
+        inked = ink_width(line, size)
+        shrunk = size if inked <= wide - 1.2 else size * (wide - 1.2) / inked  # off the standard series if it must be
+        marks.append(Text(line, place, shrunk, cell.anchor, cell.turn_deg, "frame", name))
     return marks
 
 
 def _lines(text: str, width: float, height: float, sizes: list[float]) -> tuple[list[str], float]:
     """The text broken between words at the largest letter height at which it fits the cell."""
     for size in sizes:
-        lines = _broken(text, width, size)
-        fits = all(_wide(line, size) <= width for line in lines)
+        lines = wrapped(text, width, size) or [""]
+        fits = all(ink_width(line, size) <= width for line in lines)
         if fits and len(lines) * _PITCH * size - 0.6 * size <= height - 0.8:
             return lines, size
     return [text], sizes[-1]
 
 
-def _broken(text: str, width: float, size: float) -> list[str]:
-    lines: list[str] = []
-    for word in text.split():
-        longer = f"{lines[-1]} {word}" if lines else word
-        if lines and _wide(longer, size) <= width:
-            lines[-1] = longer
-        else:
-            lines.append(word)
-    return lines or [""]
+_PEOPLE = ("teacher", "tech", "person", "checked", "approved")
+_SAME = (
+    *("student", "role", "material", "mass", "copied", *_PEOPLE),
+    *(f"{person}_date" for person in _PEOPLE),
+    *BESIDE,
+)
+"""Keys of the scene that are names of cells."""
 
 
-def _wide(text: str, size: float) -> float:
-    x0, _, x1, _ = extent(text, size)
-    return x1 - x0
+def said_cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str, str]:
+    """Texts of the cells of form 1 by name; ``number`` is that of a sheet of a project of two."""
+    given = scene.sheet
+    said = {key: _said_text(value, lang) for key, value in given.items()}
+    found = {key: said[key] for key in _SAME if key in said}
+    found["student_date"] = said.get("date", "")
+    found["title"] = said.get("title") or scene.title.get(lang, "")
+    if number and "title" not in said:
+        found["title"] += f". {say(f'sheet_{number}', lang)}"
+    found["designation"] = said.get("designation") or said.get("number", "")
+    company = [said.get(key, "") for key in ("company", "university", "department", "group")]
+    found["company"] = " ".join(text for text in company if text)
+    found["scale"] = said.get("scale_note", "")
+    found["sheet"] = said.get("sheet", str(number or ""))
+    found["sheets"] = said.get("sheets", "2" if number else "1")
+    return {**found, **_letters(given.get("letter"), lang), **_revisions(given.get("revisions"), lang)}
 
 
-def _shrunk(text: str, size: float, width: float) -> float:
-    """The letter height at which a line that cannot be broken fits, off the standard series if it must be."""
-    wide = _wide(text, size)
-    return size if wide <= width else size * width / wide
+def _said_text(value: object, lang: Lang) -> str:
+    return decimal(f"{value:g}", lang) if isinstance(value, float) else str(value)
+
+
+def _letters(given: object, lang: Lang) -> dict[str, str]:
+    """Graph 4, filled from its left cell on."""
+    letters = given if isinstance(given, list) else str(given or "").split()
+    return {f"letter_{k + 1}": _said_text(letter, lang) for k, letter in enumerate(letters)}
+
+
+def _revisions(given: object, lang: Lang) -> dict[str, str]:
+    """Graphs 14–18, from the lowest row up."""
+    found: dict[str, str] = {}
+    for k, row in enumerate(given if isinstance(given, list) else ()):
+        found |= {f"revision_{k + 1}_{column}": _said_text(text, lang) for column, text in row.items()}
+    return found

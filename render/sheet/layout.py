@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import pairwise, permutations
 
 from render.labels.footprints import Bounds
 from render.sheet.rectangles import RULES, PlacedRectangle, Rule, Size, filled
@@ -69,17 +69,16 @@ def pack(sizes: Sequence[Size], field: Field, effort: Effort = FULL) -> Packed |
     """Places for rectangles of these sizes, the figures in reading order; None if no try fits them all."""
     if not field.holds(sizes):
         return None
-    best: tuple[Packed, list[int], Rule] | None = None
-    found_count = 0
+    found: list[tuple[Packed, list[int], Rule]] = []
     for order in _orders(sizes, effort.tries):
-        for rule in RULES:
-            found = field.filled(sizes, order, rule)
-            if found:
-                best = (found, order, rule) if best is None or found.cost < best[0].cost else best
-                found_count += 1
-        if found_count >= effort.enough:
+        tried = ((field.filled(sizes, order, rule), rule) for rule in RULES)
+        found += [(packed, order, rule) for packed, rule in tried if packed]
+        if len(found) >= effort.enough:
             break
-    return replace(_improved(sizes, field, *best, effort.moves), choice=found_count) if best else None
+    if not found:
+        return None
+    best = min(found, key=lambda one: one[0].cost)
+    return replace(_improved(sizes, field, *best, effort.moves), choice=len(found))
 
 
 def _improved(sizes: Sequence[Size], field: Field, found: Packed, order: list[int], rule: Rule, moves: int) -> Packed:
@@ -132,13 +131,12 @@ def _in_row(one: PlacedRectangle, other: PlacedRectangle) -> bool:
 def _orders(sizes: Sequence[Size], tries: int) -> Iterator[list[int]]:
     """Orders to try: as given, the largest, tallest, widest first, then shuffled ones, always the same."""
     plain = list(range(len(sizes)))
-    yield plain
-    yield sorted(plain, key=lambda k: -sizes[k][1])
+    by_height = sorted(plain, key=lambda k: -sizes[k][1])
+    yield from (plain, by_height)
     yield sorted(plain, key=lambda k: -sizes[k][0] * sizes[k][1])
     yield sorted(plain, key=lambda k: -sizes[k][0])
     yield sorted(plain, key=lambda k: -max(sizes[k]))
     shuffler = random.Random(1)
-    by_height = sorted(plain, key=lambda k: -sizes[k][1])
     for turn in range(tries):
         ranks = plain if turn % 2 else by_height
         loose = (0.2, 0.35, 0.6, 1.0)[turn % 4] * len(sizes)
@@ -152,13 +150,14 @@ def spread(spots: list[PlacedRectangle], field: Field) -> list[PlacedRectangle]:
     """
     fixed = [PlacedRectangle(b[0], b[1], b[2] - b[0], b[3] - b[1], True) for b in field.blocked]
     everything, gap = [*spots, *fixed], field.gap
-    sides = [(i, j) for i in range(len(everything)) for j in range(len(everything)) if _beside(everything, i, j, gap)]
+    pairs = list(permutations(range(len(everything)), 2))
+    sides = [(i, j) for i, j in pairs if _beside(everything[i], everything[j], gap)]
     for _ in range(ROUNDS):
         for k, spot in enumerate(spots):
             low = max([field.inside[0] + gap, *(everything[i].right + gap for i, j in sides if j == k)])
             high = min([field.inside[2] - gap, *(everything[j].x - gap for i, j in sides if i == k)])
             spot.x = (low + high - spot.width) / 2
-    above = [(i, j) for i in range(len(everything)) for j in range(len(everything)) if _above(everything, i, j, gap)]
+    above = [(i, j) for i, j in pairs if _above(everything[i], everything[j], gap)]
     rows: dict[float, list[int]] = {}
     for k, spot in enumerate(spots):
         rows.setdefault(round(spot.top, 1), []).append(k)
@@ -173,13 +172,11 @@ def spread(spots: list[PlacedRectangle], field: Field) -> list[PlacedRectangle]:
     return spots
 
 
-def _beside(spots: Sequence[PlacedRectangle], i: int, j: int, gap: float) -> bool:
-    """Whether spot i stands to the left of j, within reach of it up and down."""
-    a, b = spots[i], spots[j]
-    return i != j and a.right <= b.x + 1e-6 and a.y < b.top + gap - 1e-6 and b.y < a.top + gap - 1e-6
+def _beside(a: PlacedRectangle, b: PlacedRectangle, gap: float) -> bool:
+    """Whether spot a stands to the left of b, within reach of it up and down."""
+    return a.right <= b.x + 1e-6 and a.y < b.top + gap - 1e-6 and b.y < a.top + gap - 1e-6
 
 
-def _above(spots: Sequence[PlacedRectangle], i: int, j: int, gap: float) -> bool:
-    """Whether spot i stands above j, within reach of it sideways."""
-    a, b = spots[i], spots[j]
-    return i != j and a.y >= b.top - 1e-6 and a.x < b.right + gap - 1e-6 and b.x < a.right + gap - 1e-6
+def _above(a: PlacedRectangle, b: PlacedRectangle, gap: float) -> bool:
+    """Whether spot a stands above b, within reach of it sideways."""
+    return a.y >= b.top - 1e-6 and a.x < b.right + gap - 1e-6 and b.x < a.right + gap - 1e-6

@@ -1,4 +1,8 @@
-"""The sheets of a course project, each a list of views; the first, structure and kinematics, is made here."""
+"""The sheets of a course project, each a list of views.
+
+The first: structure and kinematics. The second, forces: every group apart with its loads, its plan and its links; the
+driver; the lever.
+"""
 
 from __future__ import annotations
 
@@ -7,17 +11,17 @@ from dataclasses import dataclass
 
 from planes.solving import Position
 from planes.words import say
-from planes.words.names import kind_of, mu_of
+from planes.words.names import POLE, at, kind_of, links_of, mu_of
+from render.paper.letters import decimal
 from render.paper.marks import Mark, Text
-from render.paper.numbers import decimal
 from render.sheet.composer import LARGER, Composer, drawn_plans
-from render.sheet.forces import Drawer, ForceSheet, extents
 from render.sheet.sizes import Sizes
 from render.views import View, beside, stacked, view
-from render.views.diagrams import SECTIONS, DiagramCurve, Diagrams, section_mm
-from render.views.hodograph import Hodograph, hodograph_view
+from render.views.diagrams import SECTIONS, DiagramCurve, Diagrams, Hodograph, hodograph_view, section_mm
+from render.views.loading import Loading
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
-from render.views.plotted import of_position
+from render.views.moments import Lever
+from render.views.plotted import Places, of_position
 from render.views.scheme import Scheme
 
 
@@ -43,12 +47,9 @@ class Project:
 
     def extents(self, number: int, at: Drawer, sizes: Sizes, plans: Mapping[str, float]) -> dict[str, float]:
         """Sizes in mm of what may grow: the plans; on sheet 1 the diagrams, on sheet 2 the groups apart."""
-        found = dict(plans)
         if number == 1 and self.turn:
-            found["diagrams"] = section_mm(sizes.of("diagrams")) * SECTIONS
-        if number == 2 and "position" in plans:
-            found |= extents(at, sizes)
-        return found
+            return {**plans, "diagrams": section_mm(sizes.of("diagrams")) * SECTIONS}
+        return {**plans, **(group_extents(at, sizes) if number == 2 and "position" in plans else {})}
 
     @staticmethod
     def shows(number: int) -> Callable[[str], bool]:
@@ -62,20 +63,19 @@ class Project:
         """Scheme in many positions, groups, plans of rates, tables, diagrams."""
         c, plotted = self.composer, of_position(position)
         rates = [p for p in drawn_plans(plotted, position) if kind_of(p) != "force"]
-        tables = c.tables(position, letter)
-        found = [self.many(position), *c.plans(plotted, rates, letter, together), self.groups(position, letter)]
-        found += [tables.given(), tables.plan("velocity"), tables.plan("acceleration"), tables.links()]
-        return [*found, self.diagrams(position, size), self.hodographs()]
+        t, plans = c.tables(position, letter), c.plans(plotted, rates, letter, together)
+        tables = t.given(), t.plan("velocity"), t.plan("acceleration"), t.links()
+        views = self.many(position), *plans, self.groups(position, letter), *tables
+        return [*views, self.diagrams(position, size), self.hodographs()]
 
     def many(self, position: Position) -> View | None:
         """The scheme, in the calculated position thick, in twelve more thin."""
         c, mu = self.composer, position.scales[mu_of("position")]
         if not self.numbered:
             return c.scheme(position)
-        title = f"{say('scheme', c.lang)}, {c.mu(of_position(position), 'position')}"
 
         def make() -> View:
-            many = ManyPositions(position.plans, self.numbered, self.turn, mu)
+            many, title = ManyPositions(position.plans, self.numbered, self.turn, mu), c.titled(position, "scheme")
             drawn = Scheme(position, c.naming).drawn(True, many.marks(), many.labels())
             return view("scheme", title, drawn, True, many.unseen(title, c.lang), "position")
 
@@ -88,20 +88,16 @@ class Project:
         def make() -> View:
             parts = [self.part(position, (structure.driver,), say("primary", c.lang), True, letter)]
             for g in structure.groups:
-                links = "–".join(c.naming.link(x) for x in g.links)
-                text = say("group_of_kind", c.lang, links=links, kind=g.kind)
+                text = say("group_of_kind", c.lang, links="–".join(map(c.naming.link, g.links)), kind=g.kind)
                 parts.append(self.part(position, g.links, text, False, letter))
-            row = beside(parts)
             w, q = decimal(str(structure.W), c.lang), decimal(str(structure.q), c.lang)
             lines = [f"W = 3n − 2p_{{1}} = {w};  q = W − 6n + 5p_{{1}} = {q}", self.formula(position)]
             high = LARGER[letter]
             marks: list[Mark] = [Text(t, complex(0, -1.9 * high * k), high, "middle") for k, t in enumerate(lines)]
-            return stacked("structure", [row, view("formula", "", marks)])
+            whole = stacked("structure", [beside(parts), view("formula", "", marks)])
+            return view("structure", say("structure", c.lang), whole.marks, figure=True)
 
-        key = ("groups", position.scales[mu_of("position")], letter)
-        titled = c.once(key, make)
-        assert titled
-        return c.once((*key, "title"), lambda: view("structure", say("structure", c.lang), titled.marks, figure=True))
+        return c.once(("groups", position.scales[mu_of("position")], letter), make)
 
     def formula(self, position: Position) -> str:
         """The formula of structure with the numbers of this sheet: I(0;1) → II(2;3)."""
@@ -128,3 +124,111 @@ class Project:
         """The hodographs the scene asks for."""
         c = self.composer
         return c.once(("hodographs",), lambda: hodograph_view(self.loops, c.naming)) if self.loops else None
+
+
+CROWDED, ALONE = 1.3, 2.2  # how much larger than on paper a group, or a link alone, counts: it need not grow as far
+
+Drawer = Callable[[Sizes], Position]
+"""Draws the position with its plans so many times their usual size, where μ is open."""
+
+
+def apart(plan: str) -> str:
+    """The name under which the scheme of a plan's links grows: "scheme:2-3" of "force:2-3"."""
+    return f"scheme:{'-'.join(links_of(plan))}"
+
+
+def group_sizes(sizes: Sizes, group: str) -> Sizes:
+    """Sizes at which the scheme, all that is shown of them, is as large as a group apart is drawn."""
+    times = sizes.of("position") * sizes.of(group) / sizes.factor**2
+    return Sizes(sizes.factor).larger("position", times)
+
+
+def group_extents(at: Drawer, sizes: Sizes) -> dict[str, float]:
+    """Sizes in mm of the groups apart, each at its own scale."""
+    groups = {apart(p): links_of(p) for p in at(sizes).plans.drawn if kind_of(p) == "force"}
+    counts = {group: CROWDED if len(links) > 1 else ALONE for group, links in groups.items()}
+    return {g: counts[g] * Places(at(group_sizes(sizes, g))).size(links) for g, links in groups.items()}
+
+
+@dataclass
+class ForceSheet:
+    """The views of sheet 2."""
+
+    composer: Composer
+
+    def views(self, at: Drawer, sizes: Sizes, letter: float) -> list[View]:
+        """Scheme with loads, every group with its forces and its plan, the driver, the lever, tables."""
+        c, position = self.composer, at(sizes)
+        plotted = of_position(position)
+        found: list[View | None] = [self.loaded(position)]
+        for plan in (p for p in position.plans.drawn if kind_of(p) == "force"):
+            links = links_of(plan)
+            larger = at(group_sizes(sizes, apart(plan)))
+            moments = c.moments(position, letter, links)
+            found.append(c.stack("group", self.group(larger, plan, links), moments, gap=5.0))
+            found.append(c.stack(plan, c.plan(plotted, plan), c.formulas(plotted, (plan,), letter, "")))
+            found.append(self.apart(larger, links, apart(plan)))
+        found.append(self.lever(position, letter))
+        tables = c.tables(position, letter)
+        return [v for v in (*found, tables.reactions(), tables.check()) if v]
+
+    def loaded(self, position: Position) -> View | None:
+        """The scheme with all outer loads."""
+        c = self.composer
+
+        def make() -> View:
+            loading = Loading(position, c.naming, tuple(position.plans.mechanism.links))
+            loading.loads(carried=False)
+            drawn = Scheme(position, c.naming).drawn(True, loading.marks, loading.named)
+            return view("loaded", c.titled(position, "loaded"), drawn, True, plan="position")
+
+        return c.once(("loaded", position.scales[mu_of("position")]), make)
+
+    def group(self, position: Position, plan: str, links: tuple[str, ...]) -> View | None:
+        """A group apart with its forces, reactions and arms."""
+        c = self.composer
+
+        def make() -> View:
+            loading = Loading(position, c.naming, links)
+            loading.loads(carried=True)
+            loading.reactions(plan)
+            if position.plans.structure.driver in links:
+                loading.balancing()
+            loading.arms([m for m in position.plans.moments if set(m.links) <= set(links)])
+            drawn = Scheme(position, c.naming, links, False).drawn(False, loading.marks, loading.named)
+            key = "loaded_group" if len(links) > 1 else "loaded_driver"
+            title = c.titled(position, key, links="–".join(map(c.naming.link, links)))
+            return view("group", title, drawn, True, plan=apart(plan))
+
+        return c.once(("loaded", links, position.scales[mu_of("position")]), make)
+
+    def apart(self, position: Position, links: tuple[str, ...], name: str = "") -> View | None:
+        """The links of a group one by one, each with its loads and all reactions on it, the inner ones too."""
+        if len(links) < 2:
+            return None
+        c = self.composer
+
+        def part(link: str) -> View:
+            loading = Loading(position, c.naming, (link,))
+            loading.loads(carried=False)
+            loading.whole_reactions()
+            alone = Scheme(position, c.naming, (link,), False)
+            return view("part", "", alone.drawn(False, loading.marks, loading.named))
+
+        def make() -> View:
+            title = c.titled(position, "links_apart", links=", ".join(map(c.naming.link, links)))
+            return view("apart", title, beside(list(map(part, links))).marks, True, plan=name)
+
+        return c.once(("apart", links, position.scales[mu_of("position")]), make)
+
+    def lever(self, position: Position, letter: float) -> View | None:
+        """Zhukovsky's lever with its moment equation."""
+        c, found = self.composer, Lever(position, self.composer.naming)
+        if at("lever", POLE) not in position.drawing:
+            return None
+        kind, title = "motion" if position.plans.at_rest else "velocity", say("lever", c.lang)
+        if kind == "velocity":
+            title += f", {c.mu(of_position(position), 'velocity')}"
+        key = ("lever", position.scales[mu_of(kind)])
+        drawn = c.once(key, lambda: view("lever", title, found.drawn(), True, plan=kind))
+        return c.stack("lever", drawn, c.moments(position, letter, ("lever",)))

@@ -76,33 +76,24 @@ def remark(text: str, marks: Iterable[Mark]) -> Text:
     return Text(text, complex((x0 + x1) / 2, y0 - 5.0), REMARK_MM, "middle", name="remark")
 
 
-def shifted(one: View, by: complex) -> View:
-    """The same view about another origin."""
-    x, y = by.real, by.imag
-    box = (one.box[0] + x, one.box[1] + y, one.box[2] + x, one.box[3] + y)
-    return replace(one, marks=tuple(moved(m, by) for m in one.marks), box=box)
-
-
 def stacked(key: str, views: Sequence[View], gap: float = 6.0) -> View:
     """Views one beneath the other on one middle line, as one view with the title of the first."""
     marks: list[Mark] = []
-    y, middle, boxes = 0.0, 0.0, []
+    y, boxes = 0.0, []
     for one in views:
-        by = complex(middle - (one.box[0] + one.box[2]) / 2, y - one.box[3])
-        moved_view = shifted(one, by)
-        marks += moved_view.marks
-        boxes.append(moved_view.box)
-        y = moved_view.box[1] - gap
-    box = (min(b[0] for b in boxes), min(b[1] for b in boxes), max(b[2] for b in boxes), max(b[3] for b in boxes))
-    unseen = tuple(s for v in views for s in v.unseen)
+        by = complex(-(one.box[0] + one.box[2]) / 2, y - one.box[3])
+        marks += (moved(mark, by) for mark in one.marks)
+        boxes.append([z + (by.imag if k % 2 else by.real) for k, z in enumerate(one.box)])
+        y = boxes[-1][1] - gap
+    left, low, right, top = zip(*boxes, strict=True)
+    box, unseen = (min(left), min(low), max(right), max(top)), tuple(s for v in views for s in v.unseen)
     return replace(views[0], key=key, marks=tuple(marks), box=box, unseen=unseen)
 
 
-def beside(views: Sequence[View], gap: float = 8.0) -> View:
-    """Views one beside the other, their lower edges in one line, as one view."""
+def beside(views: Sequence[View], gap: float = 8.0, top: float | None = None, left: float = 0.0) -> View:
+    """Views one beside the other as one view, their lower edges in one line, or their upper ones at ``top``."""
     marks: list[Mark] = []
-    x, low, high = 0.0, 0.0, 0.0
     for one in views:
-        marks += one.placed(x, one.height)
-        x, high = x + one.width + gap, max(high, one.height)
-    return View("row", "", tuple(marks), (0.0, low, x - gap, high))
+        marks += one.placed(left, one.height if top is None else top)
+        left += one.width + gap
+    return View("row", "", tuple(marks), (0.0, 0.0, left - gap, max(one.height for one in views)))

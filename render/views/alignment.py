@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Any
 
 from planes.plans.self_aligning import Aligned, Sign
 from planes.plans.structure import Pair
@@ -14,10 +13,10 @@ from planes.words import say
 from planes.words.lettering import Naming
 from render import labels
 from render.paper import symbols
-from render.paper.marks import Arc, Line, Mark, Text
+from render.paper.marks import Arc, Line, Mark, Text, moved
 from render.paper.style import HINGE_MM
 from render.views import View, stacked, view
-from render.views.places import degrees
+from render.views.plotted import degrees
 from render.views.scheme import Scheme
 
 CUP_MM = 2.4  # radius of the cup about a spherical pair's ball
@@ -71,10 +70,10 @@ class AlignedScheme(Scheme):
         said: dict[str, list[str]] = {}
         for pair, sign in self.aligned.pairs:
             if pair.kind == "R":
-                said.setdefault(pair.point, []).append(short(sign, self.naming))
+                said.setdefault(pair.point, []).append(say(f"short_{sign}", self.naming.lang))
             elif self.places.has(self.mechanism.links[pair.link].first_point):
                 foot, _ = self.places.foot(self.mechanism.links[pair.link])
-                text = f"{between(pair, self.naming)}_{{{short(sign, self.naming)}}}"
+                text = f"{between(pair, self.naming)}_{{{say(f'short_{sign}', self.naming.lang)}}}"
                 self.named.append(labels.Label(text, foot, 3.5, clear=4.5, name=f"sign {pair.guide}"))
         for k, label in enumerate(self.named):
             if label.name in said and label.name in self.shared:
@@ -85,17 +84,8 @@ class AlignedScheme(Scheme):
 def _bushing(foot: complex, angle: float, size: tuple[float, float]) -> tuple[Mark, ...]:
     """Short strokes over both ends of a slider's block: the round hole it is bored with."""
     along, (long, wide) = symbols.unit(angle), size
-    hole = 0.28 * wide
-    found: list[Mark] = []
-    for side in (-1, 1):
-        start = foot + side * 1j * along * hole
-        found.append(Line((start - long / 2 * along, start + long / 2 * along), "thin"))
-    return tuple(found)
-
-
-def short(sign: Sign, naming: Naming) -> str:
-    """The field's short mark of a pair: 1в, 1п, 2ц, 3с."""
-    return say(f"short_{sign}", naming.lang)
+    starts = (foot + side * 1j * along * (0.28 * wide) for side in (-1, 1))
+    return tuple(Line((z - long / 2 * along, z + long / 2 * along), "thin") for z in starts)
 
 
 def between(pair: Pair, naming: Naming) -> str:
@@ -114,52 +104,33 @@ def alignment_view(position: Position, aligned: Aligned, naming: Naming, title: 
 def counted(aligned: Aligned, letter: float) -> list[Mark]:
     """The formula of Somov and Malyshev with its numbers."""
     p5, p4, p3 = aligned.counts
-    high = letter * 1.4
-    lines = [
-        "W = 6n − 5p_{5} − 4p_{4} − 3p_{3} = "
-        f"6·{aligned.n} − 5·{p5} − 4·{p4} − 3·{p3} = {aligned.W};   q = {aligned.q}"
-    ]
-    return [Text(t, complex(0, -1.9 * high * k), high, "middle") for k, t in enumerate(lines)]
+    numbers = f"6·{aligned.n} − 5·{p5} − 4·{p4} − 3·{p3} = {aligned.W};   q = {aligned.q}"
+    return [Text(f"W = 6n − 5p_{{5}} − 4p_{{4}} − 3p_{{3}} = {numbers}", 0j, letter * 1.4, "middle")]
 
 
 def legend(aligned: Aligned, naming: Naming, letter: float) -> View:
     """The sign of every kind of pair there is, seen from its side, with its name, class and places."""
     marks: list[Mark] = []
-    kinds = [k for k in ("R", "P", "C", "S") if any(sign == k for _, sign in aligned.pairs)]
-    for row, kind in enumerate(kinds):
+    there = {sign for _, sign in aligned.pairs}
+    for row, kind in enumerate(k for k in CLASSES if k in there):
         y = -13.0 * row
-        marks += _SIGNS[kind](complex(0, y))
+        marks += [moved(m, 1j * y) for m in _SIGNS[kind]]
         named = [p for p, sign in aligned.pairs if sign == kind]
         places = ", ".join(naming.point(p.point) if p.point else between(p, naming) for p in named)
-        words = say(f"pair_{kind}", naming.lang, cls=CLASSES[kind])  # type: ignore[index]
+        words = say(f"pair_{kind}", naming.lang, cls=CLASSES[kind])
         marks.append(Text(f"{words}: {places}", complex(16, y - letter / 2), letter))
     return view("signs", "", marks)
 
 
-# the signs of ГОСТ 2.770, seen from the side
-
-
-def _revolute(z: complex) -> tuple[Mark, ...]:
-    """A shaft in a bearing, held by collars."""
-    collars = (Line((z + complex(x, -1.8), z + complex(x, 1.8))) for x in (-5.2, 5.2))
-    return (*_cylindrical(z), *collars)
-
-
-def _cylindrical(z: complex) -> tuple[Mark, ...]:
-    """A shaft that turns and slides in a sleeve."""
-    sleeve = [Line((z + complex(-4, y), z + complex(4, y))) for y in (-2.2, 2.2)]
-    return (*sleeve, Line((z - 10, z + 10)))
-
-
-def _prismatic(z: complex) -> tuple[Mark, ...]:
-    """A block on its guide."""
-    return (*symbols.base(z - 3.25j, 0, 18.0), *symbols.block(z))
-
-
-def _spherical(z: complex) -> tuple[Mark, ...]:
-    """A ball in a cup."""
-    cup = Arc(z, 1.7 * HINGE_MM * 1.2, 55, 305)
-    return (cup, Line((z + HINGE_MM, z + 10)), Line((z - 1.7 * HINGE_MM * 1.2, z - 10)), *symbols.hinge(z))
-
-
-_SIGNS: dict[str, Any] = {"R": _revolute, "P": _prismatic, "C": _cylindrical, "S": _spherical}
+_SHAFT: tuple[Mark, ...] = (
+    *(Line((complex(-4, y), complex(4, y))) for y in (-2.2, 2.2)),  # in a sleeve, in which it turns and slides
+    Line((-10 + 0j, 10 + 0j)),
+)
+_CUP = 1.7 * HINGE_MM * 1.2
+_SIGNS: dict[Sign, tuple[Mark, ...]] = {
+    "R": (*_SHAFT, *(Line((complex(x, -1.8), complex(x, 1.8))) for x in (-5.2, 5.2))),  # a shaft held by collars
+    "P": (*symbols.base(-3.25j, 0, 18.0), *symbols.block(0j)),
+    "C": _SHAFT,
+    "S": (Arc(0j, _CUP, 55, 305), Line((HINGE_MM + 0j, 10 + 0j)), Line((-_CUP + 0j, -10 + 0j)), *symbols.hinge(0j)),
+}
+"""The signs of ГОСТ 2.770, seen from the side."""

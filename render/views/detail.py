@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from render import labels
 from render.labels.footprints import bounds
@@ -59,7 +59,7 @@ class Detail:
         """The part of a straight stroke within the detail, enlarged; None if there is next to nothing."""
         a, b = map(self.enlarged, ends)
         reach, way = self.times * self.radius, (b - a) / abs(b - a)
-        foot = a - ((a * way.conjugate()).real) * way
+        foot = a - (a * way.conjugate()).real * way
         if abs(foot) >= reach:
             return None
         half = (reach**2 - abs(foot) ** 2) ** 0.5
@@ -71,25 +71,21 @@ class Detail:
         """The strokes of the plan within the circle, the labels of what is seen whole, and the title."""
         reach = self.times * self.radius
         ground: list[Mark] = [Arc(0j, reach, style="thin", layer="dimension")]
-        for mark in marks:
-            ground += self.part(mark)
+        ground += [part for mark in marks for part in self.part(mark)]
         ground.append(Text(self.title, complex(0, reach + TITLE_GAP), LETTER_MM, "middle", name=self.title))
         return (*ground, *labels.place([self.label(x) for x in named if self.shows(x)], ground).marks)
 
     def part(self, mark: Mark) -> list[Mark]:
         """What is seen of one mark."""
-        if isinstance(mark, Arrow):
-            piece = self.seen((mark.start, mark.end))
-            if piece is None:
-                return []
-            if self.holds(mark.end):
+        if isinstance(mark, Arrow) or (isinstance(mark, Line) and len(mark.points) == 2):
+            ends = (mark.start, mark.end) if isinstance(mark, Arrow) else (mark.points[0], mark.points[1])
+            piece = self.seen(ends)
+            if piece and isinstance(mark, Arrow) and self.holds(mark.end):
                 return [Arrow(*piece, mark.style, mark.layer)]
-            return [Line(piece, mark.style, mark.layer)]
-        if isinstance(mark, Line) and len(mark.points) == 2:
-            piece = self.seen((mark.points[0], mark.points[1]))
             return [Line(piece, mark.style, mark.layer)] if piece else []
-        if isinstance(mark, (Arc, Shape)) and self.holds(at := _middle(mark)):
-            return [moved(mark, self.enlarged(at) - at)]  # the pole's dot keeps its size
+        if isinstance(mark, (Arc, Shape)):
+            at = mark.centre if isinstance(mark, Arc) else sum(mark.points) / len(mark.points)
+            return [moved(mark, self.enlarged(at) - at)] if self.holds(at) else []  # the pole's dot keeps its size
         return []
 
     def shows(self, label: labels.Label) -> bool:
@@ -98,34 +94,23 @@ class Detail:
 
     def label(self, label: labels.Label) -> labels.Label:
         """The label at its enlarged place."""
-        if isinstance(label.at, tuple):
-            at: complex | Ends = (self.enlarged(label.at[0]), self.enlarged(label.at[1]))
-        else:
-            at = self.enlarged(label.at)
-        return labels.Label(label.text, at, label.height, label.side, 0.7, label.priority, label.layer, label.name)
-
-
-def _middle(mark: Arc | Shape) -> complex:
-    return mark.centre if isinstance(mark, Arc) else sum(mark.points) / len(mark.points)
+        z, e = label.at, self.enlarged
+        return replace(label, at=(e(z[0]), e(z[1])) if isinstance(z, tuple) else e(z), clear=0.7)
 
 
 def details(vectors: Iterable[Ends], letters: Sequence[str]) -> list[Detail]:
     """The details of the vectors that are too short; neighbours share one."""
     found = []
-    for points, letter in zip(_groups(vectors), letters, strict=False):
-        centre = complex(_mean(z.real for z in points), _mean(z.imag for z in points))
+    for points, letter in zip(groups_of(vectors), letters, strict=False):
+        x, y = [z.real for z in points], [z.imag for z in points]
+        centre = complex((min(x) + max(x)) / 2, (min(y) + max(y)) / 2)
         radius = AROUND * max(abs(z - centre) for z in points)
         times = max((t for t in ENLARGED if t * radius <= RADIUS_MM), default=ENLARGED[0])
         found.append(Detail(centre, radius, times, letter))
     return found
 
 
-def count(vectors: Iterable[Ends]) -> int:
-    """How many details the vectors need."""
-    return len(_groups(vectors))
-
-
-def _groups(vectors: Iterable[Ends]) -> list[list[complex]]:
+def groups_of(vectors: Iterable[Ends]) -> list[list[complex]]:
     """The ends of short vectors, those of neighbours together."""
     groups: list[list[complex]] = []
     for ends in vectors:
@@ -134,11 +119,6 @@ def _groups(vectors: Iterable[Ends]) -> list[list[complex]]:
             groups = [g for g in groups if g not in near]
             groups.append([z for g in near for z in g] + list(ends))
     return groups
-
-
-def _mean(values: Iterable[float]) -> float:
-    held = list(values)
-    return (min(held) + max(held)) / 2
 
 
 def letters(points: Iterable[str], russian: bool) -> list[str]:

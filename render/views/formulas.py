@@ -12,9 +12,9 @@ from planes.words import say
 from planes.words.lettering import Naming
 from planes.words.names import lines, parallel_to, written
 from planes.words.units import UNIT
+from render.paper.letters import number
 from render.paper.marks import Line, Mark, Text
-from render.paper.numbers import number
-from render.paper.typeset import extent, over
+from render.paper.typeset import extent, ink_width, over
 from render.views.plotted import Plotted
 
 NOISE_MM = 1e-7  # a shorter vector is rounding noise
@@ -59,22 +59,21 @@ class Setter:
     def lines(self, words: list[Word]) -> list[list[Word]]:
         """The words in lines that are not too wide, each but the first beginning with a sign."""
         found: list[list[Word]] = [[]]
-        wide = 0.0
+        wide, gap = 0.0, GAP * self.letter
         for k, word in enumerate(words):
             sign = bool(_SIGN.match(word.text)) and not word.vector
-            step = self.wide(word) + (self.wide(words[k + 1]) if sign and k + 1 < len(words) else 0.0)
+            step = sum(self.wide(w) + gap for w in words[k : k + 1 + sign])
             if sign and found[-1] and wide + step > WIDEST * self.letter:
                 found.append([])
                 wide = 0.0
             found[-1].append(word)
-            wide += self.wide(word)
+            wide += self.wide(word) + gap
         return found
 
     def wide(self, word: Word) -> float:
-        """Width of a word with what stands beneath it, and the gap after it."""
-        sizes = [_width(word.text, self.letter)]
-        sizes += [_width(t, self.small) for t in (word.action, word.value) if t]
-        return max(sizes) + GAP * self.letter
+        """Width of a word with what stands beneath it."""
+        beneath = (ink_width(t, self.small) for t in (word.action, word.value) if t)
+        return max(ink_width(word.text, self.letter), *beneath, 0.0)
 
     def line(self, words: list[Word], y: float, left: float = 0.0) -> float:
         """Set one line at base line ``y`` from ``left``; the lowest ink."""
@@ -90,16 +89,15 @@ class Setter:
 
     def word(self, word: Word, y: float, under: float, action_y: float, value_y: float) -> None:
         """One word centred over what stands beneath it."""
-        sizes = [_width(word.text, self.letter)]
-        sizes += [_width(t, self.small) for t in (word.action, word.value) if t]
-        wide, middle = max(sizes), self.x + max(sizes) / 2
-        left = middle - sizes[0] / 2
+        own, wide = ink_width(word.text, self.letter), self.wide(word)
+        middle = self.x + wide / 2
+        left = middle - own / 2
         self.marks.append(Text(word.text, complex(left, y), self.letter, name=word.text))
         if word.vector:
             self.bar(word.text, left, y)
         for k in range(word.known):
             level = under - 0.9 * k
-            self.marks.append(Line((complex(left, level), complex(left + sizes[0], level)), "thin", "text"))
+            self.marks.append(Line((complex(left, level), complex(left + own, level)), "thin", "text"))
         for text, level in ((word.action, action_y), (word.value, value_y)):
             if text:
                 self.marks.append(Text(text, complex(middle, level), self.small, "middle"))
@@ -114,11 +112,6 @@ class Setter:
             self.marks.append(Line((complex(left + start, level), complex(left + end, level)), "thin", "text"))
 
 
-def _width(text: str, height: float) -> float:
-    x0, _, x1, _ = extent(text, height)
-    return x1 - x0
-
-
 @dataclass(frozen=True)
 class Formulas:
     """The equations of some plans, set one beneath the other."""
@@ -130,15 +123,11 @@ class Formulas:
     def drawn(self, plans: tuple[str, ...]) -> tuple[Mark, ...]:
         """All equations of these plans, from the top down."""
         setter, y = Setter(self.letter), 0.0
-        for equation in self.plotted.equations:
-            if equation.plan in plans and self.there(equation):
+        for equation in (e for e in self.plotted.equations if e.plan in plans):
+            if all(self.plotted.has(equation.plan, t.start, t.end) for t in equation.terms):
                 words = self.words(equation) if equation.total else self.closed_words(equation)
                 y = setter.row(words, y) - 1.9 * self.letter
         return tuple(setter.marks)
-
-    def there(self, equation: Equation) -> bool:
-        """Whether an equation is on the drawing."""
-        return all(self.plotted.has(equation.plan, t.start, t.end) for t in equation.terms)
 
     def words(self, equation: Equation) -> list[Word]:
         """v_C = v_B + v_CB; what a point does against the frame is its own vector, with its line of action."""

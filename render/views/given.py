@@ -11,7 +11,7 @@ from planes.scene.mechanism import Guide, Link
 from planes.solving import Position
 from planes.words.lettering import Naming, greek
 from planes.words.names import index_of, letter_of
-from render.paper.numbers import number, unit
+from render.paper.letters import number, unit
 
 RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N", "N·m")
 """Units in the order their rows stand in."""
@@ -42,26 +42,18 @@ class GivenTable:
 
     def rows(self) -> list[list[str]]:
         """Name, value and unit of everything that is given."""
-        found = [*self.drive(), *self.named()]
-        plain = [r for r in self.unnamed() if r.value and not self.known(r)]
-        found += dict.fromkeys(plain)
-        places = {unit: k for k, unit in enumerate(RANK)}
-        found.sort(key=lambda r: (not r.of_drive, places[r.unit]))
-        return [self.row(r) for r in found]
-
-    def row(self, r: GivenRow) -> list[str]:
-        """A row in words."""
+        plain = dict.fromkeys(r for r in self.unnamed() if r.value and not self.known(r))
+        found = sorted([*self.drive(), *self.named(), *plain], key=lambda r: (not r.of_drive, RANK.index(r.unit)))
         lang = self.naming.lang
-        return [r.name, number(r.value, lang), unit(r.unit, lang) or "—"]
+        return [[r.name, number(r.value, lang), unit(r.unit, lang) or "—"] for r in found]
 
     def drive(self) -> list[GivenRow]:
         """The driver's place in this position, and its motion."""
         drive = self.position.plans.mechanism.drive
-        n = self.naming.link(drive.link)
-        turning, sliding = (("φ", "°"), ("ω", "rad/s"), ("ε", "rad/s²")), (("s", "m"), ("v", "m/s"), ("a", "m/s²"))
-        letters = turning if drive.kind == "phi" else sliding
+        letters, units = ("φωε", ("°", "rad/s", "rad/s²")) if drive.kind == "phi" else ("sva", ("m", "m/s", "m/s²"))
+        names = (f"{letter}_{{{self.naming.link(drive.link)}}}" for letter in letters)
         values = (self.position.at, drive.velocity, drive.acceleration)
-        return [GivenRow(f"{letter}_{{{n}}}", v, unit, True) for (letter, unit), v in zip(letters, values, strict=True)]
+        return [GivenRow(name, v, unit, True) for name, v, unit in zip(names, values, units, strict=True)]
 
     def named(self) -> Iterator[GivenRow]:
         """The parameters; what a load is called on the sheet stands beside the name of its parameter."""
@@ -85,9 +77,7 @@ class GivenTable:
         """Every number of the mechanism."""
         m = self.position.plans.mechanism
         for point, z in m.frame.points.items():
-            letter = self.naming.point(point).replace("_{", "").replace("}", "")
-            yield GivenRow(f"x_{{{letter}}}", z.real, "m")
-            yield GivenRow(f"y_{{{letter}}}", z.imag, "m")
+            yield from self.place(self.naming.point(point).replace("_{", "").replace("}", ""), z)
         for guide in m.frame.guides.values():
             yield from self.frame_guide(guide)
         for link in m.links.values():
@@ -100,12 +90,16 @@ class GivenTable:
         for name, f in m.friction.items():
             yield GivenRow(f"f_{{{name}}}", f, "")
 
+    def place(self, name: str, z: complex) -> Iterator[GivenRow]:
+        """The coordinates of a place."""
+        yield GivenRow(f"x_{{{name}}}", z.real, "m")
+        yield GivenRow(f"y_{{{name}}}", z.imag, "m")
+
     def frame_guide(self, guide: Guide) -> Iterator[GivenRow]:
         """Where a guide of the frame lies and how it is turned."""
         name = guide.name.replace("-", "–")
         if guide.through_point is None:
-            yield GivenRow(f"x_{{{name}}}", guide.through.real, "m")
-            yield GivenRow(f"y_{{{name}}}", guide.through.imag, "m")
+            yield from self.place(name, guide.through)
         if guide.angle_deg % 90:
             yield GivenRow(f"∠{name}", guide.angle_deg, "°")
 
@@ -114,15 +108,14 @@ class GivenTable:
         first = link.first_point
         for point, z in link.points.items():
             way = z - link.points[first]
-            straight = way.imag == 0
+            length, turn = (abs(way), round(math.degrees(cmath.phase(way)), 9)) if way.imag else (way.real, 0.0)
             if way:
-                yield GivenRow(f"l_{{{first}{point}}}", way.real if straight else abs(way), "m")
-                yield GivenRow(f"∠{first}{point}", 0.0 if straight else round(math.degrees(cmath.phase(way)), 9), "°")
+                yield GivenRow(f"l_{{{first}{point}}}", length, "m")
+                yield GivenRow(f"∠{first}{point}", turn, "°")
         for guide in link.guides.values():
             yield GivenRow(f"∠{guide.name}", guide.angle_deg, "°")
             if guide.through_point is None:
-                yield GivenRow(f"x_{{{guide.name}}}", guide.through.real, "m")
-                yield GivenRow(f"y_{{{guide.name}}}", guide.through.imag, "m")
+                yield from self.place(guide.name, guide.through)
         if link.slides:
             yield GivenRow(f"e_{{{self.naming.link(link.name)}}}", link.slides.offset or 0.0, "m")
             yield GivenRow(f"∠{self.naming.link(link.name)}", link.slides.angle_deg or 0.0, "°")

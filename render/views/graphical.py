@@ -13,11 +13,11 @@ from planes.words import say
 from planes.words.lettering import Naming
 from planes.words.names import at
 from planes.words.units import RATES
+from render.paper.letters import number, scale
 from render.paper.marks import Arc, Arrow, Line, Mark, Text
-from render.paper.numbers import number, scale
 from render.paper.style import DOT_MM
 from render.paper.symbols import dot
-from render.paper.typeset import extent
+from render.paper.typeset import ink_width
 
 BETWEEN_MM = 15.0
 BEYOND_MM = 9.0  # of an axis past its last section
@@ -73,11 +73,9 @@ class Graphical:
 
     def one(self, stage: Stage, k: int, zero: complex, bottom: float, top: float) -> list[Mark]:
         """Axes, sections, the exact curve, the construction and what it gave."""
-        wide = self.place(stage.plan, "t").real
-        marks: list[Mark] = [
-            Line((zero + complex(x, bottom - 1.5), zero + complex(x, top + 1.5)), "construction", "construction")
-            for x in self.sections(wide)
-        ]
+        wide, n = self.place(stage.plan, "t").real, self.construction.motion.sections
+        ends = ((zero + wide * k / n + 1j * y for y in (bottom - 1.5, top + 1.5)) for k in range(1, n + 1))
+        marks: list[Mark] = [Line(tuple(two), "construction", "construction") for two in ends]
         marks += [
             Arrow(zero, zero + wide + BEYOND_MM, "thin", "dimension"),
             Arrow(zero + 1j * min(0.0, bottom - 1.5), zero + 1j * (top + 9.0), "thin", "dimension"),
@@ -88,42 +86,27 @@ class Graphical:
         marks.append(Line(exact, "thick" if stage.given else "dash", "plan"))
         return [*marks, *self.pole(stage, zero), *self.curve(stage, zero, wide)]
 
-    def sections(self, wide: float) -> list[float]:
-        """Abscissas of the ends of the sections."""
-        n = self.construction.motion.sections
-        return [wide * k / n for k in range(1, n + 1)]
-
     def heading(self, stage: Stage, k: int) -> str:
         """The quantity and its scale, with the formula it follows from."""
-        c, lang = self.construction, self.naming.lang
-        letters = ("s", "v", "a") if c.motion.slides else ("φ", "ω", "ε")
-        units = RATES[c.motion.slides]
+        c, lang, letters = self.construction, self.naming.lang, "sva" if self.construction.motion.slides else "φωε"
         own = letters[stage.rank]
         text = f"{own}_{{{self.naming.link(c.motion.link)}}};  μ_{{{own}}} = "
         if k:
             other = letters[c.stages[k - 1].rank]
             text += f"H·μ_{{{other}}}/μ_{{t}} = " if c.kind == "differentiation" else f"μ_{{{other}}}·μ_{{t}}/H = "
-        text += scale(stage.mu, units[stage.rank], lang)
+        text += scale(stage.mu, RATES[c.motion.slides][stage.rank], lang)
         return text if k else f"{text};  μ_{{t}} = {scale(c.mu_t, 's', lang)}"
 
     def pole(self, stage: Stage, zero: complex) -> list[Mark]:
         """The pole, its rays to the axis of ordinates, and its distance."""
         if stage.pole_mm is None:
             return []
-        pole, found = self.place(stage.plan, "P"), []
-        for h in self.cuts(stage):
-            found.append(Line((zero + pole, zero + h), "construction", "construction"))
-        marks: list[Mark] = [
-            *found,
-            *dot(zero + pole, 0.6, "construction"),
-            Line((zero + pole, zero), "thin", "dimension"),
-        ]
-        level = self.pole_room(stage)
-        low, high = zero + pole, zero
+        low, high, level = zero + self.place(stage.plan, "P"), zero, self.pole_room(stage)
+        marks: list[Mark] = [Line((low, zero + h), "construction", "construction") for h in self.cuts(stage)]
+        marks += [*dot(low, 0.6, "construction"), Line((low, zero), "thin", "dimension")]
         text, middle = f"H = {number(stage.pole_mm, self.naming.lang)}", (low + high) / 2
-        x0, _, x1, _ = extent(text, 3.5)
         written = Text(text, middle + 1j * (level + 1.2), 3.5, "middle")
-        if x1 - x0 > stage.pole_mm - 2.0:  # beside a short distance, on its line drawn further
+        if ink_width(text, 3.5) > stage.pole_mm - 2.0:  # beside a short distance, on its line drawn further
             written = Text(text, low + complex(-4.0, level - 1.3), 3.5, "end")
             marks.append(Line((low + complex(-3.0, level), low + 1j * level), "thin", "dimension"))
         return [
@@ -132,8 +115,7 @@ class Graphical:
             Text("P", low + complex(-1.5, -1.2), 3.5, "end"),
             Line((low, low + 1j * (level - 1.0)), "thin", "dimension"),
             Line((high + 1j * min(0.0, self.levels(stage)[0] - 1.5), high + 1j * (level - 1.0)), "thin", "dimension"),
-            Arrow(middle + 1j * level, low + 1j * level, "thin", "dimension"),
-            Arrow(middle + 1j * level, high + 1j * level, "thin", "dimension"),
+            *(Arrow(middle + 1j * level, end + 1j * level, "thin", "dimension") for end in (low, high)),
         ]
 
     def pole_room(self, stage: Stage) -> float:
@@ -154,7 +136,10 @@ class Graphical:
     def curve(self, stage: Stage, zero: complex, wide: float) -> list[Mark]:
         """The points and the curve through them (of an integral the line of chords it is), with its construction."""
         points, by_chords = self.points(stage), self.construction.kind == "differentiation"
-        marks = self.carried(stage, zero)
+        marks: list[Mark] = []
+        for label in self.cut_labels(stage):  # ordinates carried to or from the axis
+            cut, point = self.place(stage.plan, f"h{label}"), self.place(stage.plan, label)
+            marks.append(Line((zero + cut, zero + point), "construction", "construction"))
         if by_chords and stage.rank < 2:
             near = wide / self.construction.motion.sections / 2 + 1e-6
             ends = [z for z in points if -near <= z.real <= wide + 1e-6]
@@ -164,14 +149,6 @@ class Graphical:
             marks.append(Line(tuple(zero + z for z in path), "thick", "plan"))
         inside = [z for z in points if -1e-6 <= z.real <= wide + 1e-6]
         return [*marks, *(Arc(zero + z, DOT_MM * 0.75, style="thin", layer="plan", fill="ink") for z in inside)]
-
-    def carried(self, stage: Stage, zero: complex) -> list[Mark]:
-        """Ordinates carried to or from the axis."""
-        marks: list[Mark] = []
-        for label in self.cut_labels(stage):
-            ends = self.place(stage.plan, f"h{label}"), self.place(stage.plan, label)
-            marks.append(Line((zero + ends[0], zero + ends[1]), "construction", "construction"))
-        return marks
 
     # beneath
 
@@ -187,13 +164,11 @@ class Graphical:
 
     def legend(self, level: float) -> list[Mark]:
         """Which line is which."""
-        lang = self.naming.lang
-        return [
-            Line((complex(0, level), complex(14, level)), "thick", "plan"),
-            Text(say("graphical_drawn", lang), complex(16, level - 1.3), 3.5),
-            Line((complex(62, level), complex(76, level)), "dash", "plan"),
-            Text(say("graphical_exact", lang), complex(78, level - 1.3), 3.5),
-        ]
+        found: list[Mark] = []
+        for x, style, key in ((0, "thick", "graphical_drawn"), (62, "dash", "graphical_exact")):
+            found.append(Line((complex(x, level), complex(x + 14, level)), style, "plan"))
+            found.append(Text(say(key, self.naming.lang), complex(x + 16, level - 1.3), 3.5))
+        return found
 
 
 def smooth(points: Sequence[complex]) -> list[complex]:

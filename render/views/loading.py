@@ -6,18 +6,20 @@ import math
 from dataclasses import dataclass, field, replace
 
 from planes.drafting.draft import Moments
+from planes.drafting.drawing import Drawing
 from planes.drafting.steps.reckoning import Drop
 from planes.plans.bodies import SCHEME
+from planes.plans.loads import force_name
 from planes.solving import Position
 from planes.words import say
 from planes.words.lettering import Naming
 from planes.words.names import at, mu_of
 from render import labels
 from render.paper import symbols
+from render.paper.letters import number
 from render.paper.marks import Arrow, Line, Mark
-from render.paper.numbers import number
 from render.paper.style import BLOCK_MM
-from render.views.places import Places
+from render.views.plotted import Places
 from render.views.senses import freest
 
 FORCE_MM = 15.0  # shortest arrow of a force; forces are not to scale
@@ -25,6 +27,7 @@ STEP_MM = 6.0  # by which the next one of the same point and direction is longer
 COUPLE_MM = 6.5  # radius of a couple's curved arrow
 NAME_MM = 3.5
 NOTHING = 1e-9  # of the largest force: none
+LEAST_MM = 2.0  # of an arm
 SAME_MM = 0.1  # arms that differ by less are one
 FAR_MM = 60.0  # an arm longer than this, and than its links, is drawn with a break
 BREAK_MM = 2.5  # half of a break along its line
@@ -40,7 +43,7 @@ class Loading:
     links: tuple[str, ...]
     marks: list[Mark] = field(default_factory=list)
     named: list[labels.Label] = field(default_factory=list)
-    taken: list[tuple[complex, complex, float]] = field(default_factory=list)
+    taken: list[tuple[complex, complex]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self.places, self.drawing = Places(self.position), self.position.drawing
@@ -80,7 +83,7 @@ class Loading:
                 continue
             turned = inside[0] != pair.link
             force = result.vector * (-1 if turned else 1)
-            name = self.reversed(key) if turned else key
+            name = force_name(pair.other, pair.link) if turned else key
             if self.big(abs(force)):
                 self.force(name, self.seat(key), force / abs(force), from_outside=True)
             elif self.arm(key) is None and abs(result.moment) > NOTHING:
@@ -137,38 +140,26 @@ class Loading:
         known = {f.name for link in self.links for f in self.position.plans.acting.forces[link]}
         found: dict[str, str] = {}
         for key, reaction in self.position.plans.reactions.items():
-            pair = reaction.pair
-            for name, on, by in ((key, pair.link, pair.other), (self.reversed(key), pair.other, pair.link)):
+            link, other = reaction.pair.link, reaction.pair.other
+            for name, on, by in ((key, link, other), (force_name(other, link), other, link)):
                 if on in self.links and by not in self.links and name not in known:
                     found |= {name + part: key for part in ("", "^t", "^n")}
         return found
 
-    def reversed(self, key: str) -> str:
-        """F_12 of F_21."""
-        pair = self.position.plans.reactions[key].pair
-        return f"F_{pair.other}{pair.link}" if len(pair.other) == len(pair.link) == 1 else f"F_{pair.other}_{pair.link}"
-
     def big(self, size: float) -> bool:
         """Whether a force is more than rounding noise."""
-        sizes = [
-            abs(float(self.drawing[f.size]))
-            for fs in self.position.plans.acting.forces.values()
-            for f in fs
-            if f.size in self.drawing
-        ]
+        names = {f.size for forces in self.position.plans.acting.forces.values() for f in forces}
+        sizes = (abs(float(self.drawing[name])) for name in names if name in self.drawing)
         return abs(size) > NOTHING * max(sizes, default=0.0)
 
     def force(self, name: str, point: complex, way: complex, from_outside: bool = False) -> None:
         """An arrow from its point (a load), or with its head there (a reaction), longer where others point the same."""
         side = -way if from_outside else way
-        like = [s for p, s, _ in self.taken if abs(p - point) < 0.5 and (s * side.conjugate()).real > 0.9]
-        length = FORCE_MM + STEP_MM * len(like)
-        self.taken.append((point, side, length))
-        ends = (point + length * side, point) if from_outside else (point, point + length * side)
-        if from_outside:
-            ends = (ends[0], point + 1.6 * side)
+        like = [s for p, s in self.taken if abs(p - point) < 0.5 and (s * side.conjugate()).real > 0.9]
+        far = point + (FORCE_MM + STEP_MM * len(like)) * side
+        self.taken.append((point, side))
+        ends = (far, point + 1.6 * side) if from_outside else (point, far)
         self.marks.append(Arrow(*ends, "thick", "force", name))
-        far = ends[0] if from_outside else ends[1]
         self.named.append(labels.Label(self.naming.vector(name), (far, (far + point) / 2), NAME_MM, name=name))
 
     def couple(self, name: str, link: str, value: float, number: int, text: str = "") -> None:
@@ -189,19 +180,12 @@ class Loading:
 
     def arms(self, equations: list[Moments]) -> None:
         """Thin perpendiculars from the centre of moments to the lines of action, which are drawn out to meet them."""
-        drops = {s.makes: s for s in self.drawing.program.steps if isinstance(s, Drop)}
-        drawn = Arms()
-        for equation in equations:
-            for name, arm in equation.terms:
-                step = drops.get(arm)
-                if not step or step.makes not in self.drawing:
-                    continue
-                point, about = complex(self.drawing[step.point]), complex(self.drawing[step.about])
-                along = complex(self.drawing[step.along])
-                foot = point + ((about - point) * along.conjugate()).real * along
-                if abs(foot - about) < 2:
-                    continue
-                drawn.add(point, (about, foot), self.naming.arm(name, arm), name)
+        drops, drawn = drops_of(self.drawing), Arms()
+        for name, arm in (term for equation in equations for term in equation.terms):
+            step = drops.get(arm)
+            if step and step.makes in self.drawing:
+                point, along, about = (complex(self.drawing[x]) for x in (step.point, step.along, step.about))
+                drawn.add(point, along, about, self.naming.arm(name, arm), name)
         self.marks += drawn.marks
         self.named += drawn.named
 
@@ -213,8 +197,11 @@ class Arms:
     marks: list[Mark] = field(default_factory=list)
     named: list[labels.Label] = field(default_factory=list)
 
-    def add(self, point: complex, ends: tuple[complex, complex], text: str, force: str) -> None:
-        """The arm between ``ends`` of the force at ``point``."""
+    def add(self, point: complex, along: complex, about: complex, text: str, force: str) -> None:
+        """The arm about a place of the force at ``point``, unless it is too short to be seen."""
+        ends = about, point + ((about - point) * along.conjugate()).real * along
+        if abs(ends[1] - about) < LEAST_MM:
+            return
         self.marks.append(Line((point, ends[1]), "construction", "construction"))
         for k, other in enumerate(self.named):
             if isinstance(other.at, tuple) and all(abs(a - b) < SAME_MM for a, b in zip(other.at, ends, strict=True)):
@@ -222,6 +209,11 @@ class Arms:
                 return
         self.marks.append(Line(ends, "thin", "dimension"))
         self.named.append(labels.Label(text, ends, NAME_MM, name=f"arm {force}"))
+
+
+def drops_of(drawing: Drawing) -> dict[str, Drop]:
+    """The steps that measure arms, by what they make."""
+    return {s.makes: s for s in drawing.program.steps if isinstance(s, Drop)}
 
 
 def _sign(value: object) -> float:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import groupby
 from statistics import median
 
 from planes.plans import Plans
@@ -15,7 +16,7 @@ from planes.words import Lang, say
 from render import labels
 from render.paper.marks import Line, Mark
 from render.paper.typeset import plain
-from render.views.places import NEAR_MM, outline_of
+from render.views.plotted import NEAR_MM, outline_of
 
 MOST = 3.5  # times its usual size a scheme may have in the course of a turn
 NEAR = 1.8  # and so many times where it grows beyond that: the positions farther off are not drawn
@@ -80,13 +81,15 @@ class ManyPositions:
     def marks(self) -> list[Mark]:
         """Bars of all links in all positions, the extreme ones blacker, and the paths."""
         found: list[Mark] = []
-        for one in self.numbered:
-            if one.result and self.near(one.result):
-                style = "thin" if one.extreme else "construction"
-                for link in self.plans.mechanism.links.values():
-                    for outline in self.outlines(link, one.result):
-                        found.append(Line(tuple(outline), style, "construction", len(outline) > 2))
+        for one, result in self.shown():
+            style = "thin" if one.extreme else "construction"
+            shapes = (x for link in self.plans.mechanism.links.values() for x in self.outlines(link, result))
+            found += (Line(tuple(shape), style, "construction", len(shape) > 2) for shape in shapes)
         return found + self.paths()
+
+    def shown(self) -> Iterator[tuple[Numbered, PlacedMechanism]]:
+        """The numbered positions that are drawn, with their places."""
+        return ((one, one.result) for one in self.numbered if one.result and self.near(one.result))
 
     def outlines(self, link: Link, result: PlacedMechanism) -> list[list[complex]]:
         """The bar or plate of a link, as the scheme shows it, and the rods of its guides as far as their sliders."""
@@ -102,7 +105,7 @@ class ManyPositions:
             on = [w.real for w in ways if abs(w.imag) < NEAR_MM] or [w.real for w in ways[:1]]
             ends = [*on, *(((z - through) * along.conjugate()).real for z in feet)]
             joints += [through + on[0] * along]
-            rods.append(outline_of([through + min(ends) * along, through + max(ends) * along] if feet else []))
+            rods += [outline_of([through + min(ends) * along, through + max(ends) * along])] if feet else []
         return [shape for shape in (outline_of(joints), *rods) if len(shape) > 1]
 
     @property
@@ -133,14 +136,10 @@ class ManyPositions:
         straight = {p for x in m.links.values() if x.slides and m.owner(x.slides.guide) == FRAME for p in x.points}
         fixed = set(m.frame.points) | straight
         for point in dict.fromkeys(p for link in m.links.values() for p in link.points if p not in fixed):
-            run: list[complex] = []
-            for result in [*self.turn, None]:
-                if result and self.near(result):
-                    run.append(self.place(result, point))
-                    continue
+            for there, results in groupby(self.turn, key=self.near):
+                run = [self.place(result, point) for result in results if result and there]
                 if len(run) > 2 and max(abs(z - run[0]) for z in run) > 1:
                     found.append(Line(tuple(run), "dash", "construction"))
-                run = []
         return found
 
     def unseen(self, title: str, lang: Lang) -> list[str]:
@@ -156,9 +155,8 @@ class ManyPositions:
         points = self.plans.mechanism.links[drive.link].points
         ends = [p for p in points if p != pair.point or drive.kind == "s"]
         found = []
-        for one in self.numbered if ends else ():
-            if one.result and self.near(one.result):
-                z = self.place(one.result, ends[0])
-                side = -1j if drive.kind == "s" else z - self.place(one.result, pair.point)
-                found.append(labels.Label(one.number, z, 2.5, side=side, clear=1.6, name=f"position {one.number}"))
+        for one, result in self.shown() if ends else ():
+            z = self.place(result, ends[0])
+            side = -1j if drive.kind == "s" else z - self.place(result, pair.point)
+            found.append(labels.Label(one.number, z, 2.5, side=side, clear=1.6, name=f"position {one.number}"))
         return found

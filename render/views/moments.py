@@ -1,19 +1,30 @@
-"""Moment equations with their numbers: ΣM about a point, every product force × arm over what it comes to."""
+"""Moments as they are drawn: equations with the value of every product beneath, and Zhukovsky's lever.
+
+The lever is the velocity plan turned by a right angle, with the outer forces at the images of their points.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from dataclasses import dataclass
 from functools import cached_property
 
 from planes.drafting.draft import Moments
-from planes.drafting.steps.reckoning import Calculate, Drop, Product
+from planes.drafting.steps.reckoning import Calculate, Product
 from planes.solving import Position
 from planes.words import say
 from planes.words.lettering import Naming, flat
-from render.paper.marks import Mark
-from render.paper.numbers import number
+from planes.words.names import POLE
+from render import labels
+from render.paper.letters import number
+from render.paper.marks import Arrow, Line, Mark
+from render.paper.symbols import dot
 from render.views.formulas import Setter, Word
+from render.views.loading import Arms, drops_of
+from render.views.plotted import of_position
+from render.views.polygon import ZERO_MM, gathered
+from render.views.senses import parted, yielding
 
 NOISE = 1e-9  # of the largest moment of the equation: nothing
 
@@ -31,25 +42,24 @@ class MomentLines:
         setter, y = Setter(self.letter), 0.0
         for equation in self.position.plans.moments:
             wanted = equation.links != ("lever",) if links is None else set(equation.links) <= set(links)
-            words = self.words(equation) if wanted else []
-            if words:
+            if wanted and (words := self.words(equation)):
                 y = setter.row(words, y) - 1.9 * self.letter
         return tuple(setter.marks)
 
     def words(self, equation: Moments) -> list[Word]:
         """ΣM_C: F^t l = ± G h ± … with the value of every product beneath."""
-        step = self.position.drawing.program
-        made = next((s for s in step.steps if s.makes == equation.unknown), None)
+        made = next((s for s in self.position.drawing.program.steps if s.makes == equation.unknown), None)
         if not isinstance(made, Calculate) or not made.terms:
             return []
-        values = [self.value(term) for term in made.terms]
+        values = list(map(self.value, made.terms))
         biggest = max(map(abs, values))
         shown = [(n, a, v) for (n, a), v in zip(equation.terms, values, strict=False) if abs(v) > NOISE * biggest]
         if not shown:
             return []
         about = flat(self.naming.point(equation.about))
         links = ",".join(self.naming.link(x) for x in equation.links if x != "lever")
-        factor = self.common(equation, made)
+        # what every product is divided by: the unknown's arm, or on the lever the driver's rate
+        factor = next((name for name, power in made.terms[0].factors if power < 0), "")
         by = float(self.position.drawing[factor]) if factor else 1.0
         found = float(self.position.drawing[equation.unknown])
         head = self.unknown(equation) + (self.naming.vector(factor) if factor else "")
@@ -73,10 +83,6 @@ class MomentLines:
             return "N·m"
         return "N" if plans.at_rest else "W"
 
-    def common(self, equation: Moments, made: Calculate) -> str:
-        """What every product is divided by: the unknown's arm, or on the lever the driver's rate; "" for nothing."""
-        return next((name for name, power in made.terms[0].factors if power < 0), "")
-
     def unknown(self, equation: Moments) -> str:
         """The letter of what the equation is solved for."""
         drive = self.position.plans.mechanism.drive
@@ -86,15 +92,13 @@ class MomentLines:
 
     def product(self, name: str, lever: str) -> str:
         """A force times its arm, a couple, either times its rate."""
-        text = self.naming.vector(name)
-        if lever in self.arms:
-            return text + self.naming.arm(name, lever)
-        return text + (self.naming.vector(lever) if lever else "")
+        by = self.naming.arm(name, lever) if lever in self.arms else self.naming.vector(lever) if lever else ""
+        return self.naming.vector(name) + by
 
     @cached_property
-    def arms(self) -> frozenset[str]:
+    def arms(self) -> Collection[str]:
         """The names of all arms."""
-        return frozenset(step.makes for step in self.position.drawing.program.steps if isinstance(step, Drop))
+        return drops_of(self.position.drawing)
 
     def value(self, term: Product) -> float:
         """One product of the sum."""
@@ -104,3 +108,54 @@ class MomentLines:
     def number(self, value: float) -> str:
         """A number of the sheet."""
         return number(value, self.naming.lang)
+
+
+FORCE_MM = 14.0
+STEP_MM = 6.0
+
+
+@dataclass
+class Lever:
+    """The lever of one position; a driver at rest has the plan of a unit drive turned instead."""
+
+    position: Position
+    naming: Naming
+
+    def drawn(self) -> tuple[Mark, ...]:
+        """The turned plan, the forces, their arms and all names."""
+        plan = "motion" if self.position.plans.at_rest else "velocity"
+        plotted = of_position(self.position)
+        marks: list[Mark] = []
+        for s in plotted.drawn_segments(plan):
+            ends = 1j * plotted.mark(plan, s.start), 1j * plotted.mark(plan, s.end)
+            if abs(ends[1] - ends[0]) > ZERO_MM:
+                marks.append(Line(ends, "thick" if s.start == POLE else "thin", "plan"))
+        letters = ((self.naming.mark(x, "velocity"), 1j * plotted.mark(plan, x)) for x in plotted.labels(plan))
+        places = gathered(letters)  # letters of marks that coincide share one
+        named = [labels.Label(", ".join(n), z, 5.0, clear=0.8, priority=1, name=n[0]) for z, n in places]
+        marks += dot(0j, 0.8, "plan")
+        forces, names = self.forces()
+        thin, rest = yielding([*marks, *forces])
+        placed = labels.place([*named, *names], rest, None, thin)
+        return (*parted(thin, placed.texts), *rest, *placed.marks)
+
+    def forces(self) -> tuple[list[Mark], list[labels.Label]]:
+        """Arrows of the forces at their images, not to scale, and their arms about the pole."""
+        drawing, marks, named = self.position.drawing, list[Mark](), list[labels.Label]()
+        drops = drops_of(drawing)
+        taken: list[tuple[complex, complex]] = []
+        arms = Arms()
+        lever = next((m for m in self.position.plans.moments if m.links == ("lever",)), None)
+        for name, arm in lever.terms if lever else ():
+            step = drops.get(arm)
+            if not step or arm not in drawing or abs(complex(drawing[step.point])) < ZERO_MM:
+                continue
+            size = float(drawing[name]) if name in drawing else 1.0
+            point, along = complex(drawing[step.point]), complex(drawing[step.along]) * (1 if size >= 0 else -1)
+            same = sum(abs(p - point) < 0.5 and (w * along.conjugate()).real > 0.9 for p, w in taken)
+            taken.append((point, along))
+            end = point + (FORCE_MM + STEP_MM * same) * along
+            marks.append(Arrow(point, end, "thick", "force", name))
+            named.append(labels.Label(self.naming.vector(name), ((point + end) / 2, end), 3.5, name=name))
+            arms.add(point, along, 0j, self.naming.arm(name, arm), name)
+        return [*marks, *arms.marks], [*named, *arms.named]

@@ -1,14 +1,20 @@
-"""What the plans of a sheet are drawn from: a drawing with its equations and segments, of a mechanism or of vectors."""
+"""What views are drawn from: plans of a mechanism or of vectors, and where its parts stand on the scheme."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import cmath
+import math
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+
+import shapely
 
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation
+from planes.plans.bodies import SCHEME
+from planes.scene.mechanism import Link, Mechanism
 from planes.solving import Position
 from planes.solving.vectors import PLAN, VectorResults
 from planes.words.names import at, kind_of, label_of, mu_of, plan_of
@@ -26,11 +32,6 @@ class Plotted:
     fixed: tuple[str, ...] = ()
     quantity: str = ""
 
-    @cached_property
-    def initials(self) -> frozenset[str]:
-        """The first letters of everything drawn."""
-        return frozenset(label_of(name)[:1] for name in self.drawing.things)
-
     def mark(self, plan: str, label: str) -> complex:
         """Where a mark stands, mm from the pole of its plan."""
         return complex(self.drawing[at(plan, label)])
@@ -43,6 +44,10 @@ class Plotted:
         """Labels of all marks of a plan in the order they were drawn, the helping ones left out."""
         made = [s for s in self.drawing.program.steps if s.kind == "mark" and plan_of(s.makes) == plan]
         return [label_of(s.makes) for s in made if not s.loose]
+
+    def drawn_segments(self, plan: str) -> list[Segment]:
+        """The segments of a plan that have been drawn."""
+        return [s for s in self.segments if s.plan == plan and s.start != s.end and self.has(plan, s.start, s.end)]
 
     def mu(self, plan: str) -> float:
         """μ of a plan, mm per SI unit."""
@@ -70,3 +75,99 @@ def of_vectors(found: VectorResults) -> Plotted:
     spans = {name: (label_of(s), label_of(e)) for name, (s, e) in found.spans.items()}
     segments = tuple(Segment(PLAN, start, end, name) for name, (start, end) in spans.items())
     return Plotted(found.drawing, segments, tuple(draft.equations), {mu_of(PLAN): found.mu}, (), found.quantity)
+
+
+NEAR_MM = 0.4  # places closer than this are one
+
+
+@dataclass(frozen=True)
+class Places:
+    """The places of one position."""
+
+    position: Position
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism that is drawn."""
+        return self.position.plans.mechanism
+
+    @cached_property
+    def shared(self) -> dict[str, list[str]]:
+        """Points of more than one link, with those links: the hinges."""
+        held: dict[str, list[str]] = {}
+        for link in (self.mechanism.frame, *self.mechanism.links.values()):
+            for point in link.points:
+                held.setdefault(point, []).append(link.name)
+        return {point: owners for point, owners in held.items() if len(owners) > 1}
+
+    def has(self, point: str) -> bool:
+        """Whether the point has been drawn."""
+        return at(SCHEME, point) in self.position.drawing
+
+    def at(self, point: str) -> complex:
+        """Where a point stands."""
+        return complex(self.position.drawing[at(SCHEME, point)])
+
+    def size(self, links: Sequence[str]) -> float:
+        """The larger side of the box around the points of some links."""
+        drawn = [self.at(p) for name in links for p in self.mechanism.links[name].points if self.has(p)]
+        sides = [z.real for z in drawn], [z.imag for z in drawn]
+        return max(max(side) - min(side) for side in sides) if drawn else 0.0
+
+    def sliders(self, *guides: str) -> Iterator[Link]:
+        """The links that slide on some guides, where they have been drawn."""
+        links = self.mechanism.links.values()
+        return (x for x in links if x.slides and x.slides.guide in guides and self.has(x.first_point))
+
+    def line(self, guide: str) -> tuple[complex, complex]:
+        """A point of a guide's line and its direction."""
+        given = self.mechanism.guide(guide)
+        label = given.through_point or f"°{guide}"
+        along = complex(self.position.drawing[f"∥{guide}"])
+        if self.has(label):
+            return self.at(label), along
+        slider = next(x for x in self.mechanism.links.values() if x.slides and x.slides.guide == guide)
+        offset = (slider.slides.offset if slider.slides else None) or 0.0
+        return self.at(slider.first_point) - 1j * along * offset * self.position.scales[mu_of(SCHEME)], along
+
+    def foot(self, link: Link) -> tuple[complex, complex]:
+        """The foot of a slider's first point on its guide, and the guide's direction."""
+        assert link.slides
+        through, along = self.line(link.slides.guide)
+        first = self.at(link.first_point)
+        return through + ((first - through) * along.conjugate()).real * along, along
+
+    def doubled(self, link: Link) -> Link | None:
+        """Another slider that is hinged to this one, in one place."""
+        sliders = [x for x in self.mechanism.links.values() if x is not link and x.slides and self.has(x.first_point)]
+        here = self.at(link.first_point)
+        return next((x for x in sliders if abs(self.at(x.first_point) - here) < NEAR_MM), None)
+
+
+def degrees(along: complex) -> float:
+    """The angle of a direction."""
+    return round(math.degrees(cmath.phase(along)), 9)
+
+
+def outline_of(places: list[complex]) -> list[complex]:
+    """The corners of a link: one point, the ends of a bar, or the hull of a plate."""
+    unique: list[complex] = []
+    for z in places:
+        if all(abs(z - u) > NEAR_MM for u in unique):
+            unique.append(z)
+    if len(unique) < 3:
+        return unique
+    a, b = max(((p, q) for p in unique for q in unique), key=lambda e: abs(e[1] - e[0]))
+    way = (b - a) / abs(b - a)
+    if all(abs(((z - a) * way.conjugate()).imag) < NEAR_MM for z in unique):
+        return [a, b]
+    hull = shapely.MultiPoint([(z.real, z.imag) for z in unique]).convex_hull
+    return [complex(x, y) for x, y in list(hull.exterior.coords)[:-1]]
+
+
+def nearest(z: complex, outline: list[complex]) -> complex:
+    """The point of a link's outline that is nearest to a place."""
+    corners = [(c.real, c.imag) for c in outline]
+    kinds = {1: shapely.Point, 2: shapely.LineString}
+    shape = kinds.get(len(corners), shapely.Polygon)(corners)
+    return complex(*shapely.shortest_line(shape, shapely.Point(z.real, z.imag)).coords[0])

@@ -11,8 +11,8 @@ from planes.words import say
 from planes.words.lettering import Naming
 from planes.words.names import POLE, at, label_of, plan_of
 from render import labels
+from render.paper.letters import number
 from render.paper.marks import Arrow, Layer, Line, Mark
-from render.paper.numbers import number
 from render.paper.symbols import dot
 from render.paper.typeset import plain
 from render.views import detail, remark
@@ -71,7 +71,8 @@ class Polygon:
         """Letters for the details of this plan, after those of the plans before it."""
         plans = list(dict.fromkeys(s.plan for s in self.plotted.segments if s.plan not in ("lever", "motion")))
         used = sum(map(self.details_of, plans[: plans.index(self.plan)] if self.plan in plans else ()))
-        return detail.letters(self.plotted.initials, self.naming.lang == "ru")[used:]
+        taken = map(label_of, self.plotted.drawing.things)
+        return detail.letters(taken, self.naming.lang == "ru")[used:]
 
     def details_of(self, plan: str) -> int:
         """How many details another plan of this drawing has."""
@@ -80,24 +81,20 @@ class Polygon:
             other = Polygon(self.plotted, plan, self.naming)
             other.collect()
             other.vectors()
-            self.counted[key] = detail.count(other.places.values())
+            self.counted[key] = len(detail.groups_of(other.places.values()))
         return self.counted[key]
 
     def collect(self) -> None:
         """Every measured segment by its ends."""
-        for s in self.plotted.segments:
-            there = s.plan == self.plan and s.start != s.end and self.plotted.has(s.plan, s.start, s.end)
-            if there and abs(self.mark(s.end) - self.mark(s.start)) > ZERO_MM:
+        for s in self.plotted.drawn_segments(self.plan):
+            if abs(self.mark(s.end) - self.mark(s.start)) > ZERO_MM:
                 names = self.arrows.setdefault((s.start, s.end), [])
                 names += [s.name] * (s.name not in names)
 
     def unseen(self, title: str) -> list[str]:
         """A sentence about the vectors that are too short to be drawn, if there are any."""
-        sizes = {
-            s.name: abs(self.mark(s.end) - self.mark(s.start))
-            for s in self.plotted.segments
-            if s.plan == self.plan and self.plotted.has(s.plan, s.start, s.end)
-        }
+        drawn = self.plotted.drawn_segments(self.plan)
+        sizes = {s.name: abs(self.mark(s.end) - self.mark(s.start)) for s in drawn}
         names = [plain(self.naming.vector(n)) for n, size in sizes.items() if NOTHING_MM < size <= ZERO_MM]
         told = {"view": plain(title), "names": ", ".join(names), "least": number(ZERO_MM, self.naming.lang)}
         return [say("too_short", self.naming.lang, **told)] if names else []
@@ -114,12 +111,9 @@ class Polygon:
             if term.known != 1 or not term.direction:
                 continue
             start, end = self.mark(term.start), self.mark(term.end)
-            way = end - start
-            if abs(way) > ZERO_MM:
-                self.marks.append(Line((start, end + BEYOND_MM * way / abs(way)), "construction", "construction"))
-            else:
-                along = ALONE_MM * complex(self.plotted.drawing[term.direction])
-                self.marks.append(Line((end - along, end + along), "construction", "construction"))
+            way, along = end - start, ALONE_MM * complex(self.plotted.drawing[term.direction])
+            ends = (start, end + BEYOND_MM * way / abs(way)) if abs(way) > ZERO_MM else (end - along, end + along)
+            self.marks.append(Line(ends, "construction", "construction"))
 
     def traces(self) -> None:
         """The sides of the similar triangles by which points of links were found."""
@@ -133,11 +127,9 @@ class Polygon:
             corners = [label_of(base[0]), label_of(step.makes), label_of(base[1])]
             a, x, b = map(self.mark, corners)
             flat = abs(b - a) < ZERO_MM or abs(((x - a) / (b - a)).imag) * abs(b - a) < ZERO_MM
-            if tuple(corners[::2]) not in self.arrows:
-                self.trace(a, b)
-            if not flat:
-                self.trace(a, x)
-                self.trace(x, b)
+            sides = [(a, b)] * (tuple(corners[::2]) not in self.arrows) + [(a, x), (x, b)] * (not flat)
+            for side in sides:
+                self.trace(*side)
 
     def trace(self, start: complex, end: complex) -> None:
         """A construction line."""
@@ -146,13 +138,9 @@ class Polygon:
 
     def vectors(self) -> None:
         """The arrows: results thick, parts and relative vectors thin; forces of one line side by side."""
-        order = sorted(self.arrows.items(), key=lambda item: not self.is_result(item[0][0], item[0][1], item[1]))
-        for (start, end), names in order:
-            ends = self.mark(start), self.mark(end)
-            if not self.of_rates:
-                ends = self.aside(ends)
-            self.places[start, end] = ends
-            thick = self.is_result(start, end, names)
+        for (start, end), names in sorted(self.arrows.items(), key=lambda item: not self.is_result(*item)):
+            ends, thick = (self.mark(start), self.mark(end)), self.is_result((start, end), names)
+            self.places[start, end] = ends = ends if self.of_rates else self.aside(ends)
             layer: Layer = "result" if thick else "plan" if self.of_rates else "force"
             self.marks.append(Arrow(*ends, "result" if thick else "thin", layer, names[0]))
 
@@ -168,28 +156,23 @@ class Polygon:
                 return moved
         return ends
 
-    def is_result(self, start: str, end: str, names: list[str]) -> bool:
+    def is_result(self, ends: tuple[str, str], names: list[str]) -> bool:
         """Whole vectors from the pole, and whole forces."""
         if not self.of_rates:
             return any("^" not in name for name in names)
-        return start == POLE and at(self.plan, end) not in self.plotted.drawing.program.corners
+        return ends[0] == POLE and at(self.plan, ends[1]) not in self.plotted.drawing.program.corners
 
     def vector_labels(self) -> list[labels.Label]:
         """Names beside their vectors; equal reactions share one label."""
-        found = []
-        for (start, end), names in self.arrows.items():
-            a, b = self.places[start, end]
-            text = " = ".join(self.naming.vector(n) for n in names)
-            found.append(labels.Label(text, (a, b), FORCE_MM, name=names[0]))
-        return found
+        told = ((ends, names, " = ".join(map(self.naming.vector, names))) for ends, names in self.arrows.items())
+        return [labels.Label(text, self.places[ends], FORCE_MM, name=names[0]) for ends, names, text in told]
 
     def mark_labels(self, same: float = SAME_MM) -> list[labels.Label]:
         """Letters of the marks; those that coincide share one label."""
         clusters = gathered([(label, self.mark(label)) for label in self.plotted.labels(self.plan)], same)
         centre = sum(z for z, _ in clusters) / len(clusters)
-        found = []
+        found, prime = [], "'" if self.plan == "acceleration" else ""
         for z, names in clusters:
-            prime = "'" if self.plan == "acceleration" else ""
             fixed = [n + prime for n in self.plotted.fixed] if POLE in names else []
             text = ", ".join(dict.fromkeys(self.naming.mark(n, self.plan) for n in [*names, *fixed]))
             away = (z - centre) / abs(z - centre) if abs(z - centre) > ZERO_MM else 0
@@ -203,9 +186,8 @@ def gathered(marks: Iterable[tuple[str, complex]], same: float = SAME_MM) -> lis
     for name, z in marks:
         near = next((names for place, names in clusters if abs(place - z) <= same), None)
         if near is None:
-            clusters.append((z, [name]))
-        else:
-            near.append(name)
+            clusters.append((z, near := []))
+        near.append(name)
     return clusters
 
 

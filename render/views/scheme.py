@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from planes.scene.mechanism import FRAME, Link
 from planes.solving import Position
@@ -16,7 +17,7 @@ from render.labels.footprints import ink
 from render.paper import symbols
 from render.paper.marks import Line, Mark
 from render.paper.style import BLOCK_MM, HINGE_MM
-from render.views.places import NEAR_MM, Places, degrees, nearest, outline_of
+from render.views.plotted import NEAR_MM, Places, degrees, nearest, outline_of
 from render.views.senses import driver_arrows, parted, yielding
 
 RAIL_MM = 17.0  # of a guide shown on each side of its slider
@@ -81,11 +82,10 @@ class Scheme:
             joints += self.moving_guide(name, joints)
         outline = outline_of(joints)
         self.number(link, outline)
-        if len(outline) == 2:
+        if len(outline) > 2:
+            self.bars += symbols.plate(outline, max(2.5, max(abs(a - b) for a in outline for b in outline) / 16))
+        elif len(outline) == 2:
             self.bars += symbols.bar(*outline)
-        elif len(outline) > 2:
-            size = max(abs(a - b) for a in outline for b in outline)
-            self.bars += symbols.plate(outline, max(2.5, size / 16))
         self.offside(link, outline)
         for p in link.points:
             if p in self.shared:
@@ -105,20 +105,19 @@ class Scheme:
     def slider(self, link: Link, foot: complex, along: complex) -> None:
         """The slider's block: on rails if its guide is the frame's, smaller where it is held in another block."""
         assert link.slides
-        angle = degrees(along)
-        if self.mechanism.owner(link.slides.guide) != FRAME or not self.framed:
-            blocks = self.rails if self.size(link) == LARGE_MM else self.blocks
-            blocks += symbols.block(foot, angle, size=self.size(link))
-            if not self.framed and self.mechanism.owner(link.slides.guide) not in self.only:
+        angle, size, owner = degrees(along), self.size(link), self.mechanism.owner(link.slides.guide)
+        if owner != FRAME or not self.framed:
+            blocks = self.rails if size == LARGE_MM else self.blocks
+            blocks += symbols.block(foot, angle, size=size)
+            if not self.framed and owner not in self.only:
                 self.axes.append(Line((foot - ALONE_MM * along, foot + ALONE_MM * along), "axis", "axis"))
             return
-        size = self.size(link)
         side = self.rail_side(foot, along)
         self.rails += symbols.rail(foot, angle, RAIL_MM, side, size[1])
         self.rails += symbols.block(foot, angle, size=size)
-        reach = RAIL_MM + 4
-        self.axes.append(Line((foot - reach * along, foot + reach * along), "axis", "axis"))
-        ends = foot + reach * along, foot - reach * along
+        reach = (RAIL_MM + 4) * along
+        self.axes.append(Line((foot - reach, foot + reach), "axis", "axis"))
+        ends = foot + reach, foot - reach
         for letter, end in zip(ends_of(link.slides.guide), ends, strict=True):
             if letter:
                 self.named.append(labels.Label(lowered(letter), end, 3.5, name=f"guide {link.slides.guide}"))
@@ -128,10 +127,12 @@ class Scheme:
         other = self.places.doubled(link)
         if other is None:
             return BLOCK_MM
-        grounded = [bool(x.slides and self.mechanism.owner(x.slides.guide) == FRAME) for x in (link, other)]
         order = list(self.mechanism.links)
-        later = order.index(link.name) > order.index(other.name)
-        return LARGE_MM if (grounded[0] and not grounded[1]) or (grounded[0] == grounded[1] and later) else SMALL_MM
+        rank, other_rank = (
+            (bool(x.slides and self.mechanism.owner(x.slides.guide) == FRAME), order.index(x.name))
+            for x in (link, other)
+        )
+        return LARGE_MM if rank > other_rank else SMALL_MM
 
     def rail_side(self, foot: complex, along: complex) -> int:
         """The side of the slider that is away from the rest of the mechanism."""
@@ -145,11 +146,8 @@ class Scheme:
             return []
         through, along = self.places.line(name)
         ways = [(z - through) * along.conjugate() for z in joints]
-        stops = []
-        for slider in self.mechanism.links.values():
-            if slider.slides and slider.slides.guide == name and self.places.has(slider.first_point):
-                t = ((self.places.foot(slider)[0] - through) * along.conjugate()).real
-                stops += [t - ROD_MM, t + ROD_MM]
+        feet = [((self.places.foot(x)[0] - through) * along.conjugate()).real for x in self.places.sliders(name)]
+        stops = [t + beyond for t in feet for beyond in (-ROD_MM, ROD_MM)]
         on = [w.real for w in ways if abs(w.imag) < NEAR_MM]
         reach = on or [w.real for w in ways[:1]]
         if not stops or not reach:
@@ -169,29 +167,21 @@ class Scheme:
 
     def number(self, link: Link, outline: list[complex]) -> None:
         """The number of a link beside its longest side, of a slider beside its block."""
-        text, clear = self.naming.link(link.name), 0.0
+        clear = 0.0
+        at: complex | tuple[complex, complex] | None = None
         if len(outline) > 1:
-            ends = max(zip(outline, outline[1:] + outline[:1], strict=True), key=lambda e: abs(e[1] - e[0]))
+            at = max(pairwise((*outline, outline[0])), key=lambda e: abs(e[1] - e[0]))
         elif link.slides:
             foot, along = self.places.foot(link)
             long, wide = self.size(link)
+            at, clear = (foot - long / 2 * along, foot + long / 2 * along), wide / 2
             if long < BLOCK_MM[0]:
-                edge = foot + (long / 2 + 1j * wide / 2) * along
-                self.named.append(labels.Label(text, edge, LETTER_MM, name=f"link {link.name}"))
-                return
-            ends, clear = (foot - long / 2 * along, foot + long / 2 * along), wide / 2
-        else:
-            self.rod_number(link, text)
-            return
-        self.named.append(labels.Label(text, ends, LETTER_MM, clear=clear, name=f"link {link.name}"))
-
-    def rod_number(self, link: Link, text: str) -> None:
-        """The number of a link that is a hinge and a guide: beside the rod between them."""
-        for slider in self.mechanism.links.values():
-            if slider.slides and slider.slides.guide in link.guides and self.places.has(slider.first_point):
-                ends = self.places.at(link.first_point), self.places.foot(slider)[0]
-                self.named.append(labels.Label(text, ends, LETTER_MM, name=f"link {link.name}"))
-                return
+                at, clear = foot + (long / 2 + 1j * wide / 2) * along, 0.0
+        elif slider := next(self.places.sliders(*link.guides), None):  # a hinge and a guide: the rod between them
+            at = self.places.at(link.first_point), self.places.foot(slider)[0]
+        if at is not None:
+            text, name = self.naming.link(link.name), f"link {link.name}"
+            self.named.append(labels.Label(text, at, LETTER_MM, clear=clear, name=name))
 
     # pairs and letters
 
@@ -200,11 +190,8 @@ class Scheme:
         for point, owners in self.shared.items():
             if not self.places.has(point) or not any(link.name in owners for link in self.links):
                 continue
-            z = self.places.at(point)
-            if FRAME in owners and self.framed:
-                self.hinges += symbols.fixed_hinge(z, self.base_angle(point))
-            else:
-                self.hinges += symbols.hinge(z)
+            z, fixed = self.places.at(point), FRAME in owners and self.framed
+            self.hinges += symbols.fixed_hinge(z, self.base_angle(point)) if fixed else symbols.hinge(z)
 
     def base_angle(self, point: str) -> float:
         """The turn of a fixed hinge's base that keeps clear of its own bars and then of others: upright if it can."""
@@ -222,14 +209,10 @@ class Scheme:
 
     def letters(self) -> None:
         """Letters of all points."""
-        done: list[tuple[complex, str]] = []
-        for link in self.links:
-            for p in link.points:
-                if not self.places.has(p) or any(p == name for _, name in done):
-                    continue
-                z, hinged = self.places.at(p), p in self.shared
-                done.append((z, p))
-                if not hinged and p != link.centre:
-                    self.hinges += symbols.dot(z)
-                clear = HINGE_MM if hinged else 0.8
-                self.named.append(labels.Label(self.naming.point(p), z, LETTER_MM, clear=clear, priority=1, name=p))
+        first = {p: link for link in reversed(self.links) for p in link.points if self.places.has(p)}
+        for p in dict.fromkeys(p for link in self.links for p in link.points if p in first):
+            z, hinged = self.places.at(p), p in self.shared
+            if not hinged and p != first[p].centre:
+                self.hinges += symbols.dot(z)
+            clear = HINGE_MM if hinged else 0.8
+            self.named.append(labels.Label(self.naming.point(p), z, LETTER_MM, clear=clear, priority=1, name=p))

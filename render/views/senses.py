@@ -5,15 +5,16 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Sequence
+from functools import partial
 
 from planes.words.lettering import Naming
 from render import labels
 from render.labels.footprints import ink, polygons
 from render.paper import symbols
-from render.paper.cutting import cut
+from render.paper.ink import cut
 from render.paper.marks import Line, Mark, Shape, Text
 from render.paper.typeset import layout
-from render.views.places import Places
+from render.views.plotted import Places
 
 LETTER_MM = 5.0
 CLEAR_MM = 0.6  # between a letter and the thin line that is broken for it
@@ -74,10 +75,6 @@ def parted(lines: Sequence[Line], texts: Sequence[Text]) -> tuple[Mark, ...]:
 
 def _around(text: Text) -> Shape:
     """The box of a text with a little room."""
-    box = layout(text).box
-    middle = sum(box) / 4
-    return Shape(tuple(z + CLEAR_MM * complex(_side(z.real - middle.real), _side(z.imag - middle.imag)) for z in box))
-
-
-def _side(value: float) -> float:
-    return math.copysign(1.0, value)
+    box, sign = layout(text).box, partial(math.copysign, 1.0)
+    out = (z - sum(box) / 4 for z in box)
+    return Shape(tuple(z + CLEAR_MM * complex(sign(w.real), sign(w.imag)) for z, w in zip(box, out, strict=True)))

@@ -16,9 +16,9 @@ from planes.words.names import POLE, at, kind_of, label_of
 from planes.words.units import UNIT
 from render.paper import symbols
 from render.paper.ink import head as ink_head
+from render.paper.letters import number
 from render.paper.marks import Arc, Line, Mark, Shape, Text
-from render.paper.numbers import number
-from render.paper.typeset import extent
+from render.paper.typeset import extent, ink_width
 from render.views import View, remark, view
 from render.views.formulas import NOISE_MM
 from render.views.given import GivenTable
@@ -43,10 +43,11 @@ class TableGrid:
         edges = [sum(widths[:k]) for k in range(len(widths) + 1)]
         marks: list[Mark] = []
         for level in range(len(lines) + 1):
-            thick = level in (0, len(lines)) or (level == 1 and any(head))
-            marks.append(_rule(complex(0, -level * high), complex(edges[-1], -level * high), thick))
+            style = "thick" if level in (0, len(lines)) or (level == 1 and any(head)) else "thin"
+            marks.append(Line((complex(0, -level * high), complex(edges[-1], -level * high)), style, "table"))
         for k, edge in enumerate(edges):
-            marks.append(_rule(complex(edge, 0), complex(edge, -len(lines) * high), k in (0, len(widths))))
+            style = "thick" if k in (0, len(widths)) else "thin"
+            marks.append(Line((complex(edge, 0), complex(edge, -len(lines) * high)), style, "table"))
         for level, row in enumerate(lines):
             base = -(level + 0.5) * high - drop
             for k, cell in enumerate(row):
@@ -63,9 +64,7 @@ class TableGrid:
 
     def wide(self, cell: str) -> float:
         """Width of a cell's ink."""
-        sense = self.letter * 1.5 if cell[-1:] in _SENSES else 0.0
-        x0, _, x1, _ = extent(cell.rstrip("↺↻"), self.letter)
-        return x1 - x0 + sense
+        return ink_width(cell.rstrip("↺↻"), self.letter) + (self.letter * 1.5 if cell[-1:] in _SENSES else 0.0)
 
     def cell(self, cell: str, middle: complex) -> tuple[Mark, ...]:
         """A text in the middle of its cell, a curved arrow after it for a sense of turning."""
@@ -80,10 +79,6 @@ class TableGrid:
         tip = turn + radius * symbols.unit(high if sense > 0 else low)
         head = ink_head(tip, -1j, 0.5 * self.letter, 0.3 * self.letter)
         return (Text(text, left, self.letter), Arc(turn, radius, low, high, "thin", "table"), Shape(head, "table"))
-
-
-def _rule(start: complex, end: complex, thick: bool) -> Line:
-    return Line((start, end), "thick" if thick else "thin", "table")
 
 
 def folded(head: Row, rows: Sequence[Row]) -> tuple[Row, list[Row]]:
@@ -142,9 +137,8 @@ class Tables:
 
     def all(self) -> list[View]:
         """Every table that has something to say."""
-        found = [self.given(), self.plan("velocity"), self.plan("acceleration"), self.links(), self.reactions()]
-        found.append(self.check())
-        return [t for t in found if t]
+        rates = self.plan("velocity"), self.plan("acceleration")
+        return [t for t in (self.given(), *rates, self.links(), self.reactions(), self.check()) if t]
 
     def given(self) -> View | None:
         """What the scene gives, each thing once."""
@@ -156,19 +150,16 @@ class Tables:
         measured = self.position.results.get("plans", {}).get(plan)
         if not measured:
             return None
-        unit = self.say(UNIT[kind_of(plan)])
-        rows = []
+        unit, rows = self.say(UNIT[kind_of(plan)]), []
         if max((s["mm"] for s in measured["segments"].values()), default=0.0) <= NOISE_MM:
             return None
         for segment in (s for s in self.position.plans.segments if s.plan == plan):
             found = measured["segments"].get(segment.start + segment.end)
             if found and found["name"] == segment.name:
                 ends = self.naming.mark(segment.start, plan) + self.naming.mark(segment.end, plan)
-                mm = number(round(found["mm"], 1), self.naming.lang, 5)
                 value = self.number(found["value"] if found["mm"] > NOISE_MM else 0.0)
-                rows.append([self.vector(segment, plan), ends, mm, value])
-        title = self.say(f"by_{plan}")
-        return self.table(f"{plan}-table", title, ["", "", self.say("mm"), unit], rows)
+                rows.append([self.vector(segment, plan), ends, self.number(round(found["mm"], 1), 5), value])
+        return self.table(f"{plan}-table", self.say(f"by_{plan}"), ["", "", self.say("mm"), unit], rows)
 
     def vector(self, segment: Segment, plan: str) -> str:
         """The name of a segment: whole vectors from the pole by their points, not by what they were found against."""
@@ -181,11 +172,9 @@ class Tables:
 
     def links(self) -> View | None:
         """ω and ε of every link with their senses."""
-        rows = []
-        found = self.position.rows("links")
+        rows, found = [], self.position.rows("links")
         for name in (x for x in self.position.plans.mechanism.links if x in found):
-            r = found[name]
-            cells = [self.turning(r[k].number) if k in r else "" for k in ("omega", "epsilon")]
+            cells = [self.turning(found[name][k].number) if k in found[name] else "" for k in ("omega", "epsilon")]
             if any(cells):
                 rows.append([self.naming.link(name), *cells])
         head = [self.say("column_link"), f"ω, {self.say('rad/s')}", f"ε, {self.say('rad/s²')}"]
@@ -200,16 +189,14 @@ class Tables:
         """Magnitude and direction of every reaction, and a slider's arm."""
         rows, armed = [], False
         for name, r in self.position.of("reactions").items():
-            force = r.vector
-            angle = self.number(math.degrees(cmath.phase(force))) if force else "—"
+            angle = self.number(math.degrees(cmath.phase(r.vector))) if r.vector else "—"
             arm = self.number(r.arm) if r.slides else ""
             armed |= arm not in ("", "0")
-            rows.append([self.naming.vector(name), self.number(abs(force)), angle, arm])
-        head = ["", self.say("N"), self.say("angle"), self.say("column_arm")]
-        most = 4 if armed else 3
+            rows.append([self.naming.vector(name), self.number(abs(r.vector)), angle, arm])
         convention = self.say("from_on" if self.naming.from_on else "on_from")
-        rows = [row[:most] for row in rows]
-        return self.table("reactions", self.say("reactions_table"), head[:most], rows, convention)
+        table = [["", self.say("N"), self.say("angle"), self.say("column_arm")], *rows]
+        head, *rows = [row[: 4 if armed else 3] for row in table]
+        return self.table("reactions", self.say("reactions_table"), head, rows, convention)
 
     def check(self) -> View | None:
         """The balancing moment (or force), Zhukovsky's, and the difference in per cent."""

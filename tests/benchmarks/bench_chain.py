@@ -10,7 +10,7 @@ from conftest import peak
 
 from planes.diagrams.summary import summary
 from planes.diagrams.text import as_json
-from planes.documents import sheet_of
+from planes.documents.sheets import sheet_of
 from planes.plans import plans_of
 from planes.plans.structure import analyse
 from planes.scene import loads

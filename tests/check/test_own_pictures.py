@@ -10,7 +10,7 @@ pytest.importorskip("cv2")
 from planes.check import Outcome, check
 from planes.check.grading.prepared_plan import Asked, known_plans
 from planes.check.handed_in import Known, read_paper
-from planes.documents import rendered, sheet_of
+from planes.documents.sheets import sheet_of
 from planes.solving import Position
 from planes.words.errors import PlanesError
 from render.sheet import Sheet
@@ -21,7 +21,7 @@ from tests.check.test_own_sheets import ASSIGNMENTS, SCENES, drawn, made, spoile
 def looked(sample: str, plan: str, written: Page | Sheet, folder: Path) -> Outcome:
     """What the check says of a page written as a picture."""
     file, asked = folder / "p.png", Asked(drawn(sample)[0], plan)
-    file.write_bytes(rendered(written, ".png", "ru"))
+    file.write_bytes(written.rendered(".png"))
     return check(asked, read_paper(str(file), asked, Known()))
 
 

@@ -22,7 +22,7 @@ from planes.check.reading.pdf import read_pdf
 from planes.check.reading.strokes import Arrowhead, Nodes, ReadDrawing, Words
 from planes.check.reading.svg import read_svg
 from planes.check.reading.whole_page import paper_on
-from planes.documents import _mechanism_views, rendered
+from planes.documents import _mechanism_views
 from planes.documents.sheets import DrawnPosition
 from planes.scene import Scene, load
 from planes.solving import Position
@@ -60,7 +60,7 @@ def view(sample: str, plan: str, position: Position) -> Page:
 def checked(sample: str, plan: str, written: Page | Sheet, file: Path) -> Outcome:
     """What the check says of a page written into a file."""
     scene = drawn(sample)[0]
-    file.write_bytes(rendered(written, file.suffix, "ru"))
+    file.write_bytes(written.rendered(file.suffix))
     sketch = READERS[file.suffix](file)
     assert sketch
     asked = Asked(scene, plan, spelt=Naming("ru", scene.frame_number).vector)
@@ -152,7 +152,7 @@ def test_a_plan_at_another_scale_than_its_title_says_is_not_right(plan: str, suf
     """A force plan with its only force doubled looks like one at another scale; its title tells them apart."""
     sample, file = "crank-slider", tmp_path / f"view{suffix}"
     scene, position = drawn(sample)
-    file.write_bytes(rendered(view(sample, plan, position), suffix, "ru"))
+    file.write_bytes(view(sample, plan, position).rendered(suffix))
     asked = Asked(scene, plan, spelt=Naming("ru", scene.frame_number).vector)
     found = {}
     for said in ("", "1"):  # in front of the number: another scale

@@ -203,15 +203,15 @@ def test_one_file_never_stops_a_folder(
         (tmp_path / name).write_bytes(b"x")
     for name in ("a.csv", "b.csv", "c.svg", "d.heic"):
         (tmp_path / name).write_text("mark,x_mm,y_mm\np,0,0\nb,30,40\n", encoding="utf-8")
-    from planes.cli import classes
+    from planes.cli import check as command
 
     def fails(asked: object, paper: object) -> None:
         if getattr(paper, "file", "").endswith("a.csv"):
             raise ZeroDivisionError("division by zero")
         return kept(asked, paper)
 
-    kept = classes.check
-    monkeypatch.setattr(classes, "check", fails)
+    kept = command.judge
+    monkeypatch.setattr(command, "judge", fails)
     assert main(["check", SCENE, str(tmp_path), "--plan", "velocity", "--lang", "en", "--json"]) == 2
     rows = {row["file"]: row["sentence"]["en"] for row in json.loads(capsys.readouterr().out)}
     assert set(rows) == {"a.csv", "b.csv", "c.svg", "d.heic"}

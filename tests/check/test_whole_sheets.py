@@ -14,8 +14,7 @@ from planes.check.reading.parts import joined
 from planes.check.reading.strokes import Nodes, ReadDrawing, Words
 from planes.check.reading.titles import elsewhere, mu_over
 from planes.check.reading.words_near import led, led_to_vectors
-from planes.documents import sheet_of
-from planes.documents.sheets import DrawnPosition
+from planes.documents.sheets import DrawnPosition, sheet_of
 from planes.solving import Position
 from planes.words.names import label_of
 from render.sheet import Sheet

@@ -6,8 +6,7 @@ import re
 
 import pytest
 
-from planes.cli import main
-from planes.cli.parser import lang_of
+from planes.cli import lang_of, main
 from tests.cli.test_options import CRANK, VECTORS
 
 NAMES = """planes solve structure sheet lesson note check blank cycle chart course crank slider phi pencil ru en text

@@ -13,7 +13,7 @@ import pytest
 
 from planes.batch import Cycle
 from planes.cli import main
-from planes.documents import sheet_of
+from planes.documents.sheets import sheet_of
 from planes.plans import plans_of
 from planes.scene import load, loads
 from planes.scene.settings import MOST_REVISIONS, SHEET_KEYS
@@ -21,7 +21,7 @@ from planes.words import say
 from planes.words.errors import PlanesError, SceneError
 from render.files import svg
 from render.paper.form1 import REVISIONS
-from render.sheet.title_block import cells
+from render.sheet.frame import said_cells
 from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"
@@ -184,7 +184,7 @@ OF_SHEET_1 = ("positions", "diagrams", "hodographs")
 @pytest.mark.parametrize("key", sorted({*SHEET_KEYS} - {*DRAWN, *OF_SHEET_1}))
 def test_every_key_of_the_title_block_fills_a_cell(key) -> None:
     value = {"revisions": "[[1]]", "mass": "5"}.get(key, "Ж7")
-    filled, bare = (cells(loads(f"{LAW}{sheet}"), "ru") for sheet in (f"sheet: {{{key}: {value}}}\n", ""))
+    filled, bare = (said_cells(loads(f"{LAW}{sheet}"), "ru") for sheet in (f"sheet: {{{key}: {value}}}\n", ""))
     assert filled != bare and REVISIONS == MOST_REVISIONS
 
 

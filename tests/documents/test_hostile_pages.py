@@ -14,13 +14,11 @@ from planes.check.grading.prepared_plan import Asked
 from planes.check.report import page_data
 from planes.check.report.tracing_paper import tracing_data
 from planes.cli import main
-from planes.documents.check import PAGE_WORDS, TRACE_WORDS
 from planes.lesson.data import lesson_data
 from planes.scene import load
 from planes.solving import document
-from planes.words import say
 from planes.words.lettering import Naming
-from render.page import check_page, class_page, lesson_page, trace_page, web_page
+from render.page import check_pages, lesson_page, web_page
 from render.report import rendered
 from tests.helpers import ROOT
 
@@ -79,8 +77,6 @@ def told(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, Any]]:
 
 def pages(told: dict[str, dict[str, Any]], name: str) -> dict[str, str]:
     """Every kind of page, the name in every place that takes any text."""
-    trace_words = {k: say(f"trace_{k}", "en") for k in TRACE_WORDS}
-    page_words = {k: say(f"check_page_{k}", "en") for k in PAGE_WORDS}
     checked = {
         **told["report"],
         "title": name,
@@ -101,16 +97,10 @@ def pages(told: dict[str, dict[str, Any]], name: str) -> dict[str, str]:
     ]
     return {
         "lesson": lesson_page.page({**told["lesson"], "title": {"ru": name, "en": name}}, "en"),
-        "trace": trace_page.page({**told["trace"], "title": name, "command": name}, trace_words, "en"),
-        "report": check_page.page(checked, page_words, "en"),
-        "class": class_page.page(
-            name,
-            [(name, 1)],
-            [(name, [(name, name)])],
-            [name, name],
-            [("wrong", name, [name, name])],
-            {"common": name},
-            "en",
+        "trace": check_pages.trace_page({**told["trace"], "title": name, "command": name}, "en"),
+        "report": check_pages.report_page(checked, "en"),
+        "class": check_pages.class_page(
+            name, [(name, 1)], [(name, [(name, name)])], [name, name], [("wrong", name, [name, name])], "en"
         ),
         "note": rendered(blocks, ".html", Naming("en")).decode(),
     }

@@ -18,7 +18,7 @@ import numpy as np  # noqa: E402
 
 from planes.check.fiducials import SHEET_MM  # noqa: E402
 from planes.documents.check import _overlay  # noqa: E402
-from render.files import png  # noqa: E402
+from render.files import pdf  # noqa: E402
 from render.labels.footprints import conflicts  # noqa: E402
 from render.paper.marks import Arrow, Text  # noqa: E402
 from render.paper.photo import Photo  # noqa: E402
@@ -93,7 +93,7 @@ def test_printed_reports_carry_the_picture(
         return
     if suffix == ".pdf":
         assert data.count(b"/DCTDecode") == 1
-        data = png.from_pdf(data)
+        data = pdf.png_of(data, 200)
     seen = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_COLOR).astype(int)
     blue, green, red = np.moveaxis(seen, 2, 0)
     assert ((blue - red) > 60).sum() > 500 and ((green - red) > 60).sum() > 500

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cache
 
-from planes.documents import sheet_of
+from planes.documents.sheets import sheet_of
 from planes.scene import load
 from planes.words import Lang
 from render.sheet import Sheet

@@ -34,6 +34,20 @@ def test_names_are_taken_apart_where_they_are_made() -> None:
     assert not [f"{module}:{line}" for module in rooms for line in parsers(module)]
 
 
+def test_no_key_of_a_word_is_taken_for_a_name() -> None:
+    """A key of the tables of words is read whole; what keys share is asked of the tables themselves (``under``)."""
+    takers = ("index_of", "letter_of", "parts_of", "component_of")
+    calls = ((module, node) for module in MODULES for node in ast.walk(tree(MODULES[module])))
+    given = {
+        f"{module}:{node.lineno}"
+        for module, node in calls
+        if isinstance(node, ast.Call) and getattr(node.func, "id", "") in takers
+        for argument in node.args
+        if getattr(argument, "id", "") == "key"
+    }
+    assert not given
+
+
 def test_pages_know_no_grammar_of_names() -> None:
     """What the lesson's scripts draw by is told them: letters, helping marks, corners of vectors."""
     from render.page.web_page import part

@@ -44,7 +44,7 @@ def tree(path: Path) -> ast.Module:
 
 @cache
 def imports(module: str) -> frozenset[str]:
-    """The modules of both packages a module imports anywhere in its file."""
+    """The modules of both packages a module imports anywhere in its file, or names in a string of its own."""
     found: set[str] = set()
     for node in ast.walk(tree(MODULES[module])):
         if isinstance(node, ast.Import):
@@ -53,6 +53,8 @@ def imports(module: str) -> frozenset[str]:
             assert not node.level, f"{module}: relative import in line {node.lineno}"
             whole = [f"{node.module}.{a.name}" for a in node.names]
             found |= {name if name in MODULES else node.module or "" for name in whole}
+        elif isinstance(node, ast.Constant) and "." in str(node.value):  # an arrow all the same, drawn by import_module
+            found |= {str(node.value).rstrip(".")}
     return frozenset(found & set(MODULES)) - {module}
 
 

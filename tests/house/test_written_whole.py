@@ -8,7 +8,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from planes.documents import SUFFIXES, write
+from planes.documents import SUFFIXES
 from planes.scene.files import PART
 from tests.helpers.sheets import sheet
 from tests.house.test_rooms import MODULES, tree
@@ -52,7 +52,7 @@ def test_a_sheet_of_any_format_is_written_to_a_draft(tmp_path: Path) -> None:
 
     sys.addaudithook(watch)
     for suffix in SUFFIXES:
-        write(sheet("vectors"), tmp_path / f"sheet{suffix}", "ru")
+        sheet("vectors").write(tmp_path / f"sheet{suffix}")
     watching = False
     written = [path for path in opened if Path(path).parent == tmp_path]
     assert len(written) >= len(SUFFIXES) and all(path.endswith(PART) for path in written)

@@ -19,7 +19,7 @@ from planes.scene.files import keep
 from planes.solving.document import DocumentTable, Formula, Heading, Paragraph
 from planes.words.lettering import Naming
 from render import report
-from render.files import pdf, png, svg
+from render.files import pdf, svg
 from render.paper import style
 from render.paper.ink import arrow_parts, flattened, hatch_strokes
 from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
@@ -40,7 +40,7 @@ SHEET: tuple[Mark, ...] = (
     Text("Щёлкающий съезд ω_{2} ⊥ φ, π, ε", 40 + 220j, 3.5),
     Text("v_{B}", 150 + 220j, 5, "end", 30),
 )
-WRITERS: tuple[Callable[..., bytes], ...] = (svg.write, pdf.write, png.write)
+WRITERS: tuple[Callable[..., bytes], ...] = (svg.write, pdf.write, pdf.write_png)
 
 
 def pdf_text(data: bytes) -> str:
@@ -56,7 +56,7 @@ def pdf_text(data: bytes) -> str:
 
 def ink_box(marks: tuple[Mark, ...], dpi: float = 1016.0) -> tuple[float, float, float, float]:
     """Bounds of what is dark in the PNG, in mm from the lower left corner."""
-    picture = Image.open(io.BytesIO(png.write(marks, (60, 40), "проба", dpi=dpi)))
+    picture = Image.open(io.BytesIO(pdf.write_png(marks, (60, 40), "проба", dpi=dpi)))
     dark = np.asarray(picture.convert("L")) < 200
     rows, columns = np.flatnonzero(dark.any(axis=1)), np.flatnonzero(dark.any(axis=0))
     mm = 25.4 / dpi
@@ -180,7 +180,7 @@ def test_text_without_markup_stays_as_it_is() -> None:
 
 
 def test_png_knows_its_size() -> None:
-    picture = Image.open(io.BytesIO(png.write(SHEET, SIZE, "x", dpi=100)))
+    picture = Image.open(io.BytesIO(pdf.write_png(SHEET, SIZE, "x", dpi=100)))
     assert picture.size == pytest.approx((210 / 25.4 * 100, 297 / 25.4 * 100), abs=1)
     assert picture.info["dpi"] == pytest.approx((100, 100), abs=0.1)
 

@@ -7,14 +7,15 @@ from dataclasses import replace
 import pytest
 
 from planes.diagrams.graphical_text import constructed
-from planes.documents import sheet_of, view_of
+from planes.documents import view_of
+from planes.documents.sheets import sheet_of
 from planes.scene import load
 from planes.words.lettering import Naming
+from render.paper.letters import scale, unit, with_unit
 from render.paper.marks import Arc, Line, Text
-from render.paper.numbers import scale, unit, with_unit
 from render.paper.typeset import plain
+from render.views.diagrams import _runs
 from render.views.graphical import Graphical, cropped, smooth
-from render.views.hodograph import _pieces
 from tests.helpers import ROOT
 from tests.render.test_sheet import clashes
 
@@ -66,7 +67,7 @@ def test_the_french_curve_goes_through_its_points_and_is_cut_at_the_ends() -> No
 
 def test_a_single_gap_in_a_hodograph_is_a_jump_and_a_wide_one_is_not() -> None:
     path = (0j, 1j, None, 3j, 4j, None, None, 6j, 7j)
-    assert _pieces(path) == [([0j, 1j], False), ([1j, 3j], True), ([3j, 4j], False), ([6j, 7j], False)]
+    assert _runs(path) == [([0j, 1j], False), ([1j, 3j], True), ([3j, 4j], False), ([6j, 7j], False)]
 
 
 @pytest.mark.parametrize("lang", ["ru", "en"])

@@ -12,12 +12,11 @@ import pytest
 from PIL import Image
 
 from planes.cli import main
-from planes.documents import draw_sheet, rendered
+from planes.documents import draw_sheet
 from planes.scene import load
-from render.files import png
+from render.files import pdf
 from render.paper import form1, lettering, symbols
-from render.paper.cutting import uncovered
-from render.paper.ink import is_circle
+from render.paper.ink import is_circle, uncovered
 from render.paper.marks import Arc, Line, Text
 from render.paper.style import HINGE_MM, LAYERS, pen
 from render.paper.typeset import layout
@@ -120,14 +119,14 @@ def test_the_same_bytes_twice_and_a_file_by_its_suffix(tmp_path):
 def test_the_same_bytes_whatever_python_makes_its_sets_of():
     """Of every format that is written from marks; this process has a seed of its own."""
     program = (
-        "import sys\nfrom planes.documents import rendered\nfrom tests.helpers.sheets import sheet\n"
+        "import sys\nfrom tests.helpers.sheets import sheet\n"
         "found = sheet('kind-1-rrr')\nfor suffix in ('.dxf', '.svg', '.pdf'):\n"
-        "    sys.stdout.buffer.write(rendered(found, suffix, 'ru'))\n"
+        "    sys.stdout.buffer.write(found.rendered(suffix))\n"
     )
     run = [sys.executable, "-c", program]
     seeds = ({**os.environ, "PYTHONPATH": str(ROOT), "PYTHONHASHSEED": seed} for seed in "12")
     told = {subprocess.run(run, env=e, capture_output=True, check=True).stdout for e in seeds}
-    assert told == {b"".join(rendered(sheet("kind-1-rrr"), suffix, "ru") for suffix in (".dxf", ".svg", ".pdf"))}
+    assert told == {b"".join(sheet("kind-1-rrr").rendered(suffix) for suffix in (".dxf", ".svg", ".pdf"))}
 
 
 # blocks
@@ -255,7 +254,7 @@ def test_the_drawing_looks_as_the_sheet(name, settings):
 
     found = sheet(name, **settings)
     one = picture(read(found, text="strokes"), found.size)
-    other = inked(png.write(found.marks, found.size, found.title, dpi=DPI))
+    other = inked(pdf.write_png(found.marks, found.size, found.title, dpi=DPI))
     high, wide = (min(a, b) for a, b in zip(one.shape, other.shape, strict=True))
     one, other = one[:high, :wide], other[:high, :wide]
     mm = 25.4 / DPI

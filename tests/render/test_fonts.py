@@ -12,12 +12,12 @@ import numpy as np
 import pytest
 
 from planes.cli import main
-from planes.documents import sheet_of, view_of
+from planes.documents import view_of
+from planes.documents.sheets import sheet_of
 from planes.scene import load
 from render.files import pdf, svg
 from render.paper import lettering, outlines
-from render.paper.faces import OWN, Face, current, lettered
-from render.paper.marks import Text
+from render.paper.marks import OWN, Face, Text, current, lettered
 from render.paper.outlines import dejavu
 from render.paper.typeset import extent, layout
 from tests.helpers import ROOT
@@ -150,9 +150,9 @@ def test_letters_of_a_font_are_filled_and_their_holes_are_open():
 
     from PIL import Image
 
-    from render.files import png
+    from render.files import pdf
 
-    with Image.open(io.BytesIO(png.write([mark], (60, 40), "t", dpi=254))) as picture:
+    with Image.open(io.BytesIO(pdf.write_png([mark], (60, 40), "t", dpi=254))) as picture:
         grey = np.asarray(picture.convert("L"))
     row = grey[-round(10 * (box[1] + box[3]) / 2)] < 128
     edges = np.flatnonzero(np.diff(row.astype(int)))

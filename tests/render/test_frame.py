@@ -8,7 +8,7 @@ from itertools import combinations
 
 import pytest
 
-from planes.documents import sheet_of
+from planes.documents.sheets import sheet_of
 from planes.scene import loads
 from render.labels.footprints import conflicts
 from render.paper import form1

@@ -15,8 +15,7 @@ import pytest
 from pypdfium2 import raw
 
 from render.files import dxf, pdf, svg
-from render.paper.cutting import uncovered
-from render.paper.ink import arrow_parts, is_circle
+from render.paper.ink import arrow_parts, is_circle, uncovered
 from render.paper.marks import Arc, Arrow, Line, Shape, Text, moved
 from render.paper.typeset import layout
 from tests.helpers.listings import GOLDEN, difference, listing

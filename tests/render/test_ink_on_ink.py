@@ -13,7 +13,8 @@ from xml.etree import ElementTree
 import pytest
 import shapely
 
-from planes.documents import rendered, sheet_of, view_of
+from planes.documents import view_of
+from planes.documents.sheets import sheet_of
 from planes.scene import Scene, load, loads
 from planes.words.errors import PlanesError
 from render.paper.typeset import plain
@@ -88,13 +89,13 @@ def ink_on_ink(svg: bytes) -> list[str]:
 
 def unsaid(drawn: Sheet | Page) -> list[str]:
     """Ink on ink that no sentence speaks of."""
-    return [t for t in ink_on_ink(rendered(drawn, ".svg", "ru")) if not any(t in w for w in drawn.warnings)]
+    return [t for t in ink_on_ink(drawn.rendered(".svg")) if not any(t in w for w in drawn.warnings)]
 
 
 @pytest.mark.few(1)
 @pytest.mark.parametrize("path", SOME, ids=[p.stem for p in SOME])
 def test_no_ink_on_ink_on_a_written_sheet(path: Path) -> None:
-    assert ink_on_ink(rendered(sheet_of(load(path), None, "ru"), ".svg", "ru")) == []
+    assert ink_on_ink(sheet_of(load(path), None, "ru").rendered(".svg")) == []
 
 
 @cache
@@ -138,6 +139,6 @@ def test_the_reader_sees_ink_on_ink() -> None:
     text = next(m for m in page.marks if getattr(m, "text", "") == "c")
     line = next(m for m in page.marks if getattr(m, "points", ()))
     struck = replace(line, points=(text.place, text.place + 3 + 3j), style="thin")
-    assert ink_on_ink(rendered(replace(page, marks=(*page.marks, struck)), ".svg", "ru")) == ["c"]
+    assert ink_on_ink(replace(page, marks=(*page.marks, struck)).rendered(".svg")) == ["c"]
     twice = replace(text, place=text.place + 0.7)
-    assert plain(twice.text) in ink_on_ink(rendered(replace(page, marks=(*page.marks, twice)), ".svg", "ru"))
+    assert plain(twice.text) in ink_on_ink(replace(page, marks=(*page.marks, twice)).rendered(".svg"))

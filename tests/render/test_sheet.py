@@ -8,7 +8,8 @@ import pytest
 import shapely
 
 from planes.cli import main
-from planes.documents import draw_sheet, sheet_of, write
+from planes.documents import draw_sheet
+from planes.documents.sheets import sheet_of
 from planes.scene import load, loads
 from planes.solving import solve
 from planes.words.errors import PlanesError
@@ -179,7 +180,7 @@ def test_three_formats_open(tmp_path):
 
     draw_sheet(load(SAMPLES[NAMES.index("kind-2-rrp")]), None, str(tmp_path / "sheet.svg"))
     for suffix in ("pdf", "png"):
-        write(sheet("kind-2-rrp"), tmp_path / f"sheet.{suffix}", "ru")
+        sheet("kind-2-rrp").write(tmp_path / f"sheet.{suffix}")
     root = ElementTree.parse(tmp_path / "sheet.svg").getroot()
     wide, high = sheet("kind-2-rrp").size
     assert (root.get("width"), root.get("height")) == (f"{wide:g}mm", f"{high:g}mm")

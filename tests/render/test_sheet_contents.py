@@ -10,9 +10,8 @@ from planes import solving
 from planes.cli import main
 from planes.diagrams.driven import driven
 from planes.diagrams.turn import span_of
-from planes.documents import sheet_of
 from planes.documents import sheets as drawing_sheets
-from planes.documents.turning import turned_once
+from planes.documents.sheets import sheet_of, turned_once
 from planes.scene import load, loads
 from planes.solving import plans_of, solve
 from planes.words.lettering import Naming

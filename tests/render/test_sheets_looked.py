@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from planes.documents import sheet_of
+from planes.documents.sheets import sheet_of
 from render.labels import Label, place
 from render.paper.marks import Arc, Line, Mark, Text, moved
 from tests import sheets_run

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from render.paper.cutting import cut, uncovered
+from render.paper.ink import cut, uncovered
 from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
 from render.paper.symbols import bar, base, block, dot, fixed_hinge, hatching, hinge, plate, rail, turn_arrow, unit
 

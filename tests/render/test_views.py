@@ -14,8 +14,7 @@ from planes.solving import solve
 from planes.words.errors import PlanesError
 from render.labels.footprints import bounds, conflicts
 from render.paper.marks import Line, Text
-from render.sheet.single import MARGIN_MM
-from render.sheet.traces import traced
+from render.sheet.single import MARGIN_MM, traced
 from tests.helpers import ROOT
 
 SAMPLES = {path.stem: path for path in sorted((ROOT / "samples").glob("*.yaml"))}

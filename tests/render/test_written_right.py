@@ -14,7 +14,8 @@ import numpy as np
 import pytest
 
 from planes.cli import main
-from planes.documents import sheet_of, view_of
+from planes.documents import view_of
+from planes.documents.sheets import sheet_of
 from planes.drafting.steps.reckoning import Drop
 from planes.lesson.data import lesson_data
 from planes.scene import Scene, load, loads
@@ -172,8 +173,8 @@ def test_cells_keep_clear_of_the_rules(letter: float, cell: str) -> None:
 
 def test_an_arm_of_two_forces_is_drawn_once() -> None:
     arms = Arms()
-    arms.add(5 + 5j, (0j, 5 + 0j), "h_{G2}", "G_2")
-    arms.add(5 + 9j, (0j, 5 + 0j), "h_{G3}", "G_3")
-    arms.add(5 + 9j, (0j, 0 + 9j), "h_{P3}", "P_3")
+    arms.add(5 + 5j, 1j, 0j, "h_{G2}", "G_2")
+    arms.add(5 + 9j, 1j, 0j, "h_{G3}", "G_3")
+    arms.add(5 + 9j, 1 + 0j, 0j, "h_{P3}", "P_3")
     assert [x.text for x in arms.named] == ["h_{G2} = h_{G3}", "h_{P3}"]
     assert [m.layer for m in arms.marks if isinstance(m, Line)].count("dimension") == 2

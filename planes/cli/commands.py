@@ -1,0 +1,209 @@
+"""The commands that have no module of their own: each imports what it needs when it is run."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from argparse import Namespace
+from pathlib import Path
+
+from planes.cli.options import check_needs, check_options, values_of
+from planes.drafting.instruments import Exact, Instrument, Pencil
+from planes.scene import Scene, load
+from planes.words import Lang, Phrase, say
+from planes.words.errors import PlanesError
+
+COURSE_FOLDER = "out"
+READY = ("planes.documents.course", "render.report.pdf", "reportlab.platypus", "numpy", "shapely")
+"""What the workers of a course import once."""
+
+
+def as_json(thing: object) -> str:
+    """JSON in the letters the output can hold."""
+    wide = (getattr(sys.stdout, "encoding", "") or "").lower().startswith("utf")
+    return json.dumps(thing, ensure_ascii=not wide, allow_nan=False)
+
+
+def scene_of(args: Namespace) -> Scene:
+    """The scene asked for; what is doubtful in it goes to stderr."""
+    scene = load(args.scene, args.variant)
+    for doubt in scene.doubts:
+        print(doubt.told(args.lang), file=sys.stderr)
+    return scene
+
+
+def solve(args: Namespace) -> int:
+    """Results of every position, or of the scenes of a folder, as tables or JSON; what failed on stderr."""
+    from planes.solving import solve as solved_at
+    from planes.solving.tables import report
+
+    if os.path.isdir(args.scene):
+        return _survey(args)
+    scene = scene_of(args)
+    values = values_of(args, scene)
+    check_options(args, "solve", "steps" if args.explain else "positions" if scene.mechanism else "vectors")
+    check_needs(args, ["seed"])
+    if (args.seed or 0) < 0:
+        raise PlanesError(Phrase("seed_negative", seed=args.seed))
+    instrument = Pencil(seed=1 if args.seed is None else args.seed) if args.pencil else Exact()
+    if args.explain:
+        from planes.solving.explaining import explain
+
+        print(explain(scene, args.lang), end="")
+        return 0
+    if scene.mechanism is None:
+        return _vectors(args, scene, instrument)
+    solved = solved_at(scene, values, instrument, args.lang)
+    if args.remedy:
+        from planes.solving.remedies import remedy
+
+        remedy(solved, instrument, args.lang)
+    if args.errors:
+        from planes.accuracy.errors import add_errors
+
+        add_errors(solved, instrument)
+    for failure in solved.failed:
+        print(f"{scene.file}: {failure['error']}", file=sys.stderr)
+    if args.json:
+        if solved.positions or solved.failed:
+            print(as_json(solved.json()))
+    elif solved.positions:
+        print(report(solved, args.lang), end="")
+    return 0 if solved.positions else 2
+
+
+def _vectors(args: Namespace, scene: Scene, instrument: Instrument) -> int:
+    """A scene of vectors alone."""
+    from planes.solving.tables import vector_report
+    from planes.solving.vectors import solve_vectors
+
+    results = solve_vectors(scene, instrument)
+    if args.errors:
+        from planes.accuracy.errors import vector_errors
+
+        results = vector_errors(results, instrument)
+    print(as_json(results.json(args.lang)) if args.json else vector_report(results, args.lang))
+    return 0
+
+
+def _survey(args: Namespace) -> int:
+    """Every scene of a folder in every variant; exit status 0 if all is solved and balancing loads agree, else 1."""
+    from planes.course.survey import lines_of, report, scenes_of
+    from planes.course.workers import crowd
+    from planes.documents.lesson import bar
+
+    check_options(args, "solve", "folder")
+    tasks = [(str(path), args.lang, args.variant) for path in scenes_of(args.scene)]
+    found = {}
+    with crowd(ready=("planes.course.survey",)) as each, bar() as step:
+        for k, lines in each(lines_of, tasks):
+            found[k] = lines
+            if step:
+                step(len(found), len(tasks))
+    rows = [row for k in sorted(found) for row in found[k]]
+    print(as_json([row.json() for row in rows]) if args.json else report(rows, args.lang), end="\n" * args.json)
+    return 0 if all(row.right for row in rows) else 1
+
+
+def structure(args: Namespace) -> int:
+    """Links, pairs, groups of Assur, and the self-aligning variant."""
+    from planes.plans import mechanism_plans
+    from planes.plans.alignment import aligned
+    from planes.plans.structure import analyse
+    from planes.solving import structure_json
+    from planes.solving.tables import alignment_report, structure_report
+
+    scene = scene_of(args)
+    if scene.mechanism is None:
+        raise PlanesError(Phrase("no_structure", file=args.scene))
+    found = analyse(scene.mechanism, scene.file)
+    try:
+        variant = aligned(mechanism_plans(scene), scene.file)
+    except PlanesError as error:  # the structure is known all the same
+        print(error.told(args.lang), file=sys.stderr)
+        variant = None
+    if args.json:
+        print(as_json({**structure_json(found), "self_aligning": variant and variant.json()}))
+    else:
+        told = [structure_report(found, args.lang)] + ([alignment_report(variant, args.lang)] if variant else [])
+        print(*told, sep="\n\n")
+    return 0
+
+
+def sheet(args: Namespace) -> int:
+    """The sheet of a scene, a sheet of its project, or one view."""
+    from planes.documents import draw_sheet
+
+    scene = scene_of(args)
+    values = values_of(args, scene)
+    check_options(args, "sheet", "positions" if scene.mechanism else "vectors")
+    if args.text and not args.output.lower().endswith(".dxf"):
+        raise PlanesError(Phrase("text_dxf"))
+    if args.remedy:
+        from planes.solving.remedies import for_sheet
+
+        scene, values, said = for_sheet(scene, values, args.lang)
+        print(*said, sep="\n", end="\n" if said else "", file=sys.stderr)
+    for sentence in draw_sheet(scene, values, args.output, args.lang, args.sheet, args.view, args.text or "text"):
+        print(sentence, file=sys.stderr)
+    return 0
+
+
+def lesson(args: Namespace) -> int:
+    """The construction step by step, as a page."""
+    from planes.documents.lesson import write_lesson
+
+    write_lesson(scene_of(args), args.output, args.lang)
+    return 0
+
+
+def note(args: Namespace) -> int:
+    """The explanatory note."""
+    from planes.documents.lesson import write_note
+
+    scene = scene_of(args)
+    write_note(scene, values_of(args, scene), args.output, args.lang)
+    return 0
+
+
+def chart(args: Namespace) -> int:
+    """Speed, accuracy and stability of the methods."""
+    from planes.documents.charts import draw_chart
+
+    draw_chart(scene_of(args), args.output, args.table, args.lang)
+    return 0
+
+
+def crank_slider(args: Namespace) -> int:
+    """The integrated calculation."""
+    from planes.documents.crank_slider import run
+
+    check_needs(args, ["phi"])
+    return run(scene_of(args), args, args.lang)
+
+
+def course(args: Namespace) -> int:
+    """Make the course; exit status 0 if all came out, 1 if something is missing, 2 if nothing could be begun."""
+    from planes.course.reading import read_course
+    from planes.course.workers import crowd
+    from planes.documents.course_run import conduct
+    from planes.documents.lesson import bar
+    from planes.words.system import home_lang
+
+    said: Lang | None = args.lang
+    args.lang = said or home_lang()
+    if args.jobs is not None and args.jobs < 1:
+        raise PlanesError(Phrase("course_jobs", count=args.jobs))
+    found = read_course(args.folder)
+    lang = said or found.lang or args.lang
+    for doubt in (doubt for assignment in found.assignments for doubt in assignment.doubts):
+        print(doubt.told(lang), file=sys.stderr)
+    folder = Path(args.output) if args.output else Path(found.file).parent / COURSE_FOLDER
+    with crowd(args.jobs, args.scheduler, READY) as each, bar() as step:
+        report = conduct(found, folder, each, lang, step, bool(args.scheduler))
+    for place, file, sentence in (*report.faults, *report.said):
+        print(f"{place}{f'/{file}' if file else ''}: {sentence}", file=sys.stderr)
+    counts = {"students": len(found.students), "made": report.made, "kept": report.kept, "faults": len(report.faults)}
+    print(say("course_done", args.lang, folder=str(folder), **counts))
+    return 1 if report.faults else 0

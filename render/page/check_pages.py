@@ -1,0 +1,147 @@
+"""Pages of checking, which ask nothing of the network: a report, a class, tracing paper.
+
+A report has layers, a table of steps, marks to move and judge anew. A class tells how many are right, which mistakes
+whose, and a row for each, sorted at will. Tracing paper lies over a picture that is opened in the page, sent nowhere.
+"""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Mapping, Sequence
+
+from planes.words import Lang, say, under
+from planes.words.records import Json
+from render.page import web_page
+from render.paper.letters import written
+
+SCRIPTS = ("figure", "tape", "judge", "check")
+LAYERS = ("own", "next", "truth", "picture")
+
+
+def report_page(data: Json, lang: Lang) -> str:
+    """The page of what :func:`planes.check.report.page_data` exports."""
+    words = under("check_page_", lang, "check")
+    drawn, e = "page" in data, html.escape
+    parts = {
+        "title": e(data["title"]),
+        "sentence": e(data["sentence"]),
+        "drawing": _drawing(data, words) if drawn else "",
+        "tables": _table("marks", words["steps"], data["head"], data["rows"])
+        + _table("numbers", words["numbers"], data["number_head"], data["numbers"]),
+        "notes": "".join(f"<p>{e(n)}</p>" for n in data["notes"]),
+        "noscript": f"<noscript><p>{e(words['noscript'])}</p></noscript>" if drawn else "",
+    }
+    body, style = web_page.filled(web_page.part("check.html"), parts), web_page.part("check.css")
+    code = web_page.part(*(f"{name}.js" for name in SCRIPTS)) if drawn else ""
+    held = {"data": data["page"], "letters": _letters(data)} if drawn else {}
+    return web_page.page(data["title"], lang, style, body, code=code, data=held, kind=data["verdict"])
+
+
+def _letters(data: Json) -> Mapping[str, object]:
+    """The names of marks and vectors as a sheet has them."""
+    page = data["page"]
+    rows = (row[1] for row in (*data["rows"], *data["numbers"]))
+    sides = (name for key in ("rows", "order") for name, *_ in page[key])
+    return written((*rows, *sides, *page["truth"], *(m["name"] for m in page["marks"])), page["lettering"])
+
+
+def _drawing(data: Json, words: Mapping[str, str]) -> str:
+    """The figure, its layers and what can be done with it."""
+    e = html.escape
+    under = data["page"]["picture"] or data["page"]["strokes"]
+    layers = "".join(
+        f'<label><input type="checkbox" data-layer="{n}" checked><i class="{n}"></i>{e(words[n])}</label>'
+        for n in LAYERS
+        if n != "picture" or under
+    )
+    return (
+        f'<div class="layers">{layers}</div>\n'
+        f'<figure><svg id="sheet" role="group" aria-label="{e(data["title"])}"></svg></figure>\n'
+        f'<p id="moved" hidden>{e(words["moved"])} <button id="reset" type="button">{e(words["reset"])}</button></p>\n'
+        f'<p class="hint">{e(words["drag"])} <code>{e(data["command"])}</code> '
+        f'<button id="save" type="button">{e(words["save"])}</button></p>'
+    )
+
+
+def _table(key: str, caption: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A table of rows that begin with their verdict and their name."""
+    if not rows:
+        return ""
+    e, body = html.escape, ""
+    cells = "".join(f'<th scope="col">{e(h)}</th>' for h in head)
+    for verdict, name, *row in rows:
+        told = "".join(f"<td>{e(c)}</td>" for c in row)
+        body += f'<tr class="{e(verdict)}" data-mark="{e(name)}"><th scope="row">{e(name)}</th>{told}</tr>\n'
+    parts = f"<caption>{e(caption)}</caption><thead><tr>{cells}</tr></thead><tbody>{body}</tbody>"
+    return f'<table id="{key}">{parts}</table>'
+
+
+STYLE = """td, th, thead th { text-align: left; vertical-align: top; } td:last-child { max-width: 44rem; }
+tbody th { font: inherit; } tbody tr[class] td:last-child::before { content: none; }
+thead button { border: 0; background: none; padding: 0; min-height: 0; color: inherit; font: inherit;
+  white-space: nowrap; }
+thead button::after { content: " ↕"; opacity: .45; }
+th[aria-sort=ascending] button::after { content: " ↓"; opacity: 1; }
+th[aria-sort=descending] button::after { content: " ↑"; opacity: 1; } li { margin: .15rem 0; }
+@media print { thead button::after { content: ""; } tr { break-inside: avoid; } }
+tr.right td:first-of-type::before { content: "✓ "; } tr.wrong td:first-of-type::before { content: "✗ "; }
+h2 { font-size: 1.05rem; margin: .8rem 0 .2rem; } ol { margin: .2rem 0; } td:first-of-type { white-space: nowrap; }
+tr.unreadable > * { color: var(--soft); } .counts span { margin-right: 1.6rem; } .counts b { font-size: 1.3rem; }"""
+
+Whose = Sequence[tuple[str, str]]
+SCRIPT = (
+    "for (const th of document.querySelectorAll('thead th')) th.firstChild.onclick = () => {"
+    " const down = th.ariaSort === 'ascending', body = document.querySelector('tbody');"
+    " const key = row => row.children[th.cellIndex].textContent;"
+    " const rows = [...body.rows].sort((a, b) => (key(a) === '') - (key(b) === '')"
+    " || key(a).localeCompare(key(b), document.documentElement.lang, { numeric: true }) * (down ? -1 : 1));"
+    " for (const one of th.parentNode.children) one.removeAttribute('aria-sort');"
+    " th.ariaSort = down ? 'descending' : 'ascending'; body.append(...rows); };"
+)
+
+
+def class_page(
+    title: str,
+    counts: Sequence[tuple[str, int]],
+    common: Sequence[tuple[str, Whose]],
+    head: Sequence[str],
+    rows: Sequence[tuple[str, str, Sequence[str]]],
+    lang: Lang,
+) -> str:
+    """The page. ``rows`` are verdict, link ("" for none) and the cells; ``common`` sentences with whose: name, link."""
+    e = html.escape
+    cells = "".join(f'<th scope="col"><button type="button">{e(h)}</button></th>' for h in head)
+    often = ""
+    for said, names in common:
+        whose = ", ".join(_linked(e(name), link) for name, link in names)
+        often += f"<li>{e(said)} — <b>{len(names)}</b>: {whose}</li>"
+    body = f"""<h1>{e(title)}</h1>
+<p class="counts">{"".join(f"<span>{e(name)} <b>{count}</b></span>" for name, count in counts)}</p>
+{f"<h2>{e(say('check_common', lang))}</h2><ol>{often}</ol>" if often else ""}
+<table><thead><tr>{cells}</tr></thead><tbody>
+{"".join(_row(*row) for row in rows)}</tbody></table>"""
+    return web_page.page(title, lang, web_page.part("check.css") + STYLE, body, code=SCRIPT)
+
+
+def _row(verdict: str, link: str, cells: Sequence[str]) -> str:
+    name, *rest = (html.escape(c) for c in cells)
+    told = "".join(f"<td>{c}</td>" for c in rest)
+    return f'<tr class="{verdict}"><th scope="row">{_linked(name, link)}</th>{told}</tr>\n'
+
+
+def _linked(name: str, link: str) -> str:
+    return f'<a href="{html.escape(link, quote=True)}">{name}</a>' if link else name
+
+
+SAID = ("pole", "turned", "scale", "not_picture")
+
+
+def trace_page(data: Json, lang: Lang) -> str:
+    """The page of what :func:`planes.check.report.tracing_paper.tracing_data` exports."""
+    words = under("trace_", lang, "check")
+    parts = {k: html.escape(text) for k, text in {**words, "title": data["title"]}.items()}
+    body = web_page.filled(web_page.part("trace.html"), parts)
+    style, code = web_page.part("check.css", "trace.css"), web_page.part("figure.js", "trace.js")
+    names = (name for plan in data["plans"] for name in (*plan["marks"], *(name for name, *_ in plan["names"])))
+    held = {"data": {**data, "words": {k: words[k] for k in SAID}}, "letters": written(names, data["lettering"])}
+    return web_page.page(data["title"], lang, style, body, code=code, data=held)
