@@ -10,6 +10,8 @@ import math
 from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+import numpy
+
 from planes.check.grading.perturbing import Columns, Nudged, Skill
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
@@ -169,8 +171,6 @@ class Hand:
 
     def miss(self, drawn: Point, read: Point) -> Miss:
         """How far two arrays of columns are apart."""
-        import numpy
-
         off = self.tool.spread(read - drawn + 0j)
         change = numpy.nan_to_num(off[1:] - off[0], nan=0.0, posinf=0.0, neginf=0.0)
         floor = LEAST_MM**2
@@ -179,8 +179,6 @@ class Hand:
 
     def spread_of(self, value: Point) -> float:
         """Standard deviation of a real value."""
-        import numpy
-
         row = self.tool.spread(numpy.real(value) + 0.0)
         change = numpy.nan_to_num(row[1:] - row[0], nan=0.0, posinf=0.0, neginf=0.0)
         return math.sqrt(float(change @ change))

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+import numpy
+
 from planes.check.grading.handwork import LEAST_MM, Miss
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate
@@ -15,8 +17,6 @@ from planes.drafting.steps.reckoning import Calculate
 
 def given_before(misses: Mapping[str, Miss], order: Sequence[str], limit: float) -> dict[str, Miss]:
     """Every miss with those before it known; a mark off by more than ``limit`` σ tells nothing of others."""
-    import numpy
-
     names = [m for m in order if m in misses]
     if not names:
         return {}

@@ -10,6 +10,8 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
+import numpy
+
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Many, Point, Real
@@ -73,8 +75,6 @@ class Nudged(Tool):
 
     def spread(self, value: Point) -> Point:
         """The value as an array of all columns, to be nudged."""
-        import numpy
-
         return numpy.array(numpy.broadcast_to(value, (self.columns.width,)))
 
     def _next(self) -> int:

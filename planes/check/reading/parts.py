@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy
+
 from planes.check.reading.strokes import ReadDrawing, Round, Stroke, Words
 from planes.geometry.arrays import Booleans, Complexes
 
@@ -48,8 +50,6 @@ def _goes_on(first: Words, whole: Words, word: Words) -> bool:
 
 def without_letters(sketch: ReadDrawing) -> None:
     """Strokes within the box of a word, that touch nothing beyond it, are the letters of that word."""
-    import numpy
-
     if not sketch.strokes or not sketch.words:
         return
     ends = numpy.array(sketch.strokes + sketch.short)
@@ -68,8 +68,6 @@ def without_letters(sketch: ReadDrawing) -> None:
 
 def _touched(ends: Complexes, inside: Booleans, tips: Sequence[complex]) -> Booleans:
     """Which strokes meet one that is no letter, or an arrowhead."""
-    import numpy
-
     others = numpy.concatenate([ends[~inside].ravel(), numpy.array(list(tips), complex)])
     found = numpy.zeros(len(ends), bool)
     for k in numpy.flatnonzero(inside) if len(others) else ():
@@ -81,7 +79,6 @@ def parts(sketch: ReadDrawing) -> list[ReadDrawing]:
     """The sketch by pieces that hang together, those with most strokes first; what is smaller than a plan goes."""
     if len(sketch.strokes) > MOST:
         return []
-    import numpy
     from shapely import STRtree
 
     shapes = _shapes(sketch.strokes, sketch.rounds)

@@ -10,6 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TypeVar
 
+import numpy
+
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys
 
 LEFT_MM, OTHER_MM = 20.0, 5.0  # of the frame from the sheet's edges
@@ -50,8 +52,6 @@ class Bend:
 
     def paper(self, z: Place) -> Place:
         """How much the paper moves a place of the flat picture."""
-        import numpy
-
         if self.sides is None:
             return 0 * z
         u, v = z.real / self.size_px[0], z.imag / self.size_px[1]
@@ -68,8 +68,6 @@ class Bend:
 
     def source(self, z: Place) -> Place:
         """Which pixel of the picture a place of the flat picture is seen at."""
-        import numpy
-
         return self.seen(through(numpy.asarray(numpy.linalg.inv(self.view), float), z + self.paper(z)))
 
 
@@ -95,8 +93,6 @@ def bend_of(grey: Greys, view: Array, scale: float, size_mm: tuple[float, float]
 
 def add_paper(bend: Bend, grey: Greys, scale: float, size_mm: tuple[float, float]) -> None:
     """Put to a bend what its lens leaves for the paper."""
-    import numpy
-
     seen = _sides(grey, bend, scale, size_mm)
     if seen is None or max(float(abs(off).max()) for _, off in seen) < BENT_MM:
         return
@@ -122,8 +118,6 @@ def _ends(size_mm: tuple[float, float]) -> list[tuple[complex, complex]]:
 
 def _sides(grey: Greys, bend: Bend, scale: float, size_mm: tuple[float, float]) -> list[tuple[Complexes, Array]] | None:
     """The frame's sides as they are seen: pixels, and how far they are off (mm, in x or down); None if not all are."""
-    import numpy
-
     out = []
     for a, b in _ends(size_mm):
         count = int(abs(b - a) / ALONG_MM)
@@ -144,8 +138,6 @@ def _sides(grey: Greys, bend: Bend, scale: float, size_mm: tuple[float, float]) 
 
 def _sampled(grey: Greys, z: Complexes) -> Array:
     """Grey at places between pixels."""
-    import numpy
-
     h, w = grey.shape
     x, y = numpy.clip(z.real, 0, w - 1.001), numpy.clip(z.imag, 0, h - 1.001)
     i, j = x.astype(int), y.astype(int)
@@ -158,8 +150,6 @@ def _sampled(grey: Greys, z: Complexes) -> Array:
 
 def _line(rows: Array) -> tuple[Array, Booleans]:
     """Where across each row a thin dark line runs that goes on from row to row, mm, and in which rows it is seen."""
-    import numpy
-
     wide = rows.shape[1]
     rim = int(0.75 / ACROSS_MM)
     padded = numpy.pad(rows, ((0, 0), (rim, rim)), mode="edge")
@@ -187,7 +177,6 @@ def _line(rows: Array) -> tuple[Array, Booleans]:
 def _lens(bend: Bend, sides: list[Complexes]) -> tuple[float, float]:
     """The lens that makes the frame's sides straight (Gauss and Newton's way), but for what bends opposite sides the
     same way: that is the paper's."""
-    import numpy
 
     def crooked(k: Array) -> Array:
         bend.lens = float(k[0]), float(k[1])

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from types import ModuleType
 
+import numpy
+
 from planes.geometry.arrays import Array, Booleans, Greys
 
 COLOURED = 14  # how much farther than usual two colours of a place are apart, on coloured paper
@@ -24,8 +26,6 @@ def in_one_shade(cv2: ModuleType, data: Greys) -> Greys | None:
 
 def _coloured(picture: Greys) -> bool:
     """Whether some of it differs in colour from most of it."""
-    import numpy
-
     some = picture[:: max(1, picture.shape[0] // 400)].astype(numpy.int16)
     apart = (some[..., 0] - some[..., 1], some[..., 2] - some[..., 1])
     far = numpy.maximum(*(abs(d - numpy.median(d)) for d in apart))
@@ -56,8 +56,6 @@ def _middle(picture: Greys) -> Greys:
 
 def _ink(cv2: ModuleType, part: Greys) -> Array:
     """How much darker than paper a picture is, its grain aside."""
-    import numpy
-
     light = cv2.GaussianBlur(cv2.dilate(part, numpy.ones((25, 25), numpy.uint8)), (0, 0), 12).astype(numpy.float32)
     dark: Array = 1 - cv2.GaussianBlur(part, (0, 0), 1.0) / numpy.maximum(light, 1)
     return dark

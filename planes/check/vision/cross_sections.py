@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy
+
 from planes.geometry.arrays import Array, Booleans
 
 CELL_MM = 0.1  # of a row across the line
@@ -12,8 +14,6 @@ UPON_MM = 0.15  # lines nearer than this are in the same place
 
 def nearest(off: Array) -> tuple[Array, Array, Booleans]:
     """How far the nearest other line is on the left and on the right, and whether one is in the very same place."""
-    import numpy
-
     left = numpy.where(off > 0, off, numpy.inf).min(axis=0)
     right = numpy.where(off < 0, -off, numpy.inf).min(axis=0)
     return left, right, numpy.asarray((numpy.abs(off) < UPON_MM).any(axis=0))
@@ -32,8 +32,6 @@ class Rows:
     reach: float
 
     def __post_init__(self) -> None:
-        import numpy
-
         self.off = self.t[None, :] - self.middle[:, None]
         own = (self.off < self.left[:, None] / 2) & (self.off > -self.right[:, None] / 2)
         near, far = numpy.abs(self.off) < self.reach, numpy.abs(self.off) < self.reach + 0.3
@@ -44,8 +42,6 @@ class Rows:
 
     def middles(self, width: float) -> tuple[Booleans, Array]:
         """Which rows tell where the line's middle is, and where: by all of its ink, or by its free edge."""
-        import numpy
-
         apart = width + 0.1
         lone = (self.left > apart) & (self.right > apart)
         good = lone & (self.mass > 0.4 * width) & (self.mass < 1.45 * width) & (self.rim < 0.04) & ~self.upon
@@ -59,8 +55,6 @@ class Rows:
 
     def _edge(self, sign: int) -> tuple[Array, Booleans]:
         """Where the ink ends to the left (1) or to the right (-1) of the middle, and where that is near."""
-        import numpy
-
         dark, t = self.dark[:, ::sign], self.t[::sign]
         beyond = (dark < 0.5) & (sign * self.off[:, ::sign] > 0)
         k = numpy.argmax(beyond, axis=1)

@@ -7,6 +7,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING
 
+import numpy
+
 from planes.check.reading.opened import MB, contents, hushed
 from planes.check.vision.colours import in_one_shade, plainest
 from planes.check.vision.picture import cv
@@ -49,8 +51,6 @@ def load(path: str | Path) -> tuple[Greys, float | None]:
 
 def _decoded(data: bytes, file: str) -> tuple[Greys | None, float | None]:
     """The pixels in grey, on white paper where they are transparent; None where the file is no whole picture."""
-    import numpy
-
     see_through, scale = _looked_into(data, file)
     cv2, bits = cv(), numpy.frombuffer(data, numpy.uint8)
     if data[:4] == PNG and PNG_END not in data[-64:]:
@@ -97,8 +97,6 @@ def _scale_of(head: Image.Image) -> float | None:
 
 def _on_paper(cv2: ModuleType, whole: Greys) -> Greys:
     """A transparent picture on white paper in grey, some rows at a time."""
-    import numpy
-
     most, out = numpy.iinfo(whole.dtype).max, numpy.empty(whole.shape[:2], numpy.uint8)
     for top in range(0, len(whole), ROWS):
         rows = whole[top : top + ROWS]
@@ -110,7 +108,6 @@ def _on_paper(cv2: ModuleType, whole: Greys) -> Greys:
 
 def _page(data: bytes, file: str) -> tuple[Greys, float]:
     """A page of a PDF at 200 pixels per inch (fewer of a very large one), in one shade."""
-    import numpy
     import pypdfium2
 
     page = pypdfium2.PdfDocument(data)[0]

@@ -5,6 +5,8 @@ from __future__ import annotations
 import statistics
 from collections.abc import Iterable, Iterator, Sequence
 
+import numpy
+
 from planes.check.vision.arrow_tips import find_heads
 from planes.check.vision.ink import DARK, Ink
 from planes.check.vision.line_fitting import Fitted, fitted
@@ -64,8 +66,6 @@ def _apart(ink: Ink, lines: Sequence[Fitted]) -> list[Fitted]:
 
 def _unmet(ink: Ink, edges: Sequence[Edge], lines: Sequence[Fitted]) -> Iterator[tuple[complex, complex]]:
     """Middles of lines that have an edge where no known line has one."""
-    import numpy
-
     usual = _usual(lines)
     half = usual / 2 + OUTSIDE_MM
     met = numpy.zeros(len(edges), bool)
@@ -85,8 +85,6 @@ def _usual(lines: Sequence[Fitted]) -> float:
 
 def _met(line: Fitted, edges: Sequence[Edge], usual: float) -> tuple[Booleans, Array]:
     """Which edges are a line's, and how much of it each is along; one that is too wide is two."""
-    import numpy
-
     if not edges:
         return numpy.zeros(0, bool), numpy.zeros(0)
     a, b = numpy.array(edges, complex).T

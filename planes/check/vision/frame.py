@@ -9,6 +9,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+import numpy
+
 from planes.check.vision.bend import LEFT_MM, OTHER_MM
 from planes.check.vision.picture import LARGEST_PX, PX_PER_MM, Flat, cv
 from planes.geometry.arrays import Array, Greys
@@ -40,8 +42,6 @@ def by_frame(grey: Greys, paper: str | None = None) -> Iterator[Flat]:
 
 def frame_corners(grey: Greys) -> Array | None:
     """Corners of the frame in pixels: lower left, lower right, upper right, upper left; None where there is none."""
-    import numpy
-
     cv2 = cv()
     factor = min(1.0, LOOK_PX / max(grey.shape))
     small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA) if factor < 1 else grey
@@ -65,8 +65,6 @@ def frame_corners(grey: Greys) -> Array | None:
 
 def _ordered(quad: Array) -> Array:
     """Lower left first, counter-clockwise as one sees it, of a picture that is about upright."""
-    import numpy
-
     middle = quad.mean(axis=0)
     turn = numpy.arctan2(-(quad[:, 1] - middle[1]), quad[:, 0] - middle[0])
     quad = quad[numpy.argsort(turn)]
@@ -76,8 +74,6 @@ def _ordered(quad: Array) -> Array:
 
 def _refined(grey: Greys, quad: Array, reach: float) -> Array | None:
     """Corners where the middles of the frame's lines cross; None where a side is no line on both sides of paper."""
-    import numpy
-
     cv2 = cv()
     sides = []
     t = numpy.arange(-2 * reach, 2 * reach + 0.1, 0.5)
@@ -110,8 +106,6 @@ def shape_of(corners: Array, size_px: tuple[int, int]) -> tuple[float, bool]:
     The lens's length follows from the two vanishing points; where the view is nearly straight the sides tell.
     (Zhang and He, Whiteboard scanning and image enhancement, 2007.)
     """
-    import numpy
-
     middle = numpy.array([size_px[1] / 2, size_px[0] / 2])
     ll, lr, ur, ul = (numpy.append(c - middle, 1.0) for c in corners)
     k2 = numpy.dot(numpy.cross(ll, ur), ul) / numpy.dot(numpy.cross(lr, ur), ul)
@@ -130,8 +124,6 @@ def shape_of(corners: Array, size_px: tuple[int, int]) -> tuple[float, bool]:
 
 def _straight(grey: Greys, corners: Array, size_mm: tuple[float, float]) -> Flat:
     """The sheet from above."""
-    import numpy
-
     cv2 = cv()
     w, h = size_mm
     scale = min(PX_PER_MM, LARGEST_PX / max(w, h))

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+import numpy
+
 from planes.check.vision.ink import DARK, Ink
 from planes.check.vision.line_fitting import Fitted
 from planes.geometry.arrays import Array, Booleans
@@ -45,8 +47,6 @@ class SeenHead(NamedTuple):
 
 def heads_of(ink: Ink, line: Fitted) -> list[SeenHead]:
     """Heads along a line, the most distinct first."""
-    import numpy
-
     s = numpy.arange(line.low - FAR_MM, line.high + FAR_MM, STEP_MM)
     t = numpy.arange(ASIDE_MM / 2, BROAD_MM, ASIDE_MM)
     halves, taken, found = {}, {}, {}
@@ -74,8 +74,6 @@ def _whole(
     width: float,
 ) -> Iterator[SeenHead]:
     """Heads seen from both sides, and from one side where the other is another line's."""
-    import numpy
-
     both = list(_from_both_sides(found))
     yield from both
     width = both[-1].width if both else width  # behind such a head the line is by itself
@@ -122,8 +120,6 @@ def head_at(ink: Ink, start: complex, end: complex, reach: float, usual: float |
 
 def _shaft(ink: Ink, a: complex, b: complex) -> tuple[float, float] | None:
     """How far to the left of the way from a to b the ink nearest to it runs, and how wide it is."""
-    import numpy
-
     t = numpy.arange(-1.2, 1.21, ASIDE_MM)
     places = numpy.linspace(a, b, 15)[:, None] + 1j * (b - a) / abs(b - a) * t[None, :]
     runs = numpy.split(numpy.arange(len(t)), numpy.flatnonzero(numpy.diff(ink.at(places).mean(axis=0) > 0.5)) + 1)
@@ -136,8 +132,6 @@ def _shaft(ink: Ink, a: complex, b: complex) -> tuple[float, float] | None:
 
 def _sides(s: Array, half: Array, taken: Booleans) -> list[SeenHead]:
     """Heads that point along the line, as one side of it shows them; ``half`` is how far its ink reaches there."""
-    import numpy
-
     behind = numpy.convolve(half, numpy.full(4, 0.25))[: len(half)]  # of each place and the three before it
     behind = numpy.concatenate([numpy.zeros(2), behind[:-2]])
     found: list[SeenHead] = []
@@ -156,8 +150,6 @@ def _sides(s: Array, half: Array, taken: Booleans) -> list[SeenHead]:
 
 def _tip(s: Array, half: Array, top: int, before: float, jump: float) -> float | None:
     """Where the side of a head with its base at a row meets the head's own line; None where it does not narrow so."""
-    import numpy
-
     low, end = before + 0.25 * jump, top
     while end + 1 < len(s) and low < half[end + 1] < half[end] + 0.02:
         end += 1

@@ -6,6 +6,8 @@ import statistics
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy
+
 from planes.check.fiducials import ARM_MM, SIDE_MM, centres
 from planes.check.vision.picture import Flat, cv
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices, Points
@@ -31,14 +33,10 @@ class Ink:
     @property
     def mask(self) -> Greys:
         """Where there is ink: ones and zeros, a pixel each."""
-        import numpy
-
         return (self.even < self.paper - DARK * (self.paper - self.pencil)).astype(numpy.uint8)
 
     def at(self, z: Complexes) -> Array:
         """Darkness of places in mm (an array of complex numbers of one or two axes): 0 of paper, 1 of a line."""
-        import numpy
-
         x, y = ((z - self.flat.corner) * self.flat.scale).real, ((z - self.flat.corner) * self.flat.scale).imag
         rows = numpy.atleast_2d(x), numpy.atleast_2d(self.even.shape[0] - y)
         across, down = (numpy.ascontiguousarray(r, numpy.float32) for r in rows)
@@ -49,8 +47,6 @@ class Ink:
 
     def lettered(self, z: Points) -> Booleans:
         """Whether there may be letters at places in mm (an array of complex numbers)."""
-        import numpy
-
         local = (numpy.atleast_1d(z) - self.flat.corner) * self.flat.scale
         if self.letters is None:
             return numpy.zeros(len(local), bool)
@@ -61,8 +57,6 @@ class Ink:
 
     def covered(self, a: complex, b: complex, reach: float = 0.45) -> float:
         """The share of the way from ``a`` to ``b`` along which there is ink, ``reach`` mm to either side."""
-        import numpy
-
         length = abs(b - a)
         if length < 2 * reach:
             return 1.0
@@ -74,8 +68,6 @@ class Ink:
 
 def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
     """The ink of a flat picture, without letters and printed marks; a cross may be printed at a place."""
-    import numpy
-
     even = evened(flat)
     if flat.by == "marks":
         _whiten_printed(flat, even)
@@ -93,8 +85,6 @@ def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
 
 def evened(flat: Flat) -> Greys:
     """The picture as if the light were the same everywhere: paper is 255."""
-    import numpy
-
     cv2 = cv()
     even = numpy.minimum(cv2.divide(flat.grey, light_of(flat), scale=250.0), 255)
     soft: Greys = cv2.GaussianBlur(even, (0, 0), 0.8)
@@ -103,8 +93,6 @@ def evened(flat: Flat) -> Greys:
 
 def light_of(flat: Flat) -> Greys:
     """The picture as if nothing were drawn on its paper."""
-    import numpy
-
     cv2 = cv()
     small = cv2.resize(flat.grey, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA)
     light = cv2.dilate(small, numpy.ones((7, 7), numpy.uint8))
@@ -115,8 +103,6 @@ def light_of(flat: Flat) -> Greys:
 
 def _levels(even: Greys) -> tuple[float, float]:
     """The greys of paper and of a pencil's lines; a grid and what was rubbed out are paper."""
-    import numpy
-
     counts = numpy.bincount(even.ravel(), minlength=256).astype(float)
     dark = counts[:150].copy()
     share = numpy.cumsum(dark) / max(dark.sum(), 1.0)
@@ -127,8 +113,6 @@ def _levels(even: Greys) -> tuple[float, float]:
 
 def _joined(ink: Ink, cross: complex, letters: Sequence[float]) -> Booleans:
     """Where there is ink no larger than letters (so large are the others) that but a printed cross joins to lines."""
-    import numpy
-
     mask = ink.mask
     for way in (1, -1, 1j, -1j):  # without the arms; lines are drawn from the cross's middle
         arm = numpy.array([ink.flat.px(cross + way * mm) for mm in (HEART_MM, ARM_MM)]).round().astype(numpy.int32)
@@ -139,8 +123,6 @@ def _joined(ink: Ink, cross: complex, letters: Sequence[float]) -> Booleans:
 
 def _pieces(ink: Ink, mask: Greys) -> tuple[Indices, Array]:
     """Separate pieces of ink: the number of each pixel's, and how large each is, mm (0: no ink)."""
-    import numpy
-
     _, labels, stats, _ = cv().connectedComponentsWithStats(mask, connectivity=8)
     sizes = numpy.maximum(stats[:, 2], stats[:, 3]) / ink.flat.scale
     sizes[0] = 0.0
@@ -149,8 +131,6 @@ def _pieces(ink: Ink, mask: Greys) -> tuple[Indices, Array]:
 
 def _spread(where: Booleans) -> Booleans:
     """The places, and those around them where ink fades."""
-    import numpy
-
     wider: Greys = cv().dilate(where.astype(numpy.uint8), numpy.ones((9, 9), numpy.uint8))
     return wider > 0
 

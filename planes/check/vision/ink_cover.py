@@ -11,6 +11,8 @@ from dataclasses import dataclass, field
 from functools import reduce
 from operator import or_
 
+import numpy
+
 from planes.check.vision.places import HEADED_MM, Seen
 from planes.geometry.arrays import Complexes
 
@@ -35,8 +37,6 @@ class InkCover:
     known: dict[tuple[complex, complex], tuple[int, int]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        import numpy
-
         found = [z for z in self.seen.patches if abs(z - self.pole) >= CROSS_MM]
         for line in self.seen.lines:
             if max(abs(z - self.pole) for z in line.ends) >= CROSS_MM:
@@ -64,8 +64,6 @@ class InkCover:
         return self.known[a, b]
 
     def _steps(self, a: complex, b: complex) -> int:
-        import numpy
-
         length = abs(b - a)
         if not length or not len(self.steps):
             return 0

@@ -11,6 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeVar, overload
 
+import numpy
+
 from planes.check.vision.cross_sections import CELL_MM, Rows, nearest
 from planes.check.vision.ink import DARK, Ink
 from planes.geometry.arrays import Array, Booleans, Complexes
@@ -96,8 +98,6 @@ class Fitted:
 
 def fitted(ink: Ink, a: complex, b: complex, beside: Sequence[Fitted] = ()) -> Fitted | None:
     """The line of ink from about ``a`` to about ``b``, with others ``beside`` it; None where there is none."""
-    import numpy
-
     length = abs(b - a)
     along = (b - a) / length
     s = numpy.arange(-BEYOND_MM, length + BEYOND_MM, STEP_MM)
@@ -130,8 +130,6 @@ def fitted(ink: Ink, a: complex, b: complex, beside: Sequence[Fitted] = ()) -> F
 
 def _others(z: Complexes, along: complex, beside: Sequence[Fitted]) -> Array:
     """How far to the left of places on a line the others are that run along it: a row each, nan where there is none."""
-    import numpy
-
     found = numpy.full((len(beside) + 1, len(z)), numpy.nan)
     for k, line in enumerate(beside):
         turn = along * line.along.conjugate()
@@ -145,8 +143,6 @@ def _others(z: Complexes, along: complex, beside: Sequence[Fitted]) -> Array:
 
 def _laid(s: Array, found: Array, length: float) -> tuple[Array, float]:
     """Coefficients of the line laid robustly through places across it, and its lateral error."""
-    import numpy
-
     middle, half = length / 2, max(length / 2, 1.0)
     x = (s - middle) / half
     rows = numpy.stack([numpy.ones_like(x), x, x * x - 1], axis=1)
@@ -168,8 +164,6 @@ def _laid(s: Array, found: Array, length: float) -> tuple[Array, float]:
 
 def _extend(line: Fitted, s: Array, t: Array, dark: Array) -> None:
     """Move the ends to where the ink ends."""
-    import numpy
-
     off = t[None, :] - line.bow(s)[:, None]
     core = (dark * (numpy.abs(off) < 0.21)).max(axis=1)
     flank = numpy.maximum(*((dark * (k * off > 0.55) * (k * off < 1.1)).max(axis=1) for k in (1, -1)))

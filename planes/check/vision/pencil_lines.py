@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import numpy
+
 from planes.check.vision.drawn_lines import lines_on
 from planes.check.vision.ink import ink_of
 from planes.check.vision.picture import Flat, cv
@@ -60,8 +62,6 @@ Pixel = tuple[float, float]
 
 def _centres(edges: list[tuple[complex, complex]], scale: float) -> list[tuple[Pixel, Pixel]]:
     """Pairs of opposite edges as centre lines."""
-    import numpy
-
     if not edges:
         return []
     a, b = numpy.array([e[0] for e in edges]), numpy.array([e[1] for e in edges])
@@ -124,8 +124,6 @@ def _continues(line: CentreLine, other: CentreLine) -> bool:
 
 def _merged(line: CentreLine, other: CentreLine) -> CentreLine:
     """The straight line of both, weighted by their lengths."""
-    import numpy
-
     pairs = [(line.a, line.b), (other.a, other.b)]
     z = numpy.concatenate([numpy.linspace(a, b, max(3, int(abs(b - a) * 2))) for a, b in pairs])
     middle = z.mean()

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from types import ModuleType
 
+import numpy
+
 from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, centres
 from planes.check.vision.bend import Bend, add_paper, bend_of
 from planes.geometry.arrays import Array, Greys
@@ -36,8 +38,6 @@ class Flat:
 
     def place(self, pixel: complex) -> complex:
         """Where a pixel of the source (x right, y down) is on the sheet."""
-        import numpy
-
         if self.bend is not None:
             z = complex(self.bend.flat(pixel))
             return self.mm(z.real, z.imag)
@@ -65,8 +65,6 @@ def cv() -> ModuleType:
 
 def dictionary() -> object:
     """The blank's corner marks for OpenCV's detector."""
-    import numpy
-
     aruco = cv().aruco
     rows = [numpy.array([[bits >> (4 - c) & 1 for c in range(5)] for bits in p], numpy.uint8) for p in PATTERNS]
     table = numpy.concatenate([aruco.Dictionary.getByteListFromBits(r) for r in rows])
@@ -94,8 +92,6 @@ def find_marks(grey: Greys) -> dict[int, Array]:
 
 def _sharpened(grey: Greys, quad: Array) -> Array:
     """Corners of a mark to a fraction of a pixel, where its edges meet in the whole picture."""
-    import numpy
-
     cv2 = cv()
     side = float(numpy.linalg.norm(quad - numpy.roll(quad, 1, axis=0), axis=1).mean())
     reach = int(min(max(side / CELLS * 0.6, 2), 12))
@@ -107,8 +103,6 @@ def _sharpened(grey: Greys, quad: Array) -> Array:
 
 def flatten(grey: Greys, size_mm: tuple[float, float] = SHEET_MM) -> Flat | None:
     """The sheet seen straight from above, if its corner marks (three at least) are found."""
-    import numpy
-
     cv2 = cv()
     factor = min(1.0, LARGEST_PX / max(grey.shape))
     small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA) if factor < 1 else grey
@@ -140,8 +134,6 @@ def _unbent(
     grey: Greys, bend: Bend, seen: list[Array], true: list[tuple[float, float]], size_mm: tuple[float, float]
 ) -> Greys:
     """The flat picture of a bent one, by its corner marks as they would be seen without the lens's bend."""
-    import numpy
-
     cv2 = cv()
     straight = bend.straight(numpy.array(seen, float) @ numpy.array([1, 1j]))
     bend.view, _ = cv2.findHomography(numpy.stack([straight.real, straight.imag], axis=1), numpy.array(true))
@@ -172,8 +164,6 @@ def by_points(grey: Greys, pole: complex, mark: complex, length_mm: float) -> Fl
 
 def by_scale(grey: Greys, scale: float, pole: complex | None = None) -> Flat:
     """The picture as it is, of so many pixels to a mm; the pole, if it is named, becomes the origin."""
-    import numpy
-
     cv2, factor = cv(), PX_PER_MM / scale
     if not 0.05 < factor < 8 or grey.size * factor * factor > MOST_FLAT:
         raise PlanesError(Phrase("check_points"))

@@ -8,6 +8,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
+import numpy
+
 from planes.check.vision.drawn_lines import on
 from planes.check.vision.heads import head_at
 from planes.check.vision.ink import Ink
@@ -50,8 +52,6 @@ class Seen:
 
     def within(self, z: complex, reach: float) -> list[Place]:
         """Places no farther than ``reach``."""
-        import numpy
-
         if self.spots is None:
             self.spots = numpy.array([p.z for p in self.places], complex)
         return [self.places[i] for i in numpy.flatnonzero(numpy.abs(self.spots - z) <= reach)]

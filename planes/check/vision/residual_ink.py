@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+import numpy
+
 from planes.check.vision.ink import Ink
 from planes.check.vision.line_fitting import Fitted
 from planes.check.vision.picture import cv
@@ -18,8 +20,6 @@ LARGE_MM, CELL_MM = 2.5, 0.5
 
 def left_over(ink: Ink, lines: Sequence[Fitted]) -> Iterator[Complexes]:
     """Separate pieces of ink on no line: the places of each, mm."""
-    import numpy
-
     cv2, flat, mask = cv(), ink.flat, ink.mask
     for line in lines:
         s = numpy.linspace(line.low - 0.5, line.high + 0.5, 9)
@@ -35,8 +35,6 @@ def left_over(ink: Ink, lines: Sequence[Fitted]) -> Iterator[Complexes]:
 
 def stroke_of(part: Complexes) -> tuple[complex, complex] | None:
     """The ends of a straight stroke; None where a piece is none."""
-    import numpy
-
     middle = complex(part.mean())
     u = numpy.exp(0.5j * numpy.angle(((part - middle) ** 2).sum()))
     local = (part - middle) * u.conjugate()
@@ -47,8 +45,6 @@ def stroke_of(part: Complexes) -> tuple[complex, complex] | None:
 
 def patches(ink: Ink, lines: Sequence[Fitted]) -> list[complex]:
     """Places half a millimetre apart in larger pieces of ink that are on no line."""
-    import numpy
-
     found: list[complex] = []
     for part in left_over(ink, lines):
         if max(numpy.ptp(part.real), numpy.ptp(part.imag)) > LARGE_MM:
