@@ -12,7 +12,6 @@ from planes.check.grading.grading import Grading, grade, readable
 from planes.check.grading.handwork import Hand, Taken, Variant
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
-from planes.check.grading.unaided import sure_by_itself
 from planes.check.grading.written_numbers import Account, account, result_figures, segment_figures
 from planes.plans.quantities import catalogue
 from planes.words import Phrase, Written
@@ -159,7 +158,7 @@ def _look(out: Outcome) -> None:
         _results(out)
     if not (out.grading or (out.segments and out.segments.scored) or (out.results and out.results.scored)):
         out.unreadable = Phrase("check_nothing_read", names=", ".join(label_of(m) for m in bench.marks))
-    elif not paper.pole_told and out.grading and not sure_by_itself(out.grading):
+    elif not paper.pole_told and out.grading and not out.grading.sure_by_itself:
         out.unreadable = out.unreadable or Phrase("check_unsure")
 
 

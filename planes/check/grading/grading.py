@@ -7,12 +7,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from planes.check.grading.aligning import align
 from planes.check.grading.evidence import SURE, by_chance, nothing_drawn, size_of
 from planes.check.grading.handwork import Hand, Miss, Taken
-from planes.check.grading.judging import WARN, Judgement, judge, verdicts
+from planes.check.grading.judging import LEFT_OUT, WARN, Judgement, judge, verdicts
 from planes.check.grading.paper import ReadPaper
-from planes.check.grading.polygons import Rebuilt
+from planes.check.grading.polygons import Rebuilt, align
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.check.grading.scaling import own_scales
 from planes.drafting.drawing import Drawing, run
@@ -26,6 +25,8 @@ OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated 
 LONG_MM = 3.0  # a shorter vector shows no scale
 NAMELESS = "?"  # begins the name of a line that has none
 READABLE = 0.5  # the share of a plan's crossings that must be read
+FAR_MM = 3.0  # a mark this far off was not merely misread
+FITTING = 0.9  # the share of the other marks that must be seen, and right, before one of them is blamed
 
 
 @dataclass
@@ -113,6 +114,21 @@ class Grading:
         """How likely marks put anywhere on the drawing would be as right."""
         found = self.judgement
         return by_chance(self.hand, found.misses, found.limit, not self.said_mu, self.gap_reach)
+
+    @property
+    def sure_by_itself(self) -> bool:
+        """Whether marks read with no pole named show by themselves that they were told rightly: there are several, and
+        what is wrong is so by far, while nearly all others were seen and are right."""
+        found, apart = self.judgement, [0j]
+        for place in (self.hand.taken[m].place for m in found.misses):
+            apart += [place] if all(abs(place - z) > FAR_MM for z in apart) else []
+        if len(apart) < 3 or not self.strays:
+            return len(apart) > 2
+        off = max((abs(found.misses[m].off) for m in found.wrong), default=0.0)
+        fitting = found.explained if found.named else found.misses.keys() - found.wrong
+        others = [m for m in self.shown_by if label_of(m) != found.first_wrong]
+        left_out = found.named is not None and found.named.mistake.endswith(LEFT_OUT)
+        return not left_out and off > FAR_MM and sum(m in fitting for m in others) >= FITTING * len(others)
 
     @property
     def verdicts(self) -> dict[str, str]:

@@ -3,6 +3,9 @@
 Every mistake is a hypothesis with the likelihood of the drawing under it, every mark given those before it; "correct
 but for noise" and "wrong there for some other cause" are hypotheses too. A mistake is named when it beats them and the
 runner-up. Where all marks are within limits, close calls are looked at again for a mistake that explains them.
+
+Marks share errors: a scheme drawn a little askew is seen in a force of inertia, and again in the reaction reckoned
+from that force's moment. What one mark shows of such an error is expected in the next, and is no news there.
 """
 
 from __future__ import annotations
@@ -11,8 +14,11 @@ import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from planes.check.grading.handwork import Hand, Miss, Variant
-from planes.check.grading.jointly import given_before, order_of_reckoning
+import numpy
+
+from planes.check.grading.handwork import LEAST_MM, Hand, Miss, Variant
+from planes.drafting.steps import LayOff, Step
+from planes.drafting.steps.reckoning import Calculate
 from planes.words.names import label_of
 
 FALSE_ALARM = 0.02  # of right drawings, how many a hand as shaky as supposed would see refused
@@ -177,3 +183,37 @@ def verdicts(found: Judgement, order: Sequence[str], strayed: Mapping[str, bool]
         else:
             out[mark] = "follows" if (upset or mark in found.wrong) and strayed.get(mark) else "right"
     return out
+
+
+def given_before(misses: Mapping[str, Miss], order: Sequence[str], limit: float) -> dict[str, Miss]:
+    """Every miss with those before it known; a mark off by more than ``limit`` σ tells nothing of others."""
+    names = [m for m in order if m in misses]
+    if not names:
+        return {}
+    rows = numpy.array([part for m in names for part in (misses[m].change.real, misses[m].change.imag)])
+    cov = rows @ rows.T + LEAST_MM**2 * numpy.eye(len(rows))
+    off = numpy.array([part for m in names for part in (misses[m].off.real, misses[m].off.imag)])
+    found = {}
+    for i, name in enumerate(names):
+        x, y = 2 * i, 2 * i + 1
+        left = float(cov[x, x]), float(cov[x, y]), float(cov[y, y])
+        found[name] = Miss(complex(off[x], off[y]), left, misses[name].change)
+        if found[name].sigmas <= limit:
+            for k in (x, y):
+                gain = cov[k] / cov[k, k]
+                off, cov = off - gain * off[k], cov - numpy.outer(gain, cov[k])
+    return {m: found[m] for m in misses}
+
+
+def order_of_reckoning(steps: Iterable[Step], marks: Sequence[str]) -> list[str]:
+    """Marks in order of drawing, but that a force reckoned from other ones (F^t, from moments) comes after them."""
+    made = {s.makes: s for s in steps}
+    laid = {m: s.length for m in marks if isinstance(s := made[m], LayOff)}
+    late = []
+    for k, mark in enumerate(laid):
+        formula = made.get(laid[mark])
+        parts = {n for n, _ in formula.reads()} if isinstance(formula, Calculate) else set()
+        if parts & set(list(laid.values())[k + 1 :]):
+            late.append(mark)
+    last = marks.index([*laid][-1]) + 1 if laid else 0
+    return [*(m for m in marks[:last] if m not in late), *late, *marks[last:]]

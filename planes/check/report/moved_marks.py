@@ -11,7 +11,6 @@ from planes.check.fiducials import SHEET_MM
 from planes.check.grading.evidence import SMALLEST, SURE
 from planes.check.grading.grading import READABLE, Grading, key_marks
 from planes.check.grading.handwork import LEAST_MM, Variant
-from planes.check.grading.jointly import order_of_reckoning
 from planes.check.grading.judging import (
     FALSE_ALARM,
     LEFT_OUT,
@@ -22,6 +21,7 @@ from planes.check.grading.judging import (
     UNDRAWN,
     WARN,
     breadth,
+    order_of_reckoning,
 )
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import variants_of
