@@ -37,10 +37,9 @@ class Ink:
 
     def at(self, z: Complexes) -> Array:
         """Darkness of places in mm (an array of complex numbers of one or two axes): 0 of paper, 1 of a line."""
-        x, y = ((z - self.flat.corner) * self.flat.scale).real, ((z - self.flat.corner) * self.flat.scale).imag
-        rows = numpy.atleast_2d(x), numpy.atleast_2d(self.even.shape[0] - y)
+        cv2, local = cv(), (z - self.flat.corner) * self.flat.scale
+        rows = numpy.atleast_2d(local.real), numpy.atleast_2d(self.even.shape[0] - local.imag)
         across, down = (numpy.ascontiguousarray(r, numpy.float32) for r in rows)
-        cv2 = cv()
         grey = cv2.remap(self.even, across, down, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=255)
         dark: Array = (self.paper - grey.astype(numpy.float32)) / (self.paper - self.pencil)
         return dark.clip(0, 1).reshape(numpy.shape(z))
@@ -69,10 +68,8 @@ class Ink:
 def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
     """The ink of a flat picture, without letters and printed marks; a cross may be printed at a place."""
     even = evened(flat)
-    if flat.by == "marks":
+    if flat.by in ("marks", "frame"):
         _whiten_printed(flat, even)
-    elif flat.by == "frame":
-        _whiten_frame(flat, even)
     paper, pencil = _levels(even)
     ink = Ink(flat, even, paper, pencil)
     labels, sizes = _pieces(ink, ink.mask)
@@ -104,10 +101,9 @@ def light_of(flat: Flat) -> Greys:
 def _levels(even: Greys) -> tuple[float, float]:
     """The greys of paper and of a pencil's lines; a grid and what was rubbed out are paper."""
     counts = numpy.bincount(even.ravel(), minlength=256).astype(float)
-    dark = counts[:150].copy()
+    dark = counts[:150]
     share = numpy.cumsum(dark) / max(dark.sum(), 1.0)
-    pencil = float(numpy.searchsorted(share, 0.3)) if dark.sum() > 400 else 120.0
-    pencil = min(max(pencil, 20.0), 140.0)
+    pencil = min(max(float(numpy.searchsorted(share, 0.3)), 20.0), 140.0) if dark.sum() > 400 else 120.0
     return 255.0 - LIGHT * (255.0 - pencil), pencil
 
 
@@ -137,16 +133,9 @@ def _spread(where: Booleans) -> Booleans:
 
 def _whiten_printed(flat: Flat, even: Greys) -> None:
     """Paint over the corner marks, the frame and what lies outside of it."""
-    cv2 = cv()
-    for z in centres((even.shape[1] / flat.scale, even.shape[0] / flat.scale)):
-        x, y = flat.px(z)
+    for x, y in map(flat.px, centres(flat.size_mm) if flat.by == "marks" else ()):
         r = (SIDE_MM / 2 + 2) * flat.scale
-        cv2.rectangle(even, (int(x - r), int(y - r)), (int(x + r), int(y + r)), 255, -1)
-    _whiten_frame(flat, even)
-
-
-def _whiten_frame(flat: Flat, even: Greys) -> None:
-    """Paint over the frame and what lies outside of it."""
+        cv().rectangle(even, (int(x - r), int(y - r)), (int(x + r), int(y + r)), 255, -1)
     left, other = (int(mm * flat.scale) for mm in FRAME_MM)
     even[:other], even[-other:] = 255, 255
     even[:, :left], even[:, -other:] = 255, 255
