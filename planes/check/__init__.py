@@ -18,7 +18,6 @@ from planes.words import Phrase, Written
 from planes.words.errors import PlanesError
 from planes.words.names import kind_of, label_of, mu_of
 from planes.words.things import plan_phrase
-from planes.words.units import mu_text
 
 STATUS = {"right": 0, "wrong": 1, "unreadable": 2}
 
@@ -166,13 +165,8 @@ def _scale_notes(out: Outcome) -> list[Phrase]:
     g, bench = out.grading, out.bench
     if g is None or g.said_mu:
         return []
-    kind = kind_of(bench.asked.plan)
-    found, said = _mu(float(f"{g.mu:.3g}"), kind), bench.asked.scene.mu.get(kind)
-    return [Phrase("check_mu", mu=found, said=_mu(said, kind)) if said else Phrase("check_mu_found", mu=found)]
-
-
-def _mu(mu: float, kind: str) -> Written:
-    return Written(mu_text(mu, kind), mu_text(mu, kind, "ru"))
+    found, said = bench.mu_said(float(f"{g.mu:.3g}")), bench.asked.scene.mu.get(kind_of(bench.asked.plan))
+    return [Phrase("check_mu", mu=found, said=bench.mu_said(said)) if said else Phrase("check_mu_found", mu=found)]
 
 
 def _free(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, Taken]) -> Hand:

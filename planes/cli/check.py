@@ -9,9 +9,10 @@ from dataclasses import replace
 from pathlib import Path
 
 from planes.check import STATUS, Outcome, check
+from planes.check.grading.paper import Known
 from planes.check.grading.perturbing import HAND, cad
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.check.handed_in import LINES, PICTURES, Known, read_paper
+from planes.check.handed_in import LINES, PICTURES, read_paper
 from planes.check.report import heads, numbers_of, rows_of
 from planes.check.report.rows import as_json
 from planes.cli.classes import check_class

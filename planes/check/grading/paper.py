@@ -40,6 +40,15 @@ class ReadMark:
     error_mm: float = 0.1
 
 
+@dataclass(frozen=True)
+class Known:
+    """What is told of a drawing: its pole, some marks (pixels, or its own units; y down), the format of its frame."""
+
+    pole: complex | None = None
+    marks: Mapping[str, complex] = field(default_factory=dict)
+    format: str | None = None
+
+
 @dataclass
 class ReadPaper:
     """Everything read from what was handed in, in its order. It is ``whole`` if nothing can have been overlooked."""

@@ -17,7 +17,6 @@ from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
 from planes.check.reading.lone_vectors import lone_vectors
 from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, covered, headed, hinged
 from planes.check.reading.words_near import Candidates, begun, by_words, led, origin_of, pole_of, sized
-from planes.drafting.drawing import run
 from planes.words import Phrase
 from planes.words.names import POLE, at, kind_of, label_of
 
@@ -227,8 +226,7 @@ def scaled(
     name = bench.names.find(named)
     if name is None or abs(marks[named] - pole) == 0:
         return sketch, None
-    truth = run(bench.program, bench.given)
-    factor = abs(truth[at(bench.asked.plan, name)]) / abs(marks[named] - pole)
+    factor = abs(bench.true_marks[name]) / abs(marks[named] - pole)
     words = [
         replace(w, place=(w.place - pole) * factor, height=w.height * factor, width=w.width * factor)
         for w in sketch.words

@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Any
 from xml.etree import ElementTree
 from xml.parsers import expat
 
@@ -121,16 +120,14 @@ class Outline:
             yield line, self.closed or (len(line) > 3 and line[0] == line[-1])
 
 
-class _Pen(RecordingPen):
-    """Takes a path down, of an arc but where it ends."""
-
-    def arcTo(self, *arc: Any) -> None:
-        self.value.append(("arcTo", arc[-1:]))
-
-
 def outlines(e: ElementTree.Element) -> Iterator[Outline]:
     """The parts of a line, a polyline, a polygon or a path, as far as it can be read."""
-    pen, corners, straight = _Pen(), list[complex](), list[bool]()
+    pen, corners, straight = RecordingPen(), list[complex](), list[bool]()
+
+    def arc_to(*arc: object) -> None:
+        pen.value.append(("arcTo", arc[-1:]))  # of an arc but where it ends
+
+    pen.arcTo = arc_to
     with suppress(ValueError, LookupError, TypeError, ArithmeticError):
         parse_path(_path(e), pen)
     for name, points in (*pen.value, ("endPath", ())):

@@ -13,8 +13,7 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.chains import NEAR_MM, true_vectors
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, Words, headed
-from planes.drafting.drawing import run
-from planes.words.names import POLE, kind_of, label_of
+from planes.words.names import POLE, kind_of
 from planes.words.spelling import Names
 
 LEADER_MM = 2.5  # a line from a word ends so near it
@@ -73,8 +72,7 @@ def begun(sketch: ReadDrawing, nodes: Nodes) -> dict[int, float]:
 
 def pole_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
     """The node from which the true plan would meet most nodes, one beside the word p if there is any."""
-    truth = run(bench.program, bench.given)
-    ends = [truth[m] for m in bench.marks if abs(truth[m]) > 1]
+    ends = [z for z in bench.true_marks.values() if abs(z) > 1]
     beside = near.get(POLE)
     if not ends or (not beside and len(nodes.places) > 600):
         return None
@@ -89,7 +87,7 @@ def pole_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | No
 
 def origin_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
     """The origin of a scheme's axes: so that the frame's points, then most others, stand beside their words."""
-    truth = {label_of(m): complex(run(bench.program, bench.given)[m]) for m in bench.marks}
+    truth = bench.true_marks
     places = [(nodes.places[i] - truth[n], far) for n, held in near.items() if n in truth for i, far in held.items()]
     fixed = Names(bench.plans.mechanism.frame.points)
 
@@ -97,9 +95,7 @@ def origin_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | 
         off = {n: min(abs(nodes.places[i] - origin - z) for i in near[n]) for n, z in truth.items() if n in near}
         return sum(len(off) if fixed.find(n) else 1.0 for n in off if off[n] < NEAR_POINT_MM) - 0.05 * far
 
-    if not places:
-        return pole_of(nodes, bench, near)
-    return max(places, key=lambda p: worth(*p))[0]
+    return max(places, key=lambda p: worth(*p))[0] if places else pole_of(nodes, bench, near)
 
 
 def sized(bench: PreparedPlan, sketch: ReadDrawing, nodes: Nodes, near: Candidates) -> PreparedPlan:
@@ -113,7 +109,7 @@ def sized(bench: PreparedPlan, sketch: ReadDrawing, nodes: Nodes, near: Candidat
 
 def _of_marks(bench: PreparedPlan, nodes: Nodes, near: Candidates) -> list[float]:
     """Logarithms of drawn to stated distances from the pole, of a scheme between its points."""
-    truth = {label_of(m): run(bench.program, bench.given)[m] for m in bench.marks} | {POLE: 0j}
+    truth = bench.true_marks | {POLE: 0j}
     place = {n: nodes.places[min(held, key=lambda i: held[i])] for n, held in near.items() if n in truth}
     pairs = [(POLE, n) for n in place if n != POLE] if POLE in place else list(combinations(place, 2))
     found = []

@@ -11,7 +11,6 @@ from planes.check.grading.judging import WARN
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.drafting.drawing import run
 from planes.words.names import POLE, kind_of, label_of, plan_of
 from planes.words.spelling import Names
 
@@ -51,9 +50,9 @@ def own_marks(found: Outcome) -> dict[str, complex]:
 
 def true_marks(found: Outcome) -> dict[str, complex]:
     """The right plan's marks at the drawing's scale, mm from the pole."""
-    bench = found.bench
-    truth = found.grading.truth if found.grading else run(bench.program, bench.given)
-    return {label_of(m): complex(truth[m]) for m in bench.marks}
+    if found.grading is None:
+        return found.bench.true_marks
+    return {label_of(m): complex(found.grading.truth[m]) for m in found.grading.marks}
 
 
 @dataclass(frozen=True)

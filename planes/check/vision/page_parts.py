@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy
@@ -33,8 +33,9 @@ class PageParts:
     labels: Indices
     boxes: list[list[int]]
 
-    def likely(self, bench: PreparedPlan, plan: Sequence[complex]) -> list[tuple[int, float]]:
-        """Parts that may be a plan with such marks, at a standard scale if none is stated; the likeliest first."""
+    def likely(self, bench: PreparedPlan) -> list[tuple[int, float]]:
+        """Parts that may be the plan, at a standard scale if none is stated; the likeliest first."""
+        plan = [0j, *bench.true_marks.values()]
         xs, ys = [z.real for z in plan], [z.imag for z in plan]
         size = max(xs) - min(xs), max(ys) - min(ys)
         found = []
