@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy
-from shapely import MultiLineString, STRtree, distance, linestrings, points
+from shapely import STRtree, distance, linestrings, multilinestrings, points
 
 from planes.check.reading.strokes import ReadDrawing, Stroke, Words
 from planes.geometry.arrays import Booleans, Complexes
@@ -118,4 +118,4 @@ def _part(sketch: ReadDrawing, held: list[int]) -> ReadDrawing | None:
 def _distances(strokes: Sequence[Stroke], places: Sequence[complex]) -> Sequence[float]:
     """How far places are from the nearest of some strokes."""
     spots = [(z.real, z.imag) for z in places]
-    return distance(points(spots), MultiLineString(_lines(strokes))).tolist() if spots else []
+    return distance(points(spots), multilinestrings(_lines(strokes))).tolist() if spots else []
