@@ -9,7 +9,7 @@ from functools import cached_property
 
 from planes.check.grading.evidence import SURE, by_chance, nothing_drawn, size_of
 from planes.check.grading.handwork import Hand, Miss, Taken
-from planes.check.grading.judging import LEFT_OUT, WARN, Judgement, judge, verdicts
+from planes.check.grading.judging import LEFT_OUT, Judgement, judge, verdicts
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.polygons import Rebuilt, align
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
@@ -199,19 +199,13 @@ def _grade_at(bench: PreparedPlan, mu: float, share: float, taken: Mapping[str, 
     hand = Hand(bench.program, given, skill, taken, unsure)
     truth = run(bench.program, given)
     free = Hand(bench.program, given, skill, {m: t for m, t in taken.items() if m not in bench.marks}, unsure)
-    apart = {m: _apart(free, m, taken[m]) for m in bench.marks if m in taken}
+    own = {m: taken[m] for m in bench.marks if m in taken}  # how far from where drafting alone may lead a person
+    apart = {m: free.miss(free.things[m], t.place).blurred(t.error_mm) for m, t in own.items()}
     size = extent(truth, plan)
     judgement = judge(hand, bench.marks, variants_of(bench, hand, mu), size, absent)
     wrong, at_home = judgement.wrong, {m for m, miss in apart.items() if miss.sigmas <= judgement.limit}
     judgement.wrong = wrong[:1] + [m for m in wrong[1:] if m not in at_home]  # off a wrong mark, but where it should be
     return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart, free)
-
-
-def _apart(free: Hand, mark: str, own: Taken) -> Miss:
-    """How far a mark is from the true plan, where drafting alone may lead a person astray."""
-    miss = free.miss(free.things[mark], own.place)
-    xx, xy, yy = miss.cov
-    return Miss(miss.off, (xx + own.error_mm**2, xy, yy + own.error_mm**2))
 
 
 def empty(bench: PreparedPlan) -> Grading:
@@ -243,8 +237,3 @@ def readable(grading: Grading) -> Phrase | None:
     if grading.judgement.named is None and count >= 3 and len(wrong) > 0.7 * count:
         return Phrase("check_other_drawing", count=count, wrong=len(wrong))
     return None
-
-
-def close_call(miss: Miss, limit: float) -> bool:
-    """Whether a mark is right by less than it should."""
-    return WARN < miss.sigmas <= limit

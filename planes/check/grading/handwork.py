@@ -56,6 +56,11 @@ class Miss:
             return limit * abs(self.off) / found
         return limit * self.worst
 
+    def blurred(self, error_mm: float) -> Miss:
+        """The same of a mark that was read with an error (each way)."""
+        xx, xy, yy = self.cov
+        return replace(self, cov=(xx + error_mm**2, xy, yy + error_mm**2))
+
     @property
     def worst(self) -> float:
         """The standard deviation in the direction where it is largest, mm."""

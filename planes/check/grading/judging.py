@@ -65,10 +65,14 @@ def judge(
     found.wrong = [m for m, miss in found.misses.items() if not miss.sigmas <= found.limit]
     found.score = sum(_mixed(miss, weighing.broad) for miss in found.misses.values())
     drawn = {label_of(m) for m in found.misses} - set(absent)
-    if found.wrong:
-        _name(found, weighing.ranked(variants, drawn, found.wrong[:1]), weighing.broad)
-    elif close := [m for m, miss in found.misses.items() if miss.sigmas > WARN]:
-        _look_closer(found, weighing.ranked(variants, drawn, close))
+    suspects = found.wrong[:1] or [m for m, miss in found.misses.items() if miss.sigmas > WARN]
+    ranked = weighing.ranked(variants, drawn, suspects) if suspects else []
+    if ranked and found.wrong:  # is the likeliest mistake good enough to explain the first wrong mark?
+        other = math.log(OTHER_CAUSE) + weighing.broad - _mixed(found.misses[found.wrong[0]], weighing.broad)
+        _keep(found, ranked, ranked[0].score >= max(0.0, other))
+    elif ranked and ranked[0].score >= TOO_WELL:  # it explains close calls too well for chance
+        found.wrong = [m for m in found.misses if label_of(m) == ranked[0].variant.blames]
+        _keep(found, ranked, True)
     return found
 
 
@@ -80,11 +84,7 @@ def breadth(extent_mm: float) -> float:
 def _mixed(miss: Miss, broad: float) -> float:
     """Logarithm of the density of a miss: normal, but for now and then a slip."""
     normal = miss.log_density if math.isfinite(miss.sigmas) else -math.inf
-    high, low = max(normal, broad), min(normal, broad)
-    shares = (math.log(1 - SLIP), math.log(SLIP)) if normal >= broad else (math.log(SLIP), math.log(1 - SLIP))
-    top, rest = high + shares[0], low + shares[1]
-    best = max(top, rest)
-    return best + math.log(math.exp(top - best) + math.exp(rest - best))
+    return float(numpy.logaddexp(normal + math.log(1 - SLIP), broad + math.log(SLIP)))
 
 
 @dataclass(frozen=True)
@@ -121,23 +121,8 @@ class _Weighing:
 
     def _shows(self, touched: Mapping[str, Miss]) -> bool:
         """Whether a mistake puts some mark, the others known, farther off than a hand's error does."""
-        apart = (Miss(miss.off - self.plain[m].off, self.misses[m].cov) for m, miss in touched.items())
+        apart = (replace(self.misses[m], off=miss.off - self.plain[m].off) for m, miss in touched.items())
         return any(not miss.sigmas <= self.limit for miss in apart)
-
-
-def _name(found: Judgement, ranked: Sequence[ScoredHypothesis], broad: float) -> None:
-    """Keep the likeliest mistake if it is good enough to explain the first wrong mark."""
-    if not ranked:
-        return
-    other = math.log(OTHER_CAUSE) + broad - _mixed(found.misses[found.wrong[0]], broad)
-    _keep(found, ranked, ranked[0].score >= max(0.0, other))
-
-
-def _look_closer(found: Judgement, ranked: Sequence[ScoredHypothesis]) -> None:
-    """No mark is wrong by itself, but some are close calls: a mistake may explain them too well for chance."""
-    if ranked and ranked[0].score >= TOO_WELL:
-        found.wrong = [m for m in found.misses if label_of(m) == ranked[0].variant.blames]
-        _keep(found, ranked, True)
 
 
 def _keep(found: Judgement, ranked: Sequence[ScoredHypothesis], good: bool) -> None:
@@ -146,8 +131,7 @@ def _keep(found: Judgement, ranked: Sequence[ScoredHypothesis], good: bool) -> N
     if not good or (rest and best.score - rest[0].score < MARGIN):
         found.runner_up = best.variant
         return
-    found.named = best.variant
-    found.runner_up = rest[0].variant if rest else None
+    found.named, found.runner_up = best.variant, rest[0].variant if rest else None
     found.explained = frozenset(m for m, miss in best.under.items() if miss.sigmas <= found.limit)
     found.score += best.score + math.log(SLIP)
 

@@ -29,6 +29,10 @@ class PlanSteps:
         self.pole = at(self.plan, POLE)
         self.own = [s for s in self.program.steps if s.kind == "mark" and plan_of(s.makes) == self.plan]
 
+    def readers(self, name: str) -> list[Step]:
+        """The steps that use a thing."""
+        return [s for s in self.program.steps if any(n == name for n, _ in s.reads())]
+
     def before(self, name: str, step: Step) -> bool:
         """Whether a thing is there when the step is drawn."""
         return name in self.order and self.order[name] < self.order[step.makes]

@@ -6,7 +6,7 @@ import math
 
 from planes.check import Outcome
 from planes.check.grading.arithmetic_slips import Scored
-from planes.check.grading.grading import close_call
+from planes.check.grading.judging import WARN
 from planes.words import Lang, Phrase
 from planes.words.names import label_of
 from planes.words.records import Json
@@ -40,7 +40,7 @@ def mark_rows(out: Outcome) -> list[Json]:
             }
             row["read_mm"] = [round(own.place.real, 3), round(own.place.imag, 3)]
             row |= {key: round(mm, 3) if math.isfinite(mm) else None for key, mm in sizes.items()}
-            if verdict == "right" and close_call(miss, g.judgement.limit):
+            if verdict == "right" and WARN < miss.sigmas <= g.judgement.limit:
                 row["warning"] = Phrase("check_close").told("en")
         elif absent:
             row["verdict"] = "unread"
