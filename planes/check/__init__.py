@@ -6,13 +6,12 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
-from planes.check.grading.arithmetic_slips import WrittenNumber
 from planes.check.grading.evidence import SURE_LENGTHS, lengths_by_chance
 from planes.check.grading.grading import Grading, grade, readable
-from planes.check.grading.handwork import Hand, Taken, Variant
+from planes.check.grading.handwork import Hand, Taken
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
-from planes.check.grading.written_numbers import Account, account, result_figures, segment_figures
+from planes.check.grading.written_numbers import Account, WrittenNumber, account, result_figures, segment_figures
 from planes.plans.quantities import catalogue
 from planes.words import Phrase, Written
 from planes.words.errors import PlanesError
@@ -110,9 +109,7 @@ class Outcome:
     def _about(self, first: str) -> dict[str, object]:
         """Names for the sentence of the mistake."""
         g, table = self.grading, self._table
-        named: Variant | None = g.judgement.named if g else None
-        if not named and table:
-            named = table.named
+        named = (g.judgement.named if g else None) or (table.named if table else None)
         about: dict[str, object] = {"mark": first, **(named.about if named else {})}
         if self.mistake == "not_closed" and g and g.gap_wrong:
             about["gap"] = Written(f"{g.gap_wrong:.1f}")
@@ -184,7 +181,7 @@ def _segments(out: Outcome) -> None:
     best: tuple[int, int, Account] | None = None
     for k, mu in enumerate(_segment_scales(bench, figures)):
         free = _free(bench, [], mu, {})
-        found = account(figures, free, None, variants_of(bench, free, mu), bench.plans, bench.asked.skill.ruler_mm)
+        found = account(figures, free, None, variants_of(bench, free, mu), bench.asked.skill.ruler_mm)
         wrong = sum(s.verdict == "wrong" for s in found.scored) + (found.first_wrong is not None and not found.named)
         if best is None or (wrong, k > 0) < best[:2]:
             best = wrong, k > 0, found
@@ -227,4 +224,4 @@ def _results(out: Outcome) -> None:
     free = _free(bench, wanted, mu, {})
     own = _free(bench, wanted, mu, dict(out.grading.hand.taken)) if out.grading else None
     ways = replace(bench, program=free.program)
-    out.results = account(figures, free, own, [] if own else variants_of(ways, free, mu), bench.plans)
+    out.results = account(figures, free, own, [] if own else variants_of(ways, free, mu))

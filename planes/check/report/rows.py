@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from planes.check import Outcome
-from planes.check.grading.arithmetic_slips import Scored
 from planes.check.grading.judging import WARN
+from planes.check.grading.written_numbers import Scored
 from planes.words import Lang, Phrase
 from planes.words.names import label_of
 from planes.words.records import Json
