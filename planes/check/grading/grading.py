@@ -7,13 +7,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from planes.check.grading.evidence import SURE, by_chance, nothing_drawn, size_of
+from planes.check.grading.evidence import SURE, by_chance, nothing_drawn, own_scales, size_of
 from planes.check.grading.handwork import Hand, Miss, Taken
 from planes.check.grading.judging import LEFT_OUT, Judgement, judge, verdicts
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.polygons import Rebuilt, align
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
-from planes.check.grading.scaling import own_scales
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.steps import Cross, CrossArc, CrossArcs, LayOff, Same, Step
 from planes.plans import Plans
@@ -69,11 +68,10 @@ class Grading:
         steps = {s.makes: s for s in self.hand.program.steps}
         for mark in self.marks:
             step = steps[mark]
-            if not isinstance(step, LayOff) or not _long(self, step):
-                continue  # what is short may be there, unseen
-            miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
-            if label_of(mark) in self.rebuilt.absent or (mark not in used and miss.sigmas > self.judgement.limit):
-                return label_of(mark)
+            if isinstance(step, LayOff) and _long(self, step):  # what is short may be there, unseen
+                miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
+                if label_of(mark) in self.rebuilt.absent or (mark not in used and miss.sigmas > self.judgement.limit):
+                    return label_of(mark)
         return None
 
     @property
@@ -150,29 +148,25 @@ def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
         found = _grade_at(bench, mu, share, taken, rebuilt.absent if rebuilt else set())
         said = mu == bench.said_mu
         score = found.judgement.score + (0.0 if said else OWN_SCALE)
-        found.said_mu = said
+        found.said_mu, found.rebuilt = said, rebuilt
         if best is None or score > best[0] + 1e-9:
             best = score, found
         if said and not _rescaled(found):
             break
-    if best is None:
-        return None
-    best[1].rebuilt = rebuilt
+    notes = best[1].notes if best else []
     if named := [name for name in unknown if not name.startswith(NAMELESS)]:
-        best[1].notes.append(Phrase("check_unknown", names=", ".join(named)))
+        notes.append(Phrase("check_unknown", names=", ".join(named)))
     if len(named) < len(unknown):
-        best[1].notes.append(Phrase("check_nameless", count=len(unknown) - len(named)))
-    return best[1]
+        notes.append(Phrase("check_nameless", count=len(unknown) - len(named)))
+    return best[1] if best else None
 
 
 def _rescaled(found: Grading) -> bool:
     """Whether another scale may be behind the wrong marks: of a force plan all forces would be wrong, not one."""
-    if not found.judgement.wrong:
-        return False
-    if found.rebuilt is None and kind_of(plan_of(found.marks[0])) != "force":
-        return True
+    if not found.judgement.wrong or kind_of(plan_of(found.marks[0])) != "force":
+        return bool(found.judgement.wrong)
     steps = {s.makes: s for s in found.hand.program.steps}
-    laid = [m for m in found.judgement.misses if isinstance(steps[m], LayOff) and _long(found, steps[m])]
+    laid = [m for m in found.judgement.misses if _long(found, steps[m])]
     return len(laid) < 2 or sum(m in found.judgement.wrong for m in laid) > 1
 
 
@@ -192,17 +186,14 @@ def _earlier(bench: PreparedPlan) -> dict[str, Taken]:
 
 def _grade_at(bench: PreparedPlan, mu: float, share: float, taken: Mapping[str, Taken], absent: set[str]) -> Grading:
     """Grade at one scale."""
-    plan, skill = bench.asked.plan, bench.asked.skill
-    name = mu_of(plan)
+    skill, name = bench.asked.skill, mu_of(bench.asked.plan)
     given = {**bench.given, name: mu}
     unsure = {name: share} if share and name in bench.program.givens else {}
-    hand = Hand(bench.program, given, skill, taken, unsure)
-    truth = run(bench.program, given)
+    hand, truth = Hand(bench.program, given, skill, taken, unsure), run(bench.program, given)
     free = Hand(bench.program, given, skill, {m: t for m, t in taken.items() if m not in bench.marks}, unsure)
     own = {m: taken[m] for m in bench.marks if m in taken}  # how far from where drafting alone may lead a person
     apart = {m: free.miss(free.things[m], t.place).blurred(t.error_mm) for m, t in own.items()}
-    size = extent(truth, plan)
-    judgement = judge(hand, bench.marks, variants_of(bench, hand, mu), size, absent)
+    judgement = judge(hand, bench.marks, variants_of(bench, hand, mu), extent(truth, bench.asked.plan), absent)
     wrong, at_home = judgement.wrong, {m for m, miss in apart.items() if miss.sigmas <= judgement.limit}
     judgement.wrong = wrong[:1] + [m for m in wrong[1:] if m not in at_home]  # off a wrong mark, but where it should be
     return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart, free)
@@ -227,12 +218,11 @@ def readable(grading: Grading) -> Phrase | None:
     if len(found) < READABLE * len(key):
         missing = ", ".join(label_of(m) for m in key if m not in found)
         return Phrase("check_too_little", found=len(found), count=len(key), names=missing)
-    size = Written(f"{size_of(grading.hand, grading.marks):.1f}")
+    size, count = Written(f"{size_of(grading.hand, grading.marks):.1f}"), len(grading.judgement.misses)
     if nothing_drawn(grading.hand, grading.marks):
         return Phrase("check_nothing_drawn", size=size)
     if not grading.strays and grading.chance > SURE:
-        return Phrase("check_by_chance", size=size, count=len(grading.judgement.misses))
-    count = len(grading.judgement.misses)
+        return Phrase("check_by_chance", size=size, count=count)
     wrong = [m for m, v in grading.verdicts.items() if v == "wrong"]
     if grading.judgement.named is None and count >= 3 and len(wrong) > 0.7 * count:
         return Phrase("check_other_drawing", count=count, wrong=len(wrong))

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, mark_names
@@ -42,12 +43,9 @@ class Rebuilt:
 def sides_of(plans: Plans, plan: str) -> list[Side]:
     """All vectors of a force plan as the program draws them, the closing ones last."""
     found: dict[str, Side] = {}
-    for e in plans.equations:
-        if e.plan == plan:
-            for t in e.terms:
-                ends = (t.start, t.end) if t.sign > 0 else (t.end, t.start)
-                name = t.name.replace("^", "")
-                found.setdefault(name, Side(name, *ends))
+    for t in (t for e in plans.equations if e.plan == plan for t in e.terms):
+        name, ends = t.name.replace("^", ""), (t.start, t.end) if t.sign > 0 else (t.end, t.start)
+        found.setdefault(name, Side(name, *ends))
     return list(found.values())
 
 
@@ -63,28 +61,22 @@ def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], whole: bool = Tr
     """
     sides = {s.name: s for s in sides_of(plans, plan)}
     names, out = Names(sides), Rebuilt()
-    vectors: dict[str, tuple[complex, float]] = {}
-    before = spots[0]
-    for spot in spots:
+    vectors: Vectors = {}
+    for before, spot in pairwise([spots[0], *spots]):
         name = names.find(spot.name)
-        if name == POLE:
-            before = spot
-            continue
-        error = (before.error_mm**2 + spot.error_mm**2) ** 0.5
         if name is None:
             out.unknown.append(spot.name)
-        else:
-            vector = spot.place - before.place
-            old = vectors.get(name, (0j, 0.0))
-            vectors[name] = old[0] + vector, max(error, old[1])
-        before = spot
+        elif name != POLE:
+            old, error = vectors.get(name, (0j, 0.0)), (before.error_mm**2 + spot.error_mm**2) ** 0.5
+            vectors[name] = old[0] + spot.place - before.place, max(error, old[1])
     _lay(out, sides, vectors, loads_of(plans, plan), whole)
     return out
 
 
-def _lay(
-    out: Rebuilt, sides: dict[str, Side], vectors: dict[str, tuple[complex, float]], loads: set[str], whole: bool
-) -> None:
+Vectors = dict[str, tuple[complex, float]]  # a person's, with their errors
+
+
+def _lay(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: set[str], whole: bool) -> None:
     """Marks from vectors: a side of which one end is known gives the other; a second way to a mark gives the gap."""
     places: dict[str, complex] = {POLE: 0j}
     hidden: set[str] = set()  # left out, or hidden in the next vector

@@ -78,7 +78,7 @@ def _touched(ends: Complexes, inside: Booleans, tips: Sequence[complex]) -> Bool
 
 def parts(sketch: ReadDrawing) -> list[ReadDrawing]:
     """The sketch by pieces that hang together, those with most strokes first; what is smaller than a plan goes."""
-    if len(sketch.strokes) > MOST:
+    if not 0 < len(sketch.strokes) <= MOST:
         return []
     shapes = [*_lines(sketch.strokes), *(points(z.real, z.imag).buffer(r) for z, r in sketch.rounds)]
     group = numpy.arange(len(shapes))
@@ -97,7 +97,7 @@ def parts(sketch: ReadDrawing) -> list[ReadDrawing]:
 
 def _lines(strokes: Sequence[Stroke]) -> Sequence[object]:
     """Strokes as lines."""
-    found: Sequence[object] = linestrings([[(z.real, z.imag) for z in stroke] for stroke in strokes]) if strokes else []
+    found: Sequence[object] = linestrings([[(z.real, z.imag) for z in stroke] for stroke in strokes])
     return found
 
 

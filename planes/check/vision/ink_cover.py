@@ -47,9 +47,8 @@ class InkCover:
         for line in self.seen.lines:
             for head in line.heads:
                 tip, way = head.z, line.direction(head.s) * head.sign
-                if not any(
-                    abs(tip - t) < TIP_NEAR_MM and (way * w.conjugate()).real > TIP_STRAIGHT for t, w in self.tips
-                ):
+                near = (w for t, w in self.tips if abs(tip - t) < TIP_NEAR_MM)
+                if not any((way * w.conjugate()).real > TIP_STRAIGHT for w in near):
                     self.tips.append((tip, way))
 
     @property

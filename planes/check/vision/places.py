@@ -73,11 +73,9 @@ class Seen:
     def _short(self, start: complex, tip: complex) -> bool:
         """Whether a line is better known to end but a little beyond the tip of a vector from start."""
         way = (tip - start) / abs(tip - start)
-        for p in self.within(tip, TIP_REACH_MM):
-            beyond = (p.z - tip) * way.conjugate()
-            if p.ended and p.sigma < TIP_MM and beyond.real > HEAD_MM / 2 and abs(beyond.imag) < HEAD_MM / 2:
-                return True
-        return False
+        near = (p.z - tip for p in self.within(tip, TIP_REACH_MM) if p.ended and p.sigma < TIP_MM)
+        beyond = (off * way.conjugate() for off in near)
+        return any(z.real > HEAD_MM / 2 and abs(z.imag) < HEAD_MM / 2 for z in beyond)
 
     @property
     def ink_mm(self) -> float:
@@ -114,8 +112,7 @@ class Normal:
 
 def crossing(one: Fitted, two: Fitted) -> complex | None:
     """Where two lines cross; None where they are nearly parallel."""
-    s = (one.low + one.high) / 2
-    r = (two.low + two.high) / 2
+    s, r = (one.low + one.high) / 2, (two.low + two.high) / 2
     for _ in range(3):
         a, u, b, w = one.at(s), one.direction(s), two.at(r), two.direction(r)
         turn = (u.conjugate() * w).imag
