@@ -56,19 +56,14 @@ class Outcome:
     @property
     def mistake(self) -> str | None:
         """The named mistake, None when none explains the work best."""
+        g, table = self.grading, self._table
         if self.unreadable:
             return None
-        g = self.grading
         if g and g.judgement.first_wrong:
             return g.judgement.named.mistake if g.judgement.named else None
-        if g and g.left_out:
-            return g.left_out_mistake
-        if g and g.gap_wrong:
-            return "not_closed"
-        table = self._table
-        if table is None:
-            return None
-        return table.number_mistake or (table.named.mistake if table.named else None)
+        if g and (g.left_out or g.gap_wrong):
+            return g.left_out_mistake if g.left_out else "not_closed"
+        return (table.number_mistake or (table.named.mistake if table.named else None)) if table else None
 
     @property
     def _table(self) -> Account | None:
@@ -87,14 +82,10 @@ class Outcome:
     @property
     def sentence(self) -> Phrase:
         """What is wrong and how to mend it."""
-        if self.unreadable:
-            return self.unreadable
         first = self.first_wrong
-        if first is None:
-            return self.right(", ".join(self.unseen))
-        if self.mistake:
-            return Phrase(f"mistake_{self.mistake}", **self._about(first))
-        return self._unclear(first)
+        if self.unreadable or first is None:
+            return self.unreadable or self.right(", ".join(self.unseen))
+        return Phrase(f"mistake_{self.mistake}", **self._about(first)) if self.mistake else self._unclear(first)
 
     @property
     def unseen(self) -> list[str]:
@@ -119,9 +110,8 @@ class Outcome:
         g, table = self.grading, self._table
         if g and g.judgement.wrong:
             off = abs(g.judgement.misses[g.judgement.wrong[0]].off)
-            if not math.isfinite(off):
-                return Phrase("check_undrawable", mark=first)
-            return Phrase("check_unclear", mark=first, off=Written(f"{off:.1f}"))
+            unclear = Phrase("check_unclear", mark=first, off=Written(f"{off:.1f}"))
+            return unclear if math.isfinite(off) else Phrase("check_undrawable", mark=first)
         s = table.first_wrong if table else None
         given, true = (s.figure.given, s.true) if s else (0.0, 0.0)
         return Phrase("check_number_unclear", mark=first, given=Written(f"{given:.4g}"), true=Written(f"{true:.4g}"))
@@ -178,16 +168,15 @@ def _segments(out: Outcome) -> None:
     out.notes += [Phrase("check_unknown", names=", ".join(unknown))] if unknown else []
     if not figures:
         return
-    best: tuple[int, int, Account] | None = None
+    tried: list[tuple[int, bool, Account]] = []
     for k, mu in enumerate(_segment_scales(bench, figures)):
         free = _free(bench, [], mu, {})
         found = account(figures, free, None, variants_of(bench, free, mu), bench.asked.skill.ruler_mm)
         wrong = sum(s.verdict == "wrong" for s in found.scored) + (found.first_wrong is not None and not found.named)
-        if best is None or (wrong, k > 0) < best[:2]:
-            best = wrong, k > 0, found
-    out.segments = best[2] if best else None
-    if best and best[2].first_wrong is None and not out.grading:
-        out.unreadable = _shown_by(best[2], bool(best[1]))
+        tried.append((wrong, k > 0, found))
+    _, rescaled, out.segments = min(tried, key=lambda one: one[:2])
+    if out.segments.first_wrong is None and not out.grading:
+        out.unreadable = _shown_by(out.segments, rescaled)
 
 
 def _shown_by(lengths: Account, free: bool) -> Phrase | None:

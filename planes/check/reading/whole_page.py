@@ -5,8 +5,10 @@ Its scale may be written in the title over it: "План скоростей, μv
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 from planes.check.grading.grading import grade
@@ -54,10 +56,9 @@ def _paper_of(part: ReadDrawing, bench: PreparedPlan, page: ReadDrawing) -> Read
 def worth(bench: PreparedPlan, paper: ReadPaper) -> float:
     """How many marks of a paper are where their steps lead, less those that are not."""
     bench = bench.at(paper.mu, told=True) if paper.mu else bench
-    try:
+    found = None
+    with suppress(PlanesError):
         found = grade(bench, paper) if paper.spots else None
-    except PlanesError:
-        found = None
     if found is None:
         return -len(bench.marks)
     return len(found.judgement.misses) - 2.0 * len(found.judgement.wrong) - OPEN * bool(found.gap_wrong)
@@ -72,19 +73,16 @@ def mu_over(words: Sequence[Words], part: ReadDrawing, kind: str) -> float | Non
     low, high = min(z.imag for z in ends), max(z.imag for z in ends)
     found = []
     for title in _titles(words):
-        aside = max(left - title.place.real - title.width, title.place.real - right, 0.0)
-        up = title.place.imag - high
+        aside, up = max(left - title.place.real - title.width, title.place.real - right, 0.0), title.place.imag - high
         mu = _read(title.text, kind)
         if mu and title.middle.imag > (low + high) / 2 and max(aside, up) < FAR_MM:
-            found.append((abs(complex(aside, max(up, 0.0))), mu))
+            found.append((math.hypot(aside, max(up, 0.0)), mu))
     return min(found)[1] if found else None
 
 
 def _titles(words: Sequence[Words]) -> Iterator[Words]:
     """Texts with a μ, each with what goes on from it in its line."""
-    for word in words:
-        if not set("μµ") & set(word.text):
-            continue
+    for word in (w for w in words if set("μµ") & set(w.text)):
         end = word.place + word.width
         goes_on = (
             w

@@ -136,14 +136,11 @@ class Sight:
             move = numpy.linalg.solve(normal + damp * numpy.diag(numpy.diag(normal)), -slope.T @ left)
             trial = p + numpy.clip(move, -0.5, 0.5)
             trial[3:] = numpy.clip(trial[3:], (LENGTH_MM[0], HALF_MM[0]), (LENGTH_MM[1], HALF_MM[1]))
-            new = self.off(trial, like)
-            if new @ new < left @ left:
-                done = numpy.abs(trial - p).max() < 0.005
-                p, left, damp = trial, new, damp / 3
-                if done:
-                    break
-            else:
-                damp *= 5
+            new, step = self.off(trial, like), float(numpy.abs(trial - p).max())
+            better = new @ new < left @ left
+            p, left, damp = (trial, new, damp / 3) if better else (p, left, damp * 5)
+            if better and step < 0.005:
+                break
         self.p = p
         self._weigh(settled=like is not None)
         self.sigma = self.error * math.sqrt(float(numpy.linalg.inv(normal)[0, 0]))

@@ -116,7 +116,7 @@ def _sides(grey: Greys, bend: Bend, scale: float, size_mm: tuple[float, float]) 
     if they are straight."""
 
     def px(z: Complexes) -> Complexes:
-        return bend.source((z.real + 1j * (size_mm[1] - z.imag)) * scale)
+        return bend.source((z.conjugate() + 1j * size_mm[1]) * scale)
 
     out = []
     for a, b in _ends(size_mm):

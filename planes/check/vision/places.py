@@ -85,28 +85,20 @@ class Seen:
 
 @dataclass
 class Normal:
-    """Equations for a place: lines it lies on with their weights, summed up."""
+    """Equations for a place: lines it lies on, a row each of its unit normal, its distance and its weight."""
 
-    xx: float = 0.0
-    xy: float = 0.0
-    yy: float = 0.0
-    x: float = 0.0
-    y: float = 0.0
+    rows: list[tuple[float, float, float, float]] = field(default_factory=list)
 
     def add(self, z: complex, n: complex, sigma: float) -> None:
         """The place is on the line through z across n, within sigma."""
-        w, d = sigma**-2, (z * n.conjugate()).real
-        self.xx += w * n.real * n.real
-        self.xy += w * n.real * n.imag
-        self.yy += w * n.imag * n.imag
-        self.x += w * n.real * d
-        self.y += w * n.imag * d
+        self.rows.append((n.real, n.imag, (z * n.conjugate()).real, sigma**-2))
 
     def solved(self) -> tuple[complex, float]:
         """The place and its σ in the worst direction."""
-        det = self.xx * self.yy - self.xy**2
-        z = complex(self.yy * self.x - self.xy * self.y, self.xx * self.y - self.xy * self.x) / det
-        least = (self.xx + self.yy) / 2 - math.hypot((self.xx - self.yy) / 2, self.xy)
+        sums = ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2))
+        xx, xy, yy, x, y = (sum(row[3] * row[i] * row[j] for row in self.rows) for i, j in sums)
+        z = complex(yy * x - xy * y, xx * y - xy * x) / (xx * yy - xy**2)
+        least = (xx + yy) / 2 - math.hypot((xx - yy) / 2, xy)
         return z, least**-0.5 if least > 0 else math.inf
 
 
