@@ -39,9 +39,7 @@ class Outcome:
     @property
     def verdict(self) -> str:
         """right, wrong or unreadable."""
-        if self.unreadable:
-            return "unreadable"
-        return "wrong" if self.first_wrong else "right"
+        return "unreadable" if self.unreadable else "wrong" if self.first_wrong else "right"
 
     @property
     def first_wrong(self) -> str | None:

@@ -21,8 +21,7 @@ def read_paper(file: str, asked: Asked, known: Known) -> ReadPaper:
     suffix = Path(file).suffix.lower()
     if suffix in TABLES:
         return read_table(file)
-    sketch = _lines(file, suffix, known)
-    if sketch is not None:
+    if sketch := _lines(file, suffix, known):
         return _from_lines(sketch, asked, known)
     if suffix in PICTURES:
         from planes.check.vision.photograph import paper_of_picture

@@ -49,13 +49,11 @@ class PlanSteps:
     def reversed_length(self, step: LayOff, factor: float = -1.0) -> tuple[Step, ...]:
         """The same length laid off times a number (backwards, twice, half)."""
         name = f"{step.makes} ×{factor:g}"
-        calculation = Calculate(name, (Product(factor, ((step.length, 1),)),))
-        return calculation, replace(step, length=name)
+        return Calculate(name, (Product(factor, ((step.length, 1),)),)), replace(step, length=name)
 
     def square(self, of: str, name: str) -> Turn:
         """A perpendicular of another name."""
-        line = self.plans.means[of]
-        return Turn(name, of, 1, means=replace(line, quantity="across"))
+        return Turn(name, of, 1, means=replace(self.plans.means[of], quantity="across"))
 
     def variant(
         self, mistake: str, step: Step, *swap: Step, weight: float = 1.0, about: Words | None = None

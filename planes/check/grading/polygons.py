@@ -131,8 +131,7 @@ def align(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[dict[str, R
         elif name and name != POLE:
             found.setdefault(name, spot)
     origin = pole.place if pole else _origin(bench, plan, found)
-    moved = {n: ReadMark(n, s.place - origin, s.error_mm) for n, s in found.items()}
-    return moved, None, unknown
+    return {n: ReadMark(n, s.place - origin, s.error_mm) for n, s in found.items()}, None, unknown
 
 
 def _origin(bench: PreparedPlan, plan: str, found: Mapping[str, ReadMark]) -> complex:

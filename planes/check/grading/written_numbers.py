@@ -238,5 +238,4 @@ def _from_total(name: str, free: Hand) -> float:
 
 def first_of(value: Real) -> float:
     """A value without the columns of its errors."""
-    shape = getattr(value, "shape", None)
-    return float(value[0] if shape else value)
+    return float(value[0] if getattr(value, "shape", None) else value)

@@ -148,8 +148,7 @@ def _boundary(entity: Any, path: Any, scale: float) -> list[complex]:
         corners = [(v[0], v[1]) for v in path.vertices]
     else:
         corners = [edge.start for edge in path.edges if hasattr(edge, "start")]
-    ocs = entity.ocs()
-    return [_z(ocs.to_wcs((x, y, 0)), scale) for x, y, *_ in corners]
+    return [_z(entity.ocs().to_wcs((x, y, 0)), scale) for x, y, *_ in corners]
 
 
 def _text(found: ReadDrawing, entity: Any, scale: float) -> None:

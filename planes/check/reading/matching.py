@@ -113,8 +113,7 @@ def _marks(
 def _tips(sketch: ReadDrawing, nodes: Nodes) -> set[int] | None:
     """Nodes with an arrowhead, or with the circle of a point; None where too few have one for that to tell anything."""
     if sketch.rounds:
-        found = (nodes.nearest(z, nodes.near) for z, _ in sketch.rounds)
-        return {i for i in found if i is not None}
+        return {i for z, _ in sketch.rounds if (i := nodes.nearest(z, nodes.near)) is not None}
     vectors = headed(sketch)
     return {nodes.ends[k, 1 if sketch.ways[k] > 0 else 0] for k in vectors} if vectors else None
 

@@ -64,8 +64,7 @@ def _apart(ink: Ink, lines: Sequence[Fitted]) -> list[Fitted]:
     """The lines fitted once more, each knowing the others."""
     out = list(lines)
     for k, line in enumerate(lines):
-        beside = [x for x in out if x is not out[k]]
-        out[k] = fitted(ink, *line.ends, beside) or line
+        out[k] = fitted(ink, *line.ends, [*out[:k], *out[k + 1 :]]) or line
     return out
 
 

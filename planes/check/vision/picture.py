@@ -7,7 +7,7 @@ from types import ModuleType
 
 import numpy
 
-from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, centres
+from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, cells, centres
 from planes.check.vision.bend import Bend, add_paper, bend_of
 from planes.geometry.arrays import Array, Greys
 from planes.words import Phrase
@@ -72,7 +72,7 @@ def smaller(grey: Greys, longest: float) -> tuple[Greys, float]:
 def dictionary() -> object:
     """The blank's corner marks for OpenCV's detector."""
     aruco = cv().aruco
-    rows = [numpy.array([[bits >> (4 - c) & 1 for c in range(5)] for bits in p], numpy.uint8) for p in PATTERNS]
+    rows = [1 - numpy.array(cells(k), numpy.uint8)[1:-1, 1:-1] for k in range(len(PATTERNS))]
     table = numpy.concatenate([aruco.Dictionary.getByteListFromBits(r) for r in rows])
     return aruco.Dictionary(table, 5, 3)
 
