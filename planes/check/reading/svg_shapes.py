@@ -89,7 +89,7 @@ def number(e: ElementTree.Element, key: str) -> float:
 
 
 @dataclass(frozen=True)
-class Outline:
+class Subpath:
     """A part of a path drawn without lifting the pen: where its pieces meet, and which of them are straight."""
 
     corners: list[complex]
@@ -120,7 +120,7 @@ class Outline:
             yield line, self.closed or (len(line) > 3 and line[0] == line[-1])
 
 
-def outlines(e: ElementTree.Element) -> Iterator[Outline]:
+def outlines(e: ElementTree.Element) -> Iterator[Subpath]:
     """The parts of a line, a polyline, a polygon or a path, as far as it can be read."""
     pen, corners, straight = RecordingPen(), list[complex](), list[bool]()
 
@@ -139,7 +139,7 @@ def outlines(e: ElementTree.Element) -> Iterator[Outline]:
             corners.append(places[-1])
         elif len(corners) > 1:
             back = name == "closePath" and straight[-1] and corners[0] == corners[-1]  # the way back is understood
-            yield Outline(corners[: -1 if back else None], straight[: -1 if back else None], name == "closePath")
+            yield Subpath(corners[: -1 if back else None], straight[: -1 if back else None], name == "closePath")
             corners = []
 
 
