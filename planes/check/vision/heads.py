@@ -46,7 +46,7 @@ class SeenHead(NamedTuple):
     width: float
 
 
-class _Side(NamedTuple):
+class _LineSide(NamedTuple):
     """A side of a line: how far its ink reaches there, where another line is beside, and the heads it shows."""
 
     half: Array
@@ -65,7 +65,7 @@ def heads_of(ink: Ink, line: Fitted) -> list[SeenHead]:
         half, taken = (dark * own).sum(axis=1) * ASIDE_MM, (dark * (1 - own)).max(axis=1) > DARK
         back = _sides(-s[::-1], half[::-1], taken[::-1])
         turned = (x._replace(base=-x.base, tip=-x.tip, sign=-1) for x in back)
-        sides[k] = _Side(half, taken, [*_sides(s, half, taken), *turned])
+        sides[k] = _LineSide(half, taken, [*_sides(s, half, taken), *turned])
     kept: list[SeenHead] = []
     for one in sorted(_whole(s, sides, line.width), key=lambda o: -o.jump):
         inside = line.low - 1.5 < one.tip < line.high + 1.5
@@ -74,7 +74,7 @@ def heads_of(ink: Ink, line: Fitted) -> list[SeenHead]:
     return kept
 
 
-def _whole(s: Array, sides: Mapping[int, _Side], width: float) -> Iterator[SeenHead]:
+def _whole(s: Array, sides: Mapping[int, _LineSide], width: float) -> Iterator[SeenHead]:
     """Heads seen from both sides, and from one side where the other is another line's."""
     both = list(_from_both_sides(sides[1].heads, sides[-1].heads))
     yield from both
