@@ -6,20 +6,17 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
-from planes.check.grading.arithmetic_slips import WrittenNumber
 from planes.check.grading.evidence import SURE_LENGTHS, lengths_by_chance
 from planes.check.grading.grading import Grading, grade, readable
-from planes.check.grading.handwork import Hand, Taken, Variant
+from planes.check.grading.handwork import Hand, Taken
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
-from planes.check.grading.unaided import sure_by_itself
-from planes.check.grading.written_numbers import Account, account, result_figures, segment_figures
+from planes.check.grading.written_numbers import Account, WrittenNumber, account, result_figures, segment_figures
 from planes.plans.quantities import catalogue
 from planes.words import Phrase, Written
 from planes.words.errors import PlanesError
 from planes.words.names import kind_of, label_of, mu_of
 from planes.words.things import plan_phrase
-from planes.words.units import mu_text
 
 STATUS = {"right": 0, "wrong": 1, "unreadable": 2}
 
@@ -42,9 +39,7 @@ class Outcome:
     @property
     def verdict(self) -> str:
         """right, wrong or unreadable."""
-        if self.unreadable:
-            return "unreadable"
-        return "wrong" if self.first_wrong else "right"
+        return "unreadable" if self.unreadable else "wrong" if self.first_wrong else "right"
 
     @property
     def first_wrong(self) -> str | None:
@@ -59,19 +54,14 @@ class Outcome:
     @property
     def mistake(self) -> str | None:
         """The named mistake, None when none explains the work best."""
+        g, table = self.grading, self._table
         if self.unreadable:
             return None
-        g = self.grading
         if g and g.judgement.first_wrong:
             return g.judgement.named.mistake if g.judgement.named else None
-        if g and g.left_out:
-            return g.left_out_mistake
-        if g and g.gap_wrong:
-            return "not_closed"
-        table = self._table
-        if table is None:
-            return None
-        return table.number_mistake or (table.named.mistake if table.named else None)
+        if g and (g.left_out or g.gap_wrong):
+            return g.left_out_mistake if g.left_out else "not_closed"
+        return (table.number_mistake or (table.named.mistake if table.named else None)) if table else None
 
     @property
     def _table(self) -> Account | None:
@@ -90,14 +80,10 @@ class Outcome:
     @property
     def sentence(self) -> Phrase:
         """What is wrong and how to mend it."""
-        if self.unreadable:
-            return self.unreadable
         first = self.first_wrong
-        if first is None:
-            return self.right(", ".join(self.unseen))
-        if self.mistake:
-            return Phrase(f"mistake_{self.mistake}", **self._about(first))
-        return self._unclear(first)
+        if self.unreadable or first is None:
+            return self.unreadable or self.right(", ".join(self.unseen))
+        return Phrase(f"mistake_{self.mistake}", **self._about(first)) if self.mistake else self._unclear(first)
 
     @property
     def unseen(self) -> list[str]:
@@ -112,9 +98,7 @@ class Outcome:
     def _about(self, first: str) -> dict[str, object]:
         """Names for the sentence of the mistake."""
         g, table = self.grading, self._table
-        named: Variant | None = g.judgement.named if g else None
-        if not named and table:
-            named = table.named
+        named = (g.judgement.named if g else None) or (table.named if table else None)
         about: dict[str, object] = {"mark": first, **(named.about if named else {})}
         if self.mistake == "not_closed" and g and g.gap_wrong:
             about["gap"] = Written(f"{g.gap_wrong:.1f}")
@@ -124,9 +108,8 @@ class Outcome:
         g, table = self.grading, self._table
         if g and g.judgement.wrong:
             off = abs(g.judgement.misses[g.judgement.wrong[0]].off)
-            if not math.isfinite(off):
-                return Phrase("check_undrawable", mark=first)
-            return Phrase("check_unclear", mark=first, off=Written(f"{off:.1f}"))
+            unclear = Phrase("check_unclear", mark=first, off=Written(f"{off:.1f}"))
+            return unclear if math.isfinite(off) else Phrase("check_undrawable", mark=first)
         s = table.first_wrong if table else None
         given, true = (s.figure.given, s.true) if s else (0.0, 0.0)
         return Phrase("check_number_unclear", mark=first, given=Written(f"{given:.4g}"), true=Written(f"{true:.4g}"))
@@ -159,7 +142,7 @@ def _look(out: Outcome) -> None:
         _results(out)
     if not (out.grading or (out.segments and out.segments.scored) or (out.results and out.results.scored)):
         out.unreadable = Phrase("check_nothing_read", names=", ".join(label_of(m) for m in bench.marks))
-    elif not paper.pole_told and out.grading and not sure_by_itself(out.grading):
+    elif not paper.pole_told and out.grading and not out.grading.sure_by_itself:
         out.unreadable = out.unreadable or Phrase("check_unsure")
 
 
@@ -167,13 +150,8 @@ def _scale_notes(out: Outcome) -> list[Phrase]:
     g, bench = out.grading, out.bench
     if g is None or g.said_mu:
         return []
-    kind = kind_of(bench.asked.plan)
-    found, said = _mu(float(f"{g.mu:.3g}"), kind), bench.asked.scene.mu.get(kind)
-    return [Phrase("check_mu", mu=found, said=_mu(said, kind)) if said else Phrase("check_mu_found", mu=found)]
-
-
-def _mu(mu: float, kind: str) -> Written:
-    return Written(mu_text(mu, kind), mu_text(mu, kind, "ru"))
+    found, said = bench.mu_said(float(f"{g.mu:.3g}")), bench.asked.scene.mu.get(kind_of(bench.asked.plan))
+    return [Phrase("check_mu", mu=found, said=bench.mu_said(said)) if said else Phrase("check_mu_found", mu=found)]
 
 
 def _free(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, Taken]) -> Hand:
@@ -188,16 +166,15 @@ def _segments(out: Outcome) -> None:
     out.notes += [Phrase("check_unknown", names=", ".join(unknown))] if unknown else []
     if not figures:
         return
-    best: tuple[int, int, Account] | None = None
+    tried: list[tuple[int, bool, Account]] = []
     for k, mu in enumerate(_segment_scales(bench, figures)):
         free = _free(bench, [], mu, {})
-        found = account(figures, free, None, variants_of(bench, free, mu), bench.plans, bench.asked.skill.ruler_mm)
+        found = account(figures, free, None, variants_of(bench, free, mu), bench.asked.skill.ruler_mm)
         wrong = sum(s.verdict == "wrong" for s in found.scored) + (found.first_wrong is not None and not found.named)
-        if best is None or (wrong, k > 0) < best[:2]:
-            best = wrong, k > 0, found
-    out.segments = best[2] if best else None
-    if best and best[2].first_wrong is None and not out.grading:
-        out.unreadable = _shown_by(best[2], bool(best[1]))
+        tried.append((wrong, k > 0, found))
+    _, rescaled, out.segments = min(tried, key=lambda one: one[:2])
+    if out.segments.first_wrong is None and not out.grading:
+        out.unreadable = _shown_by(out.segments, rescaled)
 
 
 def _shown_by(lengths: Account, free: bool) -> Phrase | None:
@@ -234,4 +211,4 @@ def _results(out: Outcome) -> None:
     free = _free(bench, wanted, mu, {})
     own = _free(bench, wanted, mu, dict(out.grading.hand.taken)) if out.grading else None
     ways = replace(bench, program=free.program)
-    out.results = account(figures, free, own, [] if own else variants_of(ways, free, mu), bench.plans)
+    out.results = account(figures, free, own, [] if own else variants_of(ways, free, mu))

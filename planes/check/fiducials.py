@@ -26,11 +26,8 @@ def centres(size_mm: tuple[float, float]) -> tuple[complex, complex, complex, co
 
 def cells(index: int) -> list[list[bool]]:
     """Black cells of a mark, 7 × 7, the top row first."""
-    rows = [[True] * CELLS for _ in range(CELLS)]
-    for r, bits in enumerate(PATTERNS[index]):
-        for c in range(5):
-            rows[r + 1][c + 1] = not bits >> (4 - c) & 1
-    return rows
+    inner = [[True, *(not bits >> (4 - c) & 1 for c in range(5)), True] for bits in PATTERNS[index]]
+    return [[True] * CELLS, *inner, [True] * CELLS]
 
 
 SHEET_MM = (297.0, 210.0)  # A4, lying

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 
-from planes.check.grading.paper import ReadPaper, read_table
+from planes.check.grading.paper import Known, ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.reading.strokes import ReadDrawing
 from planes.words import Phrase
@@ -18,27 +16,17 @@ TABLES = (".csv", ".json", ".txt", ".tsv")
 MOST_SHOWN = 2000  # lines of a drawing shown in its report
 
 
-@dataclass(frozen=True)
-class Known:
-    """What is told of a drawing: its pole, some marks (pixels, or its own units; y down), the format of its frame."""
-
-    pole: complex | None = None
-    marks: Mapping[str, complex] = field(default_factory=dict)
-    format: str | None = None
-
-
 def read_paper(file: str, asked: Asked, known: Known) -> ReadPaper:
     """The marks of a file. :class:`PlanesError` where it cannot be read."""
     suffix = Path(file).suffix.lower()
     if suffix in TABLES:
         return read_table(file)
-    sketch = _lines(file, suffix, known)
-    if sketch is not None:
+    if sketch := _lines(file, suffix, known):
         return _from_lines(sketch, asked, known)
     if suffix in PICTURES:
         from planes.check.vision.photograph import paper_of_picture
 
-        return paper_of_picture(file, prepare(asked), known.pole, dict(known.marks), known.format)
+        return paper_of_picture(file, prepare(asked), known)
     raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
 
 

@@ -11,10 +11,10 @@ from pathlib import Path
 
 from planes.check import STATUS, Outcome
 from planes.check import check as judge
-from planes.check.grading.paper import ReadPaper
+from planes.check.grading.paper import Known, ReadPaper
 from planes.check.grading.perturbing import HAND, cad
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.check.handed_in import LINES, PICTURES, Known, read_paper
+from planes.check.handed_in import LINES, PICTURES, read_paper
 from planes.check.report import heads, numbers_of, rows_of
 from planes.check.report.classes import Checked, ClassWork
 from planes.check.report.classes import heads as class_heads

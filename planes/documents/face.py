@@ -13,8 +13,9 @@ from planes.batch import Cycle
 from planes.batch.table import Table
 from planes.check import Outcome
 from planes.check import check as judge
+from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked
-from planes.check.handed_in import Known, read_paper
+from planes.check.handed_in import read_paper
 from planes.documents import picture, view_of
 from planes.documents.lesson import Lesson
 from planes.documents.sheets import sheet_of

@@ -9,7 +9,7 @@ import pytest
 
 from planes.check.grading.grading import grade
 from planes.check.grading.handwork import Hand, Miss
-from planes.check.grading.jointly import given_before, order_of_reckoning
+from planes.check.grading.judging import given_before, order_of_reckoning
 from tests import confusion
 from tests.confusion import bench, easels, hand_in, run_all, told
 from tests.helpers.drawings import SHAKY, Care, Mistake

@@ -8,8 +8,9 @@ import pytest
 
 pytest.importorskip("cv2")
 from planes.check import Outcome, check
+from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked, known_plans
-from planes.check.handed_in import Known, read_paper
+from planes.check.handed_in import read_paper
 from planes.documents.sheets import sheet_of
 from planes.solving import Position
 from planes.words.errors import PlanesError

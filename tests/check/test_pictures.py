@@ -21,9 +21,10 @@ import numpy as np  # noqa: E402
 
 from planes.check import Outcome, check  # noqa: E402
 from planes.check.fiducials import SHEET_MM  # noqa: E402
+from planes.check.grading.paper import Known  # noqa: E402
 from planes.check.grading.prepared_plan import Asked  # noqa: E402
 from planes.check.report.rows import as_json  # noqa: E402
-from planes.check.vision.colours import plainest  # noqa: E402
+from planes.check.vision.decoding import plainest  # noqa: E402
 from planes.check.vision.frame import SIZES_MM, frame_corners, shape_of  # noqa: E402
 from planes.check.vision.photograph import paper_of_picture  # noqa: E402
 from planes.check.vision.picture import flatten  # noqa: E402
@@ -181,11 +182,11 @@ def test_a_sheet_without_corner_marks(size: str, camera: Camera, told: bool, tmp
     page = photographs.sheet(drawn.strokes, drawn.words, pole, camera, rng, SIZES_MM[size])
     cv2.imwrite(str(file), photographs.shot(page, camera, rng))
     b = confusion.bench(one.sample, one.plan)
-    paper = paper_of_picture(str(file), b, format_=size if told else None)
+    paper = paper_of_picture(str(file), b, Known(format=size if told else None))
     assert check(b.asked, paper).verdict == "right"
     assert abs(paper.spots[0].place - pole) < 0.6
     if told:  # a wrong format is a wrong scale, never a pass
-        assert check(b.asked, paper_of_picture(str(file), b, format_="A2")).verdict == "unreadable"
+        assert check(b.asked, paper_of_picture(str(file), b, Known(format="A2"))).verdict == "unreadable"
 
 
 def photo_of(what: str) -> Any:
@@ -253,7 +254,7 @@ def test_the_vector_that_gave_the_scale_is_not_judged_in_length(tmp_path: Path) 
         return complex((z + pole).real * k - 0.5, (h - (z + pole).imag) * k - 0.5)
 
     b = confusion.bench(one.sample, one.plan)
-    paper = paper_of_picture(str(file), b, pixel(0j), {"b": pixel(drawn.marks["b"])})
+    paper = paper_of_picture(str(file), b, Known(pixel(0j), {"b": pixel(drawn.marks["b"])}))
     found = as_json(check(b.asked, paper))
     assert paper.scale_mark == "b" and found["verdict"] == "right"
     rows = {m["mark"]: m for m in found["marks"]}
@@ -273,7 +274,7 @@ def test_a_pole_named_on_a_blank_counts_more_than_the_printed_one(tmp_path: Path
     corpus.picture(replace(drawn, strokes=strokes, words=[]), corpus.pole_of(one), camera, rng, file)
     place, k = corpus.pole_of(one) + shift, camera.dpi / 25.4
     b = confusion.bench(one.sample, one.plan)
-    paper = paper_of_picture(str(file), b, complex(place.real * k, (210 - place.imag) * k))
+    paper = paper_of_picture(str(file), b, Known(complex(place.real * k, (210 - place.imag) * k)))
     assert check(b.asked, paper).verdict == "right" and abs(paper.spots[0].place - place) < 0.2
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from planes.check.grading.paper import MOST as MOST_ROWS
 from planes.check.grading.paper import read_table
-from planes.check.reading import strokes, svg, svg_tree
+from planes.check.reading import strokes, svg
 from planes.cli import main
 from planes.words.errors import PlanesError
 from tests.helpers import ROOT, line_drawings
@@ -78,7 +78,7 @@ def test_what_no_plan_has_so_many_of_is_counted(tmp_path: Path, capfd: pytest.Ca
     path = "".join(f"L{k % 90} {k % 77}" for k in range(strokes.MOST + 9))
     texts = {
         "strokes": f'<path stroke="black" d="M0 0{path}"/>',
-        "elements": "<g/>" * (svg_tree.MOST + 1),
+        "elements": "<g/>" * (svg.MOST + 1),
         "levels of nesting": "<g>" * 300 + "</g>" * 300,
         "elements ": f'<defs><path id="a" d="M0 0{"C1 1 2 3 4 5 " * 20_000}"/></defs>' + '<use href="#a"/>' * 20_000,
     }

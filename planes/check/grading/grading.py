@@ -7,14 +7,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from planes.check.grading.aligning import align
-from planes.check.grading.evidence import SURE, by_chance, nothing_drawn, size_of
+from planes.check.grading.evidence import SURE, by_chance, nothing_drawn, own_scales, size_of
 from planes.check.grading.handwork import Hand, Miss, Taken
-from planes.check.grading.judging import WARN, Judgement, judge, verdicts
+from planes.check.grading.judging import LEFT_OUT, Judgement, judge, verdicts
 from planes.check.grading.paper import ReadPaper
-from planes.check.grading.polygons import Rebuilt
+from planes.check.grading.polygons import Rebuilt, align
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
-from planes.check.grading.scaling import own_scales
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.steps import Cross, CrossArc, CrossArcs, LayOff, Same, Step
 from planes.plans import Plans
@@ -26,6 +24,8 @@ OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated 
 LONG_MM = 3.0  # a shorter vector shows no scale
 NAMELESS = "?"  # begins the name of a line that has none
 READABLE = 0.5  # the share of a plan's crossings that must be read
+FAR_MM = 3.0  # a mark this far off was not merely misread
+FITTING = 0.9  # the share of the other marks that must be seen, and right, before one of them is blamed
 
 
 @dataclass
@@ -68,11 +68,10 @@ class Grading:
         steps = {s.makes: s for s in self.hand.program.steps}
         for mark in self.marks:
             step = steps[mark]
-            if not isinstance(step, LayOff) or not _long(self, step):
-                continue  # what is short may be there, unseen
-            miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
-            if label_of(mark) in self.rebuilt.absent or (mark not in used and miss.sigmas > self.judgement.limit):
-                return label_of(mark)
+            if isinstance(step, LayOff) and _long(self, step):  # what is short may be there, unseen
+                miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
+                if label_of(mark) in self.rebuilt.absent or (mark not in used and miss.sigmas > self.judgement.limit):
+                    return label_of(mark)
         return None
 
     @property
@@ -115,6 +114,21 @@ class Grading:
         return by_chance(self.hand, found.misses, found.limit, not self.said_mu, self.gap_reach)
 
     @property
+    def sure_by_itself(self) -> bool:
+        """Whether marks read with no pole named show by themselves that they were told rightly: there are several, and
+        what is wrong is so by far, while nearly all others were seen and are right."""
+        found, apart = self.judgement, [0j]
+        for place in (self.hand.taken[m].place for m in found.misses):
+            apart += [place] if all(abs(place - z) > FAR_MM for z in apart) else []
+        if len(apart) < 3 or not self.strays:
+            return len(apart) > 2
+        off = max((abs(found.misses[m].off) for m in found.wrong), default=0.0)
+        fitting = found.explained if found.named else found.misses.keys() - found.wrong
+        others = [m for m in self.shown_by if label_of(m) != found.first_wrong]
+        left_out = found.named is not None and found.named.mistake.endswith(LEFT_OUT)
+        return not left_out and off > FAR_MM and sum(m in fitting for m in others) >= FITTING * len(others)
+
+    @property
     def verdicts(self) -> dict[str, str]:
         """right, wrong, follows or unread for every mark of the plan."""
         strayed = {m: miss.sigmas > self.judgement.limit for m, miss in self.free.items()}
@@ -134,29 +148,25 @@ def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
         found = _grade_at(bench, mu, share, taken, rebuilt.absent if rebuilt else set())
         said = mu == bench.said_mu
         score = found.judgement.score + (0.0 if said else OWN_SCALE)
-        found.said_mu = said
+        found.said_mu, found.rebuilt = said, rebuilt
         if best is None or score > best[0] + 1e-9:
             best = score, found
         if said and not _rescaled(found):
             break
-    if best is None:
-        return None
-    best[1].rebuilt = rebuilt
+    notes = best[1].notes if best else []
     if named := [name for name in unknown if not name.startswith(NAMELESS)]:
-        best[1].notes.append(Phrase("check_unknown", names=", ".join(named)))
+        notes.append(Phrase("check_unknown", names=", ".join(named)))
     if len(named) < len(unknown):
-        best[1].notes.append(Phrase("check_nameless", count=len(unknown) - len(named)))
-    return best[1]
+        notes.append(Phrase("check_nameless", count=len(unknown) - len(named)))
+    return best[1] if best else None
 
 
 def _rescaled(found: Grading) -> bool:
     """Whether another scale may be behind the wrong marks: of a force plan all forces would be wrong, not one."""
-    if not found.judgement.wrong:
-        return False
-    if found.rebuilt is None and kind_of(plan_of(found.marks[0])) != "force":
-        return True
+    if not found.judgement.wrong or kind_of(plan_of(found.marks[0])) != "force":
+        return bool(found.judgement.wrong)
     steps = {s.makes: s for s in found.hand.program.steps}
-    laid = [m for m in found.judgement.misses if isinstance(steps[m], LayOff) and _long(found, steps[m])]
+    laid = [m for m in found.judgement.misses if _long(found, steps[m])]
     return len(laid) < 2 or sum(m in found.judgement.wrong for m in laid) > 1
 
 
@@ -176,26 +186,17 @@ def _earlier(bench: PreparedPlan) -> dict[str, Taken]:
 
 def _grade_at(bench: PreparedPlan, mu: float, share: float, taken: Mapping[str, Taken], absent: set[str]) -> Grading:
     """Grade at one scale."""
-    plan, skill = bench.asked.plan, bench.asked.skill
-    name = mu_of(plan)
+    skill, name = bench.asked.skill, mu_of(bench.asked.plan)
     given = {**bench.given, name: mu}
     unsure = {name: share} if share and name in bench.program.givens else {}
-    hand = Hand(bench.program, given, skill, taken, unsure)
-    truth = run(bench.program, given)
+    hand, truth = Hand(bench.program, given, skill, taken, unsure), run(bench.program, given)
     free = Hand(bench.program, given, skill, {m: t for m, t in taken.items() if m not in bench.marks}, unsure)
-    apart = {m: _apart(free, m, taken[m]) for m in bench.marks if m in taken}
-    size = extent(truth, plan)
-    judgement = judge(hand, bench.marks, variants_of(bench, hand, mu), size, absent)
+    own = {m: taken[m] for m in bench.marks if m in taken}  # how far from where drafting alone may lead a person
+    apart = {m: free.miss(free.things[m], t.place).blurred(t.error_mm) for m, t in own.items()}
+    judgement = judge(hand, bench.marks, variants_of(bench, hand, mu), extent(truth, bench.asked.plan), absent)
     wrong, at_home = judgement.wrong, {m for m, miss in apart.items() if miss.sigmas <= judgement.limit}
     judgement.wrong = wrong[:1] + [m for m in wrong[1:] if m not in at_home]  # off a wrong mark, but where it should be
     return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart, free)
-
-
-def _apart(free: Hand, mark: str, own: Taken) -> Miss:
-    """How far a mark is from the true plan, where drafting alone may lead a person astray."""
-    miss = free.miss(free.things[mark], own.place)
-    xx, xy, yy = miss.cov
-    return Miss(miss.off, (xx + own.error_mm**2, xy, yy + own.error_mm**2))
 
 
 def empty(bench: PreparedPlan) -> Grading:
@@ -217,18 +218,12 @@ def readable(grading: Grading) -> Phrase | None:
     if len(found) < READABLE * len(key):
         missing = ", ".join(label_of(m) for m in key if m not in found)
         return Phrase("check_too_little", found=len(found), count=len(key), names=missing)
-    size = Written(f"{size_of(grading.hand, grading.marks):.1f}")
+    size, count = Written(f"{size_of(grading.hand, grading.marks):.1f}"), len(grading.judgement.misses)
     if nothing_drawn(grading.hand, grading.marks):
         return Phrase("check_nothing_drawn", size=size)
     if not grading.strays and grading.chance > SURE:
-        return Phrase("check_by_chance", size=size, count=len(grading.judgement.misses))
-    count = len(grading.judgement.misses)
+        return Phrase("check_by_chance", size=size, count=count)
     wrong = [m for m, v in grading.verdicts.items() if v == "wrong"]
     if grading.judgement.named is None and count >= 3 and len(wrong) > 0.7 * count:
         return Phrase("check_other_drawing", count=count, wrong=len(wrong))
     return None
-
-
-def close_call(miss: Miss, limit: float) -> bool:
-    """Whether a mark is right by less than it should."""
-    return WARN < miss.sigmas <= limit

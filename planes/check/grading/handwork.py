@@ -9,6 +9,9 @@ from __future__ import annotations
 import math
 from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+
+import numpy
 
 from planes.check.grading.perturbing import Columns, Nudged, Skill
 from planes.drafting.drawing import draw_steps
@@ -49,10 +52,13 @@ class Miss:
 
     def reach(self, limit: float) -> float:
         """The tolerance in mm in the direction of the miss (if none: the largest)."""
-        found = self.sigmas
-        if found > 1e-9 and abs(self.off) > 1e-9:
-            return limit * abs(self.off) / found
-        return limit * self.worst
+        found, off = self.sigmas, abs(self.off)
+        return limit * (off / found if found > 1e-9 and off > 1e-9 else self.worst)
+
+    def blurred(self, error_mm: float) -> Miss:
+        """The same of a mark that was read with an error (each way)."""
+        xx, xy, yy = self.cov
+        return replace(self, cov=(xx + error_mm**2, xy, yy + error_mm**2))
 
     @property
     def worst(self) -> float:
@@ -136,6 +142,11 @@ class _Marking(Person, Nudged):
         return self.spread(thing + 0j)[0]
 
 
+def _changes(row: Point) -> Point:
+    """What each error adds to a thing."""
+    return numpy.nan_to_num(row[1:] - row[0], nan=0.0, posinf=0.0, neginf=0.0)
+
+
 class Hand:
     """A program run on a person's marks (``taken``), with the errors of ``skill`` carried through it."""
 
@@ -145,10 +156,10 @@ class Hand:
         given: Mapping[str, Point],
         skill: Skill,
         taken: Mapping[str, Taken],
-        unsure: Mapping[str, float] | None = None,
+        unsure: Mapping[str, float] = MappingProxyType({}),
     ) -> None:
         self.program, self.taken = program, taken
-        self.given, self.unsure = {n: given[n] for n in program.givens}, unsure or {}
+        self.given, self.unsure = {n: given[n] for n in program.givens}, unsure
         columns = Columns.of(program.steps, [*taken, *self.unsure])
         self.tool = _Marking(skill, columns)
         laid = {step.makes for step in program.steps if isinstance(step, Same)}
@@ -169,20 +180,15 @@ class Hand:
 
     def miss(self, drawn: Point, read: Point) -> Miss:
         """How far two arrays of columns are apart."""
-        import numpy
-
         off = self.tool.spread(read - drawn + 0j)
-        change = numpy.nan_to_num(off[1:] - off[0], nan=0.0, posinf=0.0, neginf=0.0)
+        change = _changes(off)
         floor = LEAST_MM**2
         xx, yy = float(change.real @ change.real) + floor, float(change.imag @ change.imag) + floor
         return Miss(complex(off[0]), (xx, float(change.real @ change.imag), yy), change)
 
     def spread_of(self, value: Point) -> float:
         """Standard deviation of a real value."""
-        import numpy
-
-        row = self.tool.spread(numpy.real(value) + 0.0)
-        change = numpy.nan_to_num(row[1:] - row[0], nan=0.0, posinf=0.0, neginf=0.0)
+        change = _changes(self.tool.spread(numpy.real(value) + 0.0))
         return math.sqrt(float(change @ change))
 
     def number(self, name: str) -> Point:

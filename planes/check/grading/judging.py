@@ -3,6 +3,9 @@
 Every mistake is a hypothesis with the likelihood of the drawing under it, every mark given those before it; "correct
 but for noise" and "wrong there for some other cause" are hypotheses too. A mistake is named when it beats them and the
 runner-up. Where all marks are within limits, close calls are looked at again for a mistake that explains them.
+
+Marks share errors: a scheme drawn a little askew is seen in a force of inertia, and again in the reaction reckoned
+from that force's moment. What one mark shows of such an error is expected in the next, and is no news there.
 """
 
 from __future__ import annotations
@@ -11,8 +14,11 @@ import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from planes.check.grading.handwork import Hand, Miss, Variant
-from planes.check.grading.jointly import given_before, order_of_reckoning
+import numpy
+
+from planes.check.grading.handwork import LEAST_MM, Hand, Miss, Variant
+from planes.drafting.steps import LayOff, Step
+from planes.drafting.steps.reckoning import Calculate
 from planes.words.names import label_of
 
 FALSE_ALARM = 0.02  # of right drawings, how many a hand as shaky as supposed would see refused
@@ -59,10 +65,14 @@ def judge(
     found.wrong = [m for m, miss in found.misses.items() if not miss.sigmas <= found.limit]
     found.score = sum(_mixed(miss, weighing.broad) for miss in found.misses.values())
     drawn = {label_of(m) for m in found.misses} - set(absent)
-    if found.wrong:
-        _name(found, weighing.ranked(variants, drawn, found.wrong[:1]), weighing.broad)
-    elif close := [m for m, miss in found.misses.items() if miss.sigmas > WARN]:
-        _look_closer(found, weighing.ranked(variants, drawn, close))
+    suspects = found.wrong[:1] or [m for m, miss in found.misses.items() if miss.sigmas > WARN]
+    ranked = weighing.ranked(variants, drawn, suspects) if suspects else []
+    if ranked and found.wrong:  # is the likeliest mistake good enough to explain the first wrong mark?
+        other = math.log(OTHER_CAUSE) + weighing.broad - _mixed(found.misses[found.wrong[0]], weighing.broad)
+        _keep(found, ranked, ranked[0].score >= max(0.0, other))
+    elif ranked and ranked[0].score >= TOO_WELL:  # it explains close calls too well for chance
+        found.wrong = [m for m in found.misses if label_of(m) == ranked[0].variant.blames]
+        _keep(found, ranked, True)
     return found
 
 
@@ -74,11 +84,7 @@ def breadth(extent_mm: float) -> float:
 def _mixed(miss: Miss, broad: float) -> float:
     """Logarithm of the density of a miss: normal, but for now and then a slip."""
     normal = miss.log_density if math.isfinite(miss.sigmas) else -math.inf
-    high, low = max(normal, broad), min(normal, broad)
-    shares = (math.log(1 - SLIP), math.log(SLIP)) if normal >= broad else (math.log(SLIP), math.log(1 - SLIP))
-    top, rest = high + shares[0], low + shares[1]
-    best = max(top, rest)
-    return best + math.log(math.exp(top - best) + math.exp(rest - best))
+    return float(numpy.logaddexp(normal + math.log(1 - SLIP), broad + math.log(SLIP)))
 
 
 @dataclass(frozen=True)
@@ -115,23 +121,8 @@ class _Weighing:
 
     def _shows(self, touched: Mapping[str, Miss]) -> bool:
         """Whether a mistake puts some mark, the others known, farther off than a hand's error does."""
-        apart = (Miss(miss.off - self.plain[m].off, self.misses[m].cov) for m, miss in touched.items())
+        apart = (replace(self.misses[m], off=miss.off - self.plain[m].off) for m, miss in touched.items())
         return any(not miss.sigmas <= self.limit for miss in apart)
-
-
-def _name(found: Judgement, ranked: Sequence[ScoredHypothesis], broad: float) -> None:
-    """Keep the likeliest mistake if it is good enough to explain the first wrong mark."""
-    if not ranked:
-        return
-    other = math.log(OTHER_CAUSE) + broad - _mixed(found.misses[found.wrong[0]], broad)
-    _keep(found, ranked, ranked[0].score >= max(0.0, other))
-
-
-def _look_closer(found: Judgement, ranked: Sequence[ScoredHypothesis]) -> None:
-    """No mark is wrong by itself, but some are close calls: a mistake may explain them too well for chance."""
-    if ranked and ranked[0].score >= TOO_WELL:
-        found.wrong = [m for m in found.misses if label_of(m) == ranked[0].variant.blames]
-        _keep(found, ranked, True)
 
 
 def _keep(found: Judgement, ranked: Sequence[ScoredHypothesis], good: bool) -> None:
@@ -140,8 +131,7 @@ def _keep(found: Judgement, ranked: Sequence[ScoredHypothesis], good: bool) -> N
     if not good or (rest and best.score - rest[0].score < MARGIN):
         found.runner_up = best.variant
         return
-    found.named = best.variant
-    found.runner_up = rest[0].variant if rest else None
+    found.named, found.runner_up = best.variant, rest[0].variant if rest else None
     found.explained = frozenset(m for m, miss in best.under.items() if miss.sigmas <= found.limit)
     found.score += best.score + math.log(SLIP)
 
@@ -177,3 +167,37 @@ def verdicts(found: Judgement, order: Sequence[str], strayed: Mapping[str, bool]
         else:
             out[mark] = "follows" if (upset or mark in found.wrong) and strayed.get(mark) else "right"
     return out
+
+
+def given_before(misses: Mapping[str, Miss], order: Sequence[str], limit: float) -> dict[str, Miss]:
+    """Every miss with those before it known; a mark off by more than ``limit`` σ tells nothing of others."""
+    names = [m for m in order if m in misses]
+    if not names:
+        return {}
+    rows = numpy.array([part for m in names for part in (misses[m].change.real, misses[m].change.imag)])
+    cov = rows @ rows.T + LEAST_MM**2 * numpy.eye(len(rows))
+    off = numpy.array([part for m in names for part in (misses[m].off.real, misses[m].off.imag)])
+    found = {}
+    for i, name in enumerate(names):
+        x, y = 2 * i, 2 * i + 1
+        left = float(cov[x, x]), float(cov[x, y]), float(cov[y, y])
+        found[name] = Miss(complex(off[x], off[y]), left, misses[name].change)
+        if found[name].sigmas <= limit:
+            for k in (x, y):
+                gain = cov[k] / cov[k, k]
+                off, cov = off - gain * off[k], cov - numpy.outer(gain, cov[k])
+    return {m: found[m] for m in misses}
+
+
+def order_of_reckoning(steps: Iterable[Step], marks: Sequence[str]) -> list[str]:
+    """Marks in order of drawing, but that a force reckoned from other ones (F^t, from moments) comes after them."""
+    made = {s.makes: s for s in steps}
+    laid = {m: s.length for m in marks if isinstance(s := made[m], LayOff)}
+    late = []
+    for k, mark in enumerate(laid):
+        formula = made.get(laid[mark])
+        parts = {n for n, _ in formula.reads()} if isinstance(formula, Calculate) else set()
+        if parts & set(list(laid.values())[k + 1 :]):
+            late.append(mark)
+    last = marks.index([*laid][-1]) + 1 if laid else 0
+    return [*(m for m in marks[:last] if m not in late), *late, *marks[last:]]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from planes.check.grading.handwork import Variant
@@ -23,44 +23,39 @@ def motion_variants(w: PlanSteps) -> Iterator[Variant]:
             yield from _crossed(w, step, quick)
         elif isinstance(step, Similar | Image):
             yield from _similar(w, step, quick)
-        elif isinstance(step, LayOff) and quick:
-            yield from _laid_quick(w, step)
+        elif isinstance(step, LayOff) and quick and step.quantity == "normal":
+            yield from _normal(w, step)
+        elif isinstance(step, LayOff) and quick and step.quantity == "coriolis":
+            yield from _coriolis(w, step)
         elif isinstance(step, LayOff) and (line := w.link_line(step.along)):
-            yield w.variant("along_link", step, replace(step, along=line), about={"line": line})
+            mistake = "tangential_along_link" if quick else "along_link"
+            yield w.variant(mistake, step, replace(step, along=line), about={"line": line})
 
 
 def _driver(w: PlanSteps, quick: bool) -> Iterator[Variant]:
     """The driver's own motion taken with the wrong sense, or left out."""
     drive = w.plans.mechanism.drive
-    turning = drive.kind == "phi"
-    name = (
-        (f"epsilon_{drive.link}" if turning else "a_drive")
-        if quick
-        else (f"omega_{drive.link}" if turning else "v_drive")
-    )
-    if name not in w.program.givens:
-        return
+    spin, speed = ("epsilon", "a") if quick else ("omega", "v")
+    name = f"{spin}_{drive.link}" if drive.kind == "phi" else f"{speed}_drive"
     mark = next((s.makes for s in w.own if isinstance(s, LayOff) and _leads(w, name, s.length)), None)
-    if mark is None:
+    if name not in w.program.givens or mark is None:
         return
     value, label = float(w.plans.given[name]), label_of(mark)
     about = {"mark": label, "value": name}
-    yield Variant("epsilon1_reversed" if quick else "omega1_reversed", label, {}, {name: -value}, 1.0, about)
+    yield Variant(f"{spin}1_reversed", label, {}, {name: -value}, 1.0, about)
     if quick:
         yield Variant("epsilon1_ignored", label, {}, {name: 0.0}, 1.0, about)
 
 
 def _leads(w: PlanSteps, value: str, length: str) -> bool:
-    step = w.steps.get(length)
-    return value == length or (step is not None and any(n == value for n, _ in step.reads()))
+    return value == length or (length in w.steps and any(n == value for n, _ in w.steps[length].reads()))
 
 
 def _crossed(w: PlanSteps, step: Cross, quick: bool) -> Iterator[Variant]:
     """A mark where two lines cross: one of them in a wrong direction, or from a wrong place."""
     sides = (("along", step.along), ("across", step.across))
     for side, direction in sides:
-        line = w.link_line(direction)
-        guide = guide_of(direction)
+        line, guide = w.link_line(direction), guide_of(direction)
         if line and guide_of(line) is None:
             about = {"line": line}
             mistake = "tangential_along_link" if quick else "along_link"
@@ -134,8 +129,7 @@ def _normals(w: PlanSteps, start: str, end: str) -> Iterator[str]:
 
 def _mirrored(w: PlanSteps, step: Similar | Image) -> Iterator[Variant]:
     """The similar figure turned over about its base."""
-    name = f"mirrored {step.makes}"
-    label = label_of(step.makes)
+    name, label = f"mirrored {step.makes}", label_of(step.makes)
     if isinstance(step, Similar):
         ratio = complex(w.plans.given[step.ratio]).conjugate()
         swaps = {step.makes: (replace(step, ratio=name),)}
@@ -161,15 +155,6 @@ class Mirror(Step):
         return env[a] + along * ((env[b] - env[a]) / along).conjugate()
 
 
-def _laid_quick(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
-    if step.quantity == "normal":
-        yield from _normal(w, step)
-    elif step.quantity == "coriolis":
-        yield from _coriolis(w, step)
-    elif line := w.link_line(step.along):
-        yield w.variant("tangential_along_link", step, replace(step, along=line), about={"line": line})
-
-
 def _normal(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     """A normal part: outward, left out, with another velocity, from the pole."""
     yield w.variant("normal_outward", step, *w.reversed_length(step))
@@ -183,11 +168,16 @@ def _normal(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     for square in squares:
         others = list(_velocities(w, step, square))
         for other, measured in others:
-            factors = tuple((other if n == square else n, power) for n, power in formula.terms[0].factors)
-            found = Calculate(f"{step.makes} v²", (replace(formula.terms[0], factors=factors),))
-            swap = (*measured, found, replace(step, length=found.makes))
+            swap = (*measured, *_reckoned(step, formula, [square], other, "v²"))
             about = {"value": square, "other": other.removeprefix(f"{step.makes} ")}
             yield w.variant("normal_wrong_velocity", step, *swap, weight=1 / len(others), about=about)
+
+
+def _reckoned(step: LayOff, formula: Calculate, old: Sequence[str], new: str, tag: str) -> tuple[Step, Step]:
+    """A length laid off that is reckoned with another value in the place of some factors."""
+    factors = tuple((new if n in old else n, power) for n, power in formula.terms[0].factors)
+    found = Calculate(f"{step.makes} {tag}", (replace(formula.terms[0], factors=factors),))
+    return found, replace(step, length=found.makes)
 
 
 def _velocities(w: PlanSteps, step: LayOff, but: str) -> Iterator[tuple[str, tuple[Step, ...]]]:
@@ -219,8 +209,6 @@ def _coriolis(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     spins = [n for n in (*w.program.givens, *w.steps) if letter_of(n) == "omega" and n not in used]
     spins = [n for n in spins if n in w.program.givens or w.before(n, step)]
     for spin in spins:
-        factors = tuple((spin if n in used else n, power) for n, power in formula.terms[0].factors)
-        found = Calculate(f"{step.makes} ω", (replace(formula.terms[0], factors=factors),))
-        swap = found, replace(step, length=found.makes)
+        swap = _reckoned(step, formula, used, spin, "ω")
         about = {"value": used[0] if used else "", "other": spin}
         yield w.variant("coriolis_wrong_omega", step, *swap, weight=1 / len(spins), about=about)

@@ -74,13 +74,12 @@ def _formulas(w: PlanSteps) -> Iterator[Calculate]:
 def _mass(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     """Kilograms laid off for newtons."""
     weight = w.steps.get(step.length)
-    if isinstance(weight, Calculate):
-        mass = next((n for n, _ in weight.terms[0].factors if letter_of(n) == "m"), None)
-        if mass:
-            alone = w.variant("mass_for_weight", step, replace(step, length=mass), weight=0.5)
-            yield alone
-            if gravity := float(w.plans.given["g"]):
-                yield replace(alone, swaps={**alone.swaps, **_in_moments(w, step, 1.0 / gravity)})
+    factors = weight.terms[0].factors if isinstance(weight, Calculate) else ()
+    if mass := next((n for n, _ in factors if letter_of(n) == "m"), None):
+        alone = w.variant("mass_for_weight", step, replace(step, length=mass), weight=0.5)
+        yield alone
+        if gravity := float(w.plans.given["g"]):
+            yield replace(alone, swaps={**alone.swaps, **_in_moments(w, step, 1.0 / gravity)})
 
 
 def _moments(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
@@ -131,38 +130,28 @@ def _replaced(formula: Calculate, index: int, term: Product) -> Calculate:
 def _of_moments(
     w: PlanSteps, step: LayOff, mistake: str, steps: tuple[Step, ...], weight: float, force: str
 ) -> Variant:
-    label = label_of(step.makes)
-    return Variant(mistake, label, {step.length: steps}, {}, weight, {"mark": label, "force": _shown(force)})
-
-
-def _shown(value: str) -> str:
-    return value.strip("|").replace("MI_", "M_И")
+    label, shown = label_of(step.makes), force.strip("|").replace("MI_", "M_И")
+    return Variant(mistake, label, {step.length: steps}, {}, weight, {"mark": label, "force": shown})
 
 
 def _reaction(w: PlanSteps, step: Cross) -> Iterator[Variant]:
     """The lines of the unknown reactions in a wrong direction."""
-    for side in ("along", "across"):
-        direction = step.along if side == "along" else step.across
+    own = {"along": step.along, "across": step.across}
+    rays = [s for s in w.program.steps if isinstance(s, Through) and plan_of(s.start) == "position"]
+    for side, direction in own.items():
         guide = w.link_line(direction)
         if guide and (named := guide_of(guide)) is not None:
-            others = [guide, *_links(w, step)]
+            others = [guide, *(s.makes for s in rays if s.makes not in own.values())]
             for i, other in enumerate(others):
                 swap = replace(step, along=other) if side == "along" else replace(step, across=other)
-                about = {"guide": named}
                 weight = 0.7 if i == 0 else 0.3 / (len(others) - 1)
-                yield w.variant("guide_reaction_not_normal", step, swap, weight=weight, about=about)
-
-
-def _links(w: PlanSteps, step: Cross) -> list[str]:
-    """Directions of links on the scheme."""
-    own = (step.along, step.across)
-    rays = [s for s in w.program.steps if isinstance(s, Through) and plan_of(s.start) == "position"]
-    return [s.makes for s in rays if s.makes not in own]
+                yield w.variant("guide_reaction_not_normal", step, swap, weight=weight, about={"guide": named})
 
 
 def _friction(w: PlanSteps) -> Iterator[Variant]:
     """Friction drawn the way of the motion."""
-    leans = [s for s in w.program.steps if isinstance(s, Lean) and _used(w, s.makes)]
+    used = {n for s in w.own if isinstance(s, Cross) for n in (s.along, s.across)}
+    leans = [s for s in w.program.steps if isinstance(s, Lean) and s.makes in used]
     trial = next((s for s in w.own if label_of(s.makes)[-1:] in "+-" and isinstance(s, Cross)), None)
     if not leans or trial is None:
         return
@@ -172,7 +161,3 @@ def _friction(w: PlanSteps) -> Iterator[Variant]:
         swaps[lean.makes] = (back, replace(lean, coefficient=back.makes))
     label = label_of(trial.makes).rstrip("+-")
     yield Variant("friction_along_motion", label, swaps, {}, 1.0, {"mark": label})
-
-
-def _used(w: PlanSteps, lean: str) -> bool:
-    return any(isinstance(s, Cross) and lean in (s.along, s.across) for s in w.own)

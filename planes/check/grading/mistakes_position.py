@@ -22,11 +22,10 @@ def position_variants(w: PlanSteps, taken: Mapping[str, Taken], mu: float) -> It
     for name, value in w.plans.given.items():
         if name not in w.program.givens:
             continue
-        users = [s for s in w.program.steps if name in (n for n, _ in s.reads())]
         if letter_of(name) == "side":
-            yield from _marked(w, "other_assembly", users, {name: -float(value)})
+            yield from _marked(w, "other_assembly", w.readers(name), {name: -float(value)})
         elif letter_of(name) == "e" and value:
-            yield from _marked(w, "guide_offset_ignored", users, {name: 0.0})
+            yield from _marked(w, "guide_offset_ignored", w.readers(name), {name: 0.0})
     yield from _centred(w)
     for step in w.own:
         yield from _scales(w, step, taken, mu)
@@ -40,8 +39,7 @@ def _centred(w: PlanSteps) -> Iterator[Variant]:
     for guide in mechanism.frame.guides if pivot in w.plans.given else ():
         place = f"place_°{guide}"
         if place in w.program.givens and _apart(w, place, pivot, f"angle_∥{guide}"):
-            users = [s for s in w.program.steps if place in (n for n, _ in s.reads())]
-            yield from _marked(w, "guide_offset_ignored", users, {place: w.plans.given[pivot]})
+            yield from _marked(w, "guide_offset_ignored", w.readers(place), {place: w.plans.given[pivot]})
 
 
 def _apart(w: PlanSteps, place: str, pivot: str, angle: str) -> bool:
@@ -60,8 +58,7 @@ def _angle(w: PlanSteps) -> Iterator[Variant]:
     wrong = (-phi, 180 - phi, 180 + phi, 90 - phi, phi + 90, phi - 90)
     users = [s for s in w.own if isinstance(s, LayOff)][:1]
     for angle in wrong:
-        if users:
-            yield from _marked(w, "angle_sense", users, {given: angle}, 1 / len(wrong))
+        yield from _marked(w, "angle_sense", users, {given: angle}, 1 / len(wrong))
 
 
 def _marked(
@@ -80,23 +77,18 @@ def _marked(
 
 def _scales(w: PlanSteps, step: Step, taken: Mapping[str, Taken], mu: float) -> Iterator[Variant]:
     """A length drawn in another scale, the one the person's own mark shows."""
-    own = taken.get(step.makes)
-    if own is None:
-        return
-    ends: list[tuple[str, str]] = []
+    own, label, ends = taken.get(step.makes), label_of(step.makes), list[tuple[str, str]]()
     if isinstance(step, LayOff):
-        ends = [(step.start, step.length)]
-    elif isinstance(step, CrossArcs):
-        ends = [(step.centre, step.radius), (step.other, step.other_radius)]
-    elif isinstance(step, CrossArc):
-        ends = [(step.centre, step.radius)]
+        ends.append((step.start, step.length))
+    if isinstance(step, CrossArc | CrossArcs):
+        ends.append((step.centre, step.radius))
+    if isinstance(step, CrossArcs):
+        ends.append((step.other, step.other_radius))
     for centre, length in ends:
         value, start = w.plans.given.get(length), taken.get(centre)
-        if start is None or not value or length not in w.plans.lengths:
+        if own is None or start is None or not value or length not in w.plans.lengths:
             continue
-        drawn = abs(own.place - start.place) / mu
-        ratio = drawn / abs(float(value))
+        ratio = abs(own.place - start.place) / mu / abs(float(value))
         if abs(ratio - 1) > LEAST_SCALE:
-            label = label_of(step.makes)
             about: dict[str, str | Written] = {"mark": label, "value": length, "ratio": Written(f"{ratio:.3g}")}
             yield Variant("link_scale", label, {}, {length: float(value) * ratio}, 0.1, about)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import io
 import json
 import math
 from collections.abc import Iterable, Mapping, Sequence
@@ -38,6 +37,15 @@ class ReadMark:
     name: str
     place: complex
     error_mm: float = 0.1
+
+
+@dataclass(frozen=True)
+class Known:
+    """What is told of a drawing: its pole, some marks (pixels, or its own units; y down), the format of its frame."""
+
+    pole: complex | None = None
+    marks: Mapping[str, complex] = field(default_factory=dict)
+    format: str | None = None
 
 
 @dataclass
@@ -81,27 +89,21 @@ def _split(text: str) -> list[tuple[int, list[str]]]:
     lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
     first = lines[0] if lines else ""
     mark = next((c for c in (";", "\t") if c in first), ",")
-    rows = csv.reader(io.StringIO("\n".join(text.splitlines())), delimiter=mark)
-    return [
-        (rows.line_num, [c.strip() for c in row])
-        for row in rows
-        if any(c.strip() for c in row) and not row[0].lstrip().startswith("#")
-    ]
+    rows = csv.reader(text.splitlines(), delimiter=mark)
+    cells = ((rows.line_num, [c.strip() for c in row]) for row in rows)
+    return [(line, row) for line, row in cells if any(row) and not row[0].startswith("#")]
 
 
 def _read_rows(paper: ReadPaper, rows: Sequence[tuple[int, list[str]]]) -> None:
     """Rows under one header or more: a new header begins a new table."""
-    columns: list[str] | None = None
-    for line, row in rows:
-        head = _header(row)
-        if head:
-            columns = head
-            continue
-        if columns is None:
-            raise paper.refuse("check_columns")
-        _add(paper, dict(zip(columns, row, strict=False)), line)
+    columns = _header(rows[0][1]) if rows else None
     if columns is None:
         raise paper.refuse("check_columns")
+    for line, row in rows:
+        if head := _header(row):
+            columns = head
+        else:
+            _add(paper, dict(zip(columns, row, strict=False)), line)
 
 
 def _header(row: Sequence[str]) -> list[str] | None:
@@ -153,10 +155,8 @@ def _length(paper: ReadPaper, cell: object, line: int) -> float:
 def _rounding(cell: object) -> float:
     """The error of a number as it is rounded: 12.5 by 0.1/√12 mm."""
     text = str(cell).replace(",", ".")
-    if "e" in text.lower():
-        return 0.02
     digits = len(text.partition(".")[2])
-    return float(max(10.0**-digits / _ROUNDED, 0.02))
+    return 0.02 if "e" in text.lower() else float(max(10.0**-digits / _ROUNDED, 0.02))
 
 
 def _read_json(paper: ReadPaper, text: str) -> None:

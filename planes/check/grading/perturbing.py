@@ -10,6 +10,8 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
+import numpy
+
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Many, Point, Real
@@ -41,20 +43,13 @@ class Columns:
     start: dict[str, int] = field(default_factory=dict)
     width: int = 1
 
-    def add(self, name: str, count: int) -> None:
-        """Reserve columns."""
-        self.start[name] = self.width
-        self.width += count
-
     @staticmethod
     def of(steps: Iterable[Step], read: Iterable[str]) -> Columns:
         """Columns for the errors of steps and of readings (two each)."""
-        columns = Columns()
-        for step in steps:
-            if step.kind in _COLUMNS:
-                columns.add(step.makes, _COLUMNS[step.kind])
-        for name in read:
-            columns.add(f"read {name}", 2)
+        columns, drawn = Columns(), ((s.makes, _COLUMNS[s.kind]) for s in steps if s.kind in _COLUMNS)
+        for name, count in (*drawn, *((f"read {n}", 2) for n in read)):
+            columns.start[name] = columns.width
+            columns.width += count
         return columns
 
 
@@ -73,8 +68,6 @@ class Nudged(Tool):
 
     def spread(self, value: Point) -> Point:
         """The value as an array of all columns, to be nudged."""
-        import numpy
-
         return numpy.array(numpy.broadcast_to(value, (self.columns.width,)))
 
     def _next(self) -> int:

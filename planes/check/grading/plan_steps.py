@@ -29,6 +29,10 @@ class PlanSteps:
         self.pole = at(self.plan, POLE)
         self.own = [s for s in self.program.steps if s.kind == "mark" and plan_of(s.makes) == self.plan]
 
+    def readers(self, name: str) -> list[Step]:
+        """The steps that use a thing."""
+        return [s for s in self.program.steps if any(n == name for n, _ in s.reads())]
+
     def before(self, name: str, step: Step) -> bool:
         """Whether a thing is there when the step is drawn."""
         return name in self.order and self.order[name] < self.order[step.makes]
@@ -45,13 +49,11 @@ class PlanSteps:
     def reversed_length(self, step: LayOff, factor: float = -1.0) -> tuple[Step, ...]:
         """The same length laid off times a number (backwards, twice, half)."""
         name = f"{step.makes} ×{factor:g}"
-        calculation = Calculate(name, (Product(factor, ((step.length, 1),)),))
-        return calculation, replace(step, length=name)
+        return Calculate(name, (Product(factor, ((step.length, 1),)),)), replace(step, length=name)
 
     def square(self, of: str, name: str) -> Turn:
         """A perpendicular of another name."""
-        line = self.plans.means[of]
-        return Turn(name, of, 1, means=replace(line, quantity="across"))
+        return Turn(name, of, 1, means=replace(self.plans.means[of], quantity="across"))
 
     def variant(
         self, mistake: str, step: Step, *swap: Step, weight: float = 1.0, about: Words | None = None

@@ -1,4 +1,4 @@
-"""Force polygons drawn in any order: a person's vectors put into the order of the program.
+"""A paper's marks laid over a plan: by label, from the pole; a force polygon put into the order of the program.
 
 A polygon's order is free, so each vector is taken by its name and the marks of the program's own polygon are rebuilt
 from the person's vectors. What is left when all of them are laid end to end is the gap.
@@ -6,13 +6,17 @@ from the person's vectors. What is left when all of them are laid end to end is 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
-from planes.check.grading.paper import ReadMark
+from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.grading.prepared_plan import PreparedPlan, mark_names
 from planes.drafting.steps import LayOff
 from planes.plans import Plans
-from planes.words.names import POLE, label_of, plan_of
+from planes.words import Phrase
+from planes.words.errors import PlanesError
+from planes.words.names import POLE, kind_of, label_of, mu_of, plan_of
 from planes.words.spelling import Names
 
 
@@ -39,12 +43,9 @@ class Rebuilt:
 def sides_of(plans: Plans, plan: str) -> list[Side]:
     """All vectors of a force plan as the program draws them, the closing ones last."""
     found: dict[str, Side] = {}
-    for e in plans.equations:
-        if e.plan == plan:
-            for t in e.terms:
-                ends = (t.start, t.end) if t.sign > 0 else (t.end, t.start)
-                name = t.name.replace("^", "")
-                found.setdefault(name, Side(name, *ends))
+    for t in (t for e in plans.equations if e.plan == plan for t in e.terms):
+        name, ends = t.name.replace("^", ""), (t.start, t.end) if t.sign > 0 else (t.end, t.start)
+        found.setdefault(name, Side(name, *ends))
     return list(found.values())
 
 
@@ -60,28 +61,22 @@ def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], whole: bool = Tr
     """
     sides = {s.name: s for s in sides_of(plans, plan)}
     names, out = Names(sides), Rebuilt()
-    vectors: dict[str, tuple[complex, float]] = {}
-    before = spots[0]
-    for spot in spots:
+    vectors: Vectors = {}
+    for before, spot in pairwise([spots[0], *spots]):
         name = names.find(spot.name)
-        if name == POLE:
-            before = spot
-            continue
-        error = (before.error_mm**2 + spot.error_mm**2) ** 0.5
         if name is None:
             out.unknown.append(spot.name)
-        else:
-            vector = spot.place - before.place
-            old = vectors.get(name, (0j, 0.0))
-            vectors[name] = old[0] + vector, max(error, old[1])
-        before = spot
+        elif name != POLE:
+            old, error = vectors.get(name, (0j, 0.0)), (before.error_mm**2 + spot.error_mm**2) ** 0.5
+            vectors[name] = old[0] + spot.place - before.place, max(error, old[1])
     _lay(out, sides, vectors, loads_of(plans, plan), whole)
     return out
 
 
-def _lay(
-    out: Rebuilt, sides: dict[str, Side], vectors: dict[str, tuple[complex, float]], loads: set[str], whole: bool
-) -> None:
+Vectors = dict[str, tuple[complex, float]]  # a person's, with their errors
+
+
+def _lay(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: set[str], whole: bool) -> None:
     """Marks from vectors: a side of which one end is known gives the other; a second way to a mark gives the gap."""
     places: dict[str, complex] = {POLE: 0j}
     hidden: set[str] = set()  # left out, or hidden in the next vector
@@ -114,6 +109,36 @@ def _lay(
 
 def _ready(side: Side, places: dict[str, complex], read: bool, loads: set[str]) -> bool:
     """Whether a side can be laid now: read and reached, or a load that nobody read."""
-    if not read:
-        return side.end in loads and side.start in places and side.end not in places
-    return side.start in places or (side.end in places and side.end not in loads)
+    load, begun, ended = side.end in loads, side.start in places, side.end in places
+    return begun or (ended and not load) if read else load and begun and not ended
+
+
+def align(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[dict[str, ReadMark], Rebuilt | None, list[str]]:
+    """The paper's marks by label, from the pole; the rebuilt polygon of a force plan; names that are no marks."""
+    names = mark_names(bench.plans, plan)
+    pole = next((s for s in paper.spots if names.find(s.name) == POLE), None)
+    if kind_of(plan) == "force":
+        if pole is None:
+            raise PlanesError(Phrase("check_no_pole"))
+        rebuilt = rebuild(bench.plans, plan, paper.spots, paper.whole)
+        return rebuilt.spots, rebuilt, rebuilt.unknown
+    found: dict[str, ReadMark] = {}
+    unknown = []
+    for spot in paper.spots:
+        name = names.find(spot.name)
+        if name is None and Names(bench.plans.mechanism.frame.points).find(spot.name) is None:  # it may be at the pole
+            unknown.append(spot.name)
+        elif name and name != POLE:
+            found.setdefault(name, spot)
+    origin = pole.place if pole else _origin(bench, plan, found)
+    return {n: ReadMark(n, s.place - origin, s.error_mm) for n, s in found.items()}, None, unknown
+
+
+def _origin(bench: PreparedPlan, plan: str, found: Mapping[str, ReadMark]) -> complex:
+    """Where the pole is when it was not read: from a fixed point of the scheme."""
+    if plan != "position":
+        raise PlanesError(Phrase("check_no_pole"))
+    for name, place in bench.plans.mechanism.frame.points.items():
+        if name in found:
+            return complex(found[name].place - place * bench.given[mu_of(plan)])
+    raise PlanesError(Phrase("check_no_fixed", names=", ".join(bench.plans.mechanism.frame.points)))

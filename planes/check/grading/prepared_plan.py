@@ -12,7 +12,7 @@ from planes.check.grading.mistakes_position import position_variants
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.perturbing import HAND, Skill
 from planes.check.grading.plan_steps import PlanSteps
-from planes.drafting.drawing import draw_steps
+from planes.drafting.drawing import draw_steps, run
 from planes.drafting.program import Program
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
@@ -20,10 +20,11 @@ from planes.geometry.arithmetic import One, Point
 from planes.plans import Plans, mechanism_plans
 from planes.plans.scales import scales
 from planes.scene import Scene
-from planes.words import Phrase
+from planes.words import Phrase, Written
 from planes.words.errors import PlanesError, valid_names
 from planes.words.names import POLE, kind_of, label_of, mu_of, parted, plan_of
 from planes.words.spelling import Names
+from planes.words.units import mu_text
 
 
 @dataclass(frozen=True)
@@ -62,6 +63,20 @@ class PreparedPlan:
         """Names of the plan's marks as people write them."""
         return mark_names(self.plans, self.asked.plan)
 
+    @property
+    def true_marks(self) -> dict[str, complex]:
+        """The marks of the right plan by label, mm from the pole."""
+        truth = run(self.program, self.given)
+        return {label_of(m): complex(truth[m]) for m in self.marks}
+
+    def mu_said(self, mu: float) -> Written:
+        """A scale of the plan as a sentence has it."""
+        return Written(*(mu_text(mu, kind_of(self.asked.plan), lang) for lang in ("en", "ru")))
+
+    def ways(self) -> PlanSteps:
+        """The steps a mistake may change."""
+        return PlanSteps(self.plans, self.program, self.asked.plan)
+
     def written(self, vectors: Iterable[str]) -> Names:
         """Names of vectors of a force plan as sheets of the scene letter them, and as the program does."""
         return Names(vectors, spelt=lambda name: self.asked.spelt(parted(name)))
@@ -70,10 +85,6 @@ class PreparedPlan:
         """The same at another scale; ``told``, if no other is to be thought of."""
         asked = replace(self.asked, mu=mu) if told else self.asked
         return replace(self, asked=asked, given={**self.given, mu_of(asked.plan): mu}, said_mu=mu)
-
-    def ways(self) -> PlanSteps:
-        """The steps a mistake may change."""
-        return PlanSteps(self.plans, self.program, self.asked.plan)
 
 
 def prepare(asked: Asked) -> PreparedPlan:
@@ -115,12 +126,10 @@ def mark_names(plans: Plans, plan: str) -> Names:
 def variants_of(bench: PreparedPlan, hand: Hand, mu: float) -> Sequence[Variant]:
     """Every mistake of the catalogue that could be made in the plan."""
     ways = bench.ways()
-    match kind_of(bench.asked.plan):
-        case "position":
-            return list(position_variants(ways, hand.taken, mu))
-        case "force":
-            return list(force_variants(ways))
-    return list(motion_variants(ways))
+    kind = kind_of(bench.asked.plan)
+    if kind == "position":
+        return list(position_variants(ways, hand.taken, mu))
+    return list(force_variants(ways) if kind == "force" else motion_variants(ways))
 
 
 @dataclass

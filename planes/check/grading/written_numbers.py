@@ -1,4 +1,4 @@
-"""Numbers a person wrote down, lengths of segments or results, against what the plans give and what mistakes give."""
+"""Numbers a person wrote down, lengths of segments or results, against what the plans, mistakes and slips give."""
 
 from __future__ import annotations
 
@@ -7,15 +7,43 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import permutations
 
-from planes.check.grading.arithmetic_slips import SHARE, Scored, Things, WrittenNumber, first_of, number_mistake
 from planes.check.grading.handwork import Hand, Variant
 from planes.check.grading.judging import MARGIN
 from planes.check.grading.prepared_plan import PreparedPlan
+from planes.drafting.steps import LayOff
+from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.geometry.arithmetic import One, Real
-from planes.plans import Plans
 from planes.plans.quantities import Quantity
-from planes.words.names import POLE, at, label_of, mu_of, plan_of
+from planes.words.names import POLE, at, label_of, letter_of, mu_of, plan_of
 from planes.words.spelling import Names
+
+SHARE = 0.03  # a number within 3 % is right, however steady the hand
+Things = Mapping[str, Real]
+
+
+@dataclass(frozen=True)
+class WrittenNumber:
+    """One number: as written (SI or mm), and how it is read off a drawing (an array over the errors' columns)."""
+
+    name: str
+    given: float
+    read: Callable[[Things], Real]
+    signed: bool = False
+    plan: str = ""
+    value: str = ""  # the program's name of it, if it has one
+
+
+@dataclass
+class Scored:
+    """A figure judged: true value, its standard deviation, right, wrong or follows, and a close call or not."""
+
+    figure: WrittenNumber
+    true: float
+    sigma: float
+    verdict: str
+    close: bool = False
+    mine: float | None = None  # what the person's own drawing gives
+    slip: str | None = None  # the slip of reckoning that gives the number
 
 
 @dataclass
@@ -33,18 +61,14 @@ class Account:
         return next((s for s in self.scored if s.verdict == "wrong"), None)
 
 
-def result_figures(
-    known: Mapping[str, Quantity], written: Iterable[tuple[str, float, str]]
-) -> tuple[list[WrittenNumber], list[str]]:
-    """Figures of a table of results, and the names that mean nothing here."""
-    names, found, unknown = Names(known, poles=False), [], []
-    for text, value, unit in written:
-        name = names.find(text)
-        if name is None:
-            unknown.append(text)
-            continue
-        found.append(_figure(name, known[name], value * unit_factor(unit)))
-    return found, unknown
+Figures = tuple[list[WrittenNumber], list[str]]  # those of a table, and the names that mean nothing here
+
+
+def result_figures(known: Mapping[str, Quantity], written: Iterable[tuple[str, float, str]]) -> Figures:
+    """Figures of a table of results."""
+    names = Names(known, poles=False)
+    read = [(names.find(text), text, value * unit_factor(unit)) for text, value, unit in written]
+    return [_figure(n, known[n], value) for n, _, value in read if n], [text for n, text, _ in read if not n]
 
 
 def _figure(name: str, q: Quantity, value: float) -> WrittenNumber:
@@ -54,8 +78,8 @@ def _figure(name: str, q: Quantity, value: float) -> WrittenNumber:
     return WrittenNumber(name, value, lambda things: one.take(things, One()), not one.part, plan, one.value)
 
 
-def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -> tuple[list[WrittenNumber], list[str]]:
-    """Figures of a table of segments ("pb", "bc"; of a force plan also "G_2"), and the names that mean nothing."""
+def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -> Figures:
+    """Figures of a table of segments ("pb", "bc"; of a force plan also "G_2")."""
     plan, labels = bench.asked.plan, [label_of(m) for m in bench.marks]
     ends = [n for n in (POLE, *labels) if at(plan, n) in bench.program.made]  # a scheme has no pole
     pairs = {one + two: (one, two) for one, two in permutations(ends, 2)}
@@ -63,14 +87,10 @@ def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -
         if s.plan == plan and s.start != s.end and {s.start, s.end} <= set(ends):
             pairs.setdefault(s.name.replace("^", ""), (s.start, s.end))
     spelt = {one + two: bench.names.spelt(one) + bench.names.spelt(two) for one, two in permutations(ends, 2)}
-    names, found, unknown = Names(pairs, poles=False, spelt=lambda pair: spelt.get(pair, pair)), [], []
-    for text, mm in written:
-        name = names.find(text)
-        if name is None:
-            unknown.append(text)
-        else:
-            found.append(WrittenNumber(name, mm, _millimetres(plan, *pairs[name]), False, plan))
-    return found, unknown
+    names = Names(pairs, poles=False, spelt=lambda pair: spelt.get(pair, pair))
+    read = [(names.find(text), text, mm) for text, mm in written]
+    found = [WrittenNumber(n, mm, _millimetres(plan, *pairs[n]), False, plan) for n, _, mm in read if n]
+    return found, [text for n, text, _ in read if not n]
 
 
 def _millimetres(plan: str, start: str, end: str) -> Callable[[Things], Real]:
@@ -87,51 +107,41 @@ def unit_factor(unit: str) -> float:
 
 
 def account(
-    figures: Sequence[WrittenNumber],
-    free: Hand,
-    own: Hand | None,
-    variants: Iterable[Variant],
-    plans: Plans,
-    ruler_mm: float = 0.0,
+    figures: Sequence[WrittenNumber], free: Hand, own: Hand | None, variants: Iterable[Variant], ruler_mm: float = 0.0
 ) -> Account:
     """Judge figures against the true plan; name the mistake of the first wrong one."""
     found = Account([_judged(f, free, own, ruler_mm) for f in figures])
     for s in found.scored:
         if s.verdict == "wrong":
-            s.slip = number_mistake(s, free, plans)
+            s.slip = number_mistake(s, free)
             if s.slip is None and own is not None and s.mine:  # a slip made with the person's own segments
-                s.slip = number_mistake(replace(s, true=s.mine), own, plans)
-    first = found.first_wrong
-    if first is None:
-        return found
-    found.number_mistake = first.slip
-    if found.number_mistake is None:
-        _name(found, free, variants)
+                s.slip = number_mistake(replace(s, true=s.mine), own)
+    if first := found.first_wrong:
+        found.number_mistake = first.slip
+        if first.slip is None:
+            _name(found, free, variants)
     return found
 
 
 def _judged(f: WrittenNumber, free: Hand, own: Hand | None, ruler_mm: float) -> Scored:
-    true = first_of(f.read(free.things))
-    sigma = math.hypot(free.spread_of(f.read(free.things)), _ruler(f, free, ruler_mm))
+    read = f.read(free.things)
+    true, sigma = first_of(read), math.hypot(free.spread_of(read), _ruler(f, free, ruler_mm))
     off = _off(f, true)
     if off <= max(3 * sigma, SHARE * abs(true)) + 1e-9 * abs(true):
         return Scored(f, true, sigma, "right", off > max(2 * sigma, SHARE * abs(true)))
-    mine = None
-    if own is not None:
-        mine = first_of(f.read(own.things))
-        if _off(f, mine) <= max(3 * own.spread_of(f.read(own.things)), SHARE * abs(mine)):
-            return Scored(f, true, sigma, "follows", mine=mine)
-    return Scored(f, true, sigma, "wrong", mine=mine)
+    if own is None:
+        return Scored(f, true, sigma, "wrong")
+    mine = first_of(f.read(own.things))
+    follows = _off(f, mine) <= max(3 * own.spread_of(f.read(own.things)), SHARE * abs(mine))
+    return Scored(f, true, sigma, "follows" if follows else "wrong", mine=mine)
 
 
 def _ruler(f: WrittenNumber, free: Hand, ruler_mm: float) -> float:
     """The error of reading the segment itself: in mm of a segment, in SI of a result measured on a plan."""
-    if ruler_mm:
+    if ruler_mm or f.value:
         return ruler_mm
-    mu = mu_of(f.plan)
-    if f.value or not f.plan or mu not in free.things:
-        return 0.0
-    return float(free.tool.skill.ruler_mm / free.number(mu))
+    mu = _number(free, mu_of(f.plan)) if f.plan else 0.0
+    return free.tool.skill.ruler_mm / mu if mu else 0.0
 
 
 def _off(f: WrittenNumber, true: float) -> float:
@@ -170,3 +180,62 @@ def _follow(found: Account, free: Hand) -> None:
         value = first_of(s.figure.read(things))
         if s.verdict == "wrong" and s is not first and _fit(s, value) > -4.5:
             s.verdict = "follows"
+
+
+def number_mistake(s: Scored, free: Hand) -> str | None:
+    """Slips of reckoning that leave the drawing as it is."""
+    f, true = s.figure, s.true
+    if not true or not f.given:
+        return None
+    if f.signed and _near(f.given, -true, s):
+        return "sense_wrong"
+    for mistake, value in _slips(f, true, free):
+        if value and _near(abs(f.given), abs(value), s):
+            return mistake
+    return None
+
+
+def _near(given: float, wanted: float, s: Scored) -> bool:
+    share = max(SHARE, 3 * s.sigma / abs(s.true))
+    return abs(given - wanted) <= min(share, 0.25) * abs(wanted)
+
+
+def _slips(f: WrittenNumber, true: float, free: Hand) -> Iterable[tuple[str, float]]:
+    """Each slip with the number it gives."""
+    mu = _number(free, mu_of(f.plan)) if f.plan else 0.0
+    if mu and not f.value:
+        yield "mm_for_value", true * mu
+        yield "mu_inverted", true * mu * mu
+        yield "mu_inverted", true / (mu * mu)
+    if letter_of(f.value) in ("omega", "epsilon"):
+        scheme = _number(free, mu_of("position"))
+        for factor in (1 / scheme if scheme else 0.0, mu / scheme if scheme else 0.0, 1e-3):
+            yield "omega_without_mu_l", true * factor
+        if mu:
+            yield "mu_inverted", true * mu * mu
+    if letter_of(f.value) == "epsilon":
+        yield "epsilon_from_total", _from_total(f.value, free)
+
+
+def _number(free: Hand, name: str) -> float:
+    """A value of a drawing; 0 where it has none of the name."""
+    return float(free.number(name)) if name in free.things else 0.0
+
+
+def _from_total(name: str, free: Hand) -> float:
+    """ε from the whole relative acceleration instead of its tangential part."""
+    steps = {s.makes: s for s in free.program.steps}
+    step = steps.get(name)
+    for value, power in step.terms[0].factors if isinstance(step, Calculate) else ():
+        part = steps.get(value)
+        normal = steps.get(part.start) if power == 1 and isinstance(part, Measure) else None
+        if isinstance(part, Measure) and isinstance(normal, LayOff) and part.mu in free.things:
+            whole = abs(free.number(part.end) - free.number(normal.start)) / abs(_number(free, part.mu))
+            tangential = abs(_number(free, value))
+            return float(abs(_number(free, name)) * whole / tangential) if tangential else 0.0
+    return 0.0
+
+
+def first_of(value: Real) -> float:
+    """A value without the columns of its errors."""
+    return float(value[0] if getattr(value, "shape", None) else value)

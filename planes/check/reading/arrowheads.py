@@ -6,7 +6,7 @@ told from a tick, and is itself no part of the plan.
 
 from __future__ import annotations
 
-import math
+import cmath
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
@@ -60,7 +60,9 @@ def settle(sketch: ReadDrawing) -> None:
     strokes = sketch.strokes + sketch.short
     owned, tips = given(strokes, sketch.heads)
     kept = [k for k in range(len(strokes)) if owned[k] != BOTH and (k < len(sketch.strokes) or owned[k])]
-    sketch.strokes = [_reaching(strokes[k], owned[k], tips.get(k)) for k in kept]
+    for k, tip in tips.items():  # a shaft that ends within its head is drawn up to the tip
+        strokes[k] = (strokes[k][0], tip) if owned[k] > 0 else (tip, strokes[k][1])
+    sketch.strokes = [strokes[k] for k in kept]
     sketch.ways, sketch.short = [owned[k] for k in kept], []
     _join(sketch)
 
@@ -73,30 +75,17 @@ def _join(sketch: ReadDrawing) -> None:
     for k, way in enumerate(sketch.ways):
         while way:
             a, b = sketch.strokes[k][::way]
-            near = [i for i, s in enumerate(sketch.strokes) if i != k and i not in gone and _at(a, s)]
-            if len(near) != 1 or sketch.ways[near[0]] or not _on(before := _far(a, sketch.strokes[near[0]]), a, b):
+            near = [i for i, s in enumerate(sketch.strokes) if i != k and i not in gone]
+            near = [i for i in near if min(abs(a - z) for z in sketch.strokes[i]) < SAME_MM]
+            if len(near) != 1 or sketch.ways[near[0]]:
+                break
+            before = max(sketch.strokes[near[0]], key=lambda z: abs(z - a))
+            if not _on(before, a, b):
                 break
             gone.add(near[0])
             sketch.strokes[k] = (before, b) if way > 0 else (b, before)
     kept = [k for k in range(len(sketch.strokes)) if k not in gone]
     sketch.strokes, sketch.ways = [sketch.strokes[k] for k in kept], [sketch.ways[k] for k in kept]
-
-
-def _at(z: complex, stroke: Stroke) -> bool:
-    """Whether a stroke ends in a place."""
-    return min(abs(z - stroke[0]), abs(z - stroke[1])) < SAME_MM
-
-
-def _far(z: complex, stroke: Stroke) -> complex:
-    """The end of a stroke away from a place."""
-    return max(stroke, key=lambda end: abs(end - z))
-
-
-def _reaching(stroke: Stroke, way: int, tip: complex | None) -> Stroke:
-    """A shaft that ends within its head, drawn up to the tip."""
-    if not way or tip is None:
-        return stroke
-    return (stroke[0], tip) if way > 0 else (tip, stroke[1])
 
 
 def given(strokes: Sequence[Stroke], heads: Sequence[Arrowhead]) -> tuple[list[int], dict[int, complex]]:
@@ -198,8 +187,4 @@ def tapered(points: Sequence[complex], widths: Sequence[tuple[float, float]]) ->
 
 def _on(a: complex, b: complex, c: complex) -> bool:
     """Whether the way from a to b goes on to c."""
-    return abs(math.remainder(_angle(b - a) - _angle(c - b), 2 * math.pi)) < 0.02 if a != b != c else True
-
-
-def _angle(z: complex) -> float:
-    return math.atan2(z.imag, z.real)
+    return a == b or b == c or abs(cmath.phase((c - b) / (b - a))) < 0.02

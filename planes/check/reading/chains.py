@@ -11,8 +11,7 @@ from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.strokes import Nodes, ReadDrawing, Stroke, Words
-from planes.drafting.drawing import run
-from planes.words.names import POLE, at
+from planes.words.names import POLE
 from planes.words.spelling import Names
 
 NEAR_MM = 9.0
@@ -43,6 +42,7 @@ class Edge:
 
 
 Trail = list[tuple[Edge, int]]  # lines passed, each with the node it is left at
+Beside = dict[str, dict[tuple[Edge, int], float]]  # how far names stand from lines passed to either end
 
 
 def force_chain(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
@@ -50,9 +50,8 @@ def force_chain(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: R
     truth = true_vectors(bench)
     pole = _pole(sketch.words, nodes)
     for split in (False, True):
-        if split and len(sketch.strokes) > MOST_LINES:
-            continue
-        edges = _reached(_edges(sketch, nodes, split), pole)
+        few = not split or len(sketch.strokes) <= MOST_LINES
+        edges = _reached(_edges(sketch, nodes, split), pole) if few else []
         if not edges or len(edges) > MOST_LINES:
             continue
         words = beside(sketch.words, nodes, edges, bench.written(truth))
@@ -70,13 +69,8 @@ def force_chain(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: R
 
 def true_vectors(bench: PreparedPlan) -> dict[str, complex]:
     """Every vector of the right plan by name."""
-    plan = bench.asked.plan
-    made = run(bench.program, bench.given)
-    found = {}
-    for s in sides_of(bench.plans, plan):
-        ends = [0j if n == POLE else made[at(plan, n)] for n in (s.start, s.end)]
-        found[s.name] = complex(ends[1] - ends[0])
-    return found
+    places = {**bench.true_marks, POLE: 0j}
+    return {s.name: places[s.end] - places[s.start] for s in sides_of(bench.plans, bench.asked.plan)}
 
 
 def _edges(sketch: ReadDrawing, nodes: Nodes, split: bool) -> list[Edge]:
@@ -102,19 +96,15 @@ def _reached(edges: list[Edge], pole: int | None) -> list[Edge]:
     """The lines that hang together with the pole; all of them where it is not known."""
     if pole is None:
         return edges
-    seen, grown = {pole}, True
-    while grown:
-        more = {n for e in edges if (e.start in seen) != (e.end in seen) for n in (e.start, e.end)}
-        grown = bool(more - seen)
+    seen = {pole}
+    while more := {n for e in edges if (e.start in seen) != (e.end in seen) for n in (e.start, e.end)}:
         seen |= more
     return [e for e in edges if e.start in seen]
 
 
-def beside(
-    words: Sequence[Words], nodes: Nodes, edges: Sequence[Edge], known: Names
-) -> dict[str, dict[tuple[Edge, int], float]]:
+def beside(words: Sequence[Words], nodes: Nodes, edges: Sequence[Edge], known: Names) -> Beside:
     """How far every vector's name stands from the middle part of every line near it, passed to either end."""
-    found: dict[str, dict[tuple[Edge, int], float]] = {}
+    found: Beside = {}
     for word in words:
         name = known.find(word.text)
         if name is None or name == POLE:
@@ -161,9 +151,8 @@ def _trails(edges: Sequence[Edge], pole: int | None) -> Iterator[tuple[int, Trai
     """Ways along the lines, none passed twice: round from the pole or from anywhere, or from the pole to a dead end."""
     beside_of: dict[int, list[int]] = defaultdict(list)
     for k, edge in enumerate(edges):
-        beside_of[edge.start].append(k)
-        if not edge.onward:
-            beside_of[edge.end].append(k)
+        for node in (edge.start,) if edge.onward else (edge.start, edge.end):
+            beside_of[node].append(k)
     starts = [pole] if pole is not None and pole in beside_of else list(beside_of)
     count, seen = 0, 0
     for start in starts[:20]:
@@ -180,19 +169,14 @@ def _trails(edges: Sequence[Edge], pole: int | None) -> Iterator[tuple[int, Trai
 
 
 def _rows(
-    pole: int,
-    trail: Trail,
-    nodes: Nodes,
-    words: Mapping[str, Mapping[tuple[Edge, int], float]],
-    truth: Mapping[str, complex],
-    sketch: ReadDrawing,
+    pole: int, trail: Trail, nodes: Nodes, words: Beside, truth: Mapping[str, complex], sketch: ReadDrawing
 ) -> tuple[float, list[ReadMark]] | None:
     """A trail's vectors named by the words beside them and by their likeness, with how well all this fits."""
     ends = [nodes.places[i] for i in (pole, *(node for _, node in trail))]
     vectors = [b - a for a, b in pairwise(ends)]
     costs: list[dict[str, float]] = []
-    for v, (edge, node) in zip(vectors, trail, strict=True):
-        far = {n: words[n].get((edge, node), FAR_WORD) if n in words else NO_WORD for n in truth}
+    for v, passed in zip(vectors, trail, strict=True):
+        far = {n: words[n].get(passed, FAR_WORD) if n in words else NO_WORD for n in truth}
         unlike = {n: min(1.0, abs(v - t) / (abs(t) + 3)) for n, t in truth.items()}
         costs.append({n: far[n] + (NAMED_UNLIKE if n in words else UNLIKE) * unlike[n] for n in truth})
     names = named_best(costs)
@@ -206,11 +190,7 @@ def _rows(
 
 
 def _by_words(
-    names: list[str | None],
-    trail: Trail,
-    ends: Sequence[complex],
-    words: Mapping[str, Mapping[tuple[Edge, int], float]],
-    sketch: ReadDrawing,
+    names: list[str | None], trail: Trail, ends: Sequence[complex], words: Beside, sketch: ReadDrawing
 ) -> None:
     """Of two vectors there and back, and no third beside them, each is what stands nearer to it, were it reversed."""
     for i, j in combinations(range(len(trail)), 2):

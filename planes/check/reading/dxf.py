@@ -46,8 +46,7 @@ def read_dxf(path: str | Path) -> ReadDrawing:
 
 def _sketch(document: Any, space: Any, scale: float, file: str) -> ReadDrawing:
     found = ReadDrawing(file)
-    unseen = {layer.dxf.name.casefold() for layer in document.layers if layer.is_off() or layer.is_frozen()}
-    for entity in _taken_apart(space, unseen, 0, _Counted(file)):
+    for entity in _Entities(document, file).seen(space):
         try:
             _entity(found, entity, scale)
         except (ValueError, AttributeError, TypeError, IndexError, ZeroDivisionError):
@@ -58,35 +57,32 @@ def _sketch(document: Any, space: Any, scale: float, file: str) -> ReadDrawing:
     return found
 
 
-class _Counted:
-    """Counts entities as they pass, whether or not anything is to be seen of them."""
+class _Entities:
+    """The entities of a file, counted as they pass, whether or not anything is to be seen of them."""
 
-    def __init__(self, file: str) -> None:
+    def __init__(self, document: Any, file: str) -> None:
+        self.unseen = {x.dxf.name.casefold() for x in document.layers if x.is_off() or x.is_frozen()}
         self.file, self.count = file, 0
 
-    def each(self, entities: Iterable[Any]) -> Iterator[Any]:
-        """The same entities, refused in words once there are too many."""
+    def _counted(self, entities: Iterable[Any]) -> Iterator[Any]:
         for entity in entities:
             self.count += 1
             if self.count > MOST:
                 raise too_many(self.file, "elements", MOST)
             yield entity
 
-
-def _taken_apart(entities: Iterable[Any], unseen: set[str], depth: int, counted: _Counted) -> Iterator[Any]:
-    """Entities that can be seen, blocks as what they hold."""
-    for entity in counted.each(entities):
-        kind = entity.dxftype()
-        hidden = entity.dxf.get("layer", "0").casefold() in unseen or entity.dxf.get("invisible", 0)
-        if kind in MEASURES or hidden:
-            continue
-        if kind != "INSERT":
-            yield entity
-        elif depth < DEEPEST:
-            copies = entity.multi_insert() if entity.mcount > 1 else (entity,)
-            for one in counted.each(copies):
-                yield from _taken_apart(one.virtual_entities(), unseen, depth + 1, counted)
-                yield from one.attribs
+    def seen(self, entities: Iterable[Any], depth: int = 0) -> Iterator[Any]:
+        """Those that can be seen, blocks as what they hold."""
+        for entity in self._counted(entities):
+            kind, layer = entity.dxftype(), entity.dxf.get("layer", "0").casefold()
+            if kind in MEASURES or layer in self.unseen or entity.dxf.get("invisible", 0):
+                continue
+            if kind != "INSERT":
+                yield entity
+            elif depth < DEEPEST:
+                for one in self._counted(entity.multi_insert() if entity.mcount > 1 else (entity,)):
+                    yield from self.seen(one.virtual_entities(), depth + 1)
+                    yield from one.attribs
 
 
 def _entity(found: ReadDrawing, entity: Any, scale: float) -> None:
@@ -99,10 +95,10 @@ def _entity(found: ReadDrawing, entity: Any, scale: float) -> None:
         case "LWPOLYLINE" | "POLYLINE":
             _polyline(found, entity, scale)
         case "LEADER":
-            places = [_z(v, scale) for v in entity.vertices]
+            tip, *before = places = [_z(v, scale) for v in entity.vertices]
             found.add(places)
-            if entity.dxf.get("has_arrowhead", 1) and len(places) > 1 and places[0] != places[1]:
-                found.heads.append(Arrowhead(places[0], (places[0] - places[1]) / abs(places[0] - places[1])))
+            if entity.dxf.get("has_arrowhead", 1) and before and tip != before[0]:
+                found.heads.append(Arrowhead(tip, (tip - before[0]) / abs(tip - before[0])))
         case "SOLID" | "TRACE":
             _head(found, [_z(p, scale) for p in entity.wcs_vertices()])
         case "HATCH":
@@ -112,27 +108,20 @@ def _entity(found: ReadDrawing, entity: Any, scale: float) -> None:
             _text(found, entity, scale)
         case "MTEXT":
             along = cmath.rect(1, math.radians(entity.get_rotation()))
-            height, below = entity.dxf.char_height * scale, (entity.dxf.get("attachment_point", 1) - 1) // 3
-            insert = _z(entity.dxf.insert, scale) - 1j * along * height * (1 - below / 2)
-            text = entity.plain_text()
-            width = height * breadth(text)
-            back = (entity.dxf.get("attachment_point", 1) - 1) % 3 / 2
-            _words(found, text, insert - along * width * back, height, along, width)
+            below, across = divmod(entity.dxf.get("attachment_point", 1) - 1, 3)
+            height, text = entity.dxf.char_height * scale, entity.plain_text()
+            corner = _width(text, height) * across / 2 + 1j * height * (1 - below / 2)
+            _words(found, text, _z(entity.dxf.insert, scale) - along * corner, height, along)
 
 
 def _polyline(found: ReadDrawing, entity: Any, scale: float) -> None:
     """A polyline: a vector or several, perhaps with heads of its own, or a hollow head."""
     if entity.dxftype() == "LWPOLYLINE":
-        points = [_z(p, scale) for p in entity.vertices_in_wcs()]
-        rows = [(w[0], w[1], w[2]) for w in entity.get_points("seb")]
-        closed = bool(entity.closed)
+        points, closed = [_z(p, scale) for p in entity.vertices_in_wcs()], bool(entity.closed)
+        rows = [tuple(w) for w in entity.get_points("seb")]
     else:
-        points = [_z(p, scale) for p in entity.points_in_wcs()]
-        rows = [
-            (v.dxf.get("start_width", 0.0), v.dxf.get("end_width", 0.0), v.dxf.get("bulge", 0.0))
-            for v in entity.vertices
-        ]
-        closed = bool(entity.is_closed)
+        points, closed = [_z(p, scale) for p in entity.points_in_wcs()], bool(entity.is_closed)
+        rows = [tuple(v.dxf.get(k, 0.0) for k in ("start_width", "end_width", "bulge")) for v in entity.vertices]
     if head := head_of(points) if closed or (len(points) > 3 and abs(points[0] - points[-1]) < 1e-6) else None:
         found.heads.append(head)
         return
@@ -159,8 +148,7 @@ def _boundary(entity: Any, path: Any, scale: float) -> list[complex]:
         corners = [(v[0], v[1]) for v in path.vertices]
     else:
         corners = [edge.start for edge in path.edges if hasattr(edge, "start")]
-    ocs = entity.ocs()
-    return [_z(ocs.to_wcs((x, y, 0)), scale) for x, y, *_ in corners]
+    return [_z(entity.ocs().to_wcs((x, y, 0)), scale) for x, y, *_ in corners]
 
 
 def _text(found: ReadDrawing, entity: Any, scale: float) -> None:
@@ -171,7 +159,7 @@ def _text(found: ReadDrawing, entity: Any, scale: float) -> None:
     placed = entity.dxf.get("align_point") if (across or up) and across not in (3, 5) else None
     at = entity.ocs().to_wcs(placed if placed is not None else entity.dxf.insert)
     height, text = entity.dxf.height * scale, entity.plain_text()
-    width = height * breadth(text)
+    width = _width(text, height)
     if fitted is not None:  # between two places
         span = _z(fitted, scale) - _z(entity.dxf.insert, scale)
         width, along = abs(span) or width, span / abs(span) if span else along
@@ -180,9 +168,15 @@ def _text(found: ReadDrawing, entity: Any, scale: float) -> None:
     _words(found, text, _z(at, scale) - along * (width * back + 1j * height * down), height, along, width)
 
 
-def _words(found: ReadDrawing, text: str, place: complex, height: float, along: complex, width: float) -> None:
+def _words(
+    found: ReadDrawing, text: str, place: complex, height: float, along: complex, width: float | None = None
+) -> None:
     if text.strip() and len(text) <= LONGEST:
-        found.words.append(Words(text.strip(), place, height, width, along))
+        found.words.append(Words(text.strip(), place, height, width or _width(text, height), along))
+
+
+def _width(text: str, height: float) -> float:
+    return height * breadth(text)
 
 
 def _z(p: Any, scale: float) -> complex:

@@ -69,11 +69,8 @@ def _named(
 def others(bench: PreparedPlan) -> dict[str, complex]:
     """Vectors that may be drawn beside the polygon's own: whole reactions, inner ones."""
     plan, made = bench.asked.plan, run(bench.plans.program, bench.given)
-    return {
-        s.name.replace("^", ""): complex(made[at(plan, s.end)] - made[at(plan, s.start)])
-        for s in bench.plans.segments
-        if s.plan == plan
-    }
+    own = [s for s in bench.plans.segments if s.plan == plan]
+    return {s.name.replace("^", ""): complex(made[at(plan, s.end)] - made[at(plan, s.start)]) for s in own}
 
 
 def _costs(arrows: Sequence[Stroke], sketch: ReadDrawing, bench: PreparedPlan, known: Mapping[str, complex]) -> Costs:
@@ -88,16 +85,10 @@ def _costs(arrows: Sequence[Stroke], sketch: ReadDrawing, bench: PreparedPlan, k
             far = min(word.distance(a + (b - a) * t / 8) for t in range(1, 8))
             if name in near and far <= NEAR_MM:
                 near[name] = min(near[name], far)
-        unlike = {n: _unlike(b - a, t) for n, t in known.items()}
-        short = abs(b - a) < HEADLESS_MM  # without its head
-        out.append(
-            {
-                n: near[n] + (NAMED if n in written else UNLIKE) * unlike[n]
-                for n in known
-                if not short or abs(known[n]) < HEADLESS_MM
-            }
-        )
-    return [{n: c for n, c in row.items() if c < TOO_FAR} for row in out]
+        fits = (n for n, t in known.items() if abs(b - a) >= HEADLESS_MM or abs(t) < HEADLESS_MM)  # or has no head
+        row = {n: near[n] + (NAMED if n in written else UNLIKE) * _unlike(b - a, known[n]) for n in fits}
+        out.append({n: c for n, c in row.items() if c < TOO_FAR})
+    return out
 
 
 def _unlike(v: complex, true: complex) -> float:

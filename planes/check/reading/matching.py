@@ -15,10 +15,8 @@ from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, vectors_as_planned, worth
 from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
 from planes.check.reading.lone_vectors import lone_vectors
-from planes.check.reading.sizing import sized
 from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, covered, headed, hinged
-from planes.check.reading.words_near import Candidates, by_words, led, led_to_vectors, start_of
-from planes.drafting.drawing import run
+from planes.check.reading.words_near import Candidates, by_words, led, led_to_vectors, sized, start_of
 from planes.words import Phrase
 from planes.words.names import POLE, at, kind_of, label_of
 
@@ -40,7 +38,7 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None = No
     if kind_of(bench.asked.plan) == "position":
         sketch = hinged(sketch)
         middles = [z for z, _ in sketch.rounds]
-        nodes = Nodes(sketch.strokes, LOOSE_MM if middles else None, points=middles)
+        nodes = Nodes(sketch.strokes, LOOSE_MM if middles else 0.0, points=middles)
     else:
         sketch.rounds = []
         nodes = Nodes(sketch.strokes, vectors=headed(sketch))
@@ -115,8 +113,7 @@ def _marks(
 def _tips(sketch: ReadDrawing, nodes: Nodes) -> set[int] | None:
     """Nodes with an arrowhead, or with the circle of a point; None where too few have one for that to tell anything."""
     if sketch.rounds:
-        found = (nodes.nearest(z, nodes.near) for z, _ in sketch.rounds)
-        return {i for i in found if i is not None}
+        return {i for z, _ in sketch.rounds if (i := nodes.nearest(z, nodes.near)) is not None}
     vectors = headed(sketch)
     return {nodes.ends[k, 1 if sketch.ways[k] > 0 else 0] for k in vectors} if vectors else None
 
@@ -143,11 +140,9 @@ class _MarkSearch:
 
     def look(self, mark: str, near: Mapping[int, float] | None) -> None:
         """Find one mark by its word, else by where it should be, or by where a mistake would put it."""
-        plan, name = self.bench.asked.plan, label_of(mark)
-        taken = {at(plan, n): Taken(z - self.origin, self.sketch.error_mm) for n, z in self.found.items()}
-        place = self._place(taken, mark, name, near)
+        place = self._place(mark, label_of(mark), near)
         if place is not None:
-            self.found[name] = place
+            self.found[label_of(mark)] = place
 
     def exchange(self) -> tuple[str, int] | None:
         """Of two marks at one node (it fits only one), the one that has another place nearly as good, and the node."""
@@ -166,9 +161,9 @@ class _MarkSearch:
         costs = self.costs[name]
         return min((c for i, c in costs.items() if i != node), default=1e9) - costs[node]
 
-    def _place(
-        self, taken: Mapping[str, Taken], mark: str, name: str, near: Mapping[int, float] | None
-    ) -> complex | None:
+    def _place(self, mark: str, name: str, near: Mapping[int, float] | None) -> complex | None:
+        plan, error = self.bench.asked.plan, self.sketch.error_mm
+        taken = {at(plan, n): Taken(z - self.origin, error) for n, z in self.found.items()}
         hand = Hand(self.bench.program, self.bench.given, self.bench.asked.skill, taken)
         miss = hand.miss(hand.things[mark], hand.number(mark))
         reach = min(max(miss.reach(3.0), 1.2), 8.0)
@@ -179,7 +174,8 @@ class _MarkSearch:
             costs = self.costs[name] = {i: far + self._odd(i, guesses) + USED * (i in odd) for i, far in near.items()}
             return self.nodes.places[min(costs, key=lambda i: costs[i])]
         step = next(s for s in self.bench.program.steps if s.makes == mark)
-        starts = [self.origin, *(taken[n].place + self.origin for n in _starts(step) if n in taken)]
+        before = (getattr(step, k, "") for k in ("start", "other", "end"))
+        starts = [self.origin, *(taken[n].place + self.origin for n in before if n in taken)]
         for guess, far in guesses[:1] if self.worded else guesses:
             for i in self.nodes.within(guess, far):
                 z = self.nodes.places[i]
@@ -216,27 +212,18 @@ def _guesses(bench: PreparedPlan, hand: Hand, mark: str) -> Iterator[tuple[compl
                 yield complex(hand.tool.spread(made)[0]), 0.6
 
 
-def _starts(step: object) -> list[str]:
-    return [getattr(step, k) for k in ("start", "other", "end") if hasattr(step, k)]
-
-
 def scaled(
     sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None, marks: Mapping[str, complex]
 ) -> tuple[ReadDrawing, str | None]:
     """The sketch with its scale set by a named pole and a named vector; the vector's name."""
-    named = next(iter(marks), None)
-    if pole is None or named is None:
-        return sketch, None
+    named, place = next(iter(marks.items()), ("", pole))
     name = bench.names.find(named)
-    if name is None or abs(marks[named] - pole) == 0:
+    if pole is None or place is None or name is None or place == pole:
         return sketch, None
-    truth = run(bench.program, bench.given)
-    factor = abs(truth[at(bench.asked.plan, name)]) / abs(marks[named] - pole)
+    factor = abs(bench.true_marks[name]) / abs(place - pole)
     words = [
-        replace(w, place=(w.place - pole) * factor, height=w.height * factor, width=w.width * factor)
-        for w in sketch.words
+        Words(w.text, (w.place - pole) * factor, w.height * factor, w.width * factor, w.along) for w in sketch.words
     ]
-    words.append(Words("p", 0j, 0.1, 0.1))
-    words += [Words(n, (z - pole) * factor, 0.1, 0.1) for n, z in marks.items()]
+    words += [Words(n, (z - pole) * factor, 0.1, 0.1) for n, z in {POLE: pole, **marks}.items()]
     strokes = [((a - pole) * factor, (b - pole) * factor) for a, b in sketch.strokes]
     return ReadDrawing(sketch.file, strokes, words, sketch.error_mm, sketch.ways), name

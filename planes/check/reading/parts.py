@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from planes.check.reading.strokes import ReadDrawing, Round, Stroke, Words
+import numpy
+from shapely import STRtree, distance, linestrings, multilinestrings, points
+
+from planes.check.reading.strokes import ReadDrawing, Stroke, Words
 from planes.geometry.arrays import Booleans, Complexes
 
 TOGETHER_MM = 2.3  # strokes no farther apart belong together: a force is drawn this far beside another one
@@ -55,9 +58,6 @@ def _goes_on(first: Words, whole: Words, word: Words) -> bool:
 
 def without_letters(sketch: ReadDrawing) -> None:
     """Strokes within the box of a word, that touch nothing beyond it, are the letters of that word."""
-    import numpy
-    from shapely import STRtree
-
     if not sketch.strokes or not sketch.words:
         return
     every = numpy.array(sketch.strokes + sketch.short)
@@ -80,9 +80,6 @@ def without_letters(sketch: ReadDrawing) -> None:
 
 def _touched(ends: Complexes, inside: Booleans, tips: Sequence[complex]) -> Booleans:
     """Which strokes meet one that is no letter, or an arrowhead."""
-    import numpy
-    from shapely import STRtree
-
     others = numpy.concatenate([ends[~inside].ravel(), numpy.array(list(tips), complex)])
     found = numpy.zeros(len(ends), bool)
     near = STRtree(_dots(others)).query(_dots(ends[inside].ravel()), predicate="dwithin", distance=TOUCH_MM)[0]
@@ -92,21 +89,14 @@ def _touched(ends: Complexes, inside: Booleans, tips: Sequence[complex]) -> Bool
 
 def _dots(places: Complexes) -> Any:  # shapely has no types of its own for many points
     """Places as points."""
-    from shapely import points
-
     return points(places.real, places.imag)
 
 
 def parts(sketch: ReadDrawing) -> list[ReadDrawing]:
     """The sketch by pieces that hang together, those with most strokes first; what is smaller than a plan goes."""
-    if len(sketch.strokes) > MOST:
+    if not 0 < len(sketch.strokes) <= MOST:
         return []
-    import numpy
-    from shapely import STRtree
-
-    shapes = _shapes(sketch.strokes, sketch.rounds)
-    if not len(shapes):
-        return []
+    shapes = [*_lines(sketch.strokes), *(points(z.real, z.imag).buffer(r) for z, r in sketch.rounds)]
     group = numpy.arange(len(shapes))
     pairs = STRtree(shapes).query(shapes, predicate="dwithin", distance=TOGETHER_MM)
     while True:
@@ -121,13 +111,10 @@ def parts(sketch: ReadDrawing) -> list[ReadDrawing]:
     return sorted((p for p in found if p is not None), key=lambda p: -len(p.strokes))
 
 
-def _shapes(strokes: Sequence[Stroke], rounds: Sequence[Round]) -> list[object]:
-    """Strokes as lines, circles as discs."""
-    from shapely import linestrings, points
-
-    lines = linestrings([[(a.real, a.imag), (b.real, b.imag)] for a, b in strokes]) if strokes else []
-    discs = points([(z.real, z.imag) for z, _ in rounds]) if rounds else []
-    return [*lines, *(disc.buffer(r) for disc, (_, r) in zip(discs, rounds, strict=True))]
+def _lines(strokes: Sequence[Stroke]) -> Sequence[object]:
+    """Strokes as lines."""
+    found: Sequence[object] = linestrings([[(z.real, z.imag) for z in stroke] for stroke in strokes])
+    return found
 
 
 def _part(sketch: ReadDrawing, held: list[int]) -> ReadDrawing | None:
@@ -137,23 +124,15 @@ def _part(sketch: ReadDrawing, held: list[int]) -> ReadDrawing | None:
     xs, ys = [z.real for s in strokes for z in s], [z.imag for s in strokes for z in s]
     if max(max(xs) - min(xs), max(ys) - min(ys)) < LEAST_MM:
         return None
-    words, rounds = sketch.words, sketch.rounds
-    far = _distances(strokes, [w.middle for w in words])
-    words = [w for w, d in zip(words, far, strict=True) if d < NEAR_WORD_MM + w.width / 2]
-    rounds = [r for r, d in zip(rounds, _distances(strokes, [z for z, _ in rounds]), strict=True) if d < NEAR_ROUND_MM]
-    return ReadDrawing(
-        sketch.file,
-        strokes,
-        words,
-        sketch.error_mm,
-        [sketch.ways[k] for k in held] if sketch.ways else [],
-        rounds=rounds,
-    )
+    far = _distances(strokes, [w.middle for w in sketch.words])
+    words = [w for w, d in zip(sketch.words, far, strict=True) if d < NEAR_WORD_MM + w.width / 2]
+    far = _distances(strokes, [z for z, _ in sketch.rounds])
+    rounds = [r for r, d in zip(sketch.rounds, far, strict=True) if d < NEAR_ROUND_MM]
+    ways = [sketch.ways[k] for k in held] if sketch.ways else []
+    return ReadDrawing(sketch.file, strokes, words, sketch.error_mm, ways, rounds=rounds)
 
 
-def _distances(strokes: Sequence[Stroke], places: Sequence[complex]) -> list[float]:
+def _distances(strokes: Sequence[Stroke], places: Sequence[complex]) -> Sequence[float]:
     """How far places are from the nearest of some strokes."""
-    from shapely import MultiLineString, distance, points
-
-    lines = MultiLineString([[(a.real, a.imag), (b.real, b.imag)] for a, b in strokes])
-    return [float(d) for d in distance(points([(z.real, z.imag) for z in places]), lines)] if places else []
+    spots = [(z.real, z.imag) for z in places]
+    return distance(points(spots), multilinestrings(_lines(strokes))).tolist() if spots else []

@@ -8,6 +8,9 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
+import pypdfium2
+import pypdfium2.raw as pdf
+
 from planes.check.reading.opened import MB, contents
 from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.svg import sketch_of
@@ -21,8 +24,6 @@ PICTURE = 0.5  # an image over so much of the page is what the page shows
 
 def read_pdf(path: str | Path, page: int = 0) -> ReadDrawing | None:
     """The strokes of a page in mm, y up; None where it shows a picture, or cannot be read."""
-    import pypdfium2
-
     data = contents(path, LARGEST)
     try:
         document = pypdfium2.PdfDocument(data)
@@ -37,8 +38,6 @@ def read_pdf(path: str | Path, page: int = 0) -> ReadDrawing | None:
 
 def _tree(page: Any) -> ElementTree.Element | None:
     """The page as an SVG: y down from its upper edge, in points."""
-    import pypdfium2.raw as pdf
-
     width, height = page.get_size()
     root = ElementTree.Element("svg", width=f"{width}pt", height=f"{height}pt", viewBox=f"0 0 {width} {height}")
     box = page.get_mediabox()
@@ -58,8 +57,6 @@ def _tree(page: Any) -> ElementTree.Element | None:
 
 def _path(root: ElementTree.Element, thing: Any) -> bool:
     """A path with its looks; whether it is stroked."""
-    import pypdfium2.raw as pdf
-
     fill, stroke = ctypes.c_int(), ctypes.c_int()
     pdf.FPDFPath_GetDrawMode(thing, fill, stroke)
     looks = {"stroke": "#000" if stroke.value else "none", "fill": "#000" if fill.value else "none"}
@@ -70,8 +67,6 @@ def _path(root: ElementTree.Element, thing: Any) -> bool:
 
 def _pieces(thing: Any) -> Iterator[str]:
     """A path's pieces as an SVG writes them."""
-    import pypdfium2.raw as pdf
-
     letters = {pdf.FPDF_SEGMENT_MOVETO: "M", pdf.FPDF_SEGMENT_LINETO: "L", pdf.FPDF_SEGMENT_BEZIERTO: "C"}
     x, y, handles = ctypes.c_float(), ctypes.c_float(), list[str]()
     for k in range(pdf.FPDFPath_CountSegments(thing)):
@@ -90,8 +85,6 @@ def _pieces(thing: Any) -> Iterator[str]:
 
 def _text(root: ElementTree.Element, thing: Any, words: Any) -> None:
     """A piece of text where it begins, upright in its own axes."""
-    import pypdfium2.raw as pdf
-
     length = pdf.FPDFTextObj_GetText(thing, words, None, 0)
     held, size = ctypes.create_string_buffer(max(length, 2)), ctypes.c_float()
     pdf.FPDFTextObj_GetText(thing, words, ctypes.cast(held, ctypes.POINTER(ctypes.c_ushort)), length)

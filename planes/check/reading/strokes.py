@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import NamedTuple
 
 from planes.check.reading.opened import too_many
@@ -77,15 +78,11 @@ class ReadDrawing:
         """A polyline's strokes."""
         line = [*points, points[0]] if closed and len(points) > 2 else list(points)
         for a, b in pairwise(line):
-            if all(map(_finite, (a, b))) and abs(b - a) > 0.02:
+            if cmath.isfinite(a) and cmath.isfinite(b) and abs(b - a) > 0.02:
                 (self.strokes if abs(b - a) >= SHORT_MM else self.short).append((a, b))
         for held, most in ((self.strokes, MOST), (self.short, MOST_SHORT)):
             if len(held) > most:
                 raise too_many(self.file, "strokes", most)
-
-
-def _finite(z: complex) -> bool:
-    return math.isfinite(z.real) and math.isfinite(z.imag)
 
 
 def headed(sketch: ReadDrawing) -> list[int]:
@@ -130,11 +127,7 @@ class Nodes:
     """
 
     def __init__(
-        self,
-        strokes: Sequence[Stroke],
-        near: float | None = None,
-        vectors: Sequence[int] = (),
-        points: Iterable[complex] = (),
+        self, strokes: Sequence[Stroke], near: float = 0.0, vectors: Sequence[int] = (), points: Sequence[complex] = ()
     ) -> None:
         self.near = near or reach_of(strokes, vectors)
         self.places: list[complex] = []
@@ -143,7 +136,7 @@ class Nodes:
         self.ends: dict[tuple[int, int], int] = {}
         for z in points:
             self._add(z)
-        plain = [k for k in range(len(strokes)) if k not in set(vectors)] if vectors else []
+        plain = sorted({*range(len(strokes))} - {*vectors}) if vectors else []
         for k in vectors or range(len(strokes)):
             self._stroke(k, strokes[k])
         free = [k for k in plain if not all(self._met(strokes, k, j) for j in (0, 1))]
@@ -186,17 +179,12 @@ class Nodes:
 
     def within(self, z: complex, reach: float) -> list[int]:
         """Nodes no farther than ``reach``, the nearest first."""
-        if not _finite(z) or abs(z) > 1e6:
+        if not abs(z) <= 1e6:  # nor where it is no place at all
             return []
         cx, cy = self._cell(z)
         steps = math.ceil(reach / 4) + 1
-        found = [
-            i
-            for dx in range(-steps, steps + 1)
-            for dy in range(-steps, steps + 1)
-            for i in self.cells.get((cx + dx, cy + dy), ())
-            if abs(self.places[i] - z) <= reach
-        ]
+        cells = product(range(cx - steps, cx + steps + 1), range(cy - steps, cy + steps + 1))
+        found = [i for cell in cells for i in self.cells.get(cell, ()) if abs(self.places[i] - z) <= reach]
         return sorted(found, key=lambda i: abs(self.places[i] - z))
 
     def nearest(self, z: complex, reach: float) -> int | None:
@@ -228,12 +216,10 @@ def crossings(strokes: Sequence[Stroke]) -> Iterable[complex]:
 
 def covered(strokes: Sequence[Stroke], a: complex, b: complex, reach: float = 0.9) -> float:
     """The share of the way from ``a`` to ``b`` that some stroke runs along."""
-    way = b - a
-    length = abs(way)
+    length, spans = abs(b - a), []
     if length < 2 * reach:
         return 1.0
-    u = way / length
-    spans = []
+    u = (b - a) / length
     for c, d in strokes:
         p, q = (c - a) * u.conjugate(), (d - a) * u.conjugate()
         if abs(p.imag) > reach and abs(q.imag) > reach and p.imag * q.imag > 0:
@@ -244,7 +230,6 @@ def covered(strokes: Sequence[Stroke], a: complex, b: complex, reach: float = 0.
         spans.append((max(low, 0.0), min(high, length)))
     total, reached = 0.0, 0.0
     for low, high in sorted(spans):
-        if high > max(low, reached):
-            total += high - max(low, reached)
-            reached = high
+        total += max(high - max(low, reached), 0.0)
+        reached = max(reached, high)
     return total / length

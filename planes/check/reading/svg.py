@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from xml.etree import ElementTree
+
+from fontTools.misc.transform import Transform
 
 from planes.check.reading.arrowheads import head_of, settle
 from planes.check.reading.opened import MB, contents, too_many
 from planes.check.reading.parts import breadth, without_letters
 from planes.check.reading.strokes import ROUND_MM, Arrowhead, ReadDrawing, Words
-from planes.check.reading.svg_shapes import NUMBER, Looks, circles, looks_of, number, outline, rings, style_rules
-from planes.check.reading.svg_tree import MOST, tree
+from planes.check.reading.svg_shapes import MOST, NUMBER, Looks, looks_of, number, numbers, outlines, style_rules, tree
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
@@ -22,23 +24,22 @@ LONGEST = 200  # letters of a text
 _MM = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72, "pc": 25.4 / 6, "px": 25.4 / 96, "": 25.4 / 96}
 DEEPEST = 60  # groups within groups
 NO_HEADS = ("dot", "circle", "square", "stop", "tick", "distance", "diamond")  # markers that are no arrowheads
-Affine = tuple[complex, complex, complex]  # z -> o + Re(z)·a + Im(z)·b
-SAME: Affine = (0j, 1 + 0j, 1j)
-_HREF = "{http://www.w3.org/1999/xlink}href"
+_HREF = "http://www.w3.org/1999/xlink}href"
 
 
 def read_svg(path: str | Path) -> ReadDrawing:
     """The strokes of a file in mm, y up. :class:`PlanesError` where it is not an SVG."""
     root = tree(contents(path, LARGEST), str(path))
-    if _tag(root) != "svg":
-        raise PlanesError(Phrase("check_svg", file=str(path), why=f"<{_tag(root)}>"))
+    if root.tag != "svg":
+        raise PlanesError(Phrase("check_svg", file=str(path), why=f"<{root.tag}>"))
     return sketch_of(root, str(path))
 
 
 def sketch_of(root: ElementTree.Element, file: str) -> ReadDrawing:
     """What a picture's tree holds, in mm, y up."""
     named = {e.get("id", ""): e for e in root.iter() if e.get("id")}
-    page = _page(root)
+    fitted = _fitted(root, [_length(root.get(k)) for k in ("width", "height")])
+    page = Transform(1, 0, 0, -1).transform(Transform().scale(_MM["px"]) if fitted is None else fitted)
     reader = _Reader(ReadDrawing(file, mm=lambda z: _at(page, z)), named, style_rules(root))
     reader.walk(root, page, 0, {})
     without_letters(reader.sketch)
@@ -46,62 +47,43 @@ def sketch_of(root: ElementTree.Element, file: str) -> ReadDrawing:
     return reader.sketch
 
 
-def _tag(e: ElementTree.Element) -> str:
-    return e.tag.rpartition("}")[2] if isinstance(e.tag, str) else ""
-
-
-def _length(text: str | None) -> float | None:
+def _length(text: str | None) -> float:
     match = re.fullmatch(rf"\s*({NUMBER})\s*(mm|cm|in|pt|pc|px|)\s*", text or "")
-    return float(match[1]) * _MM[match[2]] if match else None
+    return float(match[1]) * _MM[match[2]] if match else 0.0
 
 
-def _page(root: ElementTree.Element) -> Affine:
-    """User units to mm of paper, y turned up."""
-    width, height = _length(root.get("width")), _length(root.get("height"))
-    box = [float(n) for n in re.findall(NUMBER, root.get("viewBox") or "")]
-    if len(box) == 4 and box[2] > 0 and box[3] > 0:
-        sides = [a / b for a, b in ((width, box[2]), (height, box[3])) if a]
-        scale = min(sides) if sides else 1.0
-        return complex(-box[0] * scale, box[1] * scale), scale + 0j, -1j * scale
-    scale = _MM["px"]
-    return 0j, scale + 0j, -1j * scale
+def _fitted(e: ElementTree.Element, sides: Sequence[float]) -> Transform | None:
+    """From the units of a picture's view to those its sides (if not 0) are told in; None where it has no view."""
+    box = numbers(e.get("viewBox"))
+    if len(box) != 4 or not (box[2] > 0 and box[3] > 0):
+        return None
+    scale = min((a / b for a, b in zip(sides, box[2:], strict=True) if a), default=1.0)
+    return Transform().scale(scale).translate(-box[0], -box[1])
 
 
-def _then(outer: Affine, inner: Affine) -> Affine:
-    """First the inner map, then the outer."""
-    o = _at(outer, inner[0])
-    return o, _at(outer, inner[1]) - outer[0], _at(outer, inner[2]) - outer[0]
+def _at(m: Transform, z: complex) -> complex:
+    return complex(*m.transformPoint((z.real, z.imag)))
 
 
-def _at(m: Affine, z: complex) -> complex:
-    return m[0] + m[1] * z.real + m[2] * z.imag
-
-
-def _transform(text: str | None) -> Affine:
+def _transform(text: str | None) -> Transform:
     """The ``transform`` attribute."""
-    import cmath
-    import math
-
-    found = SAME
+    found = Transform()
     for part in (text or "").split(")"):
         name, _, inside = part.strip(" \t\r\n,").partition("(")
-        v = [float(n) for n in re.findall(NUMBER, inside)]
-        name = name.strip()
-        if name == "matrix" and len(v) == 6:
-            one: Affine = (complex(v[4], v[5]), complex(v[0], v[1]), complex(v[2], v[3]))
-        elif name == "translate" and v:
-            one = (complex(v[0], v[1] if len(v) > 1 else 0.0), 1 + 0j, 1j)
-        elif name == "scale" and v:
-            one = (0j, v[0] + 0j, 1j * (v[1] if len(v) > 1 else v[0]))
-        elif name == "rotate" and v:
-            u, c = cmath.rect(1, math.radians(v[0])), complex(*v[1:3]) if len(v) > 2 else 0j
-            one = (c - c * u, u, 1j * u)
-        elif name in ("skewX", "skewY") and v:
-            t = math.tan(math.radians(v[0]))
-            one = (0j, 1 + 0j, complex(t, 1)) if name == "skewX" else (0j, complex(1, t), 1j)
-        else:
-            continue
-        found = _then(found, one)
+        match name.strip(), numbers(inside):
+            case "matrix", [_, _, _, _, _, _] as v:
+                found = found.transform(v)
+            case "translate", [_, *_] as v:
+                found = found.translate(*v[:2])
+            case "scale", [_, *_] as v:
+                found = found.scale(*v[:2])
+            case "rotate", [turn, *about]:
+                x, y = about[:2] if len(about) > 1 else (0.0, 0.0)
+                found = found.translate(x, y).rotate(math.radians(turn)).translate(-x, -y)
+            case "skewX", [turn, *_]:
+                found = found.skew(math.radians(turn))
+            case "skewY", [turn, *_]:
+                found = found.skew(0.0, math.radians(turn))
     return found
 
 
@@ -111,8 +93,7 @@ class _Reader:
     def __init__(self, sketch: ReadDrawing, named: dict[str, ElementTree.Element], rules: Mapping[str, Looks]) -> None:
         self.sketch, self.named, self.rules, self.count = sketch, named, rules, 0
 
-    def walk(self, e: ElementTree.Element, m: Affine, depth: int, looks: Looks, used: bool = False) -> None:
-        tag = _tag(e)
+    def walk(self, e: ElementTree.Element, m: Transform, depth: int, looks: Looks, used: bool = False) -> None:
         self.count += 1 + sum(len(e.get(k, "")) for k in ("d", "points", "transform", "style")) // LETTERS
         if self.count > MOST:
             raise too_many(self.sketch.file, "elements", MOST)
@@ -121,38 +102,37 @@ class _Reader:
         looks = {**looks, **looks_of(e, self.rules)}
         if looks.get("display") == "none" or looks.get("visibility") in ("hidden", "collapse"):
             return
-        m = _then(m, _transform(e.get("transform")))
-        if tag == "svg" and depth:
-            m = _then(m, _inner(e))
-        if tag == "use":
-            self._use(e, m, depth, looks)
-        elif tag == "text":
-            self._text(e, m)
-        elif tag == "circle":
-            middle = complex(*(number(e.get(k)) for k in ("cx", "cy")))
-            self._round(m, middle, number(e.get("r")))
-        elif tag in ("line", "polyline", "polygon", "path"):
-            self._shape(e, tag, m, looks)
-        elif tag not in ("defs", "clipPath", "marker", "pattern", "mask") and (tag != "symbol" or used):
-            for child in e:
-                self.walk(child, m, depth + 1, looks)
+        m = m.transform(_transform(e.get("transform")))
+        match e.tag:
+            case "use":
+                target = self.named.get((e.get("href") or e.get(_HREF) or "").removeprefix("#"))
+                if target is not None and depth < 20:
+                    self.walk(target, m.translate(number(e, "x"), number(e, "y")), depth + 1, looks, True)
+            case "text":
+                self._text(e, m)
+            case "circle":
+                self._round(m, complex(number(e, "cx"), number(e, "cy")), number(e, "r"))
+            case "line" | "polyline" | "polygon" | "path":
+                self._shape(e, m, looks)
+            case "defs" | "clipPath" | "marker" | "pattern" | "mask":
+                pass
+            case tag if tag != "symbol" or used:
+                if tag == "svg" and depth:  # a picture within the picture: its place and its own units
+                    inner = _fitted(e, [number(e, k) for k in ("width", "height")])
+                    m = m.translate(number(e, "x"), number(e, "y")).transform(inner or Transform())
+                for child in e:
+                    self.walk(child, m, depth + 1, looks)
 
-    def _use(self, e: ElementTree.Element, m: Affine, depth: int, looks: Looks) -> None:
-        target = self.named.get((e.get("href") or e.get(_HREF) or "").removeprefix("#"))
-        if target is not None and depth < 20:
-            shift = complex(number(e.get("x")), number(e.get("y")))
-            self.walk(target, _then(m, (shift, 1 + 0j, 1j)), depth + 1, looks, True)
-
-    def _shape(self, e: ElementTree.Element, tag: str, m: Affine, looks: Looks) -> None:
+    def _shape(self, e: ElementTree.Element, m: Transform, looks: Looks) -> None:
         stroke, fill = looks.get("stroke", ""), looks.get("fill", "")
         solid = stroke == "none" or (not stroke and fill not in ("", "none"))
-        for middle, radius in circles(e.get("d") or ""):
-            self._round(m, middle, radius)
-        curved = [h for ring in rings(e.get("d") or "") if (h := head_of([_at(m, z) for z in ring]))]
-        if curved:
-            self.sketch.heads += curved
-            return
-        for points, closed in outline(e, tag):
+        parts = list(outlines(e))
+        for circle in (one.circle for one in parts):
+            if circle:
+                self._round(m, *circle)
+        heads = [h for one in parts if one.closed and (h := head_of([_at(m, z) for z in one.corners]))]
+        self.sketch.heads += heads
+        for points, closed in (line for one in parts for line in one.lines()) if not heads else ():
             places = [_at(m, z) for z in points]
             head = head_of(places) if closed or solid else None
             if head:
@@ -161,10 +141,11 @@ class _Reader:
                 self.sketch.add(places, closed)
                 self._markers(places, looks)
 
-    def _round(self, m: Affine, middle: complex, radius: float) -> None:
+    def _round(self, m: Transform, middle: complex, radius: float) -> None:
         """A small circle."""
-        if 0 < radius * abs(m[1]) <= ROUND_MM:
-            self.sketch.rounds.append((_at(m, middle), radius * abs(m[1])))
+        radius *= abs(complex(m.xx, m.xy))
+        if 0 < radius <= ROUND_MM:
+            self.sketch.rounds.append((_at(m, middle), radius))
 
     def _markers(self, places: list[complex], looks: Looks) -> None:
         """Heads a line has by itself."""
@@ -173,19 +154,20 @@ class _Reader:
             if named != "none" and tip != before and not any(word in named for word in NO_HEADS):
                 self.sketch.heads.append(Arrowhead(tip, (tip - before) / abs(tip - before)))
 
-    def _text(self, e: ElementTree.Element, m: Affine) -> None:
+    def _text(self, e: ElementTree.Element, m: Transform) -> None:
         text = "".join(e.itertext()).strip()
         if not text or len(text) > LONGEST:
             return
         first = next((c for c in e.iter() if c.get("x")), e)
-        m = _then(m, _transform(first.get("transform"))) if first is not e else m
+        m = m.transform(_transform(first.get("transform"))) if first is not e else m
         pieces = [c for c in e.iter() if c.get("x") and (c.text or "").strip()] or [first]
         if pieces != [first] and "".join(c.text or "" for c in pieces).replace(" ", "") == text.replace(" ", ""):
             boxes = [_box(c, c.text or "", _size(c, e)) for c in pieces]
         else:
             boxes = [_box(first, text, _size(first, e))]
-        height, along = boxes[0][2] * abs(m[2]), m[1] / abs(m[1]) if abs(m[1]) else 1 + 0j
-        width = max(x + w - boxes[0][0].real for x, w in ((z.real, w) for z, w, _ in boxes)) * abs(m[1])
+        right, down = complex(m.xx, m.xy), complex(m.yx, m.yy)
+        height, along = boxes[0][2] * abs(down), right / abs(right) if abs(right) else 1 + 0j
+        width = max(z.real + w - boxes[0][0].real for z, w, _ in boxes) * abs(right)
         anchor = e.get("text-anchor") or ("middle" if "text-anchor:middle" in (e.get("style") or "") else "start")
         back = {"middle": 0.5, "end": 1.0}.get(anchor, 0.0) * width
         self.sketch.words.append(Words(text, _at(m, boxes[0][0]) - along * back, height, width, along))
@@ -194,21 +176,10 @@ class _Reader:
 def _size(*said: ElementTree.Element) -> float:
     """The size of letters, said by the first that says it."""
     sizes = [c.get("font-size") or (re.search(r"font-size:([^;]+)", c.get("style") or "") or ["", ""])[1] for c in said]
-    return next((float(n[0]) for s in sizes if (n := re.findall(NUMBER, s))), 12.0)
+    return next((n[0] for s in sizes if (n := numbers(s))), 12.0)
 
 
 def _box(e: ElementTree.Element, text: str, size: float) -> tuple[complex, float, float]:
     """Where a piece of text begins, its width and its height."""
-    width = number(e.get("textLength")) or 0.73 * size * breadth(text)
-    return complex(number(e.get("x")), number(e.get("y"))), width, 0.73 * size
-
-
-def _inner(e: ElementTree.Element) -> Affine:
-    """A picture within the picture: its place and its own units."""
-    shift = complex(number(e.get("x")), number(e.get("y")))
-    box = [float(n) for n in re.findall(NUMBER, e.get("viewBox") or "")]
-    if len(box) != 4 or not (box[2] > 0 and box[3] > 0):
-        return shift, 1 + 0j, 1j
-    sides = [number(e.get(k)) / b for k, b in (("width", box[2]), ("height", box[3])) if e.get(k)]
-    scale = min(sides) if sides else 1.0
-    return shift - scale * complex(box[0], box[1]), scale + 0j, 1j * scale
+    width = number(e, "textLength") or 0.73 * size * breadth(text)
+    return complex(number(e, "x"), number(e, "y")), width, 0.73 * size

@@ -1,4 +1,7 @@
-"""The plan among all that stands on a page: of the parts that hang together the one that is best read as it."""
+"""The plan among all that stands on a page: of the parts that hang together the one that is best read as it.
+
+Its scale may be written in the title over it: "План скоростей, μv = 50 мм/(м·с⁻¹)".
+"""
 
 from __future__ import annotations
 

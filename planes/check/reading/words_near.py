@@ -1,16 +1,19 @@
-"""Words beside the nodes of a drawing: which marks may be where, and from them where the pole is."""
+"""Words beside the nodes of a drawing: which marks may be where, and from them where the pole is, and in what size."""
 
 from __future__ import annotations
 
+import math
+import statistics
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from itertools import combinations
 
 from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.reading.chains import NEAR_MM, true_vectors
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, Words, headed
-from planes.drafting.drawing import run
-from planes.words.names import POLE, kind_of, label_of
+from planes.words.names import POLE, kind_of
 from planes.words.spelling import Names
 
 LEADER_MM = 2.5  # a line from a word ends so near it
@@ -19,6 +22,9 @@ ON_MM = 0.3
 BUSY_MM = 4.0
 HIT_MM = 2.5  # a mark is where the plan leads
 NEAR_POINT_MM = 1.5  # a point of a scheme is where it should be
+LEAST_MM = 4.0  # shorter vectors tell little about the scale
+SAME = math.log(1.05)  # the stated scale, as far as words can tell
+ALIKE = math.log(1.15)  # lengths that speak of one scale
 
 Candidates = dict[str, dict[int, float]]
 
@@ -93,8 +99,7 @@ def start_of(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, near: Candi
 
 def _pole_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
     """The node from which the true plan would meet most nodes, one beside the word p if there is any."""
-    truth = run(bench.program, bench.given)
-    ends = [truth[m] for m in bench.marks if abs(truth[m]) > 1]
+    ends = [z for z in bench.true_marks.values() if abs(z) > 1]
     beside = near.get(POLE)
     if not ends or (not beside and len(nodes.places) > 600):
         return None
@@ -109,7 +114,7 @@ def _pole_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | N
 
 def _origin_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
     """The origin of a scheme's axes: so that the frame's points, then most others, stand beside their words."""
-    truth = {label_of(m): complex(run(bench.program, bench.given)[m]) for m in bench.marks}
+    truth = bench.true_marks
     places = [(nodes.places[i] - truth[n], far) for n, held in near.items() if n in truth for i, far in held.items()]
     fixed = Names(bench.plans.mechanism.frame.points)
 
@@ -121,3 +126,47 @@ def _origin_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex |
     if not places:
         return _pole_of(nodes, bench, near)
     return max(places, key=lambda p: worth(*p))[0]
+
+
+def sized(bench: PreparedPlan, sketch: ReadDrawing, nodes: Nodes, near: Candidates) -> PreparedPlan:
+    """The plan at the scale most of the named marks or vectors show, unless it was told: it is the drawer's choice."""
+    if bench.asked.mu:
+        return bench
+    force = kind_of(bench.asked.plan) == "force"
+    ratio = _agreed(_of_vectors(bench, sketch) if force else _of_marks(bench, nodes, near))
+    return bench if abs(ratio) < SAME else bench.at(bench.said_mu * math.exp(ratio))
+
+
+def _of_marks(bench: PreparedPlan, nodes: Nodes, near: Candidates) -> list[float]:
+    """Logarithms of drawn to stated distances from the pole, of a scheme between its points."""
+    truth = bench.true_marks | {POLE: 0j}
+    place = {n: nodes.places[min(held, key=lambda i: held[i])] for n, held in near.items() if n in truth}
+    pairs = [(POLE, n) for n in place if n != POLE] if POLE in place else list(combinations(place, 2))
+    found = []
+    for one, two in pairs if POLE in place or bench.asked.plan == "position" else ():
+        true, drawn = abs(truth[one] - truth[two]), abs(place[one] - place[two])
+        found += [math.log(drawn / true)] if min(true, drawn) > LEAST_MM else []
+    return found
+
+
+def _of_vectors(bench: PreparedPlan, sketch: ReadDrawing) -> list[float]:
+    """Logarithms of drawn to stated lengths of the vectors nearest to their words."""
+    truth = true_vectors(bench)
+    known, found = bench.written(truth), []
+    for word in sketch.words:
+        name = known.find(word.text)
+        if name is None or name == POLE or abs(truth[name]) < LEAST_MM:
+            continue
+        middles = ((word.distance((a + b) / 2), abs(b - a)) for a, b in sketch.strokes)
+        far, length = min(middles, default=(math.inf, 0.0))
+        found += [math.log(length / abs(truth[name]))] if far < NEAR_MM and length > LEAST_MM else []
+    return found
+
+
+def _agreed(ratios: list[float]) -> float:
+    """The logarithm most of them agree on, nearest to none if several do; 0 where there is no agreement."""
+    if len(ratios) < 2:
+        return 0.0
+    groups = [[r for r in ratios if abs(r - one) < ALIKE] for one in ratios]
+    best = max(groups, key=lambda g: (len(g), -abs(statistics.median(g))))
+    return statistics.median(best) if len(best) >= max(2, 0.5 * len(ratios)) else 0.0

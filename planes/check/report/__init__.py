@@ -67,7 +67,8 @@ def heads(lang: Lang) -> tuple[list[str], list[str]]:
 def page_data(found: Outcome, lang: Lang) -> Json:
     """All a page shows and judges by. Without marks there is nothing to move, so no tape."""
     marks, numbers = heads(lang)
-    data: Json = {
+    grading = found.grading or (empty(found.bench) if found.paper.picture else None)
+    return {
         "verdict": found.verdict,
         "title": title(found, lang),
         "sentence": found.sentence.told(lang),
@@ -77,11 +78,8 @@ def page_data(found: Outcome, lang: Lang) -> Json:
         "number_head": numbers,
         "numbers": numbers_of(found, lang),
         "command": command(found),
+        **({"page": moved_marks(found, grading, lang)} if grading else {}),
     }
-    grading = found.grading or (empty(found.bench) if found.paper.picture else None)
-    if grading:
-        data["page"] = moved_marks(found, grading, lang)
-    return data
 
 
 def command(found: Outcome) -> str:

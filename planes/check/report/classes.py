@@ -39,8 +39,7 @@ class Checked:
         """Which mistake it is, why it cannot be read, or what was not seen of it; nothing of a right one."""
         if self.found is None:
             return self.refused.told(lang) if self.refused else ""
-        whole = self.verdict == "right" and not self.found.unseen
-        return "" if whole else self.found.sentence.told(lang)
+        return "" if self.verdict == "right" and not self.found.unseen else self.found.sentence.told(lang)
 
     def row(self, lang: Lang) -> list[str]:
         """File, verdict, mark, sentence."""

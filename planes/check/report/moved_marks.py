@@ -5,24 +5,14 @@ from __future__ import annotations
 import base64
 import math
 from collections.abc import Mapping
+from dataclasses import astuple
 
 from planes.check import Outcome
 from planes.check.fiducials import SHEET_MM
+from planes.check.grading import judging
 from planes.check.grading.evidence import SMALLEST, SURE
 from planes.check.grading.grading import READABLE, Grading, key_marks
-from planes.check.grading.handwork import LEAST_MM, Variant
-from planes.check.grading.jointly import order_of_reckoning
-from planes.check.grading.judging import (
-    FALSE_ALARM,
-    LEFT_OUT,
-    MARGIN,
-    OTHER_CAUSE,
-    SLIP,
-    TOO_WELL,
-    UNDRAWN,
-    WARN,
-    breadth,
-)
+from planes.check.grading.handwork import LEAST_MM, Taken, Variant
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import variants_of
 from planes.check.report.regrading import SURELY_MM, exported, retrace
@@ -36,23 +26,17 @@ from planes.words.names import POLE, kind_of, label_of, plan_of
 from planes.words.records import Json
 
 Pair = list[float]
+VERDICTS = ("right", "wrong", "follows", "unread")
 MARGIN_MM = 12.0  # about a drawing on a page
 
 
 def moved_marks(found: Outcome, grading: Grading, lang: Lang) -> Json:
     """What a page needs to judge marks that are moved."""
-    bench = found.bench
-    plan = bench.asked.plan
+    bench, plan, taken = found.bench, found.bench.asked.plan, grading.hand.taken
     variants = list(variants_of(bench, grading.hand, grading.mu))
     traced = retrace(grading, variants)
     truth = {label_of(m): complex(grading.truth[m]) for m in grading.marks}
-    taken = grading.hand.taken
-    earlier = {
-        f"{m}.{axis}": value
-        for m, t in taken.items()
-        if plan_of(m) != plan
-        for axis, value in zip("xy", _pair(t.place), strict=True)
-    }
+    earlier = {m: _pair(t.place) for m, t in taken.items() if plan_of(m) != plan}
     force = kind_of(plan) == "force"
     return {
         "lettering": lettering(bench.asked.scene, bench.plans),
@@ -60,19 +44,16 @@ def moved_marks(found: Outcome, grading: Grading, lang: Lang) -> Json:
         "marks": [_mark(grading, m, traced.misses[m]) for m in grading.marks],
         "vectors": vectors(bench),
         "truth": {POLE: [0.0, 0.0], **{n: _pair(z) for n, z in truth.items()}},
-        "rows": [(s.name, s.start, s.end) for s in sides_of(bench.plans, plan)]
-        if force
-        else [(n, POLE, n) for n in truth],
+        "rows": [astuple(s) for s in sides_of(bench.plans, plan)] if force else [(n, POLE, n) for n in truth],
         "chained": force,
-        "earlier": earlier,
-        "order": [(s.name, s.start, s.end) for s in own_order(found)],
+        "earlier": {f"{m}.{axis}": pair[k] for m, pair in earlier.items() for k, axis in enumerate("xy")},
+        "order": [astuple(s) for s in own_order(found)],
         "tape": exported(traced.tape, traced.sources),
         "variants": [_variant(v, under, lang) for v, under in zip(variants, traced.under, strict=True) if under],
         "rule": _rule(grading),
         "said": _said(found, lang),
         "otherwise": _otherwise(found, grading, lang),
-        "words": {k: say(f"verdict_{k}", lang) for k in ("right", "wrong", "follows", "unread")}
-        | {"close": say("check_close", lang)},
+        "words": {**{k: say(f"verdict_{k}", lang) for k in VERDICTS}, "close": say("check_close", lang)},
         "strokes": [[*_pair(a), *_pair(b)] for a, b in found.paper.strokes],
         **_shown(found, truth),
     }
@@ -80,21 +61,18 @@ def moved_marks(found: Outcome, grading: Grading, lang: Lang) -> Json:
 
 def _mark(grading: Grading, mark: str, miss: tuple[int, int]) -> Json:
     """A mark: where it is, if it was read, and what it is judged by."""
-    taken, label = grading.hand.taken.get(mark), label_of(mark)
-    true = grading.truth[mark]
-    place = taken.place if taken else true
-    error = taken.error_mm if taken else SURELY_MM
-    xx, xy, yy = grading.loose.miss(grading.loose.things[mark], true).cov
+    taken, true = grading.hand.taken.get(mark), grading.truth[mark]
+    own = taken or Taken(true, SURELY_MM)
     return {
-        "name": label,
+        "name": label_of(mark),
         "key": mark,
-        "x": place.real,
-        "y": place.imag,
+        "x": own.place.real,
+        "y": own.place.imag,
         "read": taken is not None,
-        "error": error,
+        "error": own.error_mm,
         "miss": miss,
         "true": [true.real, true.imag],
-        "free": [xx + error**2, xy, yy + error**2],
+        "free": grading.loose.miss(grading.loose.things[mark], true).blurred(own.error_mm).cov,
     }
 
 
@@ -113,29 +91,28 @@ def _rule(grading: Grading) -> Json:
     """The numbers judging goes by."""
     absent, gap = (grading.rebuilt.absent, grading.rebuilt.gap) if grading.rebuilt else (set[str](), None)
     plan, point = plan_of(grading.marks[0]), grading.hand.tool.skill.point_mm
+    same = (s.makes for s in grading.hand.program.steps if isinstance(s, Same))
     return {
-        "false_alarm": FALSE_ALARM,
+        "false_alarm": judging.FALSE_ALARM,
         "least": LEAST_MM,
-        "slip": SLIP,
-        "other": OTHER_CAUSE,
-        "undrawn": UNDRAWN,
-        "left_out": LEFT_OUT,
-        "margin": MARGIN,
-        "too_well": TOO_WELL,
-        "warn": WARN,
-        "broad": breadth(extent(grading.truth, plan)),
+        "slip": judging.SLIP,
+        "other": judging.OTHER_CAUSE,
+        "undrawn": judging.UNDRAWN,
+        "left_out": judging.LEFT_OUT,
+        "margin": judging.MARGIN,
+        "too_well": judging.TOO_WELL,
+        "warn": judging.WARN,
+        "broad": judging.breadth(extent(grading.truth, plan)),
         "readable": READABLE,
         "key": [label_of(m) for m in key_marks(grading)],
         "absent": sorted(absent),
         "shown_by": [(label_of(m), [label_of(k) for k in by]) for m, by in grading.shown_by.items()],
-        "same": [
-            label_of(s.makes) for s in grading.hand.program.steps if isinstance(s, Same) and s.makes in grading.marks
-        ],
+        "same": [label_of(m) for m in same if m in grading.marks],
         "smallest": SMALLEST * point,
         "sure": SURE,
         "free": not grading.said_mu,
         "gap": math.sqrt(2 * point**2 + 2 * gap.error_mm**2) if gap else None,
-        "order": [label_of(m) for m in order_of_reckoning(grading.hand.program.steps, grading.marks)],
+        "order": [label_of(m) for m in judging.order_of_reckoning(grading.hand.program.steps, grading.marks)],
     }
 
 
@@ -156,8 +133,7 @@ def _said(found: Outcome, lang: Lang) -> dict[str, str]:
 
 def _otherwise(found: Outcome, grading: Grading, lang: Lang) -> Json | None:
     """What is wrong though no mark is: a force that is not there, a polygon that does not close."""
-    left = grading.left_out
-    if left:
+    if left := grading.left_out:
         said = Phrase(f"mistake_{grading.left_out_mistake}", mark=left)
         return {"first": left, "mark": left, "said": said.told(lang)}
     if grading.gap_wrong and grading.rebuilt:
@@ -180,14 +156,12 @@ def _shown(found: Outcome, truth: Mapping[str, complex]) -> Json:
 
 def _about(found: Outcome, truth: Mapping[str, complex]) -> Pair:
     """A box about both plans: left, bottom, right, top."""
-    shown = shown_plans(found)
+    shown, margin = shown_plans(found), complex(MARGIN_MM, MARGIN_MM)
     vectors_shown = [*shown.own, *shown.true, *found.paper.strokes]
     places = [0j, *truth.values(), *own_marks(found).values(), *(z for v in vectors_shown for z in v)]
-    places = [z for z in places if math.isfinite(abs(z)) and abs(z) < 2000]
+    places = [z for z in places if abs(z) < 2000]  # nor what is no place at all
     xs, ys = [z.real for z in places], [z.imag for z in places]
-    low, high = complex(min(xs), min(ys)), complex(max(xs), max(ys))
-    margin = complex(MARGIN_MM, MARGIN_MM)
-    return [*_pair(low - margin), *_pair(high + margin)]
+    return [*_pair(complex(min(xs), min(ys)) - margin), *_pair(complex(max(xs), max(ys)) + margin)]
 
 
 def _pair(z: complex) -> Pair:

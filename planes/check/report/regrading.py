@@ -8,8 +8,8 @@ mechanics: values give the misses, slopes with respect to the sources their tole
 from __future__ import annotations
 
 import math
-from collections.abc import Container, Iterable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Container, Iterable
+from dataclasses import dataclass
 
 from planes.batch.symbols import Num, Vec, place_of
 from planes.batch.tape import Tape
@@ -23,18 +23,18 @@ from planes.drafting.tools import Env
 from planes.geometry.arithmetic import Real, Truth
 from planes.words.records import Json
 
-Things = Env
+Places = dict[str, tuple[int, int]]  # on a tape, x and y of what each mark misses by
 SURELY_MM = 0.2  # how surely a person places a mark on the screen
 
 
 @dataclass
 class Retraced:
-    """The tape of a grading: pairs of places (x, y) by mark, and by mark for every mistake supposed."""
+    """The tape of a grading: places by mark, and by mark for every mistake supposed."""
 
     tape: Tape
     sources: list[Source]
-    misses: dict[str, tuple[int, int]] = field(default_factory=dict)
-    under: list[dict[str, tuple[int, int]]] = field(default_factory=list)
+    misses: Places
+    under: list[Places]
 
 
 class _Plain(Recording):
@@ -78,7 +78,7 @@ class _Desk:
         self.tool = _TapeHand(_Plain(), True, tape=self.tape, errors=errors, late=late)
         self.own = {mark: self._read(mark) for mark in (*hand.taken, *late) if mark in hand.program.made}
         self.tool.own, self.tool.values = self.own, hand.given
-        self.things: Things = dict(hand.given)
+        self.things: Env = dict(hand.given)
         for name, share in hand.unsure.items():
             self.things[name] = self.things[name] * (1 + self.tool.source(share))
         self.made = draw_steps(self.program.steps, self.things, self.tool)
@@ -91,12 +91,9 @@ class _Desk:
         x, y = (Num(self.tape, self.tape.leaf("given", f"{mark}.{axis}")) + self.tool.source(error) for axis in "xy")
         return Vec(x, y)
 
-    def under(self, variant: Variant) -> Things:
-        """What the steps touched by a mistake make of the person's marks."""
-        return variant.drawn(self.program, self.things, self.tool, self.taken)
-
-    def misses(self, marks: Iterable[str], made: Things) -> dict[str, tuple[int, int]]:
-        """Places of what each mark misses by."""
+    def misses(self, marks: Iterable[str], variant: Variant | None = None) -> Places:
+        """Places of what each mark misses by, of what the steps make or those touched by a mistake."""
+        made = variant.drawn(self.program, self.things, self.tool, self.taken) if variant else self.made
         off = {m: self.own[m] - made[m] for m in marks if m in made}
         return {m: (place_of(self.tape, z.real), place_of(self.tape, z.imag)) for m, z in off.items()}
 
@@ -104,14 +101,13 @@ class _Desk:
 def retrace(grading: Grading, variants: Iterable[Variant]) -> Retraced:
     """The grading as a tape, every mistake as another way to the marks it touches."""
     desk = _Desk(grading)
-    found = Retraced(desk.tape, desk.tool.sources, desk.misses(grading.marks, desk.made))
-    found.under = [desk.misses(grading.marks, desk.under(v)) for v in variants]
-    return _short(found)
+    misses, *under = (desk.misses(grading.marks, way) for way in (None, *variants))
+    return _short(Retraced(desk.tape, desk.tool.sources, misses, under))
 
 
 def _short(found: Retraced) -> Retraced:
     """Without what nothing depends on, the places counted anew."""
-    pairs = [*found.misses.values(), *(p for one in found.under for p in one.values())]
+    pairs = [pair for one in (found.misses, *found.under) for pair in one.values()]
     order = found.tape.needed([p for pair in pairs for p in pair])
     new = {place: k for k, place in enumerate(order)}
     tape = Tape(
@@ -119,7 +115,7 @@ def _short(found: Retraced) -> Retraced:
         {new[p]: v for p, v in found.tape.values.items() if p in new},
     )
 
-    def moved(one: Mapping[str, tuple[int, int]]) -> dict[str, tuple[int, int]]:
+    def moved(one: Places) -> Places:
         return {m: (new[x], new[y]) for m, (x, y) in one.items()}
 
     sources = [Source(new[s.place], s.size) for s in found.sources if s.place in new]
@@ -128,16 +124,11 @@ def _short(found: Retraced) -> Retraced:
 
 def exported(tape: Tape, sources: Iterable[Source]) -> Json:
     """A tape as plain data: names of operations, [operation, arguments…] in order, constants, givens, sources."""
-    names = sorted({op for op, _ in tape.ops})
+    names, values = sorted({op for op, _ in tape.ops}), tape.values.items()
     return {
         "names": names,
         "ops": [[names.index(op), *args] for op, args in tape.ops],
-        "consts": {p: _number(v) for p, v in tape.values.items() if tape.ops[p][0] == "const"},
-        "givens": {v: p for p, v in tape.values.items() if tape.ops[p][0] == "given"},
+        "consts": {p: float(v) if math.isfinite(v) else None for p, v in values if tape.ops[p][0] == "const"},
+        "givens": {v: p for p, v in values if tape.ops[p][0] == "given"},
         "sources": [[s.place, s.size] for s in sources],
     }
-
-
-def _number(value: float) -> float | None:
-    """A constant; null stands for what is no number."""
-    return float(value) if math.isfinite(value) else None

@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 
 from planes.check import Outcome
-from planes.check.grading.arithmetic_slips import Scored
-from planes.check.grading.grading import close_call
+from planes.check.grading.judging import WARN
+from planes.check.grading.written_numbers import Scored
 from planes.words import Lang, Phrase
 from planes.words.names import label_of
 from planes.words.records import Json
+
+SIZES = ("read_mm", "read_error_mm", "deviation_mm", "tolerance_mm")
 
 
 def mark_rows(out: Outcome) -> list[Json]:
@@ -20,28 +22,16 @@ def mark_rows(out: Outcome) -> list[Json]:
     rows = []
     for mark, verdict in g.verdicts.items():
         own, miss = g.hand.taken.get(mark), g.judgement.misses.get(mark)
-        row: Json = {
-            "mark": label_of(mark),
-            "read_mm": None,
-            "read_error_mm": None,
-            "deviation_mm": None,
-            "tolerance_mm": None,
-            "verdict": verdict,
-        }
+        row: Json = {"mark": label_of(mark), **dict.fromkeys(SIZES), "verdict": verdict}
         absent = g.rebuilt is not None and label_of(mark) in g.rebuilt.absent
         if own and miss and not (absent and verdict == "right"):
             free = g.free[mark]
-            sizes = {
-                "read_error_mm": own.error_mm,
-                "deviation_mm": abs(free.off),
-                "tolerance_mm": free.reach(g.judgement.limit),
-                "own_deviation_mm": abs(miss.off),
-                "own_tolerance_mm": miss.reach(g.judgement.limit),
-            }
+            limit = g.judgement.limit
+            found = own.error_mm, abs(free.off), free.reach(limit), abs(miss.off), miss.reach(limit)
             row["read_mm"] = [round(own.place.real, 3), round(own.place.imag, 3)]
-            row |= {key: round(mm, 3) if math.isfinite(mm) else None for key, mm in sizes.items()}
-            if verdict == "right" and close_call(miss, g.judgement.limit):
-                row["warning"] = Phrase("check_close").told("en")
+            keys = (*SIZES[1:], "own_deviation_mm", "own_tolerance_mm")
+            row |= {k: round(mm, 3) if math.isfinite(mm) else None for k, mm in zip(keys, found, strict=True)}
+            row |= _warned(verdict == "right" and WARN < miss.sigmas <= limit)
         elif absent:
             row["verdict"] = "unread"
         if label_of(mark) == out.paper.scale_mark:
@@ -50,17 +40,15 @@ def mark_rows(out: Outcome) -> list[Json]:
     return rows
 
 
+def _warned(close: bool) -> Json:
+    """What is added to a row that is right by less than it should."""
+    return {"warning": Phrase("check_close").told("en")} if close else {}
+
+
 def _segment_row(s: Scored) -> Json:
-    off = abs(abs(s.figure.given) - s.true)
-    row = {
-        "mark": s.figure.name,
-        "read_mm": s.figure.given,
-        "read_error_mm": 0.35,
-        "deviation_mm": round(off, 3),
-        "tolerance_mm": round(3 * s.sigma, 3),
-        "verdict": s.verdict,
-    }
-    return row | ({"warning": Phrase("check_close").told("en")} if s.close else {})
+    sizes = s.figure.given, 0.35, round(abs(abs(s.figure.given) - s.true), 3), round(3 * s.sigma, 3)
+    row = {"mark": s.figure.name, **dict(zip(SIZES, sizes, strict=True)), "verdict": s.verdict}
+    return row | _warned(s.close)
 
 
 def result_rows(out: Outcome) -> list[Json]:
@@ -69,7 +57,7 @@ def result_rows(out: Outcome) -> list[Json]:
     for s in out.results.scored if out.results else []:
         row = {"name": s.figure.name, "given": s.figure.given, "true": s.true, "verdict": s.verdict}
         row |= {"mistake": s.slip} if s.verdict == "wrong" else {}
-        rows.append(row | ({"warning": Phrase("check_close").told("en")} if s.close else {}))
+        rows.append(row | _warned(s.close))
     return rows
 
 

@@ -11,7 +11,6 @@ from planes.check.grading.judging import WARN
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.drafting.drawing import run
 from planes.words.names import POLE, kind_of, label_of, plan_of
 from planes.words.spelling import Names
 
@@ -51,9 +50,9 @@ def own_marks(found: Outcome) -> dict[str, complex]:
 
 def true_marks(found: Outcome) -> dict[str, complex]:
     """The right plan's marks at the drawing's scale, mm from the pole."""
-    bench = found.bench
-    truth = found.grading.truth if found.grading else run(bench.program, bench.given)
-    return {label_of(m): complex(truth[m]) for m in bench.marks}
+    if found.grading is None:
+        return found.bench.true_marks
+    return {label_of(m): complex(found.grading.truth[m]) for m in found.grading.marks}
 
 
 @dataclass(frozen=True)
@@ -74,39 +73,22 @@ def shown_plans(found: Outcome) -> Shown:
         pairs = vectors(bench)
         drawn = [(at_own[a], at_own[b]) for a, b in pairs if a in at_own and b in at_own]
         return Shown(drawn, [(at_true[a], at_true[b]) for a, b in pairs], own, {})
-    sides = sides_of(bench.plans, bench.asked.plan)
-    order = own_order(found)
+    sides, order = sides_of(bench.plans, bench.asked.plan), own_order(found)
     laid = own_sides(sides, found.paper.spots) if order else between(sides, at_own)
     right = chained(order, at_true) if order else between(sides, at_true)
-    marks = {n: z for n, z in ends(laid).items() if n in own}
-    return Shown(
-        [(s.start, s.end) for s in laid],
-        [(s.start, s.end) for s in right],
-        marks,
-        {s.side.name: (s.start, s.end) for s in laid},
-    )
+    ends = {s.end: end for s, (_, end) in reversed(laid)}  # each at the end of the first side that leads to it
+    marks = {s.end: ends[s.end] for s, _ in laid if s.end in own}
+    return Shown([v for _, v in laid], [v for _, v in right], marks, {s.name: v for s, v in laid})
 
 
 def leads(found: Outcome, shown: Mapping[str, complex]) -> list[Vector]:
     """From each mark that is off, where it is shown, to where the construction from the person's own marks leads."""
     if found.grading is None:
         return []
-    misses, verdicts = found.grading.judgement.misses, found.grading.verdicts
-    off = {
-        label_of(m): miss.off
-        for m, miss in misses.items()
-        if miss.sigmas > WARN and not (verdicts[m] == "right" and miss.sigmas > found.grading.judgement.limit)
-    }
-    return [(shown[n], shown[n] - by) for n, by in off.items() if n in shown]
-
-
-@dataclass(frozen=True)
-class LaidSide:
-    """A side where it lies, mm from the pole."""
-
-    side: Side
-    start: complex
-    end: complex
+    verdicts, limit = found.grading.verdicts, found.grading.judgement.limit
+    off = {m: miss for m, miss in found.grading.judgement.misses.items() if miss.sigmas > WARN}
+    rows = [(label_of(m), miss.off) for m, miss in off.items() if verdicts[m] != "right" or miss.sigmas <= limit]
+    return [(shown[n], shown[n] - by) for n, by in rows if n in shown]
 
 
 def own_order(found: Outcome) -> list[Side]:
@@ -123,33 +105,26 @@ def own_order(found: Outcome) -> list[Side]:
     return [sides[n] for n in dict.fromkeys([*read[1:], *missing]) if n in sides]
 
 
-def own_sides(sides: Sequence[Side], spots: Sequence[ReadMark]) -> list[LaidSide]:
+LaidSides = list[tuple[Side, Vector]]  # where they lie, mm from the pole
+
+
+def own_sides(sides: Sequence[Side], spots: Sequence[ReadMark]) -> LaidSides:
     """The vectors as they were read."""
     by_name = {s.name: s for s in sides}
     names, pole = Names(by_name), spots[0].place
-    rows = [(names.find(b.name), a.place - pole, b.place - pole) for a, b in pairwise(spots)]
-    return [LaidSide(by_name[name], a, b) for name, a, b in rows if name in by_name]
+    rows = [(names.find(b.name), (a.place - pole, b.place - pole)) for a, b in pairwise(spots)]
+    return [(by_name[name], v) for name, v in rows if name in by_name]
 
 
-def chained(order: Sequence[Side], places: Mapping[str, complex]) -> list[LaidSide]:
+def chained(order: Sequence[Side], places: Mapping[str, complex]) -> LaidSides:
     """The sides of another drawing of the polygon, by its marks, laid in that order."""
     out, z = [], 0j
-    for side in order:
-        if side.start in places and side.end in places:
-            v = places[side.end] - places[side.start]
-            out.append(LaidSide(side, z, z + v))
-            z += v
+    for side, (a, b) in between(order, places):
+        out.append((side, (z, z + b - a)))
+        z += b - a
     return out
 
 
-def between(sides: Sequence[Side], places: Mapping[str, complex]) -> list[LaidSide]:
+def between(sides: Sequence[Side], places: Mapping[str, complex]) -> LaidSides:
     """The sides between their marks."""
-    return [LaidSide(s, places[s.start], places[s.end]) for s in sides if s.start in places and s.end in places]
-
-
-def ends(laid: Sequence[LaidSide]) -> dict[str, complex]:
-    """Where the marks stand: each at the end of the first side that leads to it."""
-    found: dict[str, complex] = {}
-    for one in laid:
-        found.setdefault(one.side.end, one.end)
-    return found
+    return [(s, (places[s.start], places[s.end])) for s in sides if s.start in places and s.end in places]

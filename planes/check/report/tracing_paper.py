@@ -8,11 +8,10 @@ from dataclasses import replace
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare
 from planes.check.report.shown import vectors
-from planes.drafting.drawing import run
 from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
 from planes.words import Lang
-from planes.words.names import POLE, kind_of, label_of
+from planes.words.names import POLE, kind_of
 from planes.words.records import Json
 from planes.words.units import mu_text
 
@@ -32,8 +31,7 @@ def tracing_data(asked: Asked, lang: Lang) -> Json:
 
 def _plan(bench: PreparedPlan, lang: Lang) -> Json:
     plan, kind = bench.asked.plan, kind_of(bench.asked.plan)
-    truth = run(bench.program, bench.given)
-    marks = {label_of(m): complex(truth[m]) for m in bench.marks}
+    marks = bench.true_marks
     said = say_plan(plan, lang)
     line = shlex.join(bench.asked.line("⟦file⟧")).replace("'⟦file⟧'", "⟦file⟧")
     names = [(s.name, s.start, s.end) for s in sides_of(bench.plans, plan)] if kind == "force" else []

@@ -6,6 +6,8 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
+import numpy
+
 from planes.check.vision.heads import heads_of
 from planes.check.vision.ink import LIGHT, Ink
 from planes.check.vision.line_fitting import Fitted, Tip
@@ -31,8 +33,6 @@ Likeness = tuple[Array, Array]  # what heads are like, and how much they differ:
 
 def find_heads(ink: Ink, lines: Sequence[Fitted]) -> None:
     """Put to every line the arrowheads along it: all are of one hand, so those less well seen are taken to be alike."""
-    import numpy
-
     sights = [sight for line in lines for sight in _sights(ink, line, lines)]
     for sight in sights:
         sight.fit(None)
@@ -55,8 +55,6 @@ def find_heads(ink: Ink, lines: Sequence[Fitted]) -> None:
 
 def _sights(ink: Ink, line: Fitted, lines: Sequence[Fitted]) -> Iterator[Sight]:
     """Where heads may be along a line."""
-    import numpy
-
     s = numpy.arange(line.low - 8, line.high + 8, STEP_MM)
     t = numpy.arange(-1.5, 1.51, CELL_MM)
     z = line.at(s)[:, None] + 1j * line.along * t[None, :]
@@ -76,8 +74,6 @@ def _sights(ink: Ink, line: Fitted, lines: Sequence[Fitted]) -> Iterator[Sight]:
 
 def _known(z: Complexes, lines: Sequence[Fitted]) -> Array:
     """How dark the lines alone make places."""
-    import numpy
-
     dark = numpy.zeros(z.shape)
     for line in lines:
         p = (z - line.origin) * line.along.conjugate()
@@ -89,15 +85,11 @@ def _known(z: Complexes, lines: Sequence[Fitted]) -> Array:
 
 def _shade(far: Array) -> Array:
     """Darkness at a distance outside of an edge."""
-    import numpy
-
     return numpy.clip(0.5 - far / (2 * SOFT_MM), 0, 1)
 
 
 def _head(x: Array, y: Array, p: Array, width: float) -> Array:
     """Darkness of a head and of the line it ends: tip at p[0], p[1], turned by p[2], p[3] long, p[4] half as wide."""
-    import numpy
-
     dx, dy = x - p[0], y - p[1]
     u, v = dx * math.cos(p[2]) + dy * math.sin(p[2]), numpy.abs(dy * math.cos(p[2]) - dx * math.sin(p[2]))
     slope = p[4] / p[3]
@@ -126,8 +118,6 @@ class Sight:
 
     def off(self, p: Array, like: Likeness | None) -> Array:
         """What such a head is off the ink, and off what heads are like."""
-        import numpy
-
         model = numpy.maximum(_head(self.x, self.y, p, self.width), self.known)
         ties = [p[1] / TIE_MM, 2 * p[2] / ASKEW]
         if self.end is not None:
@@ -138,8 +128,6 @@ class Sight:
 
     def fit(self, like: Likeness | None) -> None:
         """The head that fits best (Levenberg and Marquardt's way)."""
-        import numpy
-
         p, damp = self.p.copy(), 0.1
         left = self.off(p, like)
         for _ in range(12):
@@ -148,22 +136,17 @@ class Sight:
             move = numpy.linalg.solve(normal + damp * numpy.diag(numpy.diag(normal)), -slope.T @ left)
             trial = p + numpy.clip(move, -0.5, 0.5)
             trial[3:] = numpy.clip(trial[3:], (LENGTH_MM[0], HALF_MM[0]), (LENGTH_MM[1], HALF_MM[1]))
-            new = self.off(trial, like)
-            if new @ new < left @ left:
-                done = numpy.abs(trial - p).max() < 0.005
-                p, left, damp = trial, new, damp / 3
-                if done:
-                    break
-            else:
-                damp *= 5
+            new, step = self.off(trial, like), float(numpy.abs(trial - p).max())
+            better = new @ new < left @ left
+            p, left, damp = (trial, new, damp / 3) if better else (p, left, damp * 5)
+            if better and step < 0.005:
+                break
         self.p = p
         self._weigh(settled=like is not None)
         self.sigma = self.error * math.sqrt(float(numpy.linalg.inv(normal)[0, 0]))
 
     def _weigh(self, settled: bool) -> None:
         """How much of the ink the head explains, and (but once) how far ink can be believed."""
-        import numpy
-
         p = self.p
         about = numpy.abs(self.x - p[0] + p[3] / 2) < p[3] / 2 + 0.5
         about &= numpy.abs(self.y - p[1]) < p[4] + 0.4

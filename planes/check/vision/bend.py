@@ -10,6 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TypeVar
 
+import numpy
+
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys
 
 LEFT_MM, OTHER_MM = 20.0, 5.0  # of the frame from the sheet's edges
@@ -50,8 +52,6 @@ class Bend:
 
     def paper(self, z: Place) -> Place:
         """How much the paper moves a place of the flat picture."""
-        import numpy
-
         if self.sides is None:
             return 0 * z
         u, v = z.real / self.size_px[0], z.imag / self.size_px[1]
@@ -68,8 +68,6 @@ class Bend:
 
     def source(self, z: Place) -> Place:
         """Which pixel of the picture a place of the flat picture is seen at."""
-        import numpy
-
         return self.seen(through(numpy.asarray(numpy.linalg.inv(self.view), float), z + self.paper(z)))
 
 
@@ -87,79 +85,66 @@ def bend_of(grey: Greys, view: Array, scale: float, size_mm: tuple[float, float]
     size = size_mm[0] * scale, size_mm[1] * scale
     bend = Bend(complex(width, height) / 2, abs(complex(width, height)) / 2, (0.0, 0.0), view, size)
     seen = _sides(grey, bend, scale, size_mm)
-    if seen is None or max(float(abs(off).max()) for _, off in seen) < BENT_MM:
-        return None
-    bend.lens = _lens(bend, [z for z, _ in seen])
-    return bend
+    if seen:
+        bend.lens = _lens(bend, [z for z, _ in seen])
+    return bend if seen else None
 
 
 def add_paper(bend: Bend, grey: Greys, scale: float, size_mm: tuple[float, float]) -> None:
     """Put to a bend what its lens leaves for the paper."""
-    import numpy
-
     seen = _sides(grey, bend, scale, size_mm)
-    if seen is None or max(float(abs(off).max()) for _, off in seen) < BENT_MM:
-        return
-    steps = numpy.linspace(0, 1, 41)
-    rows = []
-    for (_, off), (a, b) in zip(seen, _ends(size_mm), strict=True):
+    steps, rows = numpy.linspace(0, 1, 41), []
+    for (_, off), (a, b) in zip(seen, _ends(size_mm), strict=True) if seen else ():
         upright = abs((b - a).real) < 1
-        share = numpy.linspace((a.imag if upright else a.real), (b.imag if upright else b.real), len(off))
+        share = numpy.linspace(a.imag if upright else a.real, b.imag if upright else b.real, len(off))
         share = 1 - share / size_mm[1] if upright else share / size_mm[0]
         smooth = numpy.polynomial.Polynomial.fit(share, off, 4)
-        inside = numpy.clip(steps, share.min(), share.max())
-        rows.append(smooth(inside) * scale)
-    bend.sides = numpy.array(rows)
+        rows.append(smooth(numpy.clip(steps, share.min(), share.max())) * scale)
+    bend.sides = numpy.array(rows) if rows else None
 
 
 def _ends(size_mm: tuple[float, float]) -> list[tuple[complex, complex]]:
     """The frame's sides, mm, y up: left, right, upper, lower."""
     w, h = size_mm
-    left, right, low, high = LEFT_MM, w - OTHER_MM, OTHER_MM, h - OTHER_MM
-    corners = complex(left, low), complex(right, low), complex(right, high), complex(left, high)
-    return [(corners[0], corners[3]), (corners[1], corners[2]), (corners[3], corners[2]), (corners[0], corners[1])]
+    low, high = complex(LEFT_MM, OTHER_MM), complex(w - OTHER_MM, h - OTHER_MM)
+    upper, lower = complex(low.real, high.imag), complex(high.real, low.imag)
+    return [(low, upper), (lower, high), (upper, high), (low, lower)]
 
 
-def _sides(grey: Greys, bend: Bend, scale: float, size_mm: tuple[float, float]) -> list[tuple[Complexes, Array]] | None:
-    """The frame's sides as they are seen: pixels, and how far they are off (mm, in x or down); None if not all are."""
-    import numpy
+def _sides(grey: Greys, bend: Bend, scale: float, size_mm: tuple[float, float]) -> list[tuple[Complexes, Array]]:
+    """The frame's sides as they are seen: pixels, and how far they are off (mm, in x or down); none if not all are, or
+    if they are straight."""
+
+    def px(z: Complexes) -> Complexes:
+        return bend.source((z.conjugate() + 1j * size_mm[1]) * scale)
 
     out = []
     for a, b in _ends(size_mm):
-        count = int(abs(b - a) / ALONG_MM)
-        places = a + (b - a) * numpy.linspace(0.03, 0.97, count)
+        places = a + (b - a) * numpy.linspace(0.03, 0.97, int(abs(b - a) / ALONG_MM))
         across = 1.0 if abs((b - a).real) < 1 else -1j
         t = numpy.arange(-REACH_MM, REACH_MM + 1e-9, ACROSS_MM)
-        z = places[:, None] + across * t[None, :]
-        flat = (z.real + 1j * (size_mm[1] - z.imag)) * scale
-        off, good = _line(_sampled(grey, bend.source(flat)))
+        off, good = _line(_sampled(grey, px(places[:, None] + across * t[None, :])))
         if good.mean() < SEEN:
-            return None
+            return []
         smooth = numpy.polynomial.Polynomial.fit(places[good].real + places[good].imag, off[good], 5)
         off = smooth(places.real + places.imag)
-        middle = places + across * off
-        out.append((bend.source((middle.real + 1j * (size_mm[1] - middle.imag)) * scale), off))
-    return out
+        out.append((px(places + across * off), off))
+    return out if max(float(abs(off).max()) for _, off in out) >= BENT_MM else []
 
 
 def _sampled(grey: Greys, z: Complexes) -> Array:
     """Grey at places between pixels."""
-    import numpy
-
     h, w = grey.shape
     x, y = numpy.clip(z.real, 0, w - 1.001), numpy.clip(z.imag, 0, h - 1.001)
     i, j = x.astype(int), y.astype(int)
     u, v = x - i, y - j
-    upper = grey[j, i] * (1 - u) + grey[j, i + 1] * u
-    lower = grey[j + 1, i] * (1 - u) + grey[j + 1, i + 1] * u
-    dark: Array = upper * (1 - v) + lower * v
-    return dark
+    upper, lower = (grey[k, i] * (1 - u) + grey[k, i + 1] * u for k in (j, j + 1))
+    seen: Array = upper * (1 - v) + lower * v
+    return seen
 
 
 def _line(rows: Array) -> tuple[Array, Booleans]:
     """Where across each row a thin dark line runs that goes on from row to row, mm, and in which rows it is seen."""
-    import numpy
-
     wide = rows.shape[1]
     rim = int(0.75 / ACROSS_MM)
     padded = numpy.pad(rows, ((0, 0), (rim, rim)), mode="edge")
@@ -187,7 +172,6 @@ def _line(rows: Array) -> tuple[Array, Booleans]:
 def _lens(bend: Bend, sides: list[Complexes]) -> tuple[float, float]:
     """The lens that makes the frame's sides straight (Gauss and Newton's way), but for what bends opposite sides the
     same way: that is the paper's."""
-    import numpy
 
     def crooked(k: Array) -> Array:
         bend.lens = float(k[0]), float(k[1])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from planes.check.grading.handwork import Miss
 
@@ -21,5 +22,4 @@ def slip(count: int) -> float:
 
 def sigmas_of(off: complex, miss: Miss, sigma: float) -> float:
     """How far off a place is, in σ of drawing and of reading."""
-    xx, xy, yy = miss.cov
-    return Miss(off, (xx + sigma**2, xy, yy + sigma**2)).sigmas
+    return replace(miss.blurred(sigma), off=off).sigmas

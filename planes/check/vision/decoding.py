@@ -1,4 +1,7 @@
-"""Pictures and pages of PDF decoded within bounds: what a header promises is looked at before any memory is taken."""
+"""Pictures and pages of PDF decoded within bounds: what a header promises is looked at before any memory is taken.
+
+A picture comes in one shade: of paper with a coloured grid, in the colour in which the grid is lightest.
+"""
 
 from __future__ import annotations
 
@@ -7,10 +10,11 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING
 
+import numpy
+
 from planes.check.reading.opened import MB, contents, hushed
-from planes.check.vision.colours import in_one_shade, plainest
 from planes.check.vision.picture import cv
-from planes.geometry.arrays import Greys
+from planes.geometry.arrays import Array, Booleans, Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
 
@@ -27,6 +31,11 @@ EXIF, EXPOSURE = 0x8769, 0x829A  # where a camera tells it
 MOST_MM = 900.0  # nor does one that would be of larger paper
 PDF_IMAGES, PDF_DEPTH = 1000, 5
 PNG, PNG_END = b"\x89PNG", b"IEND"
+COLOURED = 14  # how much farther than usual two colours of a place are apart, on coloured paper
+COLOURED_SHARE = 0.03  # of all places
+FAINT, DARK = 0.08, 0.4  # how much darker than paper a grid is at least, and what is drawn
+LOOK_PX, PARTS = 1000, 8
+EVERYWHERE, SOMEWHERE = 0.8, 0.4  # shares of the parts of a picture in which a grid is, and in which a drawing may be
 
 
 def load(path: str | Path) -> tuple[Greys, float | None]:
@@ -49,8 +58,6 @@ def load(path: str | Path) -> tuple[Greys, float | None]:
 
 def _decoded(data: bytes, file: str) -> tuple[Greys | None, float | None]:
     """The pixels in grey, on white paper where they are transparent; None where the file is no whole picture."""
-    import numpy
-
     see_through, scale = _looked_into(data, file)
     cv2, bits = cv(), numpy.frombuffer(data, numpy.uint8)
     if data[:4] == PNG and PNG_END not in data[-64:]:
@@ -97,8 +104,6 @@ def _scale_of(head: Image.Image) -> float | None:
 
 def _on_paper(cv2: ModuleType, whole: Greys) -> Greys:
     """A transparent picture on white paper in grey, some rows at a time."""
-    import numpy
-
     most, out = numpy.iinfo(whole.dtype).max, numpy.empty(whole.shape[:2], numpy.uint8)
     for top in range(0, len(whole), ROWS):
         rows = whole[top : top + ROWS]
@@ -110,7 +115,6 @@ def _on_paper(cv2: ModuleType, whole: Greys) -> Greys:
 
 def _page(data: bytes, file: str) -> tuple[Greys, float]:
     """A page of a PDF at 200 pixels per inch (fewer of a very large one), in one shade."""
-    import numpy
     import pypdfium2
 
     page = pypdfium2.PdfDocument(data)[0]
@@ -124,3 +128,56 @@ def _page(data: bytes, file: str) -> tuple[Greys, float]:
     if min(w, h) * scale < LEAST_PX:
         raise PlanesError(Phrase("check_small_picture", file=file, size=f"{w * scale:.0f} × {h * scale:.0f}"))
     return plainest(cv(), numpy.ascontiguousarray(page.render(scale=scale).to_numpy()[..., :3])), scale * 72 / 25.4
+
+
+def in_one_shade(cv2: ModuleType, data: Greys) -> Greys | None:
+    """The picture encoded as ``data`` in grey, or in the colour that shows no grid; None where it is no picture."""
+    small = cv2.imdecode(data, cv2.IMREAD_REDUCED_COLOR_2)
+    if small is None or not _coloured(small):
+        grey: Greys | None = cv2.imdecode(data, cv2.IMREAD_GRAYSCALE)
+        return grey
+    return plainest(cv2, cv2.imdecode(data, cv2.IMREAD_COLOR))
+
+
+def _coloured(picture: Greys) -> bool:
+    """Whether some of it differs in colour from most of it."""
+    some = picture[:: max(1, picture.shape[0] // 400)].astype(numpy.int16)
+    apart = (some[..., 0] - some[..., 1], some[..., 2] - some[..., 1])
+    far = numpy.maximum(*(abs(d - numpy.median(d)) for d in apart))
+    return bool((far > COLOURED).mean() > COLOURED_SHARE)
+
+
+def plainest(cv2: ModuleType, picture: Greys) -> Greys:
+    """Grey, or that of the three colours in which a grid that is everywhere fades most and nothing else does."""
+    middle = _middle(picture)
+    inked = _ink(cv2, cv2.cvtColor(middle, cv2.COLOR_BGR2GRAY))
+    best, most = None, 0.0
+    for k in range(3):
+        ink = _ink(cv2, cv2.extractChannel(middle, k))
+        faded = (inked > FAINT) & (ink < 0.5 * inked)
+        lost = _spread((inked > DARK) & (ink < DARK / 2))
+        if _spread(faded) > EVERYWHERE and not 0 < lost < SOMEWHERE and float((inked - ink)[faded].sum()) > most:
+            best, most = k, float((inked - ink)[faded].sum())
+    grey: Greys = cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY) if best is None else cv2.extractChannel(picture, best)
+    return grey
+
+
+def _middle(picture: Greys) -> Greys:
+    """The middle of a picture."""
+    h, w = picture.shape[:2]
+    high, wide = min(h, LOOK_PX) // 2, min(w, LOOK_PX) // 2
+    return picture[h // 2 - high : h // 2 + high, w // 2 - wide : w // 2 + wide]
+
+
+def _ink(cv2: ModuleType, part: Greys) -> Array:
+    """How much darker than paper a picture is, its grain aside."""
+    light = cv2.GaussianBlur(cv2.dilate(part, numpy.ones((25, 25), numpy.uint8)), (0, 0), 12).astype(numpy.float32)
+    dark: Array = 1 - cv2.GaussianBlur(part, (0, 0), 1.0) / numpy.maximum(light, 1)
+    return dark
+
+
+def _spread(places: Booleans) -> float:
+    """In which share of its parts a picture has such places, more than by chance."""
+    h, w = (n // PARTS for n in places.shape)
+    parts = places[: h * PARTS, : w * PARTS].reshape(PARTS, h, PARTS, w).mean(axis=(1, 3))
+    return float((parts > 0.003).mean())

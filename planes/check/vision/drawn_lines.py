@@ -5,11 +5,13 @@ from __future__ import annotations
 import statistics
 from collections.abc import Iterable, Iterator, Sequence
 
+import numpy
+
 from planes.check.vision.arrow_tips import find_heads
 from planes.check.vision.ink import DARK, Ink
 from planes.check.vision.line_fitting import Fitted, fitted
-from planes.check.vision.residual_ink import MOST_MM, left_over, stroke_of
-from planes.geometry.arrays import Array, Booleans
+from planes.check.vision.picture import cv
+from planes.geometry.arrays import Array, Booleans, Complexes
 
 SHORT_MM = 7.0  # of strokes that do not tell how wide lines are
 OWN = 0.22  # the share of a line that must be its own and not another's
@@ -20,6 +22,11 @@ PENCIL_MM = 0.55  # the most that lines usually are wide
 TWICE = 1.5  # a line so much wider than usual may be two
 OVER_MM = 1.5  # how far a stroke may go on within another's ink
 BARE = 0.25  # how much a line counts whose edges are not seen
+RIM_MM = 0.35  # of an arrowhead beside its line
+LEAST_MM, MOST_MM = 1.2, 12.0  # of what is left: less is nothing, more is letters that touch
+THICK_MM = 0.2  # on the average
+STRAIGHT_MM = 0.3  # how far a stroke's ink is from its middle line
+LARGE_MM, CELL_MM = 2.5, 0.5
 
 Edge = tuple[complex, complex]  # the ink is to the right
 
@@ -36,8 +43,8 @@ def lines_on(ink: Ink, rough: Iterable[tuple[complex, complex]], edges: Sequence
         kept = own([*kept, *more], long)
         if more:
             kept = own(_apart(ink, kept), long)
-    strokes = (stroke_of(part) for part in left_over(ink, kept))
-    short = [f for f in (_short(ink, *ends) for ends in strokes if ends) if f]
+    strokes = (straight_through(part) for part in left_over(ink, kept))
+    short = [f for f in (_short(ink, *ends) for ends, off in strokes if off <= STRAIGHT_MM) if f]
     kept = own([*kept, *short], long)
     find_heads(ink, kept)
     return kept
@@ -57,15 +64,12 @@ def _apart(ink: Ink, lines: Sequence[Fitted]) -> list[Fitted]:
     """The lines fitted once more, each knowing the others."""
     out = list(lines)
     for k, line in enumerate(lines):
-        beside = [x for x in out if x is not out[k]]
-        out[k] = fitted(ink, *line.ends, beside) or line
+        out[k] = fitted(ink, *line.ends, [*out[:k], *out[k + 1 :]]) or line
     return out
 
 
 def _unmet(ink: Ink, edges: Sequence[Edge], lines: Sequence[Fitted]) -> Iterator[tuple[complex, complex]]:
     """Middles of lines that have an edge where no known line has one."""
-    import numpy
-
     usual = _usual(lines)
     half = usual / 2 + OUTSIDE_MM
     met = numpy.zeros(len(edges), bool)
@@ -85,8 +89,6 @@ def _usual(lines: Sequence[Fitted]) -> float:
 
 def _met(line: Fitted, edges: Sequence[Edge], usual: float) -> tuple[Booleans, Array]:
     """Which edges are a line's, and how much of it each is along; one that is too wide is two."""
-    import numpy
-
     if not edges:
         return numpy.zeros(0, bool), numpy.zeros(0)
     a, b = numpy.array(edges, complex).T
@@ -103,7 +105,6 @@ def _met(line: Fitted, edges: Sequence[Edge], usual: float) -> tuple[Booleans, A
 
 def own(lines: Iterable[Fitted], edges: Sequence[Edge]) -> list[Fitted]:
     """The lines that are not, for the most part, on better ones."""
-
     lines = list(lines)
     usual = _usual(lines)
 
@@ -114,10 +115,8 @@ def own(lines: Iterable[Fitted], edges: Sequence[Edge]) -> list[Fitted]:
     kept: list[Fitted] = []
     for line in sorted(lines, key=worth, reverse=True):
         steps = max(4, int(line.length / 0.4))
-        alone = 0
-        for k in range(steps):
-            z = line.at(line.low + line.length * (k + 0.5) / steps)
-            alone += not any(on(other, z) for other in kept)
+        places = (line.at(line.low + line.length * (k + 0.5) / steps) for k in range(steps))
+        alone = sum(not any(on(other, z) for other in kept) for z in places)
         if alone > OWN * steps and alone * line.length / steps > 1.0:
             kept.append(line)
     return kept
@@ -127,3 +126,36 @@ def on(line: Fitted, z: complex, reach: float = 0.5, beyond: float = 0.5) -> boo
     """Whether a place is on a line."""
     s, off = line.local(z)
     return abs(off) < reach and line.low - beyond < s < line.high + beyond
+
+
+def left_over(ink: Ink, lines: Sequence[Fitted]) -> Iterator[Complexes]:
+    """Separate pieces of ink on no line: the places of each, mm."""
+    cv2, flat, mask = cv(), ink.flat, ink.mask
+    for line in lines:
+        s = numpy.linspace(line.low - 0.5, line.high + 0.5, 9)
+        path = numpy.array([flat.px(line.at(float(x))) for x in s]).round().astype(numpy.int32)
+        cv2.polylines(mask, [path], False, 0, max(1, round((line.width + 2 * RIM_MM) * flat.scale)))
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(mask, connectivity=8)
+    least, most = LEAST_MM * flat.scale, MOST_MM * flat.scale
+    for k, (x, y, w, h, area) in enumerate(stats.tolist()):
+        if k and least < max(w, h) < most and area > THICK_MM * LEAST_MM * flat.scale**2:
+            down, across = numpy.nonzero(labels[y : y + h, x : x + w] == k)
+            yield numpy.asarray(flat.mm(x, y) + (across - 1j * down) / flat.scale, complex)
+
+
+def straight_through(part: Complexes) -> tuple[Edge, float]:
+    """The ends of the straight line that runs best through places, and how far they usually are off it."""
+    middle = complex(part.mean())
+    u = numpy.exp(0.5j * numpy.angle(((part - middle) ** 2).sum()))
+    local = (part - middle) * u.conjugate()
+    return (complex(middle + u * local.real.min()), complex(middle + u * local.real.max())), float(local.imag.std())
+
+
+def patches(ink: Ink, lines: Sequence[Fitted]) -> list[complex]:
+    """Places half a millimetre apart in larger pieces of ink that are on no line."""
+    found: list[complex] = []
+    for part in left_over(ink, lines):
+        if max(numpy.ptp(part.real), numpy.ptp(part.imag)) > LARGE_MM:
+            cells = numpy.unique(numpy.round(part.real / CELL_MM) + 1j * numpy.round(part.imag / CELL_MM))
+            found += (cells * CELL_MM).tolist()
+    return found

@@ -9,8 +9,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+import numpy
+
 from planes.check.vision.bend import LEFT_MM, OTHER_MM
-from planes.check.vision.picture import LARGEST_PX, PX_PER_MM, Flat, cv
+from planes.check.vision.picture import LARGEST_PX, PX_PER_MM, Flat, cv, smaller
 from planes.geometry.arrays import Array, Greys
 
 SIZES_MM = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}  # lying
@@ -30,21 +32,15 @@ def by_frame(grey: Greys, paper: str | None = None) -> Iterator[Flat]:
     ratio, askew = shape_of(corners, grey.shape)
     sizes = [(name, w, h) for name, (a, b) in SIZES_MM.items() for w, h in ((a, b), (b, a))]
     fits = [(float(abs(math.log(ratio * (h - 2 * OTHER_MM) / (w - LEFT_MM - OTHER_MM)))), n, w, h) for n, w, h in sizes]
-    if paper is not None:
-        chosen = sorted(f for f in fits if f[1] == paper)[:1]
-    else:
-        chosen = sorted(f for f in fits if f[0] < NEAR_RATIO[askew])
-    for _, _, w, h in chosen:
+    named, likely = [f for f in fits if f[1] == paper], [f for f in fits if f[0] < NEAR_RATIO[askew]]
+    for _, _, w, h in sorted(named)[:1] if paper is not None else sorted(likely):
         yield _straight(grey, corners, (w, h))
 
 
 def frame_corners(grey: Greys) -> Array | None:
     """Corners of the frame in pixels: lower left, lower right, upper right, upper left; None where there is none."""
-    import numpy
-
     cv2 = cv()
-    factor = min(1.0, LOOK_PX / max(grey.shape))
-    small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA) if factor < 1 else grey
+    small, factor = smaller(grey, LOOK_PX)
     dark = cv2.adaptiveThreshold(small, 255, cv2.ADAPTIVE_THRESH_MEAN_C, cv2.THRESH_BINARY_INV, 31, 7)
     dark = cv2.morphologyEx(dark, cv2.MORPH_CLOSE, numpy.ones((3, 3), numpy.uint8))
     contours, _ = cv2.findContours(dark, cv2.RETR_LIST, cv2.CHAIN_APPROX_NONE)
@@ -56,28 +52,20 @@ def frame_corners(grey: Greys) -> Array | None:
             quad = cv2.approxPolyDP(hull, 0.02 * cv2.arcLength(hull, True), True)
             if len(quad) == 4:
                 quads.append((area, quad.reshape(4, 2).astype(float)))
-    for _, quad in sorted(quads, key=lambda q: q[0]):  # the innermost that is a thin dark line: paper's edge is none
-        corners = _refined(grey, _ordered((quad + 0.5) / factor - 0.5), 3.0 / factor)
-        if corners is not None:
-            return corners
-    return None
+    quads.sort(key=lambda q: q[0])
+    refined = (_refined(grey, _ordered((quad + 0.5) / factor - 0.5), 3.0 / factor) for _, quad in quads)
+    return next((c for c in refined if c is not None), None)  # the innermost dark line: paper's edge is none
 
 
 def _ordered(quad: Array) -> Array:
     """Lower left first, counter-clockwise as one sees it, of a picture that is about upright."""
-    import numpy
-
-    middle = quad.mean(axis=0)
-    turn = numpy.arctan2(-(quad[:, 1] - middle[1]), quad[:, 0] - middle[0])
-    quad = quad[numpy.argsort(turn)]
-    first = int(numpy.argmin(quad[:, 0] - quad[:, 1]))
-    return numpy.roll(quad, -first, axis=0)
+    x, y = (quad - quad.mean(axis=0)).T
+    quad = quad[numpy.argsort(numpy.arctan2(-y, x))]
+    return numpy.roll(quad, -int(numpy.argmin(quad[:, 0] - quad[:, 1])), axis=0)
 
 
 def _refined(grey: Greys, quad: Array, reach: float) -> Array | None:
     """Corners where the middles of the frame's lines cross; None where a side is no line on both sides of paper."""
-    import numpy
-
     cv2 = cv()
     sides = []
     t = numpy.arange(-2 * reach, 2 * reach + 0.1, 0.5)
@@ -97,11 +85,9 @@ def _refined(grey: Greys, quad: Array, reach: float) -> Array | None:
         points = (places + middle[:, None] * across)[good]
         vx, vy, x, y = cv2.fitLine(points.astype(numpy.float32), cv2.DIST_HUBER, 0, 0.01, 0.001).ravel().tolist()
         sides.append((complex(x, y), complex(vx, vy)))
-    corners = []
-    for (p, u), (q, w) in zip([sides[-1], *sides[:-1]], sides, strict=True):
-        z = p + u * ((q - p).conjugate() * w).imag / (u.conjugate() * w).imag
-        corners.append([z.real, z.imag])
-    return numpy.array(corners)
+    pairs = zip([sides[-1], *sides[:-1]], sides, strict=True)
+    corners = [p + u * ((q - p).conjugate() * w).imag / (u.conjugate() * w).imag for (p, u), (q, w) in pairs]
+    return numpy.array([(z.real, z.imag) for z in corners])
 
 
 def shape_of(corners: Array, size_px: tuple[int, int]) -> tuple[float, bool]:
@@ -110,8 +96,6 @@ def shape_of(corners: Array, size_px: tuple[int, int]) -> tuple[float, bool]:
     The lens's length follows from the two vanishing points; where the view is nearly straight the sides tell.
     (Zhang and He, Whiteboard scanning and image enhancement, 2007.)
     """
-    import numpy
-
     middle = numpy.array([size_px[1] / 2, size_px[0] / 2])
     ll, lr, ur, ul = (numpy.append(c - middle, 1.0) for c in corners)
     k2 = numpy.dot(numpy.cross(ll, ur), ul) / numpy.dot(numpy.cross(lr, ur), ul)
@@ -130,8 +114,6 @@ def shape_of(corners: Array, size_px: tuple[int, int]) -> tuple[float, bool]:
 
 def _straight(grey: Greys, corners: Array, size_mm: tuple[float, float]) -> Flat:
     """The sheet from above."""
-    import numpy
-
     cv2 = cv()
     w, h = size_mm
     scale = min(PX_PER_MM, LARGEST_PX / max(w, h))

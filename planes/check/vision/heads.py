@@ -6,8 +6,11 @@ the line may end or be another vector's.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
 from typing import NamedTuple
+
+import numpy
 
 from planes.check.vision.ink import DARK, Ink
 from planes.check.vision.line_fitting import Fitted
@@ -43,61 +46,57 @@ class SeenHead(NamedTuple):
     width: float
 
 
+class _LineSide(NamedTuple):
+    """A side of a line: how far its ink reaches there, where another line is beside, and the heads it shows."""
+
+    half: Array
+    taken: Booleans
+    heads: list[SeenHead]
+
+
 def heads_of(ink: Ink, line: Fitted) -> list[SeenHead]:
     """Heads along a line, the most distinct first."""
-    import numpy
-
     s = numpy.arange(line.low - FAR_MM, line.high + FAR_MM, STEP_MM)
     t = numpy.arange(ASIDE_MM / 2, BROAD_MM, ASIDE_MM)
-    halves, taken, found = {}, {}, {}
+    sides = {}
     for k in (1, -1):
         dark = ink.at(line.at(s)[:, None] + k * 1j * line.direction(s)[:, None] * t[None, :])
         own = numpy.cumprod(dark > 0.3, axis=1)
-        halves[k] = (dark * own).sum(axis=1) * ASIDE_MM
-        taken[k] = (dark * (1 - own)).max(axis=1) > DARK  # another line beside
-        back = _sides(-s[::-1], halves[k][::-1], taken[k][::-1])
+        half, taken = (dark * own).sum(axis=1) * ASIDE_MM, (dark * (1 - own)).max(axis=1) > DARK
+        back = _sides(-s[::-1], half[::-1], taken[::-1])
         turned = (x._replace(base=-x.base, tip=-x.tip, sign=-1) for x in back)
-        found[k] = [*_sides(s, halves[k], taken[k]), *turned]
+        sides[k] = _LineSide(half, taken, [*_sides(s, half, taken), *turned])
     kept: list[SeenHead] = []
-    for one in sorted(_whole(s, halves, taken, found, line.width), key=lambda o: -o.jump):
+    for one in sorted(_whole(s, sides, line.width), key=lambda o: -o.jump):
         inside = line.low - 1.5 < one.tip < line.high + 1.5
         if inside and all(abs(one.tip - k.tip) > 1 or one.sign != k.sign for k in kept):
             kept.append(one)
     return kept
 
 
-def _whole(
-    s: Array,
-    halves: Mapping[int, Array],
-    taken: Mapping[int, Booleans],
-    found: Mapping[int, list[SeenHead]],
-    width: float,
-) -> Iterator[SeenHead]:
+def _whole(s: Array, sides: Mapping[int, _LineSide], width: float) -> Iterator[SeenHead]:
     """Heads seen from both sides, and from one side where the other is another line's."""
-    import numpy
-
-    both = list(_from_both_sides(found))
+    both = list(_from_both_sides(sides[1].heads, sides[-1].heads))
     yield from both
     width = both[-1].width if both else width  # behind such a head the line is by itself
     for k in (1, -1):
-        for one in found[k]:
+        for one in sides[k].heads:
             about = abs(s - one.tip + 2.0 * one.sign) < 1.5
-            beside = numpy.where(taken[-k][about], BROAD_MM, halves[-k][about])
+            beside = numpy.where(sides[-k].taken[about], BROAD_MM, sides[-k].half[about])
             far_side = float(numpy.median(beside)) if len(beside) else 0.0
             double = width > DOUBLE_MM or one.width / 2 + far_side > width + WIDER_MM
             if one.jump > JUMP_MM and (double or far_side > CROWDED_MM):
                 yield one._replace(aside=k * max(one.aside, 0.0))
 
 
-def _from_both_sides(found: Mapping[int, list[SeenHead]]) -> Iterator[SeenHead]:
+def _from_both_sides(left: Sequence[SeenHead], right: Sequence[SeenHead]) -> Iterator[SeenHead]:
     """Heads that both sides of a line show."""
-    for one in found[1]:
-        for other in found[-1]:
-            if other.sign == one.sign and abs(other.tip - one.tip) < BOTH_MM and one.jump + other.jump > JUMPS_MM:
-                jump = one.jump + other.jump
-                tip = (one.tip * one.jump + other.tip * other.jump) / jump
-                base, width = (one.base + other.base) / 2, (one.width + other.width) / 2
-                yield SeenHead(base, tip, one.sign, (one.aside - other.aside) / 2, jump, width)
+    for one, other in product(left, right):
+        jump = one.jump + other.jump
+        if other.sign == one.sign and abs(other.tip - one.tip) < BOTH_MM and jump > JUMPS_MM:
+            tip = (one.tip * one.jump + other.tip * other.jump) / jump
+            base, width = (one.base + other.base) / 2, (one.width + other.width) / 2
+            yield SeenHead(base, tip, one.sign, (one.aside - other.aside) / 2, jump, width)
 
 
 def head_at(ink: Ink, start: complex, end: complex, reach: float, usual: float | None) -> complex | None:
@@ -122,8 +121,6 @@ def head_at(ink: Ink, start: complex, end: complex, reach: float, usual: float |
 
 def _shaft(ink: Ink, a: complex, b: complex) -> tuple[float, float] | None:
     """How far to the left of the way from a to b the ink nearest to it runs, and how wide it is."""
-    import numpy
-
     t = numpy.arange(-1.2, 1.21, ASIDE_MM)
     places = numpy.linspace(a, b, 15)[:, None] + 1j * (b - a) / abs(b - a) * t[None, :]
     runs = numpy.split(numpy.arange(len(t)), numpy.flatnonzero(numpy.diff(ink.at(places).mean(axis=0) > 0.5)) + 1)
@@ -136,8 +133,6 @@ def _shaft(ink: Ink, a: complex, b: complex) -> tuple[float, float] | None:
 
 def _sides(s: Array, half: Array, taken: Booleans) -> list[SeenHead]:
     """Heads that point along the line, as one side of it shows them; ``half`` is how far its ink reaches there."""
-    import numpy
-
     behind = numpy.convolve(half, numpy.full(4, 0.25))[: len(half)]  # of each place and the three before it
     behind = numpy.concatenate([numpy.zeros(2), behind[:-2]])
     found: list[SeenHead] = []
@@ -156,8 +151,6 @@ def _sides(s: Array, half: Array, taken: Booleans) -> list[SeenHead]:
 
 def _tip(s: Array, half: Array, top: int, before: float, jump: float) -> float | None:
     """Where the side of a head with its base at a row meets the head's own line; None where it does not narrow so."""
-    import numpy
-
     low, end = before + 0.25 * jump, top
     while end + 1 < len(s) and low < half[end + 1] < half[end] + 0.02:
         end += 1

@@ -6,6 +6,8 @@ import statistics
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy
+
 from planes.check.fiducials import ARM_MM, SIDE_MM, centres
 from planes.check.vision.picture import Flat, cv
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices, Points
@@ -31,26 +33,19 @@ class Ink:
     @property
     def mask(self) -> Greys:
         """Where there is ink: ones and zeros, a pixel each."""
-        import numpy
-
         return (self.even < self.paper - DARK * (self.paper - self.pencil)).astype(numpy.uint8)
 
     def at(self, z: Complexes) -> Array:
         """Darkness of places in mm (an array of complex numbers of one or two axes): 0 of paper, 1 of a line."""
-        import numpy
-
-        x, y = ((z - self.flat.corner) * self.flat.scale).real, ((z - self.flat.corner) * self.flat.scale).imag
-        rows = numpy.atleast_2d(x), numpy.atleast_2d(self.even.shape[0] - y)
+        cv2, local = cv(), (z - self.flat.corner) * self.flat.scale
+        rows = numpy.atleast_2d(local.real), numpy.atleast_2d(self.even.shape[0] - local.imag)
         across, down = (numpy.ascontiguousarray(r, numpy.float32) for r in rows)
-        cv2 = cv()
         grey = cv2.remap(self.even, across, down, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=255)
         dark: Array = (self.paper - grey.astype(numpy.float32)) / (self.paper - self.pencil)
         return dark.clip(0, 1).reshape(numpy.shape(z))
 
     def lettered(self, z: Points) -> Booleans:
         """Whether there may be letters at places in mm (an array of complex numbers)."""
-        import numpy
-
         local = (numpy.atleast_1d(z) - self.flat.corner) * self.flat.scale
         if self.letters is None:
             return numpy.zeros(len(local), bool)
@@ -61,8 +56,6 @@ class Ink:
 
     def covered(self, a: complex, b: complex, reach: float = 0.45) -> float:
         """The share of the way from ``a`` to ``b`` along which there is ink, ``reach`` mm to either side."""
-        import numpy
-
         length = abs(b - a)
         if length < 2 * reach:
             return 1.0
@@ -74,13 +67,9 @@ class Ink:
 
 def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
     """The ink of a flat picture, without letters and printed marks; a cross may be printed at a place."""
-    import numpy
-
     even = evened(flat)
-    if flat.by == "marks":
+    if flat.by in ("marks", "frame"):
         _whiten_printed(flat, even)
-    elif flat.by == "frame":
-        _whiten_frame(flat, even)
     paper, pencil = _levels(even)
     ink = Ink(flat, even, paper, pencil)
     labels, sizes = _pieces(ink, ink.mask)
@@ -93,8 +82,6 @@ def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
 
 def evened(flat: Flat) -> Greys:
     """The picture as if the light were the same everywhere: paper is 255."""
-    import numpy
-
     cv2 = cv()
     even = numpy.minimum(cv2.divide(flat.grey, light_of(flat), scale=250.0), 255)
     soft: Greys = cv2.GaussianBlur(even, (0, 0), 0.8)
@@ -103,8 +90,6 @@ def evened(flat: Flat) -> Greys:
 
 def light_of(flat: Flat) -> Greys:
     """The picture as if nothing were drawn on its paper."""
-    import numpy
-
     cv2 = cv()
     small = cv2.resize(flat.grey, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA)
     light = cv2.dilate(small, numpy.ones((7, 7), numpy.uint8))
@@ -115,20 +100,15 @@ def light_of(flat: Flat) -> Greys:
 
 def _levels(even: Greys) -> tuple[float, float]:
     """The greys of paper and of a pencil's lines; a grid and what was rubbed out are paper."""
-    import numpy
-
     counts = numpy.bincount(even.ravel(), minlength=256).astype(float)
-    dark = counts[:150].copy()
+    dark = counts[:150]
     share = numpy.cumsum(dark) / max(dark.sum(), 1.0)
-    pencil = float(numpy.searchsorted(share, 0.3)) if dark.sum() > 400 else 120.0
-    pencil = min(max(pencil, 20.0), 140.0)
+    pencil = min(max(float(numpy.searchsorted(share, 0.3)), 20.0), 140.0) if dark.sum() > 400 else 120.0
     return 255.0 - LIGHT * (255.0 - pencil), pencil
 
 
 def _joined(ink: Ink, cross: complex, letters: Sequence[float]) -> Booleans:
     """Where there is ink no larger than letters (so large are the others) that but a printed cross joins to lines."""
-    import numpy
-
     mask = ink.mask
     for way in (1, -1, 1j, -1j):  # without the arms; lines are drawn from the cross's middle
         arm = numpy.array([ink.flat.px(cross + way * mm) for mm in (HEART_MM, ARM_MM)]).round().astype(numpy.int32)
@@ -139,8 +119,6 @@ def _joined(ink: Ink, cross: complex, letters: Sequence[float]) -> Booleans:
 
 def _pieces(ink: Ink, mask: Greys) -> tuple[Indices, Array]:
     """Separate pieces of ink: the number of each pixel's, and how large each is, mm (0: no ink)."""
-    import numpy
-
     _, labels, stats, _ = cv().connectedComponentsWithStats(mask, connectivity=8)
     sizes = numpy.maximum(stats[:, 2], stats[:, 3]) / ink.flat.scale
     sizes[0] = 0.0
@@ -149,24 +127,15 @@ def _pieces(ink: Ink, mask: Greys) -> tuple[Indices, Array]:
 
 def _spread(where: Booleans) -> Booleans:
     """The places, and those around them where ink fades."""
-    import numpy
-
     wider: Greys = cv().dilate(where.astype(numpy.uint8), numpy.ones((9, 9), numpy.uint8))
     return wider > 0
 
 
 def _whiten_printed(flat: Flat, even: Greys) -> None:
     """Paint over the corner marks, the frame and what lies outside of it."""
-    cv2 = cv()
-    for z in centres((even.shape[1] / flat.scale, even.shape[0] / flat.scale)):
-        x, y = flat.px(z)
+    for x, y in map(flat.px, centres(flat.size_mm) if flat.by == "marks" else ()):
         r = (SIDE_MM / 2 + 2) * flat.scale
-        cv2.rectangle(even, (int(x - r), int(y - r)), (int(x + r), int(y + r)), 255, -1)
-    _whiten_frame(flat, even)
-
-
-def _whiten_frame(flat: Flat, even: Greys) -> None:
-    """Paint over the frame and what lies outside of it."""
+        cv().rectangle(even, (int(x - r), int(y - r)), (int(x + r), int(y + r)), 255, -1)
     left, other = (int(mm * flat.scale) for mm in FRAME_MM)
     even[:other], even[-other:] = 255, 255
     even[:, :left], even[:, -other:] = 255, 255

@@ -11,6 +11,8 @@ from dataclasses import dataclass, field
 from functools import reduce
 from operator import or_
 
+import numpy
+
 from planes.check.vision.places import HEADED_MM, Seen
 from planes.geometry.arrays import Complexes
 
@@ -35,8 +37,6 @@ class InkCover:
     known: dict[tuple[complex, complex], tuple[int, int]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        import numpy
-
         found = [z for z in self.seen.patches if abs(z - self.pole) >= CROSS_MM]
         for line in self.seen.lines:
             if max(abs(z - self.pole) for z in line.ends) >= CROSS_MM:
@@ -47,9 +47,8 @@ class InkCover:
         for line in self.seen.lines:
             for head in line.heads:
                 tip, way = head.z, line.direction(head.s) * head.sign
-                if not any(
-                    abs(tip - t) < TIP_NEAR_MM and (way * w.conjugate()).real > TIP_STRAIGHT for t, w in self.tips
-                ):
+                near = (w for t, w in self.tips if abs(tip - t) < TIP_NEAR_MM)
+                if not any((way * w.conjugate()).real > TIP_STRAIGHT for w in near):
                     self.tips.append((tip, way))
 
     @property
@@ -64,8 +63,6 @@ class InkCover:
         return self.known[a, b]
 
     def _steps(self, a: complex, b: complex) -> int:
-        import numpy
-
         length = abs(b - a)
         if not length or not len(self.steps):
             return 0

@@ -11,11 +11,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeVar, overload
 
-from planes.check.vision.cross_sections import CELL_MM, Rows, nearest
+import numpy
+
 from planes.check.vision.ink import DARK, Ink
 from planes.geometry.arrays import Array, Booleans, Complexes
 
-STEP_MM = 0.2
+STEP_MM, CELL_MM = 0.2, 0.1  # along a line, and of a row across it
+UPON_MM = 0.15  # lines nearer than this are in the same place
 DRIFT_MM = 0.1  # how far off a line the ink of its end may be
 ASKEW = 0.25  # lines that run more askew only cross
 LEAST_CLEAR = 0.15  # of a line beside others, the share that must be told apart from them
@@ -94,10 +96,56 @@ class Fitted:
         return self.at(self.low), self.at(self.high)
 
 
+@dataclass
+class Rows:
+    """Ink across a line, a row every step: what is nearer to the line than to any beside it."""
+
+    dark: Array
+    t: Array
+    middle: Array
+    others: Array  # how far to the left of the line others are, a row each
+    reach: float
+
+    def __post_init__(self) -> None:
+        self.left = numpy.where(self.others > 0, self.others, numpy.inf).min(axis=0)  # the nearest other line
+        self.right = numpy.where(self.others < 0, -self.others, numpy.inf).min(axis=0)
+        self.upon = (numpy.abs(self.others) < UPON_MM).any(axis=0)
+        self.off = self.t[None, :] - self.middle[:, None]
+        own = (self.off < self.left[:, None] / 2) & (self.off > -self.right[:, None] / 2)
+        near, far = numpy.abs(self.off) < self.reach, numpy.abs(self.off) < self.reach + 0.3
+        ink = self.dark * (own & near)
+        self.mass = ink.sum(axis=1) * CELL_MM
+        self.rim = (self.dark * (own & far & ~near)).sum(axis=1) * CELL_MM
+        self.centroid = self.middle + (ink * self.off).sum(axis=1) * CELL_MM / numpy.maximum(self.mass, 1e-6)
+
+    def middles(self, width: float) -> tuple[Booleans, Array]:
+        """Which rows tell where the line's middle is, and where: by all of its ink, or by its free edge."""
+        apart = width + 0.1
+        lone = (self.left > apart) & (self.right > apart)
+        good = lone & (self.mass > 0.4 * width) & (self.mass < 1.45 * width) & (self.rim < 0.04) & ~self.upon
+        found = self.centroid
+        for sign, covered, free in ((-1, self.left, self.right), (1, self.right, self.left)):
+            edge, seen = self._edge(sign)
+            one_sided = (covered <= apart) & (free > apart) & ~self.upon & seen
+            found = numpy.where(one_sided, edge - sign * width / 2, found)
+            good = good | one_sided
+        return good, found
+
+    def _edge(self, sign: int) -> tuple[Array, Booleans]:
+        """Where the ink ends to the left (1) or to the right (-1) of the middle, and where that is near."""
+        dark, t = self.dark[:, ::sign], self.t[::sign]
+        beyond = (dark < 0.5) & (sign * self.off[:, ::sign] > 0)
+        k = numpy.argmax(beyond, axis=1)
+        i, rows = numpy.maximum(k, 1), numpy.arange(len(dark))
+        inner, outer = dark[rows, i - 1], dark[rows, i]
+        share = (inner - 0.5) / numpy.maximum(inner - outer, 1e-6)
+        edge = t[i - 1] + sign * CELL_MM * share
+        far = sign * (edge - self.middle)
+        return edge, (k > 0) & (inner >= 0.5) & (far > 0.05) & (far < 0.7)
+
+
 def fitted(ink: Ink, a: complex, b: complex, beside: Sequence[Fitted] = ()) -> Fitted | None:
     """The line of ink from about ``a`` to about ``b``, with others ``beside`` it; None where there is none."""
-    import numpy
-
     length = abs(b - a)
     along = (b - a) / length
     s = numpy.arange(-BEYOND_MM, length + BEYOND_MM, STEP_MM)
@@ -109,7 +157,7 @@ def fitted(ink: Ink, a: complex, b: complex, beside: Sequence[Fitted] = ()) -> F
     shape, sigma, width = numpy.zeros(3), 0.2, 0.5
     for reach in (0.8, 0.55, 0.55):
         middle = shape[0] + shape[1] * s + shape[2] * s * s
-        rows = Rows(dark, t, middle, *nearest(others - middle), reach)
+        rows = Rows(dark, t, middle, others - middle, reach)
         lone = inside & (rows.mass > 0.08) & (rows.left > 1.2) & (rows.right > 1.2)
         if (inside & (rows.mass > 0.08)).sum() < 4:
             return None
@@ -122,7 +170,8 @@ def fitted(ink: Ink, a: complex, b: complex, beside: Sequence[Fitted] = ()) -> F
                 return None
             good, found = inside & (rows.mass > 0.4 * width), rows.centroid
         shape, sigma = _laid(s[good], found[good], length)
-    line = Fitted(a, along, (float(shape[0]), float(shape[1]), float(shape[2])), 0.0, length, sigma, width)
+    first, slope, bend = shape.tolist()
+    line = Fitted(a, along, (first, slope, bend), 0.0, length, sigma, width)
     _extend(line, s, t, dark)
     sagitta = abs(line.shape[2]) * line.length**2 / 4
     return line if line.length > 1.0 and sagitta < MOST_BENT_MM else None
@@ -130,8 +179,6 @@ def fitted(ink: Ink, a: complex, b: complex, beside: Sequence[Fitted] = ()) -> F
 
 def _others(z: Complexes, along: complex, beside: Sequence[Fitted]) -> Array:
     """How far to the left of places on a line the others are that run along it: a row each, nan where there is none."""
-    import numpy
-
     found = numpy.full((len(beside) + 1, len(z)), numpy.nan)
     for k, line in enumerate(beside):
         turn = along * line.along.conjugate()
@@ -145,8 +192,6 @@ def _others(z: Complexes, along: complex, beside: Sequence[Fitted]) -> Array:
 
 def _laid(s: Array, found: Array, length: float) -> tuple[Array, float]:
     """Coefficients of the line laid robustly through places across it, and its lateral error."""
-    import numpy
-
     middle, half = length / 2, max(length / 2, 1.0)
     x = (s - middle) / half
     rows = numpy.stack([numpy.ones_like(x), x, x * x - 1], axis=1)
@@ -168,8 +213,6 @@ def _laid(s: Array, found: Array, length: float) -> tuple[Array, float]:
 
 def _extend(line: Fitted, s: Array, t: Array, dark: Array) -> None:
     """Move the ends to where the ink ends."""
-    import numpy
-
     off = t[None, :] - line.bow(s)[:, None]
     core = (dark * (numpy.abs(off) < 0.21)).max(axis=1)
     flank = numpy.maximum(*((dark * (k * off > 0.55) * (k * off < 1.1)).max(axis=1) for k in (1, -1)))

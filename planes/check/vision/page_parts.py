@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
+
+import numpy
 
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.parts import TOGETHER_MM
@@ -31,8 +33,9 @@ class PageParts:
     labels: Indices
     boxes: list[list[int]]
 
-    def likely(self, bench: PreparedPlan, plan: Sequence[complex]) -> list[tuple[int, float]]:
-        """Parts that may be a plan with such marks, at a standard scale if none is stated; the likeliest first."""
+    def likely(self, bench: PreparedPlan) -> list[tuple[int, float]]:
+        """Parts that may be the plan, at a standard scale if none is stated; the likeliest first."""
+        plan = [0j, *bench.true_marks.values()]
         xs, ys = [z.real for z in plan], [z.imag for z in plan]
         size = max(xs) - min(xs), max(ys) - min(ys)
         found = []
@@ -46,8 +49,6 @@ class PageParts:
 
     def cut(self, k: int) -> Flat:
         """A part cut out with paper around it, the others' ink painted over."""
-        import numpy
-
         up, rim, (height, width) = self.flat.scale / PX_PER_MM, RIM_MM * self.flat.scale, self.flat.grey.shape
         x, y, w, h = self.boxes[k]
         left, top = max(int(x * up - rim), 0), max(int(y * up - rim), 0)
@@ -73,8 +74,6 @@ def _scales(bench: PreparedPlan, true_mm: float, seen_mm: float) -> Iterator[flo
 
 def parts_of(flat: Flat) -> PageParts:
     """The parts of a page."""
-    import numpy
-
     cv2, factor = cv(), PX_PER_MM / flat.scale
     small = cv2.resize(ink_of(flat).mask * 255, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA)
     near = round(TOGETHER_MM / 2 * PX_PER_MM) * 2 + 1

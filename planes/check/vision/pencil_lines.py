@@ -3,30 +3,18 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
-from planes.check.vision.drawn_lines import lines_on
+import numpy
+
+from planes.check.vision.drawn_lines import Edge, lines_on, patches, straight_through
 from planes.check.vision.ink import ink_of
 from planes.check.vision.picture import Flat, cv
 from planes.check.vision.places import Seen, places_of
-from planes.check.vision.residual_ink import patches
 from planes.geometry.arrays import Greys
 
 WIDEST_MM = 1.4  # of a stroke
 SHORTEST_MM = 1.5
 MOST = 250  # lines; of more nothing can be told
-
-
-@dataclass
-class CentreLine:
-    """A centre line by its ends, mm."""
-
-    a: complex
-    b: complex
-
-    @property
-    def along(self) -> complex:
-        return (self.b - self.a) / abs(self.b - self.a)
 
 
 def sheet_of(flat: Flat, cross: complex | None = None) -> Seen | None:
@@ -35,19 +23,20 @@ def sheet_of(flat: Flat, cross: complex | None = None) -> Seen | None:
     edges = _edges(ink.even)
     if len(edges) > 12 * MOST:
         return None
-    lines = [CentreLine(flat.mm(*a), flat.mm(*b)) for a, b in _centres(edges, flat.scale)]
-    lines = [x for x in lines if abs(x.b - x.a) > SHORTEST_MM]
-    if len(lines) > 4 * MOST:
+    rims, lines = _in_mm(flat, edges), _in_mm(flat, _centres(edges, flat.scale))
+    lines = [(a, b) for a, b in lines if abs(b - a) > SHORTEST_MM]
+    if len(lines) > 4 * MOST or len(lines := joined(lines)) > MOST:
         return None
-    lines = joined(lines)
-    if len(lines) > MOST:
-        return None
-    rims = [(flat.mm(a.real, a.imag), flat.mm(b.real, b.imag)) for a, b in edges]
-    found = lines_on(ink, [(x.a, x.b) for x in lines], rims)
+    found = lines_on(ink, lines, rims)
     return Seen(ink, found, places_of(found), patches(ink, found))
 
 
-def _edges(ink: Greys) -> list[tuple[complex, complex]]:
+def _in_mm(flat: Flat, lines: list[Edge]) -> list[Edge]:
+    """Lines in pixels as they lie on the sheet."""
+    return [(flat.mm(a.real, a.imag), flat.mm(b.real, b.imag)) for a, b in lines]
+
+
+def _edges(ink: Greys) -> list[Edge]:
     """Both edges of every stroke, in pixels, the ink to their right as one sees it."""
     found = cv().createLineSegmentDetector(2, scale=0.8).detect(ink)[0]
     if found is None:
@@ -55,13 +44,8 @@ def _edges(ink: Greys) -> list[tuple[complex, complex]]:
     return [(complex(x1, y1), complex(x2, y2)) for x1, y1, x2, y2 in found.reshape(-1, 4).tolist()]
 
 
-Pixel = tuple[float, float]
-
-
-def _centres(edges: list[tuple[complex, complex]], scale: float) -> list[tuple[Pixel, Pixel]]:
+def _centres(edges: list[Edge], scale: float) -> list[Edge]:
     """Pairs of opposite edges as centre lines."""
-    import numpy
-
     if not edges:
         return []
     a, b = numpy.array([e[0] for e in edges]), numpy.array([e[1] for e in edges])
@@ -86,49 +70,32 @@ def _centres(edges: list[tuple[complex, complex]], scale: float) -> list[tuple[P
             lean = u[i] * numpy.exp(0.5j * numpy.angle(-turn[j]))
             centre = a[i] + u[i] * (float(low[j] + high[j]) / 2 + middle)
             half0, half1 = start - float(low[j] + high[j]) / 2, end - float(low[j] + high[j]) / 2
-            one, two = centre + lean * half0, centre + lean * half1
-            found.append(((one.real, one.imag), (two.real, two.imag)))
+            found.append((complex(centre + lean * half0), complex(centre + lean * half1)))
     return found
 
 
-def joined(lines: list[CentreLine]) -> list[CentreLine]:
+def joined(lines: list[Edge]) -> list[Edge]:
     """Lines that continue each other as one; what lies on a longer one is part of it."""
-    left = sorted(lines, key=lambda x: -abs(x.b - x.a))
-    out: list[CentreLine] = []
+    left = sorted(lines, key=lambda x: -abs(x[1] - x[0]))
+    out: list[Edge] = []
     while left:
         line = left.pop(0)
-        grown = True
-        while grown:
-            grown = False
-            for other in left:
-                if _continues(line, other):
-                    line = _merged(line, other)
-                    left.remove(other)
-                    grown = True
-                    break
+        while other := next((x for x in left if _continues(line, x)), None):
+            left.remove(other)
+            places = [numpy.linspace(a, b, max(3, int(abs(b - a) * 2))) for a, b in (line, other)]
+            line, _ = straight_through(numpy.concatenate(places))
         out.append(line)
     return out
 
 
-def _continues(line: CentreLine, other: CentreLine) -> bool:
-    long, short = abs(line.b - line.a), abs(other.b - other.a)
-    turn = abs(math.asin(max(-1.0, min(1.0, float((line.along.conjugate() * other.along).imag)))))
-    if turn > math.radians(4.0 if short > 8 else 9.0) or abs((line.along.conjugate() * other.along).real) < 0.9:
+def _continues(line: Edge, other: Edge) -> bool:
+    long, short = (abs(b - a) for a, b in (line, other))
+    along = (line[1] - line[0]) / long
+    turn = (other[1] - other[0]) / short * along.conjugate()
+    if abs(math.asin(max(-1.0, min(1.0, turn.imag)))) > math.radians(4.0 if short > 8 else 9.0) or abs(turn.real) < 0.9:
         return False
-    p, q = ((z - line.a) * line.along.conjugate() for z in (other.a, other.b))
+    p, q = ((z - line[0]) * along.conjugate() for z in other)
     low, high = sorted((p.real, q.real))
     gap = max(low - long, -high, 0.0)
     side = max(abs(p.imag), abs(q.imag))
     return gap < 1.6 and side < 0.55 + 0.012 * min(short, long) and not (gap <= 0 and side > 0.7)
-
-
-def _merged(line: CentreLine, other: CentreLine) -> CentreLine:
-    """The straight line of both, weighted by their lengths."""
-    import numpy
-
-    pairs = [(line.a, line.b), (other.a, other.b)]
-    z = numpy.concatenate([numpy.linspace(a, b, max(3, int(abs(b - a) * 2))) for a, b in pairs])
-    middle = z.mean()
-    u = numpy.exp(0.5j * numpy.angle(((z - middle) ** 2).sum()))
-    along = ((z - middle) * u.conjugate()).real
-    return CentreLine(complex(middle + u * along.min()), complex(middle + u * along.max()))

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from planes.check.fiducials import SHEET_MM, pole_place
-from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.grading.paper import Known, ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.as_planned import worth
 from planes.check.vision.decoding import load
@@ -21,13 +21,11 @@ from planes.check.vision.pencil_lines import sheet_of
 from planes.check.vision.picture import Flat, by_points, by_scale, cv, flatten
 from planes.check.vision.places import Seen
 from planes.check.vision.poles import pole_found, pole_on
-from planes.drafting.drawing import run
 from planes.geometry.arrays import Greys
-from planes.words import Phrase, Written
+from planes.words import Phrase
 from planes.words.errors import PlanesError
-from planes.words.names import at, kind_of, label_of
+from planes.words.names import POLE, kind_of, label_of
 from planes.words.spelling import Names
-from planes.words.units import mu_text
 
 MOST_LINES = 120  # a plan has far fewer
 EXPLAINED = 0.6  # the share of a picture's lines that must be the plan's
@@ -56,21 +54,15 @@ class Look:
         return low.real, low.imag, high.real, high.imag
 
 
-def paper_of_picture(
-    file: str,
-    bench: PreparedPlan,
-    pole: complex | None = None,
-    marks: Mapping[str, complex] | None = None,
-    format_: str | None = None,
-) -> ReadPaper:
+def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None) -> ReadPaper:
     """What a picture shows of a plan: made flat by corner marks, else by two named points, else by the sheet's frame.
 
-    ``pole`` and ``marks`` are places in pixels (y down), ``format_`` is "A4" to "A1". :class:`PlanesError` where it is
-    no picture or has nothing to measure by.
+    :class:`PlanesError` where it is no picture or has nothing to measure by.
     """
     grey, scale = load(file)
-    paper, best = ReadPaper(file, whole=False), None
-    for flat, named in _flats(bench, grey, scale, pole, marks or {}, format_):
+    known = known or Known()
+    paper, best, pole = ReadPaper(file, whole=False), None, known.pole
+    for flat, named in _flats(bench, grey, scale, known):
         look = _best(bench, flat, 0j if named else None if pole is None else flat.place(pole))
         if best is None or look.explained > best.explained:
             best, paper.scale_mark = look, named
@@ -90,10 +82,7 @@ def paper_of_picture(
     else:
         paper.spots, paper.whole, paper.mu = best.spots, best.whole, best.mu
         if best.mu:
-            kind = kind_of(bench.asked.plan)
-            paper.notes.append(
-                Phrase("check_mu_found", mu=Written(mu_text(best.mu, kind), mu_text(best.mu, kind, "ru")))
-            )
+            paper.notes.append(Phrase("check_mu_found", mu=bench.mu_said(best.mu)))
         if not best.spots:
             paper.notes.append(Phrase("check_force_unsure"))
         if best.hidden:
@@ -101,26 +90,16 @@ def paper_of_picture(
     return paper
 
 
-def _flats(
-    bench: PreparedPlan,
-    grey: Greys,
-    scale: float | None,
-    pole: complex | None,
-    marks: Mapping[str, complex],
-    format_: str | None,
-) -> Iterator[tuple[Flat, str | None]]:
+def _flats(bench: PreparedPlan, grey: Greys, scale: float | None, known: Known) -> Iterator[tuple[Flat, str | None]]:
     """Ways the picture may be made flat; with the vector its scale is taken from, if it is."""
-    if pole is not None and marks:
-        yield _by_hand(bench, grey, pole, marks)
-        return
-    flat = flatten(grey) if format_ is None else None
-    if flat is not None:
+    if known.pole is not None and known.marks:
+        yield _by_hand(bench, grey, known.pole, known.marks)
+    elif flat := None if known.format else flatten(grey):
         yield flat, None
-        return
-    if scale is not None and format_ is None:
-        yield by_scale(grey, scale), None
-    for flat in by_frame(grey, format_):
-        yield flat, None
+    else:
+        if scale is not None and known.format is None:
+            yield by_scale(grey, scale), None
+        yield from ((flat, None) for flat in by_frame(grey, known.format))
 
 
 def _best(bench: PreparedPlan, flat: Flat, pole: complex | None) -> Look:
@@ -129,7 +108,7 @@ def _best(bench: PreparedPlan, flat: Flat, pole: complex | None) -> Look:
         return looked(bench, flat, pole, sheet_of(flat, _printed(bench, flat)))
     page, looks = parts_of(flat), list[tuple[float, Look]]()
     seen: dict[int, tuple[Flat, Seen | None]] = {}
-    for k, mu in page.likely(bench, _ends(bench)):
+    for k, mu in page.likely(bench):
         part, sheet = seen[k] = seen.get(k) or (one := page.cut(k), sheet_of(one))
         there = bench.at(mu, told=True) if mu != bench.said_mu else bench
         look = looked(there, part, None, sheet)
@@ -141,12 +120,6 @@ def _best(bench: PreparedPlan, flat: Flat, pole: complex | None) -> Look:
     if all(good == -math.inf for good, _ in looks):
         looks.append((0.0, looked(bench, flat, None, sheet_of(flat))))
     return max(looks, key=lambda found: (found[0], found[1].explained))[1]
-
-
-def _ends(bench: PreparedPlan) -> list[complex]:
-    """The pole and the marks of the right plan."""
-    truth = run(bench.program, bench.given)
-    return [0j, *(complex(truth[m]) for m in bench.marks)]
 
 
 def _printed(bench: PreparedPlan, flat: Flat) -> complex | None:
@@ -186,15 +159,13 @@ def shown(flat: Flat) -> bytes:
 
 def _by_hand(bench: PreparedPlan, grey: Greys, pole: complex, marks: Mapping[str, complex]) -> tuple[Flat, str]:
     """Scale by a named pole and vector."""
-    labels = [label_of(m) for m in bench.marks]
-    name = next((n for n in (Names(labels).find(k) for k in marks) if n and n != "p"), None)
+    names = Names([label_of(m) for m in bench.marks])
+    name, where = next(((n, z) for k, z in marks.items() if (n := names.find(k)) and n != POLE), (None, 0j))
     if name is None:
         raise PlanesError(Phrase("check_no_marks"))
-    where = next(z for k, z in marks.items() if Names(labels).find(k) == name)
-    length = abs(run(bench.program, bench.given)[at(bench.asked.plan, name)])
-    return by_points(grey, pole, where, float(length)), name
+    return by_points(grey, pole, where, abs(bench.true_marks[name])), name
 
 
 def blank_pole(bench: PreparedPlan) -> complex:
     """Where the blank of this plan has its pole."""
-    return pole_place(_ends(bench)[1:])
+    return pole_place([*bench.true_marks.values()])

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from types import ModuleType
 
-from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, centres
+import numpy
+
+from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, cells, centres
 from planes.check.vision.bend import Bend, add_paper, bend_of
 from planes.geometry.arrays import Array, Greys
 from planes.words import Phrase
@@ -36,8 +37,6 @@ class Flat:
 
     def place(self, pixel: complex) -> complex:
         """Where a pixel of the source (x right, y down) is on the sheet."""
-        import numpy
-
         if self.bend is not None:
             z = complex(self.bend.flat(pixel))
             return self.mm(z.real, z.imag)
@@ -63,12 +62,17 @@ def cv() -> ModuleType:
     return cv2
 
 
+def smaller(grey: Greys, longest: float) -> tuple[Greys, float]:
+    """The picture with its longer side no longer than that, and by which it was made smaller."""
+    cv2, factor = cv(), min(1.0, longest / max(grey.shape))
+    small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA) if factor < 1 else grey
+    return small, factor
+
+
 def dictionary() -> object:
     """The blank's corner marks for OpenCV's detector."""
-    import numpy
-
     aruco = cv().aruco
-    rows = [numpy.array([[bits >> (4 - c) & 1 for c in range(5)] for bits in p], numpy.uint8) for p in PATTERNS]
+    rows = [1 - numpy.array(cells(k), numpy.uint8)[1:-1, 1:-1] for k in range(len(PATTERNS))]
     table = numpy.concatenate([aruco.Dictionary.getByteListFromBits(r) for r in rows])
     return aruco.Dictionary(table, 5, 3)
 
@@ -83,9 +87,8 @@ def find_marks(grey: Greys) -> dict[int, Array]:
     detector = cv2.aruco.ArucoDetector(dictionary(), parameters)
     found: dict[int, Array] = {}
     for longest in (1100, 700, 2000, 3200):  # small is quick, and hides the grain
-        factor = min(1.0, longest / max(grey.shape))
         if len(found) < 4:
-            small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA) if factor < 1 else grey
+            small, factor = smaller(grey, longest)
             corners, numbers, _ = detector.detectMarkers(small)
             for quad, number in zip(corners, [] if numbers is None else numbers.ravel(), strict=False):
                 found.setdefault(int(number), _sharpened(grey, (quad.reshape(4, 2) + 0.5) / factor - 0.5))
@@ -94,8 +97,6 @@ def find_marks(grey: Greys) -> dict[int, Array]:
 
 def _sharpened(grey: Greys, quad: Array) -> Array:
     """Corners of a mark to a fraction of a pixel, where its edges meet in the whole picture."""
-    import numpy
-
     cv2 = cv()
     side = float(numpy.linalg.norm(quad - numpy.roll(quad, 1, axis=0), axis=1).mean())
     reach = int(min(max(side / CELLS * 0.6, 2), 12))
@@ -107,41 +108,33 @@ def _sharpened(grey: Greys, quad: Array) -> Array:
 
 def flatten(grey: Greys, size_mm: tuple[float, float] = SHEET_MM) -> Flat | None:
     """The sheet seen straight from above, if its corner marks (three at least) are found."""
-    import numpy
-
     cv2 = cv()
-    factor = min(1.0, LARGEST_PX / max(grey.shape))
-    small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA) if factor < 1 else grey
+    small, factor = smaller(grey, LARGEST_PX)
     marks = find_marks(small)
     if len(marks) < 3:
         return None
-    half, high = SIDE_MM / 2, size_mm[1]
-    seen, true = [], []
-    turns = (-half + 1j * half, half + 1j * half, half - 1j * half, -half - 1j * half)
-    for number, quad in marks.items():
-        z = centres(size_mm)[number]
-        for corner, d in zip(quad, turns, strict=True):
-            seen.append(corner)
-            true.append(((z + d).real * PX_PER_MM, (high - (z + d).imag) * PX_PER_MM))
+    turns = [SIDE_MM / 2 * z for z in (-1 + 1j, 1 + 1j, 1 - 1j, -1 - 1j)]
+    places = [centres(size_mm)[number] + turn for number in marks for turn in turns]
+    seen = [corner for quad in marks.values() for corner in quad]
+    true = [(z.real * PX_PER_MM, (size_mm[1] - z.imag) * PX_PER_MM) for z in places]
     warp, _ = cv2.findHomography(numpy.array(seen), numpy.array(true), cv2.RANSAC, 0.6 * PX_PER_MM)
     if warp is None:
         return None
+    notes = [] if len(marks) == 4 else [Phrase("check_three_marks")]
     bend = bend_of(small, warp, PX_PER_MM, size_mm)
     if bend is not None:
         unbent = _unbent(small, bend, seen, true, size_mm)
-        return Flat(unbent, PX_PER_MM, 0j, "marks", None, _few(marks), replace(bend, shrink=factor))
+        return Flat(unbent, PX_PER_MM, 0j, "marks", None, notes, replace(bend, shrink=factor))
     width, height = (round(s * PX_PER_MM) for s in size_mm)
     flat = cv2.warpPerspective(small, warp, (width, height), flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
     whole = warp @ numpy.diag([factor, factor, 1.0])  # from the picture as it was
-    return Flat(flat, PX_PER_MM, 0j, "marks", whole, _few(marks))
+    return Flat(flat, PX_PER_MM, 0j, "marks", whole, notes)
 
 
 def _unbent(
     grey: Greys, bend: Bend, seen: list[Array], true: list[tuple[float, float]], size_mm: tuple[float, float]
 ) -> Greys:
     """The flat picture of a bent one, by its corner marks as they would be seen without the lens's bend."""
-    import numpy
-
     cv2 = cv()
     straight = bend.straight(numpy.array(seen, float) @ numpy.array([1, 1j]))
     bend.view, _ = cv2.findHomography(numpy.stack([straight.real, straight.imag], axis=1), numpy.array(true))
@@ -151,16 +144,9 @@ def _unbent(
     across, down = (numpy.arange(n // cell + 1) * cell + (cell - 1) / 2 for n in (width, height))
     source = bend.source(across[None, :] + 1j * down[:, None])
     size = len(across) * cell, len(down) * cell
-    maps = (
-        cv2.resize(m.astype(numpy.float32), size, interpolation=cv2.INTER_LINEAR)[:height, :width]
-        for m in (source.real, source.imag)
-    )
+    maps = (cv2.resize(m.astype(numpy.float32), size)[:height, :width] for m in (source.real, source.imag))
     flat: Greys = cv2.remap(grey, *maps, cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
     return flat
-
-
-def _few(marks: Mapping[int, Array]) -> list[Phrase]:
-    return [] if len(marks) == 4 else [Phrase("check_three_marks")]
 
 
 def by_points(grey: Greys, pole: complex, mark: complex, length_mm: float) -> Flat:
@@ -172,8 +158,6 @@ def by_points(grey: Greys, pole: complex, mark: complex, length_mm: float) -> Fl
 
 def by_scale(grey: Greys, scale: float, pole: complex | None = None) -> Flat:
     """The picture as it is, of so many pixels to a mm; the pole, if it is named, becomes the origin."""
-    import numpy
-
     cv2, factor = cv(), PX_PER_MM / scale
     if not 0.05 < factor < 8 or grey.size * factor * factor > MOST_FLAT:
         raise PlanesError(Phrase("check_points"))

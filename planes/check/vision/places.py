@@ -8,6 +8,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
+import numpy
+
 from planes.check.vision.drawn_lines import on
 from planes.check.vision.heads import head_at
 from planes.check.vision.ink import Ink
@@ -50,8 +52,6 @@ class Seen:
 
     def within(self, z: complex, reach: float) -> list[Place]:
         """Places no farther than ``reach``."""
-        import numpy
-
         if self.spots is None:
             self.spots = numpy.array([p.z for p in self.places], complex)
         return [self.places[i] for i in numpy.flatnonzero(numpy.abs(self.spots - z) <= reach)]
@@ -73,11 +73,9 @@ class Seen:
     def _short(self, start: complex, tip: complex) -> bool:
         """Whether a line is better known to end but a little beyond the tip of a vector from start."""
         way = (tip - start) / abs(tip - start)
-        for p in self.within(tip, TIP_REACH_MM):
-            beyond = (p.z - tip) * way.conjugate()
-            if p.ended and p.sigma < TIP_MM and beyond.real > HEAD_MM / 2 and abs(beyond.imag) < HEAD_MM / 2:
-                return True
-        return False
+        near = (p.z - tip for p in self.within(tip, TIP_REACH_MM) if p.ended and p.sigma < TIP_MM)
+        beyond = (off * way.conjugate() for off in near)
+        return any(z.real > HEAD_MM / 2 and abs(z.imag) < HEAD_MM / 2 for z in beyond)
 
     @property
     def ink_mm(self) -> float:
@@ -87,35 +85,26 @@ class Seen:
 
 @dataclass
 class Normal:
-    """Equations for a place: lines it lies on with their weights, summed up."""
+    """Equations for a place: lines it lies on, a row each of its unit normal, its distance and its weight."""
 
-    xx: float = 0.0
-    xy: float = 0.0
-    yy: float = 0.0
-    x: float = 0.0
-    y: float = 0.0
+    rows: list[tuple[float, float, float, float]] = field(default_factory=list)
 
     def add(self, z: complex, n: complex, sigma: float) -> None:
         """The place is on the line through z across n, within sigma."""
-        w, d = sigma**-2, (z * n.conjugate()).real
-        self.xx += w * n.real * n.real
-        self.xy += w * n.real * n.imag
-        self.yy += w * n.imag * n.imag
-        self.x += w * n.real * d
-        self.y += w * n.imag * d
+        self.rows.append((n.real, n.imag, (z * n.conjugate()).real, sigma**-2))
 
     def solved(self) -> tuple[complex, float]:
         """The place and its σ in the worst direction."""
-        det = self.xx * self.yy - self.xy**2
-        z = complex(self.yy * self.x - self.xy * self.y, self.xx * self.y - self.xy * self.x) / det
-        least = (self.xx + self.yy) / 2 - math.hypot((self.xx - self.yy) / 2, self.xy)
+        sums = ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2))
+        xx, xy, yy, x, y = (sum(row[3] * row[i] * row[j] for row in self.rows) for i, j in sums)
+        z = complex(yy * x - xy * y, xx * y - xy * x) / (xx * yy - xy**2)
+        least = (xx + yy) / 2 - math.hypot((xx - yy) / 2, xy)
         return z, least**-0.5 if least > 0 else math.inf
 
 
 def crossing(one: Fitted, two: Fitted) -> complex | None:
     """Where two lines cross; None where they are nearly parallel."""
-    s = (one.low + one.high) / 2
-    r = (two.low + two.high) / 2
+    s, r = (one.low + one.high) / 2, (two.low + two.high) / 2
     for _ in range(3):
         a, u, b, w = one.at(s), one.direction(s), two.at(r), two.direction(r)
         turn = (u.conjugate() * w).imag

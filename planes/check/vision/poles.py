@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.vision.places import Normal, Place, Seen
-from planes.drafting.drawing import run
-from planes.words.names import kind_of
+from planes.words.names import kind_of, label_of
 
 POLE_MM = 0.06  # σ of the place where a line from the pole begins, about the pole
 REACH_MM = 2.5  # of a true mark, when the pole is looked for
@@ -28,11 +27,10 @@ def pole_on(seen: Seen, near: complex, reach: float = 2.0) -> Place:
 
 def pole_found(bench: PreparedPlan, seen: Seen) -> complex | None:
     """The place from which the true plan would meet the most places; None where hardly any would be met."""
-    truth = run(bench.program, bench.given)
-    ends = [complex(truth[m]) for m in bench.marks if abs(truth[m]) > 1]
+    ends = [z for z in bench.true_marks.values() if abs(z) > 1]
     if kind_of(bench.asked.plan) == "force":  # the order of the forces is free: the closing corner alone is sure
-        loose = {s.makes for s in bench.program.steps if s.quantity == "tangential"}
-        ends = [complex(truth[m]) for m in bench.marks if m not in loose]
+        loose = {label_of(s.makes) for s in bench.program.steps if s.quantity == "tangential"}
+        ends = [z for n, z in bench.true_marks.items() if n not in loose]
     best, place = 0.0, None
     for p in (p for p in seen.places if p.ended):
         hits = sum(any(q.ended for q in seen.within(p.z + e, REACH_MM)) for e in ends) + 0.01 * len(p.ended)

@@ -49,10 +49,8 @@ def polygon_of(sides: Iterable[Side], plan: str) -> list[Side]:
 def guesses(bench: PreparedPlan, sides: list[Side], loads: set[str]) -> list[Guess]:
     """The right polygon first, then one of every mistake, none twice."""
     hand = Hand(bench.program, bench.given, bench.asked.skill, {})
-    found: list[Guess] = []
-    seen: set[tuple[complex, ...]] = set()
-    variants: list[Variant | None] = [None, *variants_of(bench, hand, bench.said_mu)]
-    for variant in variants:
+    found, seen = list[Guess](), set[tuple[complex, ...]]()
+    for variant in (None, *variants_of(bench, hand, bench.said_mu)):
         vectors = _vectors(bench, sides, variant)
         if vectors is None:
             continue
@@ -98,7 +96,5 @@ def spread_of(bench: PreparedPlan, sides: list[Side]) -> dict[str, Miss]:
     """The covariance of every vector as a hand would draw it."""
     hand, plan = Hand(bench.program, bench.given, bench.asked.skill, {}), bench.asked.plan
 
-    def end(name: str) -> complex:
-        return 0j if name == POLE else hand.things[at(plan, name)]
-
-    return {s.name: hand.miss(0j, end(s.end) - end(s.start)) for s in sides}
+    ends = {n: 0j if n == POLE else hand.things[at(plan, n)] for s in sides for n in (s.start, s.end)}
+    return {s.name: hand.miss(0j, ends[s.end] - ends[s.start]) for s in sides}
