@@ -13,6 +13,7 @@ from planes.check.handed_in import Known, read_paper
 from planes.documents import rendered, sheet_of
 from planes.solving import Position
 from planes.words.errors import PlanesError
+from planes.words.lettering import Naming
 from render.sheet import Sheet
 from render.sheet.single import Page
 from tests.check.test_own_sheets import ASSIGNMENTS, SCENES, drawn, made, spoiled, view
@@ -20,7 +21,7 @@ from tests.check.test_own_sheets import ASSIGNMENTS, SCENES, drawn, made, spoile
 
 def looked(sample: str, plan: str, written: Page | Sheet, folder: Path) -> Outcome:
     """What the check says of a page written as a picture."""
-    file, asked = folder / "p.png", Asked(drawn(sample)[0], plan)
+    file, asked = folder / "p.png", Asked(drawn(sample)[0], plan, spelt=Naming("ru", drawn(sample)[0].frame_number).vector)
     file.write_bytes(rendered(written, ".png", "ru"))
     return check(asked, read_paper(str(file), asked, Known()))
 
