@@ -29,7 +29,9 @@ def write(
     What is lettered on it, and where, goes with the picture as texts go with a PDF.
     """
     marks = tuple(marks)
-    return save(from_pdf(pdf.write(marks, size_mm, title, under=under), dpi, lettering=_lettering(marks, size_mm[1])), path)
+    return save(
+        from_pdf(pdf.write(marks, size_mm, title, under=under), dpi, lettering=_lettering(marks, size_mm[1])), path
+    )
 
 
 def _lettering(marks: Iterable[Mark], height_mm: float) -> str:

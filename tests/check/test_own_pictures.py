@@ -21,7 +21,10 @@ from tests.check.test_own_sheets import ASSIGNMENTS, SCENES, drawn, made, spoile
 
 def looked(sample: str, plan: str, written: Page | Sheet, folder: Path) -> Outcome:
     """What the check says of a page written as a picture."""
-    file, asked = folder / "p.png", Asked(drawn(sample)[0], plan, spelt=Naming("ru", drawn(sample)[0].frame_number).vector)
+    file, asked = (
+        folder / "p.png",
+        Asked(drawn(sample)[0], plan, spelt=Naming("ru", drawn(sample)[0].frame_number).vector),
+    )
     file.write_bytes(rendered(written, ".png", "ru"))
     return check(asked, read_paper(str(file), asked, Known()))
 

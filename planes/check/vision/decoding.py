@@ -72,9 +72,9 @@ def _decoded(data: bytes, file: str) -> Picture | None:
     told = cv2.utils.logging.getLogLevel()
     cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
     try:
-        whole = cv2.imdecode(bits, cv2.IMREAD_UNCHANGED) if see_through else None
-        plain = whole is None or whole.ndim < 3 or whole.shape[2] != 4
-        grey = in_one_shade(cv2, bits) if plain else _on_paper(cv2, whole)
+        whole: Greys | None = cv2.imdecode(bits, cv2.IMREAD_UNCHANGED) if see_through else None
+        solid = whole is None or whole.ndim < 3 or whole.shape[2] != 4
+        grey = in_one_shade(cv2, bits) if whole is None or solid else _on_paper(cv2, whole)
     finally:
         cv2.utils.logging.setLogLevel(told)
     if grey is None:
@@ -108,9 +108,12 @@ def _looked_into(data: bytes, file: str) -> tuple[bool, Image.Image]:
 def _words(said: str, height_mm: float) -> tuple[Words, ...]:
     """The lettering a PNG of this program tells of; none where that cannot be read."""
     try:
-        rows = [(str(text), *map(float, numbers)) for text, *numbers in json.loads(said)]
-        found = [Words(t, complex(x, height_mm - y), h, w, cmath.rect(1, math.radians(a))) for t, x, y, h, w, a in rows]
-    except (TypeError, ValueError):
+        found = []
+        for text, *numbers in json.loads(said):
+            x, y, high, wide, turn = map(float, numbers)
+            along = cmath.rect(1, math.radians(turn))
+            found.append(Words(str(text), complex(x, height_mm - y), high, wide, along))
+    except (TypeError, ValueError, OverflowError, RecursionError):
         return ()
     return tuple(w for w in found if cmath.isfinite(w.place * w.along) and 0 < w.height + w.width < math.inf)
 

@@ -20,7 +20,7 @@ from planes.check.reading.strokes import ReadDrawing, Stroke, Words
 from planes.check.vision.ink import Ink, evened
 from planes.check.vision.match_motion import ends_of
 from planes.check.vision.places import Seen
-from planes.check.vision.printed_heads import BOTH_SIDES, TURNED, PrintedHead, heads_along, heads_on
+from planes.check.vision.printed_heads import BOTH_SIDES, HIDDEN, TURNED, PrintedHead, heads_along, heads_on
 from planes.words.names import POLE, at, kind_of, label_of
 
 ALONG_MM, ASIDE_MM = 1.0, 7.0  # how far a head may be from where it belongs; how far aside a force may be drawn
@@ -28,6 +28,7 @@ ACROSS_MM = 0.1  # in which a head is looked for aside
 NEAR_MM = 0.3  # aside, of what is not drawn aside
 SURE_MM = 3.0  # a shorter vector may be there unseen: it is put where it should be
 VOTES_MM = 9.0  # shorter vectors do not tell where the pole is
+HIDING_MM = 3.0  # how near other vectors' ends are that may hide a head
 DRAWN_MM = 0.3  # a shorter one is not drawn
 COVERED, SLIM_MM = 0.9, 0.25
 APART_MM = 0.5  # heads no nearer than this are two
@@ -94,7 +95,7 @@ class PrintedSheet:
         return []
 
     def _poles(self, vectors: Iterable[Stroke], wrong: bool) -> list[complex]:
-        """Places from which most of the vectors would meet heads, the likeliest first; of a ``wrong`` plan nearly all."""
+        """Places from which most of the vectors would meet heads, the likeliest first; of a wrong plan, nearly all."""
         import numpy
 
         long = [(b, (b - a) / abs(b - a)) for a, b in vectors if abs(b - a) > VOTES_MM]
@@ -123,9 +124,12 @@ class PrintedSheet:
         found: dict[str, list[complex]] = {}
         for name, (a, b) in vectors.items():
             found[name] = self._heads(pole + a, pole + b) if abs(b - a) > DRAWN_MM else []
-            if not found[name] and abs(b - a) > SURE_MM and any(s.name == name for s in needed):
+            if not found[name] and abs(b - a) > SURE_MM and wrong and any(s.name == name for s in needed):
                 return []
         tips = [z for held in found.values() for z in held]
+        for a, b in (vectors[s.name] for s in needed if not found[s.name]):
+            if abs(b - a) > SURE_MM and not self._hidden(pole + a, pole + b, tips):
+                return []
         clear = [h.tip for h in self.heads if h.clear > BOTH_SIDES] if wrong else []
         if not tips or any(min(abs(z - tip) for tip in tips) > ALONG_MM for z in clear):
             return []
@@ -146,6 +150,12 @@ class PrintedSheet:
             ends = b - ALONG_MM * way, b + ALONG_MM * way
             yield from (h.tip for h in heads_along(self.ink, *ends, abs(b - a), inked))
 
+    def _hidden(self, a: complex, b: complex, tips: Sequence[complex]) -> bool:
+        """Whether a vector's head may be within the ink of others that end beside it."""
+        ends = b - NEAR_MM * (b - a) / abs(b - a), b + NEAR_MM * (b - a) / abs(b - a)
+        beside = any(abs(b - tip) < HIDING_MM for tip in tips) and self.ink.covered(a, b, SLIM_MM) > COVERED
+        return beside and bool(heads_along(self.ink, *ends, abs(b - a), least=HIDDEN))
+
     def _rows(
         self, pole: complex, vectors: Mapping[str, Stroke], found: Mapping[str, list[complex]], needed: Sequence[Side]
     ) -> list[ReadMark]:
@@ -154,7 +164,7 @@ class PrintedSheet:
         for name, (a, b) in vectors.items():
             way = (b - a) / abs(b - a) if a != b else 1
             drawn = [(tip - way * ((tip - pole - a) / way).real, tip) for tip in found[name]]
-            drawn += [(pole + a, pole + b)] if not drawn and DRAWN_MM < abs(b - a) else []
+            drawn += [(pole + a, pole + b)] if not drawn and abs(b - a) > DRAWN_MM else []
             strokes += [new for new in drawn if all(_apart(new, old) for old in strokes)]
         sketch = ReadDrawing("", strokes, list(self.words), ERROR_MM, [1] * len(strokes))
         true = {s.name: b - a for s in needed for a, b in [vectors[s.name]]}

@@ -17,7 +17,7 @@ from planes.check.vision.frame import by_frame
 from planes.check.vision.match_force import vectors_on
 from planes.check.vision.match_motion import marks_on
 from planes.check.vision.match_printed import PrintedSheet
-from planes.check.vision.match_scheme import points_on
+from planes.check.vision.match_scheme import origin_found, points_on
 from planes.check.vision.page_parts import parts_of
 from planes.check.vision.pencil_lines import sheet_of
 from planes.check.vision.picture import Flat, by_points, by_scale, cv, flatten
@@ -105,11 +105,7 @@ def paper_of_picture(
 
 
 def _flats(
-    bench: PreparedPlan,
-    picture: Picture,
-    pole: complex | None,
-    marks: Mapping[str, complex],
-    format_: str | None,
+    bench: PreparedPlan, picture: Picture, pole: complex | None, marks: Mapping[str, complex], format_: str | None
 ) -> Iterator[tuple[Flat, str | None]]:
     """Ways the picture may be made flat; with the vector its scale is taken from, if it is."""
     grey, scale = picture.grey, picture.scale
@@ -183,7 +179,8 @@ def looked(bench: PreparedPlan, flat: Flat, pole: complex | None, seen: Seen | N
         return Look(flat, 0j, explained=0.0)
     near = pole if pole is not None else printed
     if near is None or (flat.by == "frame" and pole is None and not pole_on(seen, near).ended):
-        near = pole_found(bench, seen)
+        scheme = kind_of(bench.asked.plan) == "position"
+        near = (origin_found(bench, seen) if scheme else None) or pole_found(bench, seen)
     if near is None:
         return Look(flat, 0j, explained=0.0)
     if force:

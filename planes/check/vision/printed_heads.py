@@ -1,4 +1,4 @@
-"""Arrowheads as a program prints them: filled triangles of known size, told to a tenth of a millimetre by their bases."""
+"""Arrowheads as a program prints them: filled triangles of known size, told to 0.1 mm by their bases."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ HEADLESS_MM = 1.2  # a shorter vector has no head
 INSIDE_MM, OUTSIDE_MM = 0.15, 0.3  # how far from a head's edge its ink is surely seen, and paper is
 FULL, BARE = 0.93, 0.8  # the least shares of a head's places that are ink, of those outside of a side that are paper
 HEAD, BOTH_SIDES = 0.79, 1.8  # how clear a head is of which one side is seen, or both are
+HIDDEN = 0.1  # how clear a head is within other ink
 DOUBTFUL = 1.5  # how clear a head is at the most whose tip is not seen to be narrow
 SAME_MM, ALONG = 0.7, 0.98  # heads whose tips, or bases, are nearer than this and that point one way are one
 TURNED = 0.995  # the least cosine of a head's turn from its vector
@@ -49,7 +50,7 @@ def shapes(length_mm: float) -> list[HeadShape]:
 
 
 def clearness(ink: Ink, tips: Complexes, ways: Complexes, shape: HeadShape) -> Array:
-    """How clear a head is at each of some tips: nearly 1 for each of its sides that is seen, 0 where there is none."""
+    """How clear a head is at each of some tips: nearly 1 for each of its sides that is seen, 0 where it has no ink."""
     import numpy
 
     long, wide, pen = shape
@@ -70,12 +71,14 @@ def clearness(ink: Ink, tips: Complexes, ways: Complexes, shape: HeadShape) -> A
         behind, front = (dark(numpy.full(3, z - long), k * (base - a)) for z, a in ((-0.25, 0.0), (0.25, 0.1)))
         seen = ((out < 0.5).mean(axis=1) > BARE) & (behind < 0.5).all(axis=1)
         found += numpy.where(seen, 0.5 + (front.mean(axis=1) - behind.mean(axis=1)) / 2, 0.0)
-    found = numpy.where(narrow, found, numpy.minimum(found, DOUBTFUL))
+    found = numpy.maximum(numpy.where(narrow, found, numpy.minimum(found, DOUBTFUL)), HIDDEN)
     clear: Array = numpy.where(((inside > 0.5).mean(axis=1) > FULL) & (shaft > 0.5).all(axis=1), found, 0.0)
     return clear
 
 
-def heads_along(ink: Ink, a: complex, b: complex, length_mm: float, aside: Sequence[float] = (0.0,)) -> list[PrintedHead]:
+def heads_along(
+    ink: Ink, a: complex, b: complex, length_mm: float, aside: Sequence[float] = (0.0,), least: float = HEAD
+) -> list[PrintedHead]:
     """The heads of vectors of a length whose tips are on the way from a to b, or so far to the left of it."""
     import numpy
 
@@ -84,7 +87,7 @@ def heads_along(ink: Ink, a: complex, b: complex, length_mm: float, aside: Seque
     tips = (on[None, :] + 1j * way * numpy.array(aside)[:, None]).ravel()
     for shape in shapes(length_mm):  # the ink of a thick head holds a thin one
         clear = clearness(ink, tips, numpy.full(len(tips), way), shape)
-        for k in numpy.argsort(-clear)[: int((clear > HEAD).sum())]:
+        for k in numpy.argsort(-clear)[: int((clear >= least).sum())]:
             tip = complex(tips[k])
             base = tip - shape.long * way
             if all(min(abs(tip - h.tip), abs(base - z)) > SAME_MM for h, z in found):
