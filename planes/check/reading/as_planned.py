@@ -74,9 +74,14 @@ def vectors_as_planned(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
 
 
 def vectors_named(
-    sketch: ReadDrawing, bench: PreparedPlan, sides: Mapping[str, complex], beside: Iterable[complex]
+    sketch: ReadDrawing,
+    bench: PreparedPlan,
+    sides: Mapping[str, complex],
+    beside: Iterable[complex],
+    least_mm: float = 0.0,
 ) -> ReadPaper:
-    """Given vectors of a force plan by their likeness and names, with others ``beside`` them."""
+    """Given vectors of a force plan by their likeness and names, with others ``beside`` them; where the names of those
+    shorter than ``least_mm`` stand tells nothing."""
     nothing, arrows, spelt = ReadPaper(sketch.file, whole=False), arrows_of(sketch), bench.written(sides)
     words = [(spelt.find(w.text), w) for w in sketch.words]
 
@@ -102,7 +107,7 @@ def vectors_named(
         third = sum(alongside(*rows[one], *arrow) for arrow in arrows)  # with one words stand where there is room
         return SURELY_MM if third == 2 and alongside(*rows[one], *rows[two]) else VECTORS_MM
 
-    if over or not named(rows, rows, word, nearer):
+    if over or not named(rows, [n for n in rows if abs(sides[n]) >= least_mm], word, nearer):
         return nothing
     spots = [ReadMark(n, z, sketch.error_mm) for name, (a, b) in rows.items() for n, z in ((POLE, a), (name, b))]
     return ReadPaper(sketch.file, spots, whole=len(rows) == len(sides))

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from planes.check.grading.handwork import Hand, Variant
 from planes.check.grading.paper import ReadMark, ReadPaper
@@ -29,6 +30,7 @@ NEAR_MM = 0.3  # aside, of what is not drawn aside
 SURE_MM = 3.0  # a shorter vector may be there unseen: it is put where it should be
 VOTES_MM = 9.0  # shorter vectors do not tell where the pole is
 HIDING_MM = 3.0  # how near other vectors' ends are that may hide a head
+TOLD_MM = 3.0  # a plan none of whose marks is farther from the right one's is not told from it
 DRAWN_MM = 0.3  # a shorter one is not drawn
 COVERED, SLIM_MM = 0.9, 0.25
 APART_MM = 0.5  # heads no nearer than this are two
@@ -73,26 +75,38 @@ class PrintedSheet:
 
     def _laid(self, variant: Variant | None) -> list[ReadMark]:
         """The marks of a plan drawn so; none where it is not."""
-        things, plan = redrawn(self.bench, variant, lambda step, made: made), self.bench.asked.plan
-        if things is None:
-            return []
-
-        def ends(side: Side) -> Stroke:
-            a, b = (0j if n == POLE else complex(things.get(at(plan, n), math.nan)) for n in (side.start, side.end))
-            return a, b
-
-        sides = sides_of(self.bench.plans, plan) if self.force else []
-        more = [Side(f"{a} {b}", a, b) for a, b in ends_of(self.bench)]
-        vectors = {s.name: ends(s) for s in [*more, *sides]}
-        vectors = {n: (a, b) for n, (a, b) in vectors.items() if abs(a) + abs(b) < WILDEST_MM}
-        needed = [s for s in sides or more if s.name in vectors]
-        if len(needed) < len(sides or more):
+        vectors, needed = self._vectors(variant), self.needed
+        if any(s.name not in vectors for s in needed) or (variant and not self._told(vectors)):
             return []
         for pole in self._poles(vectors.values(), variant is not None):
             spots = self._read(pole, vectors, needed, variant is not None)
             if spots:
                 return spots
         return []
+
+    @cached_property
+    def needed(self) -> list[Side]:
+        """The vectors the plan is made of."""
+        plan = self.bench.asked.plan
+        return sides_of(self.bench.plans, plan) if self.force else _between(self.bench)
+
+    def _vectors(self, variant: Variant | None) -> dict[str, Stroke]:
+        """Every vector that may be drawn, from the pole."""
+        things, plan = redrawn(self.bench, variant, lambda step, made: made) or {}, self.bench.asked.plan
+
+        def end(name: str) -> complex:
+            return 0j if name == POLE else complex(things.get(at(plan, name), math.nan))
+
+        found = {s.name: (end(s.start), end(s.end)) for s in [*_between(self.bench), *self.needed]}
+        return {n: (a, b) for n, (a, b) in found.items() if abs(a) + abs(b) < WILDEST_MM}
+
+    def _told(self, wrong: Mapping[str, Stroke]) -> bool:
+        """Whether a plan with a mistake can be told from the right one, and leaves no vector out whose name is there."""
+        right, names = self._vectors(None), self.bench.written(s.name for s in self.needed)
+        lettered = {names.find(w.text) for w in self.words} if self.force else set()
+        moved = max((abs(wrong[n][1] - b) for n, (_, b) in right.items() if n in wrong), default=0.0)
+        sizes = {n: abs(b - a) for n, (a, b) in wrong.items() if n in lettered}
+        return moved > TOLD_MM and all(long > DRAWN_MM for n, long in sizes.items() if _long(right[n]))
 
     def _poles(self, vectors: Iterable[Stroke], wrong: bool) -> list[complex]:
         """Places from which most of the vectors would meet heads, the likeliest first; of a wrong plan, nearly all."""
@@ -168,7 +182,7 @@ class PrintedSheet:
             strokes += [new for new in drawn if all(_apart(new, old) for old in strokes)]
         sketch = ReadDrawing("", strokes, list(self.words), ERROR_MM, [1] * len(strokes))
         true = {s.name: b - a for s in needed for a, b in [vectors[s.name]]}
-        return vectors_named(sketch, self.bench, true, [b - a for a, b in vectors.values()]).spots
+        return vectors_named(sketch, self.bench, true, [b - a for a, b in vectors.values()], SURE_MM).spots
 
     def _marks(
         self, pole: complex, vectors: Mapping[str, Stroke], found: Mapping[str, list[complex]], needed: Sequence[Side]
@@ -192,6 +206,16 @@ class PrintedSheet:
         if not named(places, lettered, word):
             return []
         return [ReadMark(n, places[n], ERROR_MM) for n in (POLE, *sorted(labels))]
+
+
+def _between(bench: PreparedPlan) -> list[Side]:
+    """The vectors between marks of a plan."""
+    return [Side(f"{a} {b}", a, b) for a, b in ends_of(bench)]
+
+
+def _long(vector: Stroke) -> bool:
+    """Whether a vector is drawn at all."""
+    return abs(vector[1] - vector[0]) > DRAWN_MM
 
 
 def _apart(one: Stroke, other: Stroke) -> bool:

@@ -48,7 +48,8 @@ class PageParts:
         return [(k, mu if mu != bench.said_mu else None) for _, k, mu in sorted(found)[:MOST]]
 
     def lettered(self, bench: PreparedPlan, words: Sequence[Words]) -> list[tuple[int, float | None]]:
-        """Parts with names of the plan beside them, at the scales of the titles over them; those with most first."""
+        """Parts with names of the plan beside them, at the scales of the titles over them, if any has such a title;
+        those with most names first."""
         kind = kind_of(bench.asked.plan)
         known = bench.written(true_vectors(bench)) if kind == "force" else bench.names
         found = []
@@ -56,9 +57,11 @@ class PageParts:
             near = [one for w in self.beside(k, words) for one in w.listed()]
             names = {known.exactly(w.text) for w in near} - {None}
             mu = None if bench.asked.mu else mu_over(words, ReadDrawing(strokes=[self._corners(k)]), kind)
-            found.append((len(names), mu is not None, k, mu))
-        most = max((count for count, *_ in found), default=0)
-        found = [one for one in found if most and 2 * one[0] >= most]
+            found.append((mu is not None and bool(names), len(names), k, mu))
+        titled = any(one[0] for one in found)
+        found = [one for one in found if one[0] == titled]
+        most = max((count for _, count, *_ in found), default=0)
+        found = [one for one in found if most and 2 * one[1] >= most]
         return [(k, mu) for *_, k, mu in sorted(found, key=lambda one: one[:3], reverse=True)[:MOST]]
 
     def beside(self, k: int, words: Sequence[Words]) -> list[Words]:
