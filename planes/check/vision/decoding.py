@@ -36,7 +36,7 @@ PNG, PNG_END = b"\x89PNG", b"IEND"
 
 
 @dataclass(frozen=True)
-class Picture:
+class DecodedPicture:
     """A picture in one shade; its pixels to a mm and its lettering (mm, y up from its lower edge), where the file tells
     them."""
 
@@ -45,7 +45,7 @@ class Picture:
     words: tuple[Words, ...] = ()
 
 
-def load(path: str | Path) -> Picture:
+def load(path: str | Path) -> DecodedPicture:
     """A picture, or the first page of a PDF. :class:`PlanesError` where it is none, or is too large."""
     cv()  # or a sentence that it is missing
     data = contents(path, LARGEST)
@@ -61,7 +61,7 @@ def load(path: str | Path) -> Picture:
     return found
 
 
-def _decoded(data: bytes, file: str) -> Picture | None:
+def _decoded(data: bytes, file: str) -> DecodedPicture | None:
     """The pixels in grey, on white paper where they are transparent; None where the file is no whole picture."""
     import numpy
 
@@ -80,7 +80,7 @@ def _decoded(data: bytes, file: str) -> Picture | None:
     if grey is None:
         return None
     scale = _scale_of(head)
-    return Picture(grey, scale, _words(head.info.get(LETTERING, "[]"), grey.shape[0] / scale) if scale else ())
+    return DecodedPicture(grey, scale, _words(head.info.get(LETTERING, "[]"), grey.shape[0] / scale) if scale else ())
 
 
 def _looked_into(data: bytes, file: str) -> tuple[bool, Image.Image]:
@@ -138,7 +138,7 @@ def _on_paper(cv2: ModuleType, whole: Greys) -> Greys:
     return out
 
 
-def _page(data: bytes, file: str) -> Picture:
+def _page(data: bytes, file: str) -> DecodedPicture:
     """A page of a PDF at 200 pixels per inch (fewer of a very large one), in one shade."""
     import numpy
     import pypdfium2
@@ -154,4 +154,4 @@ def _page(data: bytes, file: str) -> Picture:
     if min(w, h) * scale < LEAST_PX:
         raise PlanesError(Phrase("check_small_picture", file=file, size=f"{w * scale:.0f} × {h * scale:.0f}"))
     grey = plainest(cv(), numpy.ascontiguousarray(page.render(scale=scale).to_numpy()[..., :3]))
-    return Picture(grey, scale * 72 / 25.4)
+    return DecodedPicture(grey, scale * 72 / 25.4)
