@@ -24,7 +24,7 @@ from render.paper.marks import Text
 from render.paper.style import head_size
 from render.sheet import Sheet
 from render.sheet.single import Page
-from tests.check.test_own_sheets import ASSIGNMENTS, SCENES, drawn, made, mistakes, spoiled, view
+from tests.check.test_own_sheets import ASSIGNMENTS, SCENES, drawn, made, mistakes, spoiled, spoiled_sheet, view
 
 
 def looked(sample: str, plan: str, written: Page | Sheet, folder: Path) -> Outcome:
@@ -148,11 +148,24 @@ def test_vectors_beside_each_other_and_details_mislead_nobody(tmp_path: Path) ->
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("number", [None, 1, 2])
 @pytest.mark.parametrize("plan", ["position", "velocity", "acceleration", "force:2-3", "force:1"])
-def test_a_plan_of_a_whole_sheet_is_right(plan: str, tmp_path: Path) -> None:
+def test_a_plan_of_a_whole_sheet_is_right(plan: str, number: int | None, tmp_path: Path) -> None:
     """Frame, title block, tables and the other plans are not its lines, and the sheet has chosen its own scale."""
-    found = looked("crank-slider", plan, sheet_of(drawn("crank-slider")[0], None), tmp_path)
-    assert found.verdict == "right", found.sentence.told("en")
+    if number in (None, 2 if plan.startswith("force") else 1):
+        found = looked("crank-slider", plan, sheet_of(drawn("crank-slider")[0], None, number=number), tmp_path)
+        assert found.verdict == "right", found.sentence.told("en")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("number", "plan"), [(1, "velocity"), (2, "force:2-3")])
+def test_a_spoiled_step_is_found_on_a_whole_sheet(
+    number: int, plan: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    k = spoiled("crank-slider", plan, 1)
+    assert k is not None
+    found = looked("crank-slider", plan, spoiled_sheet("crank-slider", number, plan, k, monkeypatch), tmp_path)
+    assert (found.verdict, found.first_wrong) == ("wrong", mistakes("crank-slider", plan)[k].blames)
 
 
 @pytest.mark.slow

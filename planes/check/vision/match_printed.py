@@ -101,7 +101,7 @@ class PrintedSheet:
         return {n: (a, b) for n, (a, b) in found.items() if abs(a) + abs(b) < WILDEST_MM}
 
     def _told(self, wrong: Mapping[str, Stroke]) -> bool:
-        """Whether a plan with a mistake can be told from the right one, and leaves out no vector whose name is there."""
+        """Whether a plan with a mistake can be told from the right one, and leaves out no vector that is named."""
         right, names = self._vectors(None), self.bench.written(s.name for s in self.needed)
         lettered = {names.find(w.text) for w in self.words} if self.force else set()
         moved = max((abs(wrong[n][1] - b) for n, (_, b) in right.items() if n in wrong), default=0.0)

@@ -105,7 +105,11 @@ def paper_of_picture(
 
 
 def _flats(
-    bench: PreparedPlan, picture: Picture, pole: complex | None, marks: Mapping[str, complex], format_: str | None
+    bench: PreparedPlan,
+    picture: DecodedPicture,
+    pole: complex | None,
+    marks: Mapping[str, complex],
+    format_: str | None,
 ) -> Iterator[tuple[Flat, str | None]]:
     """Ways the picture may be made flat; with the vector its scale is taken from, if it is."""
     grey, scale = picture.grey, picture.scale
