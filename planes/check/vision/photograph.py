@@ -12,7 +12,7 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.as_planned import is_right
 from planes.check.reading.strokes import Words
 from planes.check.reading.whole_page import worth
-from planes.check.vision.decoding import load
+from planes.check.vision.decoding import DecodedPicture, load
 from planes.check.vision.frame import by_frame
 from planes.check.vision.match_force import vectors_on
 from planes.check.vision.match_motion import marks_on
