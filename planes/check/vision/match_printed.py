@@ -122,7 +122,8 @@ class PrintedSheet:
             local = (tips[on][None, :] - poles[:, None] - b) / way
             near = (abs(local.real) < ALONG_MM) & (abs(local.imag) < aside)
             met += near.any(axis=1)
-            worth += numpy.where(near, 1 - abs(local) / (2 * ASIDE_MM), 0.0).max(axis=1, initial=0.0)
+            off = abs(local.real) / (2 * ALONG_MM) + abs(local.imag) / (4 * ASIDE_MM)
+            worth += numpy.where(near, 1 - off, 0.0).max(axis=1, initial=0.0)
         found: list[complex] = []
         for k in numpy.argsort(-worth, kind="stable"):
             few = wrong and met[k] < MET * len(long)
