@@ -516,6 +516,6 @@ def test_a_printed_blank_is_found_by_its_corners(tmp_path: Path, suffix: str) ->
     file = tmp_path / f"blank{suffix}"
     assert main(["blank", SIX, "--plan", "velocity", "-o", str(file)]) == 0
     if suffix != ".svg":
-        assert sorted(find_marks(picture(file)[0])) == [0, 1, 2, 3]
-        flat = flatten(picture(file)[0])
+        assert sorted(find_marks(picture(file).grey)) == [0, 1, 2, 3]
+        flat = flatten(picture(file).grey)
         assert flat is not None and flat.grey.shape == (1680, 2376)

@@ -72,7 +72,7 @@ def written(kind: str, grey: Any, file: Path) -> Path:
     "kind", ["see-through", "16-bit", "16-bit, see-through", "palette", "CMYK", "turned in the camera"]
 )
 def test_a_file_is_read_as_it_is_seen(kind: str, scan: Any, tmp_path: Path) -> None:
-    found, _ = load(written(kind, scan, tmp_path / "p"))
+    found = load(written(kind, scan, tmp_path / "p")).grey
     assert found.shape == scan.shape and found.dtype == np.uint8
     assert abs(found.astype(int) - scan).mean() < 4
 
@@ -82,12 +82,12 @@ def test_a_file_tells_its_scale_if_its_paper_is_of_a_likely_size(dpi: int | None
     """Cameras write 72 into their pictures, whatever they show."""
     file = tmp_path / "p.png"
     Image.new("L", (1654, 1169), 255).save(file, **({"dpi": (dpi, dpi)} if dpi else {}))
-    scale = load(file)[1]
+    scale = load(file).scale
     assert (scale is not None and abs(scale - 200 / 25.4) < 0.01) if told else scale is None
     exposed = Image.Exif()
     exposed.get_ifd(0x8769)[0x829A] = 0.01
     Image.new("L", (1654, 1169), 255).save(file.with_suffix(".jpg"), dpi=(200, 200), exif=exposed)
-    assert load(file.with_suffix(".jpg"))[1] is None
+    assert load(file.with_suffix(".jpg")).scale is None
 
 
 @pytest.mark.few(1)
@@ -111,8 +111,10 @@ def test_a_page_as_large_as_a_house_is_looked_at_from_afar(tmp_path: Path) -> No
     canvas = Canvas(str(file), pagesize=(14400, 14400))
     canvas.line(0, 0, 14400, 14400)
     canvas.save()
-    grey, scale = load(file)
-    assert grey.size <= 1.01 * MOST_PAGE and scale and abs(grey.shape[0] / scale - 14400 * 25.4 / 72) < 1
+    one = load(file)
+    assert (
+        one.grey.size <= 1.01 * MOST_PAGE and one.scale and abs(one.grey.shape[0] / one.scale - 14400 * 25.4 / 72) < 1
+    )
 
 
 @pytest.mark.few(3)

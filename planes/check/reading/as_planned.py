@@ -59,7 +59,7 @@ def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates,
         if there and all(abs(_nearest(z, ends) - z) <= REACH_MM for arrow in arrows for z in arrow):
             spots = [ReadMark(n, z, sketch.error_mm) for n, z in {POLE: pole, **found}.items()]
             paper = ReadPaper(sketch.file, spots, whole=False)
-            if _named(found, near.keys() & truth, word) and is_right(bench, paper):
+            if named(found, near.keys() & truth, word) and is_right(bench, paper):
                 return paper
     return ReadPaper(sketch.file, whole=False)
 
@@ -70,8 +70,20 @@ def _nearest(z: complex, places: Sequence[complex]) -> complex:
 
 def vectors_as_planned(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     """The vectors of a force plan, each a row of its own; none where one is not drawn, or an arrow is over."""
-    sides, nothing = true_vectors(bench), ReadPaper(sketch.file, whole=False)
-    arrows, spelt = arrows_of(sketch), bench.written(sides)
+    paper = vectors_named(sketch, bench, true_vectors(bench), others(bench).values())
+    return paper if is_right(bench, paper) else ReadPaper(sketch.file, whole=False)
+
+
+def vectors_named(
+    sketch: ReadDrawing,
+    bench: PreparedPlan,
+    sides: Mapping[str, complex],
+    beside: Iterable[complex],
+    least_mm: float = 0.0,
+) -> ReadPaper:
+    """Given vectors of a force plan by their likeness and names, with others ``beside`` them; where the names of those
+    shorter than ``least_mm`` stand tells nothing."""
+    nothing, arrows, spelt = ReadPaper(sketch.file, whole=False), arrows_of(sketch), bench.written(sides)
     words = [(spelt.find(w.text), w) for w in sketch.words]
 
     def word(name: str, stroke: Stroke) -> float:
@@ -87,19 +99,18 @@ def vectors_as_planned(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
             rows[name] = min(like, key=lambda s: (word(name, s), abs(s[1] - s[0] - true)))
         elif abs(true) > SHORT_MM:
             return nothing
-    known = [*sides.values(), *others(bench).values()]
+    known = [*sides.values(), *beside]
     over = any(not _alike(s, t) and not _alike(s[::-1], t) for s in arrows for t in [_like(s, known)])
-    spots = [ReadMark(n, z, sketch.error_mm) for name, (a, b) in rows.items() for n, z in ((POLE, a), (name, b))]
-    paper = ReadPaper(sketch.file, spots, whole=len(rows) == len(sides))
     over = over or any(max(abs(a - d), abs(b - c)) < UPON_MM for (a, b), (c, d) in combinations(rows.values(), 2))
 
     def nearer(one: str, two: str) -> float:
-        beside = sum(
-            alongside(*rows[one], *arrow) for arrow in arrows
-        )  # with a third the words stand where there is room
-        return SURELY_MM if beside == 2 and alongside(*rows[one], *rows[two]) else VECTORS_MM
+        third = sum(alongside(*rows[one], *arrow) for arrow in arrows)  # with one words stand where there is room
+        return SURELY_MM if third == 2 and alongside(*rows[one], *rows[two]) else VECTORS_MM
 
-    return paper if not over and _named(rows, rows, word, nearer) and is_right(bench, paper) else nothing
+    if over or not named(rows, [n for n in rows if abs(sides[n]) >= least_mm], word, nearer):
+        return nothing
+    spots = [ReadMark(n, z, sketch.error_mm) for name, (a, b) in rows.items() for n, z in ((POLE, a), (name, b))]
+    return ReadPaper(sketch.file, spots, whole=len(rows) == len(sides))
 
 
 def _alike(stroke: Stroke, true: complex) -> bool:
@@ -116,7 +127,7 @@ def _like(stroke: Stroke, known: Sequence[complex]) -> complex:
 Place = TypeVar("Place", complex, Stroke)
 
 
-def _named(
+def named(
     found: Mapping[str, Place],
     words: Iterable[str],
     word: Callable[[str, Place], float],

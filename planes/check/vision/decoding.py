@@ -5,7 +5,11 @@ A picture comes in one shade: of paper with a coloured grid, in the colour in wh
 
 from __future__ import annotations
 
+import cmath
 import io
+import json
+import math
+from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING
@@ -13,10 +17,12 @@ from typing import TYPE_CHECKING
 import numpy
 
 from planes.check.reading.opened import MB, contents, hushed
+from planes.check.reading.strokes import Words
 from planes.check.vision.picture import cv
 from planes.geometry.arrays import Array, Booleans, Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
+from planes.words.lettering import LETTERING
 
 if TYPE_CHECKING:
     from PIL import Image
@@ -38,44 +44,55 @@ LOOK_PX, PARTS = 1000, 8
 EVERYWHERE, SOMEWHERE = 0.8, 0.4  # shares of the parts of a picture in which a grid is, and in which a drawing may be
 
 
-def load(path: str | Path) -> tuple[Greys, float | None]:
-    """A picture (or the first page of a PDF) in one shade, and its pixels to a mm where the file tells them.
+@dataclass(frozen=True)
+class DecodedPicture:
+    """A picture in one shade; its pixels to a mm and its lettering (mm, y up from its lower edge), where the file tells
+    them."""
 
-    :class:`PlanesError` where it is no picture, or is too large.
-    """
+    grey: Greys
+    scale: float | None = None
+    words: tuple[Words, ...] = ()
+
+
+def load(path: str | Path) -> DecodedPicture:
+    """A picture, or the first page of a PDF. :class:`PlanesError` where it is none, or is too large."""
     cv()  # or a sentence that it is missing
     data = contents(path, LARGEST)
     if not data:
         raise PlanesError(Phrase("check_empty", file=str(path)))
     with guarded("check_picture", path), hushed():
-        found, scale = _page(data, str(path)) if data[:5] == b"%PDF-" else _decoded(data, str(path))
+        found = _page(data, str(path)) if data[:5] == b"%PDF-" else _decoded(data, str(path))
     if found is None:
         raise PlanesError(Phrase("check_picture", file=str(path)))
-    if min(found.shape) < LEAST_PX:
-        raise PlanesError(Phrase("check_small_picture", file=str(path), size=f"{found.shape[1]} × {found.shape[0]}"))
-    return found, scale
+    height, width = found.grey.shape
+    if min(height, width) < LEAST_PX:
+        raise PlanesError(Phrase("check_small_picture", file=str(path), size=f"{width} × {height}"))
+    return found
 
 
-def _decoded(data: bytes, file: str) -> tuple[Greys | None, float | None]:
+def _decoded(data: bytes, file: str) -> DecodedPicture | None:
     """The pixels in grey, on white paper where they are transparent; None where the file is no whole picture."""
-    see_through, scale = _looked_into(data, file)
+    see_through, head = _looked_into(data, file)
     cv2, bits = cv(), numpy.frombuffer(data, numpy.uint8)
     if data[:4] == PNG and PNG_END not in data[-64:]:
-        return None, scale  # it was cut short
+        return None  # it was cut short
     told = cv2.utils.logging.getLogLevel()
     cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
     try:
-        whole = cv2.imdecode(bits, cv2.IMREAD_UNCHANGED) if see_through else None
-        if whole is None or whole.ndim < 3 or whole.shape[2] != 4:
-            return in_one_shade(cv2, bits), scale
-        return _on_paper(cv2, whole), scale
+        whole: Greys | None = cv2.imdecode(bits, cv2.IMREAD_UNCHANGED) if see_through else None
+        solid = whole is None or whole.ndim < 3 or whole.shape[2] != 4
+        grey = in_one_shade(cv2, bits) if whole is None or solid else _on_paper(cv2, whole)
     finally:
         cv2.utils.logging.setLogLevel(told)
+    if grey is None:
+        return None
+    scale = _scale_of(head)
+    return DecodedPicture(grey, scale, _words(head.info.get(LETTERING, "[]"), grey.shape[0] / scale) if scale else ())
 
 
-def _looked_into(data: bytes, file: str) -> tuple[bool, float | None]:
-    """Whether a picture may be transparent, and its pixels to a mm, by its header alone; refused if decoding it would
-    take too much memory."""
+def _looked_into(data: bytes, file: str) -> tuple[bool, Image.Image]:
+    """Whether a picture may be transparent, by its header alone, and that; refused if decoding it would take too much
+    memory."""
     import warnings
 
     from PIL import Image
@@ -92,7 +109,20 @@ def _looked_into(data: bytes, file: str) -> tuple[bool, float | None]:
     each = 10 if see_through or head.format == "TIFF" or "progressive" in head.info else 5
     if pixels * each > MOST_BYTES:
         raise PlanesError(Phrase("check_large_picture", file=file, size=f"{head.width} × {head.height}"))
-    return bool(see_through), _scale_of(head)
+    return bool(see_through), head
+
+
+def _words(said: str, height_mm: float) -> tuple[Words, ...]:
+    """The lettering a PNG of this program tells of; none where that cannot be read."""
+    try:
+        found = []
+        for text, *numbers in json.loads(said):
+            x, y, high, wide, turn = map(float, numbers)
+            along = cmath.rect(1, math.radians(turn))
+            found.append(Words(str(text), complex(x, height_mm - y), high, wide, along))
+    except (TypeError, ValueError, OverflowError, RecursionError):
+        return ()
+    return tuple(w for w in found if cmath.isfinite(w.place * w.along) and 0 < w.height + w.width < math.inf)
 
 
 def _scale_of(head: Image.Image) -> float | None:
@@ -113,7 +143,7 @@ def _on_paper(cv2: ModuleType, whole: Greys) -> Greys:
     return out
 
 
-def _page(data: bytes, file: str) -> tuple[Greys, float]:
+def _page(data: bytes, file: str) -> DecodedPicture:
     """A page of a PDF at 200 pixels per inch (fewer of a very large one), in one shade."""
     import pypdfium2
 
@@ -127,7 +157,8 @@ def _page(data: bytes, file: str) -> tuple[Greys, float]:
     scale = min(PAGE_DPI / 72, (MOST_PAGE / max(w * h, 1.0)) ** 0.5, 30_000 / max(w, h, 1.0))
     if min(w, h) * scale < LEAST_PX:
         raise PlanesError(Phrase("check_small_picture", file=file, size=f"{w * scale:.0f} × {h * scale:.0f}"))
-    return plainest(cv(), numpy.ascontiguousarray(page.render(scale=scale).to_numpy()[..., :3])), scale * 72 / 25.4
+    grey = plainest(cv(), numpy.ascontiguousarray(page.render(scale=scale).to_numpy()[..., :3]))
+    return DecodedPicture(grey, scale * 72 / 25.4)
 
 
 def in_one_shade(cv2: ModuleType, data: Greys) -> Greys | None:

@@ -30,6 +30,7 @@ SUPPORT_MM, HINGE_MM = 9.5, 3.0  # ink nearer than this to a support or slider, 
 BEYOND_MM = 30.0  # guides are drawn that far past a slider
 HIDDEN_MM = 2.6  # of a line, within the signs at its ends
 ORIGIN_MM = 1.5
+AT_SIGNS = 0.7  # the share of points that must stand at signs for these to tell where the origin is
 NO_POINT = 16.0  # what it costs that a point of a link is nowhere; a mass centre need not be drawn
 
 
@@ -83,7 +84,8 @@ class SoughtScheme(Search):
         right = self.way(None)
         if right:
             yield right
-        if right and {*self.bench.marks} - {*right.found} <= self.centres and right.cost < self.fair:
+        enough = right and {*self.bench.marks} - {*right.found} <= self.centres
+        if right and enough and (right.cost < self.fair or self.at_signs(right)):
             return
         free = Hand(self.bench.program, self.bench.given, self.bench.asked.skill, {})
         variants = list(variants_of(self.bench, free, self.bench.said_mu))
@@ -93,6 +95,10 @@ class SoughtScheme(Search):
         if best and best.cost > slip(len(variants)) + self.fair:
             free_ones = {(m, p.z): (m, p) for way in (right or best, best) for m, p in self.free_marks(way)}
             yield from (w for w in (self.way(None, f, ANYWHERE) for f in free_ones.values()) if w)
+
+    def at_signs(self, way: LaidPlan) -> bool:
+        """Whether every point was found where a sign stands."""
+        return {*self.bench.marks} == {*way.found} and all(p.tip or p is self.pole for p in way.found.values())
 
     @property
     def fair(self) -> float:
@@ -178,7 +184,18 @@ def points_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Read
         return [], 0.0
     spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
     spots += [ReadMark(label_of(m), p.z, p.sigma) for m, p in way.found.items()]
-    return spots, search.explained(way)
+    return spots, 1.0 if search.at_signs(way) else search.explained(way)
+
+
+def origin_found(bench: PreparedPlan, seen: Seen) -> complex | None:
+    """The place from which most points of the right scheme would stand at signs, wherever it is; None if too few do."""
+    truth = run(bench.program, bench.given)
+    spots, points = [z for z, _ in signs(seen.ink)], [complex(truth[m]) for m in bench.marks]
+    best: list[complex] = []
+    for origin in (z - w for z in spots for w in points):
+        off = (min((s - w - origin for s in spots), key=abs) for w in points)
+        best = max(best, [origin + d for d in off if abs(d) < ORIGIN_MM], key=len)
+    return sum(best) / len(best) if len(best) >= max(2, AT_SIGNS * len(points)) else None
 
 
 def origin_on(seen: Seen, near: complex) -> Place:

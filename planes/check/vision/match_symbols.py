@@ -38,7 +38,7 @@ def _circles(ink: Ink) -> Iterator[tuple[float, complex, float]]:
         within = _mean(mask, 0.0, k * max(radius - RIM_MM - 0.2, 0.3))
         around = _mean(mask, k * (radius + RIM_MM + 0.2), k * (radius + CLEAR_MM))
         score = numpy.where((rim > ROUND) & (around < ALONE), rim - within, 0.0)
-        yield from _peaks(ink, score, HOLLOW, k, CIRCLE_SIGMA, 1.0)
+        yield from _peaks(ink, score, HOLLOW, k, CIRCLE_SIGMA)
 
 
 def _dots(ink: Ink) -> Iterator[tuple[float, complex, float]]:
@@ -48,7 +48,7 @@ def _dots(ink: Ink) -> Iterator[tuple[float, complex, float]]:
     full = _mean(mask, 0.0, k * DOT_MM)
     around = _mean(mask, k * AROUND_MM[0], k * AROUND_MM[1])
     score = numpy.where((full > FULL) & (around < ALONE), _mean(mask, 0.0, k * (DOT_MM + 0.2)) - 0.5 * around, 0.0)
-    yield from _peaks(ink, score, 0.3, k, DOT_SIGMA, 0.0)
+    yield from _peaks(ink, score, 0.3, k, DOT_SIGMA)
 
 
 def _smaller(ink: Ink, even: Greys) -> tuple[Array, float]:
@@ -73,9 +73,7 @@ def _mean(mask: Array, inner: float, outer: float) -> Array:
     return mean
 
 
-def _peaks(
-    ink: Ink, score: Array, least: float, k: float, sigma: float, bonus: float
-) -> Iterator[tuple[float, complex, float]]:
+def _peaks(ink: Ink, score: Array, least: float, k: float, sigma: float) -> Iterator[tuple[float, complex, float]]:
     """The highest places, each where the score about it has its middle."""
     import numpy
 
@@ -88,4 +86,4 @@ def _peaks(
         ]
         middle_x, middle_y = (float((weight * v).sum() / weight.sum()) + 0.5 for v in (columns, rows))
         scale = ink.flat.scale / k
-        yield float(score[y, x]) + bonus, ink.flat.mm(middle_x * scale, middle_y * scale), sigma
+        yield float(score[y, x]), ink.flat.mm(middle_x * scale, middle_y * scale), sigma

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from planes.check.fiducials import SHEET_MM, pole_place
 from planes.check.grading.paper import Known, ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.reading.as_planned import worth
-from planes.check.vision.decoding import load
+from planes.check.reading.as_planned import is_right, worth
+from planes.check.reading.strokes import Words
+from planes.check.vision.decoding import DecodedPicture, load
 from planes.check.vision.frame import by_frame
-from planes.check.vision.match_apart import vectors_apart
 from planes.check.vision.match_force import vectors_on
 from planes.check.vision.match_motion import marks_on
-from planes.check.vision.match_scheme import points_on
+from planes.check.vision.match_printed import PrintedSheet
+from planes.check.vision.match_scheme import origin_found, points_on
 from planes.check.vision.page_parts import parts_of
 from planes.check.vision.pencil_lines import sheet_of
 from planes.check.vision.picture import Flat, by_points, by_scale, cv, flatten
@@ -43,7 +44,8 @@ class Look:
     hidden: tuple[str, ...] = ()  # vectors whose ends are not seen
     bare: bool = False  # whether there are no lines at all
     crowd: bool = False  # whether there are too many to look at
-    mu: float | None = None  # the scale it was found at, where it is not the stated one
+    mu: float | None = None  # the scale its title says, or it was found at, where that is not the stated one
+    told: bool = False  # whether its lettering tells what is what
 
     def box(self, bench: PreparedPlan) -> tuple[float, float, float, float]:
         """Where the flat picture lies, mm from the pole: left, bottom, right, top."""
@@ -59,11 +61,10 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
 
     :class:`PlanesError` where it is no picture or has nothing to measure by.
     """
-    grey, scale = load(file)
-    known = known or Known()
+    picture, known = load(file), known or Known()
     paper, best, pole = ReadPaper(file, whole=False), None, known.pole
-    for flat, named in _flats(bench, grey, scale, known):
-        look = _best(bench, flat, 0j if named else None if pole is None else flat.place(pole))
+    for flat, named in _flats(bench, picture, known):
+        look = _best(bench, flat, 0j if named else None if pole is None else flat.place(pole), picture.words)
         if best is None or look.explained > best.explained:
             best, paper.scale_mark = look, named
         if best.flat.by in ("scale", "part") and best.explained >= EXPLAINED:
@@ -71,7 +72,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     told = best and (best.flat.by not in ("scale", "part") or pole is not None)
     if best is None or not (told or (best.spots and best.explained >= EXPLAINED)):
         raise PlanesError(Phrase("check_no_marks"))
-    paper.notes, paper.pole_told = list(best.flat.notes), pole is not None or best.flat.by == "marks"
+    paper.notes, paper.pole_told = list(best.flat.notes), pole is not None or best.flat.by == "marks" or best.told
     paper.picture, paper.box = shown(best.flat), best.box(bench)
     if best.crowd:
         paper.notes.append(Phrase("check_crowd", count=f"> {2 * MOST_LINES}"))
@@ -81,7 +82,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         paper.notes.append(Phrase("check_no_plan_seen", share=f"{100 * max(best.explained, 0.0):.0f}"))
     else:
         paper.spots, paper.whole, paper.mu = best.spots, best.whole, best.mu
-        if best.mu:
+        if best.mu and best.mu != bench.said_mu:
             paper.notes.append(Phrase("check_mu_found", mu=bench.mu_said(best.mu)))
         if not best.spots:
             paper.notes.append(Phrase("check_force_unsure"))
@@ -90,8 +91,9 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     return paper
 
 
-def _flats(bench: PreparedPlan, grey: Greys, scale: float | None, known: Known) -> Iterator[tuple[Flat, str | None]]:
+def _flats(bench: PreparedPlan, picture: DecodedPicture, known: Known) -> Iterator[tuple[Flat, str | None]]:
     """Ways the picture may be made flat; with the vector its scale is taken from, if it is."""
+    grey, scale = picture.grey, picture.scale
     if known.pole is not None and known.marks:
         yield _by_hand(bench, grey, known.pole, known.marks)
     elif flat := None if known.format else flatten(grey):
@@ -102,17 +104,17 @@ def _flats(bench: PreparedPlan, grey: Greys, scale: float | None, known: Known) 
         yield from ((flat, None) for flat in by_frame(grey, known.format))
 
 
-def _best(bench: PreparedPlan, flat: Flat, pole: complex | None) -> Look:
+def _best(bench: PreparedPlan, flat: Flat, pole: complex | None, words: Sequence[Words]) -> Look:
     """What a flat picture shows best: all of it, or of a page of known scale one of its parts."""
     if flat.by != "scale" or pole is not None:
         return looked(bench, flat, pole, sheet_of(flat, _printed(bench, flat)))
     page, looks = parts_of(flat), list[tuple[float, Look]]()
     seen: dict[int, tuple[Flat, Seen | None]] = {}
-    for k, mu in page.likely(bench):
+    for k, mu in page.lettered(bench, words) or page.likely(bench):
         part, sheet = seen[k] = seen.get(k) or (one := page.cut(k), sheet_of(one))
-        there = bench.at(mu, told=True) if mu != bench.said_mu else bench
-        look = looked(there, part, None, sheet)
-        look.mu = mu if mu != bench.said_mu else None
+        there = bench.at(mu, told=True) if mu else bench
+        look = _on_part(there, part, sheet, page.beside(k, words))
+        look.mu = mu
         good = worth(there, ReadPaper("", look.spots, whole=look.whole)) if look.explained >= EXPLAINED else -math.inf
         looks.append((good, look))
         if good >= len(bench.marks):
@@ -120,6 +122,20 @@ def _best(bench: PreparedPlan, flat: Flat, pole: complex | None) -> Look:
     if all(good == -math.inf for good, _ in looks):
         looks.append((0.0, looked(bench, flat, None, sheet_of(flat))))
     return max(looks, key=lambda found: (found[0], found[1].explained))[1]
+
+
+def _on_part(bench: PreparedPlan, flat: Flat, seen: Seen | None, words: Sequence[Words]) -> Look:
+    """What a part of a page shows, with the words beside it: by its arrowheads, if it is a plan of vectors."""
+    kind, look = kind_of(bench.asked.plan), Look(flat, 0j, explained=0.0)
+    if seen is None or len(seen.lines) > MOST_LINES or kind == "position":
+        return looked(bench, flat, None, seen)
+    sheet = PrintedSheet(bench, seen, words)
+    spots = sheet.right()
+    if not spots:
+        look = look if kind == "force" else looked(bench, flat, None, seen)
+        right = bool(look.spots) and is_right(bench, ReadPaper("", look.spots, whole=False))
+        spots = sheet.wrong() if words and not right else []
+    return Look(flat, spots[0].place, spots, True, 1.0, told=bool(words)) if spots else look
 
 
 def _printed(bench: PreparedPlan, flat: Flat) -> complex | None:
@@ -136,11 +152,11 @@ def looked(bench: PreparedPlan, flat: Flat, pole: complex | None, seen: Seen | N
         return Look(flat, 0j, explained=0.0, bare=True)
     force = kind_of(bench.asked.plan) == "force"
     if flat.by in ("scale", "part") and force and pole is None:
-        found = vectors_apart(bench, seen)
-        return Look(flat, found[1], found[0], True, 1.0) if found else Look(flat, 0j, explained=0.0)
+        return Look(flat, 0j, explained=0.0)
     near = pole if pole is not None else printed
     if near is None or (flat.by == "frame" and pole is None and not pole_on(seen, near).ended):
-        near = pole_found(bench, seen)
+        scheme = kind_of(bench.asked.plan) == "position"
+        near = (origin_found(bench, seen) if scheme else None) or pole_found(bench, seen)
     if near is None:
         return Look(flat, 0j, explained=0.0)
     if force:

@@ -1,0 +1,224 @@
+"""A plan as a program prints it, told by its arrowheads and its lettering.
+
+The plan is laid on the picture as it should be, or as one mistake of the catalogue makes it. Each of its vectors must
+have its head where it ends, and its ink on the way there; of a force plan some way aside, for forces of one line stand
+side by side. No clear head may be left over, and no name may stand beside another's vector.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from planes.check.grading.handwork import Hand, Variant
+from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.grading.polygons import Side, sides_of
+from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
+from planes.check.reading.as_planned import FARTHEST_MM, is_right, named, vectors_named
+from planes.check.reading.strokes import ReadDrawing, Stroke, Words
+from planes.check.vision.ink import Ink, evened
+from planes.check.vision.match_motion import ends_of
+from planes.check.vision.places import Seen
+from planes.check.vision.printed_heads import BOTH_SIDES, HIDDEN, TURNED, PrintedHead, heads_along, heads_on
+from planes.words.names import POLE, at, kind_of, label_of
+
+ALONG_MM, ASIDE_MM = 1.0, 7.0  # how far a head may be from where it belongs; how far aside a force may be drawn
+ACROSS_MM = 0.1  # in which a head is looked for aside
+NEAR_MM = 0.3  # aside, of what is not drawn aside
+SURE_MM = 3.0  # a shorter vector may be there unseen: it is put where it should be
+VOTES_MM = 9.0  # shorter vectors do not tell where the pole is
+HIDING_MM = 3.0  # how near other vectors' ends are that may hide a head
+TOLD_MM = 3.0  # a plan none of whose marks is farther from the right one's is not told from it
+DRAWN_MM = 0.3  # a shorter one is not drawn
+COVERED, SLIM_MM = 0.9, 0.25
+APART_MM = 0.5  # heads no nearer than this are two
+TRIED = 4  # poles
+MET = 0.7  # the least share of the long vectors of a wrong plan that must meet a head
+ERROR_MM = 0.15
+WILDEST_MM = 400.0
+
+
+@dataclass
+class PrintedSheet:
+    """What is printed: ink with its clear heads, and words."""
+
+    bench: PreparedPlan
+    seen: Seen
+    words: Sequence[Words]
+    ink: Ink = field(init=False)
+    heads: list[PrintedHead] = field(init=False)
+    tips: dict[tuple[complex, complex], list[complex]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        ink = self.seen.ink
+        self.ink = Ink(ink.flat, evened(ink.flat), ink.paper, ink.pencil)
+        self.words = [one for word in self.words for one in word.listed()]
+        self.heads = heads_on(self.ink, self.seen.lines)
+
+    @property
+    def force(self) -> bool:
+        """Whether its vectors may stand aside."""
+        return kind_of(self.bench.asked.plan) == "force"
+
+    def right(self) -> list[ReadMark]:
+        """The marks of the right plan; none where it is not what is drawn."""
+        spots = self._laid(None)
+        return spots if is_right(self.bench, ReadPaper("", spots)) else []
+
+    def wrong(self) -> list[ReadMark]:
+        """The marks of the plan with a mistake of the catalogue; none where no such is drawn."""
+        hand = Hand(self.bench.program, self.bench.given, self.bench.asked.skill, {})
+        found = (self._laid(v) for v in variants_of(self.bench, hand, self.bench.said_mu))
+        return next((spots for spots in found if spots), [])
+
+    def _laid(self, variant: Variant | None) -> list[ReadMark]:
+        """The marks of a plan drawn so; none where it is not."""
+        vectors, needed = self._vectors(variant), self.needed
+        if any(s.name not in vectors for s in needed) or (variant and not self._told(vectors)):
+            return []
+        for pole in self._poles(vectors.values(), variant is not None):
+            spots = self._read(pole, vectors, needed, variant is not None)
+            if spots:
+                return spots
+        return []
+
+    @cached_property
+    def needed(self) -> list[Side]:
+        """The vectors the plan is made of."""
+        plan = self.bench.asked.plan
+        return sides_of(self.bench.plans, plan) if self.force else _between(self.bench)
+
+    def _vectors(self, variant: Variant | None) -> dict[str, Stroke]:
+        """Every vector that may be drawn, from the pole."""
+        things, plan = redrawn(self.bench, variant, lambda step, made: made) or {}, self.bench.asked.plan
+
+        def end(name: str) -> complex:
+            return 0j if name == POLE else complex(things.get(at(plan, name), math.nan))
+
+        found = {s.name: (end(s.start), end(s.end)) for s in [*_between(self.bench), *self.needed]}
+        return {n: (a, b) for n, (a, b) in found.items() if abs(a) + abs(b) < WILDEST_MM}
+
+    def _told(self, wrong: Mapping[str, Stroke]) -> bool:
+        """Whether a plan with a mistake can be told from the right one, and leaves out no vector that is named."""
+        right, names = self._vectors(None), self.bench.written(s.name for s in self.needed)
+        lettered = {names.find(w.text) for w in self.words} if self.force else set()
+        moved = max((abs(wrong[n][1] - b) for n, (_, b) in right.items() if n in wrong), default=0.0)
+        sizes = {n: abs(b - a) for n, (a, b) in wrong.items() if n in lettered}
+        return moved > TOLD_MM and all(long > DRAWN_MM for n, long in sizes.items() if _long(right[n]))
+
+    def _poles(self, vectors: Iterable[Stroke], wrong: bool) -> list[complex]:
+        """Places from which most of the vectors would meet heads, the likeliest first; of a wrong plan, nearly all."""
+        import numpy
+
+        long = [(b, (b - a) / abs(b - a)) for a, b in vectors if abs(b - a) > VOTES_MM]
+        tips, ways = (numpy.array([getattr(h, k) for h in self.heads], complex) for k in ("tip", "way"))
+        points = [(ways / way).real > TURNED for _, way in long]
+        poles = numpy.array([z for (b, _), on in zip(long, points, strict=True) for z in tips[on] - b], complex)
+        worth, met = numpy.zeros(len(poles)), numpy.zeros(len(poles))
+        aside = ASIDE_MM if self.force else NEAR_MM
+        for (b, way), on in zip(long, points, strict=True):
+            local = (tips[on][None, :] - poles[:, None] - b) / way
+            near = (abs(local.real) < ALONG_MM) & (abs(local.imag) < aside)
+            met += near.any(axis=1)
+            off = abs(local.real) / (2 * ALONG_MM) + abs(local.imag) / (4 * ASIDE_MM)
+            worth += numpy.where(near, 1 - off, 0.0).max(axis=1, initial=0.0)
+        found: list[complex] = []
+        for k in numpy.argsort(-worth, kind="stable"):
+            few = wrong and met[k] < MET * len(long)
+            if not few and len(found) < TRIED and all(abs(poles[k] - f) > APART_MM for f in found):
+                found.append(complex(poles[k]))
+        return found
+
+    def _read(
+        self, pole: complex, vectors: Mapping[str, Stroke], needed: Sequence[Side], wrong: bool
+    ) -> list[ReadMark]:
+        """The marks of a plan with its vectors at a pole; none where one has no head, or, if it is not the right plan,
+        a clear head is no vector's."""
+        found: dict[str, list[complex]] = {}
+        for name, (a, b) in vectors.items():
+            found[name] = self._heads(pole + a, pole + b) if abs(b - a) > DRAWN_MM else []
+            if not found[name] and abs(b - a) > SURE_MM and wrong and any(s.name == name for s in needed):
+                return []
+        tips = [z for held in found.values() for z in held]
+        for a, b in (vectors[s.name] for s in needed if not found[s.name]):
+            if abs(b - a) > SURE_MM and not self._hidden(pole + a, pole + b, tips):
+                return []
+        clear = [h.tip for h in self.heads if h.clear > BOTH_SIDES] if wrong else []
+        if not tips or any(min(abs(z - tip) for tip in tips) > ALONG_MM for z in clear):
+            return []
+        return (self._rows if self.force else self._marks)(pole, vectors, found, needed)
+
+    def _heads(self, a: complex, b: complex) -> list[complex]:
+        """Tips of the heads a vector may have that should lead from a to b (remembered)."""
+        key = complex(round(a.real, 1), round(a.imag, 1)), complex(round(b.real, 1), round(b.imag, 1))
+        if key not in self.tips:
+            self.tips[key] = list(self._looked(a, b))
+        return self.tips[key]
+
+    def _looked(self, a: complex, b: complex) -> Iterator[complex]:
+        way, count = (b - a) / abs(b - a), round((ASIDE_MM if self.force else NEAR_MM) / ACROSS_MM)
+        aside = [ACROSS_MM * k for k in sorted(range(-count, count + 1), key=abs)]
+        inked = [t for t in aside if self.ink.covered(a + 1j * t * way, b + 1j * t * way, SLIM_MM) > COVERED]
+        if inked:
+            ends = b - ALONG_MM * way, b + ALONG_MM * way
+            yield from (h.tip for h in heads_along(self.ink, *ends, abs(b - a), inked))
+
+    def _hidden(self, a: complex, b: complex, tips: Sequence[complex]) -> bool:
+        """Whether a vector's head may be within the ink of others that end beside it."""
+        ends = b - NEAR_MM * (b - a) / abs(b - a), b + NEAR_MM * (b - a) / abs(b - a)
+        beside = any(abs(b - tip) < HIDING_MM for tip in tips) and self.ink.covered(a, b, SLIM_MM) > COVERED
+        return beside and bool(heads_along(self.ink, *ends, abs(b - a), least=HIDDEN))
+
+    def _rows(
+        self, pole: complex, vectors: Mapping[str, Stroke], found: Mapping[str, list[complex]], needed: Sequence[Side]
+    ) -> list[ReadMark]:
+        """Vectors of a force plan, each a row of its own."""
+        strokes: list[Stroke] = []
+        for name, (a, b) in vectors.items():
+            way = (b - a) / abs(b - a) if a != b else 1
+            drawn = [(tip - way * ((tip - pole - a) / way).real, tip) for tip in found[name]]
+            drawn += [(pole + a, pole + b)] if not drawn and abs(b - a) > DRAWN_MM else []
+            strokes += [new for new in drawn if all(_apart(new, old) for old in strokes)]
+        sketch = ReadDrawing("", strokes, list(self.words), ERROR_MM, [1] * len(strokes))
+        true = {s.name: b - a for s in needed for a, b in [vectors[s.name]]}
+        return vectors_named(sketch, self.bench, true, [b - a for a, b in vectors.values()], SURE_MM).spots
+
+    def _marks(
+        self, pole: complex, vectors: Mapping[str, Stroke], found: Mapping[str, list[complex]], needed: Sequence[Side]
+    ) -> list[ReadMark]:
+        """Marks of a motion plan, where the heads are of the vectors that end in them."""
+        ends = {s.end: vectors[s.name][1] for s in needed}
+        places = {POLE: pole}
+        for mark, z in ends.items():
+            tips = [tip for s in needed if s.end == mark for tip in found[s.name]]
+            same = [w for n, w in places.items() if abs(z - ends.get(n, 0j)) < DRAWN_MM]
+            places |= {mark: same[0]} if same else {mark: min(tips, key=lambda t: abs(t - pole - z))} if tips else {}
+        names = self.bench.names
+        words = [(names.find(w.text), w) for w in self.words]
+
+        def word(name: str, z: complex) -> float:
+            far = min(w.distance(z) for n, w in words if n == name)
+            return far if far <= FARTHEST_MM else math.inf
+
+        lettered = {n for n, _ in words if n} & places.keys()
+        labels = {label_of(m) for m in self.bench.marks} & places.keys()
+        if not named(places, lettered, word):
+            return []
+        return [ReadMark(n, places[n], ERROR_MM) for n in (POLE, *sorted(labels))]
+
+
+def _between(bench: PreparedPlan) -> list[Side]:
+    """The vectors between marks of a plan."""
+    return [Side(f"{a} {b}", a, b) for a, b in ends_of(bench)]
+
+
+def _long(vector: Stroke) -> bool:
+    """Whether a vector is drawn at all."""
+    return abs(vector[1] - vector[0]) > DRAWN_MM
+
+
+def _apart(one: Stroke, other: Stroke) -> bool:
+    """Whether two vectors are not one and the same."""
+    return abs(one[1] - other[1]) > APART_MM or abs(one[0] - other[0]) > ALONG_MM
