@@ -1,9 +1,10 @@
-"""What the README shows is what the program does."""
+"""What the README shows, in English and in Russian, is what the program does."""
 
 from __future__ import annotations
 
 import re
 import shlex
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -13,49 +14,107 @@ from planes.scene import loads
 from planes.solving import solve
 from tests.helpers import ROOT
 
-README = (ROOT / "README.md").read_text("utf-8")
-RUNS = re.findall(r"<!-- run: (.+?) -->\n```text\n(.*?)```", README, re.S)
+READMES = {lang: (ROOT / name).read_text("utf-8") for lang, name in {"en": "README.md", "ru": "README.ru.md"}.items()}
+MARKS = ["draw", "tests", "run", "scene", "python"]
+OWN = {"drawing.svg"}  # what an earlier command of the table writes
+
+both = pytest.mark.parametrize("lang", READMES)
 
 
-@pytest.mark.parametrize(("command", "shown"), RUNS, ids=[c for c, _ in RUNS])
-def test_shown_output(
-    command: str, shown: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def marked(lang: str, mark: str) -> str:
+    """The block of code that stands under a mark."""
+    found = re.search(rf"<!-- {mark}\b.*? -->\n```\w+\n(.*?)```", READMES[lang], re.S)
+    assert found, mark
+    return found[1]
+
+
+def commands(lang: str) -> list[list[str]]:
+    """The commands of the table, as words."""
+    return [shlex.split(c) for c in re.findall(r"^\| `\.venv/bin/planes (.+?)` \|", READMES[lang], re.M)]
+
+
+def prose(lang: str) -> list[str]:
+    """The lines for people: no blocks, no code, no addresses, no names of languages."""
+    text = re.sub(r"<!-- .*? -->|```.*?```|`[^`]*`|\]\(.*?\)|\[?(English|Русский)\]?", "", READMES[lang], flags=re.S)
+    return [line for line in text.splitlines() if re.search(r"\w", line)]
+
+
+def cyrillic(text: str) -> int:
+    return len(re.findall("[а-яё]", text, re.I))
+
+
+@both
+def test_shown_output(lang: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)
-    assert main(shlex.split(command)[1:]) == 0
-    assert capsys.readouterr().out == shown
+    runs = re.findall(r"<!-- run: (.+?) -->\n```text\n(.*?)```", READMES[lang], re.S)
+    assert runs
+    for command, shown in runs:
+        assert command.endswith(f"--lang {lang}")
+        assert main(shlex.split(command)[1:]) == 0
+        assert capsys.readouterr().out == shown
 
 
-def test_the_scene_of_the_readme_solves() -> None:
-    text = re.search(r"<!-- scene -->\n```yaml\n(.*?)```", README, re.S)
-    assert text
-    solved = solve(loads(text[1]))
+@both
+def test_the_scene_of_the_readme_solves(lang: str) -> None:
+    solved = solve(loads(marked(lang, "scene")))
     assert len(solved.positions) == 1
     assert not solved.failed
 
 
-def test_every_picture_is_there() -> None:
-    for picture in re.findall(r"!\[.*?\]\((.*?)\)", README):
-        assert (ROOT / picture).is_file(), picture
+@both
+def test_every_picture_and_page_is_there(lang: str) -> None:
+    for address in re.findall(r"\[.*?\]\((.*?)\)", READMES[lang]):
+        assert (ROOT / address).exists(), address
 
 
-def test_every_command_of_the_table_exists() -> None:
-    for command in re.findall(r"^\| `planes ([\w-]+) ", README, re.M):
+@both
+def test_every_command_of_the_table_can_be_typed(lang: str) -> None:
+    written = set(OWN)
+    for command in commands(lang):
         with pytest.raises(SystemExit) as stop:
-            main([command, "--help"])
+            main([*command, "--help"])
         assert stop.value.code == 0
+        written |= {after for word, after in pairwise(command) if word == "-o"}
+        files = [word for word in command if "/" in word or word in written]
+        assert files and all(word in written or (ROOT / word).exists() for word in files), command
 
 
-def test_the_two_commands_make_their_own_environment() -> None:
+@both
+def test_the_two_commands_make_their_own_environment(lang: str) -> None:
     for mark in ("draw", "tests"):
-        command = re.search(rf"<!-- {mark} -->\n```sh\n(.*?)```", README, re.S)
-        assert command and "python3 -m venv .venv" in command[1]
+        assert "python3 -m venv .venv" in marked(lang, mark)
 
 
-def test_the_python_of_the_readme_runs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+@both
+def test_the_python_of_the_readme_runs(lang: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     (tmp_path / "samples").symlink_to(ROOT / "samples")
     monkeypatch.chdir(tmp_path)
-    shown = re.search(r"<!-- python -->\n```python\n(.*?)```", README, re.S)
-    assert shown
-    exec(shown[1], {})
+    exec(marked(lang, "python"), {})
     assert (tmp_path / "six-link.svg").is_file()
+
+
+@both
+def test_it_is_short_and_leads_to_the_other(lang: str) -> None:
+    lines = READMES[lang].splitlines()
+    assert len(lines) < 200
+    other = {"en": "(README.ru.md)", "ru": "(README.md)"}[lang]
+    assert any(other in line for line in lines[:4])
+
+
+def test_both_say_the_same_commands() -> None:
+    en, ru = commands("en"), commands("ru")
+    assert len(en) >= 15
+    assert en == ru
+    for mark in ("draw", "tests"):
+        assert marked("en", mark) == marked("ru", mark)
+    for text in READMES.values():
+        assert re.findall(r"<!-- (\w+)", text) == MARKS
+    tables = [re.sub(r"[^|\n]", "", text) for text in READMES.values()]
+    assert re.findall(r"^\|.*", tables[0], re.M) == re.findall(r"^\|.*", tables[1], re.M)
+
+
+def test_each_is_whole_in_its_own_language() -> None:
+    english = " ".join(prose("en"))
+    assert cyrillic(english) < 0.02 * len(re.findall(r"[^\W\d_]", english))
+    foreign = [line for line in prose("ru") if not cyrillic(line) and len(re.findall("[a-z]{2,}", line, re.I)) > 3]
+    assert not foreign
