@@ -24,7 +24,8 @@ from render.paper.marks import Text
 from render.paper.style import head_size
 from render.sheet import Sheet
 from render.sheet.single import Page
-from tests.check.test_own_sheets import ASSIGNMENTS, SCENES, drawn, made, mistakes, spoiled, spoiled_sheet, view
+from tests.check.test_own_sheets import ASSIGNMENTS, SCENES, drawn, made, mistakes, spoiled, view
+from tests.check.test_whole_sheets import spoiled_sheet
 
 
 def looked(sample: str, plan: str, written: Page | Sheet, folder: Path) -> Outcome:
@@ -162,7 +163,7 @@ def test_a_spoiled_step_is_found_on_a_whole_sheet(
 ) -> None:
     k = spoiled("crank-slider", plan, 1)
     assert k is not None
-    found = looked("crank-slider", plan, spoiled_sheet("crank-slider", number, plan, k, monkeypatch), tmp_path)
+    found = looked("crank-slider", plan, spoiled_sheet("crank-slider", number, {plan: k}, monkeypatch), tmp_path)
     assert (found.verdict, found.first_wrong) == ("wrong", mistakes("crank-slider", plan)[k].blames)
 
 
