@@ -128,7 +128,7 @@ def _limit(g: Grid, curve: Curve, y: float, place: float, limit: float) -> list[
     """What a curve does at a limit of assembly: it ends there, or grows without bound."""
     reach = (place - limit) or (1.0 if place >= limit else -1.0) * 1e-6
     near = np.array([limit + reach * part for part in (1e-3, 1e-7, 0.0)])
-    values = curve.read(g.turn.sample(near)) + np.zeros(3)
+    values = curve.read(g.turn.sample(near, bare=True)) + np.zeros(3)
     far, close, last = values
     if curve.group != "place" and np.isfinite(far) and np.isfinite(close) and abs(close) > GROWS * abs(far):
         return [Extreme(limit, float(np.copysign(np.inf, close)), 1 if close > 0 else -1, "limit")]

@@ -52,15 +52,15 @@ class WholeTurn:
         """What each code of a block means, of both runs: code k is the reason k - 1."""
         return tuple(r for _, c in self.cycles for r in c.reasons)
 
-    def sample(self, values: Sequence[float] | Array) -> dict[str, Array]:
-        """Every column needed, at every value; NaN where it cannot be drawn."""
-        return self._run(np.asarray(values, float))[0]
+    def sample(self, values: Sequence[float] | Array, bare: bool = False) -> dict[str, Array]:
+        """Every column needed, at every value; NaN where it cannot be drawn, or, if not ``bare``, has no digits."""
+        return self._run(np.asarray(values, float), bare)[0]
 
-    def _run(self, values: Array) -> tuple[dict[str, Array], Indices]:
+    def _run(self, values: Array, bare: bool = False) -> tuple[dict[str, Array], Indices]:
         found: dict[str, Array] = {}
         codes, past = np.zeros(len(values), int), 0
         for prefix, run in self.cycles:
-            blocks = list(run.blocks(values, fast=False))
+            blocks = list(run.blocks(values, fast=False, bare=bare))
             table = np.hstack([b.table for b in blocks])
             mine = np.hstack([b.codes for b in blocks])
             codes = np.where((codes == 0) & (mine != 0), mine + past, codes)
@@ -108,6 +108,14 @@ def unwound(angles: Array, period: float = FULL) -> Array:
     return found
 
 
+def _assembled(sample: Mapping[str, Array], places: Array) -> Booleans:
+    found = np.ones(len(places), bool)
+    for name, row in sample.items():
+        if letter_of(name) in ("r", "phi", "q:v", "q:omega"):
+            found &= np.isfinite(row)
+    return found
+
+
 @dataclass(frozen=True)
 class Grid:
     """A turn sampled at evenly spaced places; ``closed``: the first and the last are one position."""
@@ -124,11 +132,7 @@ class Grid:
     @cached_property
     def works(self) -> Booleans:
         """Where the mechanism assembles: a mask, by the columns of places."""
-        found = np.ones(len(self.places), bool)
-        for name, row in self.sample.items():
-            if letter_of(name) in ("r", "phi", "q:v", "q:omega"):
-                found &= np.isfinite(row)
-        return found
+        return _assembled(self.sample, self.places)
 
     def values(self, curve: Curve) -> Array:
         """A curve over the grid, NaN where the mechanism does not assemble; angles unwound."""
@@ -170,7 +174,7 @@ class Grid:
             return ()
         for _ in range(44):
             middle = (low + high) / 2
-            ok = Grid(self.turn, middle, False).works
+            ok = _assembled(self.turn.sample(middle, bare=True), middle)
             low, high = np.where(ok, middle, low), np.where(ok, high, middle)
         return tuple((int(i), float(z)) for i, z in zip(good, low, strict=True))
 

@@ -221,5 +221,8 @@ def _link_values(draft: Draft, body: Body, velocity: Rates, acceleration: Rates)
 
 
 def sliced(plans: Plans, wanted: list[str]) -> Plans:
-    """The same plans with a program that draws only what leads to the wanted names."""
-    return replace(plans, program=plans.program.sliced(wanted))
+    """The same plans with a program that draws only what leads to the wanted names, and how the vectors drawn lie."""
+    made = plans.program.sliced(wanted).made
+    terms = ((e.plan, t) for e in plans.equations for t in e.terms)
+    lying = [t.direction for plan, t in terms if t.direction and {at(plan, t.start), at(plan, t.end)} <= made]
+    return replace(plans, program=plans.program.sliced([*wanted, *lying]))

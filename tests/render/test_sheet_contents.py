@@ -178,3 +178,11 @@ def test_round_scales_only():
 
         mu = DrawnPosition(loads(text), None, "ru").at(size).scales["mu_position"]
         assert f"{mu:.3g}" == f"{mu:g}"
+
+
+@pytest.mark.parametrize("asked", [["F_21", "M_1"], ["F_30"], ["M_1"]])
+def test_a_sheet_of_what_is_asked_draws_a_reaction_that_leans_by_friction(asked: list[str]) -> None:
+    scene = load(ROOT / "samples" / "kind-2-rrp.yaml")
+    assert scene.mechanism and scene.mechanism.friction
+    drawn = sheet_of(replace(scene, find=asked), None, "ru")
+    assert any(isinstance(m, Text) and plain(m.text).startswith("F30") for m in drawn.marks)
