@@ -13,17 +13,19 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from planes.check import Outcome, check
-from planes.check.vision.photograph import paper_of_picture
+from planes.check.handed_in import Known, read_paper
 from planes.words.errors import PlanesError
 from planes.words.names import label_of
 from tests import confusion, picture_corpus
 from tests.confusion import Easel
-from tests.helpers.drawings import Mistake
+from tests.helpers.drawings import NONE, Hand, Mistake
 from tests.helpers.same_ink import alike_on_paper
 from tests.physical import camera, page
 from tests.physical.counting import Tally, Truth
 from tests.physical.setting import Setting, Spread, varied
 from tests.picture_corpus import Drawn
+
+MOVED_MM, READING_MM = 4.0, 0.3  # how far a mistake moves a mark at least; σ of reading one
 
 PHONE: Spread = {"camera": "phone", "noise": 3.0, "quality": 80, "turn_deg": (-4.0, 4.0), "tilt_deg": (2.0, 8.0)}
 HARD: Spread = {
@@ -142,13 +144,19 @@ def works(count: int, seed: int = 1) -> Iterator[Work]:
     while made < count:
         easel = rng.choice(force if made // 2 % 4 == 3 else motion)
         mistake = rng.choice(confusion.possible(easel) or [None]) if made % 2 else None
-        one = picture_corpus.drawn(easel, mistake, rng)
-        if one is None or (
-            made % 2 and (mistake is None or not picture_corpus.seen_on_paper(easel, mistake, one, 0.3))
-        ):
+        if made % 2 and mistake is None:
             continue
-        made += 1
-        yield Work(easel, mistake, one)
+        one = picture_corpus.drawn(easel, mistake, rng)
+        if one is not None and (mistake is None or shows(easel, mistake, one)):
+            made += 1
+            yield Work(easel, mistake, one)
+
+
+def shows(easel: Easel, mistake: Mistake, one: Drawn) -> bool:
+    """Whether a mistake moves something on paper as far as anybody would see, and leaves other ink than no mistake."""
+    right, wrong = (easel.draw(m, Hand(NONE, random.Random(0)))[0] for m in (None, mistake))
+    moved = max(abs(wrong.get(n, 0j) - z) for n, z in right.items())
+    return moved > MOVED_MM and picture_corpus.seen_on_paper(easel, mistake, one, READING_MM)
 
 
 @dataclass(frozen=True)
@@ -202,7 +210,7 @@ def counted(taken: Picture) -> Tally:
     bench = confusion.bench(work.easel.sample, work.easel.plan)
     format_ = "A4" if taken.setting.sheet == "frame" else None
     try:
-        read = paper_of_picture(str(taken.file), bench, taken.pole, dict(taken.marks), format_)
+        read = read_paper(str(taken.file), bench.asked, Known(taken.pole, dict(taken.marks), format_))
         found: Outcome | None = check(bench.asked, read)
     except PlanesError:
         found = None

@@ -191,8 +191,7 @@ def _by_hand(bench: PreparedPlan, grey: Greys, pole: complex, marks: Mapping[str
     if name is None:
         raise PlanesError(Phrase("check_no_marks"))
     where = next(z for k, z in marks.items() if Names(labels).find(k) == name)
-    length = abs(run(bench.program, bench.given)[at(bench.asked.plan, name)])
-    return by_points(grey, pole, where, float(length)), name
+    return by_points(grey, pole, where, complex(run(bench.program, bench.given)[at(bench.asked.plan, name)])), name
 
 
 def blank_pole(bench: PreparedPlan) -> complex:
