@@ -9,7 +9,7 @@ import random
 import tempfile
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from planes.check import Outcome, check
@@ -26,6 +26,7 @@ from tests.physical.setting import Setting, Spread, varied
 from tests.picture_corpus import Drawn
 
 MOVED_MM, READING_MM = 4.0, 0.3  # how far a mistake moves a mark at least; σ of reading one
+APART_MM = 6.0  # places of a drawing that stand apart
 
 PHONE: Spread = {"camera": "phone", "noise": 3.0, "quality": 80, "turn_deg": (-4.0, 4.0), "tilt_deg": (2.0, 8.0)}
 HARD: Spread = {
@@ -39,7 +40,8 @@ HARD: Spread = {
     "quality": 60,
 }
 PAPERS = [(244, 247, 248), (214, 234, 241), (222, 224, 222)]  # white, cream, grey
-POINTS: Spread = {"sheet": "paper"}
+FRAME: Spread = {"sheet": "frame", "pole_told": True}
+POINTS: Spread = {"sheet": "paper", "pole_told": True}
 PEOPLE: Spread = {
     "tool": ["pencil", "pencil", "pencil", "pen"],
     "press": (0.65, 1.1),
@@ -98,8 +100,9 @@ FACTORS: dict[str, Spread] = {
     "phone, motion": {**PHONE, "motion_px": 4.0},
     "phone, 1280 px": {**PHONE, "width_px": 1280},
     "phone, JPEG 40": {**PHONE, "quality": 40},
-    "frame": {"sheet": "frame"},
-    "frame, title block": {"sheet": "frame", "title_block": True},
+    "frame": FRAME,
+    "frame, pole guessed": {"sheet": "frame"},
+    "frame, title block": {**FRAME, "title_block": True},
     "points": POINTS,
     "points, askew 1°": {**POINTS, "turn_deg": 1.0},
     "points, askew 2°": {**POINTS, "turn_deg": 2.0},
@@ -109,7 +112,7 @@ FACTORS: dict[str, Spread] = {
     "points, phone": {**POINTS, **PHONE},
     "together: scan": {**PEOPLE, "dpi": [150.0, 200.0, 300.0], "name": [False, True]},
     "together: phone": {**PEOPLE, **HARD, "name": [False, True]},
-    "together: frame": {**PEOPLE, **EXTRAS, "sheet": "frame"},
+    "together: frame": {**PEOPLE, **EXTRAS, **FRAME},
     "together: paper": {**PEOPLE, **EXTRAS, **POINTS, "grid": ["", "squared", "millimetre", "ruled"]},
 }
 HELD: dict[str, Spread] = {  # nobody tunes to these: they are counted once, at the end, by the word "held"
@@ -147,9 +150,18 @@ def works(count: int, seed: int = 1) -> Iterator[Work]:
         if made % 2 and mistake is None:
             continue
         one = picture_corpus.drawn(easel, mistake, rng)
-        if one is not None and (mistake is None or shows(easel, mistake, one)):
+        if one is not None and spread_out(one) and (mistake is None or shows(easel, mistake, one)):
             made += 1
             yield Work(easel, mistake, one)
+
+
+def spread_out(one: Drawn) -> bool:
+    """Whether a drawing is more than one line there and back."""
+    places: list[complex] = []
+    for z in (z for stroke in one.strokes for z in stroke):
+        if all(abs(z - other) > APART_MM for other in places):
+            places.append(z)
+    return len(places) > 2
 
 
 def shows(easel: Easel, mistake: Mistake, one: Drawn) -> bool:
@@ -178,13 +190,12 @@ def picture(work: Work, setting: Setting, seed: str, file: Path) -> Picture | No
         return None
     seen, view = camera.taken(laid.paper, setting, rng)
     camera.save(seen, file, setting)
-    if setting.sheet != "paper":
-        return Picture(work, file, setting)
-    name = trusted(work)
-    if name is None:
-        return None
-    pole, mark = (view.see(laid.pole + z) + _clicked(setting, rng) for z in (0j, work.one.marks[name]))
-    return Picture(work, file, setting, pole, ((name, mark),))
+    name, told = trusted(work), Picture(work, file, setting)
+    if setting.pole_told:
+        told = replace(told, pole=view.see(laid.pole) + _clicked(setting, rng))
+    if setting.sheet == "paper" and name:
+        told = replace(told, marks=((name, view.see(laid.pole + work.one.marks[name]) + _clicked(setting, rng)),))
+    return None if setting.sheet == "paper" and not name else told
 
 
 def trusted(work: Work) -> str | None:

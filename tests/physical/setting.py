@@ -59,7 +59,8 @@ class Setting:
     blur_px: float = 0.6
     noise: float = 2.0
     quality: int = 88
-    clicked_px: float = 0.6  # σ of the places a person points to, where nothing is printed
+    pole_told: bool = False  # whether a person points to the pole of a sheet with a frame; on plain paper to a mark too
+    clicked_px: float = 0.6  # σ of the places he points to
     # kept for the last count
     crease: float = 0.0  # how dark a fold across the sheet is
     curl_mm: float = 0.0
