@@ -157,8 +157,8 @@ function reset() {
   if (shifted.some(Math.abs)) origin(-shifted[0], -shifted[1]);
   marks = original.map(m => ({ ...m })); moved = true; draw(); $("moved").hidden = true;
 }
-function csv() { // the marks as the table the program reads; a row "p" is where the pen is lifted to
-  const rows = ["mark,x_mm,y_mm,error_mm"], at = n => n === "p" ? { x: 0, y: 0, error: 0 } : marks.find(m => m.name === n);
+function csv() { // the marks as the table the program reads, and its command; a row "p" is where the pen is lifted to
+  const rows = [`# ${document.querySelector("code").textContent}`, "mark,x_mm,y_mm,error_mm"], at = n => n === "p" ? { x: 0, y: 0, error: 0 } : marks.find(m => m.name === n);
   const row = (name, m) => rows.push(`${name},${m.x.toFixed(3)},${m.y.toFixed(3)},${m.error}`);
   let pen = "p";
   row("p", at("p"));

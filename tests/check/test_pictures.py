@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import cmath
 import json
+import math
 import random
 from dataclasses import replace
 from pathlib import Path
@@ -21,7 +23,7 @@ import numpy as np  # noqa: E402
 
 from planes.check import Outcome, check  # noqa: E402
 from planes.check.fiducials import SHEET_MM  # noqa: E402
-from planes.check.grading.paper import Known  # noqa: E402
+from planes.check.grading.paper import Known, ReadPaper  # noqa: E402
 from planes.check.grading.prepared_plan import Asked  # noqa: E402
 from planes.check.report.rows import as_json  # noqa: E402
 from planes.check.vision.decoding import plainest  # noqa: E402
@@ -239,30 +241,51 @@ def test_another_scene_is_unreadable(plan: str, tmp_path: Path) -> None:
         assert check(asked, paper).verdict == "unreadable", other
 
 
-def test_the_vector_that_gave_the_scale_is_not_judged_in_length(tmp_path: Path) -> None:
-    one, file, rng = easel("six-link", "velocity"), tmp_path / "p.png", random.Random(6)
+def on_plain_paper(one: Easel, askew_deg: float, file: Path, name: str) -> tuple[corpus.Drawn, ReadPaper]:
+    """A right drawing on paper without any print, scanned askew, read by its pole and a mark."""
+    rng, turn = random.Random(6), cmath.rect(1, math.radians(askew_deg))
     drawn, camera = corpus.drawn(one, None, rng), replace(SCAN, corners=False)
     assert drawn is not None
     k, h = camera.dpi / 25.4, 210.0
     page = photographs.Page(camera.dpi)
     pole = 140 + 90j
     for a, b in drawn.strokes:
-        page.stroke(a + pole, b + pole, 0.1, rng)
+        page.stroke(a * turn + pole, b * turn + pole, 0.1, rng)
     cv2.imwrite(str(file), photographs.shot(page.grey, camera, rng))
 
     def pixel(z: complex) -> complex:
-        return complex((z + pole).real * k - 0.5, (h - (z + pole).imag) * k - 0.5)
+        return complex((z * turn + pole).real * k - 0.5, (h - (z * turn + pole).imag) * k - 0.5)
 
     b = confusion.bench(one.sample, one.plan)
-    paper = paper_of_picture(str(file), b, Known(pixel(0j), {"b": pixel(drawn.marks["b"])}))
-    found = as_json(check(b.asked, paper))
+    return drawn, paper_of_picture(str(file), b, Known(pixel(0j), {name: pixel(drawn.marks[name])}))
+
+
+def test_the_vector_that_gave_the_scale_is_not_judged_in_length(tmp_path: Path) -> None:
+    one = easel("six-link", "velocity")
+    drawn, paper = on_plain_paper(one, 0.0, tmp_path / "p.png", "b")
+    found = as_json(check(confusion.bench(one.sample, one.plan).asked, paper))
     assert paper.scale_mark == "b" and found["verdict"] == "right"
     rows = {m["mark"]: m for m in found["marks"]}
     assert rows["b"]["unjudged"] == "length" and all("unjudged" not in r for n, r in rows.items() if n != "b")
     assert sum("could not be judged" in w for w in found["warnings"]) == 1
+    assert not any("askew" in w for w in found["warnings"])
     stretched = 60 / abs(drawn.marks["b"])  # as if b had been laid off exactly
     for name, row in rows.items():
         assert abs(complex(*row["read_mm"]) - drawn.marks[name] * stretched) < 0.3, name
+
+
+@pytest.mark.parametrize("askew", [-2.0, 3.0])
+def test_a_sheet_without_print_that_lies_askew_is_turned_straight(askew: float, tmp_path: Path) -> None:
+    """By the vector it takes its scale from; what is turned further is no sheet askew, but a wrong vector."""
+    one = easel("six-link", "velocity")
+    drawn, paper = on_plain_paper(one, askew, tmp_path / "p.png", "b")
+    found = as_json(check(confusion.bench(one.sample, one.plan).asked, paper))
+    assert found["verdict"] == "right", found["sentence"]["en"]
+    told = next(float(w.split("askew by ")[1].split("°")[0]) for w in found["warnings"] if "askew by" in w)
+    assert abs(told - abs(askew)) < 0.5  # the vector itself is drawn by hand
+    marks, pole = {s.name: s.place for s in paper.spots}, paper.spots[0].place
+    assert all(abs(marks[n] - pole - z * 60 / abs(drawn.marks["b"])) < 0.6 for n, z in drawn.marks.items())
+    assert not [n for n in on_plain_paper(one, 8.0, tmp_path / "q.png", "b")[1].notes if n.key == "check_askew"]
 
 
 def test_a_pole_named_on_a_blank_counts_more_than_the_printed_one(tmp_path: Path) -> None:

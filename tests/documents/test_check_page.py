@@ -183,6 +183,7 @@ def test_marks_move_by_the_keys_and_are_saved(browser: Any, tmp_path: Path) -> N
         page.click("#save")
     saving.value.save_as(str(tmp_path / "marks.csv"))
     spots = read_table(tmp_path / "marks.csv").spots
+    assert (tmp_path / "marks.csv").read_text("utf-8").startswith(f"# {page.inner_text('code')}\nmark,")
     assert [s.name for s in spots] == ["p", "b", "c", "s2", "l", "h"]
     assert spots[1].place.real == pytest.approx(before + 5.6, abs=1e-3)
     assert page.inner_text("code").startswith("planes check") and "--plan velocity" in page.inner_text("code")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 from dataclasses import dataclass, field, replace
 from types import ModuleType
 
@@ -10,11 +12,12 @@ import numpy
 from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, cells, centres
 from planes.check.vision.bend import Bend, add_paper, bend_of
 from planes.geometry.arrays import Array, Greys
-from planes.words import Phrase
+from planes.words import Phrase, Written
 from planes.words.errors import PlanesError
 
 PX_PER_MM = 8.0
 LARGEST_PX = 3200  # the longer side beyond which a picture is made smaller before it is looked at
+LEAST_ASKEW_DEG, MOST_ASKEW_DEG = 0.5, 4.0  # less is a hand's own error, more is no sheet's that was laid straight
 MOST_FLAT = 34_000_000  # pixels of the largest sheet, A1
 
 
@@ -149,20 +152,30 @@ def _unbent(
     return flat
 
 
-def by_points(grey: Greys, pole: complex, mark: complex, length_mm: float) -> Flat:
-    """The picture as it is, its scale from two points in pixels (x right, y down); the pole becomes the origin."""
-    if abs(mark - pole) < 10 or length_mm <= 0:
+def by_points(grey: Greys, pole: complex, mark: complex, vector: complex) -> Flat:
+    """The picture by the two ends of a true vector in pixels (x right, y down): to its scale, and turned straight if it
+    is as little askew as a sheet lies; the pole becomes the origin."""
+    if abs(mark - pole) < 10 or not vector:
         raise PlanesError(Phrase("check_points"))
-    return by_scale(grey, abs(mark - pole) / length_mm, pole)
+    askew = math.degrees(cmath.phase((mark - pole).conjugate() / vector))
+    turned = LEAST_ASKEW_DEG < abs(askew) < MOST_ASKEW_DEG
+    flat = by_scale(grey, abs(mark - pole) / abs(vector), pole, askew if turned else 0.0)
+    flat.notes += [Phrase("check_askew", angle=Written(f"{abs(askew):.1f}"))] if turned else []
+    return flat
 
 
-def by_scale(grey: Greys, scale: float, pole: complex | None = None) -> Flat:
-    """The picture as it is, of so many pixels to a mm; the pole, if it is named, becomes the origin."""
+def by_scale(grey: Greys, scale: float, pole: complex | None = None, askew_deg: float = 0.0) -> Flat:
+    """The picture of so many pixels to a mm, turned back by how much it lies askew; the pole, if it is named, becomes
+    the origin."""
     cv2, factor = cv(), PX_PER_MM / scale
     if not 0.05 < factor < 8 or grey.size * factor * factor > MOST_FLAT:
         raise PlanesError(Phrase("check_points"))
     how = cv2.INTER_AREA if factor < 1 else cv2.INTER_CUBIC
     flat = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=how)
-    corner = -complex(pole.real * factor, flat.shape[0] - pole.imag * factor) / PX_PER_MM if pole is not None else 0j
-    by, warp = "scale" if pole is None else "points", numpy.diag([factor, factor, 1.0])
-    return Flat(flat, PX_PER_MM, corner, by, warp)
+    warp, at = numpy.diag([factor, factor, 1.0]), (pole or 0j) * factor
+    if askew_deg:
+        back = cv2.getRotationMatrix2D((at.real, at.imag), -askew_deg, 1.0)
+        flat = cv2.warpAffine(flat, back, flat.shape[::-1], flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
+        warp = numpy.vstack([back, [0, 0, 1]]) @ warp
+    corner = -complex(at.real, flat.shape[0] - at.imag) / PX_PER_MM if pole is not None else 0j
+    return Flat(flat, PX_PER_MM, corner, "scale" if pole is None else "points", warp)

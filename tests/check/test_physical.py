@@ -1,0 +1,95 @@
+"""The corpus of physically made pictures: its paper, its camera, two of its pictures, and a folder of dropped ones."""
+
+from __future__ import annotations
+
+import random
+import shutil
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("cv2")
+from planes.check.fiducials import SHEET_MM
+from tests.confusion import SAMPLES, easel
+from tests.helpers.drawings import Mistake
+from tests.physical import camera, corpus, folder
+from tests.physical.counting import Tally
+from tests.physical.paper import Paper
+from tests.physical.setting import Setting, varied
+from tests.picture_corpus import drawn
+
+SIX = easel("six-link", "velocity")
+
+
+def work(mistake: Mistake | None, seed: int) -> corpus.Work:
+    one = drawn(SIX, mistake, random.Random(seed))
+    assert one is not None
+    return corpus.Work(SIX, mistake, one)
+
+
+def shot(of: corpus.Work, factor: str, file: Path) -> corpus.Picture:
+    """A picture of one factor."""
+    setting = varied(Setting(), corpus.FACTORS[factor], random.Random(factor))
+    found = corpus.picture(of, setting, factor, file)
+    assert found is not None
+    return found
+
+
+def test_graphite_stays_on_the_heights_of_the_grain() -> None:
+    """The lighter the hand, the less paper along a line is covered, and the less evenly."""
+    lines = []
+    for press in (0.4, 0.7, 1.0):
+        paper = Paper((40.0, 10.0), Setting(), random.Random(1))
+        paper.lay([5 + 5j, 35 + 5j], [press, press], 0.5, (90, 84, 82))
+        lines.append(paper.colour[60, 80:400].mean(axis=1))
+    means, spreads = ([f(line) for line in lines] for f in (lambda a: a.mean(), lambda a: a.std()))
+    assert 225 > means[0] > means[1] + 25 > means[2] + 40
+    assert spreads[0] > 2 * spreads[2]
+
+
+@pytest.mark.parametrize("quarter", [0, 1])
+def test_a_place_is_seen_where_the_camera_says(quarter: int) -> None:
+    """A dot on a tilted sheet behind a bent lens is at the pixel its place is said to have."""
+    setting, z = Setting(camera="phone", tilt_deg=15, lens=0.05, width_px=1400, quarter=quarter), 60 + 150j
+    paper = Paper(SHEET_MM, setting, random.Random(1))
+    for k in range(4):
+        paper.lay([z - 1j**k, z + 1j**k], [1.0, 1.0], 2.0, (20, 20, 20), even=1.0)
+    seen, view = camera.taken(paper, setting, random.Random(2))
+    x, y = round(view.see(z).real), round(view.see(z).imag)
+    dark = 255.0 - seen[y - 15 : y + 16, x - 15 : x + 16].mean(axis=2)
+    dark = (dark - dark.min() - 60).clip(0)
+    middle = complex((dark.sum(axis=0) * range(-15, 16)).sum(), (dark.sum(axis=1) * range(-15, 16)).sum()) / dark.sum()
+    assert abs(middle + complex(x, y) - view.see(z)) < 0.3
+
+
+@pytest.mark.slow
+def test_pictures_are_made_checked_and_counted(tmp_path: Path) -> None:
+    """A right drawing in pencil, scanned; one with a mistake, taken by a telephone."""
+    whole = Tally()
+    whole.add(corpus.counted(shot(work(None, 1), "base", tmp_path / "right.jpg")))
+    whole.add(corpus.counted(shot(work(Mistake("omega1_reversed", "b"), 2), "phone", tmp_path / "wrong.jpg")))
+    assert (whole.right, whole.wrong, whole.unread, whole.false) == (1, 1, 0, 0)
+    assert (whole.accepted, whole.found, whole.step, whole.named) == (1, 1, 1, 1)
+    assert whole.row()[:5] == ["1/1", "1/1", "1/1", "1/1", "0/2"] and sorted(whole.errors)[len(whole.errors) // 2] < 0.4
+
+
+def test_a_dropped_picture_with_its_marks_is_counted(tmp_path: Path) -> None:
+    """The table begins with the command its report page shows; a table without one takes the folder's."""
+    one = work(None, 3)
+    shot(one, "pen", tmp_path / "anna.jpg")
+    shutil.copy(SAMPLES / "six-link.yaml", tmp_path)
+    rows = [f"{name},{z.real:.3f},{z.imag:.3f},0.1" for name, z in {"p": 0j, **one.one.marks}.items()]
+    table, command = ["mark,x_mm,y_mm,error_mm", *rows], "planes check work/six-link.yaml marks.csv --plan velocity"
+    (tmp_path / "anna.csv").write_text("\n".join([f"# {command}", *table]), "utf-8")
+    found = folder.of_folder(tmp_path)
+    assert (found.right, found.accepted, found.unread) == (1, 1, 0) and len(found.errors) == len(one.one.marks)
+    (tmp_path / "anna.csv").write_text("\n".join(table), "utf-8")
+    with pytest.raises(ValueError, match=r"command\.txt"):
+        list(folder.pairs(tmp_path))
+    (tmp_path / "command.txt").write_text(command, "utf-8")
+    (tmp_path / "anna.csv").write_text("\n".join([*table, "# --format A4"]), "utf-8")
+    pair = next(folder.pairs(tmp_path))
+    assert pair.command == (str(tmp_path / "six-link.yaml"), "--plan", "velocity") and pair.options == (
+        "--format",
+        "A4",
+    )

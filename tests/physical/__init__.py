@@ -1,0 +1,1 @@
+"""Pictures of drawings made by physics: graphite on grain, pens, printers, paper, lenses, light; and what is read."""

@@ -1,0 +1,52 @@
+"""`python -m tests.physical [COUNT] [seed=K] [FACTOR … | held | FOLDER]`: shares of pictures, a row a factor.
+
+COUNT drawings of each factor (8), half of them with a mistake; a factor is chosen by words of its name; "held" are the
+factors kept for the last count. A FOLDER of photographs with their marks is counted as a row of its own.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from contextlib import suppress
+from pathlib import Path
+
+from tests.physical.corpus import FACTORS, HELD, of_factor, works
+from tests.physical.counting import HEAD, Tally, line
+from tests.physical.folder import of_folder
+from tests.physical.setting import Spread
+
+
+def main(words: list[str]) -> None:
+    """Draw, check, count and print, row by row."""
+    numbers = [int(w) for w in words if w.isdigit()]
+    seed = next((int(w[5:]) for w in words if w.startswith("seed=")), 1)
+    names = [w for w in words if not w.isdigit() and not w.startswith("seed=")]
+    folders = [Path(w) for w in names if Path(w).is_dir()]
+    print(line("", HEAD))
+    for folder in folders:
+        print(line(folder.name, of_folder(folder).row()), flush=True)
+    if len(names) > len(folders) or not names:
+        print_factors(chosen_by([w for w in names if not Path(w).is_dir()]), numbers[0] if numbers else 8, seed)
+
+
+def print_factors(chosen: Mapping[str, Spread], count: int, seed: int) -> None:
+    """A row for each factor, and one for all; stopped early (Ctrl+C), for those that were counted."""
+    made, whole = list(works(count, seed)), Tally()
+    with suppress(KeyboardInterrupt):
+        for name, spread in chosen.items():
+            found = of_factor(name, spread, made, seed)
+            print(line(name, found.row()), flush=True)
+            whole.add(found)
+    print(line("all", whole.row()))
+
+
+def chosen_by(names: list[str]) -> dict[str, Spread]:
+    """The factors that hold one of the words; all but the held without any."""
+    if names == ["held"]:
+        return HELD
+    return {n: s for n, s in FACTORS.items() if not names or any(w in n for w in names)}
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

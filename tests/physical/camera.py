@@ -1,0 +1,154 @@
+"""How a sheet's picture is taken: a scanner's glass or a telephone's lens, light, shadow, motion, noise, JPEG."""
+
+from __future__ import annotations
+
+import math
+import random
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+
+from planes.check.fiducials import SHEET_MM
+from tests.physical.paper import PX_PER_MM, Paper
+from tests.physical.setting import Setting
+
+TABLE = ((92, 118, 140), (60, 62, 66), (150, 160, 165))  # what a photographed sheet lies on
+FILLED = 0.92  # of a picture, by the sheet
+FOCAL = 0.75  # of a telephone's lens, in picture widths
+
+
+@dataclass
+class View:
+    """How places of a sheet (mm, y up) come to pixels (y down): a plane seen by a lens that bends a little."""
+
+    plane: Any
+    size: tuple[int, int]
+    lens: float = 0.0
+    quarter: int = 0
+
+    def see(self, z: complex) -> complex:
+        """The pixel of a place."""
+        x, y, depth = (self.plane @ np.array([z.real, z.imag, 1.0])).tolist()
+        straight = (complex(x, y) / depth - self._middle) / self._half
+        pixel: complex = straight * (1 + self.lens * abs(straight) ** 2) * self._half + self._middle
+        w, h = self.size
+        for _ in range(self.quarter % 4):
+            pixel, w, h = complex(pixel.imag, w - 1 - pixel.real), h, w
+        return pixel
+
+    @property
+    def _middle(self) -> complex:
+        return complex(self.size[0] - 1, self.size[1] - 1) / 2
+
+    @property
+    def _half(self) -> float:
+        return math.hypot(*self.size) / 2
+
+    def places(self) -> Any:
+        """The place on the sheet each pixel sees, mm, as complex numbers."""
+        w, h = self.size
+        seen = np.arange(w)[None, :] + 1j * np.arange(h)[:, None]
+        seen = ((seen - self._middle) / self._half).astype(np.complex64)
+        straight = seen
+        for _ in range(8 if self.lens else 0):
+            straight = seen / (1 + self.lens * np.abs(straight) ** 2)
+        flat = straight * self._half + self._middle
+        back = np.linalg.inv(self.plane).astype(np.float32)
+        x, y, depth = (row[0] * flat.real + row[1] * flat.imag + row[2] for row in back)
+        return (x + np.complex64(1j) * y) / depth
+
+
+def taken(paper: Paper, setting: Setting, rng: random.Random) -> tuple[Any, View]:
+    """The picture of a sheet, and how its places are seen."""
+    view = scanner(setting, rng) if setting.camera == "scan" else telephone(setting, rng)
+    picture = developed(paper, view, setting, rng)
+    if setting.camera != "scan":
+        picture = lit(picture, setting, rng)
+    picture = sensed(picture, setting, rng)
+    view.quarter = setting.quarter
+    return np.ascontiguousarray(np.rot90(picture, setting.quarter)), view
+
+
+def scanner(setting: Setting, rng: random.Random) -> View:
+    """A sheet on the glass, a little askew, a little of the lid about it."""
+    scale, margin = setting.dpi / 25.4, rng.uniform(1, 4)
+    w, h = SHEET_MM
+    turn = math.radians(setting.turn_deg)
+    c, s = scale * math.cos(turn), scale * math.sin(turn)
+    size = round((w + 2 * margin) * scale), round((h + 2 * margin) * scale)
+    plane = np.array([[c, s, 0.0], [s, -c, 0.0], [0.0, 0.0, 1.0]])
+    middle = plane @ np.array([w / 2, h / 2, 1.0])
+    plane[0, 2], plane[1, 2] = size[0] / 2 - middle[0], size[1] / 2 - middle[1]
+    return View(plane, size)
+
+
+def telephone(setting: Setting, rng: random.Random) -> View:
+    """A telephone held over a sheet, tilted about any axis, its picture filled by the sheet."""
+    width, height = setting.width_px, round(setting.width_px * 0.75)
+    tilt, way, roll = math.radians(setting.tilt_deg), rng.uniform(0, 6.28), math.radians(setting.turn_deg)
+    axis = np.array([math.cos(way), math.sin(way), 0.0]) * tilt
+    turn = cv2.Rodrigues(axis)[0] @ cv2.Rodrigues(np.array([0.0, 0.0, roll]))[0]
+    w, h = SHEET_MM
+    ground = np.array([[1, 0, -w / 2], [0, -1, h / 2], [0, 0, 0]]) + 0.0
+    distance = np.array([[0, 0, 0], [0, 0, 0], [0, 0, w / FILLED * FOCAL]]) + 0.0
+    seen = np.diag([FOCAL * width, FOCAL * width, 1.0]) @ (turn @ ground + distance)
+    corners = seen @ np.array([[0, w, w, 0], [0, 0, h, h], [1, 1, 1, 1]])
+    xs, ys = corners[0] / corners[2], corners[1] / corners[2]
+    fit = FILLED * min(width / np.ptp(xs), height / np.ptp(ys))
+    low = np.array([(width - fit * (xs.min() + xs.max())) / 2, (height - fit * (ys.min() + ys.max())) / 2])
+    plane = np.array([[fit, 0, low[0]], [0, fit, low[1]], [0, 0, 1]]) @ seen
+    return View(plane, (width, height), setting.lens)
+
+
+def developed(paper: Paper, view: View, setting: Setting, rng: random.Random) -> Any:
+    """The colours each pixel sees, smeared over by its own size and by what is out of focus."""
+    places = view.places()
+    ratio = float(np.abs(places[0, 1:] - places[0, :-1]).mean()) * PX_PER_MM
+    soft = cv2.GaussianBlur(paper.colour, (0, 0), max(0.45 * ratio, 0.3))
+    x = (places.real * PX_PER_MM - 0.5).astype(np.float32)
+    y = ((SHEET_MM[1] - places.imag) * PX_PER_MM - 0.5).astype(np.float32)
+    beyond = (236, 236, 236) if setting.camera == "scan" else rng.choice(TABLE)
+    seen = cv2.remap(soft, x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=beyond)
+    return cv2.GaussianBlur(seen, (0, 0), max(setting.blur_px, 0.3)).astype(np.float32)
+
+
+def lit(picture: Any, setting: Setting, rng: random.Random) -> Any:
+    """A lamp on one side, the hand that holds the telephone before it, a warm or cold light."""
+    h, w = picture.shape[:2]
+    x, y = np.meshgrid(np.linspace(-1, 1, w, dtype=np.float32), np.linspace(-1, 1, h, dtype=np.float32))
+    way = rng.uniform(0, 6.28)
+    far = (1 + math.cos(way) * x / 1.42 + math.sin(way) * y / 1.42) / 2
+    light = 1 - setting.lamp * far**1.5
+    if setting.shadow:
+        turn = rng.uniform(0, 6.28)
+        along, across = x * math.cos(turn) + y * math.sin(turn), y * math.cos(turn) - x * math.sin(turn)
+        hand = ((along > rng.uniform(0.0, 0.4)) & (np.abs(across - 0.2 * np.sin(5 * along)) < 0.5)).astype(np.float32)
+        light = light * (1 - setting.shadow * cv2.GaussianBlur(hand, (0, 0), 0.012 * w))
+    warm = np.array([rng.uniform(0.86, 1.0), 0.96, rng.uniform(0.92, 1.0)], np.float32)
+    return picture * light[..., None] * warm
+
+
+def sensed(picture: Any, setting: Setting, rng: random.Random) -> Any:
+    """Moved while it was taken, with the grain of a small sensor; or copied once before."""
+    if setting.motion_px > 1:
+        size = 2 * math.ceil(setting.motion_px / 2) + 3
+        kernel, way = np.zeros((size, size), np.float32), rng.uniform(0, 6.28)
+        d = np.array([math.cos(way), math.sin(way)]) * setting.motion_px / 2
+        ends = (np.array([size / 2 - 0.5 + d, size / 2 - 0.5 - d]) * 16).astype(int)
+        cv2.line(kernel, ends[0].tolist(), ends[1].tolist(), 1.0, 1, cv2.LINE_AA, 4)
+        picture = cv2.filter2D(picture, -1, kernel / max(float(kernel.sum()), 1e-6))
+    random_ = np.random.default_rng(rng.randrange(10**6))
+    grain = random_.standard_normal(picture.shape, np.float32)
+    picture = picture + 1.3 * setting.noise * cv2.GaussianBlur(grain, (0, 0), 0.5) * (0.5 + picture / 400)
+    if setting.copied:
+        dirt = cv2.GaussianBlur((random_.random(picture.shape[:2]) > 0.9997).astype(np.float32), (0, 0), 0.8) * 500
+        picture = 255 / (1 + np.exp(-(picture.mean(axis=2) - 165) / 18)) - dirt
+        picture = np.repeat(picture[..., None], 3, axis=2)
+    return np.clip(picture, 0, 255).astype(np.uint8)
+
+
+def save(picture: Any, file: Path, setting: Setting) -> None:
+    cv2.imwrite(str(file), picture, [cv2.IMWRITE_JPEG_QUALITY, int(setting.quality)])

@@ -1,0 +1,63 @@
+"""Shares of pictures as one table: what was drawn against what was found, and how far off marks were read."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, fields
+
+HEAD = ("right", "found", "step", "named", "unread", "false", "misled", "s", "mm 50 %", "mm 95 %")
+
+
+@dataclass(frozen=True)
+class Truth:
+    """What a drawing is: right or wrong; (mistake, mark) pairs that tell its mistake."""
+
+    verdict: str
+    causes: frozenset[tuple[str | None, str | None]] = frozenset()
+
+
+@dataclass
+class Tally:
+    """What came of pictures."""
+
+    right: int = 0
+    accepted: int = 0
+    wrong: int = 0
+    found: int = 0
+    step: int = 0
+    named: int = 0
+    unread: int = 0
+    false: int = 0  # right called wrong, wrong accepted
+    seconds: float = 0.0
+    errors: list[float] = field(default_factory=list)
+
+    @staticmethod
+    def of(
+        truth: Truth, verdict: str, first: str | None, mistake: str | None, errors: list[float], seconds: float
+    ) -> Tally:
+        """One picture."""
+        out = Tally(seconds=seconds, errors=errors, unread=int(verdict == "unreadable"))
+        out.false = int(verdict != "unreadable" and verdict != truth.verdict)
+        if truth.verdict == "right":
+            out.right, out.accepted = 1, int(verdict == "right")
+            return out
+        out.wrong, out.found = 1, int(verdict == "wrong")
+        out.step = int(verdict == "wrong" and first in {mark for _, mark in truth.causes})
+        out.named = int(out.step and (mistake, first) in truth.causes)
+        return out
+
+    def add(self, other: Tally) -> None:
+        for one in fields(self):
+            setattr(self, one.name, getattr(self, one.name) + getattr(other, one.name))
+
+    def row(self) -> list[str]:
+        """Cells of the table."""
+        count, errors = self.right + self.wrong, sorted(self.errors)
+        off = [f"{errors[int(share * (len(errors) - 1))]:.2f}" if errors else "–" for share in (0.5, 0.95)]
+        shares = [f"{self.accepted}/{self.right}", *(f"{n}/{self.wrong}" for n in (self.found, self.step, self.named))]
+        told = [f"{self.unread}/{count}", str(self.false), str(self.found - self.step)]
+        return [*shares, *told, f"{self.seconds / max(count, 1):.1f}", *off]
+
+
+def line(name: str, cells: list[str] | tuple[str, ...]) -> str:
+    """A row as text."""
+    return f"{name:22}" + "".join(f"{c:>9}" for c in cells)
