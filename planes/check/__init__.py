@@ -169,7 +169,7 @@ def _segments(out: Outcome) -> None:
     tried: list[tuple[int, bool, Account]] = []
     for k, mu in enumerate(_segment_scales(bench, figures)):
         free = _free(bench, [], mu, {})
-        found = account(figures, free, None, variants_of(bench, free, mu), bench.asked.skill.ruler_mm)
+        found = account(figures, free, None, variants_of(bench, free.taken, mu), bench.asked.skill.ruler_mm)
         wrong = sum(s.verdict == "wrong" for s in found.scored) + (found.first_wrong is not None and not found.named)
         tried.append((wrong, k > 0, found))
     _, rescaled, out.segments = min(tried, key=lambda one: one[:2])
@@ -211,4 +211,4 @@ def _results(out: Outcome) -> None:
     free = _free(bench, wanted, mu, {})
     own = _free(bench, wanted, mu, dict(out.grading.hand.taken)) if out.grading else None
     ways = replace(bench, program=free.program)
-    out.results = account(figures, free, own, [] if own else variants_of(ways, free, mu))
+    out.results = account(figures, free, own, [] if own else variants_of(ways, free.taken, mu))

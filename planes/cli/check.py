@@ -15,10 +15,7 @@ from planes.check.grading.paper import Known, ReadPaper
 from planes.check.grading.perturbing import HAND, cad
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.handed_in import LINES, PICTURES, read_paper
-from planes.check.report import heads, numbers_of, rows_of
-from planes.check.report.classes import Checked, ClassWork
-from planes.check.report.classes import heads as class_heads
-from planes.check.report.rows import as_json
+from planes.check.report import Checked, ClassWork, as_json, class_heads, heads, numbers_of, rows_of
 from planes.cli.commands import scene_of
 from planes.cli.options import check_options, value_of
 from planes.scene import Scene

@@ -11,10 +11,8 @@ from urllib.parse import quote
 from planes.check import Outcome, report
 from planes.check.fiducials import SHEET_MM, SIDE_MM, cells, centres
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.check.report.classes import Checked, ClassWork, heads
-from planes.check.report.rows import as_json, mark_rows
-from planes.check.report.shown import leads, shown_plans
-from planes.check.report.tracing_paper import tracing_data
+from planes.check.report import Checked, ClassWork, as_json, class_heads, mark_rows
+from planes.check.report.shown import leads, shown_plans, tracing_data
 from planes.check.vision.photograph import blank_pole
 from planes.plans.lettering import lettering
 from planes.plans.measuring import say_plan
@@ -93,7 +91,7 @@ def write_class(group: ClassWork, output: str, lang: Lang) -> None:
     told = [(say(f"verdict_{v}", lang), counts[v]) for v in ("right", "wrong", "unreadable")]
     rows = [(one.verdict, quote(one.report), [*one.row(lang)[:-1], _unmarked(one, lang)]) for one in group.all]
     title = f"{say('check_class', lang)}: {group.title}"
-    write_text(check_pages.class_page(title, told, often, heads(lang), rows, lang), output)
+    write_text(check_pages.class_page(title, told, often, class_heads(lang), rows, lang), output)
 
 
 def _unmarked(one: Checked, lang: Lang) -> str:

@@ -48,6 +48,11 @@ class Program:
         return frozenset(s.makes for s in self.steps)
 
     @cached_property
+    def makers(self) -> dict[str, Step]:
+        """The steps by the names of what they make."""
+        return {s.makes: s for s in self.steps}
+
+    @cached_property
     def givens(self) -> tuple[str, ...]:
         """Names of what must be given, in the order they are first needed."""
         names = (name for s in self.steps for name, _ in s.reads())

@@ -137,7 +137,7 @@ SAID = ("pole", "turned", "scale", "not_picture")
 
 
 def trace_page(data: Json, lang: Lang) -> str:
-    """The page of what :func:`planes.check.report.tracing_paper.tracing_data` exports."""
+    """The page of what :func:`planes.check.report.shown.tracing_data` exports."""
     words = under("trace_", lang, "check")
     parts = {k: html.escape(text) for k, text in {**words, "title": data["title"]}.items()}
     body = web_page.filled(web_page.part("trace.html"), parts)

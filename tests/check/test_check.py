@@ -19,7 +19,7 @@ from planes.check.grading.paper import ReadMark, ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.reading.matching import paper_of
 from planes.check.reading.svg import read_svg
-from planes.check.report.rows import as_json
+from planes.check.report import as_json
 from planes.cli import main
 from planes.drafting.drawing import run as run_program
 from planes.scene import load

@@ -16,7 +16,7 @@ from planes.check.handed_in import read_paper
 from planes.check.reading.matching import paper_of
 from planes.check.reading.strokes import ReadDrawing, Words
 from planes.check.reading.svg import read_svg
-from planes.check.report.rows import as_json
+from planes.check.report import as_json
 from planes.cli import main
 from planes.documents.check import write_blank
 from planes.drafting.drawing import run

@@ -71,7 +71,7 @@ def made(sample: str, plan: str, position: Position, k: int) -> tuple[Position, 
     """A position with a mistake of the catalogue made in the plan, and all that follows; how far its mark moves."""
     bench = prepare(Asked(drawn(sample)[0], plan, mu=position.scales[mu_of(plan)]))
     hand = Hand(bench.program, {**bench.given, **position.scales}, HAND, {})
-    variant = variants_of(bench, hand, bench.said_mu)[k]
+    variant = variants_of(bench, {}, bench.said_mu)[k]
     under = {n: numpy.ravel(v)[0].item() for n, v in hand.under(variant).items() if v is not None}
     moved = [abs(under[m] - position.drawing[m]) for m in bench.marks if m in under and label_of(m) == variant.blames]
     fits = all(abs(under[m]) < 400 for m in bench.marks if m in under)
@@ -83,7 +83,7 @@ def made(sample: str, plan: str, position: Position, k: int) -> tuple[Position, 
 def mistakes(sample: str, plan: str) -> list[Variant]:
     """The catalogue for a plan of a sample."""
     bench = prepare(Asked(drawn(sample)[0], plan))
-    return list(variants_of(bench, Hand(bench.program, bench.given, HAND, {}), bench.said_mu))
+    return variants_of(bench, {}, bench.said_mu)
 
 
 def spoiled(sample: str, plan: str, seed: int | str) -> int | None:

@@ -25,7 +25,7 @@ from planes.check import Outcome, check  # noqa: E402
 from planes.check.fiducials import SHEET_MM  # noqa: E402
 from planes.check.grading.paper import Known, ReadPaper  # noqa: E402
 from planes.check.grading.prepared_plan import Asked  # noqa: E402
-from planes.check.report.rows import as_json  # noqa: E402
+from planes.check.report import as_json  # noqa: E402
 from planes.check.vision.decoding import plainest  # noqa: E402
 from planes.check.vision.frame import SIZES_MM, frame_corners, shape_of  # noqa: E402
 from planes.check.vision.photograph import paper_of_picture  # noqa: E402

@@ -12,7 +12,7 @@ from planes.check import check
 from planes.check.grading.paper import read_table
 from planes.check.grading.prepared_plan import Asked
 from planes.check.report import page_data
-from planes.check.report.tracing_paper import tracing_data
+from planes.check.report.shown import tracing_data
 from planes.cli import main
 from planes.lesson.data import lesson_data
 from planes.scene import load

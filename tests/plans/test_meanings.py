@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from planes.accuracy.variation import alterable, altered
 from planes.check.grading.mistakes_force import force_variants
+from planes.check.grading.plan_steps import PlanSteps
 from planes.check.grading.prepared_plan import Asked, marks_of, prepare
 from planes.drafting.steps.reckoning import Calculate
 from planes.lesson.data import lesson_data
@@ -97,10 +98,11 @@ def test_the_arm_of_one_load_is_not_taken_for_that_of_another() -> None:
     of = {n: m.of for n, m in plans.means.items() if m.quantity == "arm"}
     assert {name: of[name] for name in of if "P_2" in name} == {"h_P_2_C": "P_2", "h_P_2_2_C": "P_2_2"}
     bench = prepare(Asked(loads(RRP.replace("\ngravity:", more), "s.yaml"), "force:2-3"))
-    left_out = [v for v in force_variants(bench.ways()) if v.mistake == "force_missing" and v.blames == "P_2"]
+    ways = PlanSteps(bench.plans, bench.program, bench.asked.plan)
+    left_out = [v for v in force_variants(ways) if v.mistake == "force_missing" and v.blames == "P_2"]
     for variant in left_out:
         for step in (s for swap in variant.swaps.values() for s in swap if isinstance(s, Calculate)):
-            own = bench.ways().steps[step.makes]
+            own = ways.steps[step.makes]
             assert isinstance(own, Calculate)
             touched = [a.factors for a, b in zip(own.terms, step.terms, strict=True) if a != b]
             assert [n for factors in touched for n, _ in factors if n in of] == ["h_P_2_C"]

@@ -19,11 +19,6 @@ AGREE = 0.02  # vectors whose scales differ by less speak of one
 MOST = 8
 
 
-def nothing_drawn(hand: Hand, marks: Iterable[str]) -> bool:
-    """Whether all that was read lies within the error of a pencil from the pole."""
-    return size_of(hand, marks) < SMALLEST * hand.tool.skill.point_mm
-
-
 def size_of(hand: Hand, marks: Iterable[str]) -> float:
     """How far the person's own marks reach from the pole, mm."""
     return max((abs(hand.taken[m].place) for m in marks if m in hand.taken), default=0.0)
@@ -36,11 +31,10 @@ def by_chance(hand: Hand, misses: dict[str, Miss], limit: float, free: bool, gap
     shows as much as a mark does.
     """
     size = size_of(hand, misses)
-    steps = {s.makes: s for s in hand.program.steps}
     shares, stand = [] if gap_mm is None else [min(gap_mm / size, 1.0) ** 2], [0j]
     for mark, miss in misses.items():
         place, reach = hand.taken[mark].place, limit * miss.mean
-        if not isinstance(steps[mark], Same) and all(abs(place - z) > reach for z in stand):
+        if not isinstance(hand.program.makers[mark], Same) and all(abs(place - z) > reach for z in stand):
             shares.append(min(reach / size, 1.0) ** 2)
         stand.append(place)
     if not free or not shares:
@@ -78,11 +72,10 @@ def _ratios(bench: PreparedPlan, taken: Mapping[str, Taken]) -> list[tuple[float
     """Drawn to true lengths, with what drafting and reading may have done to them: of the vectors of a force plan,
     of others from the pole."""
     hand = Hand(bench.program, bench.given, bench.asked.skill, {})
-    steps = {s.makes: s for s in bench.program.steps}
     force, pole = kind_of(bench.asked.plan) == "force", at(bench.asked.plan, POLE)
     found = []
     for mark in bench.marks:
-        step = steps[mark]
+        step = bench.program.makers[mark]
         start = step.start if force and isinstance(step, LayOff) else pole
         if mark not in taken or (start != pole and start not in taken):
             continue

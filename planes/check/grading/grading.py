@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from planes.check.grading.evidence import SURE, by_chance, nothing_drawn, own_scales, size_of
+from planes.check.grading.evidence import SMALLEST, SURE, by_chance, own_scales, size_of
 from planes.check.grading.handwork import Hand, Miss, Taken
 from planes.check.grading.judging import LEFT_OUT, Judgement, judge, verdicts
 from planes.check.grading.paper import ReadPaper
@@ -47,17 +47,15 @@ class Grading:
     @property
     def gap_wrong(self) -> float | None:
         """By how many mm a force polygon fails to close, where that is more than a hand's error."""
-        gap = self.rebuilt.gap if self.rebuilt else None
-        reach = self.gap_reach
+        gap, reach = self.rebuilt.gap if self.rebuilt else None, self.gap_reach
         return abs(gap.place) if gap and reach is not None and abs(gap.place) > reach else None
 
     @property
     def gap_reach(self) -> float | None:
         """How far from closed a hand may leave a polygon, mm; None where nothing is there to close it."""
         gap = self.rebuilt.gap if self.rebuilt else None
-        if gap is None:
-            return None
-        return self.judgement.limit * math.sqrt(2 * self.hand.tool.skill.point_mm**2 + 2 * gap.error_mm**2)
+        point = self.hand.tool.skill.point_mm
+        return self.judgement.limit * math.sqrt(2 * point**2 + 2 * gap.error_mm**2) if gap else None
 
     @property
     def left_out(self) -> str | None:
@@ -65,9 +63,8 @@ class Grading:
         if self.rebuilt is None or self.judgement.wrong:
             return None
         used = set[str]().union(*(self._roots[m] for m in self.judgement.misses))
-        steps = {s.makes: s for s in self.hand.program.steps}
         for mark in self.marks:
-            step = steps[mark]
+            step = self.hand.program.makers[mark]
             if isinstance(step, LayOff) and _long(self, step):  # what is short may be there, unseen
                 miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
                 if label_of(mark) in self.rebuilt.absent or (mark not in used and miss.sigmas > self.judgement.limit):
@@ -87,8 +84,7 @@ class Grading:
     @property
     def shown_by(self) -> dict[str, list[str]]:
         """By mark what shows where it is: it and the marks drawn from it. What stands on another one needs no look."""
-        steps = {s.makes: s for s in self.hand.program.steps}
-        there = [m for m in self.marks if not isinstance(steps[m], Same)]
+        there = [m for m in self.marks if not isinstance(self.hand.program.makers[m], Same)]
         absent = self.rebuilt.absent if self.rebuilt else ()
         return {m: [k for k in self.marks if m in self._roots[k]] for m in there if label_of(m) not in absent}
 
@@ -165,8 +161,7 @@ def _rescaled(found: Grading) -> bool:
     """Whether another scale may be behind the wrong marks: of a force plan all forces would be wrong, not one."""
     if not found.judgement.wrong or kind_of(plan_of(found.marks[0])) != "force":
         return bool(found.judgement.wrong)
-    steps = {s.makes: s for s in found.hand.program.steps}
-    laid = [m for m in found.judgement.misses if _long(found, steps[m])]
+    laid = [m for m in found.judgement.misses if _long(found, found.hand.program.makers[m])]
     return len(laid) < 2 or sum(m in found.judgement.wrong for m in laid) > 1
 
 
@@ -193,7 +188,7 @@ def _grade_at(bench: PreparedPlan, mu: float, share: float, taken: Mapping[str, 
     free = Hand(bench.program, given, skill, {m: t for m, t in taken.items() if m not in bench.marks}, unsure)
     own = {m: taken[m] for m in bench.marks if m in taken}  # how far from where drafting alone may lead a person
     apart = {m: free.miss(free.things[m], t.place).blurred(t.error_mm) for m, t in own.items()}
-    judgement = judge(hand, bench.marks, variants_of(bench, hand, mu), extent(truth, bench.asked.plan), absent)
+    judgement = judge(hand, bench.marks, variants_of(bench, hand.taken, mu), extent(truth, bench.asked.plan), absent)
     wrong, at_home = judgement.wrong, {m for m, miss in apart.items() if miss.sigmas <= judgement.limit}
     judgement.wrong = wrong[:1] + [m for m in wrong[1:] if m not in at_home]  # off a wrong mark, but where it should be
     return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart, free)
@@ -206,7 +201,7 @@ def empty(bench: PreparedPlan) -> Grading:
 
 def key_marks(grading: Grading) -> list[str]:
     """The marks a plan cannot be judged without: its crossings, or all that are drawn."""
-    steps = {s.makes: s for s in grading.plans.program.steps}
+    steps = grading.plans.program.makers
     key = [m for m in grading.marks if isinstance(steps[m], Cross | CrossArc | CrossArcs)]
     return key or [m for m in grading.marks if not isinstance(steps[m], Same)]
 
@@ -218,8 +213,9 @@ def readable(grading: Grading) -> Phrase | None:
     if len(found) < READABLE * len(key):
         missing = ", ".join(label_of(m) for m in key if m not in found)
         return Phrase("check_too_little", found=len(found), count=len(key), names=missing)
-    size, count = Written(f"{size_of(grading.hand, grading.marks):.1f}"), len(grading.judgement.misses)
-    if nothing_drawn(grading.hand, grading.marks):
+    reach, count = size_of(grading.hand, grading.marks), len(grading.judgement.misses)
+    size = Written(f"{reach:.1f}")
+    if reach < SMALLEST * grading.hand.tool.skill.point_mm:  # all lies within the error of a pencil from the pole
         return Phrase("check_nothing_drawn", size=size)
     if not grading.strays and grading.chance > SURE:
         return Phrase("check_by_chance", size=size, count=count)

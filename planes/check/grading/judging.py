@@ -31,11 +31,6 @@ MARGIN = 0.7  # the logarithm of how much better than the runner-up a mistake mu
 TOO_WELL = math.log(20)  # the logarithm of how much better than chance a mistake must explain what is within limits
 
 
-def limit_of(count: int) -> float:
-    """How many σ a mark may miss by: 3σ of a lone one, more where many could each be the unlucky one."""
-    return math.sqrt(-2 * math.log(FALSE_ALARM / max(count, 4)))
-
-
 @dataclass
 class Judgement:
     """What was found: misses of every mark, the wrong ones in order of drawing, and what explains the first."""
@@ -103,7 +98,8 @@ class _Weighing:
         self.hand, self.broad = hand, broad
         self.order = order_of_reckoning(hand.program.steps, marks)
         self.plain = hand.misses(marks)
-        self.limit = limit_of(len(self.plain))
+        # how many σ a mark may miss by: 3σ of a lone one, more where many could each be the unlucky one
+        self.limit = math.sqrt(-2 * math.log(FALSE_ALARM / max(len(self.plain), 4)))
         self.misses = given_before(self.plain, self.order, self.limit)
 
     def ranked(self, variants: Iterable[Variant], drawn: set[str], suspects: Collection[str]) -> list[ScoredHypothesis]:

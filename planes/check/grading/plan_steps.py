@@ -24,7 +24,7 @@ class PlanSteps:
     plan: str
 
     def __post_init__(self) -> None:
-        self.steps: dict[str, Step] = {s.makes: s for s in self.program.steps}
+        self.steps = self.program.makers
         self.order = {s.makes: i for i, s in enumerate(self.program.steps)}
         self.pole = at(self.plan, POLE)
         self.own = [s for s in self.program.steps if s.kind == "mark" and plan_of(s.makes) == self.plan]

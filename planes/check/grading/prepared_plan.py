@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from planes.check.grading.handwork import Hand, Variant
+from planes.check.grading.handwork import Taken, Variant
 from planes.check.grading.mistakes import motion_variants
 from planes.check.grading.mistakes_force import force_variants
 from planes.check.grading.mistakes_position import position_variants
@@ -73,10 +73,6 @@ class PreparedPlan:
         """A scale of the plan as a sentence has it."""
         return Written(*(mu_text(mu, kind_of(self.asked.plan), lang) for lang in ("en", "ru")))
 
-    def ways(self) -> PlanSteps:
-        """The steps a mistake may change."""
-        return PlanSteps(self.plans, self.program, self.asked.plan)
-
     def written(self, vectors: Iterable[str]) -> Names:
         """Names of vectors of a force plan as sheets of the scene letter them, and as the program does."""
         return Names(vectors, spelt=lambda name: self.asked.spelt(parted(name)))
@@ -123,12 +119,12 @@ def mark_names(plans: Plans, plan: str) -> Names:
     return Names(labels, spelt=lambda n: f"n_{turning[n].of}{turning[n].about}" if n in turning else n)
 
 
-def variants_of(bench: PreparedPlan, hand: Hand, mu: float) -> Sequence[Variant]:
+def variants_of(bench: PreparedPlan, taken: Mapping[str, Taken], mu: float) -> list[Variant]:
     """Every mistake of the catalogue that could be made in the plan."""
-    ways = bench.ways()
+    ways = PlanSteps(bench.plans, bench.program, bench.asked.plan)
     kind = kind_of(bench.asked.plan)
     if kind == "position":
-        return list(position_variants(ways, hand.taken, mu))
+        return list(position_variants(ways, taken, mu))
     return list(force_variants(ways) if kind == "force" else motion_variants(ways))
 
 

@@ -224,7 +224,7 @@ def _number(free: Hand, name: str) -> float:
 
 def _from_total(name: str, free: Hand) -> float:
     """ε from the whole relative acceleration instead of its tangential part."""
-    steps = {s.makes: s for s in free.program.steps}
+    steps = free.program.makers
     step = steps.get(name)
     for value, power in step.terms[0].factors if isinstance(step, Calculate) else ():
         part = steps.get(value)

@@ -173,7 +173,7 @@ class _MarkSearch:
             odd = self.odd[name] = {i for i in near if self._strange(i, guesses, used)}
             costs = self.costs[name] = {i: far + self._odd(i, guesses) + USED * (i in odd) for i, far in near.items()}
             return self.nodes.places[min(costs, key=lambda i: costs[i])]
-        step = next(s for s in self.bench.program.steps if s.makes == mark)
+        step = self.bench.program.makers[mark]
         before = (getattr(step, k, "") for k in ("start", "other", "end"))
         starts = [self.origin, *(taken[n].place + self.origin for n in before if n in taken)]
         for guess, far in guesses[:1] if self.worded else guesses:
@@ -205,7 +205,7 @@ class _MarkSearch:
 def _guesses(bench: PreparedPlan, hand: Hand, mark: str) -> Iterator[tuple[complex, float]]:
     """Where a mark should be, and where each mistake would put it; with how far to look around."""
     yield hand.number(mark), 1.0
-    for variant in variants_of(bench, hand, bench.said_mu):
+    for variant in variants_of(bench, hand.taken, bench.said_mu):
         if variant.blames == label_of(mark):
             made = hand.under(variant).get(mark)
             if made is not None:

@@ -5,6 +5,8 @@ Its scale may be written in the title over it: "План скоростей, μv
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from planes.check.grading.paper import ReadPaper
@@ -13,12 +15,15 @@ from planes.check.reading.as_planned import worth
 from planes.check.reading.chains import true_vectors
 from planes.check.reading.matching import paper_of
 from planes.check.reading.parts import parts
-from planes.check.reading.strokes import ReadDrawing
-from planes.check.reading.titles import elsewhere, mu_over
+from planes.check.reading.strokes import ReadDrawing, Words
 from planes.words.names import kind_of
+from planes.words.units import UnitError, read_mu
 
 MOST = 6  # parts that are read
 NAMED = 0.1  # what a name of the plan beside a part is worth, in marks drawn rightly
+FAR_MM = 40.0  # a title farther over a plan is that of something else
+GAP = 2.0  # how far a piece of a title may be from the piece before it, in heights
+_MU = re.compile(r"[μµ]\s*_?\w*\s*=\s*(\d.*)")
 
 
 def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
@@ -46,3 +51,59 @@ def _paper_of(part: ReadDrawing, bench: PreparedPlan, page: ReadDrawing) -> Read
     paper = paper_of(part, bench.at(mu, told=True) if mu else bench)
     paper.mu = mu
     return paper
+
+
+def mu_over(words: Sequence[Words], part: ReadDrawing, plan: str, plans: Sequence[str]) -> tuple[float | None, bool]:
+    """μ in the nearest title over a part of a page of those of this plan of ``plans``, and whether none is nearer."""
+    ends = [z for stroke in part.strokes for z in stroke]
+    if not ends:
+        return None, False
+    left, right = min(z.real for z in ends), max(z.real for z in ends)
+    low, high = min(z.imag for z in ends), max(z.imag for z in ends)
+    found = []
+    for title in _titles(words):
+        aside = max(left - title.place.real - title.width, title.place.real - right, 0.0)
+        up = title.place.imag - high
+        if title.middle.imag > (low + high) / 2 and max(aside, up) < FAR_MM:
+            found.append((abs(complex(aside, max(up, 0.0))), _read(title.text, plan, plans) or 0.0))
+    own = min((one for one in found if one[1]), default=None)
+    return (own[1], own == min(found)) if own else (None, False)
+
+
+def _titles(words: Sequence[Words]) -> Iterator[Words]:
+    """Texts with a μ, each with what goes on from it in its line."""
+    for word in words:
+        if not set("μµ") & set(word.text):
+            continue
+        end = word.place + word.width
+        goes_on = (
+            w
+            for w in words
+            if w.text.startswith("=")
+            and abs(w.place.imag - end.imag) < word.height / 2
+            and abs(w.place.real - end.real) < GAP * word.height
+        )
+        more = None if "=" in word.text else next(goes_on, None)
+        if more is not None:
+            word = replace(word, text=word.text + more.text, width=more.width + (more.place - word.place).real)
+        yield word
+
+
+def elsewhere(words: Sequence[Words], plan: str, plans: Sequence[str]) -> bool:
+    """Whether titles on a page are of other plans of its kind, and none of this one."""
+    alike = [p for p in plans if kind_of(p) == kind_of(plan)]
+    shown = {p for title in _titles(words) for p in alike if _read(title.text, p, plans)}
+    return bool(shown) and plan not in shown
+
+
+def _read(text: str, plan: str, plans: Sequence[str]) -> float | None:
+    """μ of a plan, as its title has it; none, if the title names the links of another one."""
+    said = _MU.search(text)
+    links = re.findall(r"\d+", text[: said.start()] if said else "")
+    named = [p for p in plans if (own := re.findall(r"\d+", p)) and links[-len(own) :] == own]
+    if named and plan not in named:
+        return None
+    try:
+        return read_mu(said[1].replace(",", "."), kind_of(plan)) if said else None
+    except UnitError:
+        return None

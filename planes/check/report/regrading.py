@@ -86,7 +86,7 @@ class _Desk:
     def _read(self, mark: str) -> Vec:
         """Where a mark was read, with the error of reading."""
         error = self.taken[mark].error_mm if mark in self.taken else SURELY_MM
-        step = next(s for s in self.program.steps if s.makes == mark)
+        step = self.program.makers[mark]
         error = max(error, self.tool.errors[0]) if isinstance(step, Same) and self.tool.errors else error
         x, y = (Num(self.tape, self.tape.leaf("given", f"{mark}.{axis}")) + self.tool.source(error) for axis in "xy")
         return Vec(x, y)

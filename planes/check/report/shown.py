@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from planes.check import Outcome
 from planes.check.grading.judging import WARN
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import Side, sides_of
-from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare
+from planes.plans.lettering import lettering
+from planes.plans.measuring import say_plan
+from planes.words import Lang
 from planes.words.names import POLE, kind_of, label_of, plan_of
+from planes.words.records import Json
 from planes.words.spelling import Names
+from planes.words.units import mu_text
 
 Vector = tuple[complex, complex]
 
@@ -128,3 +134,34 @@ def chained(order: Sequence[Side], places: Mapping[str, complex]) -> LaidSides:
 def between(sides: Sequence[Side], places: Mapping[str, complex]) -> LaidSides:
     """The sides between their marks."""
     return [(s, (places[s.start], places[s.end])) for s in sides if s.start in places and s.end in places]
+
+
+def tracing_data(asked: Asked, lang: Lang) -> Json:
+    """All plans of a scene, the one asked for first, mm from their poles."""
+    bench = prepare(asked)
+    others = [p for p in known_plans(bench.plans) if p != asked.plan]
+    benches = [bench, *(prepare(replace(asked, plan=p, mu=None)) for p in others)]
+    scene = asked.scene
+    return {
+        "title": scene.title.get(lang, "") or scene.file,
+        "lettering": lettering(scene, bench.plans),
+        "plans": [_plan(b, lang) for b in benches],
+    }
+
+
+def _plan(bench: PreparedPlan, lang: Lang) -> Json:
+    plan, kind = bench.asked.plan, kind_of(bench.asked.plan)
+    marks = bench.true_marks
+    said = say_plan(plan, lang)
+    line = shlex.join(bench.asked.line("⟦file⟧")).replace("'⟦file⟧'", "⟦file⟧")
+    names = [(s.name, s.start, s.end) for s in sides_of(bench.plans, plan)] if kind == "force" else []
+    return {
+        "key": plan,
+        "kind": kind,
+        "title": f"{said[:1].upper()}{said[1:]}, μ = {mu_text(bench.said_mu, kind, lang)}",
+        "marks": {POLE: [0.0, 0.0], **{n: [round(z.real, 4), round(z.imag, 4)] for n, z in marks.items()}},
+        "far": max(marks, key=lambda n: abs(marks[n])),
+        "vectors": vectors(bench),
+        "names": names,
+        "command": f"{line} --pole ⟦pole⟧ --mark ⟦mark⟧",  # the page puts in the picture and the places of two points
+    }

@@ -6,13 +6,15 @@ some other reason.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import reduce
 from operator import or_
 
 import numpy
 
+from planes.check.grading.handwork import Miss
 from planes.check.vision.places import HEADED_MM, Seen
 from planes.geometry.arrays import Complexes
 
@@ -23,6 +25,22 @@ NO_HEAD, OTHER_HEAD = 2.9, 3.0  # what a longer vector costs that shows no head,
 CROSS_MM = 3.0  # what is nearer to the pole is its printed cross
 TIP_NEAR_MM, TIP_STRAIGHT = 1.6, 0.94  # how far a head's tip may be from a vector's end; the cosine of its turn
 FEW = 0.3  # heads for a line, at the least, for a missing one to mean anything
+GATE = 4.5  # σ of drafting and reading within which a mark is looked for
+NO_MARK, NO_END, NO_LINE = 9.0, 3.0, 5.0  # what a mark costs that is nowhere, where nothing ends, where no line leads
+WRONG, SLIP, ANYWHERE = 0.5, 2.0, 11.0  # the odds of a mistake; the least one of the catalogue costs; a mark anywhere
+VAGUE = 3.0  # what a place costs that is known to a millimetre
+DOUBTFUL = 3.0  # what a place costs whose line is better known to end elsewhere
+COVERED = 0.75  # the share of a vector that must be drawn
+
+
+def slip(count: int) -> float:
+    """What each of some mistakes of the catalogue costs: that it is just this one that was made."""
+    return max(math.log(max(count, 1) / WRONG), SLIP)
+
+
+def sigmas_of(off: complex, miss: Miss, sigma: float) -> float:
+    """How far off a place is, in σ of drawing and of reading."""
+    return replace(miss.blurred(sigma), off=off).sigmas
 
 
 @dataclass
@@ -93,7 +111,7 @@ class InkCover:
 
     def explained(self, steps: int) -> float:
         """The share of the lines' ink that the steps are."""
-        return 1 - self.left(steps) / max(self.seen.ink_mm, 1.0)
+        return 1 - self.left(steps) / max(sum(x.length for x in self.seen.lines), 1.0)
 
     def over(self, steps: int, heads: int) -> float:
         """What the ink and the heads cost that are not among these."""

@@ -18,10 +18,8 @@ from planes.check.grading.handwork import Miss
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import loads_of, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.vision.costs import ANYWHERE, COVERED, DOUBTFUL, GATE, NO_END, VAGUE, sigmas_of
-from planes.check.vision.ink_cover import InkCover
-from planes.check.vision.places import Place, Seen
-from planes.check.vision.poles import pole_on
+from planes.check.vision.ink_cover import ANYWHERE, COVERED, DOUBTFUL, GATE, NO_END, VAGUE, InkCover, sigmas_of
+from planes.check.vision.places import Place, Seen, pole_on
 from planes.check.vision.polygon_cover import Guess, guesses, polygon_of, spread_of
 from planes.words.names import POLE
 
@@ -232,9 +230,5 @@ def _likelier(
 
 def _most(best: LaidChain, plain: LaidChain | None, count: int, pole: complex) -> float:
     """What the likeliest polygon may cost to be one at all."""
-    return POOR + POORLY * count + (OPEN * _gapes(best, pole) if best is plain else ANYWHERE)
-
-
-def _gapes(laid: LaidChain, pole: complex) -> bool:
-    """Whether a chain does not close."""
-    return bool(laid.rows) and laid.rows[-1][1] != pole
+    gapes = bool(best.rows) and best.rows[-1][1] != pole
+    return POOR + POORLY * count + (OPEN * gapes if best is plain else ANYWHERE)

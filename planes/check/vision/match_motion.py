@@ -14,13 +14,13 @@ from dataclasses import dataclass, field
 from functools import reduce
 from operator import or_
 from types import MappingProxyType
-from typing import Any
+from typing import Any, Self
 
 from planes.check.grading.handwork import Hand, Miss, Taken, Variant
 from planes.check.grading.judging import LEFT_OUT
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
-from planes.check.vision.costs import (
+from planes.check.vision.ink_cover import (
     ANYWHERE,
     COVERED,
     DOUBTFUL,
@@ -29,13 +29,11 @@ from planes.check.vision.costs import (
     NO_LINE,
     NO_MARK,
     VAGUE,
+    InkCover,
     sigmas_of,
     slip,
 )
-from planes.check.vision.ink_cover import InkCover
-from planes.check.vision.places import Place, Seen
-from planes.check.vision.poles import pole_on
-from planes.drafting.drawing import run
+from planes.check.vision.places import Place, Seen, pole_on
 from planes.drafting.steps import Step
 from planes.words.names import POLE, at, label_of, plan_of
 
@@ -65,6 +63,15 @@ class Search:
     true: Mapping[str, complex]
     vectors: list[tuple[str, str]]
     ink: InkCover
+
+    @classmethod
+    def of(
+        cls, bench: PreparedPlan, seen: Seen, pole: Place, vectors: list[tuple[str, str]], arrows: bool = True
+    ) -> Self:
+        """A search from a pole, with the errors of a hand at every mark."""
+        true = {at(bench.asked.plan, n): z for n, z in bench.true_marks.items()}
+        hand = Hand(bench.program, bench.given, bench.asked.skill, {m: Taken(z, 0.1) for m, z in true.items()})
+        return cls(bench, seen, pole, hand.misses(bench.marks), true, vectors, InkCover(seen, pole.z, arrows))
 
     def settled(self, variant: Variant | None, cost: float = 0.0, most: float = math.inf) -> LaidPlan | None:
         """The plan drawn so, with marks put to their next likely places as long as that explains the picture better."""
@@ -167,17 +174,16 @@ class Search:
         steps = reduce(or_, (self.ink.along(a, b)[0] for a, b in self.routes(way)), 0)
         return self.ink.explained(steps)
 
+    def _ended(self) -> list[Place]:
+        """Places where lines surely end."""
+        return [p for p in self.seen.places if p.ended and p.sigma < 0.6 and not p.doubtful]
+
     def free_marks(self, way: LaidPlan) -> Iterator[tuple[str, Place]]:
         """Marks that may be elsewhere, with places where lines end that the way does not use."""
         used = {id(p) for p in way.found.values()} | {id(self.pole)}
-        free = [
-            p
-            for p in self.seen.places
-            if p.ended and id(p) not in used and abs(p.z - self.pole.z) > 2 and p.sigma < 0.6 and not p.doubtful
-        ]
-        steps = {s.makes: s for s in self.bench.program.steps}
+        free = [p for p in self._ended() if id(p) not in used and abs(p.z - self.pole.z) > 2]
         for mark in self.bench.marks:
-            starts = [way.found[n].z for n in _starts(steps[mark]) if n in way.found]
+            starts = [way.found[n].z for n in _starts(self.bench.program.makers[mark]) if n in way.found]
             for place in free:
                 if any(self.seen.ink.covered(z, place.z) > COVERED for z in (*starts, self.pole.z)):
                     yield mark, place
@@ -193,20 +199,11 @@ def ends_of(bench: PreparedPlan) -> list[tuple[str, str]]:
     return list(dict.fromkeys((s.start, s.end) for s in bench.plans.segments if s.plan == plan and s.start != s.end))
 
 
-def search_of(bench: PreparedPlan, seen: Seen, pole: Place) -> Search:
-    """A search from a pole, with the errors of a hand at every mark."""
-    truth = run(bench.program, bench.given)
-    true = {m: complex(truth[m]) for m in bench.marks}
-    hand = Hand(bench.program, bench.given, bench.asked.skill, {m: Taken(z, 0.1) for m, z in true.items()})
-    return Search(bench, seen, pole, hand.misses(bench.marks), true, ends_of(bench), InkCover(seen, pole.z))
-
-
 def best_way(search: Search) -> LaidPlan | None:
     """The way that explains the picture best."""
     bench = search.bench
     ways = [w for w in (search.settled(None),) if w]
-    free = Hand(bench.program, bench.given, bench.asked.skill, {})
-    variants = list(variants_of(bench, free, bench.said_mu))
+    variants = variants_of(bench, {}, bench.said_mu)
     if not ways or len(ways[0].found) < len(bench.marks) or ways[0].cost > slip(len(variants)):
         ways += _wrong_ways(search, variants, min((w.cost for w in ways), default=math.inf))
         best = min(ways, key=lambda w: w.cost, default=None)
@@ -226,7 +223,7 @@ def _wrong_ways(search: Search, variants: Sequence[Variant], most: float) -> Ite
 
 def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadMark], float]:
     """The marks of a motion plan with its pole near a place, and the share of the ink they explain."""
-    search = search_of(bench, seen, pole_on(seen, near))
+    search = Search.of(bench, seen, pole_on(seen, near), ends_of(bench))
     way = best_way(search)
     if way is None or not way.found:
         return [], 0.0

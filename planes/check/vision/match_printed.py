@@ -12,7 +12,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from planes.check.grading.handwork import Hand, Variant
+import numpy
+
+from planes.check.grading.handwork import Variant
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
@@ -20,7 +22,7 @@ from planes.check.reading.as_planned import FARTHEST_MM, is_right, named, vector
 from planes.check.reading.strokes import ReadDrawing, Stroke, Words
 from planes.check.vision.ink import Ink, evened
 from planes.check.vision.match_motion import ends_of
-from planes.check.vision.places import Seen
+from planes.check.vision.places import Seen, rounded
 from planes.check.vision.printed_heads import BOTH_SIDES, HIDDEN, TURNED, PrintedHead, heads_along, heads_on
 from planes.words.names import POLE, at, kind_of, label_of
 
@@ -38,6 +40,8 @@ TRIED = 4  # poles
 MET = 0.7  # the least share of the long vectors of a wrong plan that must meet a head
 ERROR_MM = 0.15
 WILDEST_MM = 400.0
+
+Tips = Mapping[str, list[complex]]  # where the head of a vector of that name may be
 
 
 @dataclass
@@ -69,20 +73,16 @@ class PrintedSheet:
 
     def wrong(self) -> list[ReadMark]:
         """The marks of the plan with a mistake of the catalogue; none where no such is drawn."""
-        hand = Hand(self.bench.program, self.bench.given, self.bench.asked.skill, {})
-        found = (self._laid(v) for v in variants_of(self.bench, hand, self.bench.said_mu))
+        found = (self._laid(v) for v in variants_of(self.bench, {}, self.bench.said_mu))
         return next((spots for spots in found if spots), [])
 
     def _laid(self, variant: Variant | None) -> list[ReadMark]:
         """The marks of a plan drawn so; none where it is not."""
-        vectors, needed = self._vectors(variant), self.needed
-        if any(s.name not in vectors for s in needed) or (variant and not self._told(vectors)):
+        vectors, wrong = self._vectors(variant), variant is not None
+        if any(s.name not in vectors for s in self.needed) or (wrong and not self._told(vectors)):
             return []
-        for pole in self._poles(vectors.values(), variant is not None):
-            spots = self._read(pole, vectors, needed, variant is not None)
-            if spots:
-                return spots
-        return []
+        read = (self._read(pole, vectors, wrong) for pole in self._poles(vectors.values(), wrong))
+        return next((spots for spots in read if spots), [])
 
     @cached_property
     def needed(self) -> list[Side]:
@@ -106,12 +106,11 @@ class PrintedSheet:
         lettered = {names.find(w.text) for w in self.words} if self.force else set()
         moved = max((abs(wrong[n][1] - b) for n, (_, b) in right.items() if n in wrong), default=0.0)
         sizes = {n: abs(b - a) for n, (a, b) in wrong.items() if n in lettered}
-        return moved > TOLD_MM and all(long > DRAWN_MM for n, long in sizes.items() if _long(right[n]))
+        drawn = {n for n, (a, b) in right.items() if abs(b - a) > DRAWN_MM}
+        return moved > TOLD_MM and all(long > DRAWN_MM for n, long in sizes.items() if n in drawn)
 
     def _poles(self, vectors: Iterable[Stroke], wrong: bool) -> list[complex]:
         """Places from which most of the vectors would meet heads, the likeliest first; of a wrong plan, nearly all."""
-        import numpy
-
         long = [(b, (b - a) / abs(b - a)) for a, b in vectors if abs(b - a) > VOTES_MM]
         tips, ways = (numpy.array([getattr(h, k) for h in self.heads], complex) for k in ("tip", "way"))
         points = [(ways / way).real > TURNED for _, way in long]
@@ -131,28 +130,26 @@ class PrintedSheet:
                 found.append(complex(poles[k]))
         return found
 
-    def _read(
-        self, pole: complex, vectors: Mapping[str, Stroke], needed: Sequence[Side], wrong: bool
-    ) -> list[ReadMark]:
+    def _read(self, pole: complex, vectors: Mapping[str, Stroke], wrong: bool) -> list[ReadMark]:
         """The marks of a plan with its vectors at a pole; none where one has no head, or, if it is not the right plan,
         a clear head is no vector's."""
         found: dict[str, list[complex]] = {}
         for name, (a, b) in vectors.items():
             found[name] = self._heads(pole + a, pole + b) if abs(b - a) > DRAWN_MM else []
-            if not found[name] and abs(b - a) > SURE_MM and wrong and any(s.name == name for s in needed):
+            if not found[name] and abs(b - a) > SURE_MM and wrong and any(s.name == name for s in self.needed):
                 return []
         tips = [z for held in found.values() for z in held]
-        for a, b in (vectors[s.name] for s in needed if not found[s.name]):
+        for a, b in (vectors[s.name] for s in self.needed if not found[s.name]):
             if abs(b - a) > SURE_MM and not self._hidden(pole + a, pole + b, tips):
                 return []
         clear = [h.tip for h in self.heads if h.clear > BOTH_SIDES] if wrong else []
         if not tips or any(min(abs(z - tip) for tip in tips) > ALONG_MM for z in clear):
             return []
-        return (self._rows if self.force else self._marks)(pole, vectors, found, needed)
+        return (self._rows if self.force else self._marks)(pole, vectors, found)
 
     def _heads(self, a: complex, b: complex) -> list[complex]:
         """Tips of the heads a vector may have that should lead from a to b (remembered)."""
-        key = complex(round(a.real, 1), round(a.imag, 1)), complex(round(b.real, 1), round(b.imag, 1))
+        key = rounded(a), rounded(b)
         if key not in self.tips:
             self.tips[key] = list(self._looked(a, b))
         return self.tips[key]
@@ -171,9 +168,7 @@ class PrintedSheet:
         beside = any(abs(b - tip) < HIDING_MM for tip in tips) and self.ink.covered(a, b, SLIM_MM) > COVERED
         return beside and bool(heads_along(self.ink, *ends, abs(b - a), least=HIDDEN))
 
-    def _rows(
-        self, pole: complex, vectors: Mapping[str, Stroke], found: Mapping[str, list[complex]], needed: Sequence[Side]
-    ) -> list[ReadMark]:
+    def _rows(self, pole: complex, vectors: Mapping[str, Stroke], found: Tips) -> list[ReadMark]:
         """Vectors of a force plan, each a row of its own."""
         strokes: list[Stroke] = []
         for name, (a, b) in vectors.items():
@@ -182,17 +177,15 @@ class PrintedSheet:
             drawn += [(pole + a, pole + b)] if not drawn and abs(b - a) > DRAWN_MM else []
             strokes += [new for new in drawn if all(_apart(new, old) for old in strokes)]
         sketch = ReadDrawing("", strokes, list(self.words), ERROR_MM, [1] * len(strokes))
-        true = {s.name: b - a for s in needed for a, b in [vectors[s.name]]}
+        true = {s.name: b - a for s in self.needed for a, b in [vectors[s.name]]}
         return vectors_named(sketch, self.bench, true, [b - a for a, b in vectors.values()], SURE_MM).spots
 
-    def _marks(
-        self, pole: complex, vectors: Mapping[str, Stroke], found: Mapping[str, list[complex]], needed: Sequence[Side]
-    ) -> list[ReadMark]:
+    def _marks(self, pole: complex, vectors: Mapping[str, Stroke], found: Tips) -> list[ReadMark]:
         """Marks of a motion plan, where the heads are of the vectors that end in them."""
-        ends = {s.end: vectors[s.name][1] for s in needed}
+        ends = {s.end: vectors[s.name][1] for s in self.needed}
         places = {POLE: pole}
         for mark, z in ends.items():
-            tips = [tip for s in needed if s.end == mark for tip in found[s.name]]
+            tips = [tip for s in self.needed if s.end == mark for tip in found[s.name]]
             same = [w for n, w in places.items() if abs(z - ends.get(n, 0j)) < DRAWN_MM]
             places |= {mark: same[0]} if same else {mark: min(tips, key=lambda t: abs(t - pole - z))} if tips else {}
         names = self.bench.names
@@ -204,19 +197,13 @@ class PrintedSheet:
 
         lettered = {n for n, _ in words if n} & places.keys()
         labels = {label_of(m) for m in self.bench.marks} & places.keys()
-        if not named(places, lettered, word):
-            return []
-        return [ReadMark(n, places[n], ERROR_MM) for n in (POLE, *sorted(labels))]
+        told = named(places, lettered, word)
+        return [ReadMark(n, places[n], ERROR_MM) for n in (POLE, *sorted(labels))] if told else []
 
 
 def _between(bench: PreparedPlan) -> list[Side]:
     """The vectors between marks of a plan."""
     return [Side(f"{a} {b}", a, b) for a, b in ends_of(bench)]
-
-
-def _long(vector: Stroke) -> bool:
-    """Whether a vector is drawn at all."""
-    return abs(vector[1] - vector[0]) > DRAWN_MM
 
 
 def _apart(one: Stroke, other: Stroke) -> bool:

@@ -12,16 +12,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import combinations
 
-from planes.check.grading.handwork import Hand, Taken
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
-from planes.check.vision.costs import ANYWHERE, COVERED, NO_MARK, slip
-from planes.check.vision.ink_cover import InkCover
+from planes.check.vision.ink_cover import ANYWHERE, COVERED, NO_MARK, slip
 from planes.check.vision.match_motion import LaidPlan, Search
 from planes.check.vision.match_symbols import signs
-from planes.check.vision.places import SAME_MM, Place, Seen
-from planes.check.vision.poles import pole_on
-from planes.drafting.drawing import run
+from planes.check.vision.places import SAME_MM, Place, Seen, pole_on
 from planes.drafting.steps import Step
 from planes.words.names import POLE, at, label_of
 
@@ -68,11 +64,7 @@ class SoughtScheme(Search):
     def free_marks(self, way: LaidPlan) -> Iterator[tuple[str, Place]]:
         """Points that may be elsewhere: at places away from those used, led to from their mates; a centre, at a dot."""
         used = [self.pole.z, *(p.z for p in way.found.values())]
-        free = [
-            p
-            for p in self.seen.places
-            if p.ended and p.sigma < 0.6 and not p.doubtful and all(abs(p.z - z) > HINGE_MM for z in used)
-        ]
+        free = [p for p in self._ended() if all(abs(p.z - z) > HINGE_MM for z in used)]
         for mark in self.bench.marks:
             near = [way.found[m].z for m in self.mates.get(mark, ()) if m in way.found]
             for place in free:
@@ -87,8 +79,7 @@ class SoughtScheme(Search):
         enough = right and {*self.bench.marks} - {*right.found} <= self.centres
         if right and enough and (right.cost < self.fair or self.at_signs(right)):
             return
-        free = Hand(self.bench.program, self.bench.given, self.bench.asked.skill, {})
-        variants = list(variants_of(self.bench, free, self.bench.said_mu))
+        variants = variants_of(self.bench, {}, self.bench.said_mu)
         wrong = [self.way(v, cost=slip(len(variants))) for v in variants]
         yield from (w for w in wrong if w)
         best = min((w for w in (right, *wrong) if w), key=lambda w: w.cost, default=None)
@@ -142,12 +133,9 @@ def _rows(reach: float) -> list[complex]:
 
 def scheme_search(bench: PreparedPlan, seen: Seen, pole: Place) -> SoughtScheme:
     """A search from a pole."""
-    truth = run(bench.program, bench.given)
-    true = {m: complex(truth[m]) for m in bench.marks}
-    hand = Hand(bench.program, bench.given, bench.asked.skill, {m: Taken(z, 0.1) for m, z in true.items()})
     mechanism, labels = bench.plans.mechanism, {label_of(m) for m in bench.marks}
     pairs = [p for link in mechanism.links.values() for p in combinations([n for n in link.points if n in labels], 2)]
-    out = SoughtScheme(bench, seen, pole, hand.misses(bench.marks), true, pairs, InkCover(seen, pole.z, False))
+    out = SoughtScheme.of(bench, seen, pole, pairs, arrows=False)
     out.centres = {at(bench.asked.plan, link.centre) for link in mechanism.links.values() if link.centre}
     out.supported = {n for n in mechanism.frame.points if n in labels}
     for link in mechanism.links.values():
@@ -189,8 +177,7 @@ def points_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Read
 
 def origin_found(bench: PreparedPlan, seen: Seen) -> complex | None:
     """The place from which most points of the right scheme would stand at signs, wherever it is; None if too few do."""
-    truth = run(bench.program, bench.given)
-    spots, points = [z for z, _ in signs(seen.ink)], [complex(truth[m]) for m in bench.marks]
+    spots, points = [z for z, _ in signs(seen.ink)], [*bench.true_marks.values()]
     best: list[complex] = []
     for origin in (z - w for z in spots for w in points):
         off = (min((s - w - origin for s in spots), key=abs) for w in points)

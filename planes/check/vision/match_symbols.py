@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy
+
 from planes.check.vision.ink import DARK, Ink, evened
 from planes.check.vision.picture import cv
 from planes.geometry.arrays import Array, Greys
@@ -30,8 +32,6 @@ def signs(ink: Ink) -> list[tuple[complex, float]]:
 
 
 def _circles(ink: Ink) -> Iterator[tuple[float, complex, float]]:
-    import numpy
-
     mask, k = _smaller(ink, ink.even)
     for radius in RADII_MM:
         rim = _mean(mask, k * (radius - RIM_MM), k * (radius + RIM_MM))
@@ -42,8 +42,6 @@ def _circles(ink: Ink) -> Iterator[tuple[float, complex, float]]:
 
 
 def _dots(ink: Ink) -> Iterator[tuple[float, complex, float]]:
-    import numpy
-
     mask, k = _smaller(ink, evened(ink.flat))
     full = _mean(mask, 0.0, k * DOT_MM)
     around = _mean(mask, k * AROUND_MM[0], k * AROUND_MM[1])
@@ -53,8 +51,6 @@ def _dots(ink: Ink) -> Iterator[tuple[float, complex, float]]:
 
 def _smaller(ink: Ink, even: Greys) -> tuple[Array, float]:
     """The share of ink in the pixels of a smaller picture, and how many of these there are to a mm."""
-    import numpy
-
     cv2 = cv()
     mask = (even < ink.paper - DARK * (ink.paper - ink.pencil)).astype(numpy.float32)
     factor = min(1.0, PX_PER_MM / ink.flat.scale)
@@ -63,8 +59,6 @@ def _smaller(ink: Ink, even: Greys) -> tuple[Array, float]:
 
 def _mean(mask: Array, inner: float, outer: float) -> Array:
     """The share of ink between two circles about every pixel."""
-    import numpy
-
     reach = int(outer + 1.5)
     y, x = numpy.mgrid[-reach : reach + 1, -reach : reach + 1]
     r = numpy.hypot(x, y)
@@ -75,15 +69,12 @@ def _mean(mask: Array, inner: float, outer: float) -> Array:
 
 def _peaks(ink: Ink, score: Array, least: float, k: float, sigma: float) -> Iterator[tuple[float, complex, float]]:
     """The highest places, each where the score about it has its middle."""
-    import numpy
-
     high = cv().dilate(score, numpy.ones((5, 5), numpy.uint8))
     for y, x in zip(*numpy.nonzero((score >= high) & (score > least)), strict=True):
-        part = score[max(y - 1, 0) : y + 2, max(x - 1, 0) : x + 2]
+        top, left = max(y - 1, 0), max(x - 1, 0)
+        part = score[top : y + 2, left : x + 2]
         weight = numpy.clip(part - 0.7 * score[y, x], 0, None)
-        rows, columns = numpy.mgrid[
-            max(y - 1, 0) : max(y - 1, 0) + part.shape[0], max(x - 1, 0) : max(x - 1, 0) + part.shape[1]
-        ]
+        rows, columns = numpy.mgrid[top : top + part.shape[0], left : left + part.shape[1]]
         middle_x, middle_y = (float((weight * v).sum() / weight.sum()) + 0.5 for v in (columns, rows))
         scale = ink.flat.scale / k
         yield float(score[y, x]), ink.flat.mm(middle_x * scale, middle_y * scale), sigma

@@ -12,7 +12,7 @@ from planes.check.grading.prepared_plan import PreparedPlan, known_plans
 from planes.check.reading.chains import true_vectors
 from planes.check.reading.parts import NEAR_WORD_MM, TOGETHER_MM
 from planes.check.reading.strokes import ReadDrawing, Words
-from planes.check.reading.titles import mu_over
+from planes.check.reading.whole_page import mu_over
 from planes.check.vision.ink import ink_of, light_of
 from planes.check.vision.picture import Flat, cv
 from planes.geometry.arrays import Greys, Indices
@@ -93,9 +93,8 @@ class PageParts:
         rows = (numpy.arange(top, low) / up).astype(int).clip(0, self.labels.shape[0] - 1)
         columns = (numpy.arange(left, right) / up).astype(int).clip(0, self.labels.shape[1] - 1)
         held = self.labels[rows[:, None], columns[None, :]]
-        grey = numpy.where(
-            (held == 0) | (held == k), self.flat.grey[top:low, left:right], self.light[top:low, left:right]
-        )
+        place = slice(top, low), slice(left, right)
+        grey = numpy.where((held == 0) | (held == k), self.flat.grey[place], self.light[place])
         return Flat(grey, self.flat.scale, self.flat.mm(left, low), "part")
 
 

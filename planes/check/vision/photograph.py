@@ -18,10 +18,8 @@ from planes.check.vision.match_motion import marks_on
 from planes.check.vision.match_printed import PrintedSheet
 from planes.check.vision.match_scheme import origin_found, points_on
 from planes.check.vision.page_parts import parts_of
-from planes.check.vision.pencil_lines import sheet_of
 from planes.check.vision.picture import Flat, by_points, by_scale, cv, flatten
-from planes.check.vision.places import Seen
-from planes.check.vision.poles import pole_found, pole_on
+from planes.check.vision.places import Seen, pole_found, pole_on, sheet_of
 from planes.geometry.arrays import Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError

@@ -10,11 +10,14 @@ from functools import cached_property
 
 import numpy
 
-from planes.check.vision.drawn_lines import on
+from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.vision.drawn_lines import lines_of, on, patches
 from planes.check.vision.heads import head_at
-from planes.check.vision.ink import Ink
+from planes.check.vision.ink import Ink, ink_of
 from planes.check.vision.line_fitting import Fitted
+from planes.check.vision.picture import Flat
 from planes.geometry.arrays import Complexes
+from planes.words.names import kind_of, label_of
 
 END_MM = 2.2  # a line that stops nearer than this to a crossing may end there
 CLEAR_MM, DIM_MM = 0.2, 1.2  # σ along a line of an end that stands free, of one within other ink
@@ -26,6 +29,8 @@ CLOSER_MM = 2.0  # how far from where a vector should end its head is looked for
 HEADED_MM = 4.5  # shorter vectors have no head, twice as long ones surely do
 HEADS = 3  # that tell how long all are
 SAME_MM = 0.4  # places nearer than this are one
+POLE_MM = 0.06  # σ of the place where a line from the pole begins, about the pole
+REACH_MM = 2.5  # of a true mark, when the pole is looked for
 
 
 @dataclass
@@ -58,7 +63,7 @@ class Seen:
 
     def closer(self, start: complex, end: complex) -> Place | None:
         """The tip of the head a vector from start to end has about its end, looked for along it (remembered)."""
-        key = complex(round(start.real, 1), round(start.imag, 1)), complex(round(end.real, 1), round(end.imag, 1))
+        key = rounded(start), rounded(end)
         if key not in self.looked:
             found = head_at(self.ink, start, end, CLOSER_MM, self.head_mm) if abs(end - start) > HEADED_MM else None
             self.looked[key] = Place(found, TIP_MM, frozenset(), True, self._short(start, found)) if found else None
@@ -76,11 +81,6 @@ class Seen:
         near = (p.z - tip for p in self.within(tip, TIP_REACH_MM) if p.ended and p.sigma < TIP_MM)
         beyond = (off * way.conjugate() for off in near)
         return any(z.real > HEAD_MM / 2 and abs(z.imag) < HEAD_MM / 2 for z in beyond)
-
-    @property
-    def ink_mm(self) -> float:
-        """The length of all lines."""
-        return sum(x.length for x in self.lines)
 
 
 @dataclass
@@ -100,6 +100,18 @@ class Normal:
         z = complex(yy * x - xy * y, xx * y - xy * x) / (xx * yy - xy**2)
         least = (xx + yy) / 2 - math.hypot((xx - yy) / 2, xy)
         return z, least**-0.5 if least > 0 else math.inf
+
+
+def rounded(z: complex) -> complex:
+    """A place to a tenth of a millimetre, by which what was found there is remembered."""
+    return complex(round(z.real, 1), round(z.imag, 1))
+
+
+def sheet_of(flat: Flat, cross: complex | None = None) -> Seen | None:
+    """What is seen on a flat picture with a cross printed at a place; None if more lines than a plan can have."""
+    ink = ink_of(flat, cross)
+    lines = lines_of(ink)
+    return None if lines is None else Seen(ink, lines, places_of(lines), patches(ink, lines))
 
 
 def crossing(one: Fitted, two: Fitted) -> complex | None:
@@ -178,3 +190,32 @@ def _hidden(line: Fitted, side: int, s: float, other: Fitted) -> bool:
     """Whether what is left of a line beyond s lies within another line's ink, so that it may well end at s."""
     end = (line.low, line.high)[side]
     return abs(end - s) < HIDDEN_MM and not line.clear[side] and abs(other.local(line.at(end))[1]) < 0.8
+
+
+def pole_on(seen: Seen, near: complex, reach: float = 2.0) -> Place:
+    """The pole: where it is printed (or was named), and where the lines drawn from it meet."""
+    eqs, ended = Normal(), set[tuple[int, int]]()
+    eqs.add(near, 1 + 0j, POLE_MM)
+    eqs.add(near, 1j, POLE_MM)
+    for k, line in enumerate(seen.lines):
+        s, off = line.local(near)
+        side = 0 if abs(s - line.low) < abs(s - line.high) else 1
+        if abs(off) < 0.8 and abs(line.ends[side] - near) < reach and line.length > 2 * reach:
+            eqs.add(line.at(s), 1j * line.direction(s), 2 * line.sigma)
+            ended.add((k, side))
+    z, sigma = eqs.solved()
+    return Place(z, sigma, frozenset(ended))
+
+
+def pole_found(bench: PreparedPlan, seen: Seen) -> complex | None:
+    """The place from which the true plan would meet the most places; None where hardly any would be met."""
+    ends = [z for z in bench.true_marks.values() if abs(z) > 1]
+    if kind_of(bench.asked.plan) == "force":  # the order of the forces is free: the closing corner alone is sure
+        loose = {label_of(s.makes) for s in bench.program.steps if s.quantity == "tangential"}
+        ends = [z for n, z in bench.true_marks.items() if n not in loose]
+    best, place = 0.0, None
+    for p in (p for p in seen.places if p.ended):
+        hits = sum(any(q.ended for q in seen.within(p.z + e, REACH_MM)) for e in ends) + 0.01 * len(p.ended)
+        if hits > best:
+            best, place = hits, p.z
+    return place if best >= max(2, 0.4 * len(ends)) else None

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from planes.check.grading.handwork import Hand, Miss, Variant
 from planes.check.grading.polygons import Side
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
-from planes.check.vision.costs import slip
+from planes.check.vision.ink_cover import slip
 from planes.drafting.steps import Cross, Step
 from planes.words.names import POLE, at, label_of, links_of, plan_of
 
@@ -48,9 +48,8 @@ def polygon_of(sides: Iterable[Side], plan: str) -> list[Side]:
 
 def guesses(bench: PreparedPlan, sides: list[Side], loads: set[str]) -> list[Guess]:
     """The right polygon first, then one of every mistake, none twice."""
-    hand = Hand(bench.program, bench.given, bench.asked.skill, {})
     found, seen = list[Guess](), set[tuple[complex, ...]]()
-    for variant in (None, *variants_of(bench, hand, bench.said_mu)):
+    for variant in (None, *variants_of(bench, {}, bench.said_mu)):
         vectors = _vectors(bench, sides, variant)
         if vectors is None:
             continue
@@ -95,6 +94,5 @@ def _lines(steps: Iterable[Step], plan: str) -> dict[tuple[str, str], str]:
 def spread_of(bench: PreparedPlan, sides: list[Side]) -> dict[str, Miss]:
     """The covariance of every vector as a hand would draw it."""
     hand, plan = Hand(bench.program, bench.given, bench.asked.skill, {}), bench.asked.plan
-
     ends = {n: 0j if n == POLE else hand.things[at(plan, n)] for s in sides for n in (s.start, s.end)}
     return {s.name: hand.miss(0j, ends[s.end] - ends[s.start]) for s in sides}

@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+import numpy
+
 from planes.check.vision.ink import Ink
 from planes.check.vision.line_fitting import Fitted
 from planes.geometry.arrays import Array, Complexes
@@ -51,8 +53,6 @@ def shapes(length_mm: float) -> list[HeadShape]:
 
 def clearness(ink: Ink, tips: Complexes, ways: Complexes, shape: HeadShape) -> Array:
     """How clear a head is at each of some tips: nearly 1 for each of its sides that is seen, 0 where it has no ink."""
-    import numpy
-
     long, wide, pen = shape
 
     def dark(along: Array, aside: Array) -> Array:
@@ -80,8 +80,6 @@ def heads_along(
     ink: Ink, a: complex, b: complex, length_mm: float, aside: Sequence[float] = (0.0,), least: float = HEAD
 ) -> list[PrintedHead]:
     """The heads of vectors of a length whose tips are on the way from a to b, or so far to the left of it."""
-    import numpy
-
     way, found = (b - a) / abs(b - a), list[tuple[PrintedHead, complex]]()
     on = numpy.linspace(a, b, max(2, round(abs(b - a) / STEP_MM)))
     tips = (on[None, :] + 1j * way * numpy.array(aside)[:, None]).ravel()
