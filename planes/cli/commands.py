@@ -48,7 +48,7 @@ def solve(args: Namespace) -> int:
         raise PlanesError(Phrase("seed_negative", seed=args.seed))
     instrument = Pencil(seed=1 if args.seed is None else args.seed) if args.pencil else Exact()
     if args.explain:
-        from planes.solving.explaining import explain
+        from planes.solving.vectors import explain
 
         print(explain(scene, args.lang), end="")
         return 0

@@ -16,8 +16,7 @@ from planes.check.report.rows import as_json, mark_rows
 from planes.check.report.shown import leads, shown_plans
 from planes.check.report.tracing_paper import tracing_data
 from planes.check.vision.photograph import blank_pole
-from planes.plans.lettering import lettering
-from planes.plans.measuring import say_plan
+from planes.plans.measuring import lettering, say_plan
 from planes.scene import Scene
 from planes.scene.files import keep, sayable
 from planes.words import Lang, Phrase, say

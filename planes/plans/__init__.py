@@ -16,10 +16,9 @@ from planes.geometry.arithmetic import Real
 from planes.plans.assembly import AssemblyChoice, resolve
 from planes.plans.bodies import SCHEME, Bodies, Body
 from planes.plans.kinematics import Rates, SlideReading
-from planes.plans.lever import draw_lever
 from planes.plans.loads import Acting
 from planes.plans.positions import place_all
-from planes.plans.proving import proofs_of
+from planes.plans.proving import draw_lever, proofs_of
 from planes.plans.reactions import Reaction, Statics
 from planes.plans.statics import draw_forces
 from planes.plans.structure import Structure, analyse

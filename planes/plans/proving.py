@@ -1,5 +1,5 @@
 """The proofs of a mechanism's plans: its links rigid, its sliders on their guides, every link in equilibrium, every
-polygon closed, and both balancing loads equal."""
+polygon closed, and both balancing loads equal, that of the plans and that of Zhukovsky's lever."""
 
 from __future__ import annotations
 
@@ -7,13 +7,14 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from planes.drafting.draft import Draft
+from planes.drafting.draft import Draft, Moments
 from planes.drafting.equations import Equation
 from planes.drafting.link_proofs import Balanced, LinkMotion, Point, Rigid, Slid
 from planes.drafting.proofs import Proof, Twofold, VectorProof
-from planes.drafting.steps.reckoning import Calculate
+from planes.drafting.steps.reckoning import Calculate, Product
 from planes.plans.bodies import SCHEME
-from planes.plans.kinematics import Rates
+from planes.plans.kinematics import Rates, turned_copy
+from planes.plans.loads import Acting, Force
 from planes.plans.reactions import Statics
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, at, force_plan
@@ -102,3 +103,60 @@ def _twofold(s: Statics, lever: str) -> Proof:
     made = (s.b.draft.steps[name] for name in (s.balancing, lever))
     terms = tuple(t for step in made if isinstance(step, Calculate) for t in step.terms)
     return Twofold(force_plan(s.b.mechanism.drive.link), s.balancing, s.balancing, lever, terms)
+
+
+def draw_lever(s: Statics) -> str:
+    """Draw Zhukovsky's lever and balance it; the name of its balancing moment (or force).
+
+    It is the velocity plan turned by 90°, loaded with the outer forces at the images of their points. By
+    N. E. Zhukovsky's theorem the moments of the forces about the pole, with each couple M replaced by M·ω·μ_v, balance;
+    the check shares the loads and the velocity plan with the force plans, and none of their reactions but friction.
+    """
+    acting, b = s.acting, s.b
+    drive = b.mechanism.drive
+    rate = acting.motion.spin(drive.link) if drive.kind == "phi" else f"{acting.motion.letter}drive"
+    b.draft.pole("lever")
+    products, shown = [], []
+    for force in outer_forces(acting):
+        arm = _arm(s, force)
+        products.append(Product(1.0, ((force.size, 1), (arm, 1), (rate, -1))))
+        shown.append((force.name, arm))
+    for link, couples in acting.couples.items():
+        root = b.known[link].root
+        for couple in couples:
+            if root != FRAME and not couple.handed:
+                spin = acting.motion.spin(root)
+                products.append(Product(-1.0, ((couple.value, 1), (spin, 1), (rate, -1))))
+                shown.append((couple.name, spin))
+    for value, speed in rubbing(s):
+        products.append(Product(-1.0, ((value, 1), (speed, 1), (rate, -1))))
+        shown.append((value, speed))
+    name = b.draft.total(f"{'M' if drive.kind == 'phi' else 'F'}Z_{drive.link}", products)
+    b.draft.moments.append(Moments(POLE, ("lever",), tuple(shown), name, ""))
+    return name
+
+
+def outer_forces(acting: Acting) -> list[Force]:
+    """Weights, inertia and loads of all links: every force that is no reaction."""
+    return [f for forces in acting.forces.values() for f in forces if f.spot]
+
+
+def rubbing(s: Statics) -> list[tuple[str, str]]:
+    """Names of each friction force along its guide and of the speed of its sliding."""
+    found = []
+    for reaction in s.reactions.values():
+        guide = reaction.pair.guide
+        if guide in s.b.mechanism.friction:
+            force = s.b.draft.measure(f"T_{reaction.key}", reaction.start, reaction.end, f"∥{guide}")
+            found.append((force, s.acting.motion.slides[reaction.pair.link].value))
+    return found
+
+
+def _arm(s: Statics, force: Force) -> str:
+    motion = s.acting.motion
+    assert force.spot
+    label = motion.label(force.spot.name)
+    mark = at("lever", POLE)
+    if label != POLE:
+        mark = turned_copy(s.b, motion.plan, motion.mark(force.spot.name), label)
+    return s.b.draft.arm(f"H_{force.name}", mark, force.along, at("lever", POLE))

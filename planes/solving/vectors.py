@@ -1,22 +1,25 @@
-"""Scenes that state vectors and equations alone: drawn by the drafting core with any instrument, and measured."""
+"""Scenes that state vectors and equations alone: drawn by the drafting core with any instrument, and measured;
+and the steps that lead to what is asked of any scene."""
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.instruments import Instrument, Pencil
 from planes.drafting.program import Program
+from planes.drafting.steps.base import Step
 from planes.drafting.tools import Thing
+from planes.plans import mechanism_plans
 from planes.scene import Scene
-from planes.solving import scatter_mm
+from planes.solving import plans_of, scatter_mm
 from planes.solving.vector_plan import PLAN, VectorPlan, quantity_of
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanFailure, SceneError, choices
-from planes.words.names import label_of, mu_of
+from planes.words.names import is_scale, label_of, mu_of
 from planes.words.records import Json
 from planes.words.units import UNIT, mu_text, standard_mu
 
@@ -140,3 +143,24 @@ def _choose(plan: VectorPlan, given: Mapping[str, Thing], side: str, names: tupl
 def _apart(ways: Mapping[str, float], near: Mapping[str, float]) -> float:
     """How far directions are from those meant, in degrees, all together."""
     return sum(abs((ways[name] - angle + 180) % 360 - 180) for name, angle in near.items())
+
+
+def explain(scene: Scene, lang: Lang = "en") -> str:
+    """What ``planes solve --explain`` prints: the kept and the dropped steps, one on a line, in the order of drawing."""
+    if scene.mechanism is None:
+        plan, spans = stated(scene)
+        whole, kept = program_of(plan, plan.spans), program_of(plan, spans)
+    else:
+        whole, kept = mechanism_plans(scene).program, plans_of(scene)[0].program
+    dropped = [s for s in whole.steps if s.makes not in kept.made]
+    lines = [say("explain_kept", lang, kept=len(kept.steps), all=len(whole.steps)), *_listed(kept.steps, lang)]
+    if dropped:
+        lines += ["", say("explain_dropped", lang, dropped=len(dropped)), *_listed(dropped, lang)]
+    return "\n".join(lines) + "\n"
+
+
+def _listed(steps: Iterable[Step], lang: Lang) -> Iterator[str]:
+    for step in steps:
+        verb = say(f"step_{type(step).__name__}", lang)
+        names = ", ".join(dict.fromkeys(name for name, kind in step.reads() if not is_scale(name)))
+        yield f"  {step.makes}: {verb}" + (f" ({say('explain_reads', lang, reads=names)})" if names else "")

@@ -19,7 +19,7 @@ from planes.drafting.steps import Similar
 from planes.drafting.steps.reckoning import Drop
 from planes.geometry import plane
 from planes.geometry.arithmetic import One
-from planes.plans import lever, plans_of
+from planes.plans import plans_of, proving
 from planes.plans.kinematics import Rates
 from planes.plans.reactions import Statics
 from planes.scene import loads
@@ -66,7 +66,7 @@ def couples_forgotten(m: pytest.MonkeyPatch) -> None:
 
 
 def lever_not_turned(m: pytest.MonkeyPatch) -> None:
-    m.setattr(lever, "turned_copy", lambda b, plan, of, mark: of)
+    m.setattr(proving, "turned_copy", lambda b, plan, of, mark: of)
 
 
 COUPLE = "loads: [{link: 3, moment: 5}]\n"

@@ -13,8 +13,7 @@ import pytest
 from planes.accuracy.errors import vector_errors
 from planes.drafting.instruments import Pencil
 from planes.scene import loads
-from planes.solving.explaining import explain
-from planes.solving.vectors import VectorResults, solve_vectors
+from planes.solving.vectors import VectorResults, explain, solve_vectors
 from planes.words.errors import SceneError
 
 FORCES = """planes: 1

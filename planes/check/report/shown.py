@@ -11,8 +11,7 @@ from planes.check.grading.judging import WARN
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.words.names import POLE, kind_of, label_of, plan_of
-from planes.words.spelling import Names
+from planes.words.names import POLE, Names, kind_of, label_of, plan_of
 
 Vector = tuple[complex, complex]
 

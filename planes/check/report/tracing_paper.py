@@ -8,8 +8,7 @@ from dataclasses import replace
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare
 from planes.check.report.shown import vectors
-from planes.plans.lettering import lettering
-from planes.plans.measuring import say_plan
+from planes.plans.measuring import lettering, say_plan
 from planes.words import Lang
 from planes.words.names import POLE, kind_of
 from planes.words.records import Json
