@@ -146,7 +146,7 @@ def _apart(ways: Mapping[str, float], near: Mapping[str, float]) -> float:
 
 
 def explain(scene: Scene, lang: Lang = "en") -> str:
-    """What ``planes solve --explain`` prints: the kept and the dropped steps, one on a line, in the order of drawing."""
+    """What ``planes solve --explain`` prints: the kept and the dropped steps, one on a line, in drawing order."""
     if scene.mechanism is None:
         plan, spans = stated(scene)
         whole, kept = program_of(plan, plan.spans), program_of(plan, spans)
