@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 
 from planes.batch import Cycle
-from planes.batch.columns import Ready
 from planes.batch.error_bounds import Claims
 from planes.batch.slopes import SLOPES, STIFF, Carrying
+from planes.batch.table import Ready
 from planes.batch.tape import read
 from planes.batch.tracing import Trace, given_values, trace
 from planes.drafting.draft import Segment

@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 
 from planes.batch import compiled as compiled_loop
-from planes.batch.columns import columns_of, sides_of
 from planes.batch.error_bounds import Claims
+from planes.batch.table import columns_of, sides_of
 from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
 from planes.drafting.clearness import clear, far_apart
 from planes.drafting.drawing import prove_many, run

@@ -14,9 +14,9 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
-from planes.batch.columns import Ready, sides_of
 from planes.batch.rounding import BLIND, LARGEST, USUAL, Lost, bent, rounding, unit_parts, whole_numbers
 from planes.batch.slopes import STIFF, Carrying, Values, times
+from planes.batch.table import Ready, sides_of
 from planes.batch.tape import Tape, read
 from planes.batch.tracing import given_values, trace
 from planes.geometry.arrays import Array, Booleans, Floats, Indices

@@ -1,13 +1,18 @@
-"""Results of many positions by name, as arrays; what a sweep in Python gives."""
+"""A long table of results: its columns, what a program must have to be drawn for them many times, and the results
+of many positions by name, as arrays, which a sweep in Python gives."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
-from planes.geometry.arrays import Array, Complexes, Texts
+from planes.drafting.program import Program
+from planes.geometry.arithmetic import Point
+from planes.geometry.arrays import Array, Complexes, Floats, Indices, Texts
+from planes.plans import Plans
+from planes.plans.quantities import Column, Quantity, once, results_of
 from planes.words import Phrase
 from planes.words.errors import PlanesError, valid_names
 
@@ -56,3 +61,29 @@ class Table(Mapping[str, Array | Complexes]):
         """Tables of the same columns, one below another."""
         columns = {name: np.concatenate([t.columns[name] for t in tables]) for name in tables[0]}
         return cls(columns, tables[0].units, np.concatenate([t.failed for t in tables]))
+
+
+class Ready(Protocol):
+    """A program ready to be drawn any number of times, and the columns read off each drawing."""
+
+    program: Program
+    given: dict[str, Point]
+    folded: dict[str, float]
+
+    @property
+    def columns(self) -> Sequence[Column]: ...
+
+    def moving(self, values: Array, at: Indices | slice) -> Mapping[str, Floats]:
+        """The givens that are other in the drawings numbered ``at``."""
+        ...
+
+
+def columns_of(plans: Plans, quantities: Iterable[Quantity] | None = None) -> list[Column]:
+    """The columns of the quantities asked, or of all but the bare segments of plans; each once."""
+    chosen = results_of(plans) if quantities is None else once(quantities)
+    return list({c.name: c for q in chosen for c in q.columns}.values())
+
+
+def sides_of(columns: Iterable[Column]) -> list[tuple[str, str]]:
+    """The ends of the forces among columns, on their plans; each once."""
+    return list(dict.fromkeys((c.start, c.end) for c in columns if c.part and c.unit == "N"))

@@ -15,8 +15,8 @@ from planes.check.grading.written_numbers import Account, WrittenNumber, account
 from planes.plans.quantities import catalogue
 from planes.words import Phrase, Written
 from planes.words.errors import PlanesError
+from planes.words.lettering import plan_phrase
 from planes.words.names import kind_of, label_of, mu_of
-from planes.words.things import plan_phrase
 
 STATUS = {"right": 0, "wrong": 1, "unreadable": 2}
 

@@ -23,7 +23,7 @@ from planes.solving.tables import table
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError, guarded
 from planes.words.names import kind_of
-from planes.words.spreadsheet import as_csv
+from planes.words.records import as_csv
 from planes.words.units import read_mu
 
 _PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?{0})\s*[,;]\s*([-+]?{0})\s*".format(r"(?:\d+\.?\d*|\.\d+)"))

@@ -13,7 +13,7 @@ from planes.lesson.formulas import number
 from planes.scene import loads
 from planes.solving.document import Block, DocumentTable, Heading, Paragraph
 from planes.words import Lang, say
-from planes.words.spreadsheet import as_csv as csv_of
+from planes.words.records import as_csv as csv_of
 
 NOISE = 1e-9
 

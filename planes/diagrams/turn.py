@@ -13,7 +13,7 @@ from typing import TypeVar
 import numpy as np
 
 from planes.batch import CHUNK, Block, Cycle, Reason
-from planes.batch.columns import columns_of
+from planes.batch.table import columns_of
 from planes.diagrams.curves import UNIT, Curve, CycleVector, arrows_of, curves_of
 from planes.diagrams.driven import FULL, WorkingRange
 from planes.geometry.arrays import Array, Booleans, Indices

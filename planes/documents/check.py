@@ -14,8 +14,7 @@ from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.report import Checked, ClassWork, as_json, class_heads, mark_rows
 from planes.check.report.shown import leads, shown_plans, tracing_data
 from planes.check.vision.photograph import blank_pole
-from planes.plans.lettering import lettering
-from planes.plans.measuring import say_plan
+from planes.plans.measuring import lettering, say_plan
 from planes.scene import Scene
 from planes.scene.files import keep, sayable
 from planes.words import Lang, Phrase, say

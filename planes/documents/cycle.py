@@ -14,7 +14,7 @@ from planes.diagrams.motion import Runs
 from planes.diagrams.turn import Grid, WholeTurn, grid, turn_of
 from planes.geometry.arrays import Array
 from planes.plans import Plans, mechanism_plans
-from planes.plans.lettering import lettering
+from planes.plans.measuring import lettering
 from planes.scene import Scene
 from planes.scene.files import sayable
 from planes.scene.ranges import Span

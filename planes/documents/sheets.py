@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from planes.batch import Cycle
-from planes.batch.columns import columns_of
+from planes.batch.table import columns_of
 from planes.diagrams.curves import curves_of, output_curves
 from planes.diagrams.driven import FULL, WorkingRange, driven
 from planes.diagrams.motion import dead_points, driven_grid

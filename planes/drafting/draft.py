@@ -15,8 +15,8 @@ from planes.drafting.tools import Thing
 from planes.scene.mechanism import Law
 from planes.words import Phrase, Told
 from planes.words.errors import ProgramError
+from planes.words.lettering import name_in_words, plan_phrase
 from planes.words.names import AGAIN, POLE, Meaning, at, mu_of, plan_of
-from planes.words.things import name_in_words, plan_phrase
 
 _READ_BY_NAME = ("v_", "vq_", "omega", "epsilon")  # values other modules find by their names
 

@@ -15,9 +15,9 @@ from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Real, Truth
 from planes.words import Phrase
 from planes.words.errors import Contradiction, PlanFailure, ProgramError, valid_names
+from planes.words.lettering import name_in_words, plan_phrase
 from planes.words.names import mu_of
-from planes.words.pictures import Pictured
-from planes.words.things import name_in_words, plan_phrase
+from planes.words.records import Pictured
 
 FEW, SOME = 512, 128  # positions: so few are all looked at, of more some
 LEAST = 1e-290  # SI: smaller numbers have fewer digits than doubles

@@ -11,7 +11,7 @@ from typing import Any
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.words import Told
 from planes.words.errors import PlanFailure
-from planes.words.things import line_in_words, name_in_words
+from planes.words.lettering import line_in_words, name_in_words
 
 NOWHERE = complex("nan+nanj")  # the mark of a drawing of many that could not be drawn
 Step = Any  # of planes.drafting.steps: a step knows the tool that draws it

@@ -22,8 +22,7 @@ from planes.lesson.scheme import arms, feet, pivots, related, scheme
 from planes.lesson.steps import whole
 from planes.lesson.zones import reasons, zone, zones
 from planes.plans import Plans, mechanism_plans
-from planes.plans.lettering import lettering
-from planes.plans.measuring import say_plan
+from planes.plans.measuring import lettering, say_plan
 from planes.plans.scales import scales
 from planes.scene import Scene
 from planes.words import Phrase

@@ -10,9 +10,8 @@ from dataclasses import dataclass, field
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Carry, Image, Same
-from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
+from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint, ratio
 from planes.plans.legs import Leg, legs_of
-from planes.plans.written import ratio
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, Meaning, at
 

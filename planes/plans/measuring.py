@@ -1,4 +1,5 @@
-"""What is read off a drawing: results by name, in SI, with the segments they were measured on."""
+"""What is read off a drawing: results by name, in SI, with the segments they were measured on; and how its plans and
+their names are told."""
 
 from __future__ import annotations
 
@@ -9,11 +10,13 @@ from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
 from planes.plans import Plans
 from planes.plans.quantities import Column, Measured, Quantity
+from planes.scene import Scene
+from planes.scene.mechanism import FRAME
 from planes.words import Lang
 from planes.words.errors import PlanFailure
+from planes.words.lettering import plan_phrase
 from planes.words.names import at, kind_of, label_of, mu_of
 from planes.words.records import Json
-from planes.words.things import plan_phrase
 from planes.words.units import UNIT, mu_text
 
 BLUNT = math.sin(math.radians(15))
@@ -101,3 +104,15 @@ class DrawingReader:
 def say_plan(plan: str, lang: Lang) -> str:
     """The name of a plan in words."""
     return plan_phrase(plan).told(lang)
+
+
+def lettering(scene: Scene, plans: Plans | None = None) -> Json:
+    """How names of a scene are lettered, on a sheet as on a page; only its plans know which vectors end at a point of
+    the frame under a slider, and the vectors of force plans ask for none."""
+    means = plans.means if plans else {}
+    return {
+        "frame": scene.frame_number,
+        "from_on": scene.sheet.get("reactions") == "from-on",
+        "driver": scene.mechanism.drive.link if scene.mechanism else "",
+        "grounded": [name for name, m in means.items() if m.quantity == "rate" and m.link == FRAME],
+    }

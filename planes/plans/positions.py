@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Touch
-from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint, difference
+from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint, angle_deg, difference
 from planes.plans.structure import Group, Pair
-from planes.plans.written import angle_deg
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase
 from planes.words.errors import SceneError

@@ -21,7 +21,7 @@ from planes.scene.source import Node, SourceTable
 from planes.scene.vectors import VectorGiven, read_equations, read_vectors
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError, shown
-from planes.words.pictures import Pictured
+from planes.words.records import Pictured
 from planes.words.units import mu_text
 
 __all__ = ["ReadWith", "Scene", "VectorGiven", "load", "loads"]

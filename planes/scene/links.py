@@ -9,7 +9,7 @@ from planes.scene.mechanism import FRAME, Guide, Link, Slide
 from planes.scene.reader import Reader, line_of, part
 from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.words import Phrase
-from planes.words.spelling import latin
+from planes.words.names import latin
 
 _LINK_KEYS = ("points", "guides", "slides", "centre", "mass", "inertia")
 _FRAME_KEYS = ("points", "guides", "number")

@@ -21,8 +21,7 @@ from planes.solving.warned import warnings
 from planes.words import Lang, Phrase, Told
 from planes.words.errors import PlanFailure
 from planes.words.names import at
-from planes.words.pictures import Pictured
-from planes.words.records import Json
+from planes.words.records import Json, Pictured
 
 TOLD = 20  # for how many failed positions the nearest working one is looked for
 

@@ -7,9 +7,9 @@ import math
 from collections.abc import Iterable
 
 from planes.drafting.drawing import Drawing
+from planes.plans.alignment import Aligned
 from planes.plans.measuring import say_plan
 from planes.plans.quantities import Measured
-from planes.plans.self_aligning import Aligned
 from planes.plans.structure import Structure
 from planes.solving import Position, Solved, key_of
 from planes.solving.vectors import VectorResults

@@ -12,8 +12,8 @@ from planes.scene import Scene, VectorGiven
 from planes.scene.vectors import Sides, ends, read_equation
 from planes.words import Phrase, Told, table
 from planes.words.errors import EquationError, PlanFailure, SceneError, choices
+from planes.words.lettering import name_in_words
 from planes.words.names import POLE, at, label_of, mu_of
-from planes.words.things import name_in_words
 
 PLAN = "vectors"
 _LETTERS = {"position": r"[rl]_", "velocity": "v_", "acceleration": "a_", "force": r"[FRGNTPQΦФ][_\d]"}

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from planes.drafting.clearness import NOTHING, clear, far_apart
 from planes.drafting.tools import Thing
 from planes.plans.measuring import BLUNT, DrawingReader, say_plan
-from planes.plans.quantities import Quantity
+from planes.plans.quantities import Quantity, results_of
 from planes.words import Lang, say
 from planes.words.names import index_of
 
@@ -62,6 +62,15 @@ def _doubts(
     forces = {(r.start, r.end) for r in stated.reactions.values() if r.start in drawn and r.end in drawn}
     if clear(drawn.program, drawn.things, drawn.tool, forces) and not far_apart(stated.given, stated.means):
         return [], []
-    from planes.batch.doubts import doubts
+    import numpy as np
 
-    return doubts(stated, wanted, drawn, given)
+    from planes.batch import Cycle
+
+    asked = results_of(stated, wanted)
+    cycle = Cycle(stated, known=given, columns=[c for q in asked for c in q.columns])
+    table = np.array([[c.take(drawn.things, drawn.tool.ar)] for c in cycle.columns], float)
+    bounds = cycle.claims.bounds([cycle.given[stated.drive_given]])
+    doubtful, faint = (iter(of(table, bounds)[:, 0].tolist()) for of in (cycle.claims.doubtful, cycle.claims.faint))
+    told = [(q, [[next(of) for _ in q.columns] for of in (doubtful, faint)]) for q in asked]
+    none = [q.of for q, (_, nothing) in told if any(nothing)]
+    return [q.name for q, (rough, nothing) in told if any(rough) and not any(nothing)], none

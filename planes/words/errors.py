@@ -10,7 +10,7 @@ from itertools import islice
 from pathlib import Path
 
 from planes.words import Lang, Phrase, Told
-from planes.words.spelling import latin
+from planes.words.names import latin
 
 _SPELLED = "alpha beta gamma delta epsilon theta lambda mu rho tau phi psi omega"
 _GREEK = dict(zip("αβγδεθλμρτφψω", _SPELLED.split(), strict=True))

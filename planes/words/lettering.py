@@ -1,5 +1,9 @@
 """Names of marks, vectors and values as people letter them: F_21^t -> F_{21}^{t}, I_2 -> Φ_{2}; curves over the cycle:
-vq_C -> v_{qC}, F_21_x -> F_{21x}."""
+vq_C -> v_{qC}, F_21_x -> F_{21x}. And what a thing is called in a sentence, never by the program's own marks.
+
+A helper mark is named "°y-y" (where a guide stands), "H°CL" (the line of H beside a guide), "H⊥CL" (the foot of H on
+it), "B°s" (where a driver's stroke is counted from); a direction "∥CL", "⊥BC" or, by a vector, "∠v_C" and "→v_C".
+"""
 
 from __future__ import annotations
 
@@ -7,14 +11,15 @@ import re
 from collections.abc import Collection
 from dataclasses import dataclass
 
-from planes.words import Lang, say
-from planes.words.names import parted
+from planes.words import Lang, Phrase, Told, say
+from planes.words.names import kind_of, label_of, links_of, parted, written
 
 PRIME = "′"
 LETTERING = "Lettering"  # the part of a PNG file that says what is lettered on the picture, and where
 _SPELT = ("omega", "epsilon", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta")
 _GREEK = dict(zip(_SPELT, "ωεφαβγδψθ", strict=True))
 _INDEXED = re.compile(r"([^\W\d_]+)(\d+)")
+_HELPER = re.compile(r"(?P<point>[^°⊥∥]*)(?P<sign>[°⊥∥])(?P<guide>[^°⊥∥]+)")
 
 
 @dataclass(frozen=True)
@@ -154,3 +159,33 @@ def _reaction(name: str, naming: Naming) -> str:
     shown = naming.reaction("_".join(links))
     letter = {"arm": "h", "moment": "M"}.get(last, "F")
     return f"{letter}_{{{shown}{last if last in ('x', 'y') else ''}}}"
+
+
+def name_in_words(name: str) -> Told:
+    """A mark, direction or value as a sentence names it; ``name`` may carry its plan."""
+    label = written(label_of(name).rstrip("′"))
+    found = _HELPER.fullmatch(label)
+    if found is None:
+        return label.strip("|‖∠→") or label
+    if found["guide"] == "s" and found["point"]:
+        return Phrase("start_of_stroke", point=found["point"])
+    if found["point"]:
+        key = "beside_guide" if found["sign"] == "°" else "foot_on_guide"
+        return Phrase(key, point=found["point"], guide=found["guide"])
+    return label if found["sign"] == "⊥" else Phrase("guide_named", name=found["guide"])
+
+
+def line_in_words(along: str, start: str) -> Phrase:
+    """A line through a mark: the guide itself where it is one."""
+    mark, (_, parallel, guide) = label_of(start), written(along).partition("∥")
+    point, sign, other = next((mark.partition(s) for s in "°⊥" if s in mark), ("", "", ""))
+    if parallel and sign and written(other) == guide:
+        if sign == "°" and point:
+            return Phrase("line_beside", point=point, name=guide)
+        return Phrase("line_guide", name=guide)
+    return Phrase("line_through", along=written(along), start=name_in_words(start))
+
+
+def plan_phrase(plan: str) -> Phrase:
+    """The name of a plan in words."""
+    return Phrase(f"plan_{kind_of(plan)}", links=", ".join(links_of(plan)))

@@ -1,8 +1,41 @@
-"""The outer form of answers: what JSON holds."""
+"""The outer form of answers: what JSON holds, what a notebook shows, tables as CSV that a spreadsheet only shows."""
 
 from __future__ import annotations
 
+import csv
+import io
+import re
+import sys
+from collections.abc import Iterable
 from typing import Any
 
 Json = dict[str, Any]
 """An object of JSON: names to numbers, texts, lists and objects again."""
+
+
+class Pictured:
+    """Shown as its scheme or its plans. Who draws them stands floors above: the face of the whole package knows."""
+
+    def _repr_svg_(self) -> str | None:
+        shown: str | None = sys.modules[__name__.partition(".")[0]].shown(self)
+        return shown
+
+
+FORMULA = tuple("=+-@\t＝＋－＠")  # begins what a spreadsheet works out instead of showing
+
+
+def as_csv(rows: Iterable[Iterable[str]]) -> str:
+    """Rows with commas between the cells; no text of somebody else's is worked out as a formula."""
+    out = io.StringIO()
+    csv.writer(out, lineterminator="\n").writerows([cell(text) for text in row] for row in rows)
+    return out.getvalue()
+
+
+def cell(text: str) -> str:
+    """The text on one line, after an apostrophe where a spreadsheet would take it for a formula; a number stays one."""
+    text = re.sub(r"[\r\n]+", " ", text)
+    try:
+        float(text)
+    except ValueError:
+        return f"'{text}" if text.startswith(FORMULA) or text.lstrip().startswith(FORMULA) else text
+    return text

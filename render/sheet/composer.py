@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any, TypeVar
 
 from planes.plans import Plans
-from planes.plans.lettering import lettering
+from planes.plans.measuring import lettering
 from planes.scene import Scene
 from planes.solving import Position
 from planes.solving.vectors import PLAN, VectorResults

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from planes.plans.self_aligning import Aligned, Sign
+from planes.plans.alignment import Aligned, Sign
 from planes.plans.structure import Pair
 from planes.scene.mechanism import FRAME, Link
 from planes.solving import Position

@@ -6,7 +6,7 @@ import mpmath
 import pytest
 
 from planes.accuracy.digits import Digits
-from planes.batch.columns import columns_of
+from planes.batch.table import columns_of
 from planes.drafting.drawing import Drawing, run
 from planes.plans import Plans, plans_of
 from planes.plans.scales import unit_scales

@@ -13,7 +13,7 @@ from planes.batch import Cycle
 from planes.batch.double_double import TWO_OPS, Two, twofold
 from planes.batch.tape import read
 from planes.batch.tracing import given_values, trace
-from planes.plans import plans_of, written
+from planes.plans import bodies, plans_of
 from planes.scene.mechanism import Mechanism
 
 FINE = 1e-28
@@ -42,11 +42,11 @@ def long(thing: Any) -> Any:
 
 def givens(mechanism: Mechanism) -> dict[str, Any]:
     """All that is given to the drawing, reckoned with long numbers."""
-    kept, written.ARITHMETIC = written.ARITHMETIC, LONG  # type: ignore[assignment]
+    kept, bodies.ARITHMETIC = bodies.ARITHMETIC, LONG  # type: ignore[assignment]
     try:
         return dict(plans_of(long(mechanism)).given)
     finally:
-        written.ARITHMETIC = kept
+        bodies.ARITHMETIC = kept
 
 
 def pair(x: Any) -> Two:

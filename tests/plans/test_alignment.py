@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from planes.plans import Plans, plans_of
-from planes.plans.alignment import CHOICES, _places, aligned, determinant, firm, pairs_of, steadily
-from planes.plans.self_aligning import FREEDOMS
+from planes.plans.alignment import CHOICES, FREEDOMS, _places, aligned, determinant, firm, pairs_of, steadily
 from planes.plans.structure import Pair
 from planes.scene import load
 from tests.diagrams.test_diagrams import ROCKER, plans_from

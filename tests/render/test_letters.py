@@ -11,7 +11,7 @@ import pytest
 
 from planes.lesson.data import lesson_data
 from planes.plans import plans_of
-from planes.plans.lettering import lettering
+from planes.plans.measuring import lettering
 from planes.scene import Scene, loads
 from planes.words.lettering import Naming
 from render.page.lesson_page import page

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from planes.cli import main
-from planes.words.spreadsheet import as_csv, cell
+from planes.words.records import as_csv, cell
 from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"

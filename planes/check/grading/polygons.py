@@ -16,8 +16,7 @@ from planes.drafting.steps import LayOff
 from planes.plans import Plans
 from planes.words import Phrase
 from planes.words.errors import PlanesError
-from planes.words.names import POLE, kind_of, label_of, mu_of, plan_of
-from planes.words.spelling import Names
+from planes.words.names import POLE, Names, kind_of, label_of, mu_of, plan_of
 
 
 @dataclass(frozen=True)

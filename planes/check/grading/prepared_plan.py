@@ -22,8 +22,7 @@ from planes.plans.scales import scales
 from planes.scene import Scene
 from planes.words import Phrase, Written
 from planes.words.errors import PlanesError, valid_names
-from planes.words.names import POLE, kind_of, label_of, mu_of, parted, plan_of
-from planes.words.spelling import Names
+from planes.words.names import POLE, Names, kind_of, label_of, mu_of, parted, plan_of
 from planes.words.units import mu_text
 
 

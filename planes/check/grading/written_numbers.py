@@ -14,8 +14,7 @@ from planes.drafting.steps import LayOff
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.geometry.arithmetic import One, Real
 from planes.plans.quantities import Quantity
-from planes.words.names import POLE, at, label_of, letter_of, mu_of, plan_of
-from planes.words.spelling import Names
+from planes.words.names import POLE, Names, at, label_of, letter_of, mu_of, plan_of
 
 SHARE = 0.03  # a number within 3 % is right, however steady the hand
 Things = Mapping[str, Real]

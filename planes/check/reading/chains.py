@@ -11,8 +11,7 @@ from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.strokes import Nodes, ReadDrawing, Stroke, Words
-from planes.words.names import POLE
-from planes.words.spelling import Names
+from planes.words.names import POLE, Names
 
 NEAR_MM = 9.0
 NO_WORD, FAR_WORD, UNLIKE, TOO_FAR = 5.0, 9.0, 7.0, 13.0  # what a name may cost, mm of distance from its word

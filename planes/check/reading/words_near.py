@@ -13,8 +13,7 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.chains import NEAR_MM, true_vectors
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, Words, headed
-from planes.words.names import POLE, kind_of
-from planes.words.spelling import Names
+from planes.words.names import POLE, Names, kind_of
 
 LEADER_MM = 2.5  # a line from a word ends so near it
 SHY_MM = 1.0  # and so near what it names: it stops at the sign or the arrow that stands there

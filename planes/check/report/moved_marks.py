@@ -19,7 +19,7 @@ from planes.check.report.regrading import SURELY_MM, exported, retrace
 from planes.check.report.shown import own_marks, own_order, shown_plans, vectors
 from planes.check.vision.photograph import blank_pole
 from planes.drafting.steps import Same
-from planes.plans.lettering import lettering
+from planes.plans.measuring import lettering
 from planes.plans.scales import extent
 from planes.words import Lang, Phrase, Written, say
 from planes.words.names import POLE, kind_of, label_of, plan_of

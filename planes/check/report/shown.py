@@ -12,12 +12,10 @@ from planes.check.grading.judging import WARN
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare
-from planes.plans.lettering import lettering
-from planes.plans.measuring import say_plan
+from planes.plans.measuring import lettering, say_plan
 from planes.words import Lang
-from planes.words.names import POLE, kind_of, label_of, plan_of
+from planes.words.names import POLE, Names, kind_of, label_of, plan_of
 from planes.words.records import Json
-from planes.words.spelling import Names
 from planes.words.units import mu_text
 
 Vector = tuple[complex, complex]

@@ -23,8 +23,7 @@ from planes.check.vision.places import Seen, pole_found, pole_on, sheet_of
 from planes.geometry.arrays import Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError
-from planes.words.names import POLE, kind_of, label_of
-from planes.words.spelling import Names
+from planes.words.names import POLE, Names, kind_of, label_of
 
 MOST_LINES = 120  # a plan has far fewer
 EXPLAINED = 0.6  # the share of a picture's lines that must be the plan's
