@@ -84,6 +84,11 @@ def test_a_limit_of_a_files_size_is_a_sentence(tmp_path: Path, argv: list[str], 
     assert target.read_bytes() == OLD and [p.name for p in tmp_path.iterdir()] == [name]
 
 
+def heard() -> None:
+    """A run in the background of a shell does not hear Ctrl-C, nor do programs it starts."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 @pytest.mark.few(2)
 @POSIX
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
@@ -92,7 +97,7 @@ def test_a_signal_leaves_what_was_there(tmp_path: Path, suffix: str, name: str) 
     target, number = tmp_path / f"t.{suffix}", getattr(signal, name)
     target.write_bytes(OLD)
     argv = [*PLANES, "cycle", RRR, "-o", str(target), "--phi", "0:3600000:0.01"]
-    with subprocess.Popen(argv, stderr=subprocess.PIPE, text=True) as process:
+    with subprocess.Popen(argv, stderr=subprocess.PIPE, text=True, preexec_fn=heard) as process:
         until(lambda: len(list(tmp_path.iterdir())) > 1)
         process.send_signal(number)
         said = process.communicate(timeout=MINUTES)[1]
