@@ -233,7 +233,7 @@ def test_limits_of_assembly_are_found_and_what_grows_there_is_said() -> None:
     found = summed(text)
     reach = (0.5**2 + 0.4**2 - 0.65**2) / (2 * 0.5 * 0.4)  # links 2 and 3 in one line
     end = math.degrees(math.acos(reach))
-    assert [x for r in found.ranges for x in r] == pytest.approx([-end, end], abs=1e-9)
+    assert [x for r in found.grid.ranges for x in r] == pytest.approx([-end, end], abs=1e-9)
     row = next(r for r in found.rows if "u_31" in r.names)
     assert math.isinf(row.greatest.value) and math.isinf(row.least.value)
     swing = next(r for r in found.rows if "phi_3" in r.names)
@@ -261,7 +261,7 @@ def test_a_driver_can_go_as_far_as_every_step_can_be_drawn(seed: int) -> None:
 @pytest.mark.slow
 def test_nothing_is_told_of_where_the_mechanism_does_not_assemble() -> None:
     found = summed((SAMPLES / "assignments" / "66.yaml").read_text(encoding="utf-8"))
-    ((low, high),) = found.ranges
+    ((low, high),) = found.grid.ranges
     row = next(r for r in found.rows if "phi_5" in r.names)
     assert row.greatest.value - row.least.value == pytest.approx(high - low, abs=1e-6)
     path = next(p for p in found.paths if p.point == "A")
