@@ -64,7 +64,7 @@ def test_claims_are_honest_and_close_for_every_kind() -> None:
     assert np.median(np.concatenate(found)) < 10
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0)
 @pytest.mark.parametrize("friction", [False, True])
 def test_claims_are_honest_and_close_for_random_mechanisms(friction: bool) -> None:
     found = []

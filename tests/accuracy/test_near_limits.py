@@ -53,7 +53,7 @@ loads: [{link: 3, point: B, force: 1e+17, direction: 0}, {link: 3, point: B, for
 """
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0)
 @pytest.mark.parametrize("family", FAMILIES)
 def test_no_number_near_a_limit_is_wrong_without_a_word(family: str) -> None:
     found = walk(family, 0, 20)

@@ -77,7 +77,7 @@ def test_an_empty_blank_on_paper_is_unreadable(tmp_path: Path, suffix: str) -> N
         assert main(["check", scene, file, "--plan", plan]) == 2
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0)
 @pytest.mark.parametrize("size", SIZES)
 def test_marks_put_anywhere_are_never_right(size: float) -> None:
     rng = random.Random(size)

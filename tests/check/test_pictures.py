@@ -288,6 +288,7 @@ def test_a_sheet_without_print_that_lies_askew_is_turned_straight(askew: float, 
     assert not [n for n in on_plain_paper(one, 8.0, tmp_path / "q.png", "b")[1].notes if n.key == "check_askew"]
 
 
+@pytest.mark.slow
 def test_a_pole_named_on_a_blank_counts_more_than_the_printed_one(tmp_path: Path) -> None:
     """Somebody began elsewhere than at the cross: the corner marks still give the scale."""
     one, rng, file = easel("six-link", "velocity"), random.Random(7), tmp_path / "p.png"

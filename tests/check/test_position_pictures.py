@@ -83,7 +83,7 @@ def through_pivot(scene: dict[str, Any]) -> None:
     scene["frame"]["guides"]["q-q"]["through"] = [0, 0]
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0)
 @pytest.mark.parametrize(
     ("sample", "mistake", "where", "made"),
     [

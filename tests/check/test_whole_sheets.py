@@ -65,7 +65,7 @@ SHEETS = (
 )
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0)
 @pytest.mark.parametrize(("sample", "number", "plan", "suffix"), SHEETS)
 def test_a_plan_of_a_crowded_sheet_is_right(
     sample: str, number: int | None, plan: str, suffix: str, tmp_path: Path

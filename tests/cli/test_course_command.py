@@ -250,6 +250,7 @@ def test_bad_input_is_one_sentence(
     assert [f.name for f in tmp_path.iterdir()] == ["12.yaml"]
 
 
+@pytest.mark.slow
 def test_doubts_of_a_scene_are_told_once_whoever_gets_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """A link of 20 m in the scene itself, and one of 12 m in one of its variants."""
     at = folder(tmp_path / "course", LIGHT.replace("task, blank, key", "task"), 3)

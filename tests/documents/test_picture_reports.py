@@ -101,6 +101,7 @@ def test_printed_reports_carry_the_picture(
     assert grey[300:1500, 200:1600].sum() > 3000  # the pencil
 
 
+@pytest.mark.slow
 def test_what_nobody_could_read_is_printed_whole(tmp_path: Path) -> None:
     """Another plan on the blank: the whole picture, and the right plan from the printed pole."""
     one, other, rng, file = corpus_easel("velocity"), corpus_easel("force:2-3"), random.Random(3), tmp_path / "p.jpg"

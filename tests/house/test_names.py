@@ -29,6 +29,7 @@ def parsers(module: str) -> Iterator[int]:
                 yield node.lineno
 
 
+@pytest.mark.slow
 def test_names_are_taken_apart_where_they_are_made() -> None:
     rooms = [m for m in MODULES if m.count(".") and room_of(m) != "words"]
     assert not [f"{module}:{line}" for module in rooms for line in parsers(module)]

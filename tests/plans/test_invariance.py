@@ -83,6 +83,7 @@ def mirror(z: Any) -> Any:
     return [w.real, w.imag]
 
 
+@pytest.mark.slow
 @FEW
 @given(RUBBED)
 def test_mirrored_in_the_x_axis(case: Case) -> None:

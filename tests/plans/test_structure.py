@@ -95,6 +95,7 @@ def test_two_groups_on_one_hinge_of_the_frame() -> None:
     assert s.formula == "I(0;1) -> II(2;3) -> II(4;5)"
 
 
+@pytest.mark.slow
 @settings(max_examples=120)
 @given(mechanisms(most=3, loads=False))
 def test_groups_of_random_chains_are_those_they_were_made_of(case: Case) -> None:

@@ -26,7 +26,7 @@ ASKED = {
 }
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0)
 @pytest.mark.parametrize("name", ASKED)
 def test_asked_diagrams_and_hodographs_stand_on_sheet_1_without_an_overlap(name: str) -> None:
     scene = load(SAMPLES / f"{name}.yaml")

@@ -41,7 +41,7 @@ def apart(document):
     return list(recursive_decompose(document.modelspace()))
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0)
 @pytest.mark.parametrize("name", ["six-link", "kind-1-rrr", "kind-4-prp", "vectors"])
 @pytest.mark.parametrize("text", ["text", "strokes"])
 def test_the_file_has_no_errors_and_is_in_millimetres(name, text):
@@ -154,6 +154,7 @@ def test_a_support_is_known_at_any_turn_and_one_that_is_cut_stays_lines(turn):
     assert len(space.query("LINE")) > 5
 
 
+@pytest.mark.slow
 def test_the_cells_of_the_form_are_attributes_to_be_edited():
     found = sheet("kind-2-rrp", student="Иванов И. И.", designation="ТММ.01.02.000", title="Длинное название механизма")
     document = read(found)

@@ -171,7 +171,7 @@ def test_svg_has_everything_where_the_marks_are(name):
     assert agree([laid.origin for laid in wanted if laid.runs], [z for _, z in texts])
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0)
 @pytest.mark.parametrize("name", ALIKE)
 def test_pdf_has_everything_where_the_marks_are(name):
     found = sheet(name)
@@ -197,6 +197,7 @@ def test_dxf_has_everything_where_the_marks_are(name):
             assert any(t == run.text.strip() and abs(z - held[kind]) < NEAR_MM for t, kind, z in texts), run.text
 
 
+@pytest.mark.slow
 def test_the_formats_agree_with_each_other():
     found = sheet("six-link")
     of_screen, _ = of_svg(svg.write(found.marks, found.size, found.title), found.size[1])

@@ -92,7 +92,7 @@ def unsaid(drawn: Sheet | Page) -> list[str]:
     return [t for t in ink_on_ink(drawn.rendered(".svg")) if not any(t in w for w in drawn.warnings)]
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0)
 @pytest.mark.parametrize("path", SOME, ids=[p.stem for p in SOME])
 def test_no_ink_on_ink_on_a_written_sheet(path: Path) -> None:
     assert ink_on_ink(sheet_of(load(path), None, "ru").rendered(".svg")) == []
@@ -104,7 +104,7 @@ def random_scene(seed: int) -> Scene:
     return replace(loads(to_yaml(make(rng, rng.choices(KINDS, k=2), friction=seed % 3 == 0).scene)), find=None)
 
 
-@pytest.mark.few(1, slow=4)
+@pytest.mark.few(0, slow=4)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_no_ink_on_ink_unsaid_on_random_mechanisms(seed: int) -> None:
     drawn = 0

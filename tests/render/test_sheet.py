@@ -172,6 +172,7 @@ def test_the_same_bytes_twice(name):
     assert pdf.write(one.marks, one.size, one.title) == pdf.write(two.marks, two.size, two.title)
 
 
+@pytest.mark.slow
 def test_three_formats_open(tmp_path):
     import xml.etree.ElementTree as ElementTree
 

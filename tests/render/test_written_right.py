@@ -133,7 +133,7 @@ def test_a_refusal_blames_one_view_only_where_it_does_not_fit_alone() -> None:
         sheet_of(scene, None, "en", 2)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0)
 @pytest.mark.parametrize(("view", "numbers"), [("positions", "9, 10, 11, 9′"), ("velocity-plan", "")])
 def test_positions_that_are_left_out_are_told(view: str, numbers: str, tmp_path: Path, capsys: Any) -> None:
     arguments = ["--view", view, "--lang", "en", "-o", str(tmp_path / "x.svg")]

@@ -176,6 +176,7 @@ def test_parameters_refused(texts, piece, parameter):
     assert piece in str(caught.value) and caught.value.parameter == parameter
 
 
+@pytest.mark.slow
 def test_long_chains_and_circles_take_no_time():
     chain = {f"a{i}": f"a{i + 1}" for i in range(20_000)} | {"a20000": "1"}
     with at_most(10_000_000), pytest.raises(ExpressionError, match=r"circle: a0 -> a1 .* … -> a0"):

@@ -199,7 +199,7 @@ def test_against_the_stored_results(name: str) -> None:
     compare(found, want)
 
 
-@pytest.mark.few(1, slow=5)
+@pytest.mark.few(0, slow=5)
 @pytest.mark.parametrize("name", SKETCHES)
 def test_twelve_positions_of_a_turn(name: str) -> None:
     """A full turn by continuation; of the others every position that assembles, from the pose as drawn."""
