@@ -6,6 +6,8 @@ import ast
 import re
 from collections.abc import Iterator
 
+import pytest
+
 from tests.house.test_rooms import MODULES, room_of, tree
 
 APART = ("startswith", "endswith", "removeprefix", "removesuffix", "partition", "rpartition")
