@@ -19,7 +19,7 @@ from planes.batch.table import columns_of, sides_of
 from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
 from planes.drafting.clearness import clear, far_apart
 from planes.drafting.drawing import prove_many, run
-from planes.drafting.instruments import Exact, Instrument
+from planes.drafting.instruments import Instrument, is_exact
 from planes.drafting.link_proofs import Rigid, Slid
 from planes.drafting.program import Program
 from planes.geometry.arithmetic import Real
@@ -101,9 +101,10 @@ class Cycle:
     @cached_property
     def forces(self) -> list[tuple[str, str]]:
         """The ends of the forces among the columns, but of those that are reckoned of nothing: no load reaches them."""
+        if not (sides := sides_of(self.columns)):
+            return []
         own = np.array([self.plans.mechanism.drive.position])
         things = run(self.program, {**self.given, **self.moving(own, slice(0, 1))}).things
-        sides = sides_of(self.columns)
         if not (still := [s for s in sides if (things[s[0]] == things[s[1]]).all()]):
             return sides
         exact = self.claims.bounds(own)[:, 0] == 0
@@ -149,7 +150,7 @@ class Cycle:
         Numbers that rounding leaves without digits are NaN, unless they are asked for ``bare``.
         """
         places: Real = values if hasattr(values, "__getitem__") else np.fromiter(values, float)
-        by_hand = instrument is not None and not isinstance(instrument, Exact)
+        by_hand = not is_exact(instrument)
         if fast is None:
             fast = not by_hand and compiled_loop.available() and ("compiled" in self.__dict__ or len(places) >= PAYS)
         size = min(chunk, self.compiled.fused.row if fast else max(1, HELD // (len(self.program.steps) + 1)))
@@ -181,7 +182,7 @@ class Cycle:
         """The same by arrays."""
         given = {**self.given, **moving}
         drawing = run(self.program, given, instrument)
-        if isinstance(instrument or Exact(), Exact):
+        if is_exact(instrument):
             prove_many(drawing, given)
         table = np.empty((len(self.columns), count))
         with np.errstate(all="ignore"):

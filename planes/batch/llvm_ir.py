@@ -139,6 +139,6 @@ CLOSE = (
     "  br i1 %more, label %loop, label %done, !llvm.loop !0",
     "done:\n  ret double %sum\n}",
     "!0 = distinct !{!0, !1}",
-    'attributes #0 = { "prefer-vector-width"="512" }',  # as wide as the machine has
     '!1 = !{!"llvm.loop.vectorize.enable", i1 true}',
+    'attributes #0 = { "prefer-vector-width"="512" }',  # as wide as the machine has
 )

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
 
-from planes.drafting.instruments import Exact, Instrument, Shaken
+from planes.drafting.instruments import Exact, Instrument, Shaken, is_exact
 from planes.drafting.program import Program
 from planes.drafting.proofs import TOLD_APART, Proof, Things, Twofold, gaps
 from planes.drafting.steps.base import Step
@@ -16,10 +16,8 @@ from planes.geometry.arithmetic import Real, Truth
 from planes.words import Phrase
 from planes.words.errors import Contradiction, PlanFailure, ProgramError, valid_names
 from planes.words.lettering import name_in_words, plan_phrase
-from planes.words.names import mu_of
 from planes.words.records import Pictured
 
-FEW, SOME = 512, 128  # positions: so few are all looked at, of more some
 LEAST = 1e-290  # SI: smaller numbers have fewer digits than doubles
 SHAKEN = range(4)  # seeds of the blunter drawings
 Instead = Mapping[str, Sequence[Step]]  # steps in the place of the one that makes the name; the last makes it too
@@ -89,7 +87,7 @@ def reached(
         draw_steps(program.steps, drawing.things, tool)
     except PlanFailure as failure:
         return replace(drawing, program=Program(tuple(s for s in program.steps if s.makes in drawing))), failure
-    if isinstance(by, Exact):
+    if is_exact(by):
         _prove(drawing, given, [p for p in program.proofs if isinstance(p, Twofold)])
     return drawing, None
 
@@ -121,19 +119,8 @@ def proved(program: Program, given: Mapping[str, Thing], drawn: Drawing | None =
 
 
 def prove_many(drawing: Drawing, given: Mapping[str, Thing]) -> None:
-    """Of many exact drawings, mask those that fail any proof: of very many some are looked at, evenly among them, and
-    each where one of those fails. The balancing loads were compared in each when they were drawn.
-    """
-    proofs = [p for p in drawing.program.proofs if not isinstance(p, Twofold)]
-    if (count := math.prod(drawing.tool.shape)) > FEW:
-        read = {name for p in proofs for name in (*p.reads(), mu_of(p.plan))} & drawing.things.keys()
-        some = {
-            n: v.ravel()[:: -(count // SOME)].copy() if getattr(v, "shape", ()) else v
-            for n in read
-            for v in [drawing.things[n]]
-        }
-        proofs = [p for p, wrong, *_ in _apart(proofs, some, drawing.tool) if wrong.any()]
-    _prove(drawing, given, proofs)
+    """Of many exact drawings, mask those that fail any proof; balancing loads were compared as they were drawn."""
+    _prove(drawing, given, [p for p in drawing.program.proofs if not isinstance(p, Twofold)])
 
 
 def _apart(proofs: Sequence[Proof], things: Things, tool: Tool) -> list[tuple[Proof, Truth, Real, Real]]:

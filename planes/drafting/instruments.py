@@ -32,6 +32,11 @@ class Exact:
         return Tool(Many() if many else One(), many)
 
 
+def is_exact(instrument: Instrument | None) -> bool:
+    """Whether there is no error but rounding; no instrument is an exact one."""
+    return instrument is None or isinstance(instrument, Exact)
+
+
 @dataclass(frozen=True)
 class Pencil:
     """A draughtsman: a mark off by ``point_mm`` (standard deviation), a carried direction by ``ray_deg``, a reading

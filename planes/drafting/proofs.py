@@ -114,7 +114,8 @@ class VectorProof(Proof):
 
 def in_si(things: Things, mark: str) -> Complex:
     """What a mark shows, in SI."""
-    return things[mark] / things[_scale(mark)]
+    mu = things[_scale(mark)]
+    return things[mark] if isinstance(mu, float) and mu == 1.0 else things[mark] / mu  # many are drawn in SI
 
 
 @lru_cache(4096)

@@ -60,7 +60,7 @@ class Teller:
     ) -> None:
         self.plans, self.drawing, self.scales = plans, drawing, scales
         self.cycle = cycle or drawing
-        self.made = {step.makes: step for step in drawing.program.steps}
+        self.made = drawing.program.makers
         self.rates = {rate for link in plans.links.values() for rate in (link.omega, link.epsilon)}
         self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
         self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured for the lesson alone

@@ -12,7 +12,7 @@ import numpy
 
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps import Cross, CrossArc, CrossArcs, Step
+from planes.drafting.steps import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.geometry.arrays import Floats
 from planes.lesson import Teller, in_both, mu_said, needed, value_of
@@ -117,7 +117,7 @@ def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
 def _traces(drawing: Drawing) -> Json:
     """For each crossed mark, the marks its lines come through, or its arcs are drawn about."""
     found: Json = {}
-    steps: dict[str, Step] = {s.makes: s for s in drawing.program.steps}
+    steps = drawing.program.makers
     for step in drawing.program.steps:
         name = step.makes
         if isinstance(step, Choose):

@@ -64,7 +64,7 @@ class Practice:
 
     def __init__(self, plans: Plans, given: Mapping[str, Points], drawing: Drawing, frames: Sequence[Frame]) -> None:
         self.plans, self.given, self.drawing, self.frames = plans, given, drawing, frames
-        self.steps: dict[str, Step] = {s.makes: s for s in plans.program.steps}
+        self.steps = plans.program.makers
         self.told = {f.makes[0]: told_values(f) for f in frames if f.makes}
 
     def tasks(self, progress: Callable[[int, int], None] | None = None) -> list[Json]:

@@ -61,8 +61,7 @@ def _reach(plans: Plans, cycle: Drawing, guide: str, mark: str) -> list[float]:
 
 def arms(plans: Plans) -> list[Json]:
     """For each moment equation the forces in it: where each acts, its direction and the foot of its arm."""
-    steps: dict[str, Step] = {s.makes: s for s in plans.program.steps}
-    found = []
+    steps, found = plans.program.makers, []
     for m in plans.moments:
         plan = "lever" if m.links == ("lever",) else "position"
         forces = [*_forces(m, steps), *_unknown(plans, m, steps)]

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from planes.drafting.drawing import Drawing, proved, run
-from planes.drafting.instruments import PENCILS, Exact, Instrument, Pencil
+from planes.drafting.instruments import PENCILS, Instrument, Pencil, is_exact
 from planes.drafting.program import Program
 from planes.drafting.tools import Thing
 from planes.plans import Plans, mechanism_plans, sliced
@@ -199,7 +199,7 @@ def position(
     mus = scales(plans, scene.mu, moved, fit_mm)
     given = {**plans.given, **mus, **moved}
     drawing = run(plans.program, given, instrument)
-    exact = drawing if isinstance(instrument or Exact(), Exact) else None
+    exact = drawing if is_exact(instrument) else None
     proved(plans.program, given, exact)  # a pencil's errors prove nothing: what he was to draw must hold
     reader = DrawingReader(plans, drawing, mus)
     found = tuple(map(reader.read, results_of(plans, wanted)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from planes.check.grading.handwork import Taken, Variant
 from planes.check.grading.mistakes import motion_variants
@@ -62,7 +63,7 @@ class PreparedPlan:
         """Names of the plan's marks as people write them."""
         return mark_names(self.plans, self.asked.plan)
 
-    @property
+    @cached_property
     def true_marks(self) -> dict[str, complex]:
         """The marks of the right plan by label, mm from the pole."""
         truth = run(self.program, self.given)

@@ -20,9 +20,8 @@ from planes.check.reading.lone_vectors import arrows_of, others
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import SHORT_MM, ReadDrawing, Stroke, Words
 from planes.check.reading.words_near import LEADER_MM, Candidates
-from planes.drafting.drawing import run
 from planes.words.errors import PlanesError
-from planes.words.names import POLE, kind_of, label_of
+from planes.words.names import POLE, kind_of
 
 REACH_MM = 1.5  # a hand's mark is no farther from where it should be; grading tells whether it is near enough
 SHARE = 0.015  # of a vector's length, by which it may be off besides
@@ -34,7 +33,7 @@ UPON_MM = 1.0  # of two vectors upon each other no distance tells which name is 
 
 def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates, poles: Iterable[complex]) -> ReadPaper:
     """The marks of a motion plan or a scheme; none where it is not drawn whole and rightly."""
-    truth = {label_of(m): complex(run(bench.program, bench.given)[m]) for m in bench.marks}
+    truth = bench.true_marks
     scheme = kind_of(bench.asked.plan) == "position"
     arrows = [] if scheme else arrows_of(sketch)
     tips = [z for z, _ in sketch.rounds] if scheme else [z for arrow in arrows for z in arrow]
@@ -45,11 +44,6 @@ def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates,
     words += [
         (n, replace(w, place=b, height=0.1, width=0.1)) for n, w in words for a, b in plain if w.distance(a) < LEADER_MM
     ]
-
-    def word(name: str, z: complex) -> float:
-        far = min(w.distance(z) for n, w in words if n == name)
-        return far if far <= FARTHEST_MM else math.inf
-
     starts = [z for z, _ in arrows]
     most = sorted(starts, key=lambda z: -sum(abs(z - w) < SHORT_MM for w in starts))[:1]  # most vectors begin there
     for pole in (*poles, *most) if tips else ():
@@ -59,9 +53,20 @@ def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates,
         if there and all(abs(_nearest(z, ends) - z) <= REACH_MM for arrow in arrows for z in arrow):
             spots = [ReadMark(n, z, sketch.error_mm) for n, z in {POLE: pole, **found}.items()]
             paper = ReadPaper(sketch.file, spots, whole=False)
-            if named(found, near.keys() & truth, word) and is_right(bench, paper):
+            if named(found, near.keys() & truth, nearest_of(words)) and is_right(bench, paper):
                 return paper
     return ReadPaper(sketch.file, whole=False)
+
+
+def nearest_of(words: Iterable[tuple[str | None, Words]]) -> Callable[[str, complex], float]:
+    """How far the nearest word of a name is from a place; without end where none is near."""
+    listed = list(words)
+
+    def far_from(name: str, z: complex) -> float:
+        far = min(w.distance(z) for n, w in listed if n == name)
+        return far if far <= FARTHEST_MM else math.inf
+
+    return far_from
 
 
 def _nearest(z: complex, places: Sequence[complex]) -> complex:

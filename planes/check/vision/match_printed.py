@@ -18,7 +18,7 @@ from planes.check.grading.handwork import Variant
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
-from planes.check.reading.as_planned import FARTHEST_MM, is_right, named, vectors_named
+from planes.check.reading.as_planned import is_right, named, nearest_of, vectors_named
 from planes.check.reading.strokes import ReadDrawing, Stroke, Words
 from planes.check.vision.ink import Ink, evened
 from planes.check.vision.match_motion import ends_of
@@ -190,14 +190,9 @@ class PrintedSheet:
             places |= {mark: same[0]} if same else {mark: min(tips, key=lambda t: abs(t - pole - z))} if tips else {}
         names = self.bench.names
         words = [(names.find(w.text), w) for w in self.words]
-
-        def word(name: str, z: complex) -> float:
-            far = min(w.distance(z) for n, w in words if n == name)
-            return far if far <= FARTHEST_MM else math.inf
-
         lettered = {n for n, _ in words if n} & places.keys()
         labels = {label_of(m) for m in self.bench.marks} & places.keys()
-        told = named(places, lettered, word)
+        told = named(places, lettered, nearest_of(words))
         return [ReadMark(n, places[n], ERROR_MM) for n in (POLE, *sorted(labels))] if told else []
 
 
