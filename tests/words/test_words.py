@@ -3,6 +3,7 @@
 import ast
 import json
 import re
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -27,7 +28,14 @@ FOLDERS = {lang: Path(words.__file__).parent / lang for lang in ("ru", "en")}
 TABLE = {key: (table("ru")[key], table("en")[key]) for key in table("en")}
 HOUSES = [Path(words.__file__).parents[1], Path(words.__file__).parents[2] / "render"]
 SOURCES = [p for house in HOUSES for p in house.rglob("*.py") if not p.name.startswith("words")]
-TREES = {str(p): ast.parse(p.read_text(encoding="utf-8")) for p in SOURCES}
+
+
+@cache
+def trees() -> dict[str, ast.Module]:
+    """The sources of the house, parsed."""
+    return {str(p): ast.parse(p.read_text(encoding="utf-8")) for p in SOURCES}
+
+
 TELLERS = ("Phrase", "say", "PlanFailure", "_help", "help_of")
 REFUSALS = (
     "PlanesError",
@@ -111,7 +119,7 @@ def test_both_languages_hold_the_same_names_and_numbers():
 
 def keys_told():
     """Keys that the program tells, as patterns: from constants, "a" if … else "b", and f"kind_{…}"."""
-    for file, tree in TREES.items():
+    for file, tree in trees().items():
         ours = {
             name.asname or name.name
             for node in ast.walk(tree)
@@ -158,13 +166,13 @@ def test_every_key_of_the_report_is_in_the_table():
 def test_no_key_is_left_over():
     said = report_keys() | {
         n.value
-        for tree in TREES.values()
+        for tree in trees().values()
         for n in ast.walk(tree)
         if isinstance(n, ast.Constant) and isinstance(n.value, str)
     }
     made = {
         one
-        for tree in TREES.values()
+        for tree in trees().values()
         for n in ast.walk(tree)
         if isinstance(n, ast.JoinedStr)
         for one in patterns(n)
@@ -172,7 +180,7 @@ def test_no_key_is_left_over():
     }
     begun = {
         f"{n.args[0].value}.*"
-        for tree in TREES.values()
+        for tree in trees().values()
         for n in ast.walk(tree)
         if isinstance(n, ast.Call) and getattr(n.func, "id", "") == "under"
     }
@@ -182,7 +190,7 @@ def test_no_key_is_left_over():
 
 def test_refusals_are_told_from_the_table():
     """No sentence is put together where it is raised."""
-    for file, tree in TREES.items():
+    for file, tree in trees().items():
         for node in ast.walk(tree):
             if isinstance(node, ast.Call) and getattr(node.func, "id", "") in REFUSALS and node.args:
                 assert not isinstance(node.args[0], ast.Constant | ast.JoinedStr | ast.BinOp), (file, node.lineno)
