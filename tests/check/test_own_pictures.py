@@ -86,6 +86,7 @@ CROWDED = (
     ("kind-1-rrr", "position"),  # a mass centre's dot touches a line
     ("sliding-driver", "position"),  # the origin is not drawn, and the link is hatched
     ("bntu-4", "velocity"),  # one vector
+    ("assignments/10", "force:2-3"),  # a head that fits two places of its own line
 )
 
 

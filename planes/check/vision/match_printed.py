@@ -173,7 +173,8 @@ class PrintedSheet:
         strokes: list[Stroke] = []
         for name, (a, b) in vectors.items():
             way = (b - a) / abs(b - a) if a != b else 1
-            drawn = [(tip - way * ((tip - pole - a) / way).real, tip) for tip in found[name]]
+            tips = _of_lines(found[name], pole + b, way)
+            drawn = [(tip - way * ((tip - pole - a) / way).real, tip) for tip in tips]
             drawn += [(pole + a, pole + b)] if not drawn and abs(b - a) > DRAWN_MM else []
             strokes += [new for new in drawn if all(_apart(new, old) for old in strokes)]
         sketch = ReadDrawing("", strokes, list(self.words), ERROR_MM, [1] * len(strokes))
@@ -199,6 +200,14 @@ class PrintedSheet:
 def _between(bench: PreparedPlan) -> list[Side]:
     """The vectors between marks of a plan."""
     return [Side(f"{a} {b}", a, b) for a, b in ends_of(bench)]
+
+
+def _of_lines(tips: Iterable[complex], end: complex, way: complex) -> list[complex]:
+    """Of tips on one line the nearest to where its vector should end."""
+    found: list[complex] = []
+    for tip in sorted(tips, key=lambda z: abs(z - end)):
+        found += [tip] if all(abs(((tip - other) / way).imag) > APART_MM for other in found) else []
+    return found
 
 
 def _apart(one: Stroke, other: Stroke) -> bool:
