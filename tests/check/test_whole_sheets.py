@@ -61,6 +61,7 @@ SHEETS = (
     ("kind-4-prp", 2, "force:2-3", ".svg"),
     ("assignments/12", 2, "force:2-3", ".dxf"),
     ("assignments/56", 2, "force:2-3", ".dxf"),  # a name far off, with a line to its vector
+    ("assignments/34", 1, "position", ".svg"),  # another plan's long title ends as near beside it
     ("assignments/63", 2, "force:4-5", ".pdf"),  # small beside a free body with the same forces
 )
 

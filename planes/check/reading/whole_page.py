@@ -22,6 +22,7 @@ from planes.words.units import UnitError, read_mu
 MOST = 6  # parts that are read
 NAMED = 0.1  # what a name of the plan beside a part is worth, in marks drawn rightly
 FAR_MM = 40.0  # a title farther over a plan is that of something else
+BESIDE = 2.0  # a title stands over its plan sooner than beside it: a millimetre aside counts as so many
 GAP = 2.0  # how far a piece of a title may be from the piece before it, in heights
 _MU = re.compile(r"[μµ]\s*_?\w*\s*=\s*(\d.*)")
 
@@ -65,7 +66,7 @@ def mu_over(words: Sequence[Words], part: ReadDrawing, plan: str, plans: Sequenc
         aside = max(left - title.place.real - title.width, title.place.real - right, 0.0)
         up = title.place.imag - high
         if title.middle.imag > (low + high) / 2 and max(aside, up) < FAR_MM:
-            found.append((abs(complex(aside, max(up, 0.0))), _read(title.text, plan, plans) or 0.0))
+            found.append((abs(complex(BESIDE * aside, max(up, 0.0))), _read(title.text, plan, plans) or 0.0))
     own = min((one for one in found if one[1]), default=None)
     return (own[1], own == min(found)) if own else (None, False)
 
