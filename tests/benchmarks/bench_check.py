@@ -1,0 +1,63 @@
+"""How long a picture of a drawing takes to read and judge, and the memory the whole command takes."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from conftest import peak
+
+from planes.check import check
+from planes.check.grading.paper import Known
+from planes.check.handed_in import read_paper
+from tests import confusion
+from tests.physical.corpus import PHONE, Picture, picture, works
+from tests.physical.setting import Setting, varied
+
+PAGES = ("scan 200", "scan 300", "phone", "phone, 24 megapixels")
+
+
+def taken(page: str, folder: Path) -> Picture:
+    """A right drawing on a blank, as a scanner or a telephone gives it."""
+    rng, work = random.Random(page), next(works(1))
+    settings = {"scan 200": Setting(), "scan 300": replace(Setting(), dpi=300.0)}
+    made = picture(work, settings.get(page) or varied(Setting(), PHONE, rng), page, folder / "page.jpg")
+    assert made is not None
+    if "24" in page:
+        seen = cv2.imdecode(np.fromfile(made.file, np.uint8), cv2.IMREAD_COLOR)
+        cv2.imwrite(str(made.file), cv2.resize(seen, (6000, 4000)))
+    return made
+
+
+@pytest.mark.parametrize("page", PAGES)
+def bench_check_of_a_page(benchmark, page: str, tmp_path: Path) -> None:
+    made = taken(page, tmp_path)
+    easel = made.work.easel
+    asked = confusion.bench(easel.sample, easel.plan).asked
+    words = ["check", asked.scene.file, str(made.file), "--plan", easel.plan, "--json"]
+    text = f"from planes.cli import main\ntry:\n    main({words!r})\nexcept SystemExit:\n    pass\n"
+    benchmark.group, benchmark.extra_info["what"] = "a page checked", page
+    benchmark.extra_info |= {"positions": 1, "memory": peak(text)}
+    benchmark.pedantic(lambda: check(asked, read_paper(str(made.file), asked, Known())), rounds=2)
+
+
+PLAIN: dict[str, Callable[[], np.ndarray]] = {
+    "100 megapixels of noise": lambda: np.random.default_rng(1).integers(0, 255, (8600, 11600), np.uint8),
+    "100 megapixels of white": lambda: np.full((8600, 11600), 255, np.uint8),
+}
+
+
+@pytest.mark.parametrize("what", PLAIN)
+def bench_memory_of_a_large_picture(benchmark, what: str, tmp_path: Path) -> None:
+    file = tmp_path / "large.png"
+    cv2.imwrite(str(file), PLAIN[what]())
+    words = ["check", "samples/kind-1-rrr.yaml", str(file), "--plan", "velocity"]
+    text = f"from planes.cli import main\ntry:\n    main({words!r})\nexcept SystemExit:\n    pass\n"
+    benchmark.group, benchmark.extra_info["what"] = "a large picture", what
+    benchmark.extra_info |= {"positions": 1, "memory": peak(text)}
+    benchmark.pedantic(lambda: None, rounds=1)
