@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy
 
 from planes.check.fiducials import ARM_MM, SIDE_MM, centres
+from planes.check.vision.contrast import shares
 from planes.check.vision.picture import Flat, cv
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices, Points
 
@@ -17,6 +18,7 @@ SPECK_MM, USUAL_MM, LIKE = 1.5, 3.5, 1.3  # smaller ones are none; their usual s
 DARK = 0.4  # of a pencil's darkness: less is paper, a grid's line, or a line rubbed out
 LIGHT = 0.3  # of a pencil's darkness: is paper
 HEART_MM, RIM_MM = 1.0, 0.35  # about a printed cross's middle, where lines are drawn from; about its arms
+WHITE, PENCIL = 250.0, 75.0
 FRAME_MM = (21.5, 8.5)  # how much of a sheet is its frame: at the left, and at the other edges
 
 
@@ -70,8 +72,9 @@ def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
     even = evened(flat)
     if flat.by in ("marks", "frame"):
         _whiten_printed(flat, even)
-    paper, pencil = _levels(even)
-    ink = Ink(flat, even, paper, pencil)
+    dark = numpy.maximum(WHITE - even.astype(numpy.float32), 0)
+    even = (255 - (255 - PENCIL) * numpy.minimum(shares(dark, flat.scale), 1)).astype(numpy.uint8)
+    ink = Ink(flat, even, 255.0 - LIGHT * (255.0 - PENCIL), PENCIL)
     labels, sizes = _pieces(ink, ink.mask)
     ink.even[~_spread((sizes >= LETTER_MM)[labels])] = 255
     ink.even = numpy.ascontiguousarray(ink.even)
