@@ -8,7 +8,7 @@ as far as they can be told from paper; all other ink is held against the lines t
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cache
 from typing import NamedTuple
 
@@ -22,11 +22,12 @@ ANGLES = 12
 ALONG_MM, ACROSS_MM, ASIDE_MM = 3.0, 0.2, 0.85  # how much of a line is felt: its length, σ of its width, paper beside it
 TILE_MM, COVERED, ABOVE = 20.0, 0.93, 1.6  # of the paper's own response: which share is less in most parts of a sheet
 PLAIN, FAINTEST = 0.4, 0.06  # of a usual line: what is plainly drawn, and what is none wherever it is
+ALONE, BLOT = 0.5, 0.7
 LONG_MM = 7.5  # lines that tell how dark is usual
 FEW, USUAL = 60, 65.0  # places that tell it at the least; a firm pencil's response
 PEAK = 1.35  # how much darker a line's middle is than its response
 FILLED_MM = 1.2  # of a line, over which it is made even
-STROKE_MM, FOREMOST = 3.0, 0.85  # of what is plainly drawn at an angle: its length; of the response at any other
+STROKE_MM, FOREMOST = 6.0, 0.85  # of what is plainly drawn at an angle: its length; of the response at any other
 BESIDE_MM = 0.5  # how far from a line's middle its ink is its own
 
 Place = tuple[slice, slice]
@@ -36,34 +37,51 @@ def shares(dark: Array, scale: float) -> Array:
     """Darkness by that of the line it is of (1: in the middle of a line), from the darkness of a picture's pixels."""
     cv2 = cv()
     small = cv2.resize(dark, None, fx=PX_PER_MM / scale, fy=PX_PER_MM / scale, interpolation=cv2.INTER_AREA)
-    felt = [cv2.filter2D(small, -1, kernel) for kernel in _kernels()]
-    most = numpy.max(felt, axis=0)
+    angles = [_felt(small, k) for k in range(ANGLES)]
+    most, dark_most = (numpy.max([one[k] for one in angles], axis=0) for k in (1, 0))
     paper = ABOVE * _usual_on_paper(most)
-    usual = _usual(most, small, paper)
+    own = [numpy.where((felt > FOREMOST * most) & (alone > ALONE * along), alone, 0) for along, felt, alone in angles]
+    usual = _usual(own, paper)
+    import os
+    if os.environ.get("DBG"): print("paper", paper, "usual", usual)
     least = max(min(paper, 0.5 * PLAIN * usual), FAINTEST * usual)
     strength, even = numpy.zeros_like(most), dark.copy()
-    for k, one in enumerate(felt):
-        for place, of_it in _followed(one, one > FOREMOST * most, least, PLAIN * usual):
+    for k, (_, felt, _) in enumerate(angles):
+        foremost = felt > FOREMOST * most
+        for place, of_it in _followed(felt > least, foremost, own[k] > PLAIN * usual):
             part = strength[place]
-            numpy.maximum(part, numpy.where(of_it, one[place], 0), out=part)
+            numpy.maximum(part, numpy.where(of_it, felt[place], 0), out=part)
             _smooth_along(dark, even, place, of_it, k, scale)
-    reach = 2 * round(BESIDE_MM * PX_PER_MM) + 1
-    strength = cv2.dilate(strength, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (reach, reach)))
-    strength = numpy.where(strength > 0, strength, usual).astype(numpy.float32)
+    strength, other = (_about(one) for one in (strength, dark_most))
+    strength = numpy.where(strength > 0, strength, numpy.maximum(usual, BLOT * other)).astype(numpy.float32)
     strength = cv2.resize(cv2.GaussianBlur(strength, (0, 0), 0.7), dark.shape[::-1], interpolation=cv2.INTER_LINEAR)
     found: Array = even / (PEAK * strength)
     return found
 
 
-def _followed(felt: Array, foremost: Booleans, least: float, plain: float) -> Iterator[tuple[Place, Booleans]]:
+def _felt(small: Array, angle: int) -> tuple[Array, Array, Array]:
+    """The ink along lines at an angle, less that of the paper to both sides of them, and less that of the darker side.
+
+    At the foot of a row of letters one side is dark.
+    """
+    along = cv().filter2D(small, -1, _kernel(angle))
+    across = ASIDE_MM * PX_PER_MM * numpy.exp(1j * math.pi * (angle / ANGLES + 0.5))
+    shift = round(float(across.imag)), round(float(across.real))
+    one, other = (numpy.roll(along, (sign * shift[0], sign * shift[1]), (0, 1)) for sign in (1, -1))
+    return along, along - (one + other) / 2, along - numpy.maximum(one, other)
+
+
+def _about(strength: Array) -> Array:
+    """The most there is within half a line's reach."""
+    reach = 2 * round(BESIDE_MM * PX_PER_MM) + 1
+    most: Array = cv().dilate(strength, cv().getStructuringElement(cv().MORPH_ELLIPSE, (reach, reach)))
+    return most
+
+
+def _followed(felt: Booleans, foremost: Booleans, plain: Booleans) -> Iterator[tuple[Place, Booleans]]:
     """Lines at an angle as far as they hang together with a stroke plainly drawn at it: the box of each, its places."""
-    cv2 = cv()
-    _, labels, stats, _ = cv2.connectedComponentsWithStats((felt > least).astype(numpy.uint8), connectivity=8)
-    strong = (foremost & (felt > plain)).astype(numpy.uint8)
-    _, strokes, sizes, _ = cv2.connectedComponentsWithStats(strong, connectivity=8)
-    long = numpy.maximum(sizes[:, 2], sizes[:, 3]) >= STROKE_MM * PX_PER_MM
-    long[0] = False
-    for k in numpy.unique(labels[long[strokes]]).tolist():
+    _, labels, stats, _ = cv().connectedComponentsWithStats(felt.astype(numpy.uint8), connectivity=8)
+    for k in numpy.unique(labels[_long(plain, STROKE_MM)]).tolist():
         x, y, w, h, _ = stats[k].tolist()
         place = slice(y, y + h), slice(x, x + w)
         yield place, (labels[place] == k) & foremost[place]
@@ -93,33 +111,28 @@ def _usual_on_paper(felt: Array) -> float:
     return float(numpy.median(parts))
 
 
-def _usual(felt: Array, small: Array, paper: float) -> float:
-    """The response of the lines of a sheet, its letters aside."""
-    cv2 = cv()
-    inked = ((felt > paper) & (small > paper)).astype(numpy.uint8)
-    _, labels, stats, _ = cv2.connectedComponentsWithStats(inked, connectivity=8)
-    long = numpy.maximum(stats[:, 2], stats[:, 3]) >= LONG_MM * PX_PER_MM
+def _usual(own: Sequence[Array], paper: float) -> float:
+    """The response of the long lines of a sheet."""
+    strong = numpy.concatenate([one[_long(one > 2 * paper, LONG_MM)] for one in own])
+    return float(numpy.median(strong)) if len(strong) > FEW else USUAL
+
+
+def _long(places: Booleans, least_mm: float) -> Booleans:
+    """The places that hang together over a length."""
+    _, labels, stats, _ = cv().connectedComponentsWithStats(places.astype(numpy.uint8), connectivity=8)
+    long = numpy.maximum(stats[:, 2], stats[:, 3]) >= least_mm * PX_PER_MM
     long[0] = False
-    ridge = long[labels] & (felt >= cv2.dilate(felt, numpy.ones((3, 3), numpy.uint8)))
-    return float(numpy.median(felt[ridge])) if ridge.sum() > FEW else USUAL
-
-
-@cache
-def _kernels() -> list[Array]:
-    """What a line at each angle is felt by: the mean of its ink less that of the paper to both sides of it."""
-    reach = math.ceil((ALONG_MM / 2 + ASIDE_MM) * PX_PER_MM)
-    y, x = numpy.mgrid[-reach : reach + 1, -reach : reach + 1] / PX_PER_MM
-    found = []
-    for k in range(ANGLES):
-        turn = numpy.exp(-1j * math.pi * k / ANGLES)
-        local = (x + 1j * y) * turn
-        along = numpy.clip((ALONG_MM / 2 - numpy.abs(local.real)) * PX_PER_MM + 0.5, 0, 1)
-        middle, aside = (along * _bell(local.imag, off) for off in (0.0, ASIDE_MM))
-        found.append((middle / middle.sum() - aside / aside.sum()).astype(numpy.float32))
+    found: Booleans = long[labels]
     return found
 
 
-def _bell(off: Array, aside: float) -> Array:
-    """How near places are to being so far aside of a line."""
-    bell: Array = numpy.exp(-((numpy.abs(off) - aside) ** 2) / (2 * ACROSS_MM**2))
-    return bell
+@cache
+def _kernel(angle: int) -> Array:
+    """The mean of the ink along a line."""
+    reach = math.ceil((ALONG_MM / 2 + ACROSS_MM) * PX_PER_MM)
+    y, x = numpy.mgrid[-reach : reach + 1, -reach : reach + 1] / PX_PER_MM
+    local = (x + 1j * y) * numpy.exp(-1j * math.pi * angle / ANGLES)
+    ends = numpy.clip((ALONG_MM / 2 - numpy.abs(local.real)) * PX_PER_MM + 0.5, 0, 1)
+    kernel = ends * numpy.exp(-(local.imag**2) / (2 * ACROSS_MM**2))
+    mean: Array = (kernel / kernel.sum()).astype(numpy.float32)
+    return mean
