@@ -21,42 +21,61 @@ PX_PER_MM = 3.0  # of the smaller picture on which lines are felt
 ANGLES = 12
 ALONG_MM, ACROSS_MM, ASIDE_MM = 3.0, 0.2, 0.85  # how much of a line is felt: its length, σ of its width, paper beside it
 TILE_MM, COVERED, ABOVE = 20.0, 0.93, 1.6  # of the paper's own response: which share is less in most parts of a sheet
-PLAIN, FAINTEST = 0.4, 0.06  # of a usual line: what is plainly drawn, and what is none wherever it is
+PLAIN, FIRM, FAINTEST = 0.4, 0.28, 0.06  # of a usual line: what is plainly drawn, and what is none wherever it is
 ALONE, BLOT = 0.5, 0.7
 LONG_MM = 7.5  # lines that tell how dark is usual
 FEW, USUAL = 60, 65.0  # places that tell it at the least; a firm pencil's response
 PEAK = 1.35  # how much darker a line's middle is than its response
 FILLED_MM = 1.2  # of a line, over which it is made even
-STROKE_MM, FOREMOST = 6.0, 0.85  # of what is plainly drawn at an angle: its length; of the response at any other
+STROKE_MM, FOREMOST, HELD, MOST = 5.0, 0.9, 0.25, 1.3  # of what is plainly drawn at an angle: its length; of the response at any other
+TAIL_MM, NEAR_MM = 7.0, 1.0
 BESIDE_MM = 0.5  # how far from a line's middle its ink is its own
 
 Place = tuple[slice, slice]
 
 
-def shares(dark: Array, scale: float) -> Array:
-    """Darkness by that of the line it is of (1: in the middle of a line), from the darkness of a picture's pixels."""
+class Inked(NamedTuple):
+    """Darkness by that of the line it is of (1: in the middle of a line), and where lines are followed."""
+
+    shares: Array
+    followed: Booleans
+
+
+def inked(dark: Array, scale: float) -> Inked:
+    """What the darkness of a picture's pixels is by the lines they are of."""
     cv2 = cv()
     small = cv2.resize(dark, None, fx=PX_PER_MM / scale, fy=PX_PER_MM / scale, interpolation=cv2.INTER_AREA)
     angles = [_felt(small, k) for k in range(ANGLES)]
-    most, dark_most = (numpy.max([one[k] for one in angles], axis=0) for k in (1, 0))
+    most, darkest = (numpy.max([one[k] for one in angles], axis=0) for k in (1, 0))
     paper = ABOVE * _usual_on_paper(most)
-    own = [numpy.where((felt > FOREMOST * most) & (alone > ALONE * along), alone, 0) for along, felt, alone in angles]
+    foremost = [felt > FOREMOST * _rival(angles, k) for k, (_, felt, _) in enumerate(angles)]
+    own = [
+        numpy.where(ahead & (alone > ALONE * along), alone, 0)
+        for (along, _, alone), ahead in zip(angles, foremost, strict=True)
+    ]
     usual = _usual(own, paper)
-    import os
-    if os.environ.get("DBG"): print("paper", paper, "usual", usual)
     least = max(min(paper, 0.5 * PLAIN * usual), FAINTEST * usual)
     strength, even = numpy.zeros_like(most), dark.copy()
     for k, (_, felt, _) in enumerate(angles):
-        foremost = felt > FOREMOST * most
-        for place, of_it in _followed(felt > least, foremost, own[k] > PLAIN * usual):
-            part = strength[place]
-            numpy.maximum(part, numpy.where(of_it, felt[place], 0), out=part)
-            _smooth_along(dark, even, place, of_it, k, scale)
-    strength, other = (_about(one) for one in (strength, dark_most))
-    strength = numpy.where(strength > 0, strength, numpy.maximum(usual, BLOT * other)).astype(numpy.float32)
-    strength = cv2.resize(cv2.GaussianBlur(strength, (0, 0), 0.7), dark.shape[::-1], interpolation=cv2.INTER_LINEAR)
-    found: Array = even / (PEAK * strength)
-    return found
+        plain = _long(own[k] > PLAIN * usual, STROKE_MM)
+        for place, of_it in _followed(felt, least, FIRM * usual, plain):
+            part, mine = strength[place], of_it & foremost[k][place]
+            near = cv2.dilate(mine.astype(numpy.uint8), _disk(NEAR_MM)) > 0
+            numpy.maximum(part, numpy.where(of_it & near, felt[place], 0), out=part)
+            _smooth_along(dark, even, place, mine, k, scale)
+    lines, all_ink = _about(numpy.minimum(strength, MOST * usual)), _about(darkest)
+    local = numpy.where(lines > 0, lines, numpy.maximum(usual, BLOT * all_ink)).astype(numpy.float32)
+    size = dark.shape[::-1]
+    local = cv2.resize(cv2.GaussianBlur(local, (0, 0), 0.7), size, interpolation=cv2.INTER_LINEAR)
+    shares = even / (PEAK * local)
+    followed = cv2.resize(strength, size, interpolation=cv2.INTER_NEAREST) > 0
+    return Inked(shares, followed & (shares > HELD))
+
+
+def _rival(angles: Sequence[tuple[Array, ...]], k: int) -> Array:
+    """The most that lines at other angles are felt; a line between two angles is felt at both."""
+    rival: Array = numpy.max([angles[(k + turn) % ANGLES][1] for turn in range(2, ANGLES - 1)], axis=0)
+    return rival
 
 
 def _felt(small: Array, angle: int) -> tuple[Array, Array, Array]:
@@ -73,18 +92,39 @@ def _felt(small: Array, angle: int) -> tuple[Array, Array, Array]:
 
 def _about(strength: Array) -> Array:
     """The most there is within half a line's reach."""
-    reach = 2 * round(BESIDE_MM * PX_PER_MM) + 1
-    most: Array = cv().dilate(strength, cv().getStructuringElement(cv().MORPH_ELLIPSE, (reach, reach)))
+    most: Array = cv().dilate(strength, _disk(BESIDE_MM))
     return most
 
 
-def _followed(felt: Booleans, foremost: Booleans, plain: Booleans) -> Iterator[tuple[Place, Booleans]]:
-    """Lines at an angle as far as they hang together with a stroke plainly drawn at it: the box of each, its places."""
-    _, labels, stats, _ = cv().connectedComponentsWithStats(felt.astype(numpy.uint8), connectivity=8)
-    for k in numpy.unique(labels[_long(plain, STROKE_MM)]).tolist():
+def _disk(reach_mm: float) -> Array:
+    """The places within reach."""
+    side = 2 * round(reach_mm * PX_PER_MM) + 1
+    disk: Array = cv().getStructuringElement(cv().MORPH_ELLIPSE, (side, side))
+    return disk
+
+
+def _followed(felt: Array, least: float, firm: float, plain: Booleans) -> Iterator[tuple[Place, Booleans]]:
+    """Lines at an angle as far as they hang together with strokes plainly drawn at it: the box of each, its places.
+
+    What is faint ends a stroke soon or leads from one to another; else it was rubbed out.
+    """
+    cv2 = cv()
+    _, labels, stats, _ = cv2.connectedComponentsWithStats((felt > least).astype(numpy.uint8), connectivity=8)
+    for k in numpy.unique(labels[plain]).tolist():
         x, y, w, h, _ = stats[k].tolist()
         place = slice(y, y + h), slice(x, x + w)
-        yield place, (labels[place] == k) & foremost[place]
+        whole = labels[place] == k
+        faint = whole & (felt[place] <= firm)
+        _, strokes = cv2.connectedComponents((whole & ~faint).astype(numpy.uint8), connectivity=8)
+        drawn = numpy.unique(strokes[plain[place] & whole])
+        _, parts, sizes, _ = cv2.connectedComponentsWithStats(faint.astype(numpy.uint8), connectivity=8)
+        for n, (left, top, wide, high, _) in enumerate(sizes.tolist()):
+            if n and max(wide, high) > TAIL_MM * PX_PER_MM:
+                box = slice(max(top - 1, 0), top + high + 1), slice(max(left - 1, 0), left + wide + 1)
+                about = cv2.dilate((parts[box] == n).astype(numpy.uint8), numpy.ones((3, 3), numpy.uint8)) > 0
+                if numpy.isin(numpy.unique(strokes[box][about]), drawn).sum() < 2:
+                    whole[box] &= parts[box] != n
+        yield place, whole
 
 
 def _smooth_along(dark: Array, even: Array, place: Place, of_it: Booleans, angle: int, scale: float) -> None:

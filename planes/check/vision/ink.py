@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy
 
 from planes.check.fiducials import ARM_MM, SIDE_MM, centres
-from planes.check.vision.contrast import shares
+from planes.check.vision.contrast import inked
 from planes.check.vision.picture import Flat, cv
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices, Points
 
@@ -73,9 +73,10 @@ def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
     if flat.by in ("marks", "frame"):
         _whiten_printed(flat, even)
     dark = numpy.maximum(WHITE - even.astype(numpy.float32), 0)
-    even = (255 - (255 - PENCIL) * numpy.minimum(shares(dark, flat.scale), 1)).astype(numpy.uint8)
+    shares, followed = inked(dark, flat.scale)
+    even = (255 - (255 - PENCIL) * numpy.minimum(shares, 1)).astype(numpy.uint8)
     ink = Ink(flat, even, 255.0 - LIGHT * (255.0 - PENCIL), PENCIL)
-    labels, sizes = _pieces(ink, ink.mask)
+    labels, sizes = _pieces(ink, ink.mask | followed.astype(numpy.uint8))
     ink.even[~_spread((sizes >= LETTER_MM)[labels])] = 255
     ink.even = numpy.ascontiguousarray(ink.even)
     if cross is not None:
