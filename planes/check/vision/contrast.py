@@ -27,8 +27,9 @@ LONG_MM = 7.5  # lines that tell how dark is usual
 FEW, USUAL = 60, 65.0  # places that tell it at the least; a firm pencil's response
 PEAK = 1.35  # how much darker a line's middle is than its response
 FILLED_MM = 1.2  # of a line, over which it is made even
-STROKE_MM, FOREMOST, HELD, MOST = 5.0, 0.9, 0.25, 1.3  # of what is plainly drawn at an angle: its length; of the response at any other
+STROKE_MM, FOREMOST, HELD, MOST = 5.0, 0.9, 0.4, 1.3  # of what is plainly drawn at an angle: its length; of the response at any other
 TAIL_MM, NEAR_MM = 7.0, 1.0
+AMONG_MM, AMONG = 1.5, 0.5
 BESIDE_MM = 0.5  # how far from a line's middle its ink is its own
 
 Place = tuple[slice, slice]
@@ -49,8 +50,9 @@ def inked(dark: Array, scale: float) -> Inked:
     most, darkest = (numpy.max([one[k] for one in angles], axis=0) for k in (1, 0))
     paper = ABOVE * _usual_on_paper(most)
     foremost = [felt > FOREMOST * _rival(angles, k) for k, (_, felt, _) in enumerate(angles)]
+    nearby = cv2.dilate(most, numpy.ones((2 * round(AMONG_MM * PX_PER_MM) + 1,) * 2, numpy.uint8))
     own = [
-        numpy.where(ahead & (alone > ALONE * along), alone, 0)
+        numpy.where(ahead & (alone > ALONE * along) & (alone > AMONG * nearby), alone, 0)
         for (along, _, alone), ahead in zip(angles, foremost, strict=True)
     ]
     usual = _usual(own, paper)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy
 
-from planes.check.fiducials import ARM_MM, SIDE_MM, centres
+from planes.check.fiducials import ARM_MM, INSET_MM, SIDE_MM, centres
 from planes.check.vision.contrast import inked
 from planes.check.vision.picture import Flat, cv
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices, Points
@@ -19,6 +19,7 @@ DARK = 0.4  # of a pencil's darkness: less is paper, a grid's line, or a line ru
 LIGHT = 0.3  # of a pencil's darkness: is paper
 HEART_MM, RIM_MM = 1.0, 0.35  # about a printed cross's middle, where lines are drawn from; about its arms
 WHITE, PENCIL = 250.0, 75.0
+TITLE_MM = INSET_MM[1] + SIDE_MM / 2 + 2  # a blank's title stands between its upper marks
 FRAME_MM = (21.5, 8.5)  # how much of a sheet is its frame: at the left, and at the other edges
 
 
@@ -126,6 +127,8 @@ def _pieces(ink: Ink, mask: Greys) -> tuple[Indices, Array]:
     _, labels, stats, _ = cv().connectedComponentsWithStats(mask, connectivity=8)
     sizes = numpy.maximum(stats[:, 2], stats[:, 3]) / ink.flat.scale
     sizes[0] = 0.0
+    if ink.flat.by == "marks":
+        sizes[stats[:, 1] + stats[:, 3] < TITLE_MM * ink.flat.scale] = 0.0
     return labels, sizes
 
 
