@@ -25,6 +25,7 @@ END_MM, AT_END_MM = 0.08, 1.5  # σ of where a line is seen to end; how far its 
 ENOUGH, EVEN, UNEVEN = 3, 0.02, 0.08  # heads that tell how alike all are, and how alike they may be; fewer do not
 SHAPE_MM = (0.2, 0.03)  # σ of a fitted head's length and half of its width
 ERROR = 20.0  # the error of a fit by how much ink it leaves: places of a picture err together
+HAND = 0.12  # by how much a hand's heads differ in length, whatever those few that are seen well say
 NUDGES = (0.05, 0.03, 0.02, 0.1, 0.04)
 LEAST_MM = 0.1  # no tip is surer
 
@@ -173,7 +174,9 @@ class Sight:
         """Its tip."""
         s = self.sign * float(self.p[0])
         z = complex(self.line.at(s)) + 1j * self.line.along * float(self.p[1])
-        return Tip(s, self.sign, z, max(self.sigma, LEAST_MM), float(self.p[3]))
+        length = float(self.p[3])
+        alike = 0.0 if self.end is not None else HAND * length  # where a line goes on the length tells the tip
+        return Tip(s, self.sign, z, max(math.hypot(self.sigma, alike), LEAST_MM), length)
 
 
 def _seen(dark: Array) -> Array:

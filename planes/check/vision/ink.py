@@ -8,32 +8,37 @@ from dataclasses import dataclass
 
 import numpy
 
-from planes.check.fiducials import ARM_MM, SIDE_MM, centres
+from planes.check.fiducials import ARM_MM, INSET_MM, SIDE_MM, centres
+from planes.check.vision.contrast import inked
 from planes.check.vision.picture import Flat, cv
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices, Points
 
 LETTER_MM = 7.5  # smaller separate marks of ink are letters
 SPECK_MM, USUAL_MM, LIKE = 1.5, 3.5, 1.3  # smaller ones are none; their usual size; how much larger one may be
-DARK = 0.4  # of a pencil's darkness: less is paper, a grid's line, or a line rubbed out
-LIGHT = 0.3  # of a pencil's darkness: is paper
+DARK = 0.4  # of a line's darkness: less is paper, a grid's line, or a line rubbed out
+LIGHT = 0.3  # of a line's darkness: is paper
+PENCIL = 75  # the grey of a line's middle
+PAPER = 255 - LIGHT * (255 - PENCIL)  # the grey at which paper (with a grid or what was rubbed out) ends
+EDGE = PAPER - DARK * (PAPER - PENCIL)  # and at which ink begins
 HEART_MM, RIM_MM = 1.0, 0.35  # about a printed cross's middle, where lines are drawn from; about its arms
+WHITE = 250  # the grey of paper in even light
+TITLE_MM = INSET_MM[1] + SIDE_MM / 2 + 2  # a blank's title stands between its upper marks
 FRAME_MM = (21.5, 8.5)  # how much of a sheet is its frame: at the left, and at the other edges
 
 
 @dataclass
 class Ink:
-    """A sheet's ink: ``even`` is the picture with even light, 255 where there is none but a pencil's lines may be."""
+    """A sheet's ink: in ``even`` lines are all as dark, and it is 255 where there is none but lines may be."""
 
     flat: Flat
     even: Greys
-    paper: float  # the grey at which paper (with a grid or what was rubbed out) ends
-    pencil: float  # the grey of the darkest lines
+    whole: Greys  # with what is too small for lines
     letters: Booleans | None = None  # where there may be letters, or short vectors
 
     @property
     def mask(self) -> Greys:
         """Where there is ink: ones and zeros, a pixel each."""
-        return (self.even < self.paper - DARK * (self.paper - self.pencil)).astype(numpy.uint8)
+        return (self.even < EDGE).astype(numpy.uint8)
 
     def at(self, z: Complexes) -> Array:
         """Darkness of places in mm (an array of complex numbers of one or two axes): 0 of paper, 1 of a line."""
@@ -41,7 +46,7 @@ class Ink:
         rows = numpy.atleast_2d(local.real), numpy.atleast_2d(self.even.shape[0] - local.imag)
         across, down = (numpy.ascontiguousarray(r, numpy.float32) for r in rows)
         grey = cv2.remap(self.even, across, down, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=255)
-        dark: Array = (self.paper - grey.astype(numpy.float32)) / (self.paper - self.pencil)
+        dark: Array = (PAPER - grey.astype(numpy.float32)) / (PAPER - PENCIL)
         return dark.clip(0, 1).reshape(numpy.shape(z))
 
     def lettered(self, z: Points) -> Booleans:
@@ -67,20 +72,19 @@ class Ink:
 
 def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
     """The ink of a flat picture, without letters and printed marks; a cross may be printed at a place."""
-    even = evened(flat)
+    even = _evened(flat)
     if flat.by in ("marks", "frame"):
         _whiten_printed(flat, even)
-    paper, pencil = _levels(even)
-    ink = Ink(flat, even, paper, pencil)
-    labels, sizes = _pieces(ink, ink.mask)
-    ink.even[~_spread((sizes >= LETTER_MM)[labels])] = 255
-    ink.even = numpy.ascontiguousarray(ink.even)
+    shares, followed = inked(cv().subtract(numpy.full_like(even, WHITE), even), flat.scale, 255 - PENCIL)
+    ink = Ink(flat, 255 - shares, 255 - shares)
+    labels, sizes = _pieces(ink, ink.mask | followed)
+    ink.even = numpy.where(_spread((sizes >= LETTER_MM)[labels]), ink.whole, 255)
     if cross is not None:
         ink.letters = _joined(ink, cross, [mm for mm in sizes if SPECK_MM < mm < LETTER_MM])
     return ink
 
 
-def evened(flat: Flat) -> Greys:
+def _evened(flat: Flat) -> Greys:
     """The picture as if the light were the same everywhere: paper is 255."""
     cv2 = cv()
     even = numpy.minimum(cv2.divide(flat.grey, light_of(flat), scale=250.0), 255)
@@ -98,15 +102,6 @@ def light_of(flat: Flat) -> Greys:
     return whole
 
 
-def _levels(even: Greys) -> tuple[float, float]:
-    """The greys of paper and of a pencil's lines; a grid and what was rubbed out are paper."""
-    counts = numpy.bincount(even.ravel(), minlength=256).astype(float)
-    dark = counts[:150]
-    share = numpy.cumsum(dark) / max(dark.sum(), 1.0)
-    pencil = min(max(float(numpy.searchsorted(share, 0.3)), 20.0), 140.0) if dark.sum() > 400 else 120.0
-    return 255.0 - LIGHT * (255.0 - pencil), pencil
-
-
 def _joined(ink: Ink, cross: complex, letters: Sequence[float]) -> Booleans:
     """Where there is ink no larger than letters (so large are the others) that but a printed cross joins to lines."""
     mask = ink.mask
@@ -122,6 +117,8 @@ def _pieces(ink: Ink, mask: Greys) -> tuple[Indices, Array]:
     _, labels, stats, _ = cv().connectedComponentsWithStats(mask, connectivity=8)
     sizes = numpy.maximum(stats[:, 2], stats[:, 3]) / ink.flat.scale
     sizes[0] = 0.0
+    if ink.flat.by == "marks":
+        sizes[stats[:, 1] + stats[:, 3] < TITLE_MM * ink.flat.scale] = 0.0
     return labels, sizes
 
 

@@ -20,7 +20,7 @@ from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
 from planes.check.reading.as_planned import is_right, named, nearest_of, vectors_named
 from planes.check.reading.strokes import ReadDrawing, Stroke, Words
-from planes.check.vision.ink import Ink, evened
+from planes.check.vision.ink import Ink
 from planes.check.vision.match_motion import ends_of
 from planes.check.vision.places import Seen, rounded
 from planes.check.vision.printed_heads import BOTH_SIDES, HIDDEN, TURNED, PrintedHead, heads_along, heads_on
@@ -57,7 +57,7 @@ class PrintedSheet:
 
     def __post_init__(self) -> None:
         ink = self.seen.ink
-        self.ink = Ink(ink.flat, evened(ink.flat), ink.paper, ink.pencil)
+        self.ink = Ink(ink.flat, ink.whole, ink.whole)
         self.words = [one for word in self.words for one in word.listed()]
         self.heads = heads_on(self.ink, self.seen.lines)
 

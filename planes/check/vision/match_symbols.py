@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy
 
-from planes.check.vision.ink import DARK, Ink, evened
+from planes.check.vision.ink import EDGE, Ink
 from planes.check.vision.picture import cv
 from planes.geometry.arrays import Array, Greys
 
@@ -42,7 +42,7 @@ def _circles(ink: Ink) -> Iterator[tuple[float, complex, float]]:
 
 
 def _dots(ink: Ink) -> Iterator[tuple[float, complex, float]]:
-    mask, k = _smaller(ink, evened(ink.flat))
+    mask, k = _smaller(ink, ink.whole)
     full = _mean(mask, 0.0, k * DOT_MM)
     around = _mean(mask, k * AROUND_MM[0], k * AROUND_MM[1])
     score = numpy.where((full > FULL) & (around < ALONE), _mean(mask, 0.0, k * (DOT_MM + 0.2)) - 0.5 * around, 0.0)
@@ -52,7 +52,7 @@ def _dots(ink: Ink) -> Iterator[tuple[float, complex, float]]:
 def _smaller(ink: Ink, even: Greys) -> tuple[Array, float]:
     """The share of ink in the pixels of a smaller picture, and how many of these there are to a mm."""
     cv2 = cv()
-    mask = (even < ink.paper - DARK * (ink.paper - ink.pencil)).astype(numpy.float32)
+    mask = (even < EDGE).astype(numpy.float32)
     factor = min(1.0, PX_PER_MM / ink.flat.scale)
     return cv2.resize(mask, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA), ink.flat.scale * factor
 

@@ -1,0 +1,125 @@
+"""Ink held against its own line: light and fading strokes, rough paper, what was rubbed out, letters, a grid."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Sequence
+
+import pytest
+
+pytest.importorskip("cv2")
+import cv2
+import numpy as np
+
+from planes.check.vision.drawn_lines import lines_of
+from planes.check.vision.ink import ink_of
+from planes.check.vision.line_fitting import Fitted
+from planes.check.vision.picture import PX_PER_MM, Flat
+from tests.physical.paper import PX_PER_MM as FINE
+from tests.physical.paper import Paper
+from tests.physical.setting import Setting
+
+GRAPHITE, PRINT = (92, 84, 82), (30, 30, 30)
+CORNERS = (20 + 15j, 80 + 20j, 65 + 60j)
+
+
+def seen(paper: Paper) -> Flat:
+    """A sheet as a flat picture."""
+    grey = cv2.cvtColor(paper.colour, cv2.COLOR_BGR2GRAY)
+    small = cv2.resize(grey, None, fx=PX_PER_MM / FINE, fy=PX_PER_MM / FINE, interpolation=cv2.INTER_AREA)
+    return Flat(small, PX_PER_MM, by="points")
+
+
+def sheet(setting: Setting | None = None) -> Paper:
+    return Paper((100.0, 75.0), setting or Setting(), random.Random(1))
+
+
+def draw(paper: Paper, a: complex, b: complex, press: Sequence[float] = (1.0, 1.0)) -> None:
+    paper.lay(np.linspace(a, b, 20).tolist(), list(press), 0.45, GRAPHITE)
+
+
+def triangle(paper: Paper, press: float) -> None:
+    for a, b in zip(CORNERS, (*CORNERS[1:], CORNERS[0]), strict=True):
+        draw(paper, a, b, (press, press))
+
+
+def print_letters(paper: Paper) -> None:
+    """Rows of printed letters, 3.5 mm high."""
+    for row in (60, 130):
+        cv2.putText(paper.colour, "velocities, 1 : 20", (120, row), cv2.FONT_HERSHEY_SIMPLEX, 1.9, PRINT, 3)
+
+
+def lines_on(paper: Paper) -> list[Fitted]:
+    """The lines found, those of letters and heads aside."""
+    return [line for line in lines_of(ink_of(seen(paper))) or [] if line.length > 6]
+
+
+def off_ends(line: Fitted, a: complex, b: complex) -> float:
+    """How far the ends of a line are from two places."""
+    low, high = line.ends
+    return min(max(abs(low - a), abs(high - b)), max(abs(low - b), abs(high - a)))
+
+
+@pytest.mark.parametrize(("press", "tooth"), [(0.45, 1.0), (0.6, 1.0), (1.0, 1.0), (0.6, 1.4), (1.0, 1.4)])
+def test_a_light_pencil_is_seen_whole_beside_dark_print(press: float, tooth: float) -> None:
+    """Three lines from corner to corner, whatever the pressure and the paper's grain, and none of the letters."""
+    paper = sheet(Setting(tooth=tooth))
+    print_letters(paper)
+    triangle(paper, press)
+    lines = lines_on(paper)
+    sides = zip(CORNERS, (*CORNERS[1:], CORNERS[0]), strict=True)
+    assert len(lines) == 3 and all(min(off_ends(line, a, b) for line in lines) < 0.8 for a, b in sides)
+
+
+@pytest.mark.parametrize(("fade_mm", "to"), [(8.0, 0.5), (15.0, 0.35)])
+def test_a_fading_stroke_is_followed_to_its_end(fade_mm: float, to: float) -> None:
+    paper = sheet()
+    triangle(paper, 1.0)
+    a, b = 10 + 8j, 90 + 12j
+    left = abs(b - a) * np.linspace(1, 0, 40)
+    draw(paper, a, b, (1 - (1 - to) * np.clip(1 - left / fade_mm, 0, 1)).tolist())
+    assert min(off_ends(line, a, b) for line in lines_on(paper)) < 0.6
+
+
+def test_a_faint_piece_between_firm_ones_is_of_the_line() -> None:
+    paper = sheet()
+    triangle(paper, 1.0)
+    draw(paper, 10 + 8j, 90 + 12j, (1, 1, 1, 1, 0.4, 0.35, 0.4, 1, 1, 1, 1))
+    assert min(off_ends(line, 10 + 8j, 90 + 12j) for line in lines_on(paper)) < 0.6
+
+
+@pytest.mark.parametrize("end", [90 + 70j, 20 + 70j, 30 + 66j])
+def test_what_was_rubbed_out_is_no_line(end: complex) -> None:
+    """A ghost from a corner of the drawing, a fifth as dark."""
+    paper = sheet()
+    triangle(paper, 1.0)
+    before = paper.colour.astype(float)
+    draw(paper, CORNERS[2], end, (0.9, 0.9))
+    paper.colour = (0.8 * before + 0.2 * paper.colour).astype(np.uint8)
+    assert len(lines_on(paper)) == 3
+
+
+def smear(paper: Paper) -> None:
+    """A broad soft stain."""
+    dark = np.zeros(paper.colour.shape[:2], np.float32)
+    cv2.ellipse(dark, (600, 500), (260, 60), 20, 0, 360, 0.12, -1)
+    paper.colour = (paper.colour * (1 - cv2.GaussianBlur(dark, (0, 0), 25))[..., None]).astype(np.uint8)
+
+
+@pytest.mark.parametrize("spoil", [print_letters, smear])
+def test_letters_and_smears_are_not_followed(spoil: Callable[[Paper], None]) -> None:
+    paper = sheet()
+    draw(paper, 15 + 10j, 85 + 14j, (0.5, 0.5))
+    spoil(paper)
+    assert len(lines_on(paper)) == 1
+
+
+@pytest.mark.parametrize("kind", ["squared", "ruled"])
+def test_a_grid_is_no_drawing_though_a_line_runs_along_it(kind: str) -> None:
+    paper = sheet(Setting(grid=kind))
+    y = next(k for k in range(200, 700) if (paper.colour[k, 300:900].mean() < 228))
+    a, b = (complex(x, 75 - y / FINE) for x in (25, 75))
+    draw(paper, a, b)
+    draw(paper, a, 60 + 12j)
+    lines = lines_on(paper)
+    assert len(lines) == 2 and min(off_ends(line, a, b) for line in lines) < 1.0
