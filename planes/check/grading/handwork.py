@@ -28,10 +28,11 @@ LEAST_MM = 0.1  # no mark on paper is surer than this
 
 @dataclass(frozen=True)
 class Taken:
-    """A mark of a person's drawing: where it is from the pole, and how surely it was read."""
+    """A mark of a person's drawing: where it is from the pole, and how surely it was read there, and read at all."""
 
     place: complex
     error_mm: float = 0.1
+    doubt: float = 0.0
 
 
 @dataclass(frozen=True)

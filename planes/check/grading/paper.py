@@ -32,11 +32,13 @@ LARGEST_MM = 10_000.0  # no sheet is larger
 
 @dataclass(frozen=True)
 class ReadMark:
-    """A mark where it was read, mm of paper, y up, any origin, with the error of its reading (each way)."""
+    """A mark where it was read, mm of paper, y up, any origin, with the error of its reading (each way) and how likely
+    it was read at a place that is not the person's mark at all."""
 
     name: str
     place: complex
     error_mm: float = 0.1
+    doubt: float = 0.0
 
 
 @dataclass(frozen=True)

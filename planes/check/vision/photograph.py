@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from planes.check.fiducials import SHEET_MM, pole_place
 from planes.check.grading.paper import Known, ReadMark, ReadPaper
@@ -27,6 +27,8 @@ from planes.words.names import POLE, Names, kind_of, label_of
 
 MOST_LINES = 120  # a plan has far fewer
 EXPLAINED = 0.6  # the share of a picture's lines that must be the plan's
+MISREAD = 0.05  # the share of marks for which another place is taken
+TOLD_MM = 0.3  # how surely a person points to a mark
 
 
 @dataclass
@@ -78,7 +80,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     elif best.explained < EXPLAINED:
         paper.notes.append(Phrase("check_no_plan_seen", share=f"{100 * max(best.explained, 0.0):.0f}"))
     else:
-        paper.spots, paper.whole, paper.mu = best.spots, best.whole, best.mu
+        paper.spots, paper.whole, paper.mu = _with_told(bench, best, known), best.whole, best.mu
         if best.mu and best.mu != bench.said_mu:
             paper.notes.append(Phrase("check_mu_found", mu=bench.mu_said(best.mu)))
         if not best.spots:
@@ -86,6 +88,14 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         if best.hidden:
             paper.notes.append(Phrase("check_hidden", names=", ".join(best.hidden)))
     return paper
+
+
+def _with_told(bench: PreparedPlan, look: Look, known: Known) -> list[ReadMark]:
+    """The marks that were read, in doubt, and those that were pointed to, which are not."""
+    told = {n: look.flat.place(z) for k, z in known.marks.items() if (n := bench.names.find(k))} if look.spots else {}
+    told = {} if kind_of(bench.asked.plan) == "force" else told  # its marks stand where its vectors end, in any order
+    read = [replace(s, doubt=MISREAD) for s in look.spots if s.name not in told]
+    return [*read, *(ReadMark(n, z, TOLD_MM) for n, z in told.items())]
 
 
 def _flats(bench: PreparedPlan, picture: DecodedPicture, known: Known) -> Iterator[tuple[Flat, str | None]]:
