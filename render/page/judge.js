@@ -42,9 +42,10 @@ class Judge {
       const touched = new Map(at.map(([n, places]) => [n, this.tape.miss(places, rule.least)]));
       if (!suspects.some(n => touched.has(n) && Number.isFinite(touched.get(n).sigmas))) continue;
       const left_out = rule.left_out.some(end => v.mistake.endsWith(end)); // shows by not being there
-      if (!left_out && ![...touched].some(([n, miss]) => !(misses.get(n).moved(miss, plain.get(n)).sigmas <= limit))) continue;
+      const own = touched.has(v.blames) ? [[v.blames, touched.get(v.blames)]] : [...touched];
+      if (!left_out && !own.some(([n, miss]) => !(misses.get(n).moved(miss, plain.get(n)).sigmas <= limit))) continue;
       const under = givenBefore(new Map([...plain, ...touched]), rule.order, limit, rule.least), at_it = under.get(v.blames);
-      if (at_it && !(misses.get(v.blames).sigmas > rule.warn && at_it.sigmas <= limit)) continue; // it is not where the mistake puts it
+      if (at_it && at_it.sigmas >= misses.get(v.blames).sigmas) continue; // nearer to where it should be than to where this puts it
       const likely = drawn.has(v.blames) !== left_out ? 1 : rule.undrawn;
       let score = Math.log(v.weight * likely);
       for (const [n, miss] of under) score += this.mixed(miss) - this.mixed(misses.get(n));

@@ -131,24 +131,21 @@ class _Weighing:
         for variant in variants:
             touched = self.hand.misses(list(self.plain), self.hand.under(variant))
             suspected = any(m in touched and math.isfinite(touched[m].sigmas) for m in suspects)
-            if not suspected or not (variant.mistake.endswith(LEFT_OUT) or self._shows(touched)):
-                continue  # what was left out shows by not being there
-            under = given_before({**self.plain, **touched}, self.order, self.limit)
-            if not self._accuses(variant, under):
+            if not suspected or not self._shows(variant, touched):
                 continue
+            under = given_before({**self.plain, **touched}, self.order, self.limit)
+            if any(label_of(m) == variant.blames and miss.sigmas >= self.misses[m].sigmas for m, miss in under.items()):
+                continue  # the mark it is made at is nearer to where it should be than to where the mistake puts it
             gain = sum(self.mixed(m, miss) - self.mixed(m, self.misses[m]) for m, miss in under.items())
             scored.append(ScoredHypothesis(gain + math.log(variant.weight * _likely(variant, drawn)), variant, under))
         return _by_mistake(scored)
 
-    def _shows(self, touched: Mapping[str, Miss]) -> bool:
-        """Whether a mistake puts some mark, the others known, farther off than a hand's error does."""
-        apart = (replace(self.misses[m], off=miss.off - self.plain[m].off) for m, miss in touched.items())
-        return any(not miss.sigmas <= self.limit for miss in apart)
-
-    def _accuses(self, variant: Variant, under: Mapping[str, Miss]) -> bool:
-        """Whether the mark it is made at, if it was read, is where the mistake puts it and not where it should be."""
-        mark = next((m for m in under if label_of(m) == variant.blames), None)
-        return mark is None or (self.misses[mark].sigmas > WARN and under[mark].sigmas <= self.limit)
+    def _shows(self, variant: Variant, touched: Mapping[str, Miss]) -> bool:
+        """Whether a mistake puts the mark it is made at (if that was not read: some mark), the others known, farther off
+        than a hand's error does; what was left out shows by not being there."""
+        own = [m for m in touched if label_of(m) == variant.blames] or touched
+        apart = (replace(self.misses[m], off=touched[m].off - self.plain[m].off) for m in own)
+        return variant.mistake.endswith(LEFT_OUT) or any(not miss.sigmas <= self.limit for miss in apart)
 
 
 def _keep(found: Judgement, ranked: Sequence[ScoredHypothesis], good: bool) -> None:
