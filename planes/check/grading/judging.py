@@ -141,8 +141,8 @@ class _Weighing:
         return _by_mistake(scored)
 
     def _shows(self, variant: Variant, touched: Mapping[str, Miss]) -> bool:
-        """Whether a mistake puts the mark it is made at (if that was not read: some mark), the others known, farther off
-        than a hand's error does; what was left out shows by not being there."""
+        """Whether a mistake puts the mark it is made at (else, where that was not read, some mark), the others known,
+        farther off than a hand's error does; what was left out shows by not being there."""
         own = [m for m in touched if label_of(m) == variant.blames] or touched
         apart = (replace(self.misses[m], off=touched[m].off - self.plain[m].off) for m in own)
         return variant.mistake.endswith(LEFT_OUT) or any(not miss.sigmas <= self.limit for miss in apart)

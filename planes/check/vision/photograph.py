@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from planes.check.fiducials import SHEET_MM, pole_place
-from planes.check.grading.paper import Known, ReadMark, ReadPaper
+from planes.check.grading.paper import MISREAD, Known, ReadMark, ReadPaper, with_told
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.as_planned import is_right, worth
 from planes.check.reading.strokes import Words
@@ -27,8 +27,6 @@ from planes.words.names import POLE, Names, kind_of, label_of
 
 MOST_LINES = 120  # a plan has far fewer
 EXPLAINED = 0.6  # the share of a picture's lines that must be the plan's
-MISREAD = 0.05  # the share of marks for which another place is taken
-TOLD_MM = 0.3  # how surely a person points to a mark
 
 
 @dataclass
@@ -93,9 +91,8 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
 def _with_told(bench: PreparedPlan, look: Look, known: Known) -> list[ReadMark]:
     """The marks that were read, in doubt, and those that were pointed to, which are not."""
     told = {n: look.flat.place(z) for k, z in known.marks.items() if (n := bench.names.find(k))} if look.spots else {}
-    told = {} if kind_of(bench.asked.plan) == "force" else told  # its marks stand where its vectors end, in any order
-    read = [replace(s, doubt=MISREAD) for s in look.spots if s.name not in told]
-    return [*read, *(ReadMark(n, z, TOLD_MM) for n, z in told.items())]
+    force = kind_of(bench.asked.plan) == "force"  # its marks stand where its vectors end, in any order
+    return with_told(look.spots, {} if force else told, MISREAD)
 
 
 def _flats(bench: PreparedPlan, picture: DecodedPicture, known: Known) -> Iterator[tuple[Flat, str | None]]:
