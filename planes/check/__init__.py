@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
+from planes.check.grading.certainty import SURE
 from planes.check.grading.evidence import SURE_LENGTHS, lengths_by_chance
 from planes.check.grading.grading import Grading, grade, readable
 from planes.check.grading.handwork import Hand, Taken
@@ -18,7 +19,8 @@ from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
 from planes.words.names import kind_of, label_of, mu_of
 
-STATUS = {"right": 0, "wrong": 1, "unreadable": 2}
+STATUS = {"right": 0, "right_as_seen": 3, "wrong": 1, "unreadable": 2}  # the better first
+MOST_ASKED = 3  # marks asked about at once
 
 
 @dataclass
@@ -38,8 +40,20 @@ class Outcome:
 
     @property
     def verdict(self) -> str:
-        """right, wrong or unreadable."""
-        return "unreadable" if self.unreadable else "wrong" if self.first_wrong else "right"
+        """right, wrong or unreadable; right_as_seen where nobody has looked at some of its marks."""
+        if self.unreadable:
+            return "unreadable"
+        return "wrong" if self.first_wrong else "right_as_seen" if self.unseen else "right"
+
+    @property
+    def chance(self) -> float | None:
+        """How likely the verdict is true; None where there is none."""
+        if self.unreadable:
+            return None
+        drawn = self.grading.chance_wrong if self.grading else 0.0
+        numbers = self._table.first_wrong if self._table else None
+        wrong = max(drawn, numbers.chance_wrong if numbers else 0.0)
+        return wrong if self.verdict == "wrong" else 1 - wrong
 
     @property
     def first_wrong(self) -> str | None:
@@ -70,7 +84,7 @@ class Outcome:
     @property
     def runner_up(self) -> str | None:
         """The mistake that explains the work next best."""
-        if self.mistake is None and self.verdict != "wrong":
+        if self.verdict != "wrong":
             return None
         g = self.grading
         if g and g.judgement.first_wrong:
@@ -144,6 +158,29 @@ def _look(out: Outcome) -> None:
         out.unreadable = Phrase("check_nothing_read", names=", ".join(label_of(m) for m in bench.marks))
     elif not paper.pole_told and out.grading and not out.grading.sure_by_itself:
         out.unreadable = out.unreadable or Phrase("check_unsure")
+    elif out.grading:
+        out.unreadable = out.unreadable or _ask(out.grading)
+
+
+def unsure_marks(grading: Grading) -> list[str]:
+    """The marks to ask a person about, where what was read may be misread and is not sure enough to judge by."""
+    found = grading.judgement
+    wrong = grading.chance_wrong if grading.strays else 1 - grading.chance_wrong
+    doubted = [m for m in found.misses if grading.hand.taken[m].doubt]
+    if wrong >= SURE or not doubted:
+        return []
+    return sorted(doubted, key=lambda m: (m not in found.wrong[:1], -found.misses[m].sigmas))[:MOST_ASKED]
+
+
+def _ask(grading: Grading) -> Phrase | None:
+    """Whether some marks were rightly read, and how to tell; None where that is sure enough."""
+    marks = unsure_marks(grading)
+    if not marks or grading.rebuilt:
+        return Phrase("check_force_unsure") if marks else None
+    places = [(label_of(m), grading.hand.taken[m].place) for m in marks]
+    first = places[0][0]
+    told = ", ".join(f"{n} ({z.real:.1f}; {z.imag:.1f})" for n, z in places)
+    return Phrase("check_ask", marks=Written(told), mark=first)
 
 
 def _scale_notes(out: Outcome) -> list[Phrase]:

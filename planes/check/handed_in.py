@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from planes.check.grading.paper import Known, ReadPaper, read_table
+from planes.check.grading.paper import Known, ReadPaper, read_table, with_told
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.reading.strokes import ReadDrawing
 from planes.words import Phrase
 from planes.words.errors import PlanesError
+from planes.words.names import kind_of
 
 LINES = (".svg", ".dxf", ".pdf")
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
@@ -43,6 +44,7 @@ def _lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:
 
 def _from_lines(sketch: ReadDrawing, asked: Asked, known: Known) -> ReadPaper:
     """The marks of a drawing of lines."""
+    from planes.check.reading.construction_lines import doubt_of
     from planes.check.reading.matching import scaled
     from planes.check.reading.whole_page import paper_on
 
@@ -50,6 +52,10 @@ def _from_lines(sketch: ReadDrawing, asked: Asked, known: Known) -> ReadPaper:
     pole = None if known.pole is None else sketch.mm(known.pole)
     sketch, by = scaled(sketch, bench, pole, {n: sketch.mm(z) for n, z in known.marks.items()})
     paper = paper_on(sketch, bench)
+    told = {n: sketch.mm(z) for k, z in known.marks.items() if (n := bench.names.find(k))} if pole is None else {}
+    if paper.spots:
+        told = {} if kind_of(asked.plan) == "force" else told
+        paper.spots = with_told(paper.spots, told, doubt_of(sketch))
     paper.scale_mark = by
     origin = paper.spots[0].place if paper.spots else 0j  # the pole is read first
     paper.strokes = [(a - origin, b - origin) for a, b in sketch.strokes[:MOST_SHOWN]] if paper.spots else []

@@ -15,7 +15,7 @@ from planes.check.grading.paper import Known, ReadPaper
 from planes.check.grading.perturbing import HAND, cad
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.handed_in import LINES, PICTURES, read_paper
-from planes.check.report import Checked, ClassWork, as_json, class_heads, heads, numbers_of, rows_of
+from planes.check.report import Checked, ClassWork, as_json, chance_told, class_heads, heads, numbers_of, rows_of
 from planes.cli.commands import scene_of
 from planes.cli.options import check_options, value_of
 from planes.scene import Scene
@@ -30,7 +30,7 @@ _PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?{0})\s*[,;]\s*([-+]?{0})\s*".form
 
 
 def check(args: Namespace) -> int:
-    """Check, print, and give the exit status: 0 right, 1 wrong, 2 unreadable."""
+    """Check, print, and give the exit status: 0 right, 1 wrong, 2 unreadable, 3 right as far as seen."""
     scene = scene_of(args)
     value = value_of(args, scene)
     check_options(args, "check", _answer(args))
@@ -116,7 +116,7 @@ def place(text: str, option: str) -> tuple[str, complex]:
 
 def told(found: Outcome, lang: Lang) -> str:
     """The outcome for people: the sentence, then the tables."""
-    lines = [found.sentence.told(lang)]
+    lines = [" ".join(filter(None, (found.sentence.told(lang), chance_told(found, lang))))]
     marks, numbers = heads(lang)
     lines += table(say("check_marks", lang), marks, [row for _, *row in rows_of(found, lang)])
     lines += table(say("check_numbers", lang), numbers, [row for _, *row in numbers_of(found, lang)])

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from urllib.parse import quote
 
-from planes.check import Outcome, report
+from planes.check import STATUS, Outcome, report
 from planes.check.fiducials import SHEET_MM, SIDE_MM, cells, centres
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.report import Checked, ClassWork, as_json, class_heads, mark_rows
@@ -87,7 +87,7 @@ def write_class(group: ClassWork, output: str, lang: Lang) -> None:
         if one.found and one.found.mistake:
             common.setdefault(_unmarked(one, lang), []).append((Path(one.file).stem, quote(one.report)))
     often = sorted(common.items(), key=lambda said: -len(said[1]))[:MOST_COMMON]
-    told = [(say(f"verdict_{v}", lang), counts[v]) for v in ("right", "wrong", "unreadable")]
+    told = [(say(f"verdict_{v}", lang), counts[v]) for v in STATUS if counts[v] or v != "right_as_seen"]
     rows = [(one.verdict, quote(one.report), [*one.row(lang)[:-1], _unmarked(one, lang)]) for one in group.all]
     title = f"{say('check_class', lang)}: {group.title}"
     write_text(check_pages.class_page(title, told, often, class_heads(lang), rows, lang), output)

@@ -102,6 +102,7 @@ function draw() {
   if (!moved) return; // what was printed stands until something is moved
   say(found.sentence);
   document.body.className = found.verdict;
+  $("chance").hidden = true;
   $("moved").hidden = false;
   table();
 }

@@ -25,6 +25,7 @@ def report_page(data: Json, lang: Lang) -> str:
     parts = {
         "title": e(data["title"]),
         "sentence": e(data["sentence"]),
+        "chance": e(data["chance"]),
         "drawing": _drawing(data, words) if drawn else "",
         "tables": _table("marks", words["steps"], data["head"], data["rows"])
         + _table("numbers", words["numbers"], data["number_head"], data["numbers"]),

@@ -42,8 +42,10 @@ class Judge {
       const touched = new Map(at.map(([n, places]) => [n, this.tape.miss(places, rule.least)]));
       if (!suspects.some(n => touched.has(n) && Number.isFinite(touched.get(n).sigmas))) continue;
       const left_out = rule.left_out.some(end => v.mistake.endsWith(end)); // shows by not being there
-      if (!left_out && ![...touched].some(([n, miss]) => !(misses.get(n).moved(miss, plain.get(n)).sigmas <= limit))) continue;
-      const under = givenBefore(new Map([...plain, ...touched]), rule.order, limit, rule.least);
+      const own = touched.has(v.blames) ? [[v.blames, touched.get(v.blames)]] : [...touched];
+      if (!left_out && !own.some(([n, miss]) => !(misses.get(n).moved(miss, plain.get(n)).sigmas <= limit))) continue;
+      const under = givenBefore(new Map([...plain, ...touched]), rule.order, limit, rule.least), at_it = under.get(v.blames);
+      if (at_it && at_it.sigmas >= misses.get(v.blames).sigmas) continue; // nearer to where it should be than to where this puts it
       const likely = drawn.has(v.blames) !== left_out ? 1 : rule.undrawn;
       let score = Math.log(v.weight * likely);
       for (const [n, miss] of under) score += this.mixed(miss) - this.mixed(misses.get(n));
@@ -97,8 +99,8 @@ class Judge {
     if (out.named) return out.named.said;
     if (wrong.length) return fill(said.unclear, { mark: wrong[0], off: misses.get(wrong[0]).size.toFixed(1) });
     if (strays) { out.first = left.first; return left.said; }
-    out.verdict = "right";
     const unseen = rule.shown_by.filter(([, by]) => !by.some(n => misses.has(n))).map(([n]) => n).join(", ");
+    out.verdict = unseen ? "right_as_seen" : "right";
     return unseen ? fill(said.as_seen, { names: unseen }) : said.right;
   }
 }

@@ -219,7 +219,7 @@ def test_the_page_names_what_nobody_has_seen(
     browser: Any, tmp_path: Path, sample: str, plan: str, without: tuple[str, ...]
 ) -> None:
     whole, found = handed_in(sample, plan, None), handed_in(sample, plan, None, without)
-    assert found.verdict == "right" and found.unseen == list(without)
+    assert found.verdict == "right_as_seen" and found.unseen == list(without)
     page, errors = opened(browser, found, tmp_path)
     same(page, found)
     assert f"not seen: {', '.join(without)}" in page.evaluate("found.sentence")

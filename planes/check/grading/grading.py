@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from planes.check.grading.evidence import SMALLEST, SURE, by_chance, own_scales, size_of
+from planes.check.grading.certainty import SURE, all_drawn, breadth, chance_wrong
+from planes.check.grading.evidence import MOST_BY_CHANCE, SMALLEST, by_chance, own_scales, size_of
 from planes.check.grading.handwork import Hand, Miss, Taken
 from planes.check.grading.judging import LEFT_OUT, Judgement, judge, verdicts
 from planes.check.grading.paper import ReadPaper
@@ -56,6 +57,19 @@ class Grading:
         gap = self.rebuilt.gap if self.rebuilt else None
         point = self.hand.tool.skill.point_mm
         return self.judgement.limit * math.sqrt(2 * point**2 + 2 * gap.error_mm**2) if gap else None
+
+    @property
+    def chance_wrong(self) -> float:
+        """How likely it is that something is wrong: a mark, a force left out, a polygon that does not close."""
+        found, gap = self.judgement, self.rebuilt.gap if self.rebuilt else None
+        if self.left_out:
+            return 1.0
+        if not (gap and self.gap_wrong and self.gap_reach):
+            return found.chance_wrong
+        variance = (self.gap_reach / found.limit) ** 2
+        broad = breadth(extent(self.truth, plan_of(self.marks[0])))
+        closed = all_drawn({"": Miss(gap.place, (variance, 0.0, variance))}, broad, {"": gap.doubt})
+        return max(found.chance_wrong, chance_wrong(closed, -math.inf, ()))
 
     @property
     def left_out(self) -> str | None:
@@ -135,7 +149,7 @@ def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
     """Grade a paper of marks at the scale that explains it best; None when no mark of the plan was read."""
     plan = bench.asked.plan
     spots, rebuilt, unknown = align(bench, plan, paper)
-    taken = {at(plan, n): Taken(s.place, s.error_mm) for n, s in spots.items()}
+    taken = {at(plan, n): Taken(s.place, s.error_mm, s.doubt) for n, s in spots.items()}
     if not taken:
         return None
     taken |= _earlier(bench)
@@ -191,6 +205,9 @@ def _grade_at(bench: PreparedPlan, mu: float, share: float, taken: Mapping[str, 
     judgement = judge(hand, bench.marks, variants_of(bench, hand.taken, mu), extent(truth, bench.asked.plan), absent)
     wrong, at_home = judgement.wrong, {m for m, miss in apart.items() if miss.sigmas <= judgement.limit}
     judgement.wrong = wrong[:1] + [m for m in wrong[1:] if m not in at_home]  # off a wrong mark, but where it should be
+    doubtful = any(t.doubt for t in own.values()) and judgement.chance_wrong < 1 - SURE
+    if doubtful and not judgement.named and at_home >= apart.keys():
+        judgement.wrong = []  # all are where they should be: what the first was drawn from was read a little off
     return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart, free)
 
 
@@ -217,7 +234,7 @@ def readable(grading: Grading) -> Phrase | None:
     size = Written(f"{reach:.1f}")
     if reach < SMALLEST * grading.hand.tool.skill.point_mm:  # all lies within the error of a pencil from the pole
         return Phrase("check_nothing_drawn", size=size)
-    if not grading.strays and grading.chance > SURE:
+    if not grading.strays and grading.chance > MOST_BY_CHANCE:
         return Phrase("check_by_chance", size=size, count=count)
     wrong = [m for m, v in grading.verdicts.items() if v == "wrong"]
     if grading.judgement.named is None and count >= 3 and len(wrong) > 0.7 * count:

@@ -20,7 +20,7 @@ from planes.drafting.steps import Aim, Same, Step, Turn
 from planes.drafting.steps.reckoning import Measure
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Point, Truth
-from planes.words import Written
+from planes.words import Told, Written
 from planes.words.names import POLE, label_of, plan_of
 
 LEAST_MM = 0.1  # no mark on paper is surer than this
@@ -28,10 +28,11 @@ LEAST_MM = 0.1  # no mark on paper is surer than this
 
 @dataclass(frozen=True)
 class Taken:
-    """A mark of a person's drawing: where it is from the pole, and how surely it was read."""
+    """A mark of a person's drawing: where it is from the pole, and how surely it was read there, and read at all."""
 
     place: complex
     error_mm: float = 0.1
+    doubt: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -89,7 +90,7 @@ class Variant:
     swaps: Mapping[str, tuple[Step, ...]] = field(default_factory=dict)
     givens: Mapping[str, Point] = field(default_factory=dict)
     weight: float = 1.0
-    about: Mapping[str, str | Written] = field(default_factory=dict)  # names for the sentence
+    about: Mapping[str, Told | Written] = field(default_factory=dict)  # names for the sentence
 
     def drawn(self, program: Program, things: Env, tool: Tool, fixed: Container[str]) -> Env:
         """What the steps it touches make of things drawn without it; marks that are ``fixed`` stay where they are."""

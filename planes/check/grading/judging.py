@@ -16,6 +16,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy
 
+from planes.check.grading.certainty import SLIP, all_drawn, breadth, chance_wrong, misread, mixed
 from planes.check.grading.handwork import LEAST_MM, Hand, Miss, Variant
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate
@@ -23,7 +24,6 @@ from planes.words.names import label_of
 
 FALSE_ALARM = 0.02  # of right drawings, how many a hand as shaky as supposed would see refused
 WARN = 2.486  # as rare in two dimensions as 2σ in one
-SLIP = 0.02  # the share of marks that are wrong for a reason of their own
 OTHER_CAUSE = 0.1  # the weight of "some other cause" beside a named mistake
 UNDRAWN = 0.1  # the weight of "drawn wrongly" beside "left out", for a mark that is not on the drawing
 LEFT_OUT = ("_missing", "_along_loaded_link")
@@ -42,6 +42,7 @@ class Judgement:
     runner_up: Variant | None = None
     explained: frozenset[str] = frozenset()
     score: float = 0.0  # logarithm of how likely the drawing is, with the mistake that is named or without any
+    chance_wrong: float = 0.0  # how likely it is that some mark is wrong
 
     @property
     def first_wrong(self) -> str | None:
@@ -58,28 +59,18 @@ def judge(
     weighing = _Weighing(hand, marks, breadth(extent_mm))
     found = Judgement(weighing.limit, weighing.misses)
     found.wrong = [m for m, miss in found.misses.items() if not miss.sigmas <= found.limit]
-    found.score = sum(_mixed(miss, weighing.broad) for miss in found.misses.values())
+    found.score = sum(weighing.mixed(m, miss) for m, miss in found.misses.items())
     drawn = {label_of(m) for m in found.misses} - set(absent)
     suspects = found.wrong[:1] or [m for m, miss in found.misses.items() if miss.sigmas > WARN]
     ranked = weighing.ranked(variants, drawn, suspects) if suspects else []
     if ranked and found.wrong:  # is the likeliest mistake good enough to explain the first wrong mark?
-        other = math.log(OTHER_CAUSE) + weighing.broad - _mixed(found.misses[found.wrong[0]], weighing.broad)
-        _keep(found, ranked, ranked[0].score >= max(0.0, other))
+        _keep(found, ranked, ranked[0].score >= max(0.0, weighing.unknown(found.wrong[0])))
     elif ranked and ranked[0].score >= TOO_WELL:  # it explains close calls too well for chance
         found.wrong = [m for m in found.misses if label_of(m) == ranked[0].variant.blames]
         _keep(found, ranked, True)
+    right, otherwise = weighing.right(), weighing.misread(found.wrong[:1])
+    found.chance_wrong = chance_wrong(right, otherwise, (one.score for one in ranked))
     return found
-
-
-def breadth(extent_mm: float) -> float:
-    """Logarithm of the density of a mark that may be anywhere on the drawing."""
-    return -2 * math.log(2 * max(extent_mm, 20.0))
-
-
-def _mixed(miss: Miss, broad: float) -> float:
-    """Logarithm of the density of a miss: normal, but for now and then a slip."""
-    normal = miss.log_density if math.isfinite(miss.sigmas) else -math.inf
-    return float(numpy.logaddexp(normal + math.log(1 - SLIP), broad + math.log(SLIP)))
 
 
 @dataclass(frozen=True)
@@ -101,6 +92,38 @@ class _Weighing:
         # how many σ a mark may miss by: 3σ of a lone one, more where many could each be the unlucky one
         self.limit = math.sqrt(-2 * math.log(FALSE_ALARM / max(len(self.plain), 4)))
         self.misses = given_before(self.plain, self.order, self.limit)
+        self.doubts = {m: hand.taken[m].doubt for m in self.plain}
+
+    def mixed(self, mark: str, miss: Miss) -> float:
+        """Logarithm of the density of a mark's miss."""
+        return mixed(miss, self.broad, self.doubts[mark])
+
+    def unknown(self, mark: str) -> float:
+        """What the score of a mistake must be to explain a mark better than "some other cause", or a misreading."""
+        miss = self.misses[mark]
+        slipped, taken = (
+            math.log(OTHER_CAUSE) + self.broad,
+            misread(miss.off, self.broad, self.doubts[mark]) - math.log(SLIP),
+        )
+        return float(numpy.logaddexp(slipped, taken)) - self.mixed(mark, miss)
+
+    def right(self) -> float:
+        """Logarithm of how likely it is that no mark slipped."""
+        return all_drawn(self.misses, self.broad, self.doubts)
+
+    def misread(self, suspects: Sequence[str]) -> float:
+        """The same with another place taken for a suspected mark, so that what was drawn from it tells where it is."""
+        mark = next((m for m in suspects if self.doubts[m]), None)
+        if mark is None:
+            return -math.inf
+        hand, own = self.hand, self.hand.taken[mark]
+        left = {m: t for m, t in hand.taken.items() if m != mark}
+        other = Hand(hand.program, hand.given, hand.tool.skill, left, hand.unsure)
+        plain = other.misses([m for m in self.plain if m != mark])
+        misses = given_before(plain, self.order, self.limit)
+        gain = sum(self.mixed(m, miss) - self.mixed(m, self.misses[m]) for m, miss in misses.items())
+        off = misread(own.place - complex(other.number(mark)), self.broad, self.doubts[mark])
+        return gain + off - self.mixed(mark, self.misses[mark]) + all_drawn(misses, self.broad, self.doubts)
 
     def ranked(self, variants: Iterable[Variant], drawn: set[str], suspects: Collection[str]) -> list[ScoredHypothesis]:
         """The mistakes that touch a suspected mark, the likeliest first."""
@@ -108,17 +131,21 @@ class _Weighing:
         for variant in variants:
             touched = self.hand.misses(list(self.plain), self.hand.under(variant))
             suspected = any(m in touched and math.isfinite(touched[m].sigmas) for m in suspects)
-            if not suspected or not (variant.mistake.endswith(LEFT_OUT) or self._shows(touched)):
-                continue  # what was left out shows by not being there
+            if not suspected or not self._shows(variant, touched):
+                continue
             under = given_before({**self.plain, **touched}, self.order, self.limit)
-            gain = sum(_mixed(miss, self.broad) - _mixed(self.misses[m], self.broad) for m, miss in under.items())
+            if any(label_of(m) == variant.blames and miss.sigmas >= self.misses[m].sigmas for m, miss in under.items()):
+                continue  # the mark it is made at is nearer to where it should be than to where the mistake puts it
+            gain = sum(self.mixed(m, miss) - self.mixed(m, self.misses[m]) for m, miss in under.items())
             scored.append(ScoredHypothesis(gain + math.log(variant.weight * _likely(variant, drawn)), variant, under))
         return _by_mistake(scored)
 
-    def _shows(self, touched: Mapping[str, Miss]) -> bool:
-        """Whether a mistake puts some mark, the others known, farther off than a hand's error does."""
-        apart = (replace(self.misses[m], off=miss.off - self.plain[m].off) for m, miss in touched.items())
-        return any(not miss.sigmas <= self.limit for miss in apart)
+    def _shows(self, variant: Variant, touched: Mapping[str, Miss]) -> bool:
+        """Whether a mistake puts the mark it is made at (else, where that was not read, some mark), the others known,
+        farther off than a hand's error does; what was left out shows by not being there."""
+        own = [m for m in touched if label_of(m) == variant.blames] or touched
+        apart = (replace(self.misses[m], off=touched[m].off - self.plain[m].off) for m in own)
+        return variant.mistake.endswith(LEFT_OUT) or any(not miss.sigmas <= self.limit for miss in apart)
 
 
 def _keep(found: Judgement, ranked: Sequence[ScoredHypothesis], good: bool) -> None:

@@ -11,6 +11,7 @@ from planes.drafting.steps import Carry, Cross, Image, LayOff, Read, Same, Simil
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Point
+from planes.words import Phrase, Told
 from planes.words.names import POLE, at, guide_of, label_of, letter_of, mu_of, plan_of
 
 
@@ -57,7 +58,7 @@ def _crossed(w: PlanSteps, step: Cross, quick: bool) -> Iterator[Variant]:
     for side, direction in sides:
         line, guide = w.link_line(direction), guide_of(direction)
         if line and guide_of(line) is None:
-            about = {"line": line}
+            about: dict[str, Told] = {"line": line}
             mistake = "tangential_along_link" if quick else "along_link"
             yield w.variant(mistake, step, _with(step, side, line), about=about)
             others = [d for d in w.perpendiculars() if d not in (step.along, step.across) and w.before(d, step)]
@@ -68,7 +69,9 @@ def _crossed(w: PlanSteps, step: Cross, quick: bool) -> Iterator[Variant]:
         elif guide is not None:
             turned = f"⊥{direction}~{step.makes}"
             swap = w.square(direction, turned), _with(step, side, turned)
-            yield w.variant("across_guide", step, *swap, about={"guide": guide})
+            whole = "relative" if (step.start if side == "along" else step.other) != w.pole else "absolute"
+            about = {"guide": guide, "vector": Phrase(f"{whole}_{w.plan}")}
+            yield w.variant("across_guide", step, *swap, about=about)
     if not quick:
         yield from _displaced(w, step)
 

@@ -130,7 +130,7 @@ def _replaced(formula: Calculate, index: int, term: Product) -> Calculate:
 def _of_moments(
     w: PlanSteps, step: LayOff, mistake: str, steps: tuple[Step, ...], weight: float, force: str
 ) -> Variant:
-    label, shown = label_of(step.makes), force.strip("|").replace("MI_", "M_И")
+    label, shown = label_of(step.makes), force.strip("|").replace("MI_", "M_Φ")
     return Variant(mistake, label, {step.length: steps}, {}, weight, {"mark": label, "force": shown})
 
 

@@ -6,7 +6,7 @@ import csv
 import json
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from planes.check.reading.opened import MB, contents, too_many
@@ -28,15 +28,25 @@ _ROUNDED = math.sqrt(12)  # a number rounded to r is wrong by r/√12
 LARGEST = 2 * MB
 MOST = 2000  # rows
 LARGEST_MM = 10_000.0  # no sheet is larger
+MISREAD = 0.05  # for which share of a picture's marks another place is taken
+TOLD_MM = 0.3  # how surely a person points to a mark
 
 
 @dataclass(frozen=True)
 class ReadMark:
-    """A mark where it was read, mm of paper, y up, any origin, with the error of its reading (each way)."""
+    """A mark where it was read, mm of paper, y up, any origin, with the error of its reading (each way) and how likely
+    it was read at a place that is not the person's mark at all."""
 
     name: str
     place: complex
     error_mm: float = 0.1
+    doubt: float = 0.0
+
+
+def with_told(spots: Iterable[ReadMark], told: Mapping[str, complex], doubt: float) -> list[ReadMark]:
+    """Marks that were read, in some doubt, and those that were pointed to instead, which are in none."""
+    read = [replace(s, doubt=doubt) for s in spots if s.name not in told]
+    return [*read, *(ReadMark(n, z, TOLD_MM) for n, z in told.items())]
 
 
 @dataclass(frozen=True)

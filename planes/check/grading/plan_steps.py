@@ -10,9 +10,10 @@ from planes.drafting.program import Program
 from planes.drafting.steps import LayOff, Step, Turn
 from planes.drafting.steps.reckoning import Calculate, Product
 from planes.plans import Plans
+from planes.words import Told
 from planes.words.names import POLE, at, guide_of, label_of, plan_of
 
-Words = Mapping[str, str]  # names for the sentence about a mistake
+Words = Mapping[str, Told]  # names for the sentence about a mistake
 
 
 @dataclass

@@ -7,7 +7,7 @@ from the person's vectors. What is left when all of them are laid end to end is 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 from planes.check.grading.paper import ReadMark, ReadPaper
@@ -17,6 +17,9 @@ from planes.plans import Plans
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.names import POLE, Names, kind_of, label_of, mu_of, plan_of
+
+Vectors = dict[str, ReadMark]  # a person's
+NO_VECTOR = ReadMark("", 0j, 0.0)
 
 
 @dataclass(frozen=True)
@@ -66,13 +69,11 @@ def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], whole: bool = Tr
         if name is None:
             out.unknown.append(spot.name)
         elif name != POLE:
-            old, error = vectors.get(name, (0j, 0.0)), (before.error_mm**2 + spot.error_mm**2) ** 0.5
-            vectors[name] = old[0] + spot.place - before.place, max(error, old[1])
+            old, error = vectors.get(name, NO_VECTOR), (before.error_mm**2 + spot.error_mm**2) ** 0.5
+            vector, doubt = old.place + spot.place - before.place, max(spot.doubt, old.doubt)
+            vectors[name] = ReadMark(name, vector, max(error, old.error_mm), doubt)
     _lay(out, sides, vectors, loads_of(plans, plan), whole)
     return out
-
-
-Vectors = dict[str, tuple[complex, float]]  # a person's, with their errors
 
 
 def _lay(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: set[str], whole: bool) -> None:
@@ -93,17 +94,16 @@ def _lay(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: set[str]
                 out.absent.add(side.end)
                 out.spots[side.end] = ReadMark(side.end, places[side.end], 0.0)
             continue
-        vector, error = vectors[name]
+        read = vectors[name]
         if side.start in places and side.end in places:
-            gap = places[side.start] + vector - places[side.end]
+            gap = places[side.start] + read.place - places[side.end]
             if (whole or not hidden & {side.start, side.end}) and (out.gap is None or abs(gap) > abs(out.gap.place)):
-                out.gap, out.closing = ReadMark(name, gap, error), name
-        elif side.start in places:
-            places[side.end] = places[side.start] + vector
-            out.spots[side.end] = ReadMark(side.end, places[side.end], error)
+                out.gap, out.closing = replace(read, place=gap), name
         else:
-            places[side.start] = places[side.end] - vector
-            out.spots[side.start] = ReadMark(side.start, places[side.start], error)
+            ahead = side.start in places
+            new, old = (side.end, side.start) if ahead else (side.start, side.end)
+            places[new] = places[old] + (read.place if ahead else -read.place)
+            out.spots[new] = replace(read, name=new, place=places[new])
 
 
 def _ready(side: Side, places: dict[str, complex], read: bool, loads: set[str]) -> bool:
@@ -130,7 +130,7 @@ def align(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[dict[str, R
         elif name and name != POLE:
             found.setdefault(name, spot)
     origin = pole.place if pole else _origin(bench, plan, found)
-    return {n: ReadMark(n, s.place - origin, s.error_mm) for n, s in found.items()}, None, unknown
+    return {n: replace(s, name=n, place=s.place - origin) for n, s in found.items()}, None, unknown
 
 
 def _origin(bench: PreparedPlan, plan: str, found: Mapping[str, ReadMark]) -> complex:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import permutations
 
+from planes.check.grading.certainty import chance_off
 from planes.check.grading.handwork import Hand, Variant
 from planes.check.grading.judging import MARGIN
 from planes.check.grading.prepared_plan import PreparedPlan
@@ -43,6 +44,12 @@ class Scored:
     close: bool = False
     mine: float | None = None  # what the person's own drawing gives
     slip: str | None = None  # the slip of reckoning that gives the number
+
+    @property
+    def chance_wrong(self) -> float:
+        """How likely it is that the number is wrong, and not only badly measured."""
+        sigma = max(self.sigma, SHARE * abs(self.true) / 3)
+        return 1.0 if self.slip else chance_off(_off(self.figure, self.true), sigma, abs(self.true))
 
 
 @dataclass

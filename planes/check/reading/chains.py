@@ -10,6 +10,7 @@ from itertools import combinations, pairwise
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.reading.construction_lines import vectors_of
 from planes.check.reading.strokes import Nodes, ReadDrawing, Stroke, Words
 from planes.words.names import POLE, Names
 
@@ -21,6 +22,7 @@ NARROW, WIDE = 0.1, 0.2  # of their length, how far apart the ends of two vector
 TIP = 8.0  # of two vectors upon each other a name belongs to the one whose tip is nearer
 LONGEST = 26  # vectors in a polygon
 MOST_LINES = 4 * LONGEST
+ENOUGH = 0.4  # of how well a polygon may fit, for no line of it to be split
 WHOLE = 0.5  # how much a polygon that leaves no line over is to be preferred
 MOST_TRAILS, MOST_SEEN = 400, 20000
 
@@ -46,7 +48,7 @@ Beside = dict[str, dict[tuple[Edge, int], float]]  # how far names stand from li
 
 def force_chain(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
     """The polygon as rows: the pole, then the end of every vector in the order they were drawn."""
-    truth = true_vectors(bench)
+    truth, best = true_vectors(bench), None  # how well it fits, its rows, whether it is whole
     pole = _pole(sketch.words, nodes)
     for split in (False, True):
         few = not split or len(sketch.strokes) <= MOST_LINES
@@ -54,15 +56,15 @@ def force_chain(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: R
         if not edges or len(edges) > MOST_LINES:
             continue
         words = beside(sketch.words, nodes, edges, bench.written(truth))
-        best: tuple[float, list[ReadMark], bool] | None = None
         for start, trail in _trails(edges, pole):
             rows = _rows(start, trail, nodes, words, truth, sketch)
             whole = trail[-1][1] == start and len(trail) == len(edges)
             if rows and (best is None or rows[0] + WHOLE * whole > best[0]):
                 best = rows[0] + WHOLE * whole, rows[1], whole
-        if best and (best[2] or split or best[0] > 0.4 * len(truth)):
-            paper.spots, paper.whole = best[1], best[2]
-            return paper
+        if best and (best[2] or best[0] > ENOUGH * len(truth)) and not nodes.passed:
+            break
+    if best:
+        paper.spots, paper.whole = best[1], best[2]
     return paper
 
 
@@ -75,14 +77,15 @@ def true_vectors(bench: PreparedPlan) -> dict[str, complex]:
 def _edges(sketch: ReadDrawing, nodes: Nodes, split: bool) -> list[Edge]:
     """Nodes joined by strokes; if ``split``, a stroke through a node is two."""
     found: list[Edge] = []
-    for k, (a, b) in enumerate(sketch.strokes):
+    for k in vectors_of(sketch, True) or range(len(sketch.strokes)):
+        a, b = sketch.strokes[k]
         i, j = nodes.ends[k, 0], nodes.ends[k, 1]
         way = sketch.ways[k] if sketch.ways else 0
         if way < 0:
             (a, b), (i, j) = (b, a), (j, i)
         u = (b - a) / abs(b - a)
         inside = list[tuple[float, int]]()
-        for n in range(nodes.corners if split else 0):
+        for n in {*range(nodes.corners), *nodes.passed} if split else ():
             local = (nodes.places[n] - a) * u.conjugate()
             if n not in (i, j) and abs(local.imag) < 0.5 and 1 < local.real < abs(b - a) - 1:
                 inside.append((local.real, n))

@@ -14,6 +14,7 @@ from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, vectors_as_planned, worth
 from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
+from planes.check.reading.construction_lines import vectors_of
 from planes.check.reading.lone_vectors import lone_vectors
 from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, covered, headed, hinged
 from planes.check.reading.words_near import Candidates, by_words, led, led_to_vectors, sized, start_of
@@ -41,7 +42,8 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None = No
         nodes = Nodes(sketch.strokes, LOOSE_MM if middles else 0.0, points=middles)
     else:
         sketch.rounds = []
-        nodes = Nodes(sketch.strokes, vectors=headed(sketch))
+        vectors = vectors_of(sketch, kind_of(bench.asked.plan) == "force")
+        nodes = Nodes(sketch.strokes, vectors=vectors, passed=sketch.passed)
     sketch.error_mm = max(sketch.error_mm, LOOSE * nodes.near)
     if not nodes.places:
         paper.notes.append(Phrase("check_no_lines"))
@@ -226,4 +228,5 @@ def scaled(
     ]
     words += [Words(n, (z - pole) * factor, 0.1, 0.1) for n, z in {POLE: pole, **marks}.items()]
     strokes = [((a - pole) * factor, (b - pole) * factor) for a, b in sketch.strokes]
-    return ReadDrawing(sketch.file, strokes, words, sketch.error_mm, sketch.ways), name
+    passed = [(z - pole) * factor for z in sketch.passed]
+    return ReadDrawing(sketch.file, strokes, words, sketch.error_mm, sketch.ways, passed=passed), name

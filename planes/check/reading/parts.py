@@ -129,7 +129,9 @@ def _part(sketch: ReadDrawing, held: list[int]) -> ReadDrawing | None:
     far = _distances(strokes, [z for z, _ in sketch.rounds])
     rounds = [r for r, d in zip(sketch.rounds, far, strict=True) if d < NEAR_ROUND_MM]
     ways = [sketch.ways[k] for k in held] if sketch.ways else []
-    return ReadDrawing(sketch.file, strokes, words, sketch.error_mm, ways, rounds=rounds)
+    far = _distances(strokes, sketch.passed)
+    passed = [z for z, d in zip(sketch.passed, far, strict=True) if d < TOUCH_MM]
+    return ReadDrawing(sketch.file, strokes, words, sketch.error_mm, ways, rounds=rounds, passed=passed)
 
 
 def _distances(strokes: Sequence[Stroke], places: Sequence[complex]) -> Sequence[float]:

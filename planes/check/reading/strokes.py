@@ -22,6 +22,7 @@ SNAPPED_MM, LOOSE_MM, FARTHEST_MM = 0.1, 0.6, 2.0  # ends no farther apart are o
 CROSSINGS = 400  # of more strokes than this crossings are not looked for
 MOST, MOST_SHORT = 12_000, 120_000  # strokes of a drawing, and pieces of letters: a plan has a few dozen strokes
 HEADED, FEWEST_HEADS = 0.25, 2  # of all lines, how many must have heads for that to tell the vectors from the rest
+STRAIGHT = 0.005  # radians, by which a polyline that goes straight on may turn at a vertex
 CROWD = 0.03  # nodes per mm² beyond which any place would do for a mark
 
 
@@ -73,16 +74,25 @@ class ReadDrawing:
     short: list[Stroke] = field(default_factory=list)  # vectors if they have heads, else ticks and pieces of letters
     mm: Callable[[complex], complex] = lambda z: z  # from the file's own units to mm, y up
     rounds: list[Round] = field(default_factory=list)
+    passed: list[complex] = field(default_factory=list)  # vertices that polylines go straight on through
 
     def add(self, points: Sequence[complex], closed: bool = False) -> None:
-        """A polyline's strokes."""
+        """A polyline's strokes; where it goes straight on, it is one."""
         line = [*points, points[0]] if closed and len(points) > 2 else list(points)
+        on = {k for k in range(1, len(line) - 1) if _straight(*line[k - 1 : k + 2])}
+        self.passed += [line[k] for k in on]
+        line = [z for k, z in enumerate(line) if k not in on]
         for a, b in pairwise(line):
             if cmath.isfinite(a) and cmath.isfinite(b) and abs(b - a) > 0.02:
                 (self.strokes if abs(b - a) >= SHORT_MM else self.short).append((a, b))
         for held, most in ((self.strokes, MOST), (self.short, MOST_SHORT)):
             if len(held) > most:
                 raise too_many(self.file, "strokes", most)
+
+
+def _straight(a: complex, b: complex, c: complex) -> bool:
+    """Whether the way from a to b goes on to c."""
+    return a != b != c and abs(cmath.phase((c - b) / (b - a))) < STRAIGHT
 
 
 def headed(sketch: ReadDrawing) -> list[int]:
@@ -114,7 +124,7 @@ def reach_of(strokes: Sequence[Stroke], vectors: Sequence[int] = ()) -> float:
     asked = [(k, z) for k in vectors for z in strokes[k]] or ends
     gaps = sorted(min((abs(z - w) for j, w in ends if j != k), default=math.inf) for k, z in asked)
     joined = [g for g in gaps if g < FARTHEST_MM]
-    if sum(g < SNAPPED_MM for g in gaps) > 0.7 * len(gaps) or not joined:
+    if not joined or sum(g < SNAPPED_MM for g in joined) > 0.7 * len(joined):
         return SNAPPED_MM if joined else LOOSE_MM
     return min(max(LOOSE_MM, 1.3 * joined[int(0.9 * (len(joined) - 1))]), FARTHEST_MM)
 
@@ -123,11 +133,16 @@ class Nodes:
     """Places where strokes end or cross, those nearer than ``near`` (mm) taken for one.
 
     Ends of vectors come first; of other lines only those that meet something are corners: the rest run on beyond
-    their crossing. Nothing but an end of its own kind moves a node.
+    their crossing. Nothing but an end of its own kind moves a node. Vertices lines go straight on through come late.
     """
 
     def __init__(
-        self, strokes: Sequence[Stroke], near: float = 0.0, vectors: Sequence[int] = (), points: Sequence[complex] = ()
+        self,
+        strokes: Sequence[Stroke],
+        near: float = 0.0,
+        vectors: Sequence[int] = (),
+        points: Sequence[complex] = (),
+        passed: Iterable[complex] = (),
     ) -> None:
         self.near = near or reach_of(strokes, vectors)
         self.places: list[complex] = []
@@ -146,6 +161,7 @@ class Nodes:
         self.corners = len(self.places)
         for k in free:
             self._stroke(k, strokes[k], fixed=True)
+        self.passed = {self._add(z, fixed=True) for z in passed}
         if len(strokes) <= CROSSINGS:
             for z in crossings(strokes):
                 self._add(z, fixed=True)

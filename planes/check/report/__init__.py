@@ -7,6 +7,7 @@ import shlex
 from dataclasses import dataclass, field
 
 from planes.check import STATUS, Outcome
+from planes.check.grading.certainty import SURE
 from planes.check.grading.grading import empty
 from planes.check.grading.judging import WARN
 from planes.check.grading.perturbing import HAND
@@ -20,6 +21,7 @@ from planes.words.names import kind_of, label_of
 from planes.words.records import Json
 from planes.words.units import mu_text
 
+LIKELY = 0.5  # a verdict no less likely than its opposite
 SIZES = ("read_mm", "read_error_mm", "deviation_mm", "tolerance_mm")
 
 
@@ -75,7 +77,7 @@ def as_json(out: Outcome, lang: Lang = "en") -> Json:
     asked, plans = out.bench.asked, out.bench.plans
     value = float(out.bench.given[plans.drive_given])
     unreadable = out.verdict == "unreadable"
-    unseen = [Phrase("check_unseen", names=", ".join(out.unseen))] if out.unseen and out.verdict == "right" else []
+    unseen = [Phrase("check_unseen", names=", ".join(out.unseen))] if out.verdict == "right_as_seen" else []
     return {
         "planes": 1,
         "scene": asked.scene.file,
@@ -83,6 +85,8 @@ def as_json(out: Outcome, lang: Lang = "en") -> Json:
         "phi_deg" if plans.mechanism.drive.kind == "phi" else "s": value,
         "plan": asked.plan,
         "verdict": out.verdict,
+        "probability": None if out.chance is None else round(out.chance, 4),
+        "unseen": out.unseen,
         "marks": mark_rows(out),
         "first_wrong": None if unreadable else out.first_wrong,
         "mistake": out.mistake,
@@ -109,7 +113,7 @@ class Checked:
 
     @property
     def verdict(self) -> str:
-        """right, wrong or unreadable."""
+        """right, right_as_seen, wrong or unreadable."""
         return self.found.verdict if self.found else "unreadable"
 
     @property
@@ -121,7 +125,7 @@ class Checked:
         """Which mistake it is, why it cannot be read, or what was not seen of it; nothing of a right one."""
         if self.found is None:
             return self.refused.told(lang) if self.refused else ""
-        return "" if self.verdict == "right" and not self.found.unseen else self.found.sentence.told(lang)
+        return "" if self.verdict == "right" else self.found.sentence.told(lang)
 
     def row(self, lang: Lang) -> list[str]:
         """File, verdict, mark, sentence."""
@@ -144,7 +148,16 @@ class ClassWork:
     @property
     def status(self) -> int:
         """The worst exit status of all."""
-        return max((STATUS[one.verdict] for one in self.all), default=2)
+        worst = max((one.verdict for one in self.all), key=[*STATUS].index, default="unreadable")
+        return STATUS[worst]
+
+
+def chance_told(found: Outcome, lang: Lang) -> str:
+    """How sure the verdict is, in words; nothing of what has none."""
+    if found.chance is None:
+        return ""
+    key = "check_sure" if found.chance >= SURE else "check_likely" if found.chance >= LIKELY else "check_doubtful"
+    return say(key, lang, percent=f"{100 * found.chance:.0f}")
 
 
 def title(found: Outcome, lang: Lang) -> str:
@@ -202,6 +215,7 @@ def page_data(found: Outcome, lang: Lang) -> Json:
         "verdict": found.verdict,
         "title": title(found, lang),
         "sentence": found.sentence.told(lang),
+        "chance": chance_told(found, lang),
         "notes": [n.told(lang) for n in found.notes],
         "head": marks,
         "rows": rows_of(found, lang),

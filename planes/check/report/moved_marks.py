@@ -9,8 +9,8 @@ from dataclasses import astuple
 
 from planes.check import Outcome
 from planes.check.fiducials import SHEET_MM
-from planes.check.grading import judging
-from planes.check.grading.evidence import SMALLEST, SURE
+from planes.check.grading import certainty, judging
+from planes.check.grading.evidence import MOST_BY_CHANCE, SMALLEST
 from planes.check.grading.grading import READABLE, Grading, key_marks
 from planes.check.grading.handwork import LEAST_MM, Taken, Variant
 from planes.check.grading.polygons import sides_of
@@ -95,21 +95,21 @@ def _rule(grading: Grading) -> Json:
     return {
         "false_alarm": judging.FALSE_ALARM,
         "least": LEAST_MM,
-        "slip": judging.SLIP,
+        "slip": certainty.SLIP,
         "other": judging.OTHER_CAUSE,
         "undrawn": judging.UNDRAWN,
         "left_out": judging.LEFT_OUT,
         "margin": judging.MARGIN,
         "too_well": judging.TOO_WELL,
         "warn": judging.WARN,
-        "broad": judging.breadth(extent(grading.truth, plan)),
+        "broad": certainty.breadth(extent(grading.truth, plan)),
         "readable": READABLE,
         "key": [label_of(m) for m in key_marks(grading)],
         "absent": sorted(absent),
         "shown_by": [(label_of(m), [label_of(k) for k in by]) for m, by in grading.shown_by.items()],
         "same": [label_of(m) for m in same if m in grading.marks],
         "smallest": SMALLEST * point,
-        "sure": SURE,
+        "sure": MOST_BY_CHANCE,
         "free": not grading.said_mu,
         "gap": math.sqrt(2 * point**2 + 2 * gap.error_mm**2) if gap else None,
         "order": [label_of(m) for m in judging.order_of_reckoning(grading.hand.program.steps, grading.marks)],

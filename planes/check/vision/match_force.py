@@ -19,7 +19,7 @@ from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import loads_of, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.vision.ink_cover import ANYWHERE, COVERED, DOUBTFUL, GATE, NO_END, VAGUE, InkCover, sigmas_of
-from planes.check.vision.places import Place, Seen, pole_on
+from planes.check.vision.places import WOBBLE_MM, Place, Seen, pole_on
 from planes.check.vision.polygon_cover import Guess, guesses, polygon_of, spread_of
 from planes.words.names import POLE
 
@@ -209,7 +209,11 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Rea
         return [], False, 1.0, ()
     explained = polygon.ink.explained(best.steps)
     rows = [ReadMark(POLE, polygon.pole.z, polygon.pole.sigma)]
-    rows += [ReadMark(n, z, sigma) for n, z, sigma in best.rows if not _left_out(n, best, right, polygon.pole.z)]
+    rows += [
+        ReadMark(n, z, math.hypot(sigma, WOBBLE_MM))
+        for n, z, sigma in best.rows
+        if not _left_out(n, best, right, polygon.pole.z)
+    ]
     return rows, explained > 0.9, explained, best.hidden
 
 

@@ -231,5 +231,5 @@ def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadM
     spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
     left_out = way.variant.blames if way.variant and way.variant.mistake.endswith(LEFT_OUT) else None
     names = [label_of(m) for m in bench.marks if m in way.found and label_of(m) != left_out]
-    spots += [ReadMark(n, way.found[at(plan, n)].z, way.found[at(plan, n)].sigma) for n in names]
+    spots += [ReadMark(n, way.found[at(plan, n)].z, way.found[at(plan, n)].error_mm) for n in names]
     return spots, search.explained(way)

@@ -171,7 +171,7 @@ def points_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Read
     if way is None or not way.found:
         return [], 0.0
     spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
-    spots += [ReadMark(label_of(m), p.z, p.sigma) for m, p in way.found.items()]
+    spots += [ReadMark(label_of(m), p.z, p.error_mm) for m, p in way.found.items()]
     return spots, 1.0 if search.at_signs(way) else search.explained(way)
 
 

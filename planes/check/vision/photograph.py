@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from planes.check.fiducials import SHEET_MM, pole_place
-from planes.check.grading.paper import Known, ReadMark, ReadPaper
+from planes.check.grading.paper import MISREAD, Known, ReadMark, ReadPaper, with_told
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.as_planned import is_right, worth
 from planes.check.reading.strokes import Words
@@ -78,7 +78,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     elif best.explained < EXPLAINED:
         paper.notes.append(Phrase("check_no_plan_seen", share=f"{100 * max(best.explained, 0.0):.0f}"))
     else:
-        paper.spots, paper.whole, paper.mu = best.spots, best.whole, best.mu
+        paper.spots, paper.whole, paper.mu = _with_told(bench, best, known), best.whole, best.mu
         if best.mu and best.mu != bench.said_mu:
             paper.notes.append(Phrase("check_mu_found", mu=bench.mu_said(best.mu)))
         if not best.spots:
@@ -86,6 +86,13 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
         if best.hidden:
             paper.notes.append(Phrase("check_hidden", names=", ".join(best.hidden)))
     return paper
+
+
+def _with_told(bench: PreparedPlan, look: Look, known: Known) -> list[ReadMark]:
+    """The marks that were read, in doubt, and those that were pointed to, which are not."""
+    told = {n: look.flat.place(z) for k, z in known.marks.items() if (n := bench.names.find(k))} if look.spots else {}
+    force = kind_of(bench.asked.plan) == "force"  # its marks stand where its vectors end, in any order
+    return with_told(look.spots, {} if force else told, MISREAD)
 
 
 def _flats(bench: PreparedPlan, picture: DecodedPicture, known: Known) -> Iterator[tuple[Flat, str | None]]:

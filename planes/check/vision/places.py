@@ -31,6 +31,8 @@ HEADS = 3  # that tell how long all are
 SAME_MM = 0.4  # places nearer than this are one
 POLE_MM = 0.06  # σ of the place where a line from the pole begins, about the pole
 REACH_MM = 2.5  # of a true mark, when the pole is looked for
+WOBBLE_MM = 0.2  # σ of what a hand's wobble and bow do to any mark
+LOOKED_FOR = 1.7  # how much less sure a person's mark is than the tip it was told by
 
 
 @dataclass
@@ -42,6 +44,11 @@ class Place:
     ended: frozenset[tuple[int, int]]
     tip: bool = False
     doubtful: bool = False  # the line that ends here is better known to end elsewhere
+
+    @property
+    def error_mm(self) -> float:
+        """σ of a person's mark that is read here."""
+        return math.hypot(self.sigma * (LOOKED_FOR if self.tip and not self.ended else 1.0), WOBBLE_MM)
 
 
 @dataclass

@@ -1,0 +1,57 @@
+"""Construction lines told from the vectors upon them, where no arrowheads tell: they run on to where nothing ends."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from planes.check.grading.paper import MISREAD
+from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, ReadDrawing, Stroke, headed
+
+UPON_MM = 0.1  # a vector is drawn upon its line
+MEETING = 0.5  # of the ends of lines that are drawn from end to end, how many meet others
+CONFUSED = 0.0005  # for which share of the marks of such lines, without heads, another place is taken
+
+
+def doubt_of(sketch: ReadDrawing) -> float:
+    """For which share of the marks of a drawing of lines another place is taken: hardly any where arrowheads tell."""
+    if any(sketch.ways):
+        return 0.0
+    ends = [(k, z) for k in vectors_of(sketch) or range(len(sketch.strokes)) for z in sketch.strokes[k]]
+    met = sum(_met(sketch.strokes, z, (k,), FARTHEST_MM) for k, z in ends if len(ends) < CROSSINGS)
+    return CONFUSED if met >= MEETING * len(ends) else MISREAD
+
+
+def vectors_of(sketch: ReadDrawing, closed: bool = False) -> list[int]:
+    """The strokes that are vectors: those with heads, else those that are no construction line of another; none where
+    nothing tells. Of a ``closed`` figure a vector begins and ends where others do."""
+    strokes = sketch.strokes
+    if found := headed(sketch):
+        return found
+    lines = {k for k in range(len(strokes)) if _is_line(strokes, k, closed)} if len(strokes) <= CROSSINGS else {}
+    return [k for k in range(len(strokes)) if k not in lines] if lines else []
+
+
+def _is_line(strokes: Sequence[Stroke], k: int, closed: bool) -> bool:
+    """Whether a stroke runs on from a shorter one upon it to where no other begins or ends."""
+    for i, vector in enumerate(strokes):
+        if i == k or not _upon(vector, strokes[k]):
+            continue
+        beyond = [z for z in strokes[k] if all(abs(z - w) > SNAPPED_MM for w in vector)]
+        inner = [w for w in vector if all(abs(z - w) > SNAPPED_MM for z in strokes[k])]
+        if beyond and not any(_met(strokes, z, (k,)) for z in beyond):
+            return not closed or all(_met(strokes, w, (i, k)) for w in inner)
+    return False
+
+
+def _upon(one: Stroke, line: Stroke) -> bool:
+    """Whether a stroke lies upon a longer one."""
+    a, b = line
+    local = [(z - a) / (b - a) * abs(b - a) for z in one]
+    return abs(one[1] - one[0]) < abs(b - a) - SNAPPED_MM and all(
+        abs(z.imag) < UPON_MM and -SNAPPED_MM < z.real < abs(b - a) + SNAPPED_MM for z in local
+    )
+
+
+def _met(strokes: Sequence[Stroke], z: complex, but: Sequence[int], near: float = SNAPPED_MM) -> bool:
+    """Whether another stroke begins or ends at a place."""
+    return any(abs(z - w) < near for i, stroke in enumerate(strokes) if i not in but for w in stroke)
