@@ -7,6 +7,7 @@ than printers do.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
@@ -30,8 +31,10 @@ def likely_shares(flat: Flat, pairs: Iterable[tuple[str, complex, complex]]) -> 
     these by name, as seen and as they should be."""
     rows, found = _rows(pairs) if flat.by == "marks" else [], [1.0]
     for _, share in sorted(((-len(_agreeing(rows, r)), 1 / r) for _, r, _ in rows)):
-        share = 1 / _mean(_agreeing(rows, 1 / share))
-        if all(abs(share / one - 1) > EXACT for one in found):
+        agreeing = _agreeing(rows, 1 / share)
+        share = 1 / _mean(agreeing)
+        shown = abs(1 / share - 1) * math.hypot(*(mm for _, mm in agreeing.values())) > AGREE_MM
+        if shown and all(abs(share / one - 1) > EXACT for one in found):
             found.append(share)
     return found[: 1 + TRIED]
 
