@@ -11,11 +11,10 @@ from xml.etree import ElementTree
 import pypdfium2
 import pypdfium2.raw as pdf
 
-from planes.check.reading.opened import MB, contents
+from planes.check.reading.opened import LARGEST, contents
 from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.svg import sketch_of
 
-LARGEST = 200 * MB
 MOST = 60_000  # objects of a page
 DEEPEST = 15  # forms within forms
 FEWEST = 4  # with fewer lines the page is a picture
