@@ -90,7 +90,7 @@ def ask(args: Namespace, scene: Scene, value: float | None) -> Asked:
         name, _, file = pair.partition("=")
         if not file:
             raise PlanesError(Phrase("check_option", option="--with", text=pair, form="velocity=FILE", hint=""))
-        others[name] = read_paper(file, asked, known_of(args))
+        others[name] = read_paper(file, replace(asked, plan=name, mu=None), replace(known_of(args), page=None))
     skill = HAND
     if args.work == "cad":
         from planes.drafting.drawing import run

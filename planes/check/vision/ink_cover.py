@@ -92,11 +92,12 @@ class InkCover:
         """Steps of all lines, and of what is on no line but near one; and of which part each is."""
         found: list[complex] = []
         parts: list[int] = []
-        for z in self.seen.patches:
-            far = [_segment_off(z, *line.ends) for line in self.seen.lines]
-            if far and min(far) < JOINED_MM and abs(z - self.pole) >= CROSS_MM:
+        ends = numpy.array([line.ends for line in self.seen.lines], complex).reshape(-1, 2)
+        for z in self.seen.patches if self.seen.lines else ():
+            far = _segment_off(z, ends[:, 0], ends[:, 1])
+            if far.min() < JOINED_MM and abs(z - self.pole) >= CROSS_MM:
                 found.append(z)
-                parts.append(numbers[far.index(min(far))])
+                parts.append(numbers[int(far.argmin())])
         for line, number in zip(self.seen.lines, numbers, strict=True):
             if max(abs(z - self.pole) for z in line.ends) >= CROSS_MM:
                 count = max(2, round(line.length / STEP_MM))

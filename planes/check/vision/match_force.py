@@ -41,7 +41,7 @@ MOST_STEPS = 4000
 class SoughtPolygon:
     """A plan's polygon looked for on a sheet."""
 
-    seen: Seen
+    ink: InkCover
     pole: Place
     spread: dict[str, Miss]
     steps: int = 0
@@ -49,10 +49,11 @@ class SoughtPolygon:
     most: float = 0.0
     known: dict[tuple[frozenset[str], complex], list[LaidChain]] = field(default_factory=dict)
     ways: dict[tuple[complex, complex], float] = field(default_factory=dict)
-    ink: InkCover = field(init=False)
 
-    def __post_init__(self) -> None:
-        self.ink = InkCover(self.seen, self.pole.z)
+    @property
+    def seen(self) -> Seen:
+        """What is seen on the sheet."""
+        return self.ink.seen
 
     def covered(self, a: complex, b: complex) -> float:
         """The share of the way that is ink (remembered)."""
@@ -179,14 +180,14 @@ class LaidPolygon:
     """A plan's polygon on a sheet printed at a share of its size: laid rightly, and the likeliest that was laid."""
 
     bench: InitVar[PreparedPlan]
-    seen: InitVar[Seen]
+    ink: InitVar[InkCover]
     pole: InitVar[Place]
     sides: InitVar[list[Side]]
     share: float
     best: LaidChain | None = None
 
-    def __post_init__(self, bench: PreparedPlan, seen: Seen, pole: Place, sides: list[Side]) -> None:
-        self.polygon = SoughtPolygon(seen, pole, spread_of(bench, sides))
+    def __post_init__(self, bench: PreparedPlan, ink: InkCover, pole: Place, sides: list[Side]) -> None:
+        self.polygon = SoughtPolygon(ink, pole, spread_of(bench, sides))
         self.right, *self.wrong = guesses(bench, sides, loads_of(bench.plans, bench.asked.plan))
         self.best = self.plain = self.polygon.lay(self.right, MOST_COST)
 
@@ -203,7 +204,8 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Rea
     """
     sides, pole = polygon_of(sides_of(bench.plans, bench.asked.plan), bench.asked.plan), pole_on(seen, near)
     shares = likely_shares(seen.ink.flat, seen_like(bench, sides, seen))
-    tried = sorted((LaidPolygon(bench.printed_at(k), seen, pole, sides, k) for k in shares), key=lambda one: one.cost)
+    ink = InkCover(seen, pole.z)
+    tried = sorted((LaidPolygon(bench.printed_at(k), ink, pole, sides, k) for k in shares), key=lambda one: one.cost)
     for one in tried:
         one.best = _likelier(one.polygon, one.plain, one.right, one.wrong, len(sides))
         if one.best and one.best is one.plain:

@@ -36,7 +36,7 @@ from planes.check.vision.ink_cover import (
 from planes.check.vision.places import Place, Seen, pole_on
 from planes.check.vision.print_scale import UNLIKELY, by_ruler, likely_shares, seen_from
 from planes.drafting.steps import Step
-from planes.words.names import POLE, at, kind_of, label_of, plan_of
+from planes.words.names import POLE, at, label_of, plan_of
 
 NEARLY, CLOSE = 3.0, 12.0  # how much dearer a place may be, and a whole way, to be looked at again
 EVEN_MM = 0.9  # marks nearer than this may be one
@@ -68,15 +68,13 @@ class Search:
 
     @classmethod
     def of(
-        cls, bench: PreparedPlan, seen: Seen, pole: Place, vectors: list[tuple[str, str]], share: float = 1.0
+        cls, bench: PreparedPlan, ink: InkCover, pole: Place, vectors: list[tuple[str, str]], share: float = 1.0
     ) -> Self:
         """A search from a pole on a sheet printed at a share of its size, with the errors of a hand at every mark."""
         bench = bench.printed_at(share)
         true = {at(bench.asked.plan, n): z for n, z in bench.true_marks.items()}
         hand = Hand(bench.program, bench.given, bench.asked.skill, {m: Taken(z, 0.1) for m, z in true.items()})
-        arrows = kind_of(bench.asked.plan) != "position"
-        ink = InkCover(seen, pole.z, arrows)
-        return cls(bench, seen, pole, hand.misses(bench.marks), true, vectors, ink, share)
+        return cls(bench, ink.seen, pole, hand.misses(bench.marks), true, vectors, ink, share)
 
     def settled(self, variant: Variant | None, cost: float = 0.0, most: float = math.inf) -> LaidPlan | None:
         """The plan drawn so, with marks put to their next likely places as long as that explains the picture better."""
@@ -238,7 +236,8 @@ def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadM
     """The marks of a motion plan with its pole near a place, and the share of the ink they explain."""
     pole, ends = pole_on(seen, near), ends_of(bench)
     shares = likely_shares(seen.ink.flat, seen_from(seen, pole.z, bench.true_marks))
-    search, way = best_way([Search.of(bench, seen, pole, ends, share) for share in shares]) or (None, None)
+    ink = InkCover(seen, pole.z)
+    search, way = best_way([Search.of(bench, ink, pole, ends, share) for share in shares]) or (None, None)
     if search is None or way is None or not way.found:
         return [], 0.0
     plan = bench.asked.plan
