@@ -107,7 +107,7 @@ def _looked_into(data: bytes, file: str, page: int) -> tuple[bool, Image.Image]:
     with warnings.catch_warnings(), guarded("check_picture", file):
         warnings.simplefilter("ignore")
         try:
-            head = Image.open(io.BytesIO(data), formats=("PNG", "JPEG", "MPO", "BMP", "TIFF", "WEBP"))
+            head = Image.open(io.BytesIO(data), formats=("PNG", "JPEG", "BMP", "TIFF", "WEBP"))
         except Image.DecompressionBombError:
             raise PlanesError(Phrase("check_large_picture", file=file, size="> 10⁸")) from None
         _has(page, getattr(head, "n_frames", 1) if head.format == "TIFF" else 1, file)

@@ -40,9 +40,10 @@ def likely_shares(flat: Flat, pairs: Iterable[tuple[str, complex, complex]]) -> 
 
 
 def seen_from(seen: Seen, pole: complex, true: Mapping[str, complex]) -> Iterator[tuple[str, complex, complex]]:
-    """What may be the vectors from a pole to marks: where something ends about as far in their directions."""
-    for name, z in true.items():
-        middle = (1 / LEAST + 1 / MOST) / 2
+    """What may be the vectors from a pole to marks: where something ends about as far in their directions, or, where
+    the drive was reversed, against them."""
+    middle = (1 / LEAST + 1 / MOST) / 2
+    for name, z in ((name, z) for name, v in true.items() for z in (v, -v)):
         for place in seen.within(pole + middle * z, (1 / LEAST - middle) * abs(z) + ASIDE_MM):
             if place.ended or place.tip:
                 yield name, place.z - pole, z
