@@ -29,7 +29,7 @@ def read_pdf(path: str | Path, page: int = 0) -> ReadDrawing | None:
     except pypdfium2.PdfiumError:
         return None
     try:
-        root = _tree(document[page]) if page < len(document) else None
+        root = _tree(document[page]) if 0 <= page < len(document) else None
         return None if root is None else sketch_of(root, str(path))
     finally:
         document.close()

@@ -1,8 +1,8 @@
 """What of a sheet's ink a drawing accounts for: its lines cut into short steps, its arrowheads, a bit for each.
 
 A way from one place to another takes the steps it runs along and the head at its end; what no way takes was drawn for
-some other reason. What hangs together with the pole, or with a line that is taken, is the drawing's; a table, a name or
-another plan that stands apart asks for no reason.
+some other reason. What hangs together with the pole, or with a line that is taken, is the drawing's, and what lies
+among it; a table, a name or another plan that stands apart asks for no reason.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ import numpy
 
 from planes.check.grading.handwork import Miss
 from planes.check.vision.line_fitting import Fitted
+from planes.check.vision.picture import cv
 from planes.check.vision.places import HEADED_MM, Seen
 from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 
@@ -64,6 +65,7 @@ class InkCover:
 
     seen: Seen
     pole: complex
+    room: Sequence[complex]  # the marks of the right plan, mm from the pole
     arrows: bool = True  # whether its lines are vectors
     steps: Complexes = field(init=False)
     parts: list[InkPart] = field(default_factory=list)  # what hangs together, the pole's own first
@@ -71,7 +73,7 @@ class InkCover:
     known: dict[tuple[complex, complex], tuple[int, int]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        numbers = hanging(self.seen.lines, self.pole)
+        numbers = hanging(self.seen.lines, self.pole, self.room)
         steps, parts = self._stepped(numbers)
         kept = ~self.seen.ink.lettered(steps)
         self.steps, parts = steps[kept], parts[kept]
@@ -167,20 +169,35 @@ class InkCover:
         return self.over(steps, heads) + sum(bare for _, bare in taken)
 
 
-def hanging(lines: Sequence[Fitted], pole: complex) -> list[int]:
-    """Of which part each line is: 0, if it hangs together with the pole."""
+def hanging(lines: Sequence[Fitted], pole: complex, room: Sequence[complex] = ()) -> list[int]:
+    """Of which part each line is: 0, if it hangs together with the pole, or lies among what does and a plan's marks."""
     ends = numpy.array([line.ends for line in lines], complex).reshape(-1, 2)
     near = (_apart(ends) < JOINED_MM) | _torn(ends)
     out, left = numpy.zeros(len(lines), numpy.intp), numpy.ones(len(lines), bool)
     part = numpy.array([_segment_off(pole, *line.ends) < JOINED_MM for line in lines], bool)
     for number in range(len(lines) + 1):
-        while (wider := part | (near[part].any(axis=0) & left)).sum() > part.sum():
-            part = wider
+        part = _spread(part, near, left)
+        if number == 0:
+            part = _spread(part | _among(ends, [pole, *(pole + z for z in room), *ends[part].ravel()]), near, left)
         out[part], left = number, left & ~part
         if not left.any():
             break
         part = numpy.arange(len(lines)) == int(left.argmax())
     return out.tolist()
+
+
+def _spread(part: Booleans, near: Booleans, left: Booleans) -> Booleans:
+    """All that is near to a part, and near to that."""
+    while (wider := part | (near[part].any(axis=0) & left)).sum() > part.sum():
+        part = wider
+    return part
+
+
+def _among(ends: Complexes, places: Sequence[complex]) -> Booleans:
+    """Which segments have their middles among places, or hardly outside."""
+    rim = cv().convexHull(numpy.array([(z.real, z.imag) for z in places], numpy.float32))
+    off = [cv().pointPolygonTest(rim, (float(z.real), float(z.imag)), True) for z in ends.mean(axis=1)]
+    return numpy.array(off, float) > -JOINED_MM
 
 
 def _apart(ends: Complexes) -> Array:

@@ -204,7 +204,7 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Rea
     """
     sides, pole = polygon_of(sides_of(bench.plans, bench.asked.plan), bench.asked.plan), pole_on(seen, near)
     shares = likely_shares(seen.ink.flat, seen_like(bench, sides, seen))
-    ink = InkCover(seen, pole.z)
+    ink = InkCover(seen, pole.z, [*bench.true_marks.values()])
     tried = sorted((LaidPolygon(bench.printed_at(k), ink, pole, sides, k) for k in shares), key=lambda one: one.cost)
     for one in tried:
         one.best = _likelier(one.polygon, one.plain, one.right, one.wrong, len(sides))

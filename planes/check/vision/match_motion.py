@@ -236,7 +236,7 @@ def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadM
     """The marks of a motion plan with its pole near a place, and the share of the ink they explain."""
     pole, ends = pole_on(seen, near), ends_of(bench)
     shares = likely_shares(seen.ink.flat, seen_from(seen, pole.z, bench.true_marks))
-    ink = InkCover(seen, pole.z)
+    ink = InkCover(seen, pole.z, [*bench.true_marks.values()])
     search, way = best_way([Search.of(bench, ink, pole, ends, share) for share in shares]) or (None, None)
     if search is None or way is None or not way.found:
         return [], 0.0

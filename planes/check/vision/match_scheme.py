@@ -169,7 +169,7 @@ def points_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Read
     seen = with_signs(seen)
     pole = origin_on(seen, near)
     shares = likely_shares(seen.ink.flat, seen_from(seen, pole.z, bench.true_marks))
-    ink = InkCover(seen, pole.z, arrows=False)
+    ink = InkCover(seen, pole.z, [*bench.true_marks.values()], arrows=False)
     searches = (scheme_search(bench, ink, pole, share) for share in shares)
     found = ((search, way) for search in searches for way in search.ways())
     search, way = min(found, key=lambda one: one[1].cost, default=(None, None))
