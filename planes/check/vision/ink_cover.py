@@ -25,7 +25,7 @@ from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 STEP_MM = 0.5
 ROUTE_MM = 0.9  # ink farther than this from a vector is not its own
 JOINED_MM = 6.0  # lines no farther apart hang together
-TORN_MM, ASKEW, ASIDE_MM = 40.0, 0.04, 1.0  # a line may be so far torn; its pieces are nearly in one line
+TORN_MM, ASKEW, ASIDE_MM = 12.0, 0.04, 0.6  # a line may be so far torn; its pieces are nearly in one line
 PER_MM = 0.5  # what a millimetre of ink costs that no vector runs along
 NO_HEAD, OTHER_HEAD = 2.9, 3.0  # what a longer vector costs that shows no head, and a head that is no vector's
 CROSS_MM = 3.0  # what is nearer to the pole is its printed cross
