@@ -38,7 +38,7 @@ def _lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:
     from planes.check.reading.svg import read_svg
 
     if suffix == ".pdf":
-        return None if known.pole is not None or known.format else read_pdf(file)
+        return None if known.pole is not None or known.format else read_pdf(file, known.page or 0)
     return {".svg": read_svg, ".dxf": read_dxf}[suffix](file) if suffix in LINES else None
 
 

@@ -5,23 +5,23 @@ from __future__ import annotations
 import json
 import re
 from argparse import Namespace
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 from planes.check import STATUS, Outcome
 from planes.check import check as judge
-from planes.check.grading.paper import Known, ReadPaper
+from planes.check.grading.paper import Known
 from planes.check.grading.perturbing import HAND, cad
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.handed_in import LINES, PICTURES, read_paper
-from planes.check.report import Checked, ClassWork, as_json, chance_told, class_heads, heads, numbers_of, rows_of
+from planes.check.pages import checked_pages, page_count
+from planes.check.report import ClassWork, as_json, chance_told, class_heads, heads, numbers_of, rows_of
 from planes.cli.commands import scene_of
 from planes.cli.options import check_options, value_of
 from planes.scene import Scene
 from planes.solving.tables import table
 from planes.words import Lang, Phrase, say
-from planes.words.errors import PlanesError, guarded
+from planes.words.errors import PlanesError
 from planes.words.names import kind_of
 from planes.words.records import as_csv
 from planes.words.units import read_mu
@@ -40,8 +40,14 @@ def check(args: Namespace) -> int:
     if args.drawing is None:
         raise PlanesError(Phrase("check_no_drawing"))
     if Path(args.drawing).is_dir():
-        return check_class(args, asked, lambda file: read_paper(file, asked, known))
-    found = judge(asked, read_paper(args.drawing, asked, known))
+        return check_class(args, asked, known)
+    if known.page is None and page_count(args.drawing) > 1:
+        pages = checked_pages(args.drawing, asked, known)
+        if len(pages) > 1 or pages[0].found is None:
+            return tell_class(args, ClassWork(Path(args.drawing).name, pages))
+        found = pages[0].found
+    else:
+        found = judge(asked, read_paper(args.drawing, asked, known))
     if args.output:
         from planes.documents.check import write_report
 
@@ -84,7 +90,7 @@ def ask(args: Namespace, scene: Scene, value: float | None) -> Asked:
         name, _, file = pair.partition("=")
         if not file:
             raise PlanesError(Phrase("check_option", option="--with", text=pair, form="velocity=FILE", hint=""))
-        others[name] = read_paper(file, asked, known_of(args))
+        others[name] = read_paper(file, replace(asked, plan=name, mu=None), replace(known_of(args), page=None))
     skill = HAND
     if args.work == "cad":
         from planes.drafting.drawing import run
@@ -102,7 +108,8 @@ def _mu(args: Namespace) -> float | None:
 def known_of(args: Namespace) -> Known:
     """What the command line tells of the drawing."""
     pole = place(args.pole, "--pole")[1] if args.pole else None
-    return Known(pole, dict(place(m, "--mark") for m in args.mark), args.format)
+    page = None if args.page is None else args.page - 1
+    return Known(pole, dict(place(m, "--mark") for m in args.mark), args.format, page)
 
 
 def place(text: str, option: str) -> tuple[str, complex]:
@@ -132,11 +139,10 @@ def blank(args: Namespace) -> int:
     return 0
 
 
-Reader = Callable[[str], ReadPaper]
 NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp")  # lie beside the drawings
 
 
-def check_class(args: Namespace, asked: Asked, read: Reader) -> int:
+def check_class(args: Namespace, asked: Asked, known: Known) -> int:
     """Every drawing of a folder: a row for each, on the terminal and in the file of ``-o``."""
     from planes.documents.lesson import bar
 
@@ -147,15 +153,16 @@ def check_class(args: Namespace, asked: Asked, read: Reader) -> int:
         raise PlanesError(Phrase("check_empty_folder", file=args.drawing))
     group = ClassWork(folder.name)
     with bar() as step:
-        for file in files:
+        for done, file in enumerate(files, 1):
             name = file.name.encode("utf-8", "replace").decode()  # any bytes at all may be the name of a file
-            try:
-                with guarded("check_broken", name):  # one file never stops the others
-                    group.all.append(Checked(name, judge(asked, read(str(file)))))
-            except PlanesError as error:
-                group.all.append(Checked(name, refused=error))
+            group.all += checked_pages(str(file), asked, known, name)
             if step:
-                step(len(group.all), len(files))
+                step(done, len(files))
+    return tell_class(args, group)
+
+
+def tell_class(args: Namespace, group: ClassWork) -> int:
+    """Several drawings, on the terminal and in the file of ``-o``."""
     if args.output:
         _write_class(group, args.output, args.lang)
     print(_json(group, args.lang) if args.json else "\n".join(_class_table(group, args.lang)).lstrip())

@@ -73,6 +73,7 @@ OPTIONS: Mapping[str, Sequence[Option]] = {
         ("--pole", "pole", {"metavar": "X,Y"}),
         ("--mark", "mark", {"action": "append", "default": [], "metavar": "NAME=X,Y"}),
         ("--format", "picture_format", {"choices": ("A4", "A3", "A2", "A1")}),
+        ("--page", "page", {"type": int, "metavar": "N"}),
         ("--work", "work", {"choices": ("hand", "cad")}),
         ("--trace", "trace", FLAG),
         ("-o --output", "check_output", FILE),
@@ -113,7 +114,7 @@ TAKES: Mapping[str, Mapping[str, str]] = {
         "trace": "phi s mu trace",
         "numbers": "phi s mu others work json",
         "lines": "phi s mu others work json pole mark",
-        "photograph": "phi s mu others work json pole mark format",
+        "photograph": "phi s mu others work json pole mark format page",
     },
 }
 """Of each command its answers, with the options each of them heeds; the others are those of every answer."""

@@ -44,7 +44,7 @@ def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Mark], str]:
     mu = decimal(mu_text(bench.said_mu, kind_of(asked.plan), lang), lang)
     squares = [(z, cells(k), SIDE_MM) for k, z in enumerate(centres(SHEET_MM))]
     texts = [f"{say_plan(asked.plan, lang)}, μ = {mu}", title, *more]
-    return check_sheet.blank(SHEET_MM, squares, blank_pole(bench), texts), title
+    return check_sheet.blank(SHEET_MM, squares, blank_pole(bench), texts, say("check_print_size", lang)), title
 
 
 def _write(marks: Iterable[Mark], title: str, output: str, lang: Lang, under: Photo | None = None) -> None:

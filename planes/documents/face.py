@@ -132,18 +132,20 @@ def check(
     mu: str | None = None,
     pole: complex | None = None,
     marks: Mapping[str, complex] | None = None,
+    page: int | None = None,
 ) -> Outcome:
     """Check a person's drawing of a plan ("position", "velocity", "acceleration", "force:2-3", "force:1").
 
     ``drawing`` is a table (.csv), a drawing of lines (.svg, .dxf, .pdf) or a picture; ``mu`` its scale, as
     "30 mm/(m/s)", where it is known; ``pole`` and ``marks`` are places in pixels or the drawing's own units, x + iy
-    with y down. The outcome has a ``verdict`` ("right", "wrong", "unreadable"), ``first_wrong``, ``mistake``,
-    ``sentence``.
+    with y down; ``page`` of several counts from 1. The outcome has a ``verdict`` ("right", "wrong", "unreadable"),
+    ``first_wrong``, ``mistake``, ``sentence``.
     Raises :class:`PlanesError` where the file cannot be opened or the scene has no such plan.
     """
     at, known_mu = _drive(scene, phi, s), None if mu is None else read_mu(mu, kind_of(plan))
     asked = Asked(scene, plan, None if at is None else float(at), known_mu)
-    return judge(asked, read_paper(str(drawing), asked, Known(pole, marks or {})))
+    known = Known(pole, marks or {}, page=None if page is None else page - 1)
+    return judge(asked, read_paper(str(drawing), asked, known))
 
 
 def sheet(

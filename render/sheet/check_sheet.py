@@ -25,6 +25,7 @@ Table = tuple[Sequence[str], Sequence[Sequence[str]]]  # head and rows
 LEFT, EDGE, GAP = 20.0, 5.0, 5.0  # margins of the sheet, mm, and the room between its parts
 SMALL, LETTER, TITLE = 2.5, 3.5, 5.0
 LINE, SMALL_LINE = 6.5, 4.6
+RULER_MM, RULER_X = 100, 11.0  # of a blank, and how far from the left edge it stands
 RING = {"wrong": 2.4, "follows": 1.6}
 LEAST_MM = 0.2  # a shorter vector is a point
 PENS = ("own", "truth", "next")
@@ -177,8 +178,10 @@ def blank(
     squares: Iterable[tuple[complex, Sequence[Sequence[bool]], float]],
     pole: complex,
     texts: Sequence[str],
+    size: str,
 ) -> list[Mark]:
-    """The marks of a blank. ``squares`` are (centre, black cells from the top row, side in mm)."""
+    """The marks of a blank. ``squares`` are (centre, black cells from the top row, side in mm); ``size`` is what its
+    ruler says."""
     w, h = size_mm
     out: list[Mark] = [framed((LEFT, EDGE, w - EDGE, h - EDGE), "thin")]
     for centre, cells, side in squares:
@@ -187,7 +190,15 @@ def blank(
     out.append(Text("p", pole + complex(-5, -6), BLANK_LETTER, name="p"))
     for k, text in enumerate(texts):
         out.append(Text(text, complex(38, h - 14 - 7.5 * k), 3.5 if k else BLANK_LETTER))
-    return out
+    return out + _ruler(complex(RULER_X, (h - RULER_MM) / 2), size)
+
+
+def _ruler(low: complex, size: str) -> list[Mark]:
+    """A length to lay a ruler on, in the margin, where nobody draws."""
+    ticks = [low + 1j * mm for mm in range(0, RULER_MM + 1, 10)]
+    lines = [(low, ticks[-1]), *((z, z - 2.5) for z in ticks)]
+    text = Text(size, low + complex(-3.4, RULER_MM / 2), SMALL, "middle", 90.0)
+    return [*(Line(line, "thin", "plan") for line in lines), text]
 
 
 def _square(centre: complex, cells: Sequence[Sequence[bool]], side: float) -> list[Mark]:

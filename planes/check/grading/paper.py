@@ -51,11 +51,13 @@ def with_told(spots: Iterable[ReadMark], told: Mapping[str, complex], doubt: flo
 
 @dataclass(frozen=True)
 class Known:
-    """What is told of a drawing: its pole, some marks (pixels, or its own units; y down), the format of its frame."""
+    """What is told of a drawing: its pole, some marks (pixels, or its own units; y down), the format of its frame, its
+    page, counted from 0."""
 
     pole: complex | None = None
     marks: Mapping[str, complex] = field(default_factory=dict)
     format: str | None = None
+    page: int | None = None
 
 
 @dataclass

@@ -11,6 +11,7 @@ from planes.words import Phrase
 from planes.words.errors import PlanesError
 
 MB = 1_000_000
+LARGEST = 200 * MB  # of pictures and pages
 
 
 def contents(path: str | Path, most: int) -> bytes:

@@ -11,11 +11,10 @@ from xml.etree import ElementTree
 import pypdfium2
 import pypdfium2.raw as pdf
 
-from planes.check.reading.opened import MB, contents
+from planes.check.reading.opened import LARGEST, contents
 from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.svg import sketch_of
 
-LARGEST = 200 * MB
 MOST = 60_000  # objects of a page
 DEEPEST = 15  # forms within forms
 FEWEST = 4  # with fewer lines the page is a picture
@@ -30,7 +29,7 @@ def read_pdf(path: str | Path, page: int = 0) -> ReadDrawing | None:
     except pypdfium2.PdfiumError:
         return None
     try:
-        root = _tree(document[page]) if page < len(document) else None
+        root = _tree(document[page]) if 0 <= page < len(document) else None
         return None if root is None else sketch_of(root, str(path))
     finally:
         document.close()

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 import numpy
 
-from planes.check.reading.opened import MB, contents, hushed
+from planes.check.reading.opened import LARGEST, MB, contents, hushed
 from planes.check.reading.strokes import Words
 from planes.check.vision.picture import cv
 from planes.geometry.arrays import Array, Booleans, Greys
@@ -27,7 +27,6 @@ from planes.words.lettering import LETTERING
 if TYPE_CHECKING:
     from PIL import Image
 
-LARGEST = 200 * MB
 MOST_BYTES = 320 * MB  # to decode a picture: 64 million pixels, half of that where all must be held several times over
 MOST_PAGE = 34_000_000
 LEAST_PX = 40
@@ -36,7 +35,7 @@ PAGE_DPI, LEAST_DPI = 200, 100  # of a page that is drawn; a file that says less
 EXIF, EXPOSURE = 0x8769, 0x829A  # where a camera tells it
 MOST_MM = 900.0  # nor does one that would be of larger paper
 PDF_IMAGES, PDF_DEPTH = 1000, 5
-PNG, PNG_END = b"\x89PNG", b"IEND"
+PNG, PNG_END, PDF = b"\x89PNG", b"IEND", b"%PDF-"
 COLOURED = 14  # how much farther than usual two colours of a place are apart, on coloured paper
 COLOURED_SHARE = 0.03  # of all places
 FAINT, DARK = 0.08, 0.4  # how much darker than paper a grid is at least, and what is drawn
@@ -54,14 +53,14 @@ class DecodedPicture:
     words: tuple[Words, ...] = ()
 
 
-def load(path: str | Path) -> DecodedPicture:
-    """A picture, or the first page of a PDF. :class:`PlanesError` where it is none, or is too large."""
+def load(path: str | Path, page: int = 0) -> DecodedPicture:
+    """A picture, or a page of a PDF or TIFF. :class:`PlanesError` where it is none, or is too large."""
     cv()  # or a sentence that it is missing
     data = contents(path, LARGEST)
     if not data:
         raise PlanesError(Phrase("check_empty", file=str(path)))
     with guarded("check_picture", path), hushed():
-        found = _page(data, str(path)) if data[:5] == b"%PDF-" else _decoded(data, str(path))
+        found = _page(data, str(path), page) if data[:5] == PDF else _decoded(data, str(path), page)
     if found is None:
         raise PlanesError(Phrase("check_picture", file=str(path)))
     height, width = found.grey.shape
@@ -70,9 +69,17 @@ def load(path: str | Path) -> DecodedPicture:
     return found
 
 
-def _decoded(data: bytes, file: str) -> DecodedPicture | None:
+def _alone(head: Image.Image) -> bytes:
+    """A page of a TIFF as a file of its own."""
+    page = io.BytesIO()
+    head.save(page, "TIFF", dpi=head.info.get("dpi", (1, 1)))
+    return page.getvalue()
+
+
+def _decoded(data: bytes, file: str, page: int = 0) -> DecodedPicture | None:
     """The pixels in grey, on white paper where they are transparent; None where the file is no whole picture."""
-    see_through, head = _looked_into(data, file)
+    see_through, head = _looked_into(data, file, page)
+    data = _alone(head) if page else data
     cv2, bits = cv(), numpy.frombuffer(data, numpy.uint8)
     if data[:4] == PNG and PNG_END not in data[-64:]:
         return None  # it was cut short
@@ -90,9 +97,9 @@ def _decoded(data: bytes, file: str) -> DecodedPicture | None:
     return DecodedPicture(grey, scale, _words(head.info.get(LETTERING, "[]"), grey.shape[0] / scale) if scale else ())
 
 
-def _looked_into(data: bytes, file: str) -> tuple[bool, Image.Image]:
+def _looked_into(data: bytes, file: str, page: int) -> tuple[bool, Image.Image]:
     """Whether a picture may be transparent, by its header alone, and that; refused if decoding it would take too much
-    memory."""
+    memory, or it has no such page."""
     import warnings
 
     from PIL import Image
@@ -100,9 +107,11 @@ def _looked_into(data: bytes, file: str) -> tuple[bool, Image.Image]:
     with warnings.catch_warnings(), guarded("check_picture", file):
         warnings.simplefilter("ignore")
         try:
-            head = Image.open(io.BytesIO(data), formats=("PNG", "JPEG", "MPO", "BMP", "TIFF", "WEBP"))
+            head = Image.open(io.BytesIO(data), formats=("PNG", "JPEG", "BMP", "TIFF", "WEBP"))
         except Image.DecompressionBombError:
             raise PlanesError(Phrase("check_large_picture", file=file, size="> 10⁸")) from None
+        _has(page, getattr(head, "n_frames", 1) if head.format == "TIFF" else 1, file)
+        head.seek(page)
     see_through = head.format in ("PNG", "WEBP") and ("A" in head.mode or "transparency" in head.info)
     tiles = getattr(head, "tag_v2", {})
     pixels = max(head.width * head.height, int(tiles.get(322, 0)) * int(tiles.get(323, 0)))
@@ -143,11 +152,19 @@ def _on_paper(cv2: ModuleType, whole: Greys) -> Greys:
     return out
 
 
-def _page(data: bytes, file: str) -> DecodedPicture:
+def _has(page: int, count: int, file: str) -> None:
+    """Refuse a page that a file does not have."""
+    if not 0 <= page < count:
+        raise PlanesError(Phrase("check_no_page", file=file, page=page + 1, count=count))
+
+
+def _page(data: bytes, file: str, number: int = 0) -> DecodedPicture:
     """A page of a PDF at 200 pixels per inch (fewer of a very large one), in one shade."""
     import pypdfium2
 
-    page = pypdfium2.PdfDocument(data)[0]
+    document = pypdfium2.PdfDocument(data)
+    _has(number, len(document), file)
+    page = document[number]
     images = page.get_objects(filter=[pypdfium2.raw.FPDF_PAGEOBJ_IMAGE], max_depth=PDF_DEPTH)
     for count, image in enumerate(images):
         width, height = image.get_px_size()

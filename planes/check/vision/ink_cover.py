@@ -1,25 +1,31 @@
 """What of a sheet's ink a drawing accounts for: its lines cut into short steps, its arrowheads, a bit for each.
 
 A way from one place to another takes the steps it runs along and the head at its end; what no way takes was drawn for
-some other reason.
+some other reason. What hangs together with the pole, or with a line that is taken, is the drawing's, and what lies
+among it; a table, a name or another plan that stands apart asks for no reason.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import reduce
 from operator import or_
+from typing import Any
 
 import numpy
 
 from planes.check.grading.handwork import Miss
+from planes.check.vision.line_fitting import Fitted
+from planes.check.vision.picture import cv
 from planes.check.vision.places import HEADED_MM, Seen
-from planes.geometry.arrays import Complexes
+from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 
 STEP_MM = 0.5
 ROUTE_MM = 0.9  # ink farther than this from a vector is not its own
+JOINED_MM = 6.0  # lines no farther apart hang together
+TORN_MM, ASKEW, ASIDE_MM = 12.0, 0.04, 0.6  # a line may be so far torn; its pieces are nearly in one line
 PER_MM = 0.5  # what a millimetre of ink costs that no vector runs along
 NO_HEAD, OTHER_HEAD = 2.9, 3.0  # what a longer vector costs that shows no head, and a head that is no vector's
 CROSS_MM = 3.0  # what is nearer to the pole is its printed cross
@@ -43,36 +49,69 @@ def sigmas_of(off: complex, miss: Miss, sigma: float) -> float:
     return replace(miss.blurred(sigma), off=off).sigmas
 
 
+@dataclass(frozen=True)
+class InkPart:
+    """Lines that hang together: their steps and heads as bits, how many of them are long, and how long all are, mm."""
+
+    steps: int
+    heads: int
+    long: int
+    length: float
+
+
 @dataclass
 class InkCover:
     """The steps of a sheet's lines about a pole, and its arrowheads; ways are remembered."""
 
     seen: Seen
     pole: complex
+    room: Sequence[complex]  # the marks of the right plan, mm from the pole
     arrows: bool = True  # whether its lines are vectors
     steps: Complexes = field(init=False)
+    parts: list[InkPart] = field(default_factory=list)  # what hangs together, the pole's own first
     tips: list[tuple[complex, complex]] = field(default_factory=list)  # and the unit way they point
     known: dict[tuple[complex, complex], tuple[int, int]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        found = [z for z in self.seen.patches if abs(z - self.pole) >= CROSS_MM]
-        for line in self.seen.lines:
-            if max(abs(z - self.pole) for z in line.ends) >= CROSS_MM:
-                count = max(2, round(line.length / STEP_MM))
-                found += [line.at(line.low + line.length * (k + 0.5) / count) for k in range(count)]
-        steps = numpy.array(found, complex)
-        self.steps = steps[~self.seen.ink.lettered(steps)]
-        for line in self.seen.lines:
+        numbers = hanging(self.seen.lines, self.pole, self.room)
+        steps, parts = self._stepped(numbers)
+        kept = ~self.seen.ink.lettered(steps)
+        self.steps, parts = steps[kept], parts[kept]
+        heads = [0] * (max(numbers, default=0) + 1)
+        for line, number in zip(self.seen.lines, numbers, strict=True):
             for head in line.heads:
                 tip, way = head.z, line.direction(head.s) * head.sign
                 near = (w for t, w in self.tips if abs(tip - t) < TIP_NEAR_MM)
                 if not any((way * w.conjugate()).real > TIP_STRAIGHT for w in near):
+                    heads[number] |= 1 << len(self.tips)
                     self.tips.append((tip, way))
+        for k, bits in enumerate(heads):
+            lengths = [x.length for x, n in zip(self.seen.lines, numbers, strict=True) if n == k]
+            long = sum(mm > 2 * HEADED_MM for mm in lengths)
+            self.parts.append(InkPart(_bits(parts == k), bits, long, sum(lengths)))
+
+    def _stepped(self, numbers: Sequence[int]) -> tuple[Complexes, Indices]:
+        """Steps of all lines, and of what is on no line but near one; and of which part each is."""
+        found: list[complex] = []
+        parts: list[int] = []
+        ends = numpy.array([line.ends for line in self.seen.lines], complex).reshape(-1, 2)
+        for z in self.seen.patches if self.seen.lines else ():
+            far = _segment_off(z, ends[:, 0], ends[:, 1])
+            if far.min() < JOINED_MM and abs(z - self.pole) >= CROSS_MM:
+                found.append(z)
+                parts.append(numbers[int(far.argmin())])
+        for line, number in zip(self.seen.lines, numbers, strict=True):
+            if max(abs(z - self.pole) for z in line.ends) >= CROSS_MM:
+                count = max(2, round(line.length / STEP_MM))
+                found += [line.at(line.low + line.length * (k + 0.5) / count) for k in range(count)]
+                parts += [number] * count
+        return numpy.array(found, complex), numpy.array(parts, numpy.intp)
 
     @property
     def headed(self) -> bool:
         """Whether the vectors of this drawing have heads at all."""
-        return self.arrows and len(self.tips) > FEW * sum(x.length > 2 * HEADED_MM for x in self.seen.lines)
+        own = self.parts[0]
+        return self.arrows and own.heads.bit_count() > FEW * own.long
 
     def along(self, a: complex, b: complex) -> tuple[int, int]:
         """The steps a way from a to b runs along, and the heads at its end, as bits."""
@@ -86,7 +125,7 @@ class InkCover:
             return 0
         local = (self.steps - a) * ((b - a).conjugate() / length)
         on = (abs(local.imag) < ROUTE_MM) & (local.real > -1) & (local.real < length + 1)
-        return int.from_bytes(numpy.packbits(on).tobytes(), "big")
+        return _bits(on)
 
     def _heads(self, a: complex, b: complex) -> int:
         near = abs(b - a) * TIP_STRAIGHT
@@ -105,21 +144,95 @@ class InkCover:
         """Whether a vector from a to b has a head at its end."""
         return bool(self.along(a, b)[1] or self.seen.closer(a, b))
 
-    def left(self, steps: int) -> float:
-        """How many mm of ink are not among the steps."""
-        return STEP_MM * (len(self.steps) - steps.bit_count())
+    def taken(self, steps: int) -> list[InkPart]:
+        """What is the drawing's own: what hangs together with the pole or with any of the steps."""
+        return [self.parts[0], *(part for part in self.parts[1:] if part.steps & steps)]
 
     def explained(self, steps: int) -> float:
-        """The share of the lines' ink that the steps are."""
-        return 1 - self.left(steps) / max(sum(x.length for x in self.seen.lines), 1.0)
+        """The share of the drawing's ink that the steps are."""
+        own = self.taken(steps)
+        left = STEP_MM * sum((part.steps & ~steps).bit_count() for part in own)
+        length = sum(part.length for part in own)
+        return 1 - left / max(length, 1.0) if length else 0.0
 
     def over(self, steps: int, heads: int) -> float:
-        """What the ink and the heads cost that are not among these."""
-        lost = len(self.tips) - heads.bit_count() if self.headed else 0
-        return PER_MM * self.left(steps) + OTHER_HEAD * lost
+        """What the drawing's ink and heads cost that are not among these."""
+        own = self.taken(steps)
+        left = STEP_MM * sum((part.steps & ~steps).bit_count() for part in own)
+        lost = sum((part.heads & ~heads).bit_count() for part in own) if self.headed else 0
+        return PER_MM * left + OTHER_HEAD * lost
 
     def price(self, routes: Iterable[tuple[complex, complex]]) -> float:
         """What vectors cost for want of heads, and what they leave over."""
         taken = [(self.along(a, b), self.bare(a, b)) for a, b in routes]
         steps, heads = (reduce(or_, (bits[k] for bits, _ in taken), 0) for k in (0, 1))
         return self.over(steps, heads) + sum(bare for _, bare in taken)
+
+
+def hanging(lines: Sequence[Fitted], pole: complex, room: Sequence[complex] = ()) -> list[int]:
+    """Of which part each line is: 0, if it hangs together with the pole, or lies among what does and a plan's marks."""
+    ends = numpy.array([line.ends for line in lines], complex).reshape(-1, 2)
+    near = (_apart(ends) < JOINED_MM) | _torn(ends)
+    out, left = numpy.zeros(len(lines), numpy.intp), numpy.ones(len(lines), bool)
+    part = numpy.array([_segment_off(pole, *line.ends) < JOINED_MM for line in lines], bool)
+    for number in range(len(lines) + 1):
+        part = _spread(part, near, left)
+        if number == 0:
+            part = _spread(part | _among(ends, [pole, *(pole + z for z in room), *ends[part].ravel()]), near, left)
+        out[part], left = number, left & ~part
+        if not left.any():
+            break
+        part = numpy.arange(len(lines)) == int(left.argmax())
+    return out.tolist()
+
+
+def _spread(part: Booleans, near: Booleans, left: Booleans) -> Booleans:
+    """All that is near to a part, and near to that."""
+    while (wider := part | (near[part].any(axis=0) & left)).sum() > part.sum():
+        part = wider
+    return part
+
+
+def _among(ends: Complexes, places: Sequence[complex]) -> Booleans:
+    """Which segments have their middles among places, or hardly outside."""
+    rim = cv().convexHull(numpy.array([(z.real, z.imag) for z in places], numpy.float32))
+    off = [cv().pointPolygonTest(rim, (float(z.real), float(z.imag)), True) for z in ends.mean(axis=1)]
+    return numpy.array(off, float) > -JOINED_MM
+
+
+def _apart(ends: Complexes) -> Array:
+    """How far apart segments are, mm: a row and a column each."""
+    a, b = ends[:, 0], ends[:, 1]
+    off = [numpy.array([_segment_off(z, a, b) for z in side]).reshape(len(a), len(a)) for side in (a, b)]
+    least: Array = numpy.minimum(*off)
+    least = numpy.minimum(least, least.T)
+    turned = (b - a).conjugate()[:, None]
+    sides = [(turned * (z[None, :] - a[:, None])).imag for z in (a, b)]
+    parted = sides[0] * sides[1] < 0  # the ends of one lie on either side of the other
+    least[parted & parted.T] = 0.0
+    return least
+
+
+def _torn(ends: Complexes) -> Booleans:
+    """Which segments may be pieces of one line."""
+    a, b = ends[:, 0], ends[:, 1]
+    length = numpy.maximum(abs(b - a), 1e-9)
+    u = (b - a) / length
+    turn = numpy.abs((u.conjugate()[:, None] * u[None, :]).imag)
+    places = [(z[None, :] - a[:, None]) * u.conjugate()[:, None] for z in (a, b)]
+    gaps = [numpy.maximum(numpy.maximum(-z.real, z.real - length[:, None]), 0) for z in places]
+    nearer = numpy.where(gaps[0] < gaps[1], *places)
+    fits = (turn < ASKEW) & (abs(nearer.imag) < ASIDE_MM) & (numpy.minimum(*gaps) < TORN_MM)
+    whole: Booleans = fits & fits.T
+    return whole
+
+
+def _segment_off(z: complex, a: Any, b: Any) -> Any:
+    """How far a place is from segments."""
+    way = b - a
+    share = ((z - a) * numpy.conjugate(way)).real / numpy.maximum(numpy.abs(way) ** 2, 1e-9)
+    return numpy.abs(z - a - numpy.clip(share, 0, 1) * way)
+
+
+def _bits(on: Booleans) -> int:
+    return int.from_bytes(numpy.packbits(on).tobytes(), "big")

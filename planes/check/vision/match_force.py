@@ -11,16 +11,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import InitVar, dataclass, field
 from itertools import permutations
 
 from planes.check.grading.handwork import Miss
 from planes.check.grading.paper import ReadMark
-from planes.check.grading.polygons import loads_of, sides_of
+from planes.check.grading.polygons import Side, loads_of, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.vision.ink_cover import ANYWHERE, COVERED, DOUBTFUL, GATE, NO_END, VAGUE, InkCover, sigmas_of
 from planes.check.vision.places import WOBBLE_MM, Place, Seen, pole_on
-from planes.check.vision.polygon_cover import Guess, guesses, polygon_of, spread_of
+from planes.check.vision.polygon_cover import Guess, LaidChain, guesses, polygon_of, seen_like, spread_of
+from planes.check.vision.print_scale import UNLIKELY, by_ruler, likely_shares
 from planes.words.names import POLE
 
 NOTHING_MM = 0.3  # a vector shorter than this is not drawn
@@ -37,21 +38,10 @@ MOST_STEPS = 4000
 
 
 @dataclass
-class LaidChain:
-    """A chain of vectors laid on the picture: (name, where it ends, how surely)."""
-
-    cost: float
-    rows: list[tuple[str, complex, float]] = field(default_factory=list)
-    hidden: tuple[str, ...] = ()
-    steps: int = 0  # of ink, and heads, that the vectors account for: bits
-    heads: int = 0
-
-
-@dataclass
 class SoughtPolygon:
     """A plan's polygon looked for on a sheet."""
 
-    seen: Seen
+    ink: InkCover
     pole: Place
     spread: dict[str, Miss]
     steps: int = 0
@@ -59,10 +49,11 @@ class SoughtPolygon:
     most: float = 0.0
     known: dict[tuple[frozenset[str], complex], list[LaidChain]] = field(default_factory=dict)
     ways: dict[tuple[complex, complex], float] = field(default_factory=dict)
-    ink: InkCover = field(init=False)
 
-    def __post_init__(self) -> None:
-        self.ink = InkCover(self.seen, self.pole.z)
+    @property
+    def seen(self) -> Seen:
+        """What is seen on the sheet."""
+        return self.ink.seen
 
     def covered(self, a: complex, b: complex) -> float:
         """The share of the way that is ink (remembered)."""
@@ -184,12 +175,26 @@ class SoughtPolygon:
         return 0.5 * (aside / (0.35 + 0.012 * abs(way))) ** 2
 
 
-def _left_out(name: str, laid: LaidChain, right: Guess, pole: complex) -> bool:
-    """Whether a known vector of some length is laid with none: nobody drew it."""
-    k = next(i for i, row in enumerate(laid.rows) if row[0] == name)
-    drawn = abs(laid.rows[k][1] - (laid.rows[k - 1][1] if k else pole))
-    true = abs(right.known.get(name, 0j))
-    return true > 1 and drawn < min(0.4 * true, 0.8)
+@dataclass
+class LaidPolygon:
+    """A plan's polygon on a sheet printed at a share of its size: laid rightly, and the likeliest that was laid."""
+
+    bench: InitVar[PreparedPlan]
+    ink: InitVar[InkCover]
+    pole: InitVar[Place]
+    sides: InitVar[list[Side]]
+    share: float
+    best: LaidChain | None = None
+
+    def __post_init__(self, bench: PreparedPlan, ink: InkCover, pole: Place, sides: list[Side]) -> None:
+        self.polygon = SoughtPolygon(ink, pole, spread_of(bench, sides))
+        self.right, *self.wrong = guesses(bench, sides, loads_of(bench.plans, bench.asked.plan))
+        self.best = self.plain = self.polygon.lay(self.right, MOST_COST)
+
+    @property
+    def cost(self) -> float:
+        """What it costs to believe in it."""
+        return (self.best.cost if self.best else math.inf) + UNLIKELY * (self.share != 1)
 
 
 def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadMark], bool, float, tuple[str, ...]]:
@@ -197,24 +202,28 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Rea
 
     No rows where it cannot surely be told what was drawn.
     """
-    plan = bench.asked.plan
-    sides = polygon_of(sides_of(bench.plans, plan), plan)
-    polygon = SoughtPolygon(seen, pole_on(seen, near), spread_of(bench, sides))
-    right, *wrong = guesses(bench, sides, loads_of(bench.plans, plan))
-    plain = polygon.lay(right, MOST_COST)
-    best = _likelier(polygon, plain, right, wrong, len(sides))
+    sides, pole = polygon_of(sides_of(bench.plans, bench.asked.plan), bench.asked.plan), pole_on(seen, near)
+    shares = likely_shares(seen.ink.flat, seen_like(bench, sides, seen))
+    ink = InkCover(seen, pole.z, [*bench.true_marks.values()])
+    tried = sorted((LaidPolygon(bench.printed_at(k), ink, pole, sides, k) for k in shares), key=lambda one: one.cost)
+    for one in tried:
+        one.best = _likelier(one.polygon, one.plain, one.right, one.wrong, len(sides))
+        if one.best and one.best is one.plain:
+            break  # it fits well
+    one = min(tried, key=lambda one: one.cost)
+    best = one.best
     if best is None:
         return [], False, 0.0, ()
-    if best.cost > _most(best, plain, len(sides), polygon.pole.z):
+    if best.cost > _most(best, one.plain, len(sides), pole.z):
         return [], False, 1.0, ()
-    explained = polygon.ink.explained(best.steps)
-    rows = [ReadMark(POLE, polygon.pole.z, polygon.pole.sigma)]
+    explained = one.polygon.ink.explained(best.steps)
+    rows = [ReadMark(POLE, pole.z, pole.sigma)]
     rows += [
         ReadMark(n, z, math.hypot(sigma, WOBBLE_MM))
         for n, z, sigma in best.rows
-        if not _left_out(n, best, right, polygon.pole.z)
+        if not best.left_out(n, one.right, pole.z)
     ]
-    return rows, explained > 0.9, explained, best.hidden
+    return by_ruler(seen.ink.flat, near, one.share, rows, explained, {}), explained > 0.9, explained, best.hidden
 
 
 def _likelier(

@@ -34,6 +34,7 @@ from planes.check.vision.ink_cover import (
     slip,
 )
 from planes.check.vision.places import Place, Seen, pole_on
+from planes.check.vision.print_scale import UNLIKELY, by_ruler, likely_shares, seen_from
 from planes.drafting.steps import Step
 from planes.words.names import POLE, at, label_of, plan_of
 
@@ -63,15 +64,17 @@ class Search:
     true: Mapping[str, complex]
     vectors: list[tuple[str, str]]
     ink: InkCover
+    share: float = 1.0  # of its size that the sheet was printed at
 
     @classmethod
     def of(
-        cls, bench: PreparedPlan, seen: Seen, pole: Place, vectors: list[tuple[str, str]], arrows: bool = True
+        cls, bench: PreparedPlan, ink: InkCover, pole: Place, vectors: list[tuple[str, str]], share: float = 1.0
     ) -> Self:
-        """A search from a pole, with the errors of a hand at every mark."""
+        """A search from a pole on a sheet printed at a share of its size, with the errors of a hand at every mark."""
+        bench = bench.printed_at(share)
         true = {at(bench.asked.plan, n): z for n, z in bench.true_marks.items()}
         hand = Hand(bench.program, bench.given, bench.asked.skill, {m: Taken(z, 0.1) for m, z in true.items()})
-        return cls(bench, seen, pole, hand.misses(bench.marks), true, vectors, InkCover(seen, pole.z, arrows))
+        return cls(bench, ink.seen, pole, hand.misses(bench.marks), true, vectors, ink, share)
 
     def settled(self, variant: Variant | None, cost: float = 0.0, most: float = math.inf) -> LaidPlan | None:
         """The plan drawn so, with marks put to their next likely places as long as that explains the picture better."""
@@ -95,7 +98,7 @@ class Search:
         chosen: Mapping[str, Place] = MappingProxyType({}),
     ) -> LaidPlan | None:
         """The plan drawn so, snapped to the picture; ``fixed`` puts one mark where it cannot be expected."""
-        out = LaidPlan(cost, {}, variant)
+        out = LaidPlan(cost + UNLIKELY * (self.share != 1), {}, variant)
         places: dict[str, complex] = {}
         lost: list[complex] = []
 
@@ -199,17 +202,25 @@ def ends_of(bench: PreparedPlan) -> list[tuple[str, str]]:
     return list(dict.fromkeys((s.start, s.end) for s in bench.plans.segments if s.plan == plan and s.start != s.end))
 
 
-def best_way(search: Search) -> LaidPlan | None:
-    """The way that explains the picture best."""
-    bench = search.bench
-    ways = [w for w in (search.settled(None),) if w]
-    variants = variants_of(bench, {}, bench.said_mu)
-    if not ways or len(ways[0].found) < len(bench.marks) or ways[0].cost > slip(len(variants)):
-        ways += _wrong_ways(search, variants, min((w.cost for w in ways), default=math.inf))
-        best = min(ways, key=lambda w: w.cost, default=None)
-        if best and best.cost > ANYWHERE + 4.0 + len(bench.marks):
-            ways += [w for w in (search.way(None, f, ANYWHERE) for f in search.free_marks(best)) if w]
-    return min(ways, key=lambda w: w.cost, default=None)
+def best_way(searches: Sequence[Search]) -> tuple[Search, LaidPlan] | None:
+    """The way that explains the picture best, of a sheet that may have been printed at several sizes."""
+    bench = searches[0].bench
+    ways = [(s, w) for s in searches for w in (s.settled(None),) if w]
+    best, count = min(ways, key=_cost, default=None), len(variants_of(bench, {}, bench.said_mu))
+    if best is None or len(best[1].found) < len(bench.marks) or best[1].cost > slip(count):
+        for search in searches:
+            most = min((w.cost for _, w in ways), default=math.inf)
+            variants = variants_of(search.bench, {}, search.bench.said_mu)
+            ways += [(search, w) for w in _wrong_ways(search, variants, most)]
+        best = min(ways, key=_cost, default=None)
+        if best and best[1].cost > ANYWHERE + 4.0 + len(bench.marks):
+            search, laid = best
+            ways += [(search, w) for w in (search.way(None, f, ANYWHERE) for f in search.free_marks(laid)) if w]
+    return min(ways, key=_cost, default=None)
+
+
+def _cost(found: tuple[Search, LaidPlan]) -> float:
+    return found[1].cost
 
 
 def _wrong_ways(search: Search, variants: Sequence[Variant], most: float) -> Iterator[LaidPlan]:
@@ -223,13 +234,16 @@ def _wrong_ways(search: Search, variants: Sequence[Variant], most: float) -> Ite
 
 def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadMark], float]:
     """The marks of a motion plan with its pole near a place, and the share of the ink they explain."""
-    search = Search.of(bench, seen, pole_on(seen, near), ends_of(bench))
-    way = best_way(search)
-    if way is None or not way.found:
+    pole, ends = pole_on(seen, near), ends_of(bench)
+    shares = likely_shares(seen.ink.flat, seen_from(seen, pole.z, bench.true_marks))
+    ink = InkCover(seen, pole.z, [*bench.true_marks.values()])
+    search, way = best_way([Search.of(bench, ink, pole, ends, share) for share in shares]) or (None, None)
+    if search is None or way is None or not way.found:
         return [], 0.0
     plan = bench.asked.plan
     spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
     left_out = way.variant.blames if way.variant and way.variant.mistake.endswith(LEFT_OUT) else None
     names = [label_of(m) for m in bench.marks if m in way.found and label_of(m) != left_out]
     spots += [ReadMark(n, way.found[at(plan, n)].z, way.found[at(plan, n)].error_mm) for n in names]
-    return spots, search.explained(way)
+    explained = search.explained(way)
+    return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained

@@ -14,10 +14,11 @@ from itertools import combinations
 
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
-from planes.check.vision.ink_cover import ANYWHERE, COVERED, NO_MARK, slip
+from planes.check.vision.ink_cover import ANYWHERE, COVERED, NO_MARK, InkCover, slip
 from planes.check.vision.match_motion import LaidPlan, Search
 from planes.check.vision.match_symbols import signs
 from planes.check.vision.places import SAME_MM, Place, Seen, pole_on
+from planes.check.vision.print_scale import by_ruler, likely_shares, seen_from
 from planes.drafting.steps import Step
 from planes.words.names import POLE, at, label_of
 
@@ -131,11 +132,11 @@ def _rows(reach: float) -> list[complex]:
     return [1j * reach * k / count for k in range(-count, count + 1)]
 
 
-def scheme_search(bench: PreparedPlan, seen: Seen, pole: Place) -> SoughtScheme:
-    """A search from a pole."""
+def scheme_search(bench: PreparedPlan, ink: InkCover, pole: Place, share: float = 1.0) -> SoughtScheme:
+    """A search from a pole on a sheet printed at a share of its size."""
     mechanism, labels = bench.plans.mechanism, {label_of(m) for m in bench.marks}
     pairs = [p for link in mechanism.links.values() for p in combinations([n for n in link.points if n in labels], 2)]
-    out = SoughtScheme.of(bench, seen, pole, pairs, arrows=False)
+    out = SoughtScheme.of(bench, ink, pole, pairs, share)
     out.centres = {at(bench.asked.plan, link.centre) for link in mechanism.links.values() if link.centre}
     out.supported = {n for n in mechanism.frame.points if n in labels}
     for link in mechanism.links.values():
@@ -166,13 +167,18 @@ def with_signs(seen: Seen) -> Seen:
 def points_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadMark], float]:
     """The points of a scheme with its origin near a place, and the share of the ink they explain."""
     seen = with_signs(seen)
-    search = scheme_search(bench, seen, origin_on(seen, near))
-    way = min(search.ways(), key=lambda w: w.cost, default=None)
-    if way is None or not way.found:
+    pole = origin_on(seen, near)
+    shares = likely_shares(seen.ink.flat, seen_from(seen, pole.z, bench.true_marks))
+    ink = InkCover(seen, pole.z, [*bench.true_marks.values()], arrows=False)
+    searches = (scheme_search(bench, ink, pole, share) for share in shares)
+    found = ((search, way) for search in searches for way in search.ways())
+    search, way = min(found, key=lambda one: one[1].cost, default=(None, None))
+    if search is None or way is None or not way.found:
         return [], 0.0
     spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
     spots += [ReadMark(label_of(m), p.z, p.error_mm) for m, p in way.found.items()]
-    return spots, 1.0 if search.at_signs(way) else search.explained(way)
+    explained = 1.0 if search.at_signs(way) else search.explained(way)
+    return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained
 
 
 def origin_found(bench: PreparedPlan, seen: Seen) -> complex | None:

@@ -58,7 +58,8 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
 
     :class:`PlanesError` where it is no picture or has nothing to measure by.
     """
-    picture, known = load(file), known or Known()
+    known = known or Known()
+    picture = load(file, known.page or 0)
     paper, best, pole = ReadPaper(file, whole=False), None, known.pole
     for flat, named in _flats(bench, picture, known):
         look = _best(bench, flat, 0j if named else None if pole is None else flat.place(pole), picture.words)

@@ -17,6 +17,7 @@ from planes.check.vision.ink import Ink, ink_of
 from planes.check.vision.line_fitting import Fitted
 from planes.check.vision.picture import Flat
 from planes.geometry.arrays import Complexes
+from planes.words import Phrase
 from planes.words.names import kind_of, label_of
 
 END_MM = 2.2  # a line that stops nearer than this to a crossing may end there
@@ -33,6 +34,7 @@ POLE_MM = 0.06  # σ of the place where a line from the pole begins, about the p
 REACH_MM = 2.5  # of a true mark, when the pole is looked for
 WOBBLE_MM = 0.2  # σ of what a hand's wobble and bow do to any mark
 LOOKED_FOR = 1.7  # how much less sure a person's mark is than the tip it was told by
+MANY, APART_MM = 3, 15.0  # marks that fit elsewhere by no chance; how far off that is another drawing
 
 
 @dataclass
@@ -220,9 +222,11 @@ def pole_found(bench: PreparedPlan, seen: Seen) -> complex | None:
     if kind_of(bench.asked.plan) == "force":  # the order of the forces is free: the closing corner alone is sure
         loose = {label_of(s.makes) for s in bench.program.steps if s.quantity == "tangential"}
         ends = [z for n, z in bench.true_marks.items() if n not in loose]
-    best, place = 0.0, None
+    tried = [(0.0, 0j)]
     for p in (p for p in seen.places if p.ended):
-        hits = sum(any(q.ended for q in seen.within(p.z + e, REACH_MM)) for e in ends) + 0.01 * len(p.ended)
-        if hits > best:
-            best, place = hits, p.z
+        hits = sum(any(q.ended for q in seen.within(p.z + e, REACH_MM)) for e in ends)
+        tried.append((hits + 0.01 * len(p.ended), p.z))
+    best, place = max(tried, key=lambda one: one[0])
+    if len(ends) >= MANY and any(hits >= len(ends) and abs(z - place) > APART_MM for hits, z in tried):
+        seen.ink.flat.notes.append(Phrase("check_two_plans"))
     return place if best >= max(2, 0.4 * len(ends)) else None

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 
 from planes.check.grading.handwork import Hand, Miss, Variant
 from planes.check.grading.polygons import Side
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
-from planes.check.vision.ink_cover import slip
+from planes.check.vision.ink_cover import COVERED, slip
+from planes.check.vision.places import Seen
+from planes.check.vision.print_scale import seen_from
 from planes.drafting.steps import Cross, Step
 from planes.words.names import POLE, at, label_of, links_of, plan_of
 
@@ -24,6 +26,24 @@ class Guess:
     closing: Mapping[str, complex]  # unit directions
     cost: float = 0.0
     free: str = ""  # a vector that may be anywhere
+
+
+@dataclass
+class LaidChain:
+    """A chain of vectors laid on the picture: (name, where it ends, how surely)."""
+
+    cost: float
+    rows: list[tuple[str, complex, float]] = field(default_factory=list)
+    hidden: tuple[str, ...] = ()
+    steps: int = 0  # of ink, and heads, that the vectors account for: bits
+    heads: int = 0
+
+    def left_out(self, name: str, right: Guess, pole: complex) -> bool:
+        """Whether a known vector of some length is laid with none: nobody drew it."""
+        k = next(i for i, row in enumerate(self.rows) if row[0] == name)
+        drawn = abs(self.rows[k][1] - (self.rows[k - 1][1] if k else pole))
+        true = abs(right.known.get(name, 0j))
+        return true > 1 and drawn < min(0.4 * true, 0.8)
 
 
 def polygon_of(sides: Iterable[Side], plan: str) -> list[Side]:
@@ -96,3 +116,13 @@ def spread_of(bench: PreparedPlan, sides: list[Side]) -> dict[str, Miss]:
     hand, plan = Hand(bench.program, bench.given, bench.asked.skill, {}), bench.asked.plan
     ends = {n: 0j if n == POLE else hand.things[at(plan, n)] for s in sides for n in (s.start, s.end)}
     return {s.name: hand.miss(0j, ends[s.end] - ends[s.start]) for s in sides}
+
+
+def seen_like(bench: PreparedPlan, sides: list[Side], seen: Seen) -> Iterator[tuple[str, complex, complex]]:
+    """What may be vectors of the polygon: ink between two places about as far apart in their directions."""
+    right = _vectors(bench, sides, None) or {}
+    true = {s.name: right[s.name] for s in sides if s.name in right}
+    for place in seen.places:
+        for name, drawn, v in seen_from(seen, place.z, true) if place.ended else ():
+            if seen.ink.covered(place.z, place.z + drawn) > COVERED:
+                yield name, drawn, v

@@ -1,0 +1,80 @@
+"""At what share of its size a blank was printed, told by the drawing on it.
+
+A printer that fits a page into its margins makes all of it smaller, but people draw on it by a ruler: measured by the
+corner marks, all they draw is larger by one factor. A drawing to a wrong scale looks the same, so no more is believed
+than printers do.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+
+from planes.check.grading.paper import ReadMark
+from planes.check.vision.picture import Flat
+from planes.check.vision.places import Seen
+from planes.words import Phrase, Written
+
+LEAST, MOST = 0.9, 1.05  # of its size that a page may be printed at
+EXACT = 0.006  # nearer to its size than this is its size
+LONG_MM, ASIDE_MM, AGREE_MM = 12.0, 1.2, 0.7  # of a vector that tells it; how far off its end may be, across and along
+UNLIKELY = 3.0  # what it costs to believe that a page was not printed at its size
+TRIED = 2
+EXPLAINED = 0.6  # of a sheet's ink by a plan that tells anything
+
+Rows = list[tuple[str, float, float]]  # by vector: how much longer it seems to be, and how long it is
+
+
+def likely_shares(flat: Flat, pairs: Iterable[tuple[str, complex, complex]]) -> list[float]:
+    """What a sheet may have been printed at: its size, then what may be vectors of the plan tell, the likeliest first;
+    these by name, as seen and as they should be."""
+    rows, found = _rows(pairs) if flat.by == "marks" else [], [1.0]
+    for _, share in sorted(((-len(_agreeing(rows, r)), 1 / r) for _, r, _ in rows)):
+        agreeing = _agreeing(rows, 1 / share)
+        share = 1 / _mean(agreeing)
+        shown = abs(1 / share - 1) * math.hypot(*(mm for _, mm in agreeing.values())) > AGREE_MM
+        if shown and all(abs(share / one - 1) > EXACT for one in found):
+            found.append(share)
+    return found[: 1 + TRIED]
+
+
+def seen_from(seen: Seen, pole: complex, true: Mapping[str, complex]) -> Iterator[tuple[str, complex, complex]]:
+    """What may be the vectors from a pole to marks: where something ends about as far in their directions, or, where
+    the drive was reversed, against them."""
+    middle = (1 / LEAST + 1 / MOST) / 2
+    for name, z in ((name, z) for name, v in true.items() for z in (v, -v)):
+        for place in seen.within(pole + middle * z, (1 / LEAST - middle) * abs(z) + ASIDE_MM):
+            if place.ended or place.tip:
+                yield name, place.z - pole, z
+
+
+def _rows(pairs: Iterable[tuple[str, complex, complex]]) -> Rows:
+    """By vector how much longer it is seen than it should be, where that may be a printer's doing."""
+    rows = ((name, seen / true, abs(true)) for name, seen, true in pairs if abs(true) > LONG_MM)
+    return [(n, r.real, mm) for n, r, mm in rows if abs(r.imag) * mm < ASIDE_MM and 1 / MOST < r.real < 1 / LEAST]
+
+
+def _agreeing(rows: Rows, ratio: float) -> dict[str, tuple[float, float]]:
+    """The vectors that are longer by that, each as nearly as it can be."""
+    near = [row for row in rows if abs(row[1] - ratio) * row[2] < AGREE_MM]
+    return {name: (r, mm) for name, r, mm in sorted(near, key=lambda row: -abs(row[1] - ratio))}
+
+
+def _mean(rows: Mapping[str, tuple[float, float]]) -> float:
+    """By how much vectors are longer, long ones counting most."""
+    return sum(r * mm**2 for r, mm in rows.values()) / sum(mm**2 for _, mm in rows.values())
+
+
+def by_ruler(
+    flat: Flat, about: complex, share: float, spots: list[ReadMark], explained: float, true: Mapping[str, complex]
+) -> list[ReadMark]:
+    """Marks of a sheet printed at about a share of its size, and its picture from now on, in millimetres of a ruler;
+    the place they are ``about`` keeps its own. What they should be tells the share better."""
+    if share == 1 or explained < EXPLAINED:
+        return spots
+    rows = _agreeing(_rows((s.name, s.place - about, true[s.name]) for s in spots if s.name in true), 1 / share)
+    share = 1 / _mean(rows) if rows else share
+    flat.scale, flat.corner = flat.scale / share, about + (flat.corner - about) * share
+    flat.notes.append(Phrase("check_printed_at", share=Written(f"{100 * share:.1f}")))
+    return [replace(s, place=about + (s.place - about) * share) for s in spots]
