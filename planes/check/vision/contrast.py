@@ -28,7 +28,7 @@ PLAIN, FIRM, FAINTEST = 0.4, 0.28, 0.06  # of a usual line: what is plainly draw
 FOREMOST = 0.9  # of what is felt at any angle, at a line's own
 APART, AMONG, AMONG_MM = 0.5, 0.5, 1.5  # of a stroke's ink, what its darker side lacks; of the most about it, a stroke
 STROKE_MM, LONG_MM = 5.0, 7.5  # of what is plainly drawn; of lines that tell what is usual
-FEW, USUAL = 60, 65.0 * FINE  # places that tell it at the least; a firm pencil's
+FEW, MAINLY, USUAL = 60, 0.7, 65.0 * FINE  # places that tell it, the share rubbed out or less; a firm pencil
 TAIL_MM = 7.0  # a line that is faint for longer was rubbed out
 NEAR_MM, BESIDE_MM = 1.0, 0.5  # how far what is followed goes on under other ink; how far aside its ink is
 PEAK = 1.35  # how much darker a line's middle is than it is felt
@@ -100,7 +100,7 @@ class FeltLines:
         out.paper = ABOVE * _usual_on_paper(out.most)
         out.own = [out._strokes(k) for k in range(ANGLES)]
         strong = numpy.concatenate([own[_long(own > 2 * out.paper / FINE, LONG_MM)] for own in out.own])
-        out.usual = float(numpy.median(strong)) * FINE if len(strong) > FEW else USUAL
+        out.usual = float(numpy.quantile(strong, MAINLY)) * FINE if len(strong) > FEW else USUAL
         return out
 
     def at(self, k: int) -> tuple[Array, Array, Array]:
