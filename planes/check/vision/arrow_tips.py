@@ -25,7 +25,7 @@ END_MM, AT_END_MM = 0.08, 1.5  # σ of where a line is seen to end; how far its 
 ENOUGH, EVEN, UNEVEN = 3, 0.02, 0.08  # heads that tell how alike all are, and how alike they may be; fewer do not
 SHAPE_MM = (0.2, 0.03)  # σ of a fitted head's length and half of its width
 ERROR = 20.0  # the error of a fit by how much ink it leaves: places of a picture err together
-HAND = 0.12  # by how much a hand's heads differ in length, whatever those few that are seen well say
+HAND = 0.08  # by how much a hand's heads differ in length, whatever those few that are seen well say
 NUDGES = (0.05, 0.03, 0.02, 0.1, 0.04)
 LEAST_MM = 0.1  # no tip is surer
 

@@ -28,10 +28,11 @@ PLAIN, FIRM, FAINTEST = 0.4, 0.28, 0.06  # of a usual line: what is plainly draw
 FOREMOST = 0.9  # of what is felt at any angle, at a line's own
 APART, AMONG, AMONG_MM = 0.5, 0.5, 1.5  # of a stroke's ink, what its darker side lacks; of the most about it, a stroke
 STROKE_MM, LONG_MM = 5.0, 7.5  # of what is plainly drawn; of lines that tell what is usual
-FEW, USUAL = 60, 65.0 * FINE  # places that tell it at the least; a firm pencil's
+FEW, MAINLY, USUAL = 60, 0.7, 65.0 * FINE  # places that tell it, the share rubbed out or less; a firm pencil
 TAIL_MM = 7.0  # a line that is faint for longer was rubbed out
 NEAR_MM, BESIDE_MM = 1.0, 0.5  # how far what is followed goes on under other ink; how far aside its ink is
-PEAK = 1.35  # how much darker a line's middle is than it is felt
+PEAK, SHARPEST, EVEN = 1.35, 2.5, 0.85  # how much darker a line's middle is than it is felt: of a pencil's line, of a
+# thin one; of the darkest middle, what counts
 MOST, BLOT = 1.3, 0.7  # of a usual line: the most a line is held against; of other ink, that it is
 FILLED_MM = 1.2  # of a line, over which the pits of paper's grain are filled
 HELD = 0.4  # of its line's darkness: ink that surely is a followed line's
@@ -59,16 +60,19 @@ def inked(dark: Greys, scale: float, whole: int) -> LineInk:
 def _evened_along(dark: Greys, scale: float) -> tuple[Greys, Greys, Booleans]:
     """The picture with its lines filled; on a smaller one what ink is held against, and where lines are followed."""
     cv2, felt = cv(), FeltLines.of(dark, scale)
-    strength, even = numpy.zeros_like(felt.most), dark.copy()
+    strength, even, peaks = numpy.zeros_like(felt.most), dark.copy(), [numpy.full(1, PEAK)]
     for k in range(ANGLES):
         for place, response, mine in felt.followed(k):
             near = cv2.dilate(mine.view(numpy.uint8), _disk(NEAR_MM)) > 0
             strength[place] = numpy.maximum(strength[place], numpy.where(near, response, 0))
-            _fill(dark, even, place, mine, k, scale)
+            middle = _fill(dark, even, place, mine, k, scale)
+            ridge = mine & (response == cv2.dilate(response, numpy.ones((3, 3), numpy.uint8)))
+            peaks.append(FINE * middle[ridge] / response[ridge])
+    peak = float((EVEN * numpy.median(numpy.concatenate(peaks))).clip(PEAK, SHARPEST))
     against = numpy.minimum(cv2.dilate(strength, _disk(BESIDE_MM)), MOST * felt.usual)
     other = numpy.maximum(BLOT * cv2.dilate(felt.darkest, _disk(BESIDE_MM)), felt.usual)
     against = cv2.GaussianBlur(numpy.where(against > 0, against, other).astype(numpy.float32), (0, 0), 0.7)
-    return even, (PEAK / FINE * against).clip(1, 255).astype(numpy.uint8), strength > 0
+    return even, (peak / FINE * against).clip(1, 255).astype(numpy.uint8), strength > 0
 
 
 @dataclass
@@ -100,7 +104,7 @@ class FeltLines:
         out.paper = ABOVE * _usual_on_paper(out.most)
         out.own = [out._strokes(k) for k in range(ANGLES)]
         strong = numpy.concatenate([own[_long(own > 2 * out.paper / FINE, LONG_MM)] for own in out.own])
-        out.usual = float(numpy.median(strong)) * FINE if len(strong) > FEW else USUAL
+        out.usual = float(numpy.quantile(strong, MAINLY)) * FINE if len(strong) > FEW else USUAL
         return out
 
     def at(self, k: int) -> tuple[Array, Array, Array]:
@@ -156,8 +160,8 @@ def _drop_long(whole: Booleans, faint: Booleans, plain: Booleans) -> None:
                 whole[place] &= parts[place] != k
 
 
-def _fill(dark: Greys, even: Greys, place: Place, of_it: Booleans, k: int, scale: float) -> None:
-    """Fill the pits that paper's grain leaves in a line, from the ink along it."""
+def _fill(dark: Greys, even: Greys, place: Place, of_it: Booleans, k: int, scale: float) -> Array:
+    """Fill the pits that paper's grain leaves in a line, from the ink along it; how dark its middle is."""
     cv2, up = cv(), scale / PX_PER_MM
     rows, columns = (slice(int(side.start * up), int(side.stop * up)) for side in place)
     part, reach = dark[rows, columns], max(round(FILLED_MM / 2 * scale), 1)
@@ -167,6 +171,9 @@ def _fill(dark: Greys, even: Greys, place: Place, of_it: Booleans, k: int, scale
     smooth = cv2.filter2D(part, -1, (kernel / kernel.sum()).astype(numpy.float32))
     inside = cv2.resize(of_it.view(numpy.uint8), part.shape[::-1], interpolation=cv2.INTER_NEAREST) > 0
     even[rows, columns] = numpy.where(inside, numpy.maximum(even[rows, columns], smooth), even[rows, columns])
+    middle = cv2.dilate(smooth, numpy.ones((3, 3), numpy.uint8))
+    found: Array = cv2.resize(middle, of_it.shape[::-1], interpolation=cv2.INTER_NEAREST).astype(float)
+    return found
 
 
 def _usual_on_paper(felt: Array) -> float:
