@@ -67,7 +67,7 @@ def _evened_along(dark: Greys, scale: float) -> tuple[Greys, Greys, Booleans]:
             strength[place] = numpy.maximum(strength[place], numpy.where(near, response, 0))
             middle = _fill(dark, even, place, mine, k, scale)
             ridge = mine & (response == cv2.dilate(response, numpy.ones((3, 3), numpy.uint8)))
-            peaks.append(FINE * middle[ridge] / response[ridge])
+            peaks.append(middle[ridge] / (response[ridge] / FINE))
     peak = float((EVEN * numpy.median(numpy.concatenate(peaks))).clip(PEAK, SHARPEST))
     against = numpy.minimum(cv2.dilate(strength, _disk(BESIDE_MM)), MOST * felt.usual)
     other = numpy.maximum(BLOT * cv2.dilate(felt.darkest, _disk(BESIDE_MM)), felt.usual)
@@ -160,7 +160,7 @@ def _drop_long(whole: Booleans, faint: Booleans, plain: Booleans) -> None:
                 whole[place] &= parts[place] != k
 
 
-def _fill(dark: Greys, even: Greys, place: Place, of_it: Booleans, k: int, scale: float) -> Array:
+def _fill(dark: Greys, even: Greys, place: Place, of_it: Booleans, k: int, scale: float) -> Greys:
     """Fill the pits that paper's grain leaves in a line, from the ink along it; how dark its middle is."""
     cv2, up = cv(), scale / PX_PER_MM
     rows, columns = (slice(int(side.start * up), int(side.stop * up)) for side in place)
@@ -169,10 +169,11 @@ def _fill(dark: Greys, even: Greys, place: Place, of_it: Booleans, k: int, scale
     local = (x + 1j * y) * numpy.exp(-1j * math.pi * k / ANGLES)
     kernel = numpy.clip(1 - numpy.abs(local.imag), 0, 1) * (numpy.abs(local.real) <= reach)
     smooth = cv2.filter2D(part, -1, (kernel / kernel.sum()).astype(numpy.float32))
-    inside = cv2.resize(of_it.view(numpy.uint8), part.shape[::-1], interpolation=cv2.INTER_NEAREST) > 0
-    even[rows, columns] = numpy.where(inside, numpy.maximum(even[rows, columns], smooth), even[rows, columns])
+    inside = cv2.resize(of_it.view(numpy.uint8), part.shape[::-1], interpolation=cv2.INTER_NEAREST).view(bool)
+    numpy.maximum(even[rows, columns], smooth, out=even[rows, columns], where=inside)
+    del inside
     middle = cv2.dilate(smooth, numpy.ones((3, 3), numpy.uint8))
-    found: Array = cv2.resize(middle, of_it.shape[::-1], interpolation=cv2.INTER_NEAREST).astype(float)
+    found: Greys = cv2.resize(middle, of_it.shape[::-1], interpolation=cv2.INTER_NEAREST)
     return found
 
 

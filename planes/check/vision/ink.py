@@ -72,10 +72,7 @@ class Ink:
 
 def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
     """The ink of a flat picture, without letters and printed marks; a cross may be printed at a place."""
-    even = _evened(flat)
-    if flat.by in ("marks", "frame"):
-        _whiten_printed(flat, even)
-    shares, followed = inked(cv().subtract(numpy.full_like(even, WHITE), even), flat.scale, 255 - PENCIL)
+    shares, followed = inked(_darkness(flat), flat.scale, 255 - PENCIL)
     ink = Ink(flat, 255 - shares, 255 - shares)
     labels, sizes = _pieces(ink, ink.mask | followed)
     ink.even = numpy.where(_spread((sizes >= LETTER_MM)[labels]), ink.whole, 255)
@@ -84,12 +81,14 @@ def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
     return ink
 
 
-def _evened(flat: Flat) -> Greys:
-    """The picture as if the light were the same everywhere: paper is 255."""
-    cv2 = cv()
-    even = numpy.minimum(cv2.divide(flat.grey, light_of(flat), scale=250.0), 255)
-    soft: Greys = cv2.GaussianBlur(even, (0, 0), 0.8)
-    return soft
+def _darkness(flat: Flat) -> Greys:
+    """How much darker than paper the picture is, as if the light were the same everywhere."""
+    even = cv().divide(flat.grey, light_of(flat), scale=float(WHITE))
+    even = cv().GaussianBlur(even, (0, 0), 0.8)
+    if flat.by in ("marks", "frame"):
+        _whiten_printed(flat, even)
+    dark: Greys = WHITE - numpy.minimum(even, WHITE)
+    return dark
 
 
 def light_of(flat: Flat) -> Greys:
