@@ -117,6 +117,17 @@ def test_a_place_far_off_that_what_follows_was_drawn_from_is_the_persons_own() -
     assert found.chance and found.chance > SURE
 
 
+@pytest.mark.parametrize(("doubt", "verdict"), [(MISREAD, "unreadable"), (0.0, "wrong")])
+def test_a_force_that_may_lie_in_the_line_of_another_is_not_said_to_be_missing(doubt: float, verdict: str) -> None:
+    """P_3 goes back over F_21t, F_21n on in the same line: a picture shows one line there and back."""
+    paper = confusion.hand_in(confusion.easel("bntu-3", "force:2-3"), None, SHAKY, random.Random(1))
+    places = {s.name: s.place for s in paper.spots}
+    rows = {"p": 0j, "F_21t": places["F_21t"] - places["p"], "F_30": 0j, "F_21n": 0j}
+    spots = [ReadMark(n, z, 0.2, doubt) for n, z in rows.items()]
+    found = check(confusion.bench("bntu-3", "force:2-3").asked, ReadPaper("t", spots))
+    assert found.verdict == verdict and (found.mistake == "force_missing" or verdict == "unreadable")
+
+
 def test_what_nobody_has_seen_is_not_called_right(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "v.csv"
     file.write_text(csv({n: z for n, z in RIGHT.items() if n != "s2"}), encoding="utf-8")

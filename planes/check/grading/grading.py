@@ -74,17 +74,13 @@ class Grading:
 
     def _confused(self) -> bool:
         """Whether what is wrong with a polygon may only be that its vectors were told wrongly."""
-        found, out = self.judgement, self.left_out
-        if (
-            self.rebuilt is None
-            or not (found.wrong or out)
-            or (found.named and not found.named.mistake.endswith(LEFT_OUT))
-        ):
+        named = self.judgement.named
+        missing = named.blames if named and named.mistake.endswith(LEFT_OUT) else self.left_out
+        if self.rebuilt is None or not (missing or (self.judgement.wrong and not named)):
             return False
-        mark = next((m for m in self.marks if label_of(m) == (out or (found.named and found.named.blames))), None)
-        step = self.hand.program.makers[mark] if mark else None
-        missing = complex(self.truth[mark] - self.truth[step.start]) if mark and isinstance(step, LayOff) else None
-        return self.rebuilt.confused(missing)
+        made = (self.hand.program.makers[m] for m in self.marks if label_of(m) == missing)
+        step = next((s for s in made if isinstance(s, LayOff)), None)
+        return self.rebuilt.confused(complex(self.truth[step.makes] - self.truth[step.start]) if step else None)
 
     @property
     def left_out(self) -> str | None:

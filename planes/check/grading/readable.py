@@ -5,6 +5,7 @@ from __future__ import annotations
 from planes.check.grading.certainty import SURE
 from planes.check.grading.evidence import MOST_BY_CHANCE, SMALLEST, size_of
 from planes.check.grading.grading import Grading
+from planes.check.grading.judging import WARN
 from planes.drafting.steps import Cross, CrossArc, CrossArcs, Same
 from planes.words import Phrase, Written
 from planes.words.names import label_of
@@ -46,7 +47,8 @@ def _unsure_marks(grading: Grading) -> list[str]:
     doubted = [m for m in found.misses if grading.hand.taken[m].doubt]
     if wrong >= SURE or not doubted:
         return []
-    return sorted(doubted, key=lambda m: (m not in found.wrong[:1], -found.misses[m].sigmas))[:MOST_ASKED]
+    odd = sorted(doubted, key=lambda m: (m not in found.wrong[:1], -found.misses[m].sigmas))
+    return [m for m in odd if m in found.wrong or found.misses[m].sigmas > WARN][:MOST_ASKED] or odd[:1]
 
 
 def doubts_of(grading: Grading) -> Phrase | None:
