@@ -59,10 +59,11 @@ def accused_rightly(found: Outcome) -> bool:
     return abs(wrong - right) > TOLERANCE_MM and abs(judged.misses[mark].off) > 0.5 * TOLERANCE_MM
 
 
-def accused(easel: confusion.Easel, count: int) -> tuple[int, list[str]]:
+def accused(easel: confusion.Easel, most: int = 100) -> tuple[int, list[str]]:
     """How many of a plan's drawings had a mistake named, and which of them falsely."""
     rng, named, false = random.Random(f"{easel.sample} {easel.plan}"), 0, []
-    for mistake in confusion.possible(easel) * count:
+    every = confusion.possible(easel)
+    for mistake in rng.sample(every, min(most, len(every))):
         found = check(confusion.bench(easel.sample, easel.plan).asked, moved(easel, mistake, rng))
         named += found.mistake is not None
         if not accused_rightly(found):
@@ -71,14 +72,14 @@ def accused(easel: confusion.Easel, count: int) -> tuple[int, list[str]]:
 
 
 def test_nobody_is_accused_of_a_mistake_at_a_mark_that_is_where_it_should_be() -> None:
-    plans = [("six-link", "velocity"), ("kind-1-rrr", "acceleration"), ("kind-3-rpr", "force:2-3")]
-    found = [accused(confusion.easel(*one), 1) for one in plans]
-    assert sum(named for named, _ in found) > 5 and not [f for _, false in found for f in false]
+    plans = [("six-link", "velocity"), ("kind-1-rrr", "velocity"), ("kind-5-rpp", "force:2-3")]
+    found = [accused(confusion.easel(*one), 12) for one in plans]
+    assert sum(named for named, _ in found) > 1 and not [f for _, false in found for f in false]
 
 
 @pytest.mark.slow
 def test_nobody_is_accused_falsely_on_any_plan() -> None:
-    found = [accused(one, 1) for one in confusion.easels()]
+    found = [accused(one) for one in confusion.easels()]
     assert sum(named for named, _ in found) > 100 and not [f for _, false in found for f in false]
 
 
