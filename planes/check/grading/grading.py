@@ -69,7 +69,7 @@ class Grading:
             return found.chance_wrong
         variance = (self.gap_reach / found.limit) ** 2
         broad = breadth(extent(self.truth, plan_of(self.marks[0])))
-        closed = all_drawn({"": Miss(gap.place, (variance, 0.0, variance))}, broad, {"": gap.doubt})
+        closed = all_drawn({"": Miss(gap.place, (variance, 0.0, variance))}, broad, {"": 0.0})
         return max(found.chance_wrong, chance_wrong(closed, -math.inf, ()))
 
     def _confused(self) -> bool:
