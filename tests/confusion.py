@@ -14,9 +14,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cache, partial
 
-from planes.check.grading.grading import grade, readable
+from planes.check.grading.grading import grade
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare
+from planes.check.grading.readable import readable
 from planes.scene import load
 from tests import sample_oracle
 from tests.helpers import ROOT, drawings, drawings_force

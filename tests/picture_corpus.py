@@ -149,16 +149,21 @@ def told_of(easel: Easel, mistake: Mistake | None, one: Drawn, found: Outcome, s
 
 
 def mark_errors(easel: Easel, one: Drawn, found: Outcome) -> list[float]:
-    """How far the marks were read from where they were put, mm, each from its pole (vectors in a force plan)."""
+    """How far the marks were read from where they were put, mm."""
+    return [*errors_by_mark(easel, one, found).values()]
+
+
+def errors_by_mark(easel: Easel, one: Drawn, found: Outcome) -> dict[str, float]:
+    """The same by mark, each from its pole (vectors in a force plan)."""
     spots = found.paper.spots
     if not spots:
-        return []
+        return {}
     if easel.plan.startswith("force"):
         ends = {s.name: s.place - spots[0].place for s in spots[1:]}
         pole, places = 0j, [0j, *one.marks.values()]
-        return [min(abs(z - p) for p in places) for z in ends.values()]
+        return {n: min(abs(z - p) for p in places) for n, z in ends.items()}
     pole = next(s.place for s in spots if s.name == "p")
-    return [abs(s.place - pole - one.marks[s.name]) for s in spots if s.name in one.marks]
+    return {s.name: abs(s.place - pole - one.marks[s.name]) for s in spots if s.name in one.marks}
 
 
 def draw_all(each: int, chosen: Iterable[Easel], seed: int = 1) -> Iterator[tuple[str, Easel, Count]]:

@@ -6,12 +6,12 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
-from planes.check.grading.certainty import SURE
 from planes.check.grading.evidence import SURE_LENGTHS, lengths_by_chance
-from planes.check.grading.grading import Grading, grade, readable
+from planes.check.grading.grading import Grading, grade
 from planes.check.grading.handwork import Hand, Taken
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
+from planes.check.grading.readable import doubts_of, readable
 from planes.check.grading.written_numbers import Account, WrittenNumber, account, result_figures, segment_figures
 from planes.plans.quantities import catalogue
 from planes.words import Phrase, Written
@@ -20,7 +20,6 @@ from planes.words.lettering import plan_phrase
 from planes.words.names import kind_of, label_of, mu_of
 
 STATUS = {"right": 0, "right_as_seen": 3, "wrong": 1, "unreadable": 2}  # the better first
-MOST_ASKED = 3  # marks asked about at once
 
 
 @dataclass
@@ -159,28 +158,7 @@ def _look(out: Outcome) -> None:
     elif not paper.pole_told and out.grading and not out.grading.sure_by_itself:
         out.unreadable = out.unreadable or Phrase("check_unsure")
     elif out.grading:
-        out.unreadable = out.unreadable or _ask(out.grading)
-
-
-def unsure_marks(grading: Grading) -> list[str]:
-    """The marks to ask a person about, where what was read may be misread and is not sure enough to judge by."""
-    found = grading.judgement
-    wrong = grading.chance_wrong if grading.strays else 1 - grading.chance_wrong
-    doubted = [m for m in found.misses if grading.hand.taken[m].doubt]
-    if wrong >= SURE or not doubted:
-        return []
-    return sorted(doubted, key=lambda m: (m not in found.wrong[:1], -found.misses[m].sigmas))[:MOST_ASKED]
-
-
-def _ask(grading: Grading) -> Phrase | None:
-    """Whether some marks were rightly read, and how to tell; None where that is sure enough."""
-    marks = unsure_marks(grading)
-    if not marks or grading.rebuilt:
-        return Phrase("check_force_unsure") if marks else None
-    places = [(label_of(m), grading.hand.taken[m].place) for m in marks]
-    first = places[0][0]
-    told = ", ".join(f"{n} ({z.real:.1f}; {z.imag:.1f})" for n, z in places)
-    return Phrase("check_ask", marks=Written(told), mark=first)
+        out.unreadable = out.unreadable or doubts_of(out.grading)
 
 
 def _scale_notes(out: Outcome) -> list[Phrase]:

@@ -102,7 +102,7 @@ function draw() {
   if (!moved) return; // what was printed stands until something is moved
   say(found.sentence);
   document.body.className = found.verdict;
-  $("chance").hidden = true;
+  $("chance").style.visibility = "hidden"; // what is drawn stays where it is
   $("moved").hidden = false;
   table();
 }

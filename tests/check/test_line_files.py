@@ -12,6 +12,8 @@ from typing import Any
 import pytest
 
 from planes.check import Outcome, check
+from planes.check.grading.paper import Known
+from planes.check.handed_in import read_paper
 from planes.check.reading.dxf import read_dxf
 from planes.check.reading.matching import paper_of
 from planes.check.reading.strokes import ReadDrawing
@@ -297,6 +299,52 @@ def blocks_of_autocad(document: Any, space: Any) -> None:
         space.add_line((b.real, b.imag), (a.real, a.imag))
         angle = math.degrees(cmath.phase(b - a))
         space.add_arrow(KNOWN.closed_filled, insert=(b.real, b.imag), size=3, rotation=angle)
+
+
+def headless(strokes: list[line_drawings.Stroke], words: list[tuple[str, complex]], middle: bool) -> str:
+    """Vectors without heads, as polylines with a vertex in their middles, or with a thin construction line under each,
+    which runs on beyond its end, and for every other one before its beginning."""
+    lines = []
+    for k, (a, b) in enumerate(strokes):
+        u = (b - a) / abs(b - a)
+        lines.append([a, (a + b) / 2, b] if middle else [a, b])
+        lines += [] if middle else [[a - 5 * u * (k % 2), b + (4 + k % 3 * 5) * u]]
+    paths = "".join(
+        f'<path d="M{" L".join(f"{(z + 200).real:.3f},{150 - z.imag:.3f}" for z in line)}"/>' for line in lines
+    )
+    texts = "".join(
+        f'<text style="font-size:4.8px" x="{z.real + 200:.2f}" y="{150 - z.imag:.2f}">{t}</text>' for t, z in words
+    )
+    page = HEAD + 'width="420mm" height="297mm" viewBox="0 0 420 297">'
+    return f'{page}<g style="fill:none;stroke:#000">{paths}</g>{texts}</svg>'
+
+
+def as_lines(easel: confusion.Easel, middle: bool, file: Path) -> Outcome:
+    """A right plan without heads, checked."""
+    file.write_text(headless(*test_check.sketch_of(easel, None), middle), encoding="utf-8")
+    asked = confusion.bench(easel.sample, easel.plan).asked
+    return check(asked, read_paper(str(file), asked, Known()))
+
+
+@pytest.mark.parametrize("middle", [False, True])
+@pytest.mark.parametrize(
+    ("sample", "plan"),
+    [("six-link", "velocity"), ("bntu-5", "acceleration"), ("kind-4-prp", "acceleration"), ("kind-1-rrr", "force:2-3")],
+)
+def test_construction_lines_and_middle_vertices_move_nothing(
+    sample: str, plan: str, middle: bool, tmp_path: Path
+) -> None:
+    found = as_lines(confusion.easel(sample, plan), middle, tmp_path / "t.svg")
+    assert found.verdict == "right", found.sentence.told("en")
+    assert not any("?" in n.told("en") for n in (found.sentence, *found.notes))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("middle", [False, True])
+def test_right_plans_without_heads_are_not_called_wrong(middle: bool, tmp_path: Path) -> None:
+    found = [as_lines(one, middle, tmp_path / "t.svg").verdict for one in easels()]
+    print("without heads", middle, found.count("right"), found.count("wrong"), len(found))
+    assert found.count("right") >= 0.88 * len(found) and found.count("wrong") <= 0.02 * len(found)
 
 
 HEADS = {f.__name__: f for f in (solids, hatches, narrowing, leaders, hollow, blocks_of_autocad)}

@@ -229,8 +229,10 @@ def counted(taken: Picture) -> Tally:
     seconds = time.perf_counter() - start
     if found is None:
         return Tally.of(Truth("wrong" if work.mistake else "right"), "unreadable", None, None, [], seconds)
-    errors = picture_corpus.mark_errors(work.easel, work.one, found)
-    return Tally.of(truth(work, found), found.verdict, found.first_wrong, found.mistake, errors, seconds)
+    errors = picture_corpus.errors_by_mark(work.easel, work.one, found)
+    inside = sum(errors[s.name] <= 2 * s.error_mm for s in found.paper.spots if s.name in errors)
+    first, said = found.first_wrong, found.mistake
+    return Tally.of(truth(work, found), found.verdict, first, said, [*errors.values()], seconds, inside)
 
 
 def truth(work: Work, found: Outcome) -> Truth:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, fields
 
-HEAD = ("right", "found", "step", "named", "unread", "false", "misled", "s", "mm 50 %", "mm 95 %")
+HEAD = ("right", "found", "step", "named", "unread", "false", "misled", "s", "mm 50 %", "mm 95 %", "in 2σ", "as seen")
 
 
 @dataclass(frozen=True)
@@ -21,6 +21,7 @@ class Tally:
 
     right: int = 0
     accepted: int = 0
+    as_seen: int = 0  # of all: nothing wrong was seen, but not every mark
     wrong: int = 0
     found: int = 0
     step: int = 0
@@ -29,14 +30,22 @@ class Tally:
     false: int = 0  # right called wrong, wrong accepted
     seconds: float = 0.0
     errors: list[float] = field(default_factory=list)
+    inside: int = 0  # marks that are within 2σ, as σ is stated of each
 
     @staticmethod
     def of(
-        truth: Truth, verdict: str, first: str | None, mistake: str | None, errors: list[float], seconds: float
+        truth: Truth,
+        verdict: str,
+        first: str | None,
+        mistake: str | None,
+        errors: list[float],
+        seconds: float,
+        inside: int = 0,
     ) -> Tally:
         """One picture."""
-        out = Tally(seconds=seconds, errors=errors, unread=int(verdict == "unreadable"))
-        out.false = int(verdict != "unreadable" and verdict != truth.verdict)
+        out = Tally(seconds=seconds, errors=errors, unread=int(verdict == "unreadable"), inside=inside)
+        out.as_seen = int(verdict == "right_as_seen")
+        out.false = int(verdict in ("right", "wrong") and verdict != truth.verdict)
         if truth.verdict == "right":
             out.right, out.accepted = 1, int(verdict == "right")
             return out
@@ -55,7 +64,8 @@ class Tally:
         off = [f"{errors[int(share * (len(errors) - 1))]:.2f}" if errors else "–" for share in (0.5, 0.95)]
         shares = [f"{self.accepted}/{self.right}", *(f"{n}/{self.wrong}" for n in (self.found, self.step, self.named))]
         told = [f"{self.unread}/{count}", str(self.false), str(self.found - self.step)]
-        return [*shares, *told, f"{self.seconds / max(count, 1):.1f}", *off]
+        seen = [f"{self.inside}/{len(errors)}", str(self.as_seen)]
+        return [*shares, *told, f"{self.seconds / max(count, 1):.1f}", *off, *seen]
 
 
 def line(name: str, cells: list[str] | tuple[str, ...]) -> str:

@@ -75,7 +75,7 @@ def counted(pair: Pair) -> Tally:
     start = time.perf_counter()
     found = checked(pair, pair.picture, *pair.options)
     seconds = time.perf_counter() - start
-    truth = Truth(true["verdict"], frozenset({(true["mistake"], true["first_wrong"])}))
+    truth = Truth(true["verdict"].removesuffix("_as_seen"), frozenset({(true["mistake"], true["first_wrong"])}))
     if found is None:
         return Tally.of(truth, "unreadable", None, None, [], seconds)
     errors = list(off(places(true), places(found)))

@@ -32,7 +32,7 @@ def misread(off: complex, broad: float, doubt: float) -> float:
     return math.log(doubt) + float(numpy.logaddexp(near, math.log(ANYWHERE) + broad))
 
 
-def drawn(miss: Miss, broad: float, doubt: float) -> float:
+def density(miss: Miss, broad: float, doubt: float) -> float:
     """Logarithm of the density of a miss of a mark that is right, but for the errors of hand and reading."""
     if not math.isfinite(miss.sigmas):
         return -math.inf
@@ -41,12 +41,12 @@ def drawn(miss: Miss, broad: float, doubt: float) -> float:
 
 def mixed(miss: Miss, broad: float, doubt: float) -> float:
     """The same of any mark: now and then it slipped."""
-    return float(numpy.logaddexp(drawn(miss, broad, doubt) + math.log1p(-SLIP), broad + math.log(SLIP)))
+    return float(numpy.logaddexp(density(miss, broad, doubt) + math.log1p(-SLIP), broad + math.log(SLIP)))
 
 
 def all_drawn(misses: Mapping[str, Miss], broad: float, doubts: Mapping[str, float]) -> float:
     """Logarithm of how likely it is that none of the marks slipped."""
-    return sum(drawn(m, broad, doubts[n]) + math.log1p(-SLIP) - mixed(m, broad, doubts[n]) for n, m in misses.items())
+    return sum(density(m, broad, doubts[n]) + math.log1p(-SLIP) - mixed(m, broad, doubts[n]) for n, m in misses.items())
 
 
 def chance_wrong(right: float, otherwise: float, mistakes: Iterable[float]) -> float:

@@ -8,23 +8,22 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from planes.check.grading.certainty import SURE, all_drawn, breadth, chance_wrong
-from planes.check.grading.evidence import MOST_BY_CHANCE, SMALLEST, by_chance, own_scales, size_of
+from planes.check.grading.evidence import by_chance, own_scales
 from planes.check.grading.handwork import Hand, Miss, Taken
 from planes.check.grading.judging import LEFT_OUT, Judgement, judge, verdicts
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.polygons import Rebuilt, align
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.drafting.drawing import Drawing, run
-from planes.drafting.steps import Cross, CrossArc, CrossArcs, LayOff, Same, Step
+from planes.drafting.steps import LayOff, Same, Step
 from planes.plans import Plans
 from planes.plans.scales import extent
-from planes.words import Phrase, Written
+from planes.words import Phrase
 from planes.words.names import at, kind_of, label_of, letter_of, mu_of, plan_of
 
 OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
 LONG_MM = 3.0  # a shorter vector shows no scale
 NAMELESS = "?"  # begins the name of a line that has none
-READABLE = 0.5  # the share of a plan's crossings that must be read
 FAR_MM = 3.0  # a mark this far off was not merely misread
 FITTING = 0.9  # the share of the other marks that must be seen, and right, before one of them is blamed
 
@@ -62,14 +61,26 @@ class Grading:
     def chance_wrong(self) -> float:
         """How likely it is that something is wrong: a mark, a force left out, a polygon that does not close."""
         found, gap = self.judgement, self.rebuilt.gap if self.rebuilt else None
+        if self._confused():
+            return 0.5
         if self.left_out:
             return 1.0
         if not (gap and self.gap_wrong and self.gap_reach):
             return found.chance_wrong
         variance = (self.gap_reach / found.limit) ** 2
         broad = breadth(extent(self.truth, plan_of(self.marks[0])))
-        closed = all_drawn({"": Miss(gap.place, (variance, 0.0, variance))}, broad, {"": gap.doubt})
+        closed = all_drawn({"": Miss(gap.place, (variance, 0.0, variance))}, broad, {"": 0.0})
         return max(found.chance_wrong, chance_wrong(closed, -math.inf, ()))
+
+    def _confused(self) -> bool:
+        """Whether what is wrong with a polygon may only be that its vectors were told wrongly."""
+        named = self.judgement.named
+        missing = named.blames if named and named.mistake.endswith(LEFT_OUT) else self.left_out
+        if self.rebuilt is None or not (missing or (self.judgement.wrong and not named)):
+            return False
+        made = (self.hand.program.makers[m] for m in self.marks if label_of(m) == missing)
+        step = next((s for s in made if isinstance(s, LayOff)), None)
+        return self.rebuilt.confused(complex(self.truth[step.makes] - self.truth[step.start]) if step else None)
 
     @property
     def left_out(self) -> str | None:
@@ -205,8 +216,8 @@ def _grade_at(bench: PreparedPlan, mu: float, share: float, taken: Mapping[str, 
     judgement = judge(hand, bench.marks, variants_of(bench, hand.taken, mu), extent(truth, bench.asked.plan), absent)
     wrong, at_home = judgement.wrong, {m for m, miss in apart.items() if miss.sigmas <= judgement.limit}
     judgement.wrong = wrong[:1] + [m for m in wrong[1:] if m not in at_home]  # off a wrong mark, but where it should be
-    doubtful = any(t.doubt for t in own.values()) and judgement.chance_wrong < 1 - SURE
-    if doubtful and not judgement.named and at_home >= apart.keys():
+    doubtful = any(t.doubt for t in own.values()) and judgement.chance_wrong < 1 - SURE and at_home >= apart.keys()
+    if doubtful and not judgement.named and all(apart[m].sigmas < 1 for m in judgement.wrong):
         judgement.wrong = []  # all are where they should be: what the first was drawn from was read a little off
     return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart, free)
 
@@ -214,29 +225,3 @@ def _grade_at(bench: PreparedPlan, mu: float, share: float, taken: Mapping[str, 
 def empty(bench: PreparedPlan) -> Grading:
     """The grading of a drawing of which no mark is read yet, at the stated scale."""
     return _grade_at(bench, bench.said_mu, 0.0, _earlier(bench), set())
-
-
-def key_marks(grading: Grading) -> list[str]:
-    """The marks a plan cannot be judged without: its crossings, or all that are drawn."""
-    steps = grading.plans.program.makers
-    key = [m for m in grading.marks if isinstance(steps[m], Cross | CrossArc | CrossArcs)]
-    return key or [m for m in grading.marks if not isinstance(steps[m], Same)]
-
-
-def readable(grading: Grading) -> Phrase | None:
-    """None when enough was read to judge, else a sentence that says what is missing."""
-    key = key_marks(grading)
-    found = [m for m in key if m in grading.judgement.misses]
-    if len(found) < READABLE * len(key):
-        missing = ", ".join(label_of(m) for m in key if m not in found)
-        return Phrase("check_too_little", found=len(found), count=len(key), names=missing)
-    reach, count = size_of(grading.hand, grading.marks), len(grading.judgement.misses)
-    size = Written(f"{reach:.1f}")
-    if reach < SMALLEST * grading.hand.tool.skill.point_mm:  # all lies within the error of a pencil from the pole
-        return Phrase("check_nothing_drawn", size=size)
-    if not grading.strays and grading.chance > MOST_BY_CHANCE:
-        return Phrase("check_by_chance", size=size, count=count)
-    wrong = [m for m, v in grading.verdicts.items() if v == "wrong"]
-    if grading.judgement.named is None and count >= 3 and len(wrong) > 0.7 * count:
-        return Phrase("check_other_drawing", count=count, wrong=len(wrong))
-    return None

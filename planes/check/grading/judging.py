@@ -16,7 +16,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy
 
-from planes.check.grading.certainty import SLIP, all_drawn, breadth, chance_wrong, misread, mixed
+from planes.check.grading.certainty import SLIP, all_drawn, breadth, chance_wrong, density, misread, mixed
 from planes.check.grading.handwork import LEAST_MM, Hand, Miss, Variant
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate
@@ -68,7 +68,8 @@ def judge(
     elif ranked and ranked[0].score >= TOO_WELL:  # it explains close calls too well for chance
         found.wrong = [m for m in found.misses if label_of(m) == ranked[0].variant.blames]
         _keep(found, ranked, True)
-    right, otherwise = weighing.right(), weighing.misread(found.wrong[:1])
+    suspect = next((m for m in found.wrong[:1] if weighing.doubts[m]), None)
+    right, otherwise = weighing.right(suspect), weighing.misread(suspect) if suspect else -math.inf
     found.chance_wrong = chance_wrong(right, otherwise, (one.score for one in ranked))
     return found
 
@@ -107,15 +108,16 @@ class _Weighing:
         )
         return float(numpy.logaddexp(slipped, taken)) - self.mixed(mark, miss)
 
-    def right(self) -> float:
-        """Logarithm of how likely it is that no mark slipped."""
-        return all_drawn(self.misses, self.broad, self.doubts)
+    def right(self, suspect: str | None) -> float:
+        """Logarithm of how likely it is that no mark slipped, and that a suspected one was rightly read."""
+        share = all_drawn(self.misses, self.broad, self.doubts)
+        if suspect is None or not math.isfinite(self.misses[suspect].sigmas):
+            return share
+        miss, doubt = self.misses[suspect], self.doubts[suspect]
+        return share + density(miss, self.broad, 0.0) - density(miss, self.broad, doubt)
 
-    def misread(self, suspects: Sequence[str]) -> float:
-        """The same with another place taken for a suspected mark, so that what was drawn from it tells where it is."""
-        mark = next((m for m in suspects if self.doubts[m]), None)
-        if mark is None:
-            return -math.inf
+    def misread(self, mark: str) -> float:
+        """The same with another place taken for the suspected one, so that what was drawn from it tells where it is."""
         hand, own = self.hand, self.hand.taken[mark]
         left = {m: t for m, t in hand.taken.items() if m != mark}
         other = Hand(hand.program, hand.given, hand.tool.skill, left, hand.unsure)

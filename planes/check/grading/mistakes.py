@@ -69,8 +69,8 @@ def _crossed(w: PlanSteps, step: Cross, quick: bool) -> Iterator[Variant]:
         elif guide is not None:
             turned = f"⊥{direction}~{step.makes}"
             swap = w.square(direction, turned), _with(step, side, turned)
-            whole = "relative" if (step.start if side == "along" else step.other) != w.pole else "absolute"
-            about = {"guide": guide, "vector": Phrase(f"{whole}_{w.plan}")}
+            whole = (step.start if side == "along" else step.other) == w.pole
+            about = {"guide": guide, "vector": Phrase(f"absolute_{w.plan}" if whole else f"relative_{w.plan}")}
             yield w.variant("across_guide", step, *swap, about=about)
     if not quick:
         yield from _displaced(w, step)

@@ -19,6 +19,7 @@ from planes.words.errors import PlanesError
 from planes.words.names import POLE, Names, kind_of, label_of, mu_of, plan_of
 
 Vectors = dict[str, ReadMark]  # a person's
+IN_LINE = 0.05  # the sine of the angle between vectors of one line
 NO_VECTOR = ReadMark("", 0j, 0.0)
 
 
@@ -40,6 +41,15 @@ class Rebuilt:
     closing: str = ""
     absent: set[str] = field(default_factory=set)  # known forces that are not there
     unknown: list[str] = field(default_factory=list)
+    vectors: list[ReadMark] = field(default_factory=list)  # as they were read
+
+    def confused(self, missing: complex | None) -> bool:
+        """Whether vectors that were told by their likeness, as on a picture, may as well be others: where no mistake
+        explains them, or the one said to be ``missing`` may lie in the line of a longer one."""
+        if not any(v.doubt for v in self.vectors):
+            return False
+        lines = (abs((v.place.conjugate() * missing).imag) / abs(v.place) for v in self.vectors if missing and v.place)
+        return missing is None or any(aside < IN_LINE * abs(missing) for aside in lines)
 
 
 def sides_of(plans: Plans, plan: str) -> list[Side]:
@@ -72,6 +82,7 @@ def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], whole: bool = Tr
             old, error = vectors.get(name, NO_VECTOR), (before.error_mm**2 + spot.error_mm**2) ** 0.5
             vector, doubt = old.place + spot.place - before.place, max(spot.doubt, old.doubt)
             vectors[name] = ReadMark(name, vector, max(error, old.error_mm), doubt)
+    out.vectors = [*vectors.values()]
     _lay(out, sides, vectors, loads_of(plans, plan), whole)
     return out
 

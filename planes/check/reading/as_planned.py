@@ -12,9 +12,10 @@ from dataclasses import replace
 from itertools import combinations, pairwise
 from typing import TypeVar
 
-from planes.check.grading.grading import grade, readable
+from planes.check.grading.grading import grade
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.grading.readable import readable
 from planes.check.reading.chains import SURELY_MM, WIDE, alongside, back_and_forth, true_vectors
 from planes.check.reading.lone_vectors import arrows_of, others
 from planes.check.reading.parts import NEAR_WORD_MM

@@ -36,6 +36,7 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None = No
     if pole is not None:
         sketch.strokes = [(_at(pole, a), _at(pole, b)) for a, b in sketch.strokes if _at(pole, a) != _at(pole, b)]
     sketch = replace(sketch, words=[one for w in sketch.words for one in w.listed()])
+    vectors = list[int]()
     if kind_of(bench.asked.plan) == "position":
         sketch = hinged(sketch)
         middles = [z for z, _ in sketch.rounds]
@@ -50,7 +51,7 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None = No
         return paper
     labels = [label_of(m) for m in bench.marks]
     near = by_words([*sketch.words, *led(sketch, nodes)], nodes, bench.names)
-    first = len(sketch.rounds) if len(sketch.rounds) >= len(labels) else nodes.corners if headed(sketch) else None
+    first = len(sketch.rounds) if len(sketch.rounds) >= len(labels) else nodes.corners if vectors else None
     if first is not None:  # where marks are told from where lines merely cross or end
         near = {n: {i: far for i, far in held.items() if i < first} or held for n, held in near.items()}
     bench = sized(bench, sketch, nodes, near)

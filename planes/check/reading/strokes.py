@@ -79,7 +79,7 @@ class ReadDrawing:
     def add(self, points: Sequence[complex], closed: bool = False) -> None:
         """A polyline's strokes; where it goes straight on, it is one."""
         line = [*points, points[0]] if closed and len(points) > 2 else list(points)
-        on = {k for k in range(1, len(line) - 1) if _straight(*line[k - 1 : k + 2])}
+        on = {k for k, (a, b, c) in enumerate(zip(line, line[1:], line[2:], strict=False), 1) if _straight(a, b, c)}
         self.passed += [line[k] for k in on]
         line = [z for k, z in enumerate(line) if k not in on]
         for a, b in pairwise(line):
@@ -116,8 +116,7 @@ def hinged(sketch: ReadDrawing) -> ReadDrawing:
 def reach_of(strokes: Sequence[Stroke], vectors: Sequence[int] = ()) -> float:
     """How far apart, mm, ends that are one place may be: hardly where a program joined them, more where the eye did.
 
-    Where ``vectors`` are known, their ends alone tell.
-    """
+    Where ``vectors`` are known, their ends alone tell."""
     ends = [(k, z) for k, stroke in enumerate(strokes) for z in stroke]
     if len(ends) > 2 * CROSSINGS:
         return LOOSE_MM

@@ -11,10 +11,11 @@ from planes.check import Outcome
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading import certainty, judging
 from planes.check.grading.evidence import MOST_BY_CHANCE, SMALLEST
-from planes.check.grading.grading import READABLE, Grading, key_marks
+from planes.check.grading.grading import Grading
 from planes.check.grading.handwork import LEAST_MM, Taken, Variant
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import variants_of
+from planes.check.grading.readable import READABLE, key_marks
 from planes.check.report.regrading import SURELY_MM, exported, retrace
 from planes.check.report.shown import own_marks, own_order, shown_plans, vectors
 from planes.check.vision.photograph import blank_pole

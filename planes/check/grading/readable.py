@@ -1,0 +1,62 @@
+"""Whether enough was read to judge by, and surely enough; if not, a sentence that says what is missing or asks."""
+
+from __future__ import annotations
+
+from planes.check.grading.certainty import SURE
+from planes.check.grading.evidence import MOST_BY_CHANCE, SMALLEST, size_of
+from planes.check.grading.grading import Grading
+from planes.check.grading.judging import WARN
+from planes.drafting.steps import Cross, CrossArc, CrossArcs, Same
+from planes.words import Phrase, Written
+from planes.words.names import label_of
+
+READABLE = 0.5  # the share of a plan's crossings that must be read
+MOST_ASKED = 3  # marks asked about at once
+
+
+def key_marks(grading: Grading) -> list[str]:
+    """The marks a plan cannot be judged without: its crossings, or all that are drawn."""
+    steps = grading.plans.program.makers
+    key = [m for m in grading.marks if isinstance(steps[m], Cross | CrossArc | CrossArcs)]
+    return key or [m for m in grading.marks if not isinstance(steps[m], Same)]
+
+
+def readable(grading: Grading) -> Phrase | None:
+    """None when enough was read to judge, else a sentence that says what is missing."""
+    key = key_marks(grading)
+    found = [m for m in key if m in grading.judgement.misses]
+    if len(found) < READABLE * len(key):
+        missing = ", ".join(label_of(m) for m in key if m not in found)
+        return Phrase("check_too_little", found=len(found), count=len(key), names=missing)
+    reach, count = size_of(grading.hand, grading.marks), len(grading.judgement.misses)
+    size = Written(f"{reach:.1f}")
+    if reach < SMALLEST * grading.hand.tool.skill.point_mm:  # all lies within the error of a pencil from the pole
+        return Phrase("check_nothing_drawn", size=size)
+    if not grading.strays and grading.chance > MOST_BY_CHANCE:
+        return Phrase("check_by_chance", size=size, count=count)
+    wrong = [m for m, v in grading.verdicts.items() if v == "wrong"]
+    if grading.judgement.named is None and count >= 3 and len(wrong) > 0.7 * count:
+        return Phrase("check_other_drawing", count=count, wrong=len(wrong))
+    return None
+
+
+def _unsure_marks(grading: Grading) -> list[str]:
+    """The marks to ask a person about, where what was read may be misread and is not sure enough to judge by."""
+    found = grading.judgement
+    wrong = grading.chance_wrong if grading.strays else 1 - grading.chance_wrong
+    doubted = [m for m in found.misses if grading.hand.taken[m].doubt]
+    if wrong >= SURE or not doubted:
+        return []
+    odd = sorted(doubted, key=lambda m: (m not in found.wrong[:1], -found.misses[m].sigmas))
+    return [m for m in odd if m in found.wrong or found.misses[m].sigmas > WARN][:MOST_ASKED] or odd[:1]
+
+
+def doubts_of(grading: Grading) -> Phrase | None:
+    """Whether some marks were rightly read, and how to tell; None where that is sure enough."""
+    marks = _unsure_marks(grading)
+    if not marks or grading.rebuilt:
+        return Phrase("check_force_unsure") if marks else None
+    places = [(label_of(m), grading.hand.taken[m].place) for m in marks]
+    first = places[0][0]
+    told = ", ".join(f"{n} ({z.real:.1f}; {z.imag:.1f})" for n, z in places)
+    return Phrase("check_ask", marks=Written(told), mark=first)

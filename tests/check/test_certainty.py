@@ -1,0 +1,191 @@
+"""How sure a verdict is: who is accused of what, what is asked instead, and how often what is said for sure is true."""
+
+from __future__ import annotations
+
+import json
+import random
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from planes.check import Outcome, check
+from planes.check.grading.certainty import SURE
+from planes.check.grading.judging import LEFT_OUT
+from planes.check.grading.paper import MISREAD, ReadMark, ReadPaper, with_told
+from planes.check.grading.prepared_plan import Asked, prepare, variants_of
+from planes.check.report import Checked, ClassWork, as_json
+from planes.cli import main
+from planes.scene import load
+from tests import confusion
+from tests.check.test_check import RIGHT, SIX, csv
+from tests.helpers.drawings import SHAKY, Mistake
+
+SAMPLES = confusion.SAMPLES
+TOLERANCE_MM = 0.9  # three times the error of the steadiest mark
+
+
+def seen(marks: dict[str, complex], doubt: float = MISREAD) -> Outcome:
+    """The velocity plan of the six-link mechanism with these marks, each read in some doubt."""
+    spots = [ReadMark(n, z, 0.2, doubt) for n, z in marks.items()]
+    return check(Asked(load(SIX), "velocity"), ReadPaper("t", spots))
+
+
+def moved(easel: confusion.Easel, mistake: Mistake, rng: random.Random) -> ReadPaper:
+    """A drawing with a mistake, the mark it was made at put back to where it should be, another one off by chance."""
+    paper = confusion.hand_in(easel, mistake, SHAKY, rng)
+    true, pole = confusion.bench(easel.sample, easel.plan).true_marks, paper.spots[0].place
+    astray = rng.choice([s.name for s in paper.spots[1:]])
+    off = complex(rng.uniform(-3, 3), rng.uniform(-3, 3))
+    paper.spots = [
+        replace(s, place=pole + true[s.name] if s.name == mistake.where and s.name in true else s.place)
+        for s in paper.spots
+    ]
+    paper.spots = [replace(s, place=s.place + off) if s.name == astray else s for s in paper.spots]
+    return paper
+
+
+def accused_rightly(found: Outcome) -> bool:
+    """Whether the mark of a named mistake, where it was read, is nearer to where the mistake puts it than to where its
+    step should, and these two are apart."""
+    judged = found.grading.judgement if found.grading else None
+    if found.grading is None or judged is None or judged.named is None:
+        return True
+    hand, blames, plan = found.grading.hand, judged.named.blames, found.bench.asked.plan
+    mark = f"{plan}:{blames}"
+    if mark not in judged.misses or judged.named.mistake.endswith(LEFT_OUT):
+        return True
+    wrong, right = (complex(hand.tool.spread(way[mark])[0]) for way in (hand.under(judged.named), hand.made))
+    return abs(wrong - right) > TOLERANCE_MM and abs(judged.misses[mark].off) > 0.5 * TOLERANCE_MM
+
+
+def accused(easel: confusion.Easel, most: int = 100) -> tuple[int, list[str]]:
+    """How many of a plan's drawings had a mistake named, and which of them falsely."""
+    rng, named, false = random.Random(f"{easel.sample} {easel.plan}"), 0, []
+    every = confusion.possible(easel)
+    for mistake in rng.sample(every, min(most, len(every))):
+        found = check(confusion.bench(easel.sample, easel.plan).asked, moved(easel, mistake, rng))
+        named += found.mistake is not None
+        if not accused_rightly(found):
+            false.append(f"{easel} {mistake}: {found.mistake} {found.first_wrong}")
+    return named, false
+
+
+def test_nobody_is_accused_of_a_mistake_at_a_mark_that_is_where_it_should_be() -> None:
+    plans = [("six-link", "velocity"), ("kind-1-rrr", "velocity"), ("kind-5-rpp", "force:2-3")]
+    found = [accused(confusion.easel(*one), 12) for one in plans]
+    assert sum(named for named, _ in found) > 1 and not [f for _, false in found for f in false]
+
+
+@pytest.mark.slow
+def test_nobody_is_accused_falsely_on_any_plan() -> None:
+    found = [accused(one) for one in confusion.easels()]
+    assert sum(named for named, _ in found) > 100 and not [f for _, false in found for f in false]
+
+
+def test_a_mark_that_may_be_misread_is_asked_about_and_told() -> None:
+    """Nothing shows that a lone mark is where it was read; a person who points to it does."""
+    astray = {**RIGHT, "s2": RIGHT["s2"] + 2.5 - 2j}
+    asked = seen(astray)
+    assert asked.verdict == "unreadable" and asked.chance is None and asked.sentence.key == "check_ask"
+    assert "s2 (60.3; 9.9)" in asked.sentence.told("en") and "--mark s2=x,y" in asked.sentence.told("en")
+    spots = with_told([ReadMark(n, z, 0.2) for n, z in RIGHT.items()], {"s2": astray["s2"]}, MISREAD)
+    told = check(asked.bench.asked, ReadPaper("t", spots))
+    assert (told.verdict, told.first_wrong) == ("wrong", "s2")
+    assert seen(astray, 0.0).verdict == "wrong"
+
+
+def test_what_many_marks_show_is_sure_however_a_mark_is_read() -> None:
+    for marks, verdict, mistake in (
+        (RIGHT, "right", None),
+        ({n: -z for n, z in RIGHT.items()}, "wrong", "omega1_reversed"),
+    ):
+        found = seen(marks)
+        assert (found.verdict, found.mistake) == (verdict, mistake) and found.chance and found.chance > SURE
+
+
+def test_a_place_far_off_that_what_follows_was_drawn_from_is_the_persons_own() -> None:
+    """c is wrong for no known reason; s2, l and h were drawn from it, so it was read rightly."""
+    bench = prepare(Asked(load(SIX), "velocity"))
+    own = {n: z for n, z in RIGHT.items() if n in ("p", "b")} | {"c": RIGHT["c"] + 12 + 9j}
+    for name in ("s2", "l", "h"):
+        spots = [ReadMark(n, z) for n, z in own.items()]
+        grading = check(bench.asked, ReadPaper("t", spots)).grading
+        assert grading is not None
+        own[name] = complex(grading.hand.number(f"velocity:{name}"))
+    found = seen(own)
+    assert (found.verdict, found.first_wrong, found.mistake) == ("wrong", "c", None)
+    assert found.chance and found.chance > SURE
+
+
+@pytest.mark.parametrize(("doubt", "verdict"), [(MISREAD, "unreadable"), (0.0, "wrong")])
+def test_a_force_that_may_lie_in_the_line_of_another_is_not_said_to_be_missing(doubt: float, verdict: str) -> None:
+    """P_3 goes back over F_21t, F_21n on in the same line: a picture shows one line there and back."""
+    paper = confusion.hand_in(confusion.easel("bntu-3", "force:2-3"), None, SHAKY, random.Random(1))
+    places = {s.name: s.place for s in paper.spots}
+    rows = {"p": 0j, "F_21t": places["F_21t"] - places["p"], "F_30": 0j, "F_21n": 0j}
+    spots = [ReadMark(n, z, 0.2, doubt) for n, z in rows.items()]
+    found = check(confusion.bench("bntu-3", "force:2-3").asked, ReadPaper("t", spots))
+    assert found.verdict == verdict and (found.mistake == "force_missing" or verdict == "unreadable")
+
+
+def test_what_nobody_has_seen_is_not_called_right(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "v.csv"
+    file.write_text(csv({n: z for n, z in RIGHT.items() if n != "s2"}), encoding="utf-8")
+    assert main(["check", SIX, str(file), "--plan", "velocity", "--json"]) == 3
+    found = json.loads(capsys.readouterr().out)
+    assert found["verdict"] == "right_as_seen" and found["unseen"] == ["s2"] and found["probability"] > SURE
+    assert main(["check", SIX, str(file), "--plan", "velocity", "--lang", "en"]) == 3
+    assert capsys.readouterr().out.startswith("Right as far as seen: velocity plan; not seen: s2")
+
+
+def test_a_class_ends_with_the_status_of_its_worst_drawing() -> None:
+    part = {n: z for n, z in RIGHT.items() if n != "s2"}
+    whole, partly, wrong = (Checked("t", seen(m, 0.0)) for m in (RIGHT, part, {n: -z for n, z in RIGHT.items()}))
+    assert [ClassWork("11", all).status for all in ([whole], [partly, whole], [wrong, partly])] == [0, 3, 1]
+
+
+def test_a_close_call_is_said_to_be_one() -> None:
+    """A little beyond the tolerance a shaky hand may have drawn it, too; far beyond it has not."""
+    chances = []
+    for off in (1.6, 2.0, 20.0):
+        found = as_json(seen({**RIGHT, "s2": RIGHT["s2"] + off * 1j}, 0.0))
+        chances.append(found["probability"] if found["verdict"] == "wrong" else 0.0)
+    assert chances[0] < chances[1] <= chances[2] and chances[2] > SURE
+
+
+def test_the_vector_across_a_guide_is_called_what_it_is() -> None:
+    """From the pole it is the absolute one, from a known mark the relative one."""
+    said = set()
+    for sample, plan in (("six-link", "velocity"), ("kind-2-rrp", "velocity"), ("kind-2-rrp", "acceleration")):
+        bench = prepare(Asked(load(SAMPLES / f"{sample}.yaml"), plan))
+        for variant in variants_of(bench, {}, bench.said_mu):
+            if variant.mistake == "across_guide":
+                fixed = variant.about["guide"] in bench.plans.mechanism.frame.guides
+                vector = variant.about["vector"]
+                assert not isinstance(vector, str)
+                assert vector.told("en") == f"{'absolute' if fixed else 'relative'} {plan}"
+                said.add(vector.told("ru"))
+    assert said >= {"абсолютной скорости", "относительной скорости", "абсолютного ускорения"}
+
+
+@pytest.mark.slow
+def test_what_is_said_for_sure_is_true() -> None:
+    """Of drawings by shaky hands, whose marks are misread now and then, verdicts said to be sure."""
+    rng, said, true = random.Random(1), 0, 0
+    for easel in confusion.easels():
+        every = confusion.possible(easel)
+        for mistake in (None, *rng.sample(every, min(2, len(every))), None):
+            paper = confusion.hand_in(easel, mistake, SHAKY, rng)
+            spots = [replace(s, doubt=MISREAD, error_mm=0.2) for s in paper.spots]
+            astray = rng.randrange(1, len(spots))
+            if rng.random() < 0.3:
+                spots[astray] = replace(
+                    spots[astray], place=spots[astray].place + complex(rng.gauss(0, 2), rng.gauss(0, 2))
+                )
+            found = check(confusion.bench(easel.sample, easel.plan).asked, replace(paper, spots=spots))
+            if found.chance is not None and found.chance >= SURE:
+                said += 1
+                true += (found.verdict == "wrong") == (mistake is not None)
+    print("said for sure", said, "true", true)
+    assert said > 100 and true >= 0.99 * said
