@@ -8,6 +8,7 @@ among it; a table, a name or another plan that stands apart asks for no reason.
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import reduce
@@ -30,6 +31,7 @@ NO_HEAD, OTHER_HEAD = 2.9, 3.0  # what a longer vector costs that shows no head,
 CROSS_MM = 3.0  # what is nearer to the pole is its printed cross
 TIP_NEAR_MM, TIP_STRAIGHT = 1.6, 0.94  # how far a head's tip may be from a vector's end; the cosine of its turn
 FEW = 0.3  # heads for a line, at the least, for a missing one to mean anything
+ALONE = 2  # lines that are no drawing of their own
 GATE = 4.5  # σ of drafting and reading within which a mark is looked for
 NO_MARK, NO_END, NO_LINE = 9.0, 3.0, 5.0  # what a mark costs that is nowhere, where nothing ends, where no line leads
 WRONG, SLIP, ANYWHERE = 0.5, 2.0, 11.0  # the odds of a mistake; the least one of the catalogue costs; a mark anywhere
@@ -172,7 +174,7 @@ def hanging(
     lines: Sequence[Fitted], pole: complex, room: Sequence[complex] = (), more: Sequence[complex] = ()
 ) -> list[int]:
     """Of which part each line is, and what else stands at some places (-1: of none): lines near each other hang
-    together; 0 is what does with the pole, or lies among a plan's marks."""
+    together; 0 is what does with the pole, and what lies alone among a plan's marks."""
     cv2, among = cv(), [pole, *(pole + z for z in room)]
     ends = [(x.ends[0] - TORN_MM / 2 * x.along, x.ends[1] + TORN_MM / 2 * x.along) for x in lines]
     whole = numpy.array([*among, *more, *(z for pair in ends for z in pair)], complex)
@@ -182,15 +184,16 @@ def hanging(
         cells = (numpy.array(places, complex) - low) * CELLS
         return numpy.stack([cells.real, cells.imag], axis=1).round().astype(numpy.int32)
 
-    page = numpy.zeros((px(whole) + round(JOINED_MM * CELLS)).max(axis=0)[::-1], numpy.uint8)
-    rim = cv2.convexHull(px(among))
-    cv2.fillConvexPoly(page, rim, 1)
-    cv2.polylines(page, [rim, *(px(line.ends) for line in lines)], True, 1, round(JOINED_MM * CELLS))
+    page, inside = numpy.zeros((2, *(px(whole) + round(JOINED_MM * CELLS)).max(axis=0)[::-1]), numpy.uint8)
+    cv2.polylines(page, [px([pole, pole]), *(px(x.ends) for x in lines)], True, 1, round(JOINED_MM * CELLS))
     cv2.polylines(page, [px(pair) for pair in ends], True, 1, 1)
+    cv2.fillConvexPoly(inside, cv2.convexHull(px(among)), 1)
     _, labels = cv2.connectedComponents(page)
-    found = [labels[y, x] for x, y in px([pole, *(x.at((x.low + x.high) / 2) for x in lines), *more]).tolist()]
-    order = {0: -1, found[0]: 0}
-    return [order.setdefault(k, len(order) - 1) for k in found[1:]]
+    cells = px([pole, *(x.at((x.low + x.high) / 2) for x in lines), *more]).tolist()
+    own, *found = [int(labels[y, x]) for x, y in cells]
+    count, order = Counter(found[: len(lines)]), {0: -1, own: 0}
+    torn = {k for k, (x, y) in zip(found, cells[1:], strict=True) if k and inside[y, x] and count[k] <= ALONE}
+    return [0 if k in torn else order.setdefault(k, len(order) - 1) for k in found]
 
 
 def _bits(on: Booleans) -> int:
