@@ -62,7 +62,7 @@ def line(a: complex, b: complex) -> Fitted:
 
 def test_what_hangs_together_with_the_pole() -> None:
     """Its lines, what meets these, the pieces of one torn line; neither a table nor a plan that stand apart."""
-    own = [line(0j, 50 + 0j), line(52 + 0j, 60 + 40j), line(0j, -30j), line(-48j, -70j)]
+    own = [line(0j, 50 + 0j), line(52 + 0j, 60 + 40j), line(0j, -30j), line(-40j, -70j)]
     table = [line(80 + 50j, 120 + 50j), line(80 + 50j, 80 + 70j)]
     assert hanging([*own, *table, line(-60 + 0j, -60 + 40j)], 0j) == [0, 0, 0, 0, 1, 1, 2]
     assert hanging([], 0j) == [] and hanging(table, 0j) == [1, 1]

@@ -8,11 +8,11 @@ among it; a table, a name or another plan that stands apart asks for no reason.
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import reduce
 from operator import or_
-from typing import Any
 
 import numpy
 
@@ -20,17 +20,18 @@ from planes.check.grading.handwork import Miss
 from planes.check.vision.line_fitting import Fitted
 from planes.check.vision.picture import cv
 from planes.check.vision.places import HEADED_MM, Seen
-from planes.geometry.arrays import Array, Booleans, Complexes, Indices
+from planes.geometry.arrays import Booleans, Complexes, Indices
 
 STEP_MM = 0.5
 ROUTE_MM = 0.9  # ink farther than this from a vector is not its own
 JOINED_MM = 6.0  # lines no farther apart hang together
-TORN_MM, ASKEW, ASIDE_MM = 12.0, 0.04, 0.6  # a line may be so far torn; its pieces are nearly in one line
+TORN_MM, CELLS = 12.0, 2  # a line may be so far torn; cells of a millimetre by which it is seen what hangs together
 PER_MM = 0.5  # what a millimetre of ink costs that no vector runs along
 NO_HEAD, OTHER_HEAD = 2.9, 3.0  # what a longer vector costs that shows no head, and a head that is no vector's
 CROSS_MM = 3.0  # what is nearer to the pole is its printed cross
 TIP_NEAR_MM, TIP_STRAIGHT = 1.6, 0.94  # how far a head's tip may be from a vector's end; the cosine of its turn
 FEW = 0.3  # heads for a line, at the least, for a missing one to mean anything
+ALONE = 2  # lines that are no drawing of their own
 GATE = 4.5  # σ of drafting and reading within which a mark is looked for
 NO_MARK, NO_END, NO_LINE = 9.0, 3.0, 5.0  # what a mark costs that is nowhere, where nothing ends, where no line leads
 WRONG, SLIP, ANYWHERE = 0.5, 2.0, 11.0  # the odds of a mistake; the least one of the catalogue costs; a mark anywhere
@@ -73,12 +74,13 @@ class InkCover:
     known: dict[tuple[complex, complex], tuple[int, int]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        numbers = hanging(self.seen.lines, self.pole, self.room)
+        lines = self.seen.lines
+        numbers = hanging(lines, self.pole, self.room, self.seen.patches)
         steps, parts = self._stepped(numbers)
-        kept = ~self.seen.ink.lettered(steps)
+        kept = ~self.seen.ink.lettered(steps) & (parts >= 0)
         self.steps, parts = steps[kept], parts[kept]
         heads = [0] * (max(numbers, default=0) + 1)
-        for line, number in zip(self.seen.lines, numbers, strict=True):
+        for line, number in zip(lines, numbers, strict=False):
             for head in line.heads:
                 tip, way = head.z, line.direction(head.s) * head.sign
                 near = (w for t, w in self.tips if abs(tip - t) < TIP_NEAR_MM)
@@ -86,25 +88,24 @@ class InkCover:
                     heads[number] |= 1 << len(self.tips)
                     self.tips.append((tip, way))
         for k, bits in enumerate(heads):
-            lengths = [x.length for x, n in zip(self.seen.lines, numbers, strict=True) if n == k]
+            lengths = [x.length for x, n in zip(lines, numbers, strict=False) if n == k]
             long = sum(mm > 2 * HEADED_MM for mm in lengths)
             self.parts.append(InkPart(_bits(parts == k), bits, long, sum(lengths)))
 
     def _stepped(self, numbers: Sequence[int]) -> tuple[Complexes, Indices]:
-        """Steps of all lines, and of what is on no line but near one; and of which part each is."""
+        """Steps of all lines, and of what is on no line; and of which part each is."""
         found: list[complex] = []
         parts: list[int] = []
-        ends = numpy.array([line.ends for line in self.seen.lines], complex).reshape(-1, 2)
-        for z in self.seen.patches if self.seen.lines else ():
-            far = _segment_off(z, ends[:, 0], ends[:, 1])
-            if far.min() < JOINED_MM and abs(z - self.pole) >= CROSS_MM:
-                found.append(z)
-                parts.append(numbers[int(far.argmin())])
-        for line, number in zip(self.seen.lines, numbers, strict=True):
+        lines = self.seen.lines
+        for line, number in zip(lines, numbers, strict=False):
             if max(abs(z - self.pole) for z in line.ends) >= CROSS_MM:
                 count = max(2, round(line.length / STEP_MM))
                 found += [line.at(line.low + line.length * (k + 0.5) / count) for k in range(count)]
                 parts += [number] * count
+        for z, number in zip(self.seen.patches, numbers[len(lines) :], strict=True):
+            if abs(z - self.pole) >= CROSS_MM:
+                found.append(z)
+                parts.append(number)
         return numpy.array(found, complex), numpy.array(parts, numpy.intp)
 
     @property
@@ -169,69 +170,30 @@ class InkCover:
         return self.over(steps, heads) + sum(bare for _, bare in taken)
 
 
-def hanging(lines: Sequence[Fitted], pole: complex, room: Sequence[complex] = ()) -> list[int]:
-    """Of which part each line is: 0, if it hangs together with the pole, or lies among what does and a plan's marks."""
-    ends = numpy.array([line.ends for line in lines], complex).reshape(-1, 2)
-    near = (_apart(ends) < JOINED_MM) | _torn(ends)
-    out, left = numpy.zeros(len(lines), numpy.intp), numpy.ones(len(lines), bool)
-    part = numpy.array([_segment_off(pole, *line.ends) < JOINED_MM for line in lines], bool)
-    for number in range(len(lines) + 1):
-        part = _spread(part, near, left)
-        if number == 0:
-            part = _spread(part | _among(ends, [pole, *(pole + z for z in room), *ends[part].ravel()]), near, left)
-        out[part], left = number, left & ~part
-        if not left.any():
-            break
-        part = numpy.arange(len(lines)) == int(left.argmax())
-    return out.tolist()
+def hanging(
+    lines: Sequence[Fitted], pole: complex, room: Sequence[complex] = (), more: Sequence[complex] = ()
+) -> list[int]:
+    """Of which part each line is, and what else stands at some places (-1: of none): lines near each other hang
+    together; 0 is what does with the pole, and what lies alone among a plan's marks."""
+    cv2, among = cv(), [pole, *(pole + z for z in room)]
+    ends = [(x.ends[0] - TORN_MM / 2 * x.along, x.ends[1] + TORN_MM / 2 * x.along) for x in lines]
+    whole = numpy.array([*among, *more, *(z for pair in ends for z in pair)], complex)
+    low = complex(whole.real.min(), whole.imag.min()) - JOINED_MM * (1 + 1j)
 
+    def px(places: Sequence[complex] | Complexes) -> Indices:
+        cells = (numpy.array(places, complex) - low) * CELLS
+        return numpy.stack([cells.real, cells.imag], axis=1).round().astype(numpy.int32)
 
-def _spread(part: Booleans, near: Booleans, left: Booleans) -> Booleans:
-    """All that is near to a part, and near to that."""
-    while (wider := part | (near[part].any(axis=0) & left)).sum() > part.sum():
-        part = wider
-    return part
-
-
-def _among(ends: Complexes, places: Sequence[complex]) -> Booleans:
-    """Which segments have their middles among places, or hardly outside."""
-    rim = cv().convexHull(numpy.array([(z.real, z.imag) for z in places], numpy.float32))
-    off = [cv().pointPolygonTest(rim, (float(z.real), float(z.imag)), True) for z in ends.mean(axis=1)]
-    return numpy.array(off, float) > -JOINED_MM
-
-
-def _apart(ends: Complexes) -> Array:
-    """How far apart segments are, mm: a row and a column each."""
-    a, b = ends[:, 0], ends[:, 1]
-    off = [numpy.array([_segment_off(z, a, b) for z in side]).reshape(len(a), len(a)) for side in (a, b)]
-    least: Array = numpy.minimum(*off)
-    least = numpy.minimum(least, least.T)
-    turned = (b - a).conjugate()[:, None]
-    sides = [(turned * (z[None, :] - a[:, None])).imag for z in (a, b)]
-    parted = sides[0] * sides[1] < 0  # the ends of one lie on either side of the other
-    least[parted & parted.T] = 0.0
-    return least
-
-
-def _torn(ends: Complexes) -> Booleans:
-    """Which segments may be pieces of one line."""
-    a, b = ends[:, 0], ends[:, 1]
-    length = numpy.maximum(abs(b - a), 1e-9)
-    u = (b - a) / length
-    turn = numpy.abs((u.conjugate()[:, None] * u[None, :]).imag)
-    places = [(z[None, :] - a[:, None]) * u.conjugate()[:, None] for z in (a, b)]
-    gaps = [numpy.maximum(numpy.maximum(-z.real, z.real - length[:, None]), 0) for z in places]
-    nearer = numpy.where(gaps[0] < gaps[1], *places)
-    fits = (turn < ASKEW) & (abs(nearer.imag) < ASIDE_MM) & (numpy.minimum(*gaps) < TORN_MM)
-    whole: Booleans = fits & fits.T
-    return whole
-
-
-def _segment_off(z: complex, a: Any, b: Any) -> Any:
-    """How far a place is from segments."""
-    way = b - a
-    share = ((z - a) * numpy.conjugate(way)).real / numpy.maximum(numpy.abs(way) ** 2, 1e-9)
-    return numpy.abs(z - a - numpy.clip(share, 0, 1) * way)
+    page, inside = numpy.zeros((2, *(px(whole) + round(JOINED_MM * CELLS)).max(axis=0)[::-1]), numpy.uint8)
+    cv2.polylines(page, [px([pole, pole]), *(px(x.ends) for x in lines)], True, 1, round(JOINED_MM * CELLS))
+    cv2.polylines(page, [px(pair) for pair in ends], True, 1, 1)
+    cv2.fillConvexPoly(inside, cv2.convexHull(px(among)), 1)
+    _, labels = cv2.connectedComponents(page)
+    cells = px([pole, *(x.at((x.low + x.high) / 2) for x in lines), *more]).tolist()
+    own, *found = [int(labels[y, x]) for x, y in cells]
+    count, order = Counter(found[: len(lines)]), {0: -1, own: 0}
+    torn = {k for k, (x, y) in zip(found, cells[1:], strict=True) if k and inside[y, x] and count[k] <= ALONE}
+    return [0 if k in torn else order.setdefault(k, len(order) - 1) for k in found]
 
 
 def _bits(on: Booleans) -> int:

@@ -179,7 +179,8 @@ class Search:
 
     def _ended(self) -> list[Place]:
         """Places where lines surely end."""
-        return [p for p in self.seen.places if p.ended and p.sigma < 0.6 and not p.doubtful]
+        ended = (p for p in self.seen.places if p.ended and p.sigma < 0.6 and not p.doubtful)
+        return [p for p in ended if not self.seen.torn(p)]
 
     def free_marks(self, way: LaidPlan) -> Iterator[tuple[str, Place]]:
         """Marks that may be elsewhere, with places where lines end that the way does not use."""

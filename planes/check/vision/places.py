@@ -13,7 +13,7 @@ import numpy
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.vision.drawn_lines import lines_of, on, patches
 from planes.check.vision.heads import head_at
-from planes.check.vision.ink import Ink, ink_of
+from planes.check.vision.ink import Ink, evened, ink_of
 from planes.check.vision.line_fitting import Fitted
 from planes.check.vision.picture import Flat
 from planes.geometry.arrays import Complexes
@@ -29,6 +29,7 @@ TIP_MM = 0.3  # σ of a head's tip that was only looked for
 CLOSER_MM = 2.0  # how far from where a vector should end its head is looked for
 HEADED_MM = 4.5  # shorter vectors have no head, twice as long ones surely do
 HEADS = 3  # that tell how long all are
+BEYOND_MM, LONGER = 4.0, 0.4  # how far past its end a line is looked for, and the share of ink by which it goes on
 SAME_MM = 0.4  # places nearer than this are one
 POLE_MM = 0.06  # σ of the place where a line from the pole begins, about the pole
 REACH_MM = 2.5  # of a true mark, when the pole is looked for
@@ -77,6 +78,23 @@ class Seen:
             found = head_at(self.ink, start, end, CLOSER_MM, self.head_mm) if abs(end - start) > HEADED_MM else None
             self.looked[key] = Place(found, TIP_MM, frozenset(), True, self._short(start, found)) if found else None
         return self.looked[key]
+
+    def torn(self, place: Place) -> bool:
+        """Whether a line that ends at a place has ink beyond that is no line's: it was not seen to its end, for what is
+        torn off a line may be as small as letters are."""
+        for k, side in ((k, side) for k, side in place.ended if k >= 0):
+            line = self.lines[k]
+            way = BEYOND_MM * (2 * side - 1) * line.direction(line.high if side else line.low)
+            others = (x for x in self.lines if x is not line)
+            end = line.ends[side]
+            if self.all_ink.covered(end, end + way) > LONGER and not any(on(x, end + way / 2) for x in others):
+                return True
+        return False
+
+    @cached_property
+    def all_ink(self) -> Ink:
+        """The sheet's ink with its letters."""
+        return Ink(self.ink.flat, evened(self.ink.flat), self.ink.paper, self.ink.pencil)
 
     @cached_property
     def head_mm(self) -> float | None:
