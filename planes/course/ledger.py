@@ -22,7 +22,18 @@ from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.records import Json
 
-LIBRARIES = ("numpy", "shapely", "reportlab", "ezdxf", "svgwrite", "matplotlib", "fonttools", "pillow", "pypdfium2")
+LIBRARIES = (
+    "numpy",
+    "shapely",
+    "reportlab",
+    "ezdxf",
+    "svgwrite",
+    "matplotlib",
+    "fonttools",
+    "pillow",
+    "pypdfium2",
+    "segno",
+)
 
 
 @cache

@@ -9,10 +9,12 @@ from pathlib import Path
 from urllib.parse import quote
 
 from planes.check import Outcome, report
-from planes.check.fiducials import SHEET_MM, SIDE_MM, cells, centres
+from planes.check.fiducials import CODE_MM, SHEET_MM, SIDE_MM, cells, centres, code_centre
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.report import Checked, ClassWork, as_json, class_heads, mark_rows
 from planes.check.report.shown import leads, shown_plans, tracing_data
+from planes.check.sheet_mark import SheetMark
+from planes.check.sheet_mark import cells as code_cells
 from planes.check.vision.photograph import blank_pole
 from planes.plans.measuring import lettering, say_plan
 from planes.scene import Scene
@@ -37,12 +39,14 @@ def write_blank(asked: Asked, output: str, lang: Lang) -> None:
     _write(*blank_marks(asked, lang), output, lang)
 
 
-def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Mark], str]:
-    """The marks of a sheet to draw a plan on, and its title; ``more`` lines stand beneath it."""
+def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = None) -> tuple[list[Mark], str]:
+    """The marks of a sheet to draw a plan on, and its title; ``more`` lines stand beneath it. Its code says whose it
+    is, by the names of the scene if ``mark`` does not tell."""
     bench = prepare(asked)
     title = asked.scene.title.get(lang, "") or asked.scene.file
     mu = decimal(mu_text(bench.said_mu, kind_of(asked.plan), lang), lang)
     squares = [(z, cells(k), SIDE_MM) for k, z in enumerate(centres(SHEET_MM))]
+    squares.append((code_centre(), code_cells((mark or SheetMark.of(asked)).text), CODE_MM))
     texts = [f"{say_plan(asked.plan, lang)}, μ = {mu}", title, *more]
     return check_sheet.blank(SHEET_MM, squares, blank_pole(bench), texts), title
 
