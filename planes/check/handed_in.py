@@ -1,26 +1,126 @@
-"""What was handed in, read by the suffix of its file: a table, a drawing of lines, or a picture."""
+"""What was handed in, read by the suffix of its file: a table, a drawing of lines, or a picture; a page at a time."""
 
 from __future__ import annotations
 
+import re
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from planes.check.grading.paper import Known, ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, prepare
+from planes.check.reading.opened import contents, hushed, too_many
 from planes.check.reading.strokes import ReadDrawing
 from planes.words import Phrase
-from planes.words.errors import PlanesError
+from planes.words.errors import PlanesError, guarded
 
 LINES = (".svg", ".dxf", ".pdf")
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
 TABLES = (".csv", ".json", ".txt", ".tsv")
 MOST_SHOWN = 2000  # lines of a drawing shown in its report
+MOST_PAGES = 300
+MOST_BYTES, MOST_PIXELS = 200_000_000, 64_000_000
+OTHERS = {  # what cameras and telephones save that is not read: the suffixes, how such a file begins
+    "check_heic": ((".heic", ".heif", ".hif", ".avif"), rb"....ftyp(hei|hev|mif|msf|avi)"),
+    "check_gif": ((".gif",), rb"GIF8"),
+    "check_raw": ((".dng", ".cr2", ".cr3", ".nef", ".arw", ".orf", ".rw2", ".psd"), rb"8BPS"),
+    "check_office": (
+        (".doc", ".docx", ".odt", ".xls", ".xlsx", ".zip", ".rar", ".cdw", ".dwg"),
+        rb"PK\x03\x04|Rar!|AC10",
+    ),
+}
+_NUMBER = r" (-?[0-9]{1,5}(?:[.][0-9]{1,6})?)"
+ENDS = {b"\xff\xd8\xff": b"\xff\xd9", b"\x89PNG": b"IEND", b"%PDF-": b"%%EOF"}  # how whole files begin and end
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """One sheet that was handed in: a file, or a page of one (from 1), and how it is called among the others."""
+
+    file: Path
+    page: int | None = None
+
+    @property
+    def name(self) -> str:
+        """The file's name; any bytes at all may be that."""
+        plain = self.file.name.encode("utf-8", "replace").decode()
+        return plain if self.page is None else f"{Path(plain).stem}-{self.page}{self.file.suffix}"
+
+    @property
+    def marks(self) -> Path:
+        """The table of marks a person has put right, which lies beside it."""
+        return self.file.with_name(f"{Path(self.name).stem}.csv")
+
+    def cut_out(self, folder: Path) -> Path:
+        """A file of this page alone."""
+        if self.page is None:
+            return self.file
+        page, target = self.page - 1, folder / f"page{'.pdf' if self.file.suffix.lower() == '.pdf' else '.png'}"
+        with guarded("check_picture", self.file):
+            if target.suffix == ".pdf":
+                _pdf_page(self.file, page, target)
+            else:
+                _tiff_page(self.file, page, target)
+        return target
+
+
+def _pdf_page(file: Path, page: int, target: Path) -> None:
+    import pypdfium2
+
+    with pypdfium2.PdfDocument(file) as whole, pypdfium2.PdfDocument.new() as one:
+        one.import_pages(whole, [page])
+        one.save(target)
+
+
+def _tiff_page(file: Path, page: int, target: Path) -> None:
+    from PIL import Image
+
+    with Image.open(file, formats=("TIFF",)) as whole:
+        whole.seek(page)
+        if whole.width * whole.height > MOST_PIXELS:
+            raise PlanesError(Phrase("check_large_picture", file=str(file), size=f"{whole.width} × {whole.height}"))
+        whole.save(target, dpi=whole.info.get("dpi"))
+
+
+def sheets_of(file: Path) -> list[Sheet]:
+    """The sheets of a file: each page of a PDF or a TIFF is one; so is a file that does not open."""
+    count = 1
+    if (suffix := file.suffix.lower()) in (".pdf", ".tif", ".tiff") and file.is_file():
+        try:
+            with guarded("check_picture", file), hushed():
+                count = _pages(file, suffix)
+        except PlanesError:
+            count = 1
+    if count > MOST_PAGES:
+        raise too_many(str(file), "pages", MOST_PAGES)
+    return [Sheet(file)] if count < 2 else [Sheet(file, k + 1) for k in range(count)]
+
+
+def _pages(file: Path, suffix: str) -> int:
+    if suffix == ".pdf":
+        import pypdfium2
+
+        with pypdfium2.PdfDocument(file) as whole:
+            return len(whole)
+    from PIL import Image
+
+    with Image.open(file, formats=("TIFF",)) as opened:
+        return int(getattr(opened, "n_frames", 1))
 
 
 def read_paper(file: str, asked: Asked, known: Known) -> ReadPaper:
-    """The marks of a file. :class:`PlanesError` where it cannot be read."""
+    """The marks of a file. :class:`PlanesError` where it cannot be read, with what to do about it."""
     suffix = Path(file).suffix.lower()
     if suffix in TABLES:
         return read_table(file)
+    try:
+        return _read(file, suffix, asked, known)
+    except PlanesError as error:
+        key = getattr(error.phrase, "key", "")
+        better = _kind(file, suffix) if key in ("check_picture", "check_suffix") else None
+        raise better or error from None
+
+
+def _read(file: str, suffix: str, asked: Asked, known: Known) -> ReadPaper:
     if sketch := _lines(file, suffix, known):
         return _from_lines(sketch, asked, known)
     if suffix in PICTURES:
@@ -28,6 +128,37 @@ def read_paper(file: str, asked: Asked, known: Known) -> ReadPaper:
 
         return paper_of_picture(file, prepare(asked), known)
     raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
+
+
+def _kind(file: str, suffix: str) -> PlanesError | None:
+    """Why a file is refused, where how it begins, or that it does not end, tells more than that it cannot be read."""
+    data = contents(file, MOST_BYTES)
+    if not data:
+        return PlanesError(Phrase("check_empty", file=file))
+    for key, (suffixes, begins) in OTHERS.items():
+        if suffix in suffixes or re.match(begins, data, re.DOTALL):
+            return PlanesError(Phrase(key, file=file, suffix=suffix))
+    cut = any(data.startswith(head) and end not in data[-1024:] for head, end in ENDS.items())
+    return PlanesError(Phrase("check_cut", file=file)) if cut else None
+
+
+def corrected(paper: ReadPaper, picture: ReadPaper | None) -> ReadPaper:
+    """A table of marks a person has put right in the report of a picture, with that picture under it."""
+    notes = [*paper.notes, Phrase("check_by_hand", file=Path(paper.file).name)]
+    if picture is None or picture.box is None:
+        return replace(paper, notes=notes)
+    box, strokes = _box_told(paper.file) or picture.box, picture.strokes
+    return replace(paper, picture=picture.picture, box=box, strokes=strokes, notes=notes)
+
+
+def _box_told(table: str) -> tuple[float, float, float, float] | None:
+    """Where the picture lies about the pole, as a report page has written it into the table of its marks."""
+    head = contents(table, MOST_BYTES)[:2000].decode("utf-8", "replace")
+    found = re.search(rf"^# box{4 * _NUMBER}$", head, re.MULTILINE)
+    if not found:
+        return None
+    left, low, right, high = map(float, found.groups())
+    return (left, low, right, high) if left < right and low < high else None
 
 
 def _lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:

@@ -71,11 +71,12 @@ def short(name: str, most: int) -> str:
 
 def parsed(text: str) -> SheetMark | None:
     """The mark a text is, if it is one."""
-    begins, *parts = text[: MOST + 1].split("|")
-    if len(text) > MOST or begins != BEGINS or len(parts) != 6 or not all(map(_NUMBER.fullmatch, parts[4:])):
+    parts = text[: MOST + 1].split("|")
+    if len(text) > MOST or parts[0] != BEGINS or len(parts) != 7 or not all(map(_NUMBER.fullmatch, parts[5:])):
         return None
-    value, mu = (float(n) if n else None for n in parts[4:])
-    found = SheetMark(*parts[:4], value, mu)
+    scene, variant, student, plan, *numbers = parts[1:]
+    value, mu = (float(n) if n else None for n in numbers)
+    found = SheetMark(scene, variant, student, plan, value, mu)
     return found if found.text == text and (mu is None or mu > 0) else None
 
 

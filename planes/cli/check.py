@@ -5,43 +5,60 @@ from __future__ import annotations
 import json
 import re
 from argparse import Namespace
-from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
 
 from planes.check import STATUS, Outcome
 from planes.check import check as judge
 from planes.check.grading.paper import Known, ReadPaper
 from planes.check.grading.perturbing import HAND, cad
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.check.handed_in import LINES, PICTURES, read_paper
-from planes.check.report import Checked, ClassWork, as_json, class_heads, heads, numbers_of, rows_of
+from planes.check.handed_in import LINES, PICTURES, TABLES, Sheet, corrected, read_paper, sheets_of
+from planes.check.report import Checked, as_json, heads, numbers_of, rows_of
 from planes.cli.commands import scene_of
 from planes.cli.options import check_options, value_of
+from planes.course.handed_out import HandedOut, handed_out, is_course
+from planes.course.ledger import MANIFEST
 from planes.scene import Scene
 from planes.solving.tables import table
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError, guarded
 from planes.words.names import kind_of
-from planes.words.records import as_csv
 from planes.words.units import read_mu
+
+if TYPE_CHECKING:
+    from planes.documents.class_work import ClassWork
+    from planes.documents.whose import Sorter
 
 _PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?{0})\s*[,;]\s*([-+]?{0})\s*".format(r"(?:\d+\.?\d*|\.\d+)"))
 
 
 def check(args: Namespace) -> int:
     """Check, print, and give the exit status: 0 right, 1 wrong, 2 unreadable."""
+    if is_course(Path(args.scene)) and not args.trace:
+        return check_class(args, handed_out(Path(args.scene)), _folder(args))
+    if args.plan is None and (args.trace or not _told_by_marks(args.drawing)):
+        args.refuse("the following arguments are required: --plan")
     scene = scene_of(args)
     value = value_of(args, scene)
     check_options(args, "check", _answer(args))
-    asked, known = ask(args, scene, value), known_of(args)
+    if args.drawing and not args.trace:
+        sheets = _folder(args) if Path(args.drawing).is_dir() else sheets_of(Path(args.drawing))
+        if args.plan is None or len(sheets) > 1 or Path(args.drawing).is_dir():
+            return check_class(args, handed_out(Path(args.scene)), sheets)
+    asked, known = ask(args, scene, args.plan, value, _mu(args, args.plan)), known_of(args)
     if args.trace:
         return _trace(args, asked)
     if args.drawing is None:
         raise PlanesError(Phrase("check_no_drawing"))
-    if Path(args.drawing).is_dir():
-        return check_class(args, asked, lambda file: read_paper(file, asked, known))
-    found = judge(asked, read_paper(args.drawing, asked, known))
+    return _said(args, judge(asked, read_paper(args.drawing, asked, known)))
+
+
+def _said(args: Namespace, found: Outcome) -> int:
+    """The report written, the outcome printed."""
     if args.output:
         from planes.documents.check import write_report
 
@@ -74,11 +91,11 @@ def _trace(args: Namespace, asked: Asked) -> int:
     return 0
 
 
-def ask(args: Namespace, scene: Scene, value: float | None) -> Asked:
+def ask(args: Namespace, scene: Scene, plan: str, value: float | None, mu: float | None) -> Asked:
     """The question of the command line."""
     from planes.documents.check import spelling
 
-    asked = Asked(scene, args.plan, value, _mu(args), spelt=spelling(scene, args.lang))
+    asked = Asked(scene, plan, value, mu, spelt=spelling(scene, args.lang))
     others = {}
     for pair in args.others:
         name, _, file = pair.partition("=")
@@ -95,8 +112,8 @@ def ask(args: Namespace, scene: Scene, value: float | None) -> Asked:
     return replace(asked, skill=skill, others=others)
 
 
-def _mu(args: Namespace) -> float | None:
-    return None if args.mu is None else read_mu(args.mu, kind_of(args.plan))
+def _mu(args: Namespace, plan: str) -> float | None:
+    return None if args.mu is None else read_mu(args.mu, kind_of(plan))
 
 
 def known_of(args: Namespace) -> Known:
@@ -128,62 +145,102 @@ def blank(args: Namespace) -> int:
     from planes.documents.check import write_blank
 
     scene = scene_of(args)
-    write_blank(Asked(scene, args.plan, value_of(args, scene), _mu(args)), args.output, args.lang)
+    write_blank(Asked(scene, args.plan, value_of(args, scene), _mu(args, args.plan)), args.output, args.lang)
     return 0
 
 
-Reader = Callable[[str], ReadPaper]
-NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp")  # lie beside the drawings
+NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp", ".part", ".url")
+"""What lies beside drawings."""
 
 
-def check_class(args: Namespace, asked: Asked, read: Reader) -> int:
-    """Every drawing of a folder: a row for each, on the terminal and in the file of ``-o``."""
-    from planes.documents.lesson import bar
-
+def _folder(args: Namespace) -> list[Sheet]:
+    """The sheets of a folder of drawings, or of one file; tables of corrected marks lie beside theirs."""
+    if args.drawing is None:
+        raise PlanesError(Phrase("check_no_drawing"))
     folder = Path(args.drawing)
+    if not folder.is_dir():
+        return sheets_of(folder)
     files = [f for f in sorted(folder.iterdir()) if f.is_file() and not f.name.startswith((".", "~$"))]
-    files = [f for f in files if f.suffix.lower() not in NO_DRAWINGS]
-    if not files:
+    files = [f for f in files if f.suffix.lower() not in NO_DRAWINGS and f.name != MANIFEST]
+    sheets = [s for f in files for s in sheets_of(f)]
+    beside = {s.marks for s in sheets if s.file.suffix.lower() not in TABLES}
+    sheets = [s for s in sheets if s.file not in beside]
+    if not sheets:
         raise PlanesError(Phrase("check_empty_folder", file=args.drawing))
-    group = ClassWork(folder.name)
-    with bar() as step:
-        for file in files:
-            name = file.name.encode("utf-8", "replace").decode()  # any bytes at all may be the name of a file
-            try:
-                with guarded("check_broken", name):  # one file never stops the others
-                    group.all.append(Checked(name, judge(asked, read(str(file)))))
-            except PlanesError as error:
-                group.all.append(Checked(name, refused=error))
+    return sheets
+
+
+def _told_by_marks(drawing: str | None) -> bool:
+    """Whether marks of sheets may tell the plan."""
+    return bool(drawing) and (Path(str(drawing)).is_dir() or str(drawing).lower().endswith(PICTURES))
+
+
+def check_class(args: Namespace, handed: HandedOut, sheets: list[Sheet]) -> int:
+    """Every drawing of a folder: a row for each, on the terminal and in the file of ``-o``."""
+    from planes.documents.class_work import ClassWork
+    from planes.documents.lesson import bar
+    from planes.documents.whose import Sorter
+
+    def asking(scene: Scene, plan: str, value: float | None, mu: float | None) -> Asked:
+        own = value_of(args, scene)
+        return ask(args, scene, plan, value if own is None else own, _mu(args, plan) or mu)
+
+    work = ClassWork(Path(args.drawing).name, args.lang, args.output or "")
+    sorter = Sorter(handed, asking, args.variant, args.plan)
+    with bar() as step, TemporaryDirectory() as room:
+        for number, sheet in enumerate(sheets, 1):
+            _look(args, work, sorter, sheet, Path(room))
             if step:
-                step(len(group.all), len(files))
-    if args.output:
-        _write_class(group, args.output, args.lang)
-    print(_json(group, args.lang) if args.json else "\n".join(_class_table(group, args.lang)).lstrip())
-    return group.status
+                step(number, len(sheets))
+    work.close()
+    print(work.json() if args.json else "\n".join(_class_table(work)).lstrip())
+    return work.status
 
 
-def _class_table(group: ClassWork, lang: Lang) -> list[str]:
-    rows = [class_heads(lang), *(one.row(lang) for one in group.all)]
-    widths = [max(len(row[i]) for row in rows) for i in range(3)]
-    aligned = ("  ".join([*(c.ljust(w) for c, w in zip(row, widths, strict=False)), row[3]]) for row in rows)
-    return [say("check_class", lang), *(f"  {line.rstrip()}" for line in aligned)]
+def _look(args: Namespace, work: ClassWork, sorter: Sorter, sheet: Sheet, room: Path) -> None:
+    """One sheet of a class; whatever is wrong with it never stops the others."""
+    from planes.documents.class_work import source_of
+    from planes.documents.whose import glance
+
+    seen, source, task = None, source_of(sheet, _options(args)), None
+    if work.taken_up(sheet.name, source, sorter.handed.tasks):
+        return
+    one = Checked(sheet.name, report=work.link(sheet))
+    try:
+        with guarded("check_broken", sheet.name):
+            file = str(sheet.cut_out(room))
+            seen = glance(file, file)
+            task, asked, one.whose = sorter.asked(sheet, seen.mark)
+            one.found = judge(asked, _paper(sheet, file, asked, known_of(args)))
+    except PlanesError as error:
+        one.refused, one.picture = error, seen.picture if seen else b""
+    work.add(one, source, task)
 
 
-def _json(group: ClassWork, lang: Lang) -> str:
-    return json.dumps([one.as_json(lang) for one in group.all], ensure_ascii=False, allow_nan=False)
-
-
-def _write_class(group: ClassWork, output: str, lang: Lang) -> None:
-    """The table as a page, a spreadsheet or objects; a folder gets a report for each drawing and the page."""
-    from planes.documents.check import write_class, write_text
-
-    suffix = Path(output).suffix.lower()
-    if suffix == ".json":
-        write_text(_json(group, lang), output)
-    elif suffix == ".csv":
-        rows = [class_heads(lang), *(one.row(lang) for one in group.all)]
-        write_text(f"\ufeff{as_csv(rows)}", output)  # begun so that a spreadsheet knows the letters
-    elif suffix in (".html", ".htm", ""):
-        write_class(group, output, lang)
+def _paper(sheet: Sheet, file: str, asked: Asked, known: Known) -> ReadPaper:
+    """What a sheet shows, or the marks a person has put right instead; called as the sheet is."""
+    if not sheet.marks.is_file() or sheet.marks == sheet.file:
+        paper = read_paper(file, asked, known)
     else:
-        raise PlanesError(Phrase("check_class_output", file=output))
+        under = None
+        with suppress(PlanesError):
+            under = read_paper(file, asked, known)
+        paper = corrected(read_paper(str(sheet.marks), asked, known), under)
+    paper.file = str(sheet.file.with_name(sheet.name))
+    return paper
+
+
+def _options(args: Namespace) -> list[object]:
+    """All of the command line that what is found depends on."""
+    others = [Path(pair.partition("=")[2]) for pair in args.others]
+    read = [file.read_bytes() for file in others if file.is_file()]
+    told = (args.variant, args.plan, args.mu, args.phi, args.s, args.pole, args.mark, args.format, args.work, args.lang)
+    return [*told, args.others, read]
+
+
+def _class_table(work: ClassWork) -> list[str]:
+    head, rows = work.table()
+    rows = [head, *rows]
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]) - 1)]
+    aligned = ("  ".join([*(c.ljust(w) for c, w in zip(row, widths, strict=False)), row[-1]]) for row in rows)
+    return [say("check_class", work.lang), *(f"  {line.rstrip()}" for line in aligned)]

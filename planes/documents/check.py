@@ -1,24 +1,22 @@
-"""The roof over checking: blanks to draw on, reports of checked drawings, a whole class as a table."""
+"""The roof over checking: blanks to draw on, reports of checked drawings, tracing paper."""
 
 from __future__ import annotations
 
 import json
-from collections import Counter
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from urllib.parse import quote
 
 from planes.check import Outcome, report
 from planes.check.fiducials import CODE_MM, SHEET_MM, SIDE_MM, cells, centres, code_centre
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.check.report import Checked, ClassWork, as_json, class_heads, mark_rows
+from planes.check.report import as_json, mark_rows
 from planes.check.report.shown import leads, shown_plans, tracing_data
 from planes.check.sheet_mark import SheetMark
 from planes.check.sheet_mark import cells as code_cells
 from planes.check.vision.photograph import blank_pole
 from planes.plans.measuring import lettering, say_plan
 from planes.scene import Scene
-from planes.scene.files import keep, sayable
+from planes.scene.files import keep
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
@@ -30,8 +28,6 @@ from render.paper.letters import decimal
 from render.paper.marks import Mark
 from render.paper.photo import Photo
 from render.sheet import check_sheet
-
-MOST_COMMON = 8  # mistakes of a class that are listed
 
 
 def write_blank(asked: Asked, output: str, lang: Lang) -> None:
@@ -72,35 +68,6 @@ def write_report(found: Outcome, output: str, lang: Lang) -> None:
     else:
         marks, photo = check_sheet.compose(SHEET_MM, _overlay(found, lang))
         _write(marks, report.title(found, lang), output, lang, photo)
-
-
-def write_class(group: ClassWork, output: str, lang: Lang) -> None:
-    """The drawings of a class as a page; into a folder, with the report of each beside it."""
-    target = Path(output)
-    if not target.suffix:
-        with sayable(output):
-            target.mkdir(parents=True, exist_ok=True)
-        for one in group.all:
-            if one.found:
-                one.report = f"{one.file}.html"
-                write_report(one.found, str(target / one.report), lang)
-        output = str(target / "index.html")
-    counts = Counter(one.verdict for one in group.all)
-    common: dict[str, list[tuple[str, str]]] = {}
-    for one in group.all:
-        if one.found and one.found.mistake:
-            common.setdefault(_unmarked(one, lang), []).append((Path(one.file).stem, quote(one.report)))
-    often = sorted(common.items(), key=lambda said: -len(said[1]))[:MOST_COMMON]
-    told = [(say(f"verdict_{v}", lang), counts[v]) for v in ("right", "wrong", "unreadable")]
-    rows = [(one.verdict, quote(one.report), [*one.row(lang)[:-1], _unmarked(one, lang)]) for one in group.all]
-    title = f"{say('check_class', lang)}: {group.title}"
-    write_text(check_pages.class_page(title, told, often, class_heads(lang), rows, lang), output)
-
-
-def _unmarked(one: Checked, lang: Lang) -> str:
-    """What is said of a drawing without its mark, which has a column of its own."""
-    said: str = one.said(lang)
-    return said.removeprefix(f"{one.first}: ") if one.first else said
 
 
 def write_text(text: str, output: str) -> None:
