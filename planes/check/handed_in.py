@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from planes.check.grading.paper import Known, ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, prepare
@@ -13,12 +16,16 @@ from planes.check.reading.strokes import ReadDrawing
 from planes.words import Phrase
 from planes.words.errors import PlanesError, guarded
 
+if TYPE_CHECKING:
+    from planes.check.vision.decoding import DecodedPicture
+
 LINES = (".svg", ".dxf", ".pdf")
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
 TABLES = (".csv", ".json", ".txt", ".tsv")
 MOST_SHOWN = 2000  # lines of a drawing shown in its report
 MOST_PAGES = 300
 MOST_BYTES, MOST_PIXELS = 200_000_000, 64_000_000
+Box = tuple[float, float, float, float]
 OTHERS = {  # what cameras and telephones save that is not read: the suffixes, how such a file begins
     "check_heic": ((".heic", ".heif", ".hif", ".avif"), rb"....ftyp(hei|hev|mif|msf|avi)"),
     "check_gif": ((".gif",), rb"GIF8"),
@@ -112,22 +119,38 @@ def read_paper(file: str, asked: Asked, known: Known) -> ReadPaper:
     suffix = Path(file).suffix.lower()
     if suffix in TABLES:
         return read_table(file)
+    with telling(file):
+        if sketch := _lines(file, suffix, known):
+            return _from_lines(sketch, asked, known)
+        if suffix in PICTURES:
+            from planes.check.vision.photograph import paper_of_picture
+
+            return paper_of_picture(file, prepare(asked), known)
+        raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
+
+
+@contextmanager
+def telling(file: str) -> Iterator[None]:
+    """What does not open is refused by what it is, not only because it does not."""
     try:
-        return _read(file, suffix, asked, known)
+        yield
     except PlanesError as error:
         key = getattr(error.phrase, "key", "")
-        better = _kind(file, suffix) if key in ("check_picture", "check_suffix") else None
+        better = _kind(file, Path(file).suffix.lower()) if key in ("check_picture", "check_suffix") else None
         raise better or error from None
 
 
-def _read(file: str, suffix: str, asked: Asked, known: Known) -> ReadPaper:
-    if sketch := _lines(file, suffix, known):
-        return _from_lines(sketch, asked, known)
-    if suffix in PICTURES:
-        from planes.check.vision.photograph import paper_of_picture
+def opened(file: str) -> DecodedPicture | None:
+    """The picture of a file, None of a table or a drawing of lines; :class:`PlanesError` where it does not open."""
+    suffix = Path(file).suffix.lower()
+    with telling(file):
+        if suffix in PICTURES:
+            from planes.check.vision.decoding import load
 
-        return paper_of_picture(file, prepare(asked), known)
-    raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
+            return load(file)
+        if suffix not in (*LINES, *TABLES):
+            raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
+    return None
 
 
 def _kind(file: str, suffix: str) -> PlanesError | None:
@@ -147,18 +170,18 @@ def corrected(paper: ReadPaper, picture: ReadPaper | None) -> ReadPaper:
     notes = [*paper.notes, Phrase("check_by_hand", file=Path(paper.file).name)]
     if picture is None or picture.box is None:
         return replace(paper, notes=notes)
-    box, strokes = _box_told(paper.file) or picture.box, picture.strokes
+    box, strokes = _box_told(paper.file, picture.box), picture.strokes
     return replace(paper, picture=picture.picture, box=box, strokes=strokes, notes=notes)
 
 
-def _box_told(table: str) -> tuple[float, float, float, float] | None:
-    """Where the picture lies about the pole, as a report page has written it into the table of its marks."""
+def _box_told(table: str, read: Box) -> Box:
+    """Where the picture lies about the pole, which a person may have moved: as a report page has written it into the
+    table of its marks, if that is a picture of this size."""
     head = contents(table, MOST_BYTES)[:2000].decode("utf-8", "replace")
     found = re.search(rf"^# box{4 * _NUMBER}$", head, re.MULTILINE)
-    if not found:
-        return None
-    left, low, right, high = map(float, found.groups())
-    return (left, low, right, high) if left < right and low < high else None
+    left, low, right, high = map(float, found.groups()) if found else read
+    same = abs(right - left - read[2] + read[0]) < 0.1 and abs(high - low - read[3] + read[1]) < 0.1
+    return (left, low, right, high) if same else read
 
 
 def _lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:

@@ -208,8 +208,8 @@ def _look(args: Namespace, work: ClassWork, sorter: Sorter, sheet: Sheet, room: 
     one = Checked(sheet.name, report=work.link(sheet))
     try:
         with guarded("check_broken", sheet.name):
-            file = str(sheet.cut_out(room))
-            seen = glance(file, file)
+            one.read_from = file = str(sheet.cut_out(room))
+            seen = glance(file)
             task, asked, one.whose = sorter.asked(sheet, seen.mark)
             one.found = judge(asked, _paper(sheet, file, asked, known_of(args)))
     except PlanesError as error:

@@ -135,7 +135,7 @@ class ClassWork:
         keys, head = columns(self.rows, self.lang)
         table = [cells(replace(r, said=r.said.removeprefix(f"{r.first}: ")), keys, self.lang) for r in self.rows]
         rows = [
-            (row.verdict, row.link, one, row.picture, row.places, row.rank)
+            (row.verdict, row.link, one, row.picture, row.places, row.rank == UNSURE)
             for row, one in zip(self.rows, table, strict=True)
         ]
         title = f"{say('check_class', self.lang)}: {self.title}"

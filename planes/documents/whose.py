@@ -6,12 +6,12 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from planes.check.grading.prepared_plan import Asked
-from planes.check.handed_in import PICTURES, Sheet
+from planes.check.handed_in import Sheet, opened
 from planes.check.sheet_mark import SheetMark, mark_on
 from planes.course.handed_out import HandedOut, Task, plan_named, variant_named
 from planes.scene import Scene
 from planes.words import Phrase
-from planes.words.errors import PlanesError, guarded, shown
+from planes.words.errors import PlanesError, shown
 
 THUMB_PX = 300
 Asking = Callable[[Scene, str, float | None, float | None], Asked]
@@ -25,20 +25,15 @@ class Glance:
     picture: bytes = b""
 
 
-def glance(file: str, name: str) -> Glance:
-    """The first look; nothing of what is no picture, or does not open."""
-    if not name.lower().endswith(PICTURES):
+def glance(file: str) -> Glance:
+    """The first look; :class:`PlanesError` where a file does not open."""
+    picture = opened(file)
+    if picture is None:
         return Glance()
-    from planes.check.vision.decoding import load
     from planes.check.vision.picture import cv, smaller
 
-    try:
-        with guarded("check_broken", name):
-            grey = load(file).grey
-            picture = bytes(cv().imencode(".jpg", smaller(grey, THUMB_PX)[0])[1])
-            return Glance(mark_on(grey), picture)
-    except PlanesError:  # said in better words when it is read
-        return Glance()
+    small = cv().imencode(".jpg", smaller(picture.grey, THUMB_PX)[0])[1]
+    return Glance(mark_on(picture.grey), bytes(small))
 
 
 @dataclass

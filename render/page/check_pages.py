@@ -86,11 +86,12 @@ thead button::after { content: " ↕"; opacity: .45; }
 th[aria-sort=ascending] button::after { content: " ↓"; opacity: 1; }
 th[aria-sort=descending] button::after { content: " ↑"; opacity: 1; } li { margin: .15rem 0; }
 @media print { thead button::after { content: ""; } tr { break-inside: avoid; } }
-tr.right td:first-of-type::before { content: "✓ "; } tr.wrong td:first-of-type::before { content: "✗ "; }
-h2 { font-size: 1.05rem; margin: .8rem 0 .2rem; } ol { margin: .2rem 0; } td:first-of-type { white-space: nowrap; }
+tr.right td:nth-last-of-type(3)::before { content: "✓ "; } tr.wrong td:nth-last-of-type(3)::before { content: "✗ "; }
+h2 { font-size: 1.05rem; margin: .8rem 0 .2rem; } ol { margin: .2rem 0; }
+td:nth-last-of-type(3) { white-space: nowrap; }
 tr.unreadable > * { color: var(--soft); } .counts span { margin-right: 1.6rem; } .counts b { font-size: 1.3rem; }
 tr.unsure th, tr.unreadable th { box-shadow: inset 4px 0 var(--next); } td, th { padding: .35rem .7rem; }
-th img { display: block; max-width: 150px; max-height: 110px; margin-top: .25rem; border: 1px solid var(--edge); }
+th img { display: block; max-width: 170px; max-height: 130px; margin-top: .25rem; border: 1px solid var(--edge); }
 .place { display: inline-block; margin: .35rem .5rem 0 0; width: min(100%, 23rem); vertical-align: top; }
 .place svg { display: block; width: 100%; border: 1px solid var(--edge); background: var(--paper); }
 .place line { stroke-linecap: round; } .place .stroke { stroke: #9aa0aa; stroke-width: .7; }

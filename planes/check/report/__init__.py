@@ -104,6 +104,7 @@ class Checked:
     report: str = ""
     whose: str = ""
     picture: bytes = b""  # a small one of it, where there is no flat one
+    read_from: str = ""  # the file that was opened: of a page, a copy
 
     @property
     def verdict(self) -> str:
@@ -118,15 +119,16 @@ class Checked:
     def said(self, lang: Lang) -> str:
         """Which mistake it is, why it cannot be read, or what was not seen of it; nothing of a right one."""
         if self.found is None:
-            return self.refused.told(lang) if self.refused else ""
+            return self.refused.told(lang).removeprefix(f"{self.read_from}: ") if self.refused else ""
         if self.verdict == "unreadable":  # the notes say what to do
-            return " ".join(phrase.told(lang) for phrase in (self.found.sentence, *self.found.notes))
+            sentence, notes = self.found.sentence, self.found.notes
+            first = () if notes and sentence.key == "check_nothing_read" else (sentence,)
+            return " ".join(phrase.told(lang) for phrase in (*first, *notes))
         return "" if self.verdict == "right" and not self.found.unseen else self.found.sentence.told(lang)
 
-    @property
-    def plan(self) -> str:
+    def plan(self, lang: Lang) -> str:
         """Which plan it was taken for."""
-        return self.found.bench.asked.plan if self.found else ""
+        return say_plan(self.found.bench.asked.plan, lang) if self.found else ""
 
     def as_json(self, lang: Lang) -> Json:
         """The object of the drawing, with its file and whose it is."""

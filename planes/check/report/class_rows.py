@@ -23,7 +23,7 @@ Box = tuple[float, float, float, float]
 UNREADABLE, UNSURE, WRONG, RIGHT = range(4)
 MOST_PLACES = 3  # wrong places shown of a drawing
 WINDOW_MM = (18.0, 45.0)  # about a wrong place: at least and at most that to each side
-THUMB_PX, PLACE_PX, QUALITY = 150, 230, 62
+THUMB_PX, PLACE_PX, QUALITY, RIM_MM = 170, 230, 62, 12.0
 HEADS = ("check_file", "check_verdict", "check_mark", "check_first")
 
 
@@ -56,10 +56,10 @@ class ClassRow:
             one.first,
             said,
             one.whose,
-            one.plan,
+            one.plan(lang),
             one.report,
             unmarked if found and found.mistake else "",
-            address(small(one.picture or (found.paper.picture if found else b""), THUMB_PX)),
+            address(thumb(one)),
             list(islice(wrong_places(one), MOST_PLACES)),
             one.as_json(lang),
         )
@@ -154,21 +154,29 @@ def address(data: bytes) -> str:
     return f"data:image/jpeg;base64,{base64.b64encode(data).decode()}" if data else ""
 
 
-def small(picture: bytes, longest: int) -> bytes:
-    """A JPEG no larger than so many pixels; b"" of none."""
-    return _jpeg(picture, None, longest) if picture else b""
+def thumb(one: Checked) -> bytes:
+    """A small picture (JPEG) of a drawing, of the part with its plan if that was read; b"" of one without a picture."""
+    paper = one.found.paper if one.found else None
+    if not paper or not paper.picture:
+        return _jpeg(one.picture, None, THUMB_PX) if one.picture else b""
+    ends = [z for v in shown_plans(one.found).own for z in v] if one.found else []
+    if len(ends) < 2:
+        return _jpeg(paper.picture, None, THUMB_PX)
+    low = complex(min(z.real for z in ends), min(z.imag for z in ends)) - RIM_MM * (1 + 1j)
+    high = complex(max(z.real for z in ends), max(z.imag for z in ends)) + RIM_MM * (1 + 1j)
+    return cropped(paper.picture, paper.box, (low.real, low.imag, high.real, high.imag), THUMB_PX)
 
 
-def cropped(picture: bytes, lies: Box | None, box: Box) -> bytes:
+def cropped(picture: bytes, lies: Box | None, box: Box, longest: int = PLACE_PX) -> bytes:
     """What a picture that lies so (mm from the pole) shows in a window."""
     if not picture or lies is None:
         return b""
     x0, y0, x1, y1 = lies
     part = ((box[0] - x0) / (x1 - x0), (y1 - box[3]) / (y1 - y0), (box[2] - x0) / (x1 - x0), (y1 - box[1]) / (y1 - y0))
-    return _jpeg(picture, part, PLACE_PX)
+    return _jpeg(picture, [min(max(share, -1.0), 2.0) for share in part], longest)  # marks may be anywhere
 
 
-def _jpeg(picture: bytes, part: tuple[float, ...] | None, longest: int) -> bytes:
+def _jpeg(picture: bytes, part: Sequence[float] | None, longest: int) -> bytes:
     from PIL import Image
 
     with Image.open(io.BytesIO(picture), formats=("JPEG",)) as opened:
