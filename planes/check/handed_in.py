@@ -40,7 +40,7 @@ ENDS = {b"\xff\xd8\xff": b"\xff\xd9", b"\x89PNG": b"IEND", b"%PDF-": b"%%EOF"}  
 
 
 @dataclass(frozen=True)
-class Sheet:
+class HandedSheet:
     """One sheet that was handed in: a file, or a page of one (from 1), and how it is called among the others."""
 
     file: Path
@@ -88,7 +88,7 @@ def _tiff_page(file: Path, page: int, target: Path) -> None:
         whole.save(target, dpi=whole.info.get("dpi"))
 
 
-def sheets_of(file: Path) -> list[Sheet]:
+def sheets_of(file: Path) -> list[HandedSheet]:
     """The sheets of a file: each page of a PDF or a TIFF is one; so is a file that does not open."""
     count = 1
     if (suffix := file.suffix.lower()) in (".pdf", ".tif", ".tiff") and file.is_file():
@@ -99,7 +99,7 @@ def sheets_of(file: Path) -> list[Sheet]:
             count = 1
     if count > MOST_PAGES:
         raise too_many(str(file), "pages", MOST_PAGES)
-    return [Sheet(file)] if count < 2 else [Sheet(file, k + 1) for k in range(count)]
+    return [HandedSheet(file)] if count < 2 else [HandedSheet(file, k + 1) for k in range(count)]
 
 
 def _pages(file: Path, suffix: str) -> int:

@@ -16,7 +16,7 @@ from planes.check import check as judge
 from planes.check.grading.paper import Known, ReadPaper
 from planes.check.grading.perturbing import HAND, cad
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.check.handed_in import LINES, PICTURES, TABLES, Sheet, corrected, read_paper, sheets_of
+from planes.check.handed_in import LINES, PICTURES, TABLES, HandedSheet, corrected, read_paper, sheets_of
 from planes.check.report import Checked, as_json, heads, numbers_of, rows_of
 from planes.cli.commands import scene_of
 from planes.cli.options import check_options, value_of
@@ -153,7 +153,7 @@ NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".
 """What lies beside drawings."""
 
 
-def _folder(args: Namespace) -> list[Sheet]:
+def _folder(args: Namespace) -> list[HandedSheet]:
     """The sheets of a folder of drawings, or of one file; tables of corrected marks lie beside theirs."""
     if args.drawing is None:
         raise PlanesError(Phrase("check_no_drawing"))
@@ -175,7 +175,7 @@ def _told_by_marks(drawing: str | None) -> bool:
     return bool(drawing) and (Path(str(drawing)).is_dir() or str(drawing).lower().endswith(PICTURES))
 
 
-def check_class(args: Namespace, handed: HandedOut, sheets: list[Sheet]) -> int:
+def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet]) -> int:
     """Every drawing of a folder: a row for each, on the terminal and in the file of ``-o``."""
     from planes.documents.class_work import ClassWork
     from planes.documents.lesson import bar
@@ -197,7 +197,7 @@ def check_class(args: Namespace, handed: HandedOut, sheets: list[Sheet]) -> int:
     return work.status
 
 
-def _look(args: Namespace, work: ClassWork, sorter: Sorter, sheet: Sheet, room: Path) -> None:
+def _look(args: Namespace, work: ClassWork, sorter: Sorter, sheet: HandedSheet, room: Path) -> None:
     """One sheet of a class; whatever is wrong with it never stops the others."""
     from planes.documents.class_work import source_of
     from planes.documents.whose import glance
@@ -217,7 +217,7 @@ def _look(args: Namespace, work: ClassWork, sorter: Sorter, sheet: Sheet, room: 
     work.add(one, source, task)
 
 
-def _paper(sheet: Sheet, file: str, asked: Asked, known: Known) -> ReadPaper:
+def _paper(sheet: HandedSheet, file: str, asked: Asked, known: Known) -> ReadPaper:
     """What a sheet shows, or the marks a person has put right instead; called as the sheet is."""
     if not sheet.marks.is_file() or sheet.marks == sheet.file:
         paper = read_paper(file, asked, known)

@@ -15,7 +15,7 @@ from pathlib import Path
 from urllib.parse import quote
 
 from planes.check import STATUS, report
-from planes.check.handed_in import Sheet
+from planes.check.handed_in import HandedSheet
 from planes.check.report import Checked
 from planes.check.report.class_rows import UNSURE, ClassRow, cells, columns
 from planes.course.handed_out import Task
@@ -87,7 +87,7 @@ class ClassWork:
                 return True
         return False
 
-    def link(self, sheet: Sheet) -> str:
+    def link(self, sheet: HandedSheet) -> str:
         """The way from the page to the drawing itself, for one without a report."""
         folder = Path(self.output) if self.ledger else Path(self.output).parent
         if not self.output:
@@ -99,8 +99,7 @@ class ClassWork:
         return quote(way.encode("utf-8", "surrogateescape"))
 
     def close(self) -> None:
-        """Sort what needs a look to the top, and write it all."""
-        self.rows.sort(key=lambda row: (row.rank, row.file.casefold()))
+        """Write it all."""
         suffix = Path(self.output).suffix.lower()
         if self.ledger:
             data = self.page().encode()
@@ -124,8 +123,9 @@ class ClassWork:
         return names, [cells(row, keys, self.lang) for row in self.rows]
 
     def page(self) -> str:
-        """The page."""
+        """The page, what needs a look at the top."""
         counts, common = Counter(row.verdict for row in self.rows), dict[str, list[tuple[str, str]]]()
+        ranked = sorted(self.rows, key=lambda row: row.rank)
         for row in self.rows:
             if row.mistake:
                 common.setdefault(row.mistake, []).append((Path(row.file).stem, row.link))
@@ -133,16 +133,16 @@ class ClassWork:
         told = [(say(f"verdict_{v}", self.lang), counts[v]) for v in ("unreadable", "wrong", "right")]
         told.insert(1, (say("check_unsure_count", self.lang), sum(row.rank == UNSURE for row in self.rows)))
         keys, head = columns(self.rows, self.lang)
-        table = [cells(replace(r, said=r.said.removeprefix(f"{r.first}: ")), keys, self.lang) for r in self.rows]
+        table = [cells(replace(r, said=r.said.removeprefix(f"{r.first}: ")), keys, self.lang) for r in ranked]
         rows = [
             (row.verdict, row.link, one, row.picture, row.places, row.rank == UNSURE)
-            for row, one in zip(self.rows, table, strict=True)
+            for row, one in zip(ranked, table, strict=True)
         ]
         title = f"{say('check_class', self.lang)}: {self.title}"
         return check_pages.class_page(title, told, often, head, rows, self.lang)
 
 
-def source_of(sheet: Sheet, options: object) -> str:
+def source_of(sheet: HandedSheet, options: object) -> str:
     """The hash of all that what is found in a sheet depends on, but its scene."""
     parts = [sheet.file.read_bytes(), sheet.marks.read_bytes() if sheet.marks.is_file() else b""]
     told = repr([[digest(part) for part in parts], sheet.page, options, fingerprint()])

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from planes.check.grading.prepared_plan import Asked
-from planes.check.handed_in import Sheet, opened
+from planes.check.handed_in import HandedSheet, opened
 from planes.check.sheet_mark import SheetMark, mark_on
 from planes.course.handed_out import HandedOut, Task, plan_named, variant_named
 from planes.scene import Scene
@@ -46,7 +46,7 @@ class Sorter:
     plan: str | None = None
     known: dict[tuple[object, ...], Asked] = field(default_factory=dict)
 
-    def asked(self, sheet: Sheet, mark: SheetMark | None) -> tuple[Task, Asked, str]:
+    def asked(self, sheet: HandedSheet, mark: SheetMark | None) -> tuple[Task, Asked, str]:
         """The task, what is asked, and whose it is in words; :class:`PlanesError` where nothing tells."""
         stem = sheet.file.stem
         task = self._task(sheet, mark)
@@ -61,7 +61,7 @@ class Sorter:
             self.known[key] = self.asking(scene, plan, value, mu)
         return task, self.known[key], whose(scene, mark)
 
-    def _task(self, sheet: Sheet, mark: SheetMark | None) -> Task:
+    def _task(self, sheet: HandedSheet, mark: SheetMark | None) -> Task:
         found = self.handed.marked(mark) if mark else self.handed.named(sheet.file.stem)
         if found is None and mark:
             told = {"scene": shown(mark.scene), "student": shown(mark.student)}

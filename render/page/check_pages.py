@@ -100,7 +100,8 @@ th img { display: block; max-width: 170px; max-height: 130px; margin-top: .25rem
 .place .next { stroke: var(--next); stroke-width: .6; stroke-dasharray: 1 1; }
 .place circle { fill: none; stroke: var(--wrong); stroke-width: .5; } .place polygon { stroke: none; }
 @media (max-width: 700px) { tr { display: block; border-bottom: 2px solid var(--edge); padding: .3rem 0; }
-  thead { display: none; } tbody th, tbody td { display: inline-block; border: 0; padding: .1rem .5rem .1rem .3rem; }
+  tr.wrong { background: #fbe3e0; } thead { display: none; }
+  tbody th, tbody td { display: inline-block; border: 0; padding: .1rem .5rem .1rem .3rem; }
   td:last-child { display: block; } td:empty { display: none; } th img { max-width: 110px; } }"""
 
 Whose = Sequence[tuple[str, str]]

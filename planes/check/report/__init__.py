@@ -116,10 +116,14 @@ class Checked:
         """Where it goes wrong."""
         return (self.found.first_wrong or "") if self.found and self.verdict == "wrong" else ""
 
+    def shown(self, lang: Lang) -> str:
+        """What is said of it in a table, where the file has a column of its own."""
+        return self.said(lang).removeprefix(f"{self.read_from}: ").removeprefix(f"{self.file}: ")
+
     def said(self, lang: Lang) -> str:
         """Which mistake it is, why it cannot be read, or what was not seen of it; nothing of a right one."""
         if self.found is None:
-            return self.refused.told(lang).removeprefix(f"{self.read_from}: ") if self.refused else ""
+            return self.refused.told(lang) if self.refused else ""
         if self.verdict == "unreadable":  # the notes say what to do
             sentence, notes = self.found.sentence, self.found.notes
             first = () if notes and sentence.key == "check_nothing_read" else (sentence,)

@@ -22,7 +22,7 @@ from planes.words.records import Json
 Box = tuple[float, float, float, float]
 UNREADABLE, UNSURE, WRONG, RIGHT = range(4)
 MOST_PLACES = 3  # wrong places shown of a drawing
-WINDOW_MM = (18.0, 45.0)  # about a wrong place: at least and at most that to each side
+WINDOW_MM = (18.0, 90.0)  # about a wrong place: at least and at most that to each side
 THUMB_PX, PLACE_PX, QUALITY, RIM_MM = 170, 230, 62, 12.0
 HEADS = ("check_file", "check_verdict", "check_mark", "check_first")
 
@@ -47,7 +47,7 @@ class ClassRow:
     @classmethod
     def of(cls, one: Checked, lang: Lang) -> ClassRow:
         """The row of what was found."""
-        found, said = one.found, one.said(lang)
+        found, said = one.found, one.shown(lang)
         unmarked = said.removeprefix(f"{one.first}: ") if one.first else said
         return cls(
             one.file,
@@ -84,10 +84,10 @@ def rank(one: Checked) -> int:
     return UNSURE if doubtful else WRONG if one.verdict == "wrong" else RIGHT
 
 
-def columns(rows: Iterable[ClassRow], lang: Lang) -> tuple[list[str], list[str]]:
-    """The keys of a table's columns, and their names: whose and which plan only where any of them is told."""
-    rows = list(rows)
-    more = [key for key in ("whose", "plan") if any(getattr(row, key) for row in rows)]
+def columns(rows: Sequence[ClassRow], lang: Lang) -> tuple[list[str], list[str]]:
+    """The keys of a table's columns, and their names: whose only where that is known, which plan where they differ."""
+    whose, plans = ({getattr(row, key) for row in rows} - {""} for key in ("whose", "plan"))
+    more = ["whose"] * bool(whose) + ["plan"] * (bool(whose) or len(plans) > 1)
     words = {"whose": "check_whose", "plan": "check_plan"}
     keys = ["file", *more, "verdict", "first", "said"]
     names = dict(zip(("file", "verdict", "first", "said"), HEADS, strict=True)) | words
