@@ -61,6 +61,8 @@ class HandedSheet:
         """A file of this page alone."""
         if self.page is None:
             return self.file
+        if self.page > MOST_PAGES:
+            raise too_many(str(self.file), "pages", MOST_PAGES)
         page, target = self.page - 1, folder / f"page{'.pdf' if self.file.suffix.lower() == '.pdf' else '.png'}"
         with guarded("check_picture", self.file):
             if target.suffix == ".pdf":
@@ -98,7 +100,7 @@ def sheets_of(file: Path) -> list[HandedSheet]:
         except PlanesError:
             count = 1
     if count > MOST_PAGES:
-        raise too_many(str(file), "pages", MOST_PAGES)
+        return [HandedSheet(file, MOST_PAGES + 1)]  # refused when it is cut out
     return [HandedSheet(file)] if count < 2 else [HandedSheet(file, k + 1) for k in range(count)]
 
 

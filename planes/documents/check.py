@@ -29,10 +29,12 @@ from render.paper.marks import Mark
 from render.paper.photo import Photo
 from render.sheet import check_sheet
 
+KINDS = (".svg", ".pdf", ".png")
+
 
 def write_blank(asked: Asked, output: str, lang: Lang) -> None:
-    """A sheet to draw a plan on, as PDF, SVG or PNG."""
-    _write(*blank_marks(asked, lang), output, lang)
+    """A sheet to draw a plan on, as PDF, SVG, PNG or DXF."""
+    _write(*blank_marks(asked, lang), output, lang, kinds=(*KINDS, ".dxf"))
 
 
 def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = None) -> tuple[list[Mark], str]:
@@ -47,8 +49,15 @@ def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = N
     return check_sheet.blank(SHEET_MM, squares, blank_pole(bench), texts), title
 
 
-def _write(marks: Iterable[Mark], title: str, output: str, lang: Lang, under: Photo | None = None) -> None:
-    if Path(output).suffix.lower() not in (".svg", ".pdf", ".png"):
+def _write(
+    marks: Iterable[Mark],
+    title: str,
+    output: str,
+    lang: Lang,
+    under: Photo | None = None,
+    kinds: tuple[str, ...] = KINDS,
+) -> None:
+    if Path(output).suffix.lower() not in kinds:
         raise PlanesError(Phrase("check_output", file=output))
     Page(tuple(marks), SHEET_MM, title, lang, under=under).write(output)
 

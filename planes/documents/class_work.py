@@ -6,6 +6,7 @@ its corrected marks, its scene nor the program has changed.
 
 from __future__ import annotations
 
+import hashlib
 import json
 from collections import Counter
 from contextlib import suppress
@@ -27,7 +28,7 @@ from planes.words.records import as_csv
 from render.page import check_pages
 
 MOST_COMMON = 8  # mistakes of a class that are listed
-INDEX = "index.html"
+INDEX, MOST_BYTES = "index.html", 200
 
 
 @dataclass
@@ -57,14 +58,14 @@ class ClassWork:
         """A drawing that was looked at; into a folder goes its report, and what the next run takes up."""
         if self.ledger and one.found:
             page = check_pages.report_page(report.page_data(one.found, self.lang), self.lang)
-            self._keep(f"{one.file}.html", source, page.encode())
-            one = replace(one, report=quote(f"{one.file}.html"))
+            self._keep(f"{kept_as(one.file)}.html", source, page.encode())
+            one = replace(one, report=quote(f"{kept_as(one.file)}.html"))
         row = ClassRow.of(one, self.lang)
         self.rows.append(row)
         if self.ledger and task:
             kept = {"scene": str(task.file), "sha256": digest(task.file.read_bytes()), "row": row.json()}
             data = json.dumps(kept, ensure_ascii=False, allow_nan=False).encode()
-            self._keep(f"rows/{one.file}.json", source, data)
+            self._keep(f"rows/{kept_as(one.file)}.json", source, data)
 
     def _keep(self, name: str, source: str, data: bytes) -> None:
         assert self.ledger
@@ -73,8 +74,8 @@ class ClassWork:
 
     def taken_up(self, name: str, source: str, tasks: tuple[Task, ...]) -> bool:
         """Whether an earlier run has judged the very same; then its row stands."""
-        files = [f"rows/{name}.json", f"{name}.html"]
-        if not self.ledger or not self.ledger.fresh(files[0], source):
+        files = [f"rows/{kept_as(name)}.json", f"{kept_as(name)}.html"]
+        if not self.ledger or not source or not self.ledger.fresh(files[0], source):
             return False
         with suppress(ValueError, TypeError, KeyError):
             kept = json.loads(self.ledger.path(files[0]).read_bytes())
@@ -143,7 +144,19 @@ class ClassWork:
 
 
 def source_of(sheet: HandedSheet, options: object) -> str:
-    """The hash of all that what is found in a sheet depends on, but its scene."""
-    parts = [sheet.file.read_bytes(), sheet.marks.read_bytes() if sheet.marks.is_file() else b""]
-    told = repr([[digest(part) for part in parts], sheet.page, options, fingerprint()])
-    return digest(told.encode())
+    """The hash of all that what is found in a sheet depends on, but its scene; "" of one that cannot be opened."""
+    try:
+        hashes = [_hash(file) for file in (sheet.file, sheet.marks) if file.is_file()]
+    except OSError:
+        return ""
+    return digest(repr([hashes, sheet.page, options, fingerprint()]).encode())
+
+
+def _hash(file: Path) -> str:
+    with file.open("rb") as opened:
+        return hashlib.file_digest(opened, "sha256").hexdigest()
+
+
+def kept_as(name: str) -> str:
+    """The name under which a drawing is kept: a disk takes no longer ones."""
+    return name if len(name.encode()) < MOST_BYTES else f"{name[:60]}-{digest(name.encode())[:8]}"

@@ -8,7 +8,9 @@ from pathlib import Path
 import pytest
 
 from planes.check.fiducials import CODE_MM, SHEET_MM, code_centre, pole_place
+from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked, prepare
+from planes.check.handed_in import read_paper
 from planes.check.sheet_mark import LONGEST, SheetMark, cells, parsed, short
 from planes.documents.check import blank_marks, write_blank
 from planes.scene import load
@@ -126,12 +128,14 @@ def test_the_code_is_read_from_pictures_by_physics(
         assert mark is not None and mark.text == LONG.text
 
 
-@pytest.mark.parametrize("suffix", [".svg", ".pdf", ".png"])
+@pytest.mark.parametrize("suffix", [".svg", ".dxf", ".pdf", ".png"])
 def test_blanks_carry_the_code_in_every_format(suffix: str, tmp_path: Path) -> None:
     file = tmp_path / f"blank{suffix}"
     write_blank(Asked(SIX, "velocity", 140.0), str(file), "en")
-    if suffix == ".svg":
-        assert file.read_text("utf-8").count("<polygon") + file.read_text("utf-8").count("<path") > 100
+    if suffix in (".svg", ".dxf"):
+        count = file.read_text("utf-8").count("HATCH" if suffix == ".dxf" else "<p")
+        assert count > 100  # a run of black cells each
+        assert not read_paper(str(file), Asked(SIX, "velocity"), Known()).spots  # none is taken for a line of a plan
         return
     assert mark_on(picture_of(file).grey) == SheetMark("six-link", "", "", "velocity", 140.0)
 
