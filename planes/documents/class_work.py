@@ -57,9 +57,9 @@ class ClassWork:
     def add(self, one: Checked, source: str = "", task: Task | None = None) -> None:
         """A drawing that was looked at; into a folder goes its report, and what the next run takes up."""
         if self.ledger and one.found:
-            data = report.page_data(one.found, self.lang)
-            data["title"] = ". ".join(filter(None, (one.whose, data["title"])))
-            page = check_pages.report_page(data, self.lang)
+            shown = report.page_data(one.found, self.lang)
+            shown["title"] = ". ".join(filter(None, (one.whose, shown["title"])))
+            page = check_pages.report_page(shown, self.lang)
             self._keep(f"{kept_as(one.file)}.html", source, page.encode())
             one = replace(one, report=quote(f"{kept_as(one.file)}.html"))
         row = ClassRow.of(one, self.lang)
