@@ -5,6 +5,8 @@ The patterns are this project's own; they need no library to print, and OpenCV's
 
 from __future__ import annotations
 
+import math
+
 ARM_MM = 2.0  # of the cross printed at the pole
 SIDE_MM = 12.0  # of the black square, its border included
 INSET_MM = (30.0, 15.0)  # centres from the left and the other edges of a sheet
@@ -33,9 +35,29 @@ def cells(index: int) -> list[list[bool]]:
 SHEET_MM = (297.0, 210.0)  # A4, lying
 
 
+LEFT_MM, OTHER_MM, STEP_MM = 28.0, 13.0, 5.0  # of the sheet's edges no plan is drawn on; by which the pole is moved
+
+
 def pole_place(ends: list[complex], size_mm: tuple[float, float] = SHEET_MM) -> complex:
-    """Where a blank has its pole so that the plan has room: the plan's box in the middle, on whole centimetres."""
-    xs, ys = [0.0, *(z.real for z in ends)], [0.0, *(z.imag for z in ends)]
-    middle = complex(max(xs) + min(xs), max(ys) + min(ys)) / 2
-    place = complex(size_mm[0] / 2 + 5, size_mm[1] / 2) - middle
-    return complex(10 * round(place.real / 10), 10 * round(place.imag / 10))
+    """Where a blank has its pole: in the middle, so that a plan has the same room whichever way it goes; moved only by
+    as much as the right plan would run off the sheet."""
+    (w, h), places = size_mm, [0j, *ends]
+    across = _moved((LEFT_MM, w - OTHER_MM), [z.real for z in places])
+    return complex(across, _moved((OTHER_MM, h - OTHER_MM), [z.imag for z in places]))
+
+
+def _moved(room: tuple[float, float], places: list[float]) -> float:
+    """The middle of a room, or as near to it as all places find room; of what is larger than the room, its middle."""
+    low, high = room[0] - min(places), room[1] - max(places)
+    middle = (room[0] + room[1]) / 2
+    if low > high:
+        return STEP_MM * round((low + high) / 2 / STEP_MM)
+    return middle + STEP_MM * (math.ceil(max(low - middle, 0) / STEP_MM) - math.ceil(max(middle - high, 0) / STEP_MM))
+
+
+CODE_MM, CODE_GAP_MM = 30.0, 4.0  # side of the square code that says whose sheet it is; between it and a corner mark
+
+
+def code_centre(size_mm: tuple[float, float] = SHEET_MM) -> complex:
+    """Where the code stands: left of the upper right corner mark, their upper edges in line."""
+    return centres(size_mm)[2] - complex(SIDE_MM / 2 + CODE_GAP_MM + CODE_MM / 2, (CODE_MM - SIDE_MM) / 2)

@@ -1,34 +1,200 @@
-"""What was handed in, read by the suffix of its file: a table, a drawing of lines, or a picture."""
+"""What was handed in, read by the suffix of its file: a table, a drawing of lines, or a picture; a page at a time."""
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from planes.check.grading.paper import Known, ReadPaper, read_table, with_told
 from planes.check.grading.prepared_plan import Asked, prepare
+from planes.check.reading.opened import contents, hushed, too_many
 from planes.check.reading.strokes import ReadDrawing
 from planes.words import Phrase
-from planes.words.errors import PlanesError
+from planes.words.errors import PlanesError, guarded
 from planes.words.names import kind_of
+
+if TYPE_CHECKING:
+    from planes.check.vision.decoding import DecodedPicture
 
 LINES = (".svg", ".dxf", ".pdf")
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
 TABLES = (".csv", ".json", ".txt", ".tsv")
 MOST_SHOWN = 2000  # lines of a drawing shown in its report
+MOST_PAGES = 300
+NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp", ".part", ".url")
+"""What lies beside drawings."""
+MOST_BYTES, MOST_PIXELS = 200_000_000, 64_000_000
+Box = tuple[float, float, float, float]
+OTHERS = {  # what cameras and telephones save that is not read: the suffixes, how such a file begins
+    "check_heic": ((".heic", ".heif", ".hif", ".avif"), rb"....ftyp(hei|hev|mif|msf|avi)"),
+    "check_gif": ((".gif",), rb"GIF8"),
+    "check_raw": ((".dng", ".cr2", ".cr3", ".nef", ".arw", ".orf", ".rw2", ".psd"), rb"8BPS"),
+    "check_office": (
+        (".doc", ".docx", ".odt", ".xls", ".xlsx", ".zip", ".rar", ".cdw", ".dwg"),
+        rb"PK\x03\x04|Rar!|AC10",
+    ),
+}
+_NUMBER = r" (-?[0-9]{1,5}(?:[.][0-9]{1,6})?)"
+ENDS = {b"\xff\xd8\xff": b"\xff\xd9", b"\x89PNG": b"IEND", b"%PDF-": b"%%EOF"}  # how whole files begin and end
+
+
+@dataclass(frozen=True)
+class HandedSheet:
+    """One sheet that was handed in: a file, or a page of one (from 1), and how it is called among the others."""
+
+    file: Path
+    page: int | None = None
+
+    @property
+    def name(self) -> str:
+        """The file's name; any bytes at all may be that."""
+        plain = self.file.name.encode("utf-8", "replace").decode()
+        return plain if self.page is None else f"{Path(plain).stem}-{self.page}{self.file.suffix}"
+
+    @property
+    def marks(self) -> Path:
+        """The table of marks a person has put right, which lies beside it."""
+        return self.file.with_name(f"{Path(self.name).stem}.csv")
+
+    def known(self, known: Known) -> Known:
+        """What is known of it, with its page."""
+        if self.page is None:
+            return known
+        if self.page > MOST_PAGES:
+            raise too_many(str(self.file), "pages", MOST_PAGES)
+        return replace(known, page=self.page - 1)
+
+
+def sheets_of(file: Path) -> list[HandedSheet]:
+    """The sheets of a file: each page of a PDF or a TIFF is one; so is a file that does not open."""
+    count = 1
+    if (suffix := file.suffix.lower()) in (".pdf", ".tif", ".tiff") and file.is_file():
+        try:
+            with guarded("check_picture", file), hushed():
+                count = _pages(file, suffix)
+        except PlanesError:
+            count = 1
+    if count > MOST_PAGES:
+        return [HandedSheet(file, MOST_PAGES + 1)]  # refused when it is read
+    return [HandedSheet(file)] if count < 2 else [HandedSheet(file, k + 1) for k in range(count)]
+
+
+def _pages(file: Path, suffix: str) -> int:
+    if suffix == ".pdf":
+        import pypdfium2
+
+        with pypdfium2.PdfDocument(file) as whole:
+            return len(whole)
+    from PIL import Image
+
+    with Image.open(file, formats=("TIFF",)) as opened:
+        return int(getattr(opened, "n_frames", 1))
+
+
+def sheets_in(place: Path, told: bool, but: str = "") -> list[HandedSheet]:
+    """The sheets of a file, or of all drawings of a folder; one of each file if its page is ``told``.
+
+    Tables of corrected marks lie beside their pictures, a course's list of what it wrote (``but``) beside its blanks.
+    """
+    whole = place.is_dir()
+    files = (
+        [f for f in sorted(place.iterdir()) if f.is_file() and not f.name.startswith((".", "~$"))] if whole else [place]
+    )
+    files = [f for f in files if not whole or (f.suffix.lower() not in NO_DRAWINGS and f.name != but)]
+    sheets = [s for f in files for s in ([HandedSheet(f)] if told else sheets_of(f))]
+    beside = {s.marks for s in sheets if s.file.suffix.lower() not in TABLES} if whole else set()
+    sheets = [s for s in sheets if s.file not in beside]
+    if not sheets:
+        raise PlanesError(Phrase("check_empty_folder", file=str(place)))
+    return sheets
+
+
+def marks_of(sheet: HandedSheet, asked: Asked, known: Known) -> ReadPaper:
+    """What a sheet shows, or the marks a person has put right instead; called as the sheet is."""
+    file = str(sheet.file)
+    if not sheet.marks.is_file() or sheet.marks == sheet.file:
+        paper = read_paper(file, asked, known)
+    else:
+        under = None
+        with suppress(PlanesError):
+            under = read_paper(file, asked, known)
+        paper = corrected(read_paper(str(sheet.marks), asked, known), under)
+    paper.file = str(sheet.file.with_name(sheet.name))
+    return paper
 
 
 def read_paper(file: str, asked: Asked, known: Known) -> ReadPaper:
-    """The marks of a file. :class:`PlanesError` where it cannot be read."""
+    """The marks of a file. :class:`PlanesError` where it cannot be read, with what to do about it."""
     suffix = Path(file).suffix.lower()
     if suffix in TABLES:
         return read_table(file)
-    if sketch := _lines(file, suffix, known):
-        return _from_lines(sketch, asked, known)
-    if suffix in PICTURES:
-        from planes.check.vision.photograph import paper_of_picture
+    with telling(file):
+        if sketch := _lines(file, suffix, known):
+            return _from_lines(sketch, asked, known)
+        if suffix in PICTURES:
+            from planes.check.vision.photograph import paper_of_picture
 
-        return paper_of_picture(file, prepare(asked), known)
-    raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
+            return paper_of_picture(file, prepare(asked), known)
+        raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
+
+
+@contextmanager
+def telling(file: str) -> Iterator[None]:
+    """What does not open is refused by what it is, not only because it does not."""
+    try:
+        yield
+    except PlanesError as error:
+        key = getattr(error.phrase, "key", "")
+        better = _kind(file, Path(file).suffix.lower()) if key in ("check_picture", "check_suffix") else None
+        raise better or error from None
+
+
+def opened(file: str, page: int = 0) -> DecodedPicture | None:
+    """The picture of a file (of a page of it, from 0), None of a table or a drawing of lines; :class:`PlanesError` where it does not open."""
+    suffix = Path(file).suffix.lower()
+    with telling(file):
+        if suffix in PICTURES:
+            from planes.check.vision.decoding import load
+
+            return load(file, page)
+        if suffix not in (*LINES, *TABLES):
+            raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
+    return None
+
+
+def _kind(file: str, suffix: str) -> PlanesError | None:
+    """Why a file is refused, where how it begins, or that it does not end, tells more than that it cannot be read."""
+    data = contents(file, MOST_BYTES)
+    if not data:
+        return PlanesError(Phrase("check_empty", file=file))
+    for key, (suffixes, begins) in OTHERS.items():
+        if suffix in suffixes or re.match(begins, data, re.DOTALL):
+            return PlanesError(Phrase(key, file=file, suffix=suffix))
+    cut = any(data.startswith(head) and end not in data[-1024:] for head, end in ENDS.items())
+    return PlanesError(Phrase("check_cut", file=file)) if cut else None
+
+
+def corrected(paper: ReadPaper, picture: ReadPaper | None) -> ReadPaper:
+    """A table of marks a person has put right in the report of a picture, with that picture under it."""
+    notes = [*paper.notes, Phrase("check_by_hand", file=Path(paper.file).name)]
+    if picture is None or picture.box is None:
+        return replace(paper, notes=notes)
+    box, strokes = _box_told(paper.file, picture.box), picture.strokes
+    return replace(paper, picture=picture.picture, box=box, strokes=strokes, notes=notes)
+
+
+def _box_told(table: str, read: Box) -> Box:
+    """Where the picture lies about the pole, which a person may have moved: as a report page has written it into the
+    table of its marks, if that is a picture of this size."""
+    head = contents(table, MOST_BYTES)[:2000].decode("utf-8", "replace")
+    found = re.search(rf"^# box{4 * _NUMBER}$", head, re.MULTILINE)
+    left, low, right, high = map(float, found.groups()) if found else read
+    same = abs(right - left - read[2] + read[0]) < 0.1 and abs(high - low - read[3] + read[1]) < 0.1
+    return (left, low, right, high) if same else read
 
 
 def _lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:

@@ -63,7 +63,7 @@ def _parser(lang: Lang) -> argparse.ArgumentParser:
     for name, own in OPTIONS.items():
         text = help_of(name.replace("-", "_"))
         parser = commands.add_parser(name, help=text, description=text, lang=lang)
-        parser.set_defaults(command=name)
+        parser.set_defaults(command=name, refuse=parser.error)
         asked: Option = ("--lang", "lang", {"choices": ("ru", "en"), "default": None if name == "course" else lang})
         of_scene = (*OF_SCENE, asked, *(POSITIONS if name in POSITIONED else ()))
         options = (*own, asked) if name == "course" else (*of_scene, *own)

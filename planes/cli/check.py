@@ -5,49 +5,83 @@ from __future__ import annotations
 import json
 import re
 from argparse import Namespace
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from planes.check import STATUS, Outcome
 from planes.check import check as judge
 from planes.check.grading.paper import Known
 from planes.check.grading.perturbing import HAND, cad
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.check.handed_in import LINES, PICTURES, read_paper
-from planes.check.pages import checked_pages, page_count
-from planes.check.report import ClassWork, as_json, chance_told, class_heads, heads, numbers_of, rows_of
+from planes.check.handed_in import LINES, PICTURES, HandedSheet, marks_of, read_paper, sheets_in
+from planes.check.report import Checked, as_json, chance_told, heads, numbers_of, rows_of
 from planes.cli.commands import scene_of
 from planes.cli.options import check_options, value_of
+from planes.course.handed_out import HandedOut, handed_out, is_course
+from planes.course.ledger import MANIFEST
 from planes.scene import Scene
 from planes.solving.tables import table
 from planes.words import Lang, Phrase, say
-from planes.words.errors import PlanesError
+from planes.words.errors import PlanesError, guarded
 from planes.words.names import kind_of
-from planes.words.records import as_csv
 from planes.words.units import read_mu
+
+if TYPE_CHECKING:
+    from planes.documents.class_work import ClassWork
+    from planes.documents.whose import Sorter
 
 _PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?{0})\s*[,;]\s*([-+]?{0})\s*".format(r"(?:\d+\.?\d*|\.\d+)"))
 
 
 def check(args: Namespace) -> int:
     """Check, print, and give the exit status: 0 right, 1 wrong, 2 unreadable, 3 right as far as seen."""
+    if is_course(Path(args.scene)) and not args.trace:
+        return check_class(args, handed_out(Path(args.scene)), _sheets(args))
+    if args.plan is None and (args.trace or not _told_by_marks(args.drawing)):
+        args.refuse("the following arguments are required: --plan")
     scene = scene_of(args)
     value = value_of(args, scene)
     check_options(args, "check", _answer(args))
-    asked, known = ask(args, scene, value), known_of(args)
+    if args.drawing and not args.trace:
+        sheets = _sheets(args)
+        if args.plan is None or Path(args.drawing).is_dir():
+            return check_class(args, handed_out(Path(args.scene)), sheets)
+    asked = ask(args, scene, args.plan, value, _mu(args, args.plan))
     if args.trace:
         return _trace(args, asked)
     if args.drawing is None:
         raise PlanesError(Phrase("check_no_drawing"))
-    if Path(args.drawing).is_dir():
-        return check_class(args, asked, known)
-    if known.page is None and page_count(args.drawing) > 1:
-        pages = checked_pages(args.drawing, asked, known)
-        if len(pages) > 1 or pages[0].found is None:
-            return tell_class(args, ClassWork(Path(args.drawing).name, pages))
-        found = pages[0].found
-    else:
-        found = judge(asked, read_paper(args.drawing, asked, known))
+    if len(sheets) > 1:
+        only = _only_page(args, asked, sheets)
+        return _said(args, only) if only else check_class(args, handed_out(Path(args.scene)), sheets)
+    return _said(args, judge(asked, read_paper(args.drawing, asked, known_of(args))))
+
+
+def _sheets(args: Namespace) -> list[HandedSheet]:
+    """The sheets that were handed in."""
+    if args.drawing is None:
+        raise PlanesError(Phrase("check_no_drawing"))
+    return sheets_in(Path(args.drawing), args.page is not None, MANIFEST)
+
+
+def _only_page(args: Namespace, asked: Asked, sheets: list[HandedSheet]) -> Outcome | None:
+    """What is found on the only page of a file that can be read as the plan, if there is just one."""
+    read: list[tuple[int | None, Outcome]] = []
+    for sheet in sheets:
+        with suppress(PlanesError):
+            found = judge(asked, read_paper(args.drawing, asked, sheet.known(known_of(args))))
+            read += [(sheet.page, found)] if found.verdict != "unreadable" else []
+        if len(read) > 1:
+            return None
+    for page, found in read:
+        found.notes.append(Phrase("check_page_of", page=page, count=len(sheets)))
+    return read[0][1] if read else None
+
+
+def _said(args: Namespace, found: Outcome) -> int:
+    """The report written, the outcome printed."""
     if args.output:
         from planes.documents.check import write_report
 
@@ -80,11 +114,11 @@ def _trace(args: Namespace, asked: Asked) -> int:
     return 0
 
 
-def ask(args: Namespace, scene: Scene, value: float | None) -> Asked:
+def ask(args: Namespace, scene: Scene, plan: str, value: float | None, mu: float | None) -> Asked:
     """The question of the command line."""
     from planes.documents.check import spelling
 
-    asked = Asked(scene, args.plan, value, _mu(args), spelt=spelling(scene, args.lang))
+    asked = Asked(scene, plan, value, mu, spelt=spelling(scene, args.lang))
     others = {}
     for pair in args.others:
         name, _, file = pair.partition("=")
@@ -101,8 +135,8 @@ def ask(args: Namespace, scene: Scene, value: float | None) -> Asked:
     return replace(asked, skill=skill, others=others)
 
 
-def _mu(args: Namespace) -> float | None:
-    return None if args.mu is None else read_mu(args.mu, kind_of(args.plan))
+def _mu(args: Namespace, plan: str) -> float | None:
+    return None if args.mu is None else read_mu(args.mu, kind_of(plan))
 
 
 def known_of(args: Namespace) -> Known:
@@ -135,62 +169,68 @@ def blank(args: Namespace) -> int:
     from planes.documents.check import write_blank
 
     scene = scene_of(args)
-    write_blank(Asked(scene, args.plan, value_of(args, scene), _mu(args)), args.output, args.lang)
+    write_blank(Asked(scene, args.plan, value_of(args, scene), _mu(args, args.plan)), args.output, args.lang)
     return 0
 
 
-NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp")  # lie beside the drawings
+def _told_by_marks(drawing: str | None) -> bool:
+    """Whether marks of sheets may tell the plan."""
+    return bool(drawing) and (Path(str(drawing)).is_dir() or str(drawing).lower().endswith(PICTURES))
 
 
-def check_class(args: Namespace, asked: Asked, known: Known) -> int:
+def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet]) -> int:
     """Every drawing of a folder: a row for each, on the terminal and in the file of ``-o``."""
+    from planes.documents.class_work import ClassWork
     from planes.documents.lesson import bar
+    from planes.documents.whose import Sorter
 
-    folder = Path(args.drawing)
-    files = [f for f in sorted(folder.iterdir()) if f.is_file() and not f.name.startswith((".", "~$"))]
-    files = [f for f in files if f.suffix.lower() not in NO_DRAWINGS]
-    if not files:
-        raise PlanesError(Phrase("check_empty_folder", file=args.drawing))
-    group = ClassWork(folder.name)
+    def asking(scene: Scene, plan: str, value: float | None, mu: float | None) -> Asked:
+        own = value_of(args, scene)
+        return ask(args, scene, plan, value if own is None else own, _mu(args, plan) or mu)
+
+    work = ClassWork(Path(args.drawing).name, args.lang, args.output or "")
+    sorter = Sorter(handed, asking, args.variant, args.plan)
     with bar() as step:
-        for done, file in enumerate(files, 1):
-            name = file.name.encode("utf-8", "replace").decode()  # any bytes at all may be the name of a file
-            group.all += checked_pages(str(file), asked, known, name)
+        for number, sheet in enumerate(sheets, 1):
+            _look(args, work, sorter, sheet)
             if step:
-                step(done, len(files))
-    return tell_class(args, group)
+                step(number, len(sheets))
+    work.close()
+    print(work.json() if args.json else "\n".join(_class_table(work)).lstrip())
+    return work.status
 
 
-def tell_class(args: Namespace, group: ClassWork) -> int:
-    """Several drawings, on the terminal and in the file of ``-o``."""
-    if args.output:
-        _write_class(group, args.output, args.lang)
-    print(_json(group, args.lang) if args.json else "\n".join(_class_table(group, args.lang)).lstrip())
-    return group.status
+def _look(args: Namespace, work: ClassWork, sorter: Sorter, sheet: HandedSheet) -> None:
+    """One sheet of a class; whatever is wrong with it never stops the others."""
+    from planes.documents.class_work import source_of
+    from planes.documents.whose import glance
+
+    seen, source, task = None, source_of(sheet, _options(args)), None
+    if work.taken_up(sheet.name, source, sorter.handed.tasks):
+        return
+    one = Checked(sheet.name, report=work.link(sheet))
+    try:
+        with guarded("check_broken", sheet.name):
+            known, one.read_from = sheet.known(known_of(args)), str(sheet.file)
+            seen = glance(one.read_from, known.page or 0)
+            task, asked, one.whose = sorter.asked(sheet, seen.mark)
+            one.found = judge(asked, marks_of(sheet, asked, known))
+    except PlanesError as error:
+        one.refused, one.picture = error, seen.picture if seen else b""
+    work.add(one, source, task)
 
 
-def _class_table(group: ClassWork, lang: Lang) -> list[str]:
-    rows = [class_heads(lang), *(one.row(lang) for one in group.all)]
-    widths = [max(len(row[i]) for row in rows) for i in range(3)]
-    aligned = ("  ".join([*(c.ljust(w) for c, w in zip(row, widths, strict=False)), row[3]]) for row in rows)
-    return [say("check_class", lang), *(f"  {line.rstrip()}" for line in aligned)]
+def _options(args: Namespace) -> list[object]:
+    """All of the command line that what is found depends on."""
+    others = [Path(pair.partition("=")[2]) for pair in args.others]
+    read = [file.read_bytes() for file in others if file.is_file()]
+    told = (args.variant, args.plan, args.mu, args.phi, args.s, args.pole, args.mark, args.format, args.work, args.lang)
+    return [args.page, *told, args.others, read]
 
 
-def _json(group: ClassWork, lang: Lang) -> str:
-    return json.dumps([one.as_json(lang) for one in group.all], ensure_ascii=False, allow_nan=False)
-
-
-def _write_class(group: ClassWork, output: str, lang: Lang) -> None:
-    """The table as a page, a spreadsheet or objects; a folder gets a report for each drawing and the page."""
-    from planes.documents.check import write_class, write_text
-
-    suffix = Path(output).suffix.lower()
-    if suffix == ".json":
-        write_text(_json(group, lang), output)
-    elif suffix == ".csv":
-        rows = [class_heads(lang), *(one.row(lang) for one in group.all)]
-        write_text(f"\ufeff{as_csv(rows)}", output)  # begun so that a spreadsheet knows the letters
-    elif suffix in (".html", ".htm", ""):
-        write_class(group, output, lang)
-    else:
-        raise PlanesError(Phrase("check_class_output", file=output))
+def _class_table(work: ClassWork) -> list[str]:
+    head, rows = work.table()
+    rows = [head, *rows]
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]) - 1)]
+    aligned = ("  ".join([*(c.ljust(w) for c, w in zip(row, widths, strict=False)), row[-1]]) for row in rows)
+    return [say("check_class", work.lang), *(f"  {line.rstrip()}" for line in aligned)]

@@ -14,7 +14,6 @@ from planes.scene import Scene, load
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 
-COURSE_FOLDER = "out"
 READY = ("planes.documents.course", "render.report.pdf", "reportlab.platypus", "numpy", "shapely")
 """What the workers of a course import once."""
 
@@ -185,6 +184,7 @@ def crank_slider(args: Namespace) -> int:
 
 def course(args: Namespace) -> int:
     """Make the course; exit status 0 if all came out, 1 if something is missing, 2 if nothing could be begun."""
+    from planes.course.handed_out import OUT
     from planes.course.reading import read_course
     from planes.course.workers import crowd
     from planes.documents.course_run import conduct
@@ -199,7 +199,7 @@ def course(args: Namespace) -> int:
     lang = said or found.lang or args.lang
     for doubt in (doubt for assignment in found.assignments for doubt in assignment.doubts):
         print(doubt.told(lang), file=sys.stderr)
-    folder = Path(args.output) if args.output else Path(found.file).parent / COURSE_FOLDER
+    folder = Path(args.output) if args.output else Path(found.file).parent / OUT
     with crowd(args.jobs, args.scheduler, READY) as each, bar() as step:
         report = conduct(found, folder, each, lang, step, bool(args.scheduler))
     for place, file, sentence in (*report.faults, *report.said):

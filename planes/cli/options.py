@@ -65,9 +65,9 @@ OPTIONS: Mapping[str, Sequence[Option]] = {
         ("--sheet", "force_sheet", FILE),
         ("--phi", "sheet_phi", REAL | {"metavar": "A"}),
     ),
-    "check": (
+    "check": (  # its scene may be a course too
         ("drawing", "drawing", {"nargs": "?", "metavar": "DRAWING"}),
-        ("--plan", "plan", {"required": True, "metavar": "PLAN"}),
+        ("--plan", "plan", {"metavar": "PLAN"}),
         ("--mu", "mu", {"metavar": "MU"}),
         ("--with", "with", {"dest": "others", "action": "append", "default": [], "metavar": "PLAN=FILE"}),
         ("--pole", "pole", {"metavar": "X,Y"}),

@@ -22,7 +22,8 @@ from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.records import Json
 
-LIBRARIES = ("numpy", "shapely", "reportlab", "ezdxf", "svgwrite", "matplotlib", "fonttools", "pillow", "pypdfium2")
+_ALL = "numpy shapely reportlab ezdxf svgwrite matplotlib fonttools pillow pypdfium2 segno"
+LIBRARIES = tuple(_ALL.split())
 
 
 @cache

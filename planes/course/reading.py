@@ -97,12 +97,12 @@ def _student(reader: Reader, number: int, node: Node) -> Student:
 def _assignments(reader: Reader, node: Node | None, folder: Path) -> tuple[Assignment, ...]:
     """The scenes, in the order they are named; those of the folder itself, where none are."""
     if node is None:
-        files = _scenes(folder)
+        files = scenes_in(folder)
     else:
         nodes = [node] if isinstance(node, SourceScalar) else reader.items(node, "assignments")
         entries = ((n, Phrase("entry", number=k, what="assignments")) for k, n in enumerate(nodes, 1))
         paths = [_path(reader, n, what, folder) for n, what in entries]
-        files = [f for p in paths for f in (_scenes(p) if p.is_dir() else [p])]
+        files = [f for p in paths for f in (scenes_in(p) if p.is_dir() else [p])]
     if not files:
         where = reader.file if node is not None else str(folder)
         raise SceneError(Phrase("course_no_scenes"), where, None if node is None else node.line)
@@ -121,7 +121,8 @@ def _path(reader: Reader, node: Node, what: Told, folder: Path) -> Path:
     return folder / text
 
 
-def _scenes(folder: Path) -> list[Path]:
+def scenes_in(folder: Path) -> list[Path]:
+    """Scenes of a folder, the course itself aside."""
     return sorted(f for f in folder.iterdir() if f.suffix in (".yaml", ".yml") and f.name != NAME and f.is_file())
 
 

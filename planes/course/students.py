@@ -115,6 +115,11 @@ class Share:
     variant: str | None
     place: str
 
+    @property
+    def folder(self) -> str:
+        """The student's own folder, which no other student has."""
+        return self.place.partition("/")[0]
+
 
 def shares(course: Course) -> tuple[Share, ...]:
     """What everybody gets, in the order of the list."""

@@ -1,22 +1,22 @@
-"""The roof over checking: blanks to draw on, reports of checked drawings, a whole class as a table."""
+"""The roof over checking: blanks to draw on, reports of checked drawings, tracing paper."""
 
 from __future__ import annotations
 
 import json
-from collections import Counter
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from urllib.parse import quote
 
-from planes.check import STATUS, Outcome, report
-from planes.check.fiducials import SHEET_MM, SIDE_MM, cells, centres
+from planes.check import Outcome, report
+from planes.check.fiducials import CODE_MM, SHEET_MM, SIDE_MM, cells, centres, code_centre
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.check.report import Checked, ClassWork, as_json, class_heads, mark_rows
+from planes.check.report import as_json, mark_rows
 from planes.check.report.shown import leads, shown_plans, tracing_data
+from planes.check.sheet_mark import SheetMark
+from planes.check.sheet_mark import cells as code_cells
 from planes.check.vision.photograph import blank_pole
 from planes.plans.measuring import lettering, say_plan
 from planes.scene import Scene
-from planes.scene.files import keep, sayable
+from planes.scene.files import keep
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
@@ -29,26 +29,35 @@ from render.paper.marks import Mark
 from render.paper.photo import Photo
 from render.sheet import check_sheet
 
-MOST_COMMON = 8  # mistakes of a class that are listed
+KINDS = (".svg", ".pdf", ".png")
 
 
 def write_blank(asked: Asked, output: str, lang: Lang) -> None:
-    """A sheet to draw a plan on, as PDF, SVG or PNG."""
-    _write(*blank_marks(asked, lang), output, lang)
+    """A sheet to draw a plan on, as PDF, SVG, PNG or DXF."""
+    _write(*blank_marks(asked, lang), output, lang, kinds=(*KINDS, ".dxf"))
 
 
-def blank_marks(asked: Asked, lang: Lang, *more: str) -> tuple[list[Mark], str]:
-    """The marks of a sheet to draw a plan on, and its title; ``more`` lines stand beneath it."""
+def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = None) -> tuple[list[Mark], str]:
+    """The marks of a sheet to draw a plan on, and its title; ``more`` lines stand beneath it. Its code says whose it
+    is, by the names of the scene if ``mark`` does not tell."""
     bench = prepare(asked)
     title = asked.scene.title.get(lang, "") or asked.scene.file
     mu = decimal(mu_text(bench.said_mu, kind_of(asked.plan), lang), lang)
     squares = [(z, cells(k), SIDE_MM) for k, z in enumerate(centres(SHEET_MM))]
+    squares.append((code_centre(), code_cells((mark or SheetMark.of(asked)).text), CODE_MM))
     texts = [f"{say_plan(asked.plan, lang)}, μ = {mu}", title, *more]
     return check_sheet.blank(SHEET_MM, squares, blank_pole(bench), texts, say("check_print_size", lang)), title
 
 
-def _write(marks: Iterable[Mark], title: str, output: str, lang: Lang, under: Photo | None = None) -> None:
-    if Path(output).suffix.lower() not in (".svg", ".pdf", ".png"):
+def _write(
+    marks: Iterable[Mark],
+    title: str,
+    output: str,
+    lang: Lang,
+    under: Photo | None = None,
+    kinds: tuple[str, ...] = KINDS,
+) -> None:
+    if Path(output).suffix.lower() not in kinds:
         raise PlanesError(Phrase("check_output", file=output))
     Page(tuple(marks), SHEET_MM, title, lang, under=under).write(output)
 
@@ -68,35 +77,6 @@ def write_report(found: Outcome, output: str, lang: Lang) -> None:
     else:
         marks, photo = check_sheet.compose(SHEET_MM, _overlay(found, lang))
         _write(marks, report.title(found, lang), output, lang, photo)
-
-
-def write_class(group: ClassWork, output: str, lang: Lang) -> None:
-    """The drawings of a class as a page; into a folder, with the report of each beside it."""
-    target = Path(output)
-    if not target.suffix:
-        with sayable(output):
-            target.mkdir(parents=True, exist_ok=True)
-        for one in group.all:
-            if one.found:
-                one.report = f"{one.file}.html"
-                write_report(one.found, str(target / one.report), lang)
-        output = str(target / "index.html")
-    counts = Counter(one.verdict for one in group.all)
-    common: dict[str, list[tuple[str, str]]] = {}
-    for one in group.all:
-        if one.found and one.found.mistake:
-            common.setdefault(_unmarked(one, lang), []).append((Path(one.file).stem, quote(one.report)))
-    often = sorted(common.items(), key=lambda said: -len(said[1]))[:MOST_COMMON]
-    told = [(say(f"verdict_{v}", lang), counts[v]) for v in STATUS if counts[v] or v != "right_as_seen"]
-    rows = [(one.verdict, quote(one.report), [*one.row(lang)[:-1], _unmarked(one, lang)]) for one in group.all]
-    title = f"{say('check_class', lang)}: {group.title}"
-    write_text(check_pages.class_page(title, told, often, class_heads(lang), rows, lang), output)
-
-
-def _unmarked(one: Checked, lang: Lang) -> str:
-    """What is said of a drawing without its mark, which has a column of its own."""
-    said: str = one.said(lang)
-    return said.removeprefix(f"{one.first}: ") if one.first else said
 
 
 def write_text(text: str, output: str) -> None:

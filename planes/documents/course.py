@@ -9,6 +9,7 @@ from functools import cached_property
 
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading.prepared_plan import Asked
+from planes.check.sheet_mark import SheetMark
 from planes.course import Course
 from planes.course.ledger import fingerprint
 from planes.course.numbers import why
@@ -35,7 +36,8 @@ _ONE = threading.Lock()  # a worker may have several threads; the libraries that
 
 @dataclass(frozen=True)
 class Order:
-    """What is to be made of a student's scene: the names of ``files``, what stands above them, plans of blanks."""
+    """What is to be made of a student's scene: the names of ``files``, what stands above them, plans of blanks; whose
+    it is: assignment, variant, student, as blanks say it."""
 
     scene: str
     heads: tuple[str, ...]
@@ -43,6 +45,7 @@ class Order:
     files: tuple[str, ...]
     plans: tuple[str, ...]
     lang: Lang
+    whose: tuple[str, str, str] = ("", "", "")
     program: str = ""
 
 
@@ -136,9 +139,11 @@ class Desk:
     def blank(self) -> bytes:
         """A page for each plan."""
         plans = [p for p in self.drawn.plans.drawn if kind_of(p) in self.order.plans]
-        pages = [blank_marks(Asked(self.scene, plan), self.order.lang, self.order.heads[-1]) for plan in plans]
+        lang, whose = self.order.lang, self.order.whose
+        asked = [(Asked(self.scene, plan), SheetMark(*whose, plan)) for plan in plans]
+        pages = [blank_marks(one, lang, self.order.heads[-1], mark=mark) for one, mark in asked]
         title = pages[0][1] if pages else ""
-        return pdf.write_pages([(marks, SHEET_MM) for marks, _ in pages], title, self.order.lang)
+        return pdf.write_pages([(marks, SHEET_MM) for marks, _ in pages], title, lang)
 
     def lesson(self) -> bytes:
         """The lesson's page."""

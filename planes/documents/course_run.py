@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from planes.course import Course
+from planes.course.handed_out import SCENE
 from planes.course.ledger import Ledger, digest, fingerprint
 from planes.course.numbers import Question, Settled, question, settle, used_names
 from planes.course.students import Share, shares
@@ -24,7 +25,7 @@ from planes.words import Lang, Phrase
 from planes.words.lettering import Naming
 
 COPIES = 100  # how often numbers may fall together with somebody else's before it is said that there are too few
-SCENE, KEY = "scene.yaml", "key.json"
+KEY = "key.json"
 
 Step = Callable[[int, int], None]
 
@@ -135,7 +136,8 @@ class Conductor:
     def order(self, share: Share, text: str) -> Order:
         """What is to be made for a student."""
         heads, used = self.heads(share, text), used_names(text, SCENE)
-        return Order(text, heads, used, tuple(self.names), self.course.plans, self.lang)
+        whose = share.assignment.name, share.variant or "", share.folder
+        return Order(text, heads, used, tuple(self.names), self.course.plans, self.lang, whose)
 
     def heads(self, share: Share, text: str) -> tuple[str, ...]:
         """What stands above a task: the scene's title, the course, the student, the variant."""

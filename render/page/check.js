@@ -161,6 +161,7 @@ function reset() {
 function csv() { // the marks as the table the program reads, and its command; a row "p" is where the pen is lifted to
   const rows = [`# ${document.querySelector("code").textContent}`, "mark,x_mm,y_mm,error_mm"], at = n => n === "p" ? { x: 0, y: 0, error: 0 } : marks.find(m => m.name === n);
   const row = (name, m) => rows.push(`${name},${m.x.toFixed(3)},${m.y.toFixed(3)},${m.error}`);
+  if (data.picture) rows.splice(1, 0, `# box ${data.picture.box.map(v => v.toFixed(3)).join(" ")}`); // where the picture lies
   let pen = "p";
   row("p", at("p"));
   for (const [name, start, end] of data.rows) {
@@ -174,7 +175,7 @@ function csv() { // the marks as the table the program reads, and its command; a
 function save() {
   const a = document.createElement("a");
   a.href = URL.createObjectURL(new Blob([csv()], { type: "text/csv" }));
-  a.download = "marks.csv";
+  a.download = $("save").dataset.name; // of the picture's own name: beside it the next run takes it up
   a.click();
   setTimeout(() => URL.revokeObjectURL(a.href), 1000);
 }

@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import html
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 from planes.words import Lang, say, under
 from planes.words.records import Json
 from render.page import web_page
+from render.page.place_picture import place_picture
 from render.paper.letters import written
 
 SCRIPTS = ("figure", "tape", "judge", "check")
@@ -60,7 +62,7 @@ def _drawing(data: Json, words: Mapping[str, str]) -> str:
         f'<figure><svg id="sheet" role="group" aria-label="{e(data["title"])}"></svg></figure>\n'
         f'<p id="moved" hidden>{e(words["moved"])} <button id="reset" type="button">{e(words["reset"])}</button></p>\n'
         f'<p class="hint">{e(words["drag"])} <code>{e(data["command"])}</code> '
-        f'<button id="save" type="button">{e(words["save"])}</button></p>'
+        f'<button id="save" type="button" data-name="{e(data["saved"])}">{e(words["save"])}</button></p>'
     )
 
 
@@ -85,9 +87,23 @@ thead button::after { content: " ↕"; opacity: .45; }
 th[aria-sort=ascending] button::after { content: " ↓"; opacity: 1; }
 th[aria-sort=descending] button::after { content: " ↑"; opacity: 1; } li { margin: .15rem 0; }
 @media print { thead button::after { content: ""; } tr { break-inside: avoid; } }
-tr.right td:first-of-type::before { content: "✓ "; } tr.wrong td:first-of-type::before { content: "✗ "; }
-h2 { font-size: 1.05rem; margin: .8rem 0 .2rem; } ol { margin: .2rem 0; } td:first-of-type { white-space: nowrap; }
-tr.unreadable > * { color: var(--soft); } .counts span { margin-right: 1.6rem; } .counts b { font-size: 1.3rem; }"""
+tr.right td:nth-last-of-type(3)::before { content: "✓ "; } tr.wrong td:nth-last-of-type(3)::before { content: "✗ "; }
+h2 { font-size: 1.05rem; margin: .8rem 0 .2rem; } ol { margin: .2rem 0; }
+td:nth-last-of-type(3) { white-space: nowrap; }
+tr.unreadable > * { color: var(--soft); } .counts span { margin-right: 1.6rem; } .counts b { font-size: 1.3rem; }
+tr.unsure th, tr.unreadable th { box-shadow: inset 4px 0 var(--next); } td, th { padding: .35rem .7rem; }
+th img { display: block; max-width: 170px; max-height: 130px; margin-top: .25rem; border: 1px solid var(--edge); }
+.place { display: inline-block; margin: .35rem .5rem 0 0; width: min(100%, 23rem); vertical-align: top; }
+.place svg { display: block; width: 100%; border: 1px solid var(--edge); background: var(--paper); }
+.place line { stroke-linecap: round; } .place .stroke { stroke: #9aa0aa; stroke-width: .7; }
+.place .own { stroke: var(--own); stroke-width: .5; } .place .own polygon { fill: var(--own); }
+.place .true { stroke: var(--truth); stroke-width: .6; } .place .true polygon { fill: var(--truth); }
+.place .next { stroke: var(--next); stroke-width: .6; stroke-dasharray: 1 1; }
+.place circle { fill: none; stroke: var(--wrong); stroke-width: .5; } .place polygon { stroke: none; }
+@media (max-width: 700px) { tr { display: block; border-bottom: 2px solid var(--edge); padding: .3rem 0; }
+  tr.wrong { background: #fbe3e0; } thead { display: none; }
+  tbody th, tbody td { display: inline-block; border: 0; padding: .1rem .5rem .1rem .3rem; }
+  td:last-child { display: block; } td:empty { display: none; } th img { max-width: 110px; } }"""
 
 Whose = Sequence[tuple[str, str]]
 SCRIPT = (
@@ -106,10 +122,11 @@ def class_page(
     counts: Sequence[tuple[str, int]],
     common: Sequence[tuple[str, Whose]],
     head: Sequence[str],
-    rows: Sequence[tuple[str, str, Sequence[str]]],
+    rows: Sequence[tuple[Any, ...]],
     lang: Lang,
 ) -> str:
-    """The page. ``rows`` are verdict, link ("" for none) and the cells; ``common`` sentences with whose: name, link."""
+    """The page. ``rows`` are verdict, link ("" for none) and the cells, and where there is one a small picture, windows
+    about wrong places, and whether it needs a look; ``common`` sentences with whose: name, link."""
     e = html.escape
     cells = "".join(f'<th scope="col"><button type="button">{e(h)}</button></th>' for h in head)
     often = ""
@@ -120,14 +137,26 @@ def class_page(
 <p class="counts">{"".join(f"<span>{e(name)} <b>{count}</b></span>" for name, count in counts)}</p>
 {f"<h2>{e(say('check_common', lang))}</h2><ol>{often}</ol>" if often else ""}
 <table><thead><tr>{cells}</tr></thead><tbody>
-{"".join(_row(*row) for row in rows)}</tbody></table>"""
+{"".join(_row(number, *row) for number, row in enumerate(rows))}</tbody></table>"""
     return web_page.page(title, lang, web_page.part("check.css") + STYLE, body, code=SCRIPT)
 
 
-def _row(verdict: str, link: str, cells: Sequence[str]) -> str:
+def _row(
+    number: int,
+    verdict: str,
+    link: str,
+    cells: Sequence[str],
+    picture: str = "",
+    places: Sequence[Json] = (),
+    unsure: bool = False,
+) -> str:
     name, *rest = (html.escape(c) for c in cells)
+    if rest:
+        rest[-1] += "".join(place_picture(place, f"{number}-{k}") for k, place in enumerate(places))
     told = "".join(f"<td>{c}</td>" for c in rest)
-    return f'<tr class="{verdict}"><th scope="row">{_linked(name, link)}</th>{told}</tr>\n'
+    small = f'<img alt="" src="{html.escape(picture)}">' if picture else ""
+    kind = f"{verdict} unsure" if unsure else verdict
+    return f'<tr class="{kind}"><th scope="row">{_linked(name + small, link)}</th>{told}</tr>\n'
 
 
 def _linked(name: str, link: str) -> str:

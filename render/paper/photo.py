@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 Box = tuple[float, float, float, float]
 """Left, bottom, right, top in mm."""
 
-FADED = 0.6  # how dark black ink is left
+FADED = 0.58  # how dark black ink is left; where a JPEG overshoots, a little darker
 CLEAN = 0.96  # what is as light as this beside its surroundings is clean paper
 SHADES = 40  # of grey: more are only noise
 SHADOW_PX = 12  # light changes slowly, ink does not

@@ -422,7 +422,7 @@ def test_a_class_as_a_file(folder: Path, tmp_path: Path, name: str, capsys: pyte
     assert main(["check", SIX, str(folder), "--plan", "velocity", "--lang", "ru", "-o", str(target)]) == 2
     if name == "reports":
         reports = {f"{n}.csv.html" for n in ("anna", "boris", "gleb")}
-        assert {f.name for f in target.iterdir()} == {"index.html", *reports}
+        assert {f.name for f in target.iterdir()} == {"index.html", "manifest.json", "rows", *reports}
         assert 'href="boris.csv.html"' in (target / "index.html").read_text(encoding="utf-8")
         target = target / "index.html"
     text = target.read_text(encoding="utf-8")

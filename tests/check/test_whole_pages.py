@@ -16,8 +16,7 @@ from PIL import Image  # noqa: E402
 
 from planes.check import check  # noqa: E402
 from planes.check.grading.paper import Known  # noqa: E402
-from planes.check.handed_in import read_paper  # noqa: E402
-from planes.check.pages import checked_pages, page_count  # noqa: E402
+from planes.check.handed_in import read_paper, sheets_of  # noqa: E402
 from planes.check.vision.ink_cover import hanging  # noqa: E402
 from planes.check.vision.line_fitting import Fitted  # noqa: E402
 from planes.check.vision.picture import Flat  # noqa: E402
@@ -127,9 +126,9 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_pages_are_counted_and_named(pages: Path, capfd: pytest.CaptureFixture[str]) -> None:
     """A page there is not is refused in a sentence; what is no file of pages has one."""
-    assert [page_count(str(pages / name)) for name in ("two.tif", "three.pdf", "p.png")] == [2, 3, 1]
+    assert [len(sheets_of(pages / name)) for name in ("two.tif", "three.pdf", "p.png")] == [2, 3, 1]
     (pages / "broken.pdf").write_bytes(b"%PDF-1.4 nothing")
-    assert page_count(str(pages / "broken.pdf")) == 1
+    assert len(sheets_of(pages / "broken.pdf")) == 1
     for file, page, count in (("two.tif", 3, 2), ("three.pdf", 0, 3), ("p.png", 2, 1)):
         with pytest.raises(PlanesError, match=f"no page {page}; it has {count}"):
             read_paper(str(pages / file), PLAN.asked, Known(page=page - 1))
@@ -139,11 +138,11 @@ def test_pages_are_counted_and_named(pages: Path, capfd: pytest.CaptureFixture[s
 @pytest.mark.slow
 def test_the_page_that_holds_the_plan(pages: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """One page that can be read is the drawing; of several each has its verdict; a page may be named."""
-    (only,) = checked_pages(str(pages / "two.tif"), PLAN.asked, Known())
-    assert only.file == "two.tif" and only.verdict == "right" and only.found
-    assert any(n.key == "check_page_of" for n in only.found.notes)
-    command = ["check", str(confusion.SAMPLES / "six-link.yaml"), str(pages / "three.pdf"), "--plan", "velocity"]
+    scene, asked = str(confusion.SAMPLES / "six-link.yaml"), ["--plan", "velocity", "--lang", "en"]
+    assert main(["check", scene, str(pages / "two.tif"), *asked]) == 0
+    assert "Page 2 of 2 was checked" in capsys.readouterr().out
+    command = ["check", scene, str(pages / "three.pdf"), *asked]
     assert main([*command, "--json"]) == 2
     rows = json.loads(capsys.readouterr().out)
-    assert [row["verdict"] for row in rows] == ["right", "unreadable", "right"] and rows[2]["file"] == "three p3.pdf"
+    assert [row["verdict"] for row in rows] == ["right", "unreadable", "right"] and rows[2]["file"] == "three-3.pdf"
     assert main([*command, "--page", "3"]) == 0

@@ -15,9 +15,10 @@ from planes.check import Outcome, check
 from planes.check.grading.grading import Grading, empty
 from planes.check.grading.paper import ReadMark, ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, prepare, variants_of
-from planes.check.report import Checked, ClassWork
+from planes.check.report import Checked
 from planes.check.report.regrading import SURELY_MM, exported, retrace
-from planes.documents.check import write_class, write_report
+from planes.documents.check import write_report
+from planes.documents.class_work import ClassWork
 from planes.drafting.drawing import run
 from planes.scene import load
 from planes.words.errors import PlanesError
@@ -285,18 +286,19 @@ def test_the_page_reads_every_operation_of_a_tape() -> None:
 
 
 def test_the_page_of_a_class_tells_whose_mistakes_and_is_sorted_at_will(browser: Any, tmp_path: Path) -> None:
-    group = ClassWork("11")
+    group = ClassWork("11", "en", str(tmp_path / "class"))
     for name, mistake in (("anna", None), ("boris", CASES[0][2]), ("gleb", CASES[0][2])):
-        group.all.append(Checked(f"{name}.jpg", handed_in("six-link", "velocity", mistake)))
-    group.all.append(Checked("vera.jpg", refused=PlanesError("vera.jpg: no picture")))
-    write_class(group, str(tmp_path / "class"), "en")
+        group.add(Checked(f"{name}.jpg", handed_in("six-link", "velocity", mistake)))
+    group.add(Checked("vera.jpg", refused=PlanesError("vera.jpg: no picture"), report="../vera.jpg"))
+    group.close()
     page = browser.new_page()
     errors = watched(page)
     page.goto((tmp_path / "class" / "index.html").as_uri())
     often = page.locator("li")
     assert often.count() == 1 and often.inner_text().endswith("— 2: boris, gleb")
     names = "[...document.querySelectorAll('tbody th')].map(e => e.textContent.split('.')[0])"
-    assert page.evaluate(names) == ["anna", "boris", "gleb", "vera"]
+    assert page.evaluate(names) == ["vera", "boris", "gleb", "anna"]  # what needs a look comes first
+    assert page.get_attribute("th a >> text=vera", "href") == "../vera.jpg"
     cells = "[...document.querySelectorAll('tbody tr')].map(r => getComputedStyle(r.lastChild, '::before').content)"
     assert set(page.evaluate(cells)) == {"none"}  # the sign of the verdict stands once
     page.click("thead th:nth-child(2) button")

@@ -86,6 +86,8 @@ def pages(told: dict[str, dict[str, Any]], name: str) -> dict[str, str]:
         "numbers": [["right", name, name, name, name]],
     }
     table = document.DocumentTable(name, ((name,), (name,)))
+    vectors = {key: [[0, 0, 5, 5]] for key in ("own", "true", "next", "strokes")}
+    place = {"name": name, "box": [0, 0, 9, 9], "at": [1, 1], "picture": "", "lines": False, **vectors}
     blocks = [
         document.Heading(name, 0),
         *(document.Heading(name, k) for k in (1, 2)),
@@ -100,7 +102,12 @@ def pages(told: dict[str, dict[str, Any]], name: str) -> dict[str, str]:
         "trace": check_pages.trace_page({**told["trace"], "title": name, "command": name}, "en"),
         "report": check_pages.report_page(checked, "en"),
         "class": check_pages.class_page(
-            name, [(name, 1)], [(name, [(name, name)])], [name, name], [("wrong", name, [name, name])], "en"
+            name,
+            [(name, 1)],
+            [(name, [(name, name)])],
+            [name, name],
+            [("wrong", name, [name, name], "", [place])],
+            "en",
         ),
         "note": rendered(blocks, ".html", Naming("en")).decode(),
     }

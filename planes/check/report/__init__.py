@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 import shlex
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from pathlib import PurePath
 
-from planes.check import STATUS, Outcome
+from planes.check import Outcome
 from planes.check.grading.certainty import SURE
 from planes.check.grading.grading import empty
 from planes.check.grading.judging import WARN
@@ -97,19 +98,17 @@ def as_json(out: Outcome, lang: Lang = "en") -> Json:
     }
 
 
-def class_heads(lang: Lang) -> list[str]:
-    """Names of the columns of a table of drawings."""
-    return [say(k, lang) for k in ("check_file", "check_verdict", "check_mark", "check_first")]
-
-
 @dataclass
 class Checked:
-    """One drawing of the folder: what was found in it, or why nothing could be."""
+    """One drawing of a folder: what was found in it, or why nothing could be; where its report is, or itself."""
 
     file: str
     found: Outcome | None = None
     refused: PlanesError | None = None
     report: str = ""
+    whose: str = ""
+    picture: bytes = b""  # a small one of it, where there is no flat one
+    read_from: str = ""  # the file that was opened
 
     @property
     def verdict(self) -> str:
@@ -121,35 +120,30 @@ class Checked:
         """Where it goes wrong."""
         return (self.found.first_wrong or "") if self.found and self.verdict == "wrong" else ""
 
+    def shown(self, lang: Lang) -> str:
+        """What is said of it in a table, where the file has a column of its own."""
+        return self.said(lang).removeprefix(f"{self.read_from}: ").removeprefix(f"{self.file}: ")
+
     def said(self, lang: Lang) -> str:
         """Which mistake it is, why it cannot be read, or what was not seen of it; nothing of a right one."""
         if self.found is None:
             return self.refused.told(lang) if self.refused else ""
+        if self.verdict == "unreadable":  # the notes say what to do
+            sentence, notes = self.found.sentence, self.found.notes
+            first = () if notes and sentence.key == "check_nothing_read" else (sentence,)
+            return " ".join(phrase.told(lang) for phrase in (*first, *notes))
         return "" if self.verdict == "right" else self.found.sentence.told(lang)
 
-    def row(self, lang: Lang) -> list[str]:
-        """File, verdict, mark, sentence."""
-        return [self.file, say(f"verdict_{self.verdict}", lang), self.first, self.said(lang)]
+    def plan(self, lang: Lang) -> str:
+        """Which plan it was taken for."""
+        return say_plan(self.found.bench.asked.plan, lang) if self.found else ""
 
     def as_json(self, lang: Lang) -> Json:
-        """The object of the drawing, with its file."""
+        """The object of the drawing, with its file and whose it is."""
+        head = {"file": self.file, **({"whose": self.whose} if self.whose else {})}
         if self.found:
-            return {"file": self.file, **as_json(self.found, lang)}
-        return {"file": self.file, "verdict": self.verdict, "sentence": {one: self.said(one) for one in ("ru", "en")}}
-
-
-@dataclass
-class ClassWork:
-    """All drawings of a folder."""
-
-    title: str
-    all: list[Checked] = field(default_factory=list)
-
-    @property
-    def status(self) -> int:
-        """The worst exit status of all."""
-        worst = max((one.verdict for one in self.all), key=[*STATUS].index, default="unreadable")
-        return STATUS[worst]
+            return {**head, **as_json(self.found, lang)}
+        return {**head, "verdict": self.verdict, "sentence": {one: self.said(one) for one in ("ru", "en")}}
 
 
 def chance_told(found: Outcome, lang: Lang) -> str:
@@ -222,14 +216,20 @@ def page_data(found: Outcome, lang: Lang) -> Json:
         "number_head": numbers,
         "numbers": numbers_of(found, lang),
         "command": command(found),
+        "saved": saved_as(found),
         **({"page": moved_marks(found, grading, lang)} if grading else {}),
     }
+
+
+def saved_as(found: Outcome) -> str:
+    """The table a page saves: of the drawing's own name, so that it lies beside it and the next run takes it up."""
+    return f"{PurePath(found.paper.file).stem or 'marks'}.csv"
 
 
 def command(found: Outcome) -> str:
     """The command that checks the table a page saves."""
     asked = found.bench.asked
-    words = asked.line("marks.csv")
+    words = asked.line(saved_as(found))
     words += ["--mu", mu_text(asked.mu, kind_of(asked.plan))] if asked.mu else []
     words += ["--work", "cad"] if asked.skill != HAND else []
     for plan, paper in asked.others.items():

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy
 
-from planes.check.fiducials import ARM_MM, INSET_MM, SIDE_MM, centres
+from planes.check.fiducials import ARM_MM, CODE_MM, INSET_MM, SIDE_MM, centres, code_centre
 from planes.check.vision.contrast import inked
 from planes.check.vision.picture import Flat, cv
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices, Points
@@ -131,6 +131,9 @@ def _whiten_printed(flat: Flat, even: Greys) -> None:
     """Paint over the corner marks, the frame and what lies outside of it."""
     for x, y in map(flat.px, centres(flat.size_mm) if flat.by == "marks" else ()):
         r = (SIDE_MM / 2 + 2) * flat.scale
+        cv().rectangle(even, (int(x - r), int(y - r)), (int(x + r), int(y + r)), 255, -1)
+    if flat.by == "marks":
+        (x, y), r = flat.px(code_centre(flat.size_mm)), (CODE_MM / 2 + 1) * flat.scale
         cv().rectangle(even, (int(x - r), int(y - r)), (int(x + r), int(y + r)), 255, -1)
     left, other = (int(mm * flat.scale) for mm in FRAME_MM)
     even[:other], even[-other:] = 255, 255

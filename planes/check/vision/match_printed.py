@@ -56,8 +56,7 @@ class PrintedSheet:
     tips: dict[tuple[complex, complex], list[complex]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        ink = self.seen.ink
-        self.ink = Ink(ink.flat, ink.whole, ink.whole)
+        self.ink = self.seen.all_ink
         self.words = [one for word in self.words for one in word.listed()]
         self.heads = heads_on(self.ink, self.seen.lines)
 

@@ -13,7 +13,7 @@ import numpy
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.vision.drawn_lines import lines_of, on, patches
 from planes.check.vision.heads import head_at
-from planes.check.vision.ink import Ink, evened, ink_of
+from planes.check.vision.ink import Ink, ink_of
 from planes.check.vision.line_fitting import Fitted
 from planes.check.vision.picture import Flat
 from planes.geometry.arrays import Complexes
@@ -94,7 +94,7 @@ class Seen:
     @cached_property
     def all_ink(self) -> Ink:
         """The sheet's ink with its letters."""
-        return Ink(self.ink.flat, evened(self.ink.flat), self.ink.paper, self.ink.pencil)
+        return Ink(self.ink.flat, self.ink.whole, self.ink.whole)
 
     @cached_property
     def head_mm(self) -> float | None:

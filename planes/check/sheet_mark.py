@@ -1,0 +1,134 @@
+"""What the square code of a blank says: of which scene, variant, student and plan it is, as one short line of text.
+
+`planes1|scene|variant|student|plan|value|mu`. Nothing that is read is trusted: a mark is only ever compared with those
+of the scenes a teacher has named, and whatever is not of this form is no mark.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import unicodedata
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from planes.check.fiducials import CODE_MM, code_centre
+
+if TYPE_CHECKING:
+    from planes.check.grading.prepared_plan import Asked
+    from planes.geometry.arrays import Greys
+
+BEGINS = "planes1"
+LONGEST = (24, 12, 28, 16)  # letters of scene, variant, student and plan
+MOST = 200  # letters of all
+CUT = 5  # letters of what stands for the rest of a longer name
+_NUMBER = re.compile(r"(-?\d{1,9}(\.\d{1,9})?(e-?\d{1,2})?)?")
+
+
+@dataclass(frozen=True)
+class SheetMark:
+    """What a sheet says of itself; a value of the drive and a scale (mm per SI unit) where they are not the scene's."""
+
+    scene: str
+    variant: str = ""
+    student: str = ""
+    plan: str = ""
+    value: float | None = None
+    mu: float | None = None
+
+    @classmethod
+    def of(cls, asked: Asked, scene: str = "", variant: str = "", student: str = "") -> SheetMark:
+        """The mark of a blank; of what is not told the scene itself says."""
+        said = asked.scene.sheet.get("student", "")
+        names = scene or Path(asked.scene.file).stem, variant or asked.scene.variant or "", student or str(said)
+        return cls(*names, asked.plan, asked.value, asked.mu)
+
+    @property
+    def text(self) -> str:
+        """As it is printed."""
+        words = zip((self.scene, self.variant, self.student, self.plan), LONGEST, strict=True)
+        numbers = ("" if n is None else f"{n:.7g}".replace("e+", "e") for n in (self.value, self.mu))
+        return "|".join((BEGINS, *(short(word, most) for word, most in words), *numbers))
+
+    def fits(self, scene: str, student: str) -> bool:
+        """Whether it names that scene and that student, as they are printed; "" is any."""
+        pairs = ((scene, self.scene, LONGEST[0]), (student, self.student, LONGEST[2]))
+        return all(not own or short(own, most) == short(read, most) for own, read, most in pairs)
+
+
+def short(name: str, most: int) -> str:
+    """A name as a mark has it: of letters that can be printed, and no longer; a longer one ends with what tells it from
+    others that begin alike."""
+    plain = unicodedata.normalize("NFC", name)
+    plain = "".join(c if c.isprintable() and c != "|" else "_" for c in plain)
+    if len(plain) <= most:
+        return plain
+    return f"{plain[: most - CUT]}~{hashlib.sha256(plain.encode()).hexdigest()[: CUT - 1]}"
+
+
+def parsed(text: str) -> SheetMark | None:
+    """The mark a text is, if it is one."""
+    parts = text[: MOST + 1].split("|")
+    if len(text) > MOST or parts[0] != BEGINS or len(parts) != 7 or not all(map(_NUMBER.fullmatch, parts[5:])):
+        return None
+    scene, variant, student, plan, *numbers = parts[1:]
+    value, mu = (float(n) if n else None for n in numbers)
+    found = SheetMark(scene, variant, student, plan, value, mu)
+    return found if found.text == text and (mu is None or mu > 0) else None
+
+
+def cells(text: str) -> list[list[bool]]:
+    """Black cells of the code of a text, the top row first."""
+    import segno
+
+    code = segno.make_qr(text, error="l", encoding="utf-8", eci=False)
+    return [[bool(cell) for cell in row] for row in code.matrix]
+
+
+RIM_MM = 4.0  # of paper about the code
+LOOK_PX = 2000
+
+
+def mark_on(grey: Greys) -> SheetMark | None:
+    """The mark of the sheet on a picture: where the corner marks tell that it stands, else anywhere."""
+    from planes.check.vision.picture import flatten, smaller
+
+    if (flat := flatten(grey)) is None:
+        return _decoded(smaller(grey, LOOK_PX)[0])
+    reach = (CODE_MM / 2 + RIM_MM) * (1 + 1j)
+    (left, low), (right, top) = (flat.px(code_centre() + by) for by in (-reach, reach))
+    return _decoded(flat.grey[max(0, int(top)) : int(low), int(left) : int(right)])
+
+
+def _decoded(grey: Greys) -> SheetMark | None:
+    """The mark on a part of a picture, looked at in several ways."""
+    from planes.check.vision.picture import cv
+
+    cv2 = cv()
+    detector = cv2.QRCodeDetector()
+    for look in _looks():
+        with suppress(cv2.error, UnicodeDecodeError):  # a damaged code may hold anything
+            found = parsed(detector.detectAndDecode(look(grey))[0])
+            if found:
+                return found
+    return None
+
+
+def _looks() -> list[Callable[[Greys], Greys]]:
+    """The picture as it is, smaller, and sharper against what a hand's motion has smeared."""
+    from planes.check.vision.picture import cv
+
+    cv2 = cv()
+
+    def sharper(grey: Greys, by: float) -> Greys:
+        sharp: Greys = cv2.addWeighted(grey, 1 + by, cv2.GaussianBlur(grey, (0, 0), 3), -by, 0)
+        return sharp
+
+    def half(grey: Greys) -> Greys:
+        small: Greys = cv2.resize(grey, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
+        return small
+
+    return [lambda grey: grey, half, lambda grey: sharper(grey, 1.5), lambda grey: sharper(grey, 3.0)]

@@ -1,0 +1,120 @@
+"""Scenes as they were handed out, found again for what comes back: by the mark of a sheet, or by the name of a file.
+
+What a teacher names is a scene, a folder of scenes, or a course: its folder, its course.yaml, or the folder it was made
+into, where every student's scene lies. Nothing a mark or a name says leads to any other file.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+from planes.check.grading.prepared_plan import known_plans
+from planes.check.sheet_mark import SheetMark
+from planes.course.ledger import MANIFEST
+from planes.course.reading import NAME, scenes_in
+from planes.course.students import FILES
+from planes.plans import mechanism_plans
+from planes.scene import Scene, load
+from planes.words import Phrase
+from planes.words.errors import PlanesError, SceneError
+
+OUT, TEACHER, SCENE = "out", "teacher", "scene.yaml"
+_KINDS = {"velocity": r"velocit|скорост", "acceleration": r"accel|ускор", "position": r"position|положен|схем"}
+_VARIANT = r"(?:variant|var|вариант|вар|v|в)\W*"
+
+
+@dataclass(frozen=True)
+class Task:
+    """One scene that was handed out: to whom (the name of the student's folder), of which assignment; "" is any."""
+
+    file: Path
+    scene: str = ""
+    student: str = ""
+    read: dict[str | None, Scene] = field(default_factory=dict, compare=False, repr=False)
+
+    def variant(self, name: str | None) -> Scene:
+        """The scene in a variant; of a student's own scene, which has none, itself."""
+        name = None if self.student else name or None
+        if name not in self.read:
+            self.read[name] = load(self.file, name)
+        return self.read[name]
+
+
+@dataclass(frozen=True)
+class HandedOut:
+    """All scenes a teacher has named."""
+
+    tasks: tuple[Task, ...]
+
+    def marked(self, mark: SheetMark) -> Task | None:
+        """The one a sheet's mark means."""
+        found = [t for t in self.tasks if mark.fits(t.scene, t.student)]
+        return found[0] if len(found) == 1 else None
+
+    def named(self, stem: str) -> Task | None:
+        """The one the name of a file means: by the student's names, or the last name alone if nobody else has it."""
+        words = words_of(stem)
+        whole = [t for t in self.tasks if t.student and set(self._names[t]) <= set(words)]
+        last = [t for t in self.tasks if t.student and self._names[t][0] in words]
+        found = whole or (last if len({t.student for t in last}) == 1 else [])
+        told = [t for t in found if set(words_of(t.scene)) <= set(words)]
+        found = told if len(found) > 1 else found
+        return found[0] if len(found) == 1 else None
+
+    @cached_property
+    def _names(self) -> dict[Task, list[str]]:
+        return {t: words_of(t.student) or [t.student] for t in self.tasks}
+
+
+def words_of(text: str) -> list[str]:
+    """Words of a name, in small letters."""
+    return re.findall(r"[^\W_]+", unicodedata.normalize("NFC", text).casefold())
+
+
+def variant_named(stem: str, variants: Sequence[str]) -> str | None:
+    """The variant a file's name tells: after the word for it."""
+    text = " ".join(words_of(stem))
+    found = [v for v in variants if re.search(rf"\b{_VARIANT}{re.escape(' '.join(words_of(v)))}\b", text)]
+    return max(found, key=len, default=None)
+
+
+def plan_named(stem: str, scene: Scene) -> str | None:
+    """The plan a file's name tells: velocity, скорости, force 2-3."""
+    text = " ".join(words_of(stem))
+    plans = known_plans(mechanism_plans(scene)) if scene.mechanism else []
+    forms = {p: _KINDS.get(p, rf"\b{' '.join(words_of(p))}\b") for p in plans}
+    found = [p for p in plans if re.search(forms[p], text)]
+    return found[0] if len(found) == 1 else None
+
+
+def is_course(path: Path) -> bool:
+    """Whether a course is named, or a folder of scenes: anything but one scene."""
+    return path.is_dir() or path.name == NAME
+
+
+def handed_out(path: Path) -> HandedOut:
+    """The scenes of what a teacher has named; :class:`PlanesError` where a course has not been made yet."""
+    if not is_course(path):
+        return HandedOut((Task(path, path.stem),))
+    folder = path if path.is_dir() else path.parent
+    made = next((f for f in (folder, folder / OUT) if (f / MANIFEST).is_file() and (f / TEACHER).is_dir()), None)
+    if made:
+        own = sorted((made / TEACHER).glob(f"*/{SCENE}")) + sorted((made / TEACHER).glob(f"*/*/{SCENE}"))
+        return HandedOut(tuple(_own(file, made / TEACHER) for file in own))
+    if any((folder / name).is_file() for name in (NAME, *FILES)):
+        raise PlanesError(Phrase("course_not_made", folder=str(folder)))
+    tasks = tuple(Task(file, file.stem) for file in scenes_in(folder))
+    if not tasks:
+        raise SceneError(Phrase("course_no_scenes"), str(folder))
+    return HandedOut(tasks)
+
+
+def _own(file: Path, teacher: Path) -> Task:
+    """A student's scene, in the student's folder, or in one of several assignments there."""
+    student, *scene = file.parent.relative_to(teacher).parts
+    return Task(file, "".join(scene), student)

@@ -1,0 +1,158 @@
+"""The square code of a blank: whose sheet it is, read from pictures, trusted in nothing."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import pytest
+
+from planes.check.fiducials import CODE_MM, SHEET_MM, code_centre, pole_place
+from planes.check.grading.paper import Known
+from planes.check.grading.prepared_plan import Asked, prepare
+from planes.check.handed_in import read_paper
+from planes.check.sheet_mark import LONGEST, SheetMark, cells, parsed, short
+from planes.documents.check import blank_marks, write_blank
+from planes.scene import load
+from render.files import pdf
+from tests.helpers import ROOT
+
+cv2 = pytest.importorskip("cv2")
+import numpy as np  # noqa: E402
+
+from planes.check.sheet_mark import mark_on  # noqa: E402
+from planes.check.vision.decoding import load as picture_of  # noqa: E402
+from planes.check.vision.ink import ink_of  # noqa: E402
+from planes.check.vision.photograph import blank_pole  # noqa: E402
+from planes.check.vision.picture import flatten  # noqa: E402
+from tests.helpers.class_pictures import scanned  # noqa: E402
+from tests.physical import corpus, page  # noqa: E402
+from tests.physical.paper import PX_PER_MM  # noqa: E402
+from tests.physical.setting import Setting, varied  # noqa: E402
+
+SIX = load(ROOT / "samples" / "six-link.yaml")
+LONG = SheetMark(
+    "двенадцатое-задание-курсовое", "Вариант-Б-23", "Константинопольский-Константин-М-31", "velocity", 120.5
+)
+HOSTILE = [
+    "../../etc/passwd",
+    "C:\\Windows\\x",
+    "<img src=x onerror=1>",
+    "a\0b\nc",
+    "Ж" * 4000,
+    "\u202egpj.exe",
+    "$(reboot)",
+]
+
+
+def printed(mark: SheetMark, dpi: float = 200.0) -> np.ndarray:
+    """The blank with a mark, as it is printed."""
+    marks, title = blank_marks(Asked(SIX, "velocity"), "ru", mark=mark)
+    data = pdf.write_png(marks, SHEET_MM, title, dpi=dpi)
+    return cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_GRAYSCALE)
+
+
+def test_a_mark_is_read_back_as_it_was_printed() -> None:
+    short_one = SheetMark("six-link", "Б", "Иванов-Пётр", "force:2-3", 30.0, 0.05)
+    assert short_one.text == "planes1|six-link|Б|Иванов-Пётр|force:2-3|30|0.05"
+    assert parsed(short_one.text) == short_one and short_one.fits("six-link", "Иванов-Пётр")
+    read = parsed(LONG.text)
+    assert read is not None and read.text == LONG.text and read.fits(LONG.scene, LONG.student)
+    assert not read.fits(LONG.scene, "Константинопольский-Константин-М-32") and read.fits("", "")
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_a_hostile_name_is_a_few_letters(name: str) -> None:
+    mark = SheetMark(name, name, name, name)
+    assert all(len(part) <= most for part, most in zip(mark.text.split("|")[1:5], LONGEST, strict=True))
+    assert mark.text.isprintable() and len(cells(mark.text)) <= 57
+    assert parsed(f"planes1|{name}|||velocity||") is None or short(name, LONGEST[0]) == name
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "http://localhost",
+        "planes1|a|b|c",
+        "planes2|a|b|c|velocity||",
+        "planes1|a|b|c|velocity|nan|",
+        "planes1|a|b|c|velocity|1e999|",
+        "planes1|a|b|c|velocity||-3",
+        "planes1|a|b|c|velocity||0",
+        "planes1|a\n|b|c|velocity||",
+        f"planes1|{'a' * 25}|b|c|velocity||",
+        "planes1|a|b|c|velocity||" + " " * 999,
+    ],
+)
+def test_what_is_not_of_this_form_is_no_mark(text: str) -> None:
+    assert parsed(text) is None
+
+
+def test_the_code_is_read_from_a_scan_and_is_no_ink() -> None:
+    seen = scanned(printed(LONG), askew_deg=1.5)
+    mark, flat = mark_on(seen), flatten(seen)
+    assert mark is not None and mark.text == LONG.text and flat is not None
+    even = ink_of(flat).even
+    (x, y), r = flat.px(code_centre()), CODE_MM / 2 * flat.scale
+    assert (even[int(y - r) : int(y + r), int(x - r) : int(x + r)] == 255).all()
+    assert mark_on(np.full((400, 600), 255, np.uint8)) is None
+    flat.grey[int(y - r) : int(y + r), int(x - r) : int(x)] = 255
+    assert mark_on(flat.grey) is None  # half a code is none
+
+
+FACTORS = [
+    "phone, 1280 px",
+    "scan 150",
+    "phone, tilt 17°",
+    "phone, motion",
+    "phone, shadow",
+    "phone, JPEG 40",
+    "quarter turns",
+]
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize("factor", [*FACTORS, "printed at 97 %", "together: phone", "together: scan"])
+def test_the_code_is_read_from_pictures_by_physics(
+    factor: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The longest code there may be, on a sheet with a drawing, however the picture is taken."""
+    sheet = printed(LONG, PX_PER_MM * 25.4)
+    monkeypatch.setattr(page, "_blank", lambda *_: sheet)
+    work = next(corpus.works(1, 1))
+    for k in range(3):
+        setting = varied(Setting(), corpus.FACTORS[factor], random.Random(f"{factor} {k}"))
+        assert corpus.picture(work, setting, f"{factor} {k}", tmp_path / "p.jpg")
+        mark = mark_on(picture_of(tmp_path / "p.jpg").grey)
+        assert mark is not None and mark.text == LONG.text
+
+
+@pytest.mark.parametrize("suffix", [".svg", ".dxf", ".pdf", ".png"])
+def test_blanks_carry_the_code_in_every_format(suffix: str, tmp_path: Path) -> None:
+    file = tmp_path / f"blank{suffix}"
+    write_blank(Asked(SIX, "velocity", 140.0), str(file), "en")
+    if suffix in (".svg", ".dxf"):
+        count = file.read_text("utf-8").count("HATCH" if suffix == ".dxf" else "<p")
+        assert count > 100  # a run of black cells each
+        assert not read_paper(str(file), Asked(SIX, "velocity"), Known()).spots  # none is taken for a line of a plan
+        return
+    assert mark_on(picture_of(file).grey) == SheetMark("six-link", "", "", "velocity", 140.0)
+
+
+@pytest.mark.parametrize("plan", ["velocity", "force:2-3", "force:1"])
+def test_the_pole_tells_nothing_of_the_plan(plan: str) -> None:
+    """A plan turned about, and one of another mechanism, have their pole in the same place, with room to be drawn."""
+    bench = prepare(Asked(SIX, plan))
+    ends, pole = [*bench.true_marks.values()], blank_pole(bench)
+    assert pole == pole_place([-z for z in ends]) == pole_place([1j * z / 2 for z in ends]) == pole_place([])
+    w, h = SHEET_MM
+    for z in (z * turn + pole for z in ends for turn in (1, -1)):
+        assert 20 < z.real < w - 5 and 5 < z.imag < h - 5
+
+
+def test_a_plan_too_large_for_the_middle_still_has_room() -> None:
+    for ends in ([100j], [-100j], [150 + 0j, 120j], [-9 - 176j, 137 + 0j]):
+        pole = pole_place(ends)
+        assert all(20 < (z + pole).real < 292 and 5 < (z + pole).imag < 205 for z in (0j, *ends))
+    assert abs(pole_place([100j]) - pole_place([])) <= 10

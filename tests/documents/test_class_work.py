@@ -1,0 +1,321 @@
+"""A teacher's hour: a folder of what a course hands back, read in one run; only what has changed is judged anew."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from planes.check.handed_in import HandedSheet
+from planes.check.sheet_mark import SheetMark
+from planes.cli import check as command
+from planes.cli import main
+from planes.course.handed_out import HandedOut, Task, handed_out, plan_named, variant_named
+from planes.documents.whose import Sorter
+from planes.scene import load
+from planes.words.errors import PlanesError
+from tests.documents.test_browser import watched
+from tests.helpers import ROOT
+
+cv2 = pytest.importorskip("cv2")
+import numpy as np  # noqa: E402
+import pypdfium2  # noqa: E402
+
+from planes.check.fiducials import SHEET_MM  # noqa: E402
+from planes.check.grading.prepared_plan import Asked, prepare  # noqa: E402
+from planes.documents.check import blank_marks  # noqa: E402
+from render.files import pdf  # noqa: E402
+from tests.helpers.class_pictures import DPI, drawn, printed, scanned  # noqa: E402
+
+TWELVE = ROOT / "samples/assignments/12.yaml"
+ANNA, BORIS = "Петрова-Анна", "Иванов-Пётр"
+Json = dict[str, Any]
+
+
+@pytest.fixture(scope="module")
+def course(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A course of two students, made: blanks of two plans each."""
+    folder = tmp_path_factory.mktemp("course")
+    shutil.copy(ROOT / "samples/assignments/12.yaml", folder / "12.yaml")
+    (folder / "students.txt").write_text("Иванов Пётр\nПетрова Анна\n", "utf-8")
+    (folder / "course.yaml").write_text("course: 1\ndocuments: [blank]\nplans: [velocity, acceleration]\n", "utf-8")
+    assert main(["course", str(folder), "--jobs", "1"]) == 0
+    return folder
+
+
+def picture(course: Path, student: str, page: int = 0, wrong: Callable[[Any], Any] = lambda right: right) -> Any:
+    """A page of a student's blank with the plan on it, scanned."""
+    out = course / "out"
+    scene = load(out / "teacher" / student / "scene.yaml")
+    sheet = printed(out / "students" / student / "blank.pdf", page)
+    return scanned(drawn(sheet, scene, ("velocity", "acceleration")[page], wrong))
+
+
+def reversed_(right: dict[str, complex]) -> dict[str, complex]:
+    return {name: -z for name, z in right.items()}
+
+
+def without_mark(seen: Any) -> Any:
+    """The code cut off, as somebody might crop a picture."""
+    seen = seen.copy()
+    seen[60:420, 1860:2170] = 245
+    return seen
+
+
+@pytest.fixture(scope="module")
+def pictures(course: Path) -> dict[str, Any]:
+    return {"right": picture(course, ANNA), "wrong": picture(course, BORIS, 0, reversed_)}
+
+
+@pytest.fixture
+def folder(tmp_path: Path, pictures: dict[str, Any]) -> Path:
+    """What came back: named by a telephone, one of them cropped and named by hand, and what lies beside pictures."""
+    found = tmp_path / "photos"
+    found.mkdir()
+    cv2.imwrite(str(found / "IMG_1.jpg"), pictures["right"])
+    cv2.imwrite(str(found / "IMG_2.jpg"), pictures["wrong"])
+    cv2.imwrite(str(found / "петрова скорости.jpg"), without_mark(pictures["right"]))
+    cv2.imwrite(str(found / "IMG_3.png"), np.full((500, 700), 250, np.uint8))
+    for name in ("Thumbs.db", "desktop.ini", "._IMG_1.jpg", ".DS_Store", "index.html"):
+        (found / name).write_bytes(b"x")
+    return found
+
+
+def rows(capsys: pytest.CaptureFixture[str], *line: str) -> dict[str, Json]:
+    """The objects of a run, by file."""
+    capsys.readouterr()
+    main(["check", *line, "--json", "--lang", "en"])
+    return {one["file"]: one for one in json.loads(capsys.readouterr().out)}
+
+
+@pytest.mark.slow
+def test_sheets_say_whose_they_are(course: Path, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    found = rows(capsys, str(course), str(folder))
+    assert set(found) == {"IMG_1.jpg", "IMG_2.jpg", "IMG_3.png", "петрова скорости.jpg"}
+    told = {name: (one.get("whose", ""), one.get("plan"), one["verdict"]) for name, one in found.items()}
+    assert told["IMG_1.jpg"] == ("Петрова Анна, Б", "velocity", "right")
+    assert told["IMG_2.jpg"] == ("Иванов Пётр, А", "velocity", "wrong")
+    assert told["петрова скорости.jpg"] == ("Петрова Анна", "velocity", "right")
+    assert told["IMG_3.png"] == ("", None, "unreadable") and "whose is it?" in found["IMG_3.png"]["sentence"]["en"]
+    assert found["IMG_2.jpg"]["mistake"] == "omega1_reversed"
+
+
+def test_a_mark_says_what_is_asked() -> None:
+    handed = HandedOut((Task(TWELVE, TWELVE.stem),))
+    sorter = Sorter(handed, lambda scene, plan, value, mu: Asked(scene, plan, value, mu), plan="acceleration")
+    sheet = HandedSheet(Path("IMG_1.jpg"))
+    _, asked, whose = sorter.asked(sheet, SheetMark("12", "Б", "Ким", "force:2-3", 45.0, 0.5))
+    assert (asked.scene.variant, asked.plan, asked.value, asked.mu, whose) == ("Б", "force:2-3", 45.0, 0.5, "Ким, Б")
+    _, asked, whose = sorter.asked(HandedSheet(Path("Ким вариант А скорости.jpg")), None)
+    assert (asked.scene.variant, asked.plan, asked.value, whose) == ("А", "velocity", None, "А")
+    assert sorter.asked(sheet, None)[1].plan == "acceleration"  # the options are left
+    for mark in (SheetMark("13", "А", "", "velocity"), SheetMark("12", "Я", "", "velocity")):
+        with pytest.raises(PlanesError):
+            sorter.asked(sheet, mark)
+
+
+def test_what_was_judged_before_stands(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scene, folder, out = str(ROOT / "samples/six-link.yaml"), tmp_path / "tables", tmp_path / "out"
+    folder.mkdir()
+    for name in ("anna", "boris"):
+        (folder / f"{name}.csv").write_text("mark,x_mm,y_mm\np,0,0\nb,30,51.96\nc,20,8\n", "utf-8")
+    line = (scene, str(folder), "--plan", "velocity", "-o", str(out))
+    before = rows(capsys, *line)
+    made = {f: f.stat().st_mtime_ns for f in out.rglob("*.html")}
+    (folder / "boris.csv").write_text("mark,x_mm,y_mm\np,0,0\nb,31,51.96\nc,20,8\n", "utf-8")
+    after = rows(capsys, *line)
+    assert after["anna.csv"] == before["anna.csv"] and after["boris.csv"] != before["boris.csv"]
+    written = {f.name for f, when in made.items() if f.stat().st_mtime_ns != when}
+    assert written == {"boris.csv.html", "index.html"}
+    rows(capsys, *line, "--mu", "25 mm/(m/s)")
+    assert all(f.stat().st_mtime_ns != when for f, when in made.items())  # the options too
+
+
+@pytest.mark.slow
+def test_only_what_has_changed_is_judged_anew(
+    course: Path, folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    judged: list[str] = []
+
+    def watching(asked: Any, paper: Any) -> Any:
+        judged.append(Path(paper.file).name)
+        return kept(asked, paper)
+
+    kept = command.judge
+    monkeypatch.setattr(command, "judge", watching)
+    own = tmp_path / "course"
+    shutil.copytree(course, own)
+    out = tmp_path / "out"
+
+    def run() -> tuple[list[str], dict[str, Json]]:
+        judged.clear()
+        found = rows(capsys, str(own), str(folder), "-o", str(out))
+        return sorted(judged), found
+
+    first, before = run()
+    assert first == ["IMG_1.jpg", "IMG_2.jpg", "петрова скорости.jpg"]
+    page = (out / "index.html").read_text("utf-8")
+    assert run() == ([], before) and (out / "index.html").read_text("utf-8") == page
+    marks = "mark,x_mm,y_mm,error_mm\np,0,0,0.2\n"
+    scene = load(own / "out/teacher" / BORIS / "scene.yaml")
+    right = Asked(scene, "velocity")
+    for name, z in prepare(right).true_marks.items():
+        marks += f"{name},{z.real:.3f},{z.imag:.3f},0.3\n"
+    (folder / "IMG_2.csv").write_text(f"# planes check x\n# box -1 -2 3 4\n{marks}", "utf-8")
+    again, after = run()  # marks put right in its report
+    assert again == ["IMG_2.jpg"] and after["IMG_2.jpg"]["verdict"] == "right" and "IMG_2.csv" not in after
+    assert "put right by hand" in " ".join(after["IMG_2.jpg"]["warnings"])
+    assert "data:image/jpeg" in (out / "IMG_2.jpg.html").read_text("utf-8")  # the picture still lies under them
+    seen = cv2.imread(str(folder / "IMG_1.jpg"), cv2.IMREAD_GRAYSCALE)
+    cv2.imwrite(str(folder / "IMG_1.jpg"), seen[:, 20:])
+    assert run()[0] == ["IMG_1.jpg"]
+    file = own / "out/teacher" / BORIS / "scene.yaml"
+    file.write_text(f"{file.read_text('utf-8')}\n", "utf-8")
+    assert run()[0] == ["IMG_2.jpg"]
+    (out / "rows" / "IMG_1.jpg.json").write_text("{}", "utf-8")
+    (folder / "петрова скорости.jpg").unlink()
+    assert run()[0] == ["IMG_1.jpg"] and not (out / "петрова скорости.jpg.html").exists()
+
+
+@pytest.mark.slow
+def test_the_page_shows_wrong_places_beside_the_right_construction(
+    browser: Any, course: Path, folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "out"
+    assert main(["check", str(course / "course.yaml"), str(folder), "-o", str(out), "--lang", "ru"]) == 2
+    assert len((out / "index.html").read_bytes()) < 120_000
+    page = browser.new_page()
+    errors = watched(page)
+    page.goto((out / "index.html").as_uri())
+    names = "[...document.querySelectorAll('tbody th')].map(e => e.textContent)"
+    assert page.evaluate(names) == ["IMG_3.png", "IMG_2.jpg", "IMG_1.jpg", "петрова скорости.jpg"]
+    loaded = "[...document.images].map(e => e.naturalWidth > 60)"
+    assert page.evaluate(loaded) == [True] * 4
+    place = page.locator("tr.wrong .place")
+    assert place.count() >= 1 and place.first.locator("image").count() == 1
+    assert place.first.locator("svg svg").nth(1).locator(".true line").count() > 3
+    assert page.get_attribute("th a >> text=IMG_3.png", "href").endswith("/photos/IMG_3.png")
+    page.set_viewport_size({"width": 390, "height": 800})
+    assert page.evaluate("document.documentElement.scrollWidth") <= 390
+    page.click("th a >> text=IMG_2")
+    assert page.get_attribute("#save", "data-name") == "IMG_2.csv"
+    page.close()
+    assert errors == []
+
+
+@pytest.mark.slow
+def test_every_page_of_a_scan_is_a_sheet(
+    course: Path, tmp_path: Path, pictures: dict[str, Any], capsys: pytest.CaptureFixture[str]
+) -> None:
+    whole, file = pypdfium2.PdfDocument.new(), tmp_path / "scan.pdf"
+    for seen in (pictures["right"], pictures["wrong"]):
+        jpeg = tmp_path / "page.jpg"
+        cv2.imwrite(str(jpeg), seen)
+        image = pypdfium2.PdfImage.new(whole)
+        image.load_jpeg(str(jpeg), inline=True)
+        w, h = seen.shape[1] * 72 / DPI, seen.shape[0] * 72 / DPI
+        image.set_matrix(pypdfium2.PdfMatrix().scale(w, h))
+        page = whole.new_page(w, h)
+        page.insert_obj(image)
+        page.gen_content()
+    whole.save(file)
+    found = rows(capsys, str(course), str(file))
+    told = {name: (one.get("whose"), one["verdict"]) for name, one in found.items()}
+    assert told == {"scan-1.pdf": ("Петрова Анна, Б", "right"), "scan-2.pdf": ("Иванов Пётр, А", "wrong")}
+    cv2.imwritemulti(str(tmp_path / "scan.tif"), [pictures["right"], pictures["wrong"]])
+    again = rows(capsys, str(course), str(tmp_path / "scan.tif"))
+    assert [one["verdict"] for one in again.values()] == ["right", "wrong"]
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize(
+    "mark",
+    [
+        SheetMark("../../../../etc/passwd", "", "../../secret", "velocity"),
+        SheetMark("12", "А", "<img src=x onerror=window.XSS=1>", "velocity"),
+        SheetMark("12", "А", "Я" * 500, "velocity"),
+        SheetMark("12", "А", BORIS, "../../x"),
+        SheetMark("12", "А", BORIS, "force:9-9"),
+    ],
+)
+def test_a_mark_leads_to_no_other_file(
+    mark: SheetMark, course: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A code somebody has pasted over the blank's own: whatever it says, it is refused in a sentence."""
+    scene = load(course / "out/teacher" / BORIS / "scene.yaml")
+    marks, title = blank_marks(Asked(scene, "velocity"), "ru", mark=mark)
+    data = pdf.write_png(marks, SHEET_MM, title, dpi=DPI)
+    (photos := tmp_path / "photos").mkdir()
+    cv2.imwrite(str(photos / "a.png"), scanned(cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_GRAYSCALE)))
+    opened, read = list[str](), Path.open
+    monkeypatch.setattr(Path, "open", lambda self, *a, **k: (opened.append(str(self)), read(self, *a, **k))[1])
+    found = rows(capsys, str(course), str(photos))
+    assert found["a.png"]["verdict"] == "unreadable" and found["a.png"]["sentence"]["en"].count("\n") == 0
+    assert not any("etc" in name or "secret" in name for name in opened)
+
+
+def test_names_of_files_tell_what_marks_do_not(course: Path) -> None:
+    handed = handed_out(course)
+    assert {t.student for t in handed.tasks} == {ANNA, BORIS}
+    named = {
+        stem: (t.student if (t := handed.named(stem)) else None) for stem in ("Петрова", "анна петрова 2", "ИВАНОВ")
+    }
+    assert named == {"Петрова": ANNA, "анна петрова 2": ANNA, "ИВАНОВ": BORIS}
+    assert handed.named("IMG_2026") is None and handed.named("../Петров") is None
+    twins = HandedOut(tuple(Task(Path("x"), "", f"Ким-{name}") for name in ("Анна", "Олег")))
+    assert twins.named("ким") is None and twins.named("ким олег") == twins.tasks[1]
+    scene = handed.tasks[0].variant(None)
+    assert plan_named("план скоростей", scene) == "velocity" and plan_named("force 2-3", scene) == "force:2-3"
+    assert plan_named("IMG_3", scene) is None and plan_named("скорости и ускорения", scene) is None
+    assert variant_named("Ким вариант 2", ("1", "2", "12")) == "2" and variant_named("IMG_2", ("1", "2")) is None
+
+
+@pytest.mark.slow
+def test_variants_of_one_scene_by_their_blanks(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = ROOT / "samples/assignments/12.yaml"
+    (photos := tmp_path / "photos").mkdir()
+    for name, variant in (("a", "А"), ("b", "Б")):
+        blank = tmp_path / f"{variant}.pdf"
+        assert main(["blank", str(file), "--variant", variant, "--plan", "velocity", "-o", str(blank)]) == 0
+        seen = scanned(drawn(printed(blank), load(file, variant), "velocity"))
+        cv2.imwrite(str(photos / f"{name}.png"), seen)
+    found = rows(capsys, str(file), str(photos))
+    assert {name: (one["whose"], one["verdict"]) for name, one in found.items()} == {
+        "a.png": ("А", "right"),
+        "b.png": ("Б", "right"),
+    }
+    assert main(["check", str(file), str(photos / "b.png"), "--lang", "en"]) == 0  # one sheet needs no plan either
+    elsewhere = rows(capsys, str(ROOT / "samples/six-link.yaml"), str(photos))
+    assert "which are not among those asked for" in elsewhere["a.png"]["sentence"]["en"]
+
+
+REFUSED = {
+    "phone.heic": (b"\0\0\0\x18ftypheic" + bytes(99), "save a picture as .jpg (iPhone"),
+    "renamed.jpg": (b"\0\0\0\x18ftypmif1" + bytes(99), "save a picture as .jpg (iPhone"),
+    "moving.gif": (b"GIF89a" + bytes(99), "save the picture as .jpg or .png"),
+    "raw.dng": (b"II*\0" + bytes(99), "export the picture as .jpg"),
+    "report.docx": (b"PK\x03\x04" + bytes(99), "unpack it"),
+    "empty.jpg": (b"", "the file is empty; send it again"),
+    "cut.jpg": (b"\xff\xd8\xff\xe0" + bytes(99), "ends too early"),
+    "cut.png": (b"\x89PNG\r\n\x1a\n" + bytes(99), "ends too early"),
+    "letters.jpg": (b"hello" * 99, "save it anew as JPEG or PNG"),
+}
+
+
+def test_every_refusal_says_what_to_do(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name, (data, _) in REFUSED.items():
+        (tmp_path / name).write_bytes(data)
+    found = rows(capsys, str(ROOT / "samples/six-link.yaml"), str(tmp_path), "--plan", "velocity")
+    for name, (_, remedy) in REFUSED.items():
+        assert remedy in found[name]["sentence"]["en"], name
+
+
+def test_a_course_that_was_not_made_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "students.txt").write_text("Anna\n", "utf-8")
+    (tmp_path / "photos").mkdir()
+    assert main(["check", str(tmp_path), str(tmp_path / "photos"), "--lang", "en"]) == 2
+    assert "make it first: planes course" in capsys.readouterr().err
