@@ -35,7 +35,7 @@ def cells(index: int) -> list[list[bool]]:
 SHEET_MM = (297.0, 210.0)  # A4, lying
 
 
-LEFT_MM, OTHER_MM, STEP_MM = 28.0, 13.0, 5.0  # of the sheet's edges no plan is drawn on; by which the pole is moved
+LEFT_MM, OTHER_MM, STEP_MM = 46.0, 13.0, 5.0  # of the sheet's edges no plan is drawn on; by which the pole is moved
 
 
 def pole_place(ends: list[complex], size_mm: tuple[float, float] = SHEET_MM) -> complex:
