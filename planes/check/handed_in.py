@@ -154,7 +154,8 @@ def telling(file: str) -> Iterator[None]:
 
 
 def opened(file: str, page: int = 0) -> DecodedPicture | None:
-    """The picture of a file (of a page of it, from 0), None of a table or a drawing of lines; :class:`PlanesError` where it does not open."""
+    """The picture of a file (of a page of it, from 0), None of a table or a drawing of lines; :class:`PlanesError`
+    where it does not open."""
     suffix = Path(file).suffix.lower()
     with telling(file):
         if suffix in PICTURES:

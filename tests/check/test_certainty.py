@@ -14,8 +14,9 @@ from planes.check.grading.certainty import SURE
 from planes.check.grading.judging import LEFT_OUT
 from planes.check.grading.paper import MISREAD, ReadMark, ReadPaper, with_told
 from planes.check.grading.prepared_plan import Asked, prepare, variants_of
-from planes.check.report import Checked, ClassWork, as_json
+from planes.check.report import Checked, as_json
 from planes.cli import main
+from planes.documents.class_work import ClassWork
 from planes.scene import load
 from tests import confusion
 from tests.check.test_check import RIGHT, SIX, csv
@@ -142,7 +143,13 @@ def test_what_nobody_has_seen_is_not_called_right(tmp_path: Path, capsys: pytest
 def test_a_class_ends_with_the_status_of_its_worst_drawing() -> None:
     part = {n: z for n, z in RIGHT.items() if n != "s2"}
     whole, partly, wrong = (Checked("t", seen(m, 0.0)) for m in (RIGHT, part, {n: -z for n, z in RIGHT.items()}))
-    assert [ClassWork("11", all).status for all in ([whole], [partly, whole], [wrong, partly])] == [0, 3, 1]
+    statuses = []
+    for drawings in ([whole], [partly, whole], [wrong, partly]):
+        work = ClassWork("11", "en")
+        for one in drawings:
+            work.add(one)
+        statuses.append(work.status)
+    assert statuses == [0, 3, 1]
 
 
 def test_a_close_call_is_said_to_be_one() -> None:

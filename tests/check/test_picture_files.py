@@ -136,8 +136,12 @@ def test_what_is_no_picture_is_refused_in_a_sentence(
     )
     assert main(["check", SIX, str(file), "--plan", "velocity", "--lang", "en"]) == 2
     told = capfd.readouterr()
-    why = {"none": "the file is empty", "tiny": "the picture has only 30 × 30 pixels"}
-    said = why.get(file.stem, "the picture cannot be read: the file is cut, damaged or of another kind")
+    why = {
+        "none": "the file is empty",
+        "tiny": "the picture has only 30 × 30 pixels",
+        "text": "the picture cannot be read: the file is cut, damaged or of another kind",
+    }
+    said = why.get(file.stem, "the file ends too early, it was cut when it was sent or copied")
     assert told.out == "" and told.err.startswith(f"{file}: {said}; ") and told.err.count("\n") == 1
     with pytest.raises(PlanesError):
         load(file)
