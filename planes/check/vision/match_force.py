@@ -208,7 +208,7 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Rea
     tried = sorted((LaidPolygon(bench.printed_at(k), ink, pole, sides, k) for k in shares), key=lambda one: one.cost)
     for one in tried:
         one.best = _likelier(one.polygon, one.plain, one.right, one.wrong, len(sides))
-        if one.best and one.best is one.plain:
+        if one.best and one.best is one.plain and one.share == 1:
             break  # it fits well
     one = min(tried, key=lambda one: one.cost)
     best = one.best

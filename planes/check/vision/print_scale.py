@@ -19,7 +19,7 @@ from planes.words import Phrase, Written
 LEAST, MOST = 0.9, 1.05  # of its size that a page may be printed at
 EXACT = 0.006  # nearer to its size than this is its size
 LONG_MM, ASIDE_MM, AGREE_MM = 12.0, 1.2, 0.7  # of a vector that tells it; how far off its end may be, across and along
-UNLIKELY = 3.0  # what it costs to believe that a page was not printed at its size
+UNLIKELY = 3.0  # what it costs to believe that a page was printed at just another size
 TRIED = 2
 EXPLAINED = 0.6  # of a sheet's ink by a plan that tells anything
 
