@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from planes.check.grading.certainty import SURE
+from planes.check.grading.certainty import ASKED
 from planes.check.grading.evidence import MOST_BY_CHANCE, SMALLEST, size_of
 from planes.check.grading.grading import Grading
 from planes.check.grading.judging import WARN
@@ -45,7 +45,7 @@ def _unsure_marks(grading: Grading) -> list[str]:
     found = grading.judgement
     wrong = grading.chance_wrong if grading.strays else 1 - grading.chance_wrong
     doubted = [m for m in found.misses if grading.hand.taken[m].doubt]
-    if wrong >= SURE or not doubted:
+    if wrong >= ASKED or not doubted:
         return []
     odd = sorted(doubted, key=lambda m: (m not in found.wrong[:1], -found.misses[m].sigmas))
     return [m for m in odd if m in found.wrong or found.misses[m].sigmas > WARN][:MOST_ASKED] or odd[:1]

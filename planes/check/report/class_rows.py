@@ -16,7 +16,7 @@ from planes.check import STATUS
 from planes.check.report import Checked
 from planes.check.report.shown import Shown, Vector, leads, shown_plans, true_marks
 from planes.words import Lang, say
-from planes.words.names import POLE, kind_of
+from planes.words.names import POLE, kind_of, label_of
 from planes.words.records import Json
 
 Box = tuple[float, float, float, float]
@@ -108,7 +108,7 @@ def wrong_places(one: Checked) -> Iterable[Json]:
     shown, paper = shown_plans(found), found.paper
     truth = {} if kind_of(found.bench.asked.plan) == "force" else true_marks(found)  # there its order is free
     verdicts = found.grading.verdicts
-    wrong = [m.rpartition(":")[2] for m, verdict in verdicts.items() if verdict == "wrong"]
+    wrong = [label_of(m) for m, verdict in verdicts.items() if verdict == "wrong"]
     for name in dict.fromkeys([one.first, *wrong]):
         places = [z for z in (shown.marks.get(name), truth.get(name)) if z is not None]
         if name == POLE or not places:

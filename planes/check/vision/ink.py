@@ -72,7 +72,7 @@ class Ink:
 
 def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
     """The ink of a flat picture, without letters and printed marks; a cross may be printed at a place."""
-    shares, followed = inked(_darkness(flat), flat.scale, 255 - PENCIL)
+    shares, followed = inked(darkness(flat), flat.scale, 255 - PENCIL)
     ink = Ink(flat, 255 - shares, 255 - shares)
     labels, sizes = _pieces(ink, ink.mask | followed)
     ink.even = numpy.where(_spread((sizes >= LETTER_MM)[labels]), ink.whole, 255)
@@ -81,7 +81,7 @@ def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
     return ink
 
 
-def _darkness(flat: Flat) -> Greys:
+def darkness(flat: Flat) -> Greys:
     """How much darker than paper the picture is, as if the light were the same everywhere."""
     even = cv().divide(flat.grey, light_of(flat), scale=float(WHITE))
     even = cv().GaussianBlur(even, (0, 0), 0.8)

@@ -20,7 +20,7 @@ from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
 from planes.check.reading.as_planned import is_right, named, nearest_of, vectors_named
 from planes.check.reading.strokes import ReadDrawing, Stroke, Words
-from planes.check.vision.ink import Ink
+from planes.check.vision.ink import Ink, darkness
 from planes.check.vision.match_motion import ends_of
 from planes.check.vision.places import Seen, rounded
 from planes.check.vision.printed_heads import BOTH_SIDES, HIDDEN, TURNED, PrintedHead, heads_along, heads_on
@@ -56,7 +56,8 @@ class PrintedSheet:
     tips: dict[tuple[complex, complex], list[complex]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.ink = self.seen.all_ink
+        even = 255 - darkness(self.seen.ink.flat)  # as it is printed
+        self.ink = Ink(self.seen.ink.flat, even, even)
         self.words = [one for word in self.words for one in word.listed()]
         self.heads = heads_on(self.ink, self.seen.lines)
 
