@@ -6,7 +6,7 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from conftest import peak
+from conftest import peak_of
 
 from planes.diagrams.summary import summary
 from planes.diagrams.text import as_json
@@ -27,7 +27,7 @@ def of_process(links: int, command: str) -> str:
     with tempfile.TemporaryDirectory() as folder:
         scene = Path(folder) / "chain.yaml"
         scene.write_text(chain(links // 2), encoding="utf-8")
-        return peak(f"from planes.cli import main\nmain({[word.format(scene) for word in command.split()]!r})\n")
+        return peak_of([word.format(scene) for word in command.split()])
 
 
 @pytest.mark.parametrize("links", [21, 51])

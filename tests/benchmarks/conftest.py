@@ -6,6 +6,7 @@ import os
 import platform
 import subprocess
 import sys
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 
@@ -40,6 +41,11 @@ def peak(text: str) -> str:
     tell = "print(next(line.split()[1] for line in open('/proc/self/status') if line.startswith('VmHWM')))"
     done = subprocess.run([sys.executable, "-c", text + tell], capture_output=True, text=True, check=True, cwd=ROOT)
     return f"{float(done.stdout.split()[-1]) / 1024:.0f} MB"
+
+
+def peak_of(words: Sequence[str]) -> str:
+    """The most memory a command takes."""
+    return peak(f"from planes.cli import main\nmain({list(words)!r})\n")
 
 
 def pytest_terminal_summary(terminalreporter, config):

@@ -59,12 +59,11 @@ def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates,
     return ReadPaper(sketch.file, whole=False)
 
 
-def nearest_of(words: Iterable[tuple[str | None, Words]]) -> Callable[[str, complex], float]:
+def nearest_of(words: Sequence[tuple[str | None, Words]]) -> Callable[[str, complex], float]:
     """How far the nearest word of a name is from a place; without end where none is near."""
-    listed = list(words)
 
     def far_from(name: str, z: complex) -> float:
-        far = min(w.distance(z) for n, w in listed if n == name)
+        far = min(w.distance(z) for n, w in words if n == name)
         return far if far <= FARTHEST_MM else math.inf
 
     return far_from
