@@ -10,7 +10,9 @@ from typing import Any
 
 import pytest
 
-from planes.check.handed_in import HandedSheet
+from planes.check import check
+from planes.check.grading.paper import Known
+from planes.check.handed_in import HandedSheet, read_paper
 from planes.check.sheet_mark import SheetMark
 from planes.cli import check as command
 from planes.cli import main
@@ -319,3 +321,13 @@ def test_a_course_that_was_not_made_is_refused(tmp_path: Path, capsys: pytest.Ca
     (tmp_path / "photos").mkdir()
     assert main(["check", str(tmp_path), str(tmp_path / "photos"), "--lang", "en"]) == 2
     assert "make it first: planes course" in capsys.readouterr().err
+
+
+def test_a_vector_astray_is_the_one_it_is_nearest_to(tmp_path: Path) -> None:
+    """The end of e and of S5 is drawn twice, once 9 mm off; it is not taken for a mark 80 mm away."""
+    assert main(["blank", str(TWELVE), "--variant", "Г", "--plan", "velocity", "-o", str(tmp_path / "b.pdf")]) == 0
+    asked = Asked(load(TWELVE, variant="Г"), "velocity")
+    sheet = drawn(printed(tmp_path / "b.pdf"), asked.scene, "velocity", lambda right: {**right, "s5": right["s5"] + 9})
+    cv2.imwrite(str(tmp_path / "astray.jpg"), scanned(sheet))
+    out = check(asked, read_paper(str(tmp_path / "astray.jpg"), asked, Known()))
+    assert out.first_wrong in ("e", "s5")

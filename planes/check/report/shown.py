@@ -29,8 +29,7 @@ def vectors(bench: PreparedPlan) -> list[tuple[str, str]]:
     drawn = {POLE, *(label_of(m) for m in bench.marks)}
     if plan == "position":
         return _bars(bench, drawn)
-    found = dict.fromkeys((s.start, s.end) for s in bench.plans.segments if s.plan == plan and s.start != s.end)
-    return [pair for pair in found if set(pair) <= drawn]
+    return [pair for pair in bench.vectors if set(pair) <= drawn]
 
 
 def _bars(bench: PreparedPlan, drawn: Collection[str]) -> list[tuple[str, str]]:

@@ -39,6 +39,7 @@ from planes.drafting.steps import Step
 from planes.words.names import POLE, at, label_of, plan_of
 
 NEARLY, CLOSE = 3.0, 12.0  # how much dearer a place may be, and a whole way, to be looked at again
+ASTRAY_MM = 10.0  # a mark anywhere is the less likely the farther it is from where it should be
 EVEN_MM = 0.9  # marks nearer than this may be one
 
 
@@ -182,6 +183,12 @@ class Search:
         ended = (p for p in self.seen.places if p.ended and p.sigma < 0.6 and not p.doubtful)
         return [p for p in ended if not self.seen.torn(p)]
 
+    def free_ways(self, way: LaidPlan) -> Iterator[LaidPlan | None]:
+        """The plan drawn with a mark where nobody expects it."""
+        for mark, place in self.free_marks(way):
+            astray = abs(place.z - self.pole.z - self.true[mark]) / ASTRAY_MM
+            yield self.way(None, (mark, place), ANYWHERE + math.log1p(astray))
+
     def free_marks(self, way: LaidPlan) -> Iterator[tuple[str, Place]]:
         """Marks that may be elsewhere, with places where lines end that the way does not use."""
         used = {id(p) for p in way.found.values()} | {id(self.pole)}
@@ -197,12 +204,6 @@ def _starts(step: Step) -> list[str]:
     return [getattr(step, k) for k in ("start", "other", "end") if isinstance(getattr(step, k, None), str)]
 
 
-def ends_of(bench: PreparedPlan) -> list[tuple[str, str]]:
-    """Vectors of a motion plan by the labels of their ends."""
-    plan = bench.asked.plan
-    return list(dict.fromkeys((s.start, s.end) for s in bench.plans.segments if s.plan == plan and s.start != s.end))
-
-
 def best_way(searches: Sequence[Search]) -> tuple[Search, LaidPlan] | None:
     """The way that explains the picture best, of a sheet that may have been printed at several sizes."""
     bench = searches[0].bench
@@ -215,8 +216,7 @@ def best_way(searches: Sequence[Search]) -> tuple[Search, LaidPlan] | None:
             ways += [(search, w) for w in _wrong_ways(search, variants, most)]
         best = min(ways, key=_cost, default=None)
         if best and best[1].cost > ANYWHERE + 4.0 + len(bench.marks):
-            search, laid = best
-            ways += [(search, w) for w in (search.way(None, f, ANYWHERE) for f in search.free_marks(laid)) if w]
+            ways += [(best[0], w) for w in best[0].free_ways(best[1]) if w]
     return min(ways, key=_cost, default=None)
 
 
@@ -235,7 +235,7 @@ def _wrong_ways(search: Search, variants: Sequence[Variant], most: float) -> Ite
 
 def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadMark], float]:
     """The marks of a motion plan with its pole near a place, and the share of the ink they explain."""
-    pole, ends = pole_on(seen, near), ends_of(bench)
+    pole, ends = pole_on(seen, near), bench.vectors
     shares = likely_shares(seen.ink.flat, seen_from(seen, pole.z, bench.true_marks))
     ink = InkCover(seen, pole.z, [*bench.true_marks.values()])
     search, way = best_way([Search.of(bench, ink, pole, ends, share) for share in shares]) or (None, None)

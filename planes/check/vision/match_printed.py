@@ -21,7 +21,6 @@ from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_o
 from planes.check.reading.as_planned import is_right, named, nearest_of, vectors_named
 from planes.check.reading.strokes import ReadDrawing, Stroke, Words
 from planes.check.vision.ink import Ink, darkness
-from planes.check.vision.match_motion import ends_of
 from planes.check.vision.places import Seen, rounded
 from planes.check.vision.printed_heads import BOTH_SIDES, HIDDEN, TURNED, PrintedHead, heads_along, heads_on
 from planes.words.names import POLE, at, kind_of, label_of
@@ -199,7 +198,7 @@ class PrintedSheet:
 
 def _between(bench: PreparedPlan) -> list[Side]:
     """The vectors between marks of a plan."""
-    return [Side(f"{a} {b}", a, b) for a, b in ends_of(bench)]
+    return [Side(f"{a} {b}", a, b) for a, b in bench.vectors]
 
 
 def _of_lines(tips: Iterable[complex], end: complex, way: complex) -> list[complex]:
