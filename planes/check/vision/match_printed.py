@@ -20,10 +20,12 @@ from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
 from planes.check.reading.as_planned import is_right, named, nearest_of, vectors_named
 from planes.check.reading.strokes import ReadDrawing, Stroke, Words
-from planes.check.vision.ink import Ink, darkness
+from planes.check.vision.ink import PENCIL, WHITE, Ink, darkness
 from planes.check.vision.match_motion import ends_of
+from planes.check.vision.picture import Flat, cv
 from planes.check.vision.places import Seen, rounded
 from planes.check.vision.printed_heads import BOTH_SIDES, HIDDEN, TURNED, PrintedHead, heads_along, heads_on
+from planes.geometry.arrays import Greys
 from planes.words.names import POLE, at, kind_of, label_of
 
 ALONG_MM, ASIDE_MM = 1.0, 7.0  # how far a head may be from where it belongs; how far aside a force may be drawn
@@ -39,6 +41,7 @@ APART_MM = 0.5  # heads no nearer than this are two
 TRIED = 4  # poles
 MET = 0.7  # the least share of the long vectors of a wrong plan that must meet a head
 ERROR_MM = 0.15
+FAINT, MAINLY = 100, 0.7  # of 255: paler is no print's ink, but its rims; the share of ink that is no darker
 WILDEST_MM = 400.0
 
 Tips = Mapping[str, list[complex]]  # where the head of a vector of that name may be
@@ -56,7 +59,7 @@ class PrintedSheet:
     tips: dict[tuple[complex, complex], list[complex]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        even = 255 - darkness(self.seen.ink.flat)  # as it is printed
+        even = _as_printed(self.seen.ink.flat)
         self.ink = Ink(self.seen.ink.flat, even, even)
         self.words = [one for word in self.words for one in word.listed()]
         self.heads = heads_on(self.ink, self.seen.lines)
@@ -195,6 +198,14 @@ class PrintedSheet:
         labels = {label_of(m) for m in self.bench.marks} & places.keys()
         told = named(places, lettered, nearest_of(words))
         return [ReadMark(n, places[n], ERROR_MM) for n in (POLE, *sorted(labels))] if told else []
+
+
+def _as_printed(flat: Flat) -> Greys:
+    """The picture, all of its ink held against what it is mostly: edges are where they were printed."""
+    dark = darkness(flat)
+    inked = dark[dark > FAINT]
+    black = float(numpy.quantile(inked, MAINLY)) if len(inked) else float(WHITE)
+    return 255 - cv().divide(dark, numpy.full_like(dark, black), scale=255 - PENCIL)
 
 
 def _between(bench: PreparedPlan) -> list[Side]:
