@@ -176,7 +176,8 @@ class PrintedSheet:
         strokes: list[Stroke] = []
         for name, (a, b) in vectors.items():
             way = (b - a) / abs(b - a) if a != b else 1
-            tips = _of_lines(found[name], pole + b, way)
+            seen = abs(b - a) > SURE_MM  # what looks like a shorter one's head may be a letter, or another's head
+            tips = _of_lines(found[name], pole + b, way) if seen else []
             drawn = [(tip - way * ((tip - pole - a) / way).real, tip) for tip in tips]
             drawn += [(pole + a, pole + b)] if not drawn and abs(b - a) > DRAWN_MM else []
             strokes += [new for new in drawn if all(_apart(new, old) for old in strokes)]
