@@ -5,6 +5,7 @@ from __future__ import annotations
 import statistics
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy
 
@@ -35,6 +36,11 @@ class Ink:
     even: Greys
     whole: Greys  # with what is too small for lines
     letters: Booleans | None = None  # where there may be letters, or short vectors
+
+    @cached_property
+    def printed(self) -> list[tuple[complex, float]]:
+        """Squares printed on the sheet, in which nothing is seen."""
+        return printed_on(self.flat)
 
     @property
     def mask(self) -> Greys:

@@ -223,7 +223,8 @@ def _as_printed(flat: Flat) -> Greys:
     dark = darkness(flat)
     inked = dark[dark > FAINT]
     black = float(numpy.quantile(inked, MAINLY)) if len(inked) else float(WHITE)
-    return 255 - cv().divide(dark, numpy.full_like(dark, black), scale=255 - PENCIL)
+    shares: Greys = cv().divide(dark, numpy.full_like(dark, black), scale=255 - PENCIL)
+    return 255 - shares
 
 
 def _between(bench: PreparedPlan) -> list[Side]:
