@@ -6,6 +6,7 @@ The patterns are this project's own; they need no library to print, and OpenCV's
 from __future__ import annotations
 
 import math
+from itertools import product
 
 ARM_MM = 2.0  # of the cross printed at the pole
 SIDE_MM = 12.0  # of the black square, its border included
@@ -33,17 +34,44 @@ def cells(index: int) -> list[list[bool]]:
 
 
 SHEET_MM = (297.0, 210.0)  # A4, lying
-
-
 LEFT_MM, OTHER_MM, STEP_MM = 46.0, 13.0, 5.0  # of the sheet's edges no plan is drawn on; by which the pole is moved
+CODE_MM, CODE_GAP_MM = 30.0, 4.0  # side of the square code that says whose sheet it is; between it and a corner mark
+MOST_STEPS = 12  # by which it is moved away from what is printed
+RIM_MM = 2.0  # about what is printed: nothing drawn there is seen
+
+
+def code_centre(size_mm: tuple[float, float] = SHEET_MM) -> complex:
+    """Where the code stands: left of the upper right corner mark, their upper edges in line."""
+    return centres(size_mm)[2] - complex(SIDE_MM / 2 + CODE_GAP_MM + CODE_MM / 2, (CODE_MM - SIDE_MM) / 2)
+
+
+def squares(size_mm: tuple[float, float] = SHEET_MM) -> list[tuple[complex, float]]:
+    """What is printed on a sheet, the code last: the middle of each, and how far nothing drawn is seen about it."""
+    return [*((z, SIDE_MM / 2 + RIM_MM) for z in centres(size_mm)), (code_centre(size_mm), CODE_MM / 2 + RIM_MM)]
+
+
+def within(z: complex, square: tuple[complex, float], rim: float = 0.0) -> bool:
+    """Whether a place is in a square, or nearer to it than ``rim``."""
+    off = z - square[0]
+    return max(abs(off.real), abs(off.imag)) < square[1] + rim
 
 
 def pole_place(ends: list[complex], size_mm: tuple[float, float] = SHEET_MM) -> complex:
     """Where a blank has its pole: in the middle, so that a plan has the same room whichever way it goes; moved only by
-    as much as the right plan would run off the sheet."""
+    as much as the right plan would run off the sheet, or under what is printed on it."""
     (w, h), places = size_mm, [0j, *ends]
     across = _moved((LEFT_MM, w - OTHER_MM), [z.real for z in places])
-    return complex(across, _moved((OTHER_MM, h - OTHER_MM), [z.imag for z in places]))
+    start = complex(across, _moved((OTHER_MM, h - OTHER_MM), [z.imag for z in places]))
+    steps = range(-MOST_STEPS, MOST_STEPS + 1)
+    around = [start + STEP_MM * complex(x, y) for x, y in sorted(product(steps, steps), key=lambda xy: math.hypot(*xy))]
+    return next((pole for pole in around if all(_free(pole + z, size_mm) for z in places)), start)
+
+
+def _free(z: complex, size_mm: tuple[float, float]) -> bool:
+    """Whether a place may be drawn on and is seen."""
+    (w, h), e = size_mm, 1e-6
+    inside = LEFT_MM - e <= z.real <= w - OTHER_MM + e and OTHER_MM - e <= z.imag <= h - OTHER_MM + e
+    return inside and not any(within(z, square, RIM_MM) for square in squares(size_mm))
 
 
 def _moved(room: tuple[float, float], places: list[float]) -> float:
@@ -53,11 +81,3 @@ def _moved(room: tuple[float, float], places: list[float]) -> float:
     if low > high:
         return STEP_MM * round((low + high) / 2 / STEP_MM)
     return middle + STEP_MM * (math.ceil(max(low - middle, 0) / STEP_MM) - math.ceil(max(middle - high, 0) / STEP_MM))
-
-
-CODE_MM, CODE_GAP_MM = 30.0, 4.0  # side of the square code that says whose sheet it is; between it and a corner mark
-
-
-def code_centre(size_mm: tuple[float, float] = SHEET_MM) -> complex:
-    """Where the code stands: left of the upper right corner mark, their upper edges in line."""
-    return centres(size_mm)[2] - complex(SIDE_MM / 2 + CODE_GAP_MM + CODE_MM / 2, (CODE_MM - SIDE_MM) / 2)

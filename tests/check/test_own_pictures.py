@@ -87,6 +87,12 @@ CROWDED = (
     ("sliding-driver", "position"),  # the origin is not drawn, and the link is hatched
     ("bntu-4", "velocity"),  # one vector
     ("assignments/10", "force:2-3"),  # a head that fits two places of its own line
+    ("assignments/33", "acceleration"),  # a name far from its mark, with a line to it
+    ("assignments/08", "force:2-3"),  # names with lines to their vectors, each nearer to the other's
+    ("assignments/33", "force:4-5"),  # three short forces of one line, side by side
+    ("assignments/35", "force:2-3"),  # names nearer to each other's vectors, which nobody takes for one another
+    ("assignments/38", "force:2-3"),  # a head seen but a millimetre off, for its own is hidden
+    ("assignments/50", "acceleration"),  # a head hidden at the pole
 )
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from planes.check.fiducials import CODE_MM, SHEET_MM, code_centre, pole_place
+from planes.check.fiducials import CODE_MM, SHEET_MM, code_centre, pole_place, squares, within
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.handed_in import read_paper
@@ -22,9 +22,10 @@ import numpy as np  # noqa: E402
 
 from planes.check.sheet_mark import mark_on  # noqa: E402
 from planes.check.vision.decoding import load as picture_of  # noqa: E402
-from planes.check.vision.ink import ink_of  # noqa: E402
+from planes.check.vision.ink import ink_of, printed_on  # noqa: E402
 from planes.check.vision.photograph import blank_pole  # noqa: E402
-from planes.check.vision.picture import flatten  # noqa: E402
+from planes.check.vision.picture import Flat, flatten  # noqa: E402
+from planes.check.vision.places import sheet_of  # noqa: E402
 from tests.helpers.class_pictures import scanned  # noqa: E402
 from tests.physical import corpus, page  # noqa: E402
 from tests.physical.paper import PX_PER_MM  # noqa: E402
@@ -156,3 +157,33 @@ def test_a_plan_too_large_for_the_middle_still_has_room() -> None:
         pole = pole_place(ends)
         assert all(20 < (z + pole).real < 292 and 5 < (z + pole).imag < 205 for z in (0j, *ends))
     assert abs(pole_place([100j]) - pole_place([])) <= 10
+
+
+def test_no_mark_of_a_plan_stands_under_what_is_printed() -> None:
+    """Neither under a corner mark nor under the code."""
+    for ends in ([115 + 90j], [90 + 80j], [50 + 10j, 110 + 85j], [115 - 85j, 20 + 5j]):
+        assert any(within(pole_place([]) + z, square) for z in ends for square in squares()) or len(ends) > 1
+        pole = pole_place(ends)
+        assert not any(within(pole + z, square) for z in (0j, *ends) for square in squares())
+    assert pole_place([40 + 20j]) == pole_place([])
+
+
+@pytest.mark.parametrize("coded", [True, False])
+def test_a_line_that_runs_under_what_is_printed_is_not_seen_to_its_end(coded: bool) -> None:
+    """Nor is anything under a code that is not there: a blank of another program has none."""
+    sheet, scale = np.full((1680, 2376), 250, np.uint8), 8.0
+    flat = Flat(sheet, scale)
+    mark, code = squares()[1], squares()[-1]
+    ends = [mark[0], code[0]]
+    if coded:
+        (x, y), r = flat.px(code[0]), int(CODE_MM / 2 * scale)
+        sheet[int(y) - r : int(y) + r, int(x) - r : int(x) + r : 2] = 20
+    for z in ends:
+        a, b = (tuple(int(v) for v in flat.px(w)) for w in (150 + 100j, z))
+        cv2.line(sheet, a, b, 70, 4, cv2.LINE_AA)
+    assert len(printed_on(flat)) == 4 + coded
+    seen = sheet_of(flat)
+    assert seen is not None
+    for z, hidden in zip(ends, (True, coded), strict=True):
+        near = [p for p in seen.within(z, 25) if p.ended]
+        assert near and all(seen.torn(p) == hidden for p in near)

@@ -27,6 +27,7 @@ from planes.words.names import POLE, kind_of
 REACH_MM = 1.5  # a hand's mark is no farther from where it should be; grading tells whether it is near enough
 SHARE = 0.015  # of a vector's length, by which it may be off besides
 FARTHEST_MM = 2 * NEAR_WORD_MM  # where marks crowd their names stand farther off
+UNLIKE = math.log(2)  # of lengths
 EXCHANGED_MM, VECTORS_MM = 6.0, 3.0  # two words so much nearer to each other's marks, or vectors, are exchanged
 OPEN, NAMED = 2.0, 0.5  # what it costs a force polygon not to close, and what a known mistake explains, in marks
 UPON_MM = 1.0  # of two vectors upon each other no distance tells which name is whose
@@ -101,7 +102,7 @@ def vectors_named(
         like = [s for s in (*arrows, *bare) if _alike(s, true)]
         like = [s for s in like if s not in rows.values()] or [s for s in like if 0 < word(name, s) <= NEAR_WORD_MM]
         if like:
-            rows[name] = min(like, key=lambda s: (word(name, s), abs(s[1] - s[0] - true)))
+            rows[name] = min(like, key=lambda s: (round(min(word(name, s), 1e3)), abs(s[1] - s[0] - true)))
         elif abs(true) > SHORT_MM:
             return nothing
     known = [*sides.values(), *beside]
@@ -110,7 +111,10 @@ def vectors_named(
 
     def nearer(one: str, two: str) -> float:
         third = sum(alongside(*rows[one], *arrow) for arrow in arrows)  # with one words stand where there is room
-        return SURELY_MM if third == 2 and alongside(*rows[one], *rows[two]) else VECTORS_MM
+        if third == 2 and alongside(*rows[one], *rows[two]):
+            return SURELY_MM
+        unlike = abs(math.log(abs(sides[one]) / abs(sides[two]))) > UNLIKE  # nobody takes one for the other
+        return EXCHANGED_MM if unlike else VECTORS_MM
 
     if over or not named(rows, [n for n in rows if abs(sides[n]) >= least_mm], word, nearer):
         return nothing

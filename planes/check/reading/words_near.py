@@ -54,31 +54,31 @@ def led(sketch: ReadDrawing, nodes: Nodes) -> Iterator[Words]:
             through = abs(stroke[1 - j] - places[at_node]) < ON_MM  # a line drawn on; one that stops short points there
             if through and any(_on(w, *stroke, LEADER_MM / 2) for i, w in enumerate(places) if i != at_node):
                 continue
-            yield from _put(sketch.words, z, nodes.places[at_node])
+            yield from put(sketch.words, z, nodes.places[at_node])
 
 
-def _put(words: Sequence[Words], begin: complex, end: complex) -> list[Words]:
+def put(words: Sequence[Words], begin: complex, end: complex) -> list[Words]:
     """The words a line begins at, the nearest or all in its row, put where the line ends."""
     far = min([LEADER_MM, *(w.distance(begin) for w in words)])
     return [replace(w, place=end, height=0.1, width=0.1) for w in words if w.distance(begin) <= far < LEADER_MM]
 
 
-def led_to_vectors(sketch: ReadDrawing) -> Iterator[Words]:
-    """Words with a line from them to the vector they name, as if they stood on it."""
+def led_to_vectors(sketch: ReadDrawing, near: float = ON_MM) -> Iterator[Words]:
+    """Words with a line from them to the vector they name (or ``near`` it, mm), as if they stood on it."""
     vectors = [s for k, s in enumerate(sketch.strokes) if sketch.ways[k]]
     ends = [z for s in vectors for z in s]
     plain = [way for k, s in enumerate(sketch.strokes) if not sketch.ways[k] for way in (s, s[::-1])]
     vectors += [s for s in plain if abs(s[1] - s[0]) < LEADER_MM]  # too short for a head
     for a, b in plain if len(sketch.strokes) <= CROSSINGS else ():
         clear = abs(b - a) > LEADER_MM and all(abs(a - z) > SHY_MM for z in ends)
-        if clear and any(_on(b, *s, -ON_MM) for s in vectors):
-            yield from _put(sketch.words, a, b)
+        if clear and any(_on(b, *s, -ON_MM, near) for s in vectors):
+            yield from put(sketch.words, a, b)
 
 
-def _on(z: complex, a: complex, b: complex, within: float) -> bool:
+def _on(z: complex, a: complex, b: complex, within: float, near: float = ON_MM) -> bool:
     """Whether a place is on the line from a to b, ``within`` mm from its ends at the least."""
     local = (z - a) / (b - a) * abs(b - a)
-    return abs(local.imag) < ON_MM and within < local.real < abs(b - a) - within
+    return abs(local.imag) < near and within < local.real < abs(b - a) - within
 
 
 def start_of(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:

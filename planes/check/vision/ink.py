@@ -5,10 +5,11 @@ from __future__ import annotations
 import statistics
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy
 
-from planes.check.fiducials import ARM_MM, CODE_MM, INSET_MM, SIDE_MM, centres, code_centre
+from planes.check.fiducials import ARM_MM, INSET_MM, SIDE_MM, squares
 from planes.check.vision.contrast import inked
 from planes.check.vision.picture import Flat, cv
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices, Points
@@ -23,6 +24,7 @@ EDGE = PAPER - DARK * (PAPER - PENCIL)  # and at which ink begins
 HEART_MM, RIM_MM = 1.0, 0.35  # about a printed cross's middle, where lines are drawn from; about its arms
 WHITE = 250  # the grey of paper in even light
 TITLE_MM = INSET_MM[1] + SIDE_MM / 2 + 2  # a blank's title stands between its upper marks
+PRINTED, FULL = 0.6, 0.2  # of paper's grey, what is printed; the share of a code that is black
 FRAME_MM = (21.5, 8.5)  # how much of a sheet is its frame: at the left, and at the other edges
 
 
@@ -34,6 +36,11 @@ class Ink:
     even: Greys
     whole: Greys  # with what is too small for lines
     letters: Booleans | None = None  # where there may be letters, or short vectors
+
+    @cached_property
+    def printed(self) -> list[tuple[complex, float]]:
+        """Squares printed on the sheet, in which nothing is seen."""
+        return printed_on(self.flat)
 
     @property
     def mask(self) -> Greys:
@@ -127,13 +134,21 @@ def _spread(where: Booleans) -> Booleans:
     return wider > 0
 
 
+def printed_on(flat: Flat) -> list[tuple[complex, float]]:
+    """Squares of a sheet on which a mark is printed; whether there is a code, it shows itself."""
+    if flat.by != "marks":
+        return []
+    *marks, (z, reach) = squares(flat.size_mm)
+    (left, low), (right, top) = (flat.px(z + by * reach * (1 + 1j)) for by in (-1, 1))
+    box = flat.grey[max(int(top), 0) : int(low), int(left) : int(right)]
+    black = (box < PRINTED * numpy.quantile(box, 0.9)).mean()
+    return [*marks, (z, reach)] if black > FULL else marks
+
+
 def _whiten_printed(flat: Flat, even: Greys) -> None:
     """Paint over the corner marks, the frame and what lies outside of it."""
-    for x, y in map(flat.px, centres(flat.size_mm) if flat.by == "marks" else ()):
-        r = (SIDE_MM / 2 + 2) * flat.scale
-        cv().rectangle(even, (int(x - r), int(y - r)), (int(x + r), int(y + r)), 255, -1)
-    if flat.by == "marks":
-        (x, y), r = flat.px(code_centre(flat.size_mm)), (CODE_MM / 2 + 1) * flat.scale
+    for z, reach in printed_on(flat):
+        (x, y), r = flat.px(z), reach * flat.scale
         cv().rectangle(even, (int(x - r), int(y - r)), (int(x + r), int(y + r)), 255, -1)
     left, other = (int(mm * flat.scale) for mm in FRAME_MM)
     even[:other], even[-other:] = 255, 255

@@ -20,9 +20,12 @@ from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_of
 from planes.check.reading.as_planned import is_right, named, nearest_of, vectors_named
 from planes.check.reading.strokes import ReadDrawing, Stroke, Words
-from planes.check.vision.ink import Ink, darkness
+from planes.check.reading.words_near import led_to_vectors, put
+from planes.check.vision.ink import PENCIL, WHITE, Ink, darkness
+from planes.check.vision.picture import Flat, cv
 from planes.check.vision.places import Seen, rounded
-from planes.check.vision.printed_heads import BOTH_SIDES, HIDDEN, TURNED, PrintedHead, heads_along, heads_on
+from planes.check.vision.printed_heads import BOTH_SIDES, HIDDEN, THICK, TURNED, PrintedHead, heads_along, heads_on
+from planes.geometry.arrays import Greys
 from planes.words.names import POLE, at, kind_of, label_of
 
 ALONG_MM, ASIDE_MM = 1.0, 7.0  # how far a head may be from where it belongs; how far aside a force may be drawn
@@ -30,14 +33,16 @@ ACROSS_MM = 0.1  # in which a head is looked for aside
 NEAR_MM = 0.3  # aside, of what is not drawn aside
 SURE_MM = 3.0  # a shorter vector may be there unseen: it is put where it should be
 VOTES_MM = 9.0  # shorter vectors do not tell where the pole is
-HIDING_MM = 3.0  # how near other vectors' ends are that may hide a head
+HIDING_MM = THICK.long  # how near other vectors' ends are that may hide a head
 TOLD_MM = 3.0  # a plan none of whose marks is farther from the right one's is not told from it
+LED_MM, AWAY_MM = 1.6, 3.0  # how near to what it names a name's line ends; how far from all marks it begins
 DRAWN_MM = 0.3  # a shorter one is not drawn
 COVERED, SLIM_MM = 0.9, 0.25
 APART_MM = 0.5  # heads no nearer than this are two
 TRIED = 4  # poles
 MET = 0.7  # the least share of the long vectors of a wrong plan that must meet a head
 ERROR_MM = 0.15
+FAINT, MAINLY = 100, 0.7  # of 255: paler is no print's ink, but its rims; the share of ink that is no darker
 WILDEST_MM = 400.0
 
 Tips = Mapping[str, list[complex]]  # where the head of a vector of that name may be
@@ -55,7 +60,7 @@ class PrintedSheet:
     tips: dict[tuple[complex, complex], list[complex]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        even = 255 - darkness(self.seen.ink.flat)  # as it is printed
+        even = _as_printed(self.seen.ink.flat)
         self.ink = Ink(self.seen.ink.flat, even, even)
         self.words = [one for word in self.words for one in word.listed()]
         self.heads = heads_on(self.ink, self.seen.lines)
@@ -139,7 +144,7 @@ class PrintedSheet:
                 return []
         tips = [z for held in found.values() for z in held]
         for a, b in (vectors[s.name] for s in self.needed if not found[s.name]):
-            if abs(b - a) > SURE_MM and not self._hidden(pole + a, pole + b, tips):
+            if abs(b - a) > SURE_MM and not self._hidden(pole + a, pole + b, [pole, *tips]):
                 return []
         clear = [h.tip for h in self.heads if h.clear > BOTH_SIDES] if wrong else []
         if not tips or any(min(abs(z - tip) for tip in tips) > ALONG_MM for z in clear):
@@ -156,7 +161,8 @@ class PrintedSheet:
     def _looked(self, a: complex, b: complex) -> Iterator[complex]:
         way, count = (b - a) / abs(b - a), round((ASIDE_MM if self.force else NEAR_MM) / ACROSS_MM)
         aside = [ACROSS_MM * k for k in sorted(range(-count, count + 1), key=abs)]
-        inked = [t for t in aside if self.ink.covered(a + 1j * t * way, b + 1j * t * way, SLIM_MM) > COVERED]
+        start, end = a + NEAR_MM * way, b - NEAR_MM * way
+        inked = [t for t in aside if self.ink.covered(start + 1j * t * way, end + 1j * t * way, SLIM_MM) > COVERED]
         if inked:
             ends = b - ALONG_MM * way, b + ALONG_MM * way
             yield from (h.tip for h in heads_along(self.ink, *ends, abs(b - a), inked))
@@ -172,13 +178,28 @@ class PrintedSheet:
         strokes: list[Stroke] = []
         for name, (a, b) in vectors.items():
             way = (b - a) / abs(b - a) if a != b else 1
-            tips = _of_lines(found[name], pole + b, way)
+            seen = abs(b - a) > SURE_MM  # what looks like a shorter one's head may be a letter, or another's head
+            reach = APART_MM if abs(b - a) < 2 * THICK.long else ALONG_MM  # and on a short shaft, turned, its own
+            near = [tip for tip in found[name] if abs(((tip - pole - b) / way).real) < reach]
+            tips = _of_lines(near, pole + b, way) if seen else []
             drawn = [(tip - way * ((tip - pole - a) / way).real, tip) for tip in tips]
-            drawn += [(pole + a, pole + b)] if not drawn and abs(b - a) > DRAWN_MM else []
+            if all(abs(tip - pole - b) > APART_MM and self._hidden(pole + a, pole + b, [tip]) for tip in tips):
+                drawn = [(pole + a, pole + b)] if abs(b - a) > DRAWN_MM else []
             strokes += [new for new in drawn if all(_apart(new, old) for old in strokes)]
-        sketch = ReadDrawing("", strokes, list(self.words), ERROR_MM, [1] * len(strokes))
+        lines, ways = [line.ends for line in self.seen.lines], [1] * len(strokes)
+        led = led_to_vectors(
+            ReadDrawing("", [*strokes, *lines], list(self.words), ways=ways + [0] * len(lines)), LED_MM
+        )
+        sketch = ReadDrawing("", strokes, [*self.words, *led], ERROR_MM, ways)
         true = {s.name: b - a for s in self.needed for a, b in [vectors[s.name]]}
         return vectors_named(sketch, self.bench, true, [b - a for a, b in vectors.values()], SURE_MM).spots
+
+    def _led(self, places: Sequence[complex]) -> Iterator[Words]:
+        """Words with a line from them to one of some places, as if they stood there."""
+        for a, b in (way for line in self.seen.lines for way in (line.ends, line.ends[::-1])):
+            end = min(places, key=lambda z: abs(z - b))
+            if abs(end - b) < LED_MM and all(abs(a - z) > AWAY_MM for z in places):
+                yield from put(self.words, a, end)
 
     def _marks(self, pole: complex, vectors: Mapping[str, Stroke], found: Tips) -> list[ReadMark]:
         """Marks of a motion plan, where the heads are of the vectors that end in them."""
@@ -189,11 +210,20 @@ class PrintedSheet:
             same = [w for n, w in places.items() if abs(z - ends.get(n, 0j)) < DRAWN_MM]
             places |= {mark: same[0]} if same else {mark: min(tips, key=lambda t: abs(t - pole - z))} if tips else {}
         names = self.bench.names
-        words = [(names.find(w.text), w) for w in self.words]
+        words = [(names.find(w.text), w) for w in [*self.words, *self._led([*places.values()])]]
         lettered = {n for n, _ in words if n} & places.keys()
         labels = {label_of(m) for m in self.bench.marks} & places.keys()
         told = named(places, lettered, nearest_of(words))
         return [ReadMark(n, places[n], ERROR_MM) for n in (POLE, *sorted(labels))] if told else []
+
+
+def _as_printed(flat: Flat) -> Greys:
+    """The picture, all of its ink held against what it is mostly: edges are where they were printed."""
+    dark = darkness(flat)
+    inked = dark[dark > FAINT]
+    black = float(numpy.quantile(inked, MAINLY)) if len(inked) else float(WHITE)
+    shares: Greys = cv().divide(dark, numpy.full_like(dark, black), scale=255 - PENCIL)
+    return 255 - shares
 
 
 def _between(bench: PreparedPlan) -> list[Side]:

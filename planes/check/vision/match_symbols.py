@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy
 
-from planes.check.vision.ink import EDGE, Ink
+from planes.check.vision.ink import EDGE, Ink, darkness
 from planes.check.vision.picture import cv
 from planes.geometry.arrays import Array, Greys
 
@@ -17,6 +17,7 @@ CLEAR_MM = 0.75  # what is looked at around it
 ROUND, HOLLOW = 0.62, 0.38  # the share of the rim that is ink, and how much more than within
 ALONE = 0.5  # the most ink around it
 DOT_MM, FULL, AROUND_MM = 0.5, 0.96, (1.1, 1.5)
+HOLE = 0.45  # of the darkest ink near it, what is no ink
 APART_MM = 1.6  # signs nearer than this are one
 CIRCLE_SIGMA, DOT_SIGMA = 0.15, 0.2
 
@@ -51,8 +52,9 @@ def _dots(ink: Ink) -> Iterator[tuple[float, complex, float]]:
 
 def _smaller(ink: Ink, even: Greys) -> tuple[Array, float]:
     """The share of ink in the pixels of a smaller picture, and how many of these there are to a mm."""
-    cv2 = cv()
-    mask = (even < EDGE).astype(numpy.float32)
+    cv2, dark = cv(), darkness(ink.flat)
+    darkest = cv2.dilate(dark, numpy.ones((round(2 * DOT_MM * ink.flat.scale) | 1,) * 2, numpy.uint8))
+    mask = ((even < EDGE) & (dark > HOLE * darkest)).astype(numpy.float32)  # a faint line's ink fills what is beside it
     factor = min(1.0, PX_PER_MM / ink.flat.scale)
     return cv2.resize(mask, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA), ink.flat.scale * factor
 

@@ -124,7 +124,8 @@ def _best(bench: PreparedPlan, flat: Flat, pole: complex | None, words: Sequence
         looks.append((good, look))
         if good >= len(bench.marks):
             break
-    if all(good == -math.inf for good, _ in looks):
+    printed = words and kind_of(bench.asked.plan) != "position"  # with names, and none of the parts is so named
+    if not printed and all(good == -math.inf for good, _ in looks):
         looks.append((0.0, looked(bench, flat, None, sheet_of(flat))))
     return max(looks, key=lambda found: (found[0], found[1].explained))[1]
 
@@ -140,6 +141,7 @@ def _on_part(bench: PreparedPlan, flat: Flat, seen: Seen | None, words: Sequence
         look = look if kind == "force" else looked(bench, flat, None, seen)
         right = bool(look.spots) and is_right(bench, ReadPaper("", look.spots, whole=False))
         spots = sheet.wrong() if words and not right else []
+        look = look if right or not words else Look(flat, 0j, explained=0.0)  # a hand's errors are not a print's
     return Look(flat, spots[0].place, spots, True, 1.0, told=bool(words)) if spots else look
 
 

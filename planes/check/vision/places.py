@@ -10,6 +10,7 @@ from functools import cached_property
 
 import numpy
 
+from planes.check.fiducials import within
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.vision.drawn_lines import lines_of, on, patches
 from planes.check.vision.heads import head_at
@@ -80,16 +81,15 @@ class Seen:
         return self.looked[key]
 
     def torn(self, place: Place) -> bool:
-        """Whether a line that ends at a place has ink beyond that is no line's: it was not seen to its end, for what is
-        torn off a line may be as small as letters are."""
+        """Whether a line that ends at a place runs under what is printed, or has ink beyond that is no line's (what is
+        torn off may be as small as letters are): it was not seen to its end."""
         for k, side in ((k, side) for k, side in place.ended if k >= 0):
-            line = self.lines[k]
+            line, end = self.lines[k], self.lines[k].ends[side]
             way = BEYOND_MM * (2 * side - 1) * line.direction(line.high if side else line.low)
             others = (x for x in self.lines if x is not line)
-            end = line.ends[side]
             if self.all_ink.covered(end, end + way) > LONGER and not any(on(x, end + way / 2) for x in others):
                 return True
-        return False
+        return any(within(place.z, square, END_MM) for square in self.ink.printed)
 
     @cached_property
     def all_ink(self) -> Ink:

@@ -18,8 +18,10 @@ INSIDE_MM, OUTSIDE_MM = 0.15, 0.3  # how far from a head's edge its ink is surel
 FULL, BARE = 0.93, 0.8  # the least shares of a head's places that are ink, of those outside of a side that are paper
 HEAD, BOTH_SIDES = 0.79, 1.8  # how clear a head is of which one side is seen, or both are
 HIDDEN = 0.1  # how clear a head is within other ink
-DOUBTFUL = 1.5  # how clear a head is at the most whose tip is not seen to be narrow
+DOUBTFUL = 1.5  # how clear a head is at the most whose tip and shaft are not seen to be narrow
+SHAFT_MM = 1.0  # of a shaft, that tells its pen: another line that crosses a thick one looks like a thin head's base
 SAME_MM, ALONG = 0.7, 0.98  # heads whose tips, or bases, are nearer than this and that point one way are one
+CLEARER = 0.1  # by which another one may be there
 TURNED = 0.995  # the least cosine of a head's turn from its vector
 
 
@@ -66,6 +68,8 @@ def clearness(ink: Ink, tips: Complexes, ways: Complexes, shape: HeadShape) -> A
     base = numpy.linspace(pen / 2 + 0.25, max(wide / 2, pen / 2 + 0.3), 3)
     found, narrow = numpy.zeros(len(tips)), numpy.ones(len(tips), bool)
     for k in (-1, 1):
+        shaft_side = dark(numpy.linspace(-long - SHAFT_MM, -long - 0.25, 5), numpy.full(5, k * (pen / 2 + 0.075)))
+        narrow &= (shaft_side < 0.5).mean(axis=1) > 0.5
         narrow &= dark(numpy.array([-0.1 * long]), numpy.array([k * (0.05 * wide + 0.2)]))[:, 0] < 0.5
         out = dark(beside, k * (OUTSIDE_MM - beside * wide / (2 * long)))
         behind, front = (dark(numpy.full(3, z - long), k * (base - a)) for z, a in ((-0.25, 0.0), (0.25, 0.1)))
@@ -88,7 +92,8 @@ def heads_along(
         for k in numpy.argsort(-clear)[: int((clear >= least).sum())]:
             tip = complex(tips[k])
             base = tip - shape.long * way
-            if all(min(abs(tip - h.tip), abs(base - z)) > SAME_MM for h, z in found):
+            better = clear[k] - CLEARER
+            if all(min(abs(tip - h.tip), abs(base - z)) > SAME_MM or h.clear < better for h, z in found):
                 found.append((PrintedHead(tip, way, float(clear[k])), base))
     return [head for head, _ in found]
 
