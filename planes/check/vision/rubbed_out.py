@@ -1,39 +1,54 @@
-"""Lines that were rubbed out and are still seen: all along much lighter than the lines they hang together with."""
+"""Lines that were rubbed out and are still seen: much lighter than the lines they hang together with."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy
 
 from planes.check.vision.drawn_lines import on
 from planes.check.vision.line_fitting import Fitted
 from planes.check.vision.picture import Flat
+from planes.geometry.arrays import Array
 
 GHOST = 0.4  # of a line's darkness: what is lighter was rubbed out
-LONG_MM = 12.0  # of lines that are held against each other
+LONG_MM = 12.0  # of lines that are held against each other, and of what is rubbed out of a line
 TOUCH_MM, STEP_MM = 6.0, 0.7
 ASIDE_MM, MIDDLE_MM = 1.6, 0.3  # how far aside paper is seen, and how wide a line's middle is
-MOSTLY = 0.75  # of a line's length that is no darker: a vector upon a long construction line is
+PART, MOSTLY = 11, 0.75  # places of a line by which a part of it is judged, and the share that is no darker
 
 
 def remaining(flat: Flat, lines: Sequence[Fitted]) -> list[Fitted]:
-    """The lines that were not rubbed out."""
-    long = [(x, _darkness(flat, x)) for x in lines if x.length > LONG_MM]
-    gone = [x for x, dark in long if any(dark < GHOST * other and _touching(x, y) for y, other in long)]
-    return [x for x in lines if all(x is not g for g in gone)]
+    """The lines, and parts of them, that were not rubbed out."""
+    parts = {id(x): _darkness(flat, x) for x in lines if x.length > LONG_MM}
+    return [left for x in lines for left in (_left(x, lines, parts) if id(x) in parts else [x])]
 
 
-def _darkness(flat: Flat, line: Fitted) -> float:
-    """How much darker a line is than the paper beside it, where it is darker than for the most part."""
+def _left(line: Fitted, lines: Sequence[Fitted], parts: dict[int, Array]) -> Iterator[Fitted]:
+    """What is left of a line."""
+    usual = max(numpy.quantile(parts[id(x)], MOSTLY) for x in lines if id(x) in parts and _touching(line, x))
+    firm = numpy.flatnonzero(parts[id(line)] > GHOST * usual)
+    if len(firm):
+        ends = line.low + STEP_MM * firm[0], line.low + STEP_MM * (firm[-1] + PART)
+        cut = [ends[0] - line.low > LONG_MM, line.high - ends[1] > LONG_MM]
+        low, high = ends[0] if cut[0] else line.low, ends[1] if cut[1] else line.high
+        clear = [free and not short for free, short in zip(line.clear, cut, strict=True)]
+        yield replace(line, low=low, high=high, clear=clear, heads=[h for h in line.heads if low <= h.s <= high])
+
+
+def _darkness(flat: Flat, line: Fitted) -> Array:
+    """How much darker than the paper beside it a line is for the most part of each of its parts."""
     s = numpy.arange(line.low, line.high, STEP_MM)
     across = 1j * numpy.linspace(-ASIDE_MM, ASIDE_MM, 17)
     local = (line.at(s)[:, None] + line.direction(s)[:, None] * across - flat.corner) * flat.scale
     h, w = flat.grey.shape
     down, aside = (h - local.imag).astype(int).clip(0, h - 1), local.real.astype(int).clip(0, w - 1)
     grey = flat.grey[down, aside].astype(float)
-    middle = numpy.median(numpy.sort(grey[:, abs(across) < MIDDLE_MM], axis=1)[:, :2], axis=1)
-    return float(numpy.quantile(1 - middle / numpy.quantile(grey, 0.9, axis=1).clip(1), MOSTLY))
+    middle = numpy.sort(grey[:, abs(across) < MIDDLE_MM], axis=1)[:, :2].mean(axis=1)
+    dark = 1 - middle / numpy.quantile(grey, 0.9, axis=1).clip(1)
+    found: Array = numpy.quantile(numpy.lib.stride_tricks.sliding_window_view(dark, PART), MOSTLY, axis=1)
+    return found
 
 
 def _touching(one: Fitted, two: Fitted) -> bool:
