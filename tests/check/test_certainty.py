@@ -96,6 +96,12 @@ def test_a_mark_that_may_be_misread_is_asked_about_and_told() -> None:
     assert seen(astray, 0.0).verdict == "wrong"
 
 
+def test_a_lone_mark_far_off_is_asked_about() -> None:
+    """A mark is put where no mistake puts it hardly more often than another line's end is taken for it."""
+    asked = seen({**RIGHT, "s2": RIGHT["s2"] - 31 + 37j})
+    assert asked.verdict == "unreadable" and asked.sentence.key == "check_ask"
+
+
 def test_what_many_marks_show_is_sure_however_a_mark_is_read() -> None:
     for marks, verdict, mistake in (
         (RIGHT, "right", None),
