@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import statistics
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,8 +13,7 @@ from planes.check.vision.contrast import inked
 from planes.check.vision.picture import Flat, cv
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices, Points
 
-LETTER_MM, WORD_MM = 7.5, 16.0  # smaller separate marks of ink are letters; where letters touch, so is what is larger
-RUN_MM, TURNS, RUN_PX_PER_MM = 6.5, 24, 4.0  # but for what has a straight stroke so long; how that is looked for
+LETTER_MM = 7.5  # smaller separate marks of ink are letters
 SPECK_MM, USUAL_MM, LIKE = 1.5, 3.5, 1.3  # smaller ones are none; their usual size; how much larger one may be
 DARK = 0.4  # of a line's darkness: less is paper, a grid's line, or a line rubbed out
 LIGHT = 0.3  # of a line's darkness: is paper
@@ -76,10 +74,7 @@ def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
     """The ink of a flat picture, without letters and printed marks; a cross may be printed at a place."""
     shares, followed = inked(darkness(flat), flat.scale, 255 - PENCIL)
     ink = Ink(flat, 255 - shares, 255 - shares)
-    labels, sizes, boxes = _pieces(ink, ink.mask | followed)
-    for k in numpy.flatnonzero((sizes >= LETTER_MM) & (sizes < WORD_MM)).tolist():
-        if not _straight(labels[boxes[k]] == k, flat.scale):
-            sizes[k] = 0.0
+    labels, sizes = _pieces(ink, ink.mask | followed)
     ink.even = numpy.where(_spread((sizes >= LETTER_MM)[labels]), ink.whole, 255)
     if cross is not None:
         ink.letters = _joined(ink, cross, [mm for mm in sizes if SPECK_MM < mm < LETTER_MM])
@@ -112,32 +107,18 @@ def _joined(ink: Ink, cross: complex, letters: Sequence[float]) -> Booleans:
     for way in (1, -1, 1j, -1j):  # without the arms; lines are drawn from the cross's middle
         arm = numpy.array([ink.flat.px(cross + way * mm) for mm in (HEART_MM, ARM_MM)]).round().astype(numpy.int32)
         cv().polylines(mask, [arm], False, 0, round(2 * RIM_MM * ink.flat.scale))
-    parts, sizes, _ = _pieces(ink, mask)
+    parts, sizes = _pieces(ink, mask)
     return (parts > 0) & (sizes < LIKE * statistics.median(letters or [USUAL_MM]))[parts]
 
 
-def _straight(piece: Booleans, scale: float) -> bool:
-    """Whether there is a stroke in a piece of ink that is longer than those of letters."""
-    cv2, k = cv(), RUN_PX_PER_MM / scale
-    small = cv2.resize(piece.astype(numpy.float32), None, fx=k, fy=k, interpolation=cv2.INTER_AREA)
-    small = cv2.copyMakeBorder((small > 0).astype(numpy.uint8), *(1,) * 4, cv2.BORDER_CONSTANT, value=0)
-    half = RUN_MM * RUN_PX_PER_MM / 2
-    for turn in numpy.exp(1j * math.pi * numpy.arange(TURNS) / TURNS) * half:
-        run, end = numpy.zeros((2 * math.ceil(half) + 1,) * 2, numpy.uint8), math.ceil(half)
-        a, b = ((round(end + s * turn.real), round(end + s * turn.imag)) for s in (1, -1))
-        if cv2.erode(small, cv2.line(run, a, b, 1)).any():
-            return True
-    return False
-
-
-def _pieces(ink: Ink, mask: Greys) -> tuple[Indices, Array, list[tuple[slice, slice]]]:
-    """Separate pieces of ink: the number of each pixel's, how large each is, mm (0: no ink), and their boxes."""
+def _pieces(ink: Ink, mask: Greys) -> tuple[Indices, Array]:
+    """Separate pieces of ink: the number of each pixel's, and how large each is, mm (0: no ink)."""
     _, labels, stats, _ = cv().connectedComponentsWithStats(mask, connectivity=8)
     sizes = numpy.maximum(stats[:, 2], stats[:, 3]) / ink.flat.scale
     sizes[0] = 0.0
     if ink.flat.by == "marks":
         sizes[stats[:, 1] + stats[:, 3] < TITLE_MM * ink.flat.scale] = 0.0
-    return labels, sizes, [(slice(y, y + h), slice(x, x + w)) for x, y, w, h, _ in stats.tolist()]
+    return labels, sizes
 
 
 def _spread(where: Booleans) -> Booleans:
