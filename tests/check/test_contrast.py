@@ -13,7 +13,7 @@ import numpy as np
 
 from planes.check.vision.drawn_lines import lines_of, patches
 from planes.check.vision.ink import ink_of
-from planes.check.vision.line_fitting import Fitted
+from planes.check.vision.line_fitting import Fitted, Tip
 from planes.check.vision.picture import PX_PER_MM, Flat
 from planes.check.vision.rubbed_out import remaining
 from tests.physical.paper import PX_PER_MM as FINE
@@ -127,6 +127,16 @@ def test_a_long_light_construction_line_leaves_the_vector_on_it() -> None:
     flat = seen(paper)
     lines = remaining(flat, lines_of(ink_of(flat)) or [])
     assert any(off_ends(line, a, b) < 27 and line.length > 18 and abs(line.along.real) < 0.1 for line in lines)
+
+
+def test_what_is_no_ghost_is_left_as_it_was() -> None:
+    """With its head, the tip of which may stand a little beyond its line's end."""
+    paper = sheet()
+    triangle(paper, 1.0)
+    lines = lines_of(ink_of(seen(paper))) or []
+    for line in lines:
+        line.heads = [Tip(line.high + 0.3, 1, line.at(line.high + 0.3), 0.1, 3.0)]
+    assert remaining(seen(paper), lines) == lines
 
 
 @pytest.mark.parametrize(("word", "gap"), [("F_30", 44), ("F_30", 30), ("g30", 30), ("GS8", 34)])

@@ -30,11 +30,12 @@ def _left(line: Fitted, lines: Sequence[Fitted], parts: dict[int, Array]) -> Ite
     usual = max(numpy.quantile(parts[id(x)], MOSTLY) for x in lines if id(x) in parts and _touching(line, x))
     firm = numpy.flatnonzero(parts[id(line)] > GHOST * usual)
     if len(firm):
-        ends = line.low + STEP_MM * firm[0], line.low + STEP_MM * (firm[-1] + PART)
-        cut = [ends[0] - line.low > LONG_MM, line.high - ends[1] > LONG_MM]
-        low, high = ends[0] if cut[0] else line.low, ends[1] if cut[1] else line.high
+        low, high = line.low + STEP_MM * firm[0], line.low + STEP_MM * (firm[-1] + PART)
+        cut = [low - line.low > LONG_MM, line.high - high > LONG_MM]
         clear = [free and not short for free, short in zip(line.clear, cut, strict=True)]
-        yield replace(line, low=low, high=high, clear=clear, heads=[h for h in line.heads if low <= h.s <= high])
+        heads = [h for h in line.heads if not ((cut[0] and h.s < low) or (cut[1] and h.s > high))]
+        low, high = low if cut[0] else line.low, high if cut[1] else line.high
+        yield replace(line, low=low, high=high, clear=clear, heads=heads)
 
 
 def _darkness(flat: Flat, line: Fitted) -> Array:
