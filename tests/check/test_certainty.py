@@ -96,12 +96,6 @@ def test_a_mark_that_may_be_misread_is_asked_about_and_told() -> None:
     assert seen(astray, 0.0).verdict == "wrong"
 
 
-def test_a_lone_mark_far_off_is_asked_about() -> None:
-    """A mark is put where no mistake puts it hardly more often than another line's end is taken for it."""
-    asked = seen({**RIGHT, "s2": RIGHT["s2"] - 31 + 37j})
-    assert asked.verdict == "unreadable" and asked.sentence.key == "check_ask"
-
-
 def test_what_many_marks_show_is_sure_however_a_mark_is_read() -> None:
     for marks, verdict, mistake in (
         (RIGHT, "right", None),
@@ -134,6 +128,15 @@ def test_a_force_that_may_lie_in_the_line_of_another_is_not_said_to_be_missing(d
     spots = [ReadMark(n, z, 0.2, doubt) for n, z in rows.items()]
     found = check(confusion.bench("bntu-3", "force:2-3").asked, ReadPaper("t", spots))
     assert found.verdict == verdict and (found.mistake == "force_missing" or verdict == "unreadable")
+
+
+def test_a_weight_may_not_hide_where_only_known_forces_lie_in_its_line() -> None:
+    """Where all that is drawn in its line is known, the polygon shows whether it is there, in whatever order."""
+    easel = confusion.easel("six-link", "force:4-5")
+    paper = confusion.hand_in(easel, Mistake("weight_missing", "G_5"), SHAKY, random.Random(1))
+    paper.spots = [replace(s, doubt=MISREAD) for s in paper.spots]
+    found = check(confusion.bench("six-link", "force:4-5").asked, paper)
+    assert (found.verdict, found.mistake, found.first_wrong) == ("wrong", "weight_missing", "G_5")
 
 
 def test_what_nobody_has_seen_is_not_called_right(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
