@@ -130,6 +130,15 @@ def test_a_force_that_may_lie_in_the_line_of_another_is_not_said_to_be_missing(d
     assert found.verdict == verdict and (found.mistake == "force_missing" or verdict == "unreadable")
 
 
+def test_a_weight_may_not_hide_where_only_known_forces_lie_in_its_line() -> None:
+    """Where all that is drawn in its line is known, the polygon shows whether it is there, in whatever order."""
+    easel = confusion.easel("six-link", "force:4-5")
+    paper = confusion.hand_in(easel, Mistake("weight_missing", "G_5"), SHAKY, random.Random(1))
+    paper.spots = [replace(s, doubt=MISREAD) for s in paper.spots]
+    found = check(confusion.bench("six-link", "force:4-5").asked, paper)
+    assert (found.verdict, found.mistake, found.first_wrong) == ("wrong", "weight_missing", "G_5")
+
+
 def test_what_nobody_has_seen_is_not_called_right(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "v.csv"
     file.write_text(csv({n: z for n, z in RIGHT.items() if n != "s2"}), encoding="utf-8")

@@ -11,10 +11,11 @@ pytest.importorskip("cv2")
 import cv2
 import numpy as np
 
-from planes.check.vision.drawn_lines import lines_of
+from planes.check.vision.drawn_lines import lines_of, patches
 from planes.check.vision.ink import ink_of
-from planes.check.vision.line_fitting import Fitted
+from planes.check.vision.line_fitting import Fitted, Tip
 from planes.check.vision.picture import PX_PER_MM, Flat
+from planes.check.vision.rubbed_out import remaining
 from tests.physical.paper import PX_PER_MM as FINE
 from tests.physical.paper import Paper
 from tests.physical.setting import Setting
@@ -97,6 +98,56 @@ def test_what_was_rubbed_out_is_no_line(end: complex) -> None:
     draw(paper, CORNERS[2], end, (0.9, 0.9))
     paper.colour = (0.8 * before + 0.2 * paper.colour).astype(np.uint8)
     assert len(lines_on(paper)) == 3
+
+
+def ghost(paper: Paper, a: complex, b: complex, left: float) -> None:
+    """A line rubbed out, a share of its darkness left."""
+    before = paper.colour.astype(float)
+    draw(paper, a, b)
+    paper.colour = ((1 - left) * before + left * paper.colour).astype(np.uint8)
+
+
+@pytest.mark.parametrize("end", [CORNERS[1] + 0.5 * (CORNERS[1] - CORNERS[0]), 92 + 66j, 88 + 36j])
+def test_a_ghost_is_told_from_the_line_it_goes_on_from(end: complex) -> None:
+    """A third as dark, a ghost ends where the drawing does, in line with a side of it or not; its rest is no line."""
+    paper = sheet()
+    triangle(paper, 1.0)
+    ghost(paper, CORNERS[1], end, 0.36)
+    flat = seen(paper)
+    lines = [line for line in remaining(flat, lines_of(ink_of(flat)) or []) if line.length > 6]
+    assert len(lines) == 3 and all(abs(z - end) > 9 for line in lines for z in line.ends)
+
+
+def test_a_long_light_construction_line_leaves_the_vector_on_it() -> None:
+    paper = sheet()
+    triangle(paper, 1.0)
+    a, b = CORNERS[0], CORNERS[0] + 20j
+    draw(paper, a, a + 45j, (0.5, 0.5))
+    draw(paper, a, b)
+    flat = seen(paper)
+    lines = remaining(flat, lines_of(ink_of(flat)) or [])
+    assert any(off_ends(line, a, b) < 27 and line.length > 18 and abs(line.along.real) < 0.1 for line in lines)
+
+
+def test_what_is_no_ghost_is_left_as_it_was() -> None:
+    """With its head, the tip of which may stand a little beyond its line's end."""
+    paper = sheet()
+    triangle(paper, 1.0)
+    lines = lines_of(ink_of(seen(paper))) or []
+    for line in lines:
+        line.heads = [Tip(line.high + 0.3, 1, line.at(line.high + 0.3), 0.1, 3.0)]
+    assert remaining(seen(paper), lines) == lines
+
+
+@pytest.mark.parametrize(("word", "gap"), [("F_30", 44), ("F_30", 30), ("g30", 30), ("GS8", 34)])
+def test_letters_that_touch_are_not_ink_of_the_plan(word: str, gap: int) -> None:
+    """Each letter is close upon the one before, so that together they are as large as a line."""
+    paper = sheet()
+    triangle(paper, 1.0)
+    for k, letter in enumerate(word):
+        cv2.putText(paper.colour, letter, (130 + k * gap, 200), cv2.FONT_HERSHEY_SIMPLEX, 2.2, GRAPHITE, 9)
+    ink = ink_of(seen(paper))
+    assert not patches(ink, lines_of(ink) or [])
 
 
 def smear(paper: Paper) -> None:

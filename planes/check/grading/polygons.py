@@ -19,7 +19,7 @@ from planes.words.errors import PlanesError
 from planes.words.names import POLE, Names, kind_of, label_of, mu_of, plan_of
 
 Vectors = dict[str, ReadMark]  # a person's
-IN_LINE = 0.05  # the sine of the angle between vectors of one line
+IN_LINE, AS_LONG = 0.05, 0.9  # between vectors of one line, the tangent of the angle; how long one is to hide another
 NO_VECTOR = ReadMark("", 0j, 0.0)
 
 
@@ -42,14 +42,15 @@ class Rebuilt:
     absent: set[str] = field(default_factory=set)  # known forces that are not there
     unknown: list[str] = field(default_factory=list)
     vectors: list[ReadMark] = field(default_factory=list)  # as they were read
+    closers: set[str] = field(default_factory=set)  # those that may be of any length
 
     def confused(self, missing: complex | None) -> bool:
         """Whether vectors that were told by their likeness, as on a picture, may as well be others: where no mistake
-        explains them, or the one said to be ``missing`` may lie in the line of a longer one."""
+        explains them, or the one said to be ``missing`` may lie within one that takes up its length."""
         if not any(v.doubt for v in self.vectors):
             return False
-        lines = (abs((v.place.conjugate() * missing).imag) / abs(v.place) for v in self.vectors if missing and v.place)
-        return missing is None or any(aside < IN_LINE * abs(missing) for aside in lines)
+        over = (v.place / missing for v in self.vectors if missing and v.name in self.closers)
+        return missing is None or any(z.real > AS_LONG and abs(z.imag) < IN_LINE * z.real for z in over)
 
 
 def sides_of(plans: Plans, plan: str) -> list[Side]:
@@ -82,8 +83,9 @@ def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], whole: bool = Tr
             old, error = vectors.get(name, NO_VECTOR), (before.error_mm**2 + spot.error_mm**2) ** 0.5
             vector, doubt = old.place + spot.place - before.place, max(spot.doubt, old.doubt)
             vectors[name] = ReadMark(name, vector, max(error, old.error_mm), doubt)
-    out.vectors = [*vectors.values()]
-    _lay(out, sides, vectors, loads_of(plans, plan), whole)
+    loads, out.vectors = loads_of(plans, plan), [*vectors.values()]
+    out.closers = {name for name, side in sides.items() if side.end not in loads}
+    _lay(out, sides, vectors, loads, whole)
     return out
 
 

@@ -45,7 +45,7 @@ def _unsure_marks(grading: Grading) -> list[str]:
     found = grading.judgement
     wrong = grading.chance_wrong if grading.strays else 1 - grading.chance_wrong
     doubted = [m for m in found.misses if grading.hand.taken[m].doubt]
-    if wrong >= ASKED or not doubted:
+    if wrong > ASKED or not doubted:
         return []
     odd = sorted(doubted, key=lambda m: (m not in found.wrong[:1], -found.misses[m].sigmas))
     return [m for m in odd if m in found.wrong or found.misses[m].sigmas > WARN][:MOST_ASKED] or odd[:1]

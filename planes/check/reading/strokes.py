@@ -85,8 +85,8 @@ class ReadDrawing:
         for a, b in pairwise(line):
             if cmath.isfinite(a) and cmath.isfinite(b) and abs(b - a) > 0.02:
                 (self.strokes if abs(b - a) >= SHORT_MM else self.short).append((a, b))
-        for held, most in ((self.strokes, MOST), (self.short, MOST_SHORT)):
-            if len(held) > most:
+        for count, most in ((len(self.strokes) + len(self.passed), MOST), (len(self.short), MOST_SHORT)):
+            if count > most:
                 raise too_many(self.file, "strokes", most)
 
 

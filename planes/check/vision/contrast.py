@@ -24,12 +24,12 @@ FINE = 64  # parts of a grey in which they are counted, in whole numbers: half t
 ANGLES = 12
 ALONG_MM, ACROSS_MM, ASIDE_MM = 3.0, 0.2, 0.85  # of a line that is felt: its length, σ of its width, where paper is
 TILE_MM, COVERED, ABOVE = (20.0, 0.93, 1.6)  # paper: in most parts of a sheet this share is felt less; a line, more
-PLAIN, FIRM, FAINTEST = 0.4, 0.28, 0.06  # of a usual line: what is plainly drawn, not faint, and nothing anywhere
+PLAIN, FIRM, FAINTEST = 0.4, 0.34, 0.06  # of a usual line: what is plainly drawn, not faint, and nothing anywhere
 FOREMOST = 0.9  # of what is felt at any angle, at a line's own
 APART, AMONG, AMONG_MM = 0.5, 0.5, 1.5  # of a stroke's ink, what its darker side lacks; of the most about it, a stroke
 STROKE_MM, LONG_MM = 5.0, 7.5  # of what is plainly drawn; of lines that tell what is usual
 FEW, MAINLY, USUAL = 60, 0.7, 65.0 * FINE  # places that tell it, the share rubbed out or less; a firm pencil
-TAIL_MM = 7.0  # a line that is faint for longer was rubbed out
+TAIL_MM, ENDS = 7.0, 0.5  # a line that is faint for longer was rubbed out; how far apart are the strokes it leads to
 NEAR_MM, BESIDE_MM = 1.0, 0.5  # how far what is followed goes on under other ink; how far aside its ink is
 PEAK, SHARPEST, EVEN = 1.35, 2.5, 0.85  # how much darker a line's middle is than it is felt: of a pencil's line, of a
 # thin one; of the darkest middle, what counts
@@ -150,13 +150,15 @@ class FeltLines:
 def _drop_long(whole: Booleans, faint: Booleans, plain: Booleans) -> None:
     """Take out of a line what is faint for long and does not lead from stroke to stroke."""
     strokes, _ = _parts(whole & ~faint)
-    drawn = numpy.unique(strokes[plain & whole])
+    drawn = numpy.setdiff1d(strokes[plain & whole], 0)
     parts, boxes = _parts(faint)
     for k, box in enumerate(boxes):
         if k and max(box[2:]) > TAIL_MM * PX_PER_MM:
             place = _box(box, 1)
             about = cv().dilate((parts[place] == k).view(numpy.uint8), numpy.ones((3, 3), numpy.uint8)) > 0
-            if numpy.isin(numpy.unique(strokes[place][about]), drawn).sum() < 2:
+            met = about & numpy.isin(strokes[place], drawn)
+            ends = numpy.argwhere(met)
+            if len(numpy.unique(strokes[place][met])) < 2 or numpy.ptp(ends, axis=0).max() < ENDS * max(box[2:]):
                 whole[place] &= parts[place] != k
 
 

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 import numpy
 
 from planes.check.vision.arrow_tips import find_heads
-from planes.check.vision.ink import DARK, Ink
+from planes.check.vision.ink import DARK, LETTER_MM, Ink
 from planes.check.vision.line_fitting import Fitted, fitted
 from planes.check.vision.picture import Flat, cv
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys
@@ -237,10 +237,11 @@ def straight_through(part: Complexes) -> tuple[Edge, float]:
 
 
 def patches(ink: Ink, lines: Sequence[Fitted]) -> list[complex]:
-    """Places half a millimetre apart in larger pieces of ink that are on no line."""
+    """Places half a millimetre apart in larger pieces of ink that are on no line, and no letters."""
     found: list[complex] = []
     for part in left_over(ink, lines):
-        if max(numpy.ptp(part.real), numpy.ptp(part.imag)) > LARGE_MM:
+        size = max(numpy.ptp(part.real), numpy.ptp(part.imag))
+        if size > LARGE_MM and (size > LETTER_MM or straight_through(part)[1] < STRAIGHT_MM):
             cells = numpy.unique(numpy.round(part.real / CELL_MM) + 1j * numpy.round(part.imag / CELL_MM))
             found += (cells * CELL_MM).tolist()
     return found

@@ -17,6 +17,7 @@ from planes.check.vision.heads import head_at
 from planes.check.vision.ink import Ink, ink_of
 from planes.check.vision.line_fitting import Fitted
 from planes.check.vision.picture import Flat
+from planes.check.vision.rubbed_out import remaining
 from planes.geometry.arrays import Complexes
 from planes.words import Phrase
 from planes.words.names import kind_of, label_of
@@ -26,14 +27,12 @@ CLEAR_MM, DIM_MM = 0.2, 1.2  # σ along a line of an end that stands free, of on
 HEAD_MM, TIP_REACH_MM = 1.0, 1.5  # how far an arrowhead's tip may be from where it belongs, and from its line's end
 HIDDEN_MM = 9.0  # the most of a line's end that is hidden in another line's ink
 PASSING_MM = 0.3  # σ of what was put on a line, off it
-TIP_MM = 0.3  # σ of a head's tip that was only looked for
-CLOSER_MM = 2.0  # how far from where a vector should end its head is looked for
+TIP_MM, CLOSER_MM = 0.3, 2.0  # σ of a head's tip that was only looked for; how far from a vector's end it is
 HEADED_MM = 4.5  # shorter vectors have no head, twice as long ones surely do
 HEADS = 3  # that tell how long all are
 BEYOND_MM, LONGER = 4.0, 0.4  # how far past its end a line is looked for, and the share of ink by which it goes on
-SAME_MM = 0.4  # places nearer than this are one
+SAME_MM, REACH_MM = 0.4, 2.5  # places nearer than this are one; of a true mark, when the pole is looked for
 POLE_MM = 0.06  # σ of the place where a line from the pole begins, about the pole
-REACH_MM = 2.5  # of a true mark, when the pole is looked for
 WOBBLE_MM = 0.2  # σ of what a hand's wobble and bow do to any mark
 LOOKED_FOR = 1.7  # how much less sure a person's mark is than the tip it was told by
 MANY, APART_MM = 3, 15.0  # marks that fit elsewhere by no chance; how far off that is another drawing
@@ -138,7 +137,8 @@ def sheet_of(flat: Flat, cross: complex | None = None) -> Seen | None:
     """What is seen on a flat picture with a cross printed at a place; None if more lines than a plan can have."""
     ink = ink_of(flat, cross)
     lines = lines_of(ink)
-    return None if lines is None else Seen(ink, lines, places_of(lines), patches(ink, lines))
+    drawn = remaining(flat, lines or [])
+    return None if lines is None else Seen(ink, drawn, places_of(drawn), patches(ink, lines))
 
 
 def crossing(one: Fitted, two: Fitted) -> complex | None:
