@@ -1,7 +1,5 @@
 """The instrument of many digits: the same steps with mpmath's long numbers, one position at a time; the truth."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any

@@ -4,8 +4,6 @@ Memory is that of one block, however many values there are. A position that cann
 in what depends on what failed. Long runs go through the compiled loop (``compiled``) where it is installed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Long tables written block by block: CSV, NumPy (.npy, .npz), Parquet. A file appears when it is whole."""
 
-from __future__ import annotations
-
 import zipfile
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress

@@ -1,7 +1,5 @@
 """Record a program on a tape: the very steps that draw are drawn once with the numbers of ``symbols``."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field

@@ -3,8 +3,6 @@
 Bad input is one sentence and exit status 2.
 """
 
-from __future__ import annotations
-
 import argparse
 import io
 import re

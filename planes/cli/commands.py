@@ -1,7 +1,5 @@
 """The commands that have no module of their own: each imports what it needs when it is run."""
 
-from __future__ import annotations
-
 import json
 import os
 import sys

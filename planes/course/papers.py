@@ -1,8 +1,6 @@
 """What a student and a teacher read, as blocks of a note: the task, the answers. A scheme that must not give the answer
 away is shown in a position that reads well, not in the one asked."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from itertools import combinations

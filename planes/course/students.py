@@ -1,8 +1,6 @@
 """The list of students: plain names a line each, or a table with a head; what may not stand in it; and who gets what:
 assignments in turn, the variants of each in order, drawn numbers once they have run out."""
 
-from __future__ import annotations
-
 import csv
 import re
 import unicodedata

@@ -1,7 +1,5 @@
 """The whole calculation of a scene, in the order of the text."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

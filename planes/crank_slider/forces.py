@@ -4,8 +4,6 @@ The text's moment equation lacks the crank's torque, and its balance of the rod 
 the slider's push N follows from moments of rod and slider about A, then everything else by adding up forces.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

@@ -5,8 +5,6 @@ The text's (3) holds for steady rotation only; here it has the terms with ε too
 crank stands across the guide (cos φ = 0); here ω_AB is taken from (5*), which has no such place.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The chapters of given data, kinematics and kinetostatics."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from types import SimpleNamespace

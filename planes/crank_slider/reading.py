@@ -1,7 +1,5 @@
 """Reads ``crank_slider:``; every value is checked, every refusal is a sentence with its line."""
 
-from __future__ import annotations
-
 import math
 
 from planes.crank_slider.given import UNITS, Concentration, Counterweights, Given, Limits, PistonPin, Shaft, Speed

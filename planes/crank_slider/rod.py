@@ -1,7 +1,5 @@
 """The rod (compression, bending by its own inertia, buckling) and the piston pin (bending, shear, pressure)."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

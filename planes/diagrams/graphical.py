@@ -7,8 +7,6 @@ of ordinates is carried to the middle of its section. Similar triangles give the
 of a section is carried to the axis, and a parallel to the ray from P through it continues the curve over the section.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field

@@ -1,7 +1,5 @@
 """The roof over both houses: solves a scene, has its sheet composed, and writes the file."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path

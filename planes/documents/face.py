@@ -1,7 +1,5 @@
 """What ``import planes`` gives: a scene solved, turned, drawn and checked, as one would type it in a notebook."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from itertools import product
 from pathlib import Path

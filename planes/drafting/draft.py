@@ -4,8 +4,6 @@ A :class:`Draft` grows a program in the order a draughtsman would draw it. Each 
 the name back; asking twice for the same direction makes one step.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 from planes.drafting.equations import Equation, Term

@@ -4,8 +4,6 @@ The state of a term is the textbook's underlining: two lines for a vector known 
 vector of which one of the two is known (Chace, 1963; Bauman conventions of the underlines).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Literal

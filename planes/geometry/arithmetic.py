@@ -3,8 +3,6 @@
 The geometry of ``plane`` and the steps are written once and given one of these.
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 from typing import Any, Protocol

@@ -1,7 +1,5 @@
 """From a mechanism to all it asks for: one program, its givens, and where each result is read."""
 
-from __future__ import annotations
-
 from collections.abc import Container, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Which of two assemblies is meant: the words of the scene, or the root nearer to a place, as ±1 of each group."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from planes.drafting.draft import Draft

@@ -4,8 +4,6 @@
 guide and Y is the point of the mate that coincides with X. All five kinds of class II are two such legs.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from planes.plans.bodies import SCHEME, Bodies, BodyPoint

@@ -1,8 +1,6 @@
 """What is read off a drawing: results by name, in SI, with the segments they were measured on; and how its plans and
 their names are told."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 

@@ -1,7 +1,5 @@
 """Position plans: the driver, then each group by засечки, as vector equations for the drafting core."""
 
-from __future__ import annotations
-
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Touch
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint, angle_deg, difference

@@ -4,8 +4,6 @@ Sources: Chebyshev's W = 3n - 2p₁ and Reshetov's q = W - 6n + 5p₁ for one-fr
 class II in the five kinds of Artobolevsky.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal

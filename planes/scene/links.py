@@ -1,7 +1,5 @@
 """The frame and the links of a scene: their points, guides, slides and masses."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from types import MappingProxyType
 

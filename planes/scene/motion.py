@@ -1,7 +1,5 @@
 """What moves and loads a mechanism of a scene: assembly, drive, loads, friction."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import cast
 

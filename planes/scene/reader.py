@@ -1,7 +1,5 @@
 """How any value of a scene is read: numbers, names, places, tables with known keys, each with its refusal."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 

@@ -1,7 +1,5 @@
 """The parts of a scene around the mechanism: parameters and variants, words, scales, the sheet."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 

@@ -1,7 +1,5 @@
 """A scene without a mechanism: vectors of which something is given, and the equations that tie them."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 from itertools import pairwise

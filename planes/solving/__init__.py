@@ -1,7 +1,5 @@
 """Solve a scene for one or many values of its drive: what ``planes solve`` prints, as plain dictionaries."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The one table of words: every sentence and label meant for people, a folder a language, a file a room."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Iterable

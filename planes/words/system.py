@@ -1,7 +1,5 @@
 """What the operating system says of a failure, in Russian; and the language it speaks."""
 
-from __future__ import annotations
-
 import errno
 import json
 import locale

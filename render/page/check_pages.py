@@ -4,8 +4,6 @@ A report has layers, a table of steps, marks to move and judge anew. A class tel
 whose, and a row for each, sorted at will. Tracing paper lies over a picture that is opened in the page, sent nowhere.
 """
 
-from __future__ import annotations
-
 import html
 from collections.abc import Mapping, Sequence
 from typing import Any

@@ -1,7 +1,5 @@
 """A wrong place of a drawing in two windows side by side: as it was drawn, and with the right construction upon it."""
 
-from __future__ import annotations
-
 import html
 from collections.abc import Sequence
 

@@ -4,8 +4,6 @@
 else is markup: a bare ``_`` or ``^`` is drawn as it stands.
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 import re

@@ -1,7 +1,5 @@
 """Rectangles put into a field one after the other, each into a corner of a free rectangle; all in mm."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Tables of given and found values as marks: a title, a head, rows between thin lines."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Callable, Mapping, Sequence

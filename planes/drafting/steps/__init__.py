@@ -1,7 +1,5 @@
 """The steps of a drawing, each a draughtsman's verb: here those that always can be done, with the crossings."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar
 

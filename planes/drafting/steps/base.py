@@ -5,8 +5,6 @@ drawn by an instrument (``tool``), which owns the arithmetic, the errors of hand
 so the same step serves one position or an array of many.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from typing import ClassVar, Literal
 

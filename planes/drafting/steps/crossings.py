@@ -1,7 +1,5 @@
 """Where two lines, a line and an arc, or two arcs meet, and the tangent to a circle: the steps that can fail."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar
 

@@ -1,7 +1,5 @@
 """Steps that read a drawing and reckon with what was read: measuring, arms, arithmetic, senses, choices."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
