@@ -129,15 +129,11 @@ def shares(course: Course) -> tuple[Share, ...]:
     ]
     taken = {(a.name, s.variant) for s, a, _ in wanted}  # variants somebody has asked for
     free = {a.name: iter([v for v in a.variants if (a.name, v) not in taken]) for a in course.assignments}
-    return tuple(
-        Share(
-            s,
-            a,
-            s.variant or (next(free[a.name], None) if course.given_first else None),
-            f"{place}/{a.name}" if course.each > 1 else place,
-        )
-        for s, a, place in wanted
-    )
+
+    def variant(s: Student, a: Assignment) -> str | None:
+        return s.variant or (next(free[a.name], None) if course.given_first else None)
+
+    return tuple(Share(s, a, variant(s, a), f"{p}/{a.name}" if course.each > 1 else p) for s, a, p in wanted)
 
 
 def _assignments(course: Course, student: Student, number: int) -> list[Assignment]:
