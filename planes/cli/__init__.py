@@ -15,9 +15,8 @@ from itertools import pairwise
 from typing import Any, NoReturn
 
 from planes.cli.options import EITHER, OF_SCENE, OPTIONS, POSITIONED, POSITIONS, Option
-from planes.words import Lang, Phrase, say, table
+from planes.words import Lang, Phrase, home_lang, say, table
 from planes.words.errors import PlanesError
-from planes.words.system import home_lang
 
 APART = {"check": "check", "blank": "check", "cycle": "cycle"}
 """Commands with a module of their own; the others are together in ``commands``."""

@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import dataclass
-from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -147,8 +146,7 @@ def _agreement(
     given: Given, points: RodMotion, plane: RodMotion, found: Found, f: CycleForces, done: Work
 ) -> Agreement:
     w, r = given.shape.omega, given.shape.r
-    rods: dict[str, RodMotion] = {"points": points, "plane": plane, "plans": found}
-    ways = {f"{one}_{two}": (rods[one], rods[two]) for one, two in combinations(rods, 2)}
+    ways = {"points_plane": (points, plane), "points_plans": (points, found), "plane_plans": (plane, found)}
     velocity = {k: apart(a.v, b.v, w * r) for k, (a, b) in ways.items()}
     acceleration = {k: apart(a.a, b.a, w**2 * r) for k, (a, b) in ways.items()}
     omega = {k: _largest(a.omega - b.omega) / w for k, (a, b) in ways.items()}

@@ -95,11 +95,11 @@ def _nearer(
 def _question(draft: Draft, program: Program, choice: AssemblyChoice, more: bool) -> Phrase:
     """What the scene does not say, and the words that say it; ``more`` if there is an assembly to add them to."""
     g, words = choice.group, WORDS_OF_KIND[choice.group.kind]
-    offer = "assembly_more" if more else "assembly_offer"
-    offers = [Phrase(offer, key=choice.key, word=word) for word in words]
+    own, placed = ("assembly_more", "assembly_more_at") if more else ("assembly_offer", "assembly_offer_at")
+    offers = [Phrase(own, key=choice.key, word=word) for word in words]
     if g.kind != 3:
         for side, place in _places(draft, program, choice, choice.key):
             index = 0 if side > 0 else 1
-            offers[index] = Phrase(f"{offer}_at", key=choice.key, word=words[index], x=place.real, y=place.imag)
+            offers[index] = Phrase(placed, key=choice.key, word=words[index], x=place.real, y=place.imag)
     key = "two_more_assemblies" if more else "two_assemblies"
     return Phrase(key, links=g.links, name=g.name, offers=tuple(offers))
