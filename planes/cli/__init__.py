@@ -142,10 +142,6 @@ class CommandParser(Parser):
         """The line with the number an option has by itself, where the word after it is none."""
         lone = {name: one for one in self._actions if one.nargs == "?" for name in one.option_strings}
         return [
-            f"{word}={lone[word].const}" if word in lone and not _is_whole(after) else word
+            f"{word}={lone[word].const}" if word in lone and not after.lstrip("-").isdecimal() else word
             for word, after in pairwise([*args, ""])
         ]
-
-
-def _is_whole(word: str) -> bool:
-    return word.lstrip("-").isdecimal()
