@@ -121,12 +121,8 @@ class Share:
 
 def shares(course: Course) -> tuple[Share, ...]:
     """What everybody gets, in the order of the list."""
-    places = _places(course.students)
-    wanted = [
-        (s, a, p)
-        for k, (s, p) in enumerate(zip(course.students, places, strict=True))
-        for a in _assignments(course, s, k)
-    ]
+    placed = enumerate(zip(course.students, _places(course.students), strict=True))
+    wanted = [(s, a, p) for k, (s, p) in placed for a in _assignments(course, s, k)]
     taken = {(a.name, s.variant) for s, a, _ in wanted}  # variants somebody has asked for
     free = {a.name: iter([v for v in a.variants if (a.name, v) not in taken]) for a in course.assignments}
 
