@@ -3,8 +3,6 @@
 A signal becomes an exit from wherever the program is, so that every draft goes away; the status is 128 and its number.
 """
 
-from __future__ import annotations
-
 import os
 import signal
 import sys

@@ -4,8 +4,6 @@ Nothing of the program depends on this. Unknowns are the pose (x, y, angle) of e
 places coincide, a slider that it stands on its guide and does not turn against it.
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """A mechanism set up so that every way of computing it can be tried at the same positions."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property

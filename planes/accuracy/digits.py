@@ -1,18 +1,16 @@
 """The instrument of many digits: the same steps with mpmath's long numbers, one position at a time; the truth."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
 from planes.drafting.tools import Tool
-from planes.geometry.arithmetic import Point, Real, Truth
+from planes.geometry.arithmetic import One, Point, Real
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
 
-class Long:
+class Long(One):
     """An arithmetic of ``digits`` decimal digits."""
 
     def __init__(self, digits: int) -> None:
@@ -30,19 +28,8 @@ class Long:
             return self.mp.mpc(x)
         return self.mp.mpf(x) if isinstance(x, float | int) and not isinstance(x, bool) else x
 
-    size = staticmethod(abs)
-
     def sqrt(self, x: Real) -> Real:
         return self.mp.sqrt(x) if x > 0 else self.mp.zero
-
-    def maximum(self, a: Real, b: Real) -> Real:
-        return a if a >= b else b
-
-    def minimum(self, a: Real, b: Real) -> Real:
-        return a if a <= b else b
-
-    def where(self, ok: Truth, a: Point, b: Point) -> Point:
-        return a if ok else b
 
     def cis_deg(self, angle: Real) -> Point:
         """cos + i sin of an angle in degrees, exact at quarter turns."""

@@ -4,8 +4,6 @@ Of an exact drawing it is a bound; of a pencil's how far it scatters, the covari
 carried to first order.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace

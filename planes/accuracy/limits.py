@@ -4,8 +4,6 @@ It is looked for along the drive; where the drive meets none, along a length or 
 the drive stands where its crossings are bluntest. A limit is known to 50 digits.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Speed and accuracy of every way to compute a mechanism: measured on the spot against 50 digits."""
 
-from __future__ import annotations
-
 import math
 import os
 import platform

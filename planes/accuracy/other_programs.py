@@ -4,8 +4,6 @@ pylinkage computes places, velocities and accelerations of cranks and of RRR and
 compiled path; kinepy computes places of any group, velocities and accelerations being left to differences.
 """
 
-from __future__ import annotations
-
 import cmath
 import contextlib
 import importlib.metadata

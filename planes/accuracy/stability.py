@@ -1,7 +1,5 @@
 """How every method behaves on the way to a limit: errors, sharpness and claims against the distance."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """The same mechanism with a length, or the angle of a guide, made otherwise."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import replace
 

@@ -4,8 +4,6 @@ Memory is that of one block, however many values there are. A position that cann
 in what depends on what failed. Long runs go through the compiled loop (``compiled``) where it is installed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -122,11 +120,6 @@ class Cycle:
         return Claims(self)
 
     @cached_property
-    def dim(self) -> bool:
-        """Whether no position is clear of rounding."""
-        return far_apart(self.plans.given, self.plans.means)
-
-    @cached_property
     def compiled(self) -> compiled_loop.Bound:
         """The compiled loop."""
         loop = compiled_loop.fuse(self.trace, (self.plans.drive_given, *self.moved))
@@ -164,17 +157,13 @@ class Cycle:
         """The table by the compiled loop, and the codes (None: nothing failed); what it suspects is drawn by arrays."""
         moving = self.moving(part, at)
         table, codes = self.compiled(np.array([moving[name] for name in self.compiled.fused.inputs]))
-        if codes is None or not (suspect := np.isin(codes, self._suspected)).any():
+        undecided = [k for k, r in enumerate(self.reasons, 1) if r.key in self.trace.proofs]
+        if codes is None or not (suspect := np.isin(codes, undecided)).any():
             return table, codes
         some = {name: np.asarray(v)[suspect] for name, v in moving.items()}
         table[:, suspect], found = self._drawn(some, int(suspect.sum()), None)
         codes[suspect] = 0 if found is None else found
         return table, codes if codes.any() else None
-
-    @cached_property
-    def _suspected(self) -> list[int]:
-        """The codes of what the compiled loop cannot decide."""
-        return [k for k, r in enumerate(self.reasons, 1) if r.key in self.trace.proofs]
 
     def _drawn(
         self, moving: Mapping[str, Floats], count: int, instrument: Instrument | None
@@ -190,9 +179,8 @@ class Cycle:
                 row[:] = column.take(drawing.things, drawing.tool.ar)
         numbered = {(r, makes): k for k, (r, makes, _) in enumerate(self.trace.requires, 1)}
         whole = np.array([not c.beside for c in self.columns])
-        codes = np.where(
-            clear(self.program, drawing.things, drawing.tool, self.forces), 0, numbered.get((UNCLEAR, ""), 0)
-        )
+        plain = clear(self.program, drawing.things, drawing.tool, self.forces)
+        codes = np.where(plain, 0, numbered.get((UNCLEAR, ""), 0))
         codes = np.where(np.isfinite(table[whole].sum(axis=0)), codes, numbered.get(("no_digits", ""), 0))
         for reason, step, ok, _ in reversed(drawing.tool.failures):
             codes = np.where(ok, codes, numbered[reason, getattr(step, "makes", "")])
@@ -208,7 +196,8 @@ class Cycle:
 
     def _looked_at(self, block: Block, start: int, bare: bool) -> Block:
         """The block with NaN for numbers without digits, where it is not clear."""
-        where = np.flatnonzero((block.codes == len(self.reasons) + 1) | (block.codes == 0) & self.dim)
+        dim = far_apart(self.plans.given, self.plans.means)  # no position is clear of rounding
+        where = np.flatnonzero((block.codes == len(self.reasons) + 1) | (block.codes == 0) & dim)
         block.codes[where] = 0
         if len(where) and not bare:
             found = self.claims.bounds(block.values[where], start + where)
@@ -224,9 +213,8 @@ class Cycle:
         for block in blocks:
             claimed = claims.bounds(block.values, start + np.arange(len(block.values)))
             start += len(block.values)
-            yield Block(
-                block.values, np.vstack([block.table, np.where(np.isnan(block.table), np.nan, claimed)]), block.codes
-            )
+            both = np.vstack([block.table, np.where(np.isnan(block.table), np.nan, claimed)])
+            yield Block(block.values, both, block.codes)
 
     @cached_property
     def _after(self) -> dict[str, list[int]]:

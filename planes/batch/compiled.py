@@ -85,9 +85,8 @@ def fuse(trace: Trace, inputs: tuple[str, ...]) -> Fused:
     rows = [places[name] for name in inputs if name in places]
     row = row_of(len(rows) + len(trace.outputs) + 1)
     moving = [p for p in order if p in moved]
-    surely = tape.needed(
-        [*trace.outputs, *(place for reason, _, place in trace.requires if reason not in trace.proofs)]
-    )
+    tested = (place for reason, _, place in trace.requires if reason not in trace.proofs)
+    surely = tape.needed([*trace.outputs, *tested])
     rough = frozenset(moving).difference(surely)
     text = module(tape, moving, rows, list(fixed), list(trace.outputs), codes, rough, row + EXTRA)
     return Fused(trace, tuple(n for n in inputs if n in places), fixed, text, row)

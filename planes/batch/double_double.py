@@ -4,8 +4,6 @@ the first (T. J. Dekker, A floating-point technique for extending the available 
 A tape read in them is the truth of many positions at once, some 10⁻³¹ of the largest number that entered a result.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Mapping
 

@@ -4,8 +4,6 @@ Everything is branchless, with sines and arctangents as polynomials, so that the
 once. Coefficients are those of fdlibm (Sun Microsystems, 1993), correct to within one unit of the last place.
 """
 
-from __future__ import annotations
-
 import struct
 
 from planes.geometry.error_free import EPS

@@ -3,8 +3,6 @@
 Everything is branchless, so that the compiler takes several positions at once.
 """
 
-from __future__ import annotations
-
 from planes.batch.llvm_functions import Lines, arctangent, cosine, gap, literal, sine
 from planes.batch.tape import TESTS, Tape
 

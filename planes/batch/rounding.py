@@ -1,7 +1,5 @@
 """What one operation of a tape loses: its rounding, and what its slopes say nothing of."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

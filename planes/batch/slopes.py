@@ -3,8 +3,6 @@
 Errors that cancel are left to cancel: each has its own row of slopes, from where it is made to the last result.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np

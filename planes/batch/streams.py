@@ -1,13 +1,11 @@
 """Long tables written block by block: CSV, NumPy (.npy, .npz), Parquet. A file appears when it is whole."""
 
-from __future__ import annotations
-
 import zipfile
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from tempfile import TemporaryFile
-from typing import IO, Protocol
+from typing import IO, Any, Protocol
 
 import numpy as np
 
@@ -37,11 +35,6 @@ class TableHead:
         self.columns = [drive, *columns]
         self.reasons = ["", *(f"{r.key}: {r.makes}" if r.makes else r.key for r in reasons)]
 
-    @property
-    def titles(self) -> list[str]:
-        """Names with units: "v_C_x [m/s]"."""
-        return [f"{name} [{unit}]" for name, unit in self.columns]
-
 
 @contextmanager
 def opened(path: Path, heading: TableHead, count: int) -> Iterator[BlockWriter]:
@@ -59,12 +52,26 @@ def opened(path: Path, heading: TableHead, count: int) -> Iterator[BlockWriter]:
                 writer.close()
 
 
-class Csv:
+class InOneGo:
+    """What is written to a file as it comes."""
+
+    file: IO[Any]
+
+    def end(self) -> None:
+        """Everything is written, or it is said now why not."""
+        self.file.flush()
+
+    def close(self) -> None:
+        """Let the file go."""
+        self.file.close()
+
+
+class Csv(InOneGo):
     """Comma-separated text, UTF-8: shortest digits that give every number back; an empty cell where there is none."""
 
     def __init__(self, path: Path, heading: TableHead, count: int) -> None:
         self.file, self.reasons = path.open("w", encoding="utf-8", newline="\n"), heading.reasons
-        self.file.write(",".join([*heading.titles, "failed"]) + "\n")
+        self.file.write(",".join([*(f"{name} [{unit}]" for name, unit in heading.columns), "failed"]) + "\n")
 
     def write(self, block: Block) -> None:
         """One line for each position."""
@@ -73,16 +80,8 @@ class Csv:
         text = (f"{line},{self.reasons[code]}\n" for line, code in zip(lines, block.codes.tolist(), strict=True))
         self.file.write("".join(text).replace("nan", ""))
 
-    def end(self) -> None:
-        """Every line is written, or it is said now why not."""
-        self.file.flush()
 
-    def close(self) -> None:
-        """Let the file go."""
-        self.file.close()
-
-
-class Npy:
+class Npy(InOneGo):
     """One NumPy array of records, its full length told first."""
 
     def __init__(self, path: Path, heading: TableHead, count: int) -> None:
@@ -97,14 +96,6 @@ class Npy:
         for name, row in zip(self.kinds.names or (), [block.values, *block.table, block.codes], strict=True):
             part[name] = row
         self.file.write(part.tobytes())
-
-    def end(self) -> None:
-        """Every record is written."""
-        self.file.flush()
-
-    def close(self) -> None:
-        """Let the file go."""
-        self.file.close()
 
 
 class Npz:

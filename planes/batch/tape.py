@@ -3,8 +3,6 @@ numbers: floats, numpy arrays, or any an arithmetic knows. Others compile it (``
 (``error_bounds``).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 

@@ -1,7 +1,5 @@
 """Record a program on a tape: the very steps that draw are drawn once with the numbers of ``symbols``."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -19,26 +17,24 @@ from planes.geometry.arrays import Floats
 UNCLEAR = "unclear"
 
 
-class Recording:
+class Recording(One):
     """The arithmetic of a tape; what is known already is reckoned at once."""
 
-    eps = One.eps
     size = staticmethod(size)
 
     def __init__(self) -> None:
-        self.one = One()
         self.turns: list[int] = []  # places of the tests whether a thing moves, and which way
 
     def sqrt(self, x: Real) -> Real:
-        return number(x.tape, "sqrt", x) if isinstance(x, Num) else self.one.sqrt(x)
+        return number(x.tape, "sqrt", x) if isinstance(x, Num) else super().sqrt(x)
 
     def maximum(self, a: Real, b: Real) -> Real:
         tape = _tape(a, b)
-        return number(tape, "max", a, b) if tape else self.one.maximum(a, b)
+        return number(tape, "max", a, b) if tape else super().maximum(a, b)
 
     def minimum(self, a: Real, b: Real) -> Real:
         tape = _tape(a, b)
-        return number(tape, "min", a, b) if tape else self.one.minimum(a, b)
+        return number(tape, "min", a, b) if tape else super().minimum(a, b)
 
     def where(self, ok: Truth, a: Point, b: Point) -> Point:
         if not isinstance(ok, Test):
@@ -50,7 +46,7 @@ class Recording:
 
     def cis_deg(self, angle: Real) -> Point:
         if not isinstance(angle, Num):
-            return self.one.cis_deg(angle)
+            return super().cis_deg(angle)
         tape = angle.tape
         quarter = number(tape, "floor", angle / 90 + 0.5)
         rest = (angle - 90.0 * quarter) * math.radians(1)
@@ -62,7 +58,7 @@ class Recording:
 
     def angle_deg(self, u: Point) -> Real:
         if not isinstance(u, Vec):
-            return self.one.angle_deg(u)
+            return super().angle_deg(u)
         tape = _tape(u.real, u.imag)
         assert tape
         angle = number(tape, "atan2", u.imag, u.real) * math.degrees(1)
@@ -70,18 +66,18 @@ class Recording:
 
     def sign(self, x: Real) -> Real:
         if not isinstance(x, Num):
-            return self.one.sign(x)
+            return super().sign(x)
         ahead = x > 0
         self.turns.append(ahead.at)
         return self.where(ahead, 1.0, self.where(x < 0, -1.0, x))
 
     def power(self, x: Real, n: int) -> Real:
-        return x**n if isinstance(x, Num) else self.one.power(x, n)
+        return x**n if isinstance(x, Num) else super().power(x, n)
 
     def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real:
         parts = c.real, c.imag, d.real, d.imag, r, s
         tape = _tape(*parts)
-        return number(tape, "gap", *parts) if tape else self.one.gap(c, d, r, s)
+        return number(tape, "gap", *parts) if tape else super().gap(c, d, r, s)
 
 
 def _tape(*numbers: Real) -> Tape | None:

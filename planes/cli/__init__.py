@@ -3,8 +3,6 @@
 Bad input is one sentence and exit status 2.
 """
 
-from __future__ import annotations
-
 import argparse
 import io
 import re
@@ -17,9 +15,8 @@ from itertools import pairwise
 from typing import Any, NoReturn
 
 from planes.cli.options import EITHER, OF_SCENE, OPTIONS, POSITIONED, POSITIONS, Option
-from planes.words import Lang, Phrase, say, table
+from planes.words import Lang, Phrase, home_lang, say, table
 from planes.words.errors import PlanesError
-from planes.words.system import home_lang
 
 APART = {"check": "check", "blank": "check", "cycle": "cycle"}
 """Commands with a module of their own; the others are together in ``commands``."""
@@ -145,10 +142,6 @@ class CommandParser(Parser):
         """The line with the number an option has by itself, where the word after it is none."""
         lone = {name: one for one in self._actions if one.nargs == "?" for name in one.option_strings}
         return [
-            f"{word}={lone[word].const}" if word in lone and not _is_whole(after) else word
+            f"{word}={lone[word].const}" if word in lone and not after.lstrip("-").isdecimal() else word
             for word, after in pairwise([*args, ""])
         ]
-
-
-def _is_whole(word: str) -> bool:
-    return word.lstrip("-").isdecimal()

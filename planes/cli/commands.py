@@ -1,7 +1,5 @@
 """The commands that have no module of their own: each imports what it needs when it is run."""
 
-from __future__ import annotations
-
 import json
 import os
 import sys
@@ -11,7 +9,7 @@ from pathlib import Path
 from planes.cli.options import check_needs, check_options, values_of
 from planes.drafting.instruments import Exact, Instrument, Pencil
 from planes.scene import Scene, load
-from planes.words import Lang, Phrase, say
+from planes.words import Lang, Phrase, home_lang, say
 from planes.words.errors import PlanesError
 
 READY = ("planes.documents.course", "render.report.pdf", "reportlab.platypus", "numpy", "shapely")
@@ -189,7 +187,6 @@ def course(args: Namespace) -> int:
     from planes.course.workers import crowd
     from planes.documents.course_run import conduct
     from planes.documents.lesson import bar
-    from planes.words.system import home_lang
 
     said: Lang | None = args.lang
     args.lang = said or home_lang()

@@ -1,7 +1,5 @@
 """The command ``planes cycle``: which of its answers is asked for: a table, a picture or a summary."""
 
-from __future__ import annotations
-
 import math
 import sys
 from argparse import Namespace

@@ -1,7 +1,5 @@
 """Options of the command line: which each command has, which each of its answers heeds, and the positions asked for."""
 
-from __future__ import annotations
-
 from argparse import Namespace
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any

@@ -23,8 +23,6 @@ A student's numbers depend on the name, the assignment and the seed alone, so a 
 else's; only the given variants go by the order of the list. No two students have the same numbers.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path

@@ -4,8 +4,6 @@ What a teacher names is a scene, a folder of scenes, or a course: its folder, it
 into, where every student's scene lies. Nothing a mark or a name says leads to any other file.
 """
 
-from __future__ import annotations
-
 import re
 import unicodedata
 from collections.abc import Sequence

@@ -4,8 +4,6 @@ A run that was cut short leaves a journal beside the manifest; the next one read
 they were, and clears away what was only begun. The fingerprint of the program is part of what a file was made from.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 import os

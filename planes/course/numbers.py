@@ -1,8 +1,6 @@
 """What one student works with: the numbers settled, the scene written (the assignment's, with other numbers in its
 parameters, as a file anew), the mechanism solved. A task for any worker."""
 
-from __future__ import annotations
-
 import json
 import math
 import re

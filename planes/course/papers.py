@@ -1,13 +1,10 @@
 """What a student and a teacher read, as blocks of a note: the task, the answers. A scheme that must not give the answer
 away is shown in a position that reads well, not in the one asked."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
-from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing, run
 from planes.lesson.formulas import number, unit
 from planes.lesson.note import Note
@@ -21,7 +18,7 @@ from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, He
 from planes.solving.tables import say_mu
 from planes.words import Lang, decimal, say
 from planes.words.errors import PlanFailure
-from planes.words.names import POLE, at, kind_of, label_of, parts_of
+from planes.words.names import kind_of, parts_of
 from planes.words.records import Json
 
 _ANGLES = {"alpha": "α", "beta": "β", "gamma": "γ"}
@@ -136,26 +133,13 @@ def answers(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[
 def segments(drawn: Position, name: str, plan: Json, lang: Lang) -> DocumentTable | None:
     """The segments of one plan: name, ends, millimetres, value."""
     rows = []
-    for s in drawn.plans.segments:
-        found = plan["segments"].get(s.start + s.end)
-        if s.plan == name and found and found["name"] == s.name:
-            value = number(found["value"] if found["mm"] > NOISE_MM else 0.0, lang)
-            rows.append((f"⟨{_vector(drawn, s)}⟩", f"⟨{s.start}⟩⟨{s.end}⟩", decimal(f"{found['mm']:.1f}", lang), value))
+    for vector, s, found in drawn.measured_on(name):
+        value = number(found["value"] if found["mm"] > NOISE_MM else 0.0, lang)
+        rows.append((f"⟨{vector}⟩", f"⟨{s.start}⟩⟨{s.end}⟩", decimal(f"{found['mm']:.1f}", lang), value))
     size = unit({"velocity": "v", "acceleration": "a"}.get(name, "F"), lang)
     head = (say("key_vector", lang), say("segment", lang), say("mm", lang), size)
     mu = decimal(say_mu(plan["mu"], lang), lang)
     return DocumentTable(f"{say_plan(name, lang)}, μ = {mu}", (head, *rows)) if rows else None
-
-
-def _vector(drawn: Position, s: Segment) -> str:
-    """The name of a segment: a whole vector of rates from the pole by its point."""
-    corner = at(s.plan, s.end) in drawn.drawing.program.corners
-    if s.plan not in ("velocity", "acceleration") or s.start != POLE or corner:
-        return s.name
-    marks = ((m.velocity if s.plan == "velocity" else m.acceleration, p) for p, m in drawn.plans.points.items())
-    points = {label_of(mark): point for mark, point in marks}
-    point = points.get(s.end) or s.end.rstrip("'").upper()
-    return f"{s.plan[0]}_{point}"
 
 
 STEP_DEG, APART_DEG = 15, 30.0

@@ -4,8 +4,6 @@ The mechanism must assemble for every value of the drive, and no lines of any pl
 all the way round; in the position the student works with, nothing may need a warning.
 """
 
-from __future__ import annotations
-
 import hashlib
 import math
 import random

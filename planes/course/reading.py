@@ -1,7 +1,5 @@
 """The folder of a course read: its course.yaml, its list of students, its scenes; each refusal with file:line."""
 
-from __future__ import annotations
-
 import os
 from contextlib import suppress
 from pathlib import Path

@@ -1,8 +1,6 @@
 """The list of students: plain names a line each, or a table with a head; what may not stand in it; and who gets what:
 assignments in turn, the variants of each in order, drawn numbers once they have run out."""
 
-from __future__ import annotations
-
 import csv
 import re
 import unicodedata
@@ -123,23 +121,15 @@ class Share:
 
 def shares(course: Course) -> tuple[Share, ...]:
     """What everybody gets, in the order of the list."""
-    places = _places(course.students)
-    wanted = [
-        (s, a, p)
-        for k, (s, p) in enumerate(zip(course.students, places, strict=True))
-        for a in _assignments(course, s, k)
-    ]
+    placed = enumerate(zip(course.students, _places(course.students), strict=True))
+    wanted = [(s, a, p) for k, (s, p) in placed for a in _assignments(course, s, k)]
     taken = {(a.name, s.variant) for s, a, _ in wanted}  # variants somebody has asked for
     free = {a.name: iter([v for v in a.variants if (a.name, v) not in taken]) for a in course.assignments}
-    return tuple(
-        Share(
-            s,
-            a,
-            s.variant or (next(free[a.name], None) if course.given_first else None),
-            f"{place}/{a.name}" if course.each > 1 else place,
-        )
-        for s, a, place in wanted
-    )
+
+    def variant(s: Student, a: Assignment) -> str | None:
+        return s.variant or (next(free[a.name], None) if course.given_first else None)
+
+    return tuple(Share(s, a, variant(s, a), f"{p}/{a.name}" if course.each > 1 else p) for s, a, p in wanted)
 
 
 def _assignments(course: Course, student: Student, number: int) -> list[Assignment]:

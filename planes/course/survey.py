@@ -1,7 +1,5 @@
 """Every scene of a folder in every variant: what came out, how well the two balancing loads agree, and what did not."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path

@@ -4,8 +4,6 @@ A task is a function of a module and what it is given, all of it plain data; wha
 does it. Nothing is shared: workers read and write no files.
 """
 
-from __future__ import annotations
-
 import logging
 import os
 from asyncio import CancelledError

@@ -1,7 +1,5 @@
 """Balancing of the crankshaft by two counterweights, (27)–(30), and what they do to first-order forces."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

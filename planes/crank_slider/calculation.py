@@ -1,9 +1,8 @@
 """The whole calculation of a scene, in the order of the text."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -101,7 +100,7 @@ def calculate(scene: Scene) -> Calculation:
     level = balanced(shape, given.shaft, weights, motion, found) if given.shaft and weights else None
     held = supports(shape, given.shaft, weights, level, forces) if given.shaft else None
     cut = sections(shape, given.shaft, held) if given.shaft and held else {}
-    agreement = _agreement(given, motion, points, plane, found, forces, done)
+    agreement = _agreement(given, points, plane, found, forces, done)
     rod, pin, steels = given.rod, given.pin, given.materials
     parts = (
         rod_strength(shape, motion, plane, forces, rod, steels["rod"]) if rod else None,
@@ -144,31 +143,22 @@ def _check_thin(c: Calculation) -> None:
 
 
 def _agreement(
-    given: Given, m: EngineCycle, points: RodMotion, plane: RodMotion, found: Found, f: CycleForces, done: Work
+    given: Given, points: RodMotion, plane: RodMotion, found: Found, f: CycleForces, done: Work
 ) -> Agreement:
-    w = given.shape.omega
-    speed, rate = w * given.shape.r, w**2 * given.shape.r
-    ways: dict[str, tuple[RodMotion, RodMotion]] = {
-        "points_plane": (points, plane),
-        "points_plans": (points, found),
-        "plane_plans": (plane, found),
-    }
-    pairs = [
-        (f.on_pin, -found.on_rod_from_crank),
-        (-f.on_rod_at_b, found.on_slider_from_rod),
-        (f.N, found.push),
-        (f.on_crank_from_frame, found.on_crank_from_frame),
-    ]
-    largest = max(float(np.max(np.abs(one))) for one, _ in pairs)
-    top = float(np.max(np.abs(f.torque))) or 1.0
-    balance_of_work = abs(done.torque - done.gas - done.friction) / max(abs(done.gas), abs(done.torque), 1e-300)
-    return Agreement(
-        {k: apart(a.v, b.v, speed) for k, (a, b) in ways.items()},
-        {k: apart(a.a, b.a, rate) for k, (a, b) in ways.items()},
-        {k: float(np.max(np.abs(a.omega - b.omega))) / w for k, (a, b) in ways.items()},
-        {k: float(np.max(np.abs(a.epsilon - b.epsilon))) / w**2 for k, (a, b) in ways.items()},
-        max(float(np.max(np.abs(a - b))) for a, b in pairs) / largest,
-        float(np.max(np.abs(f.torque - found.torque))) / top,
-        float(np.max(np.abs(found.lever - found.torque))) / top,
-        balance_of_work,
-    )
+    w, r = given.shape.omega, given.shape.r
+    ways = {"points_plane": (points, plane), "points_plans": (points, found), "plane_plans": (plane, found)}
+    velocity = {k: apart(a.v, b.v, w * r) for k, (a, b) in ways.items()}
+    acceleration = {k: apart(a.a, b.a, w**2 * r) for k, (a, b) in ways.items()}
+    omega = {k: _largest(a.omega - b.omega) / w for k, (a, b) in ways.items()}
+    epsilon = {k: _largest(a.epsilon - b.epsilon) / w**2 for k, (a, b) in ways.items()}
+    own = f.on_pin, -f.on_rod_at_b, f.N, f.on_crank_from_frame
+    drawn = -found.on_rod_from_crank, found.on_slider_from_rod, found.push, found.on_crank_from_frame
+    forces = max(_largest(a - b) for a, b in zip(own, drawn, strict=True)) / max(map(_largest, own))
+    top = _largest(f.torque) or 1.0
+    torque, lever = (_largest(one - found.torque) / top for one in (f.torque, found.lever))
+    of_work = abs(done.torque - done.gas - done.friction) / max(abs(done.gas), abs(done.torque), 1e-300)
+    return Agreement(velocity, acceleration, omega, epsilon, forces, torque, lever, of_work)
+
+
+def _largest(of: np.ndarray[Any, Any]) -> float:
+    return float(np.max(np.abs(of)))

@@ -4,8 +4,6 @@ The text's moment equation lacks the crank's torque, and its balance of the rod 
 the slider's push N follows from moments of rod and slider about A, then everything else by adding up forces.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
@@ -51,10 +49,8 @@ def balance(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleFor
     crank = shape.m1 * (-(shape.s * (1j * m.epsilon - m.omega**2) * pull) - 1j * shape.g)
     spin = shape.s * (pull.real * crank.imag - pull.imag * crank.real) - shape.j1 * m.epsilon
     along_rod = -(on_rod * np.exp(1j * beta)).real
-    torque = turned.imag * shape.r + spin
-    return CycleForces(
-        -along - rub, push, along_rod, turned.imag, -turned.real, rub, on_rod, on_pin, -on_pin - crank, torque
-    )
+    whole, torque = (on_rod, on_pin, -on_pin - crank), turned.imag * shape.r + spin
+    return CycleForces(-along - rub, push, along_rod, turned.imag, -turned.real, rub, *whole, torque)
 
 
 def _push(shape: CrankSliderShape, way: RodMotion, along: Array, own: Array, beta: Array) -> tuple[Array, Array]:
@@ -162,14 +158,8 @@ def printed(shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleFor
     """The text's equations at step ``k``: (22) lacks the crank's torque, (25), (26) the vertical force in B."""
     phi, at_c, inertia = float(m.phi[k]), complex(way.r["C"][k]), -shape.m2 * complex(way.a["C"][k])
     g1, g2, g3 = (mass * shape.g for mass in (shape.m1, shape.m2, shape.m3))
-    moments = (
-        -g1 * shape.s * np.cos(phi)
-        - g2 * at_c.real
-        + at_c.real * inertia.imag
-        - at_c.imag * inertia.real
-        - shape.j2 * float(way.epsilon[k])
-    )
-    p = float(f.P[k])
+    weights, p = -g1 * shape.s * np.cos(phi) - g2 * at_c.real, float(f.P[k])
+    moments = weights + at_c.real * inertia.imag - at_c.imag * inertia.real - shape.j2 * float(way.epsilon[k])
     t = -g2 * np.cos(phi) + p * np.sin(phi) - inertia.real * np.sin(phi) + inertia.imag * np.cos(phi)
     out = -g2 * np.sin(phi) + inertia.imag * np.sin(phi) + inertia.real * np.cos(phi) - p * np.cos(phi)
     return Printed(g3 - moments / float(way.r["B"][k].real), float(t), -float(out), 4 / 9 * shape.m2 * shape.l**2)

@@ -5,8 +5,6 @@ curve never leaves their pressures (Fritsch and Carlson's cubic with harmonic sl
 the table does not bound.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 

@@ -5,8 +5,6 @@ The text's (3) holds for steady rotation only; here it has the terms with ε too
 crank stands across the guide (cos φ = 0); here ω_AB is taken from (5*), which has no such place.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -105,20 +103,13 @@ def _read(plans: Plans, drawing: Drawing, shape: CrankSliderShape, size: tuple[i
 
     points = {"A": shape.pin, "B": shape.hinge, "C": shape.centre, "S": plans.mechanism.links[shape.crank].mass_centre}
     pivot = mark(at("position", shape.pivot))
-    rod = plans.links[shape.rod]
-    return Found(
-        {k: mark(plans.points[p].position) - pivot for k, p in points.items()},
-        {k: mark(plans.points[p].velocity) for k, p in points.items()},
-        {k: mark(plans.points[p].acceleration) for k, p in points.items()},
-        value(rod.omega),
-        value(rod.epsilon),
-        force(shape.rod, shape.crank),
-        force(shape.slider, shape.rod),
-        force(shape.slider, "0"),
-        force(shape.crank, "0"),
-        -value(plans.balancing),
-        -value(plans.zhukovsky),
-    )
+    place = {k: mark(plans.points[p].position) - pivot for k, p in points.items()}
+    v = {k: mark(plans.points[p].velocity) for k, p in points.items()}
+    a = {k: mark(plans.points[p].acceleration) for k, p in points.items()}
+    spin, joint = plans.links[shape.rod], force(shape.rod, shape.crank)
+    omega, epsilon, torque, lever = map(value, (spin.omega, spin.epsilon, plans.balancing, plans.zhukovsky))
+    from_rod, from_guide, from_frame = force(shape.slider, shape.rod), force(shape.slider, "0"), force(shape.crank, "0")
+    return Found(place, v, a, omega, epsilon, joint, from_rod, from_guide, from_frame, -torque, -lever)
 
 
 def _check(scene: Scene, shape: CrankSliderShape, motion: EngineCycle, found: Found) -> None:

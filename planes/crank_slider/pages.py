@@ -5,8 +5,6 @@ sentence, by its key and the values of its places; ``?name`` before it: only whe
 where it is not. In a formula ‹name› is a value, ‹(name)› one that stands in brackets if it is negative.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field

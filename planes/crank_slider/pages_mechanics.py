@@ -1,7 +1,5 @@
 """The chapters of given data, kinematics and kinetostatics."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from types import SimpleNamespace
@@ -54,9 +52,8 @@ def scene_at(c: Calculation, phi_deg: float) -> Scene:
     k = c.at(phi_deg)
     assert c.scene.mechanism is not None
     mechanism = loaded(c.scene.mechanism, c.given.shape, float(c.motion.gas[k]))
-    drive = replace(
-        mechanism.drive, position=phi_deg, velocity=float(c.motion.omega[k]), acceleration=float(c.motion.epsilon[k])
-    )
+    omega, epsilon = float(c.motion.omega[k]), float(c.motion.epsilon[k])
+    drive = replace(mechanism.drive, position=phi_deg, velocity=omega, acceleration=epsilon)
     return replace(c.scene, mechanism=replace(mechanism, drive=drive), find=None)
 
 

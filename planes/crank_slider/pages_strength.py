@@ -1,7 +1,5 @@
 """The chapters of balancing and of strength; the summary."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from types import SimpleNamespace
 

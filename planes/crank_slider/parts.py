@@ -5,8 +5,6 @@ and tempered). Fatigue limits: σ₋₁ = 0.43 σ_B of carbon and 0.35 σ_B + 12
 estimates of machine design courses; ψ_σ = 0.02 + 2·10⁻⁴ σ_B, ψ_τ = 0.5 ψ_σ as in ГОСТ 25.504.
 """
 
-from __future__ import annotations
-
 import bisect
 import json
 import math

@@ -1,7 +1,5 @@
 """Reads ``crank_slider:``; every value is checked, every refusal is a sentence with its line."""
 
-from __future__ import annotations
-
 import math
 
 from planes.crank_slider.given import UNITS, Concentration, Counterweights, Given, Limits, PistonPin, Shaft, Speed
@@ -16,6 +14,7 @@ from planes.words.errors import SceneError, choices, shown
 
 _KEYS = ("bore", "ambient", "indicator", "step", "speed", "flywheel", "positions")
 _PARTS = ("shaft", "counterweights", "rod", "piston_pin", "materials", "fatigue", "limits")
+_MADE = ("shaft", "rod", "piston_pin")
 _SHAFT = ("span", "pin_from_B", "webs", "journal", "crankpin", "web", "masses")
 _MATERIAL = ("name", "strength_MPa", "yield_MPa", "alloyed", "fatigue_MPa", "fatigue_torsion_MPa", "elasticity_MPa")
 
@@ -42,7 +41,7 @@ def read(scene: Scene) -> Given:
         top.part("counterweights", ("radius", "masses", "translating"), _counterweights),
         top.part("rod", ("height", "width", "flange", "web"), _rod),
         top.part("piston_pin", ("diameter", "bore", "length", "bush", "gap"), _pin),
-        top.part("materials", ("shaft", "rod", "piston_pin"), _materials) or {},
+        top.part("materials", _MADE, lambda table: {key: _material(table, key) for key in table.table.entries}) or {},
         top.part("fatigue", ("journal", "crankpin"), _concentration) or {},
         top.part("limits", ("static", "fatigue", "buckling", "bush_MPa", "boss_MPa"), _limits) or Limits(),
     )
@@ -144,12 +143,8 @@ def _pin(table: Values) -> PistonPin:
     return PistonPin(_bored(table), length, bush, gap)
 
 
-def _materials(table: Values) -> dict[str, Material]:
-    """The steel of each part: a name of the table or its own numbers in MPa."""
-    return {key: _material(table, key) for key in table.table.entries}
-
-
 def _material(table: Values, key: str) -> Material:
+    """The steel of a part: a name of the table or its own numbers in MPa."""
     node = table.reader.required(table.table, key, table.what)
     if isinstance(node, SourceScalar):
         name = table.reader.text(node, table.named(key))

@@ -110,10 +110,8 @@ def _stage(table: Values, name: str, over: str, names: tuple[str, ...]) -> Point
         raise table.error(Phrase("cs_two_points", what=what, variable=variable), name)
     start, end = span(name, over, names)
     if abs(points[0][0] - start) > 1e-9 or abs(points[-1][0] - end) > 1e-9:
-        words = Phrase(
-            "cs_ends", what=what, variable=variable, start=start, end=end, one=points[0][0], two=points[-1][0]
-        )
-        raise table.error(words, name)
+        ends = {"start": start, "end": end, "one": points[0][0], "two": points[-1][0]}
+        raise table.error(Phrase("cs_ends", what=what, variable=variable, **ends), name)
     for (one, _), (two, _), item in zip(points, points[1:], items[1:], strict=False):
         if (two - one) * (end - start) <= 0.0:
             words = Phrase("cs_order", what=what, variable=variable, start=start, end=end, one=one, two=two)

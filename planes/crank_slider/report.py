@@ -1,8 +1,6 @@
 """The report of a calculation as a document, and its numbers as an object for programs: SI, full precision, stresses in
 MPa."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import is_dataclass
 

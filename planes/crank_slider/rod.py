@@ -1,7 +1,5 @@
 """The rod (compression, bending by its own inertia, buckling) and the piston pin (bending, shear, pressure)."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
@@ -77,10 +75,8 @@ def rod_strength(
     stress, limit = squeezed / of.area * MPA, math.pi * math.sqrt(2 * steel.elasticity / steel.yields)
     squeezed_deg, pulled_deg, bending_deg, sigma_deg = (float(m.phi_deg[k]) for k in (push, pull, bend, worst))
     sigma = float(both[worst])
-    planes = tuple(
-        _buckling(mu, shape.l, math.sqrt(j / of.area), limit, stress, steel)
-        for mu, j in ((1.0, of.inertia), (0.5, of.inertia_across))
-    )
+    freely, held = (math.sqrt(j / of.area) for j in (of.inertia, of.inertia_across))
+    planes = [_buckling(mu, shape.l, i, limit, stress, steel) for mu, i in ((1.0, freely), (0.5, held))]
     axials = squeezed, squeezed_deg, pulled, pulled_deg, stress, pulled / of.area * MPA
     bent = float(moment[bend]), bending_deg, float(sigma_b[bend])
     return RodStrength(*axials, *bent, sigma, sigma_deg, factor(steel.yields, sigma), limit, (planes[0], planes[1]))

@@ -6,8 +6,6 @@ already (the plans give that load whole), so Φ holds the crank's own masses alo
 the worst point of a round section's edge.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Which mechanism it is: the crank, the rod and the slider of a scene, with their sizes and masses."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

@@ -5,8 +5,6 @@ velocity is the analogue of velocity (transfer function) dr/dφ₁ and an accele
 Names: r_C_x, phi_3, s_5 (place) · vq_C, u_31, aq_C, epsilonq_3 (analogues) · v_C, omega_3, a_C (rates) · F_21, M_1.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass

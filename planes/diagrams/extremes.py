@@ -5,8 +5,6 @@ acceleration) the extreme is where that crosses zero; else the bracket is closed
 value to the last digits and the place to about 10⁻⁶ of a degree.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -7,8 +7,6 @@ of ordinates is carried to the middle of its section. Similar triangles give the
 of a section is carried to the axis, and a parallel to the ray from P through it continues the curve over the section.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -133,21 +131,18 @@ def differentiated(motion: Motion, pole_mm: float | None = None) -> Construction
         c.measure(plan, half, label)
     c.stages.append(Stage(plan, 0, mu, None, tuple(points), True))
     for rank, nxt in ((1, "diagram:v"), (2, "diagram:a")):
-        plan, points, mu = _derived(c, plan, points, mu, nxt, rank, pole_mm)
+        _derived(c, nxt, rank, pole_mm)
     return c
 
 
-def _derived(
-    c: Construction, source: str, points: list[tuple[int, str]], mu: float, plan: str, rank: int, pole_mm: float | None
-) -> tuple[str, list[tuple[int, str]], float]:
+def _derived(c: Construction, plan: str, rank: int, pole_mm: float | None) -> None:
     """The next diagram: rays parallel to the chords, their cuts on the axis carried to the middles between points."""
-    d, before = c.draft, c.stages[-1]
-    drop = _slopes(c, before)
-    pole = pole_mm or _pole(drop, c.mu_t, mu)
-    found = mu * pole / c.mu_t
+    d, before, source = c.draft, c.stages[-1], c.stages[-1].plan
+    pole = pole_mm or _pole(_slopes(c, before), c.mu_t, before.mu)
+    found = before.mu * pole / c.mu_t
     c.axes(plan, found, pole)
     made: list[tuple[int, str]] = []
-    for (one, first), (two, second) in pairwise(points):
+    for (one, first), (two, second) in pairwise(before.points):
         half, label = (one + two) // 2, _label((one + two) // 2)
         chord = d.step(Through(f"{source}:{first}–{second}", at(source, first), at(source, second)))
         d.step(Cross(at(plan, f"h{label}"), at(plan, "P"), chord, at(plan, "o"), UP))
@@ -160,7 +155,6 @@ def _derived(
     for half, label in made:
         c.measure(plan, half, label)
     c.stages.append(Stage(plan, rank, found, pole, tuple(made), False))
-    return plan, made, found
 
 
 def _label(half: int) -> str:
@@ -193,8 +187,8 @@ def integrated(motion: Motion, pole_mm: float | None = None) -> Construction:
         c.lay_off(plan, half, label, value)
         c.measure(plan, half, label)
     c.stages.append(Stage(plan, 2, mu, pole, tuple(points), True))
-    plan, mu = _summed(c, plan, points, mu, "diagram:v", 1, pole, motion.ends[1][0])
-    middles = []
+    _summed(c, points, "diagram:v", 1, motion.ends[1][0])
+    middles, plan, mu = [], "diagram:v", c.stages[-1].mu
     for k in range(motion.sections):
         label = _label(2 * k + 1)
         c.draft.step(Similar(at(plan, label), at(plan, str(k)), at(plan, str(k + 1)), c.draft.give("half", 0.5 + 0j)))
@@ -203,7 +197,7 @@ def integrated(motion: Motion, pole_mm: float | None = None) -> Construction:
     name = c.draft.give(f"H_{plan}", second)
     c.draft.step(LayOff(at(plan, "P"), at(plan, "o"), "←", name, PAPER))
     c.stages[-1] = Stage(plan, 1, mu, second, c.stages[-1].points, False)
-    _summed(c, plan, middles, mu, "diagram:s", 0, second)
+    _summed(c, middles, "diagram:s", 0)
     return c
 
 
@@ -213,18 +207,11 @@ def _level(c: Construction, mu: float, sums: Sequence[float]) -> float:
     return min([h for h in POLES_MM if h >= least], default=math.ceil(least / 10.0) * 10.0)
 
 
-def _summed(
-    c: Construction,
-    source: str,
-    middles: list[tuple[int, str]],
-    mu: float,
-    plan: str,
-    rank: int,
-    pole: float,
-    start: float = 0.0,
-) -> tuple[str, float]:
+def _summed(c: Construction, middles: list[tuple[int, str]], plan: str, rank: int, start: float = 0.0) -> None:
     """The integral of a diagram: over each section a parallel to the ray through the ordinate of its middle."""
-    d, found = c.draft, mu * c.mu_t / pole
+    d, before, source = c.draft, c.stages[-1], c.stages[-1].plan
+    assert before.pole_mm
+    found = before.mu * c.mu_t / before.pole_mm
     c.axes(plan, found, None)
     c.lay_off(plan, 0, "0", start)
     end = at(plan, "0")
@@ -237,4 +224,3 @@ def _summed(
     for half, label in made:
         c.measure(plan, half, label)
     c.stages.append(Stage(plan, rank, found, None, tuple(made), False))
-    return plan, found

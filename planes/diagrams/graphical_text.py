@@ -1,7 +1,5 @@
 """What a graphical construction gave, beside the exact values: a table for the terminal, with its scales and errors."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

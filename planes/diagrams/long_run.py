@@ -1,8 +1,6 @@
 """Positions of a cycle one by one: as a table of many, with a progress bar and the ranges that failed in words, and as
 a listing of a few, as text and as JSON."""
 
-from __future__ import annotations
-
 import math
 import sys
 from collections.abc import Iterator, Sequence

@@ -65,18 +65,11 @@ def motion_of(plans: Plans, sections: int = 12, file: str = "") -> Motion:
     start, span = (low, high - low) if drive.velocity > 0 else (high, low - high)
     angles = start + span * np.arange(2 * sections + 1) / (2 * sections)
     dense = start + span * np.arange(DENSE * sections + 1) / (DENSE * sections)
-    half, fine = _values(turn, angles, slides, drive.velocity), _values(turn, dense, slides, drive.velocity)
-    return Motion(
-        link,
-        slides,
-        tuple(map(float, angles[::2])),
-        _time(angles[::2], drive.velocity),
-        closed,
-        tuple(tuple(row[::2]) for row in half),
-        tuple(tuple(row[1::2]) for row in half),
-        _time(dense, drive.velocity),
-        tuple(tuple(row) for row in fine),
-    )
+    half, fine = (_values(turn, at, slides, drive.velocity) for at in (angles, dense))
+    ends, middles = (tuple(tuple(row[k::2]) for row in half) for k in (0, 1))
+    times, all_times = (_time(at, drive.velocity) for at in (angles[::2], dense))
+    places, curves = tuple(map(float, angles[::2])), tuple(map(tuple, fine))
+    return Motion(link, slides, places, times, closed, ends, middles, all_times, curves)
 
 
 def _time(angles: Array, rate: float) -> tuple[float, ...]:

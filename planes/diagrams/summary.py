@@ -1,7 +1,5 @@
 """A whole cycle in figures: the driven link's stroke and dead points, the time ratio, extremes of all curves, paths."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property

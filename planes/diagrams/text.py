@@ -1,7 +1,5 @@
 """The figures of a cycle as a person reads them in a terminal, and as JSON."""
 
-from __future__ import annotations
-
 import math
 
 from planes.diagrams.curves import Curve

@@ -3,8 +3,6 @@
 Sampled at evenly spaced places it shows how far the driver can go, where a link turns over and where nothing assembles.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,7 +1,5 @@
 """The roof over both houses: solves a scene, has its sheet composed, and writes the file."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
@@ -13,9 +11,8 @@ from planes.drafting.drawing import Drawing
 from planes.scene import Scene
 from planes.solving import Position
 from planes.solving.vectors import solve_vectors
-from planes.words import Lang, Phrase
+from planes.words import Lang, Phrase, home_lang
 from planes.words.errors import PlanesError
-from planes.words.system import home_lang
 from render.files import SUFFIXES, Page
 from render.files.dxf import Lettered
 from render.paper.marks import lettered

@@ -1,7 +1,5 @@
 """The command ``planes chart``: measures the methods on a scene and has the charts drawn, with their table."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from pathlib import Path

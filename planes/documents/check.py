@@ -1,7 +1,5 @@
 """The roof over checking: blanks to draw on, reports of checked drawings, tracing paper."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable, Iterable
 from pathlib import Path

@@ -4,8 +4,6 @@ Into a folder the rows go with a ledger: what an earlier run has judged is taken
 its corrected marks, its scene nor the program has changed.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections import Counter

@@ -1,7 +1,5 @@
 """The documents of one student, made by any worker: plain data in, the contents of files out."""
 
-from __future__ import annotations
-
 import threading
 from collections.abc import Iterable
 from dataclasses import dataclass, field

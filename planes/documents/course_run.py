@@ -4,8 +4,6 @@ Only this process writes. What an earlier run has finished is verified by its ha
 same; so a run that was cut short goes on where it was.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import closing

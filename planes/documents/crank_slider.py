@@ -1,7 +1,5 @@
 """The roof over the integrated calculation: a scene in, a report, an object or a summary out."""
 
-from __future__ import annotations
-
 import json
 import sys
 from argparse import Namespace

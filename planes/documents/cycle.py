@@ -1,7 +1,5 @@
 """Pictures of a whole cycle: diagrams of chosen curves, hodographs and paths, read off the one program and drawn."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """What ``import planes`` gives: a scene solved, turned, drawn and checked, as one would type it in a notebook."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from itertools import product
 from pathlib import Path
@@ -24,10 +22,9 @@ from planes.plans import mechanism_plans
 from planes.scene import Scene
 from planes.solving import Position, Solved, plans_of, position
 from planes.solving import solve as solve_each
-from planes.words import Lang, Phrase
+from planes.words import Lang, Phrase, home_lang
 from planes.words.errors import PlanesError
 from planes.words.names import kind_of
-from planes.words.system import home_lang
 from planes.words.units import read_mu
 from render.files import Page
 from render.sheet import Sheet

@@ -1,8 +1,6 @@
 """What a sheet shows of the whole cycle beside positions: asked diagrams, hodographs, graphical constructions, and the
 self-aligning variant. The mechanics are read off the one program here; ``render`` draws them."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 

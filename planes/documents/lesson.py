@@ -1,7 +1,5 @@
 """The commands ``planes lesson`` and ``planes note``: a page, or prose with figures, written whole or not at all."""
 
-from __future__ import annotations
-
 import html
 import sys
 from collections.abc import Callable, Iterator

@@ -1,7 +1,5 @@
 """The package ``render`` that is found is the one installed beside this: another project may have one of that name."""
 
-from __future__ import annotations
-
 from importlib.util import find_spec
 from pathlib import Path
 

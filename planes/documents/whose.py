@@ -1,7 +1,5 @@
 """Whose a sheet is, and of which plan: by its mark, else by the name of its file, else by the options given."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, field
 

@@ -3,8 +3,6 @@ together leave nothing of a result. It is a cheap look, made at every position; 
 bound of ``batch.error_bounds`` says of which results digits are left.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Mapping
 from functools import reduce

@@ -4,8 +4,6 @@ A :class:`Draft` grows a program in the order a draughtsman would draw it. Each 
 the name back; asking twice for the same direction makes one step.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 from planes.drafting.equations import Equation, Term
@@ -23,11 +21,8 @@ _READ_BY_NAME = ("v_", "vq_", "omega", "epsilon")  # values other modules find b
 
 def _told(name: str) -> Told:
     """A mark with the plan it is on, or a value, as a sentence names it."""
-    return (
-        Phrase("mark_of_plan", mark=name_in_words(name), plan=plan_phrase(plan_of(name)))
-        if ":" in name
-        else name_in_words(name)
-    )
+    mark, plan = name_in_words(name), plan_of(name)
+    return Phrase("mark_of_plan", mark=mark, plan=plan_phrase(plan)) if plan else mark
 
 
 @dataclass(frozen=True)
@@ -95,9 +90,8 @@ class Draft:
     def ray(self, plan: str, one: str, two: str) -> str:
         """The direction from one mark of a plan to another, as first drawn."""
         if (plan, one, two) not in self.rays:
-            self.rays[plan, one, two] = self.through(
-                f"{one}{two}", at(plan, one), at(plan, two), Meaning("along", one, two)
-            )
+            means = Meaning("along", one, two)
+            self.rays[plan, one, two] = self.through(f"{one}{two}", at(plan, one), at(plan, two), means)
         return self.rays[plan, one, two]
 
     def has(self, plan: str, label: str) -> bool:
@@ -111,14 +105,8 @@ class Draft:
     def put(self, plan: str, label: str, place: complex, means: Meaning | None = None) -> str:
         """A mark at a given place of the scheme (m), off as one is that was written by radius and angle."""
         off = 2.0**-50 * abs(place) if place.real and place.imag else 0.0
-        return self.step(
-            Put(
-                at(plan, label),
-                self.give(f"place_{label}", place, off, Meaning("place", label)),
-                mu_of(plan),
-                means=means,
-            )
-        )
+        given = self.give(f"place_{label}", place, off, Meaning("place", label))
+        return self.step(Put(at(plan, label), given, mu_of(plan), means=means))
 
     def aim(self, name: str, angle_deg: float, means: Meaning | None = None, given: Meaning | None = None) -> str:
         """A direction at an angle, which may itself be ``given`` as something."""

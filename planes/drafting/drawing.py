@@ -1,7 +1,5 @@
 """Run a program with an instrument: the drawing, with its marks in mm, sharpness, warnings and failures."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -4,8 +4,6 @@ The state of a term is the textbook's underlining: two lines for a vector known 
 vector of which one of the two is known (Chace, 1963; Bauman conventions of the underlines).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Literal
@@ -60,16 +58,9 @@ class Equation:
             _check_chain(chain, self.text)
         one, two = self.chains
         if one and two and (one[0].start, one[-1].end) != (two[0].start, two[-1].end):
-            raise EquationError(
-                Phrase(
-                    "sides_apart",
-                    text=self.text,
-                    start=one[0].start,
-                    end=one[-1].end,
-                    other_start=two[0].start,
-                    other_end=two[-1].end,
-                )
-            )
+            ends = {"start": one[0].start, "end": one[-1].end}
+            ends |= {"other_start": two[0].start, "other_end": two[-1].end}
+            raise EquationError(Phrase("sides_apart", text=self.text, **ends))
         if len(self.unknowns) != 2:
             listed = tuple(unknown(name, part) for name, part in self.unknowns) or Phrase("none")
             why = Phrase("unknowns_count", text=self.text, count=len(self.unknowns), listed=listed)
@@ -119,6 +110,5 @@ def unknown(name: str, part: str) -> Phrase:
 def _check_chain(chain: tuple[Term, ...], text: str) -> None:
     for before, after in pairwise(chain):
         if before.end != after.start:
-            raise EquationError(
-                Phrase("chain_broken", text=text, name=after.name, start=after.start, reached=before.end)
-            )
+            ends = {"start": after.start, "reached": before.end}
+            raise EquationError(Phrase("chain_broken", text=text, name=after.name, **ends))

@@ -3,8 +3,6 @@
 How exact hand drawings are: 77 values of 18 published solutions, careful drafting 0.15 mm, 0.15°, ruler 0.25 mm.
 """
 
-from __future__ import annotations
-
 import math
 import random
 from dataclasses import dataclass, field

@@ -1,7 +1,5 @@
 """What must hold of the links of a drawing: rigid bodies, sliders on their guides, every link in equilibrium."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import reduce
 from typing import ClassVar

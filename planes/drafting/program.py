@@ -27,17 +27,13 @@ class Program:
         for step in self.steps:
             for name, kind in step.reads():
                 have = made.get(name, kind if kind in ("value", "place") else None)
-                what, said = type(step).__name__, Phrase(f"kind_{kind}")
-                if have is None:
-                    valid = valid_names(name, [m for m, k in made.items() if k == kind][:12], "valid_drawn")
-                    raise ProgramError(
-                        Phrase("step_needs", step=what, makes=step.makes, kind=said, name=name, valid=valid)
-                    )
                 if have != kind:
-                    other = Phrase(f"kind_{have}")
-                    raise ProgramError(
-                        Phrase("step_kind", step=what, makes=step.makes, name=name, kind=said, have=other)
-                    )
+                    said = {"step": type(step).__name__, "makes": step.makes, "name": name}
+                    wanted = Phrase(f"kind_{kind}")
+                    if have:
+                        raise ProgramError(Phrase("step_kind", **said, kind=wanted, have=Phrase(f"kind_{have}")))
+                    valid = valid_names(name, [m for m, k in made.items() if k == kind][:12], "valid_drawn")
+                    raise ProgramError(Phrase("step_needs", **said, kind=wanted, valid=valid))
             if step.makes in made:
                 raise ProgramError(Phrase("made_twice", makes=step.makes))
             made[step.makes] = step.kind

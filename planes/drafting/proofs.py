@@ -5,8 +5,6 @@ A proof compares what was drawn with a definition (a rigid link, a sliding pair,
 vectors are what was stated) or with another way to the same number (the force plan's balancing load and the lever's).
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """The instrument at work: what a step asks of it, and what the runner does."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from contextlib import AbstractContextManager, nullcontext

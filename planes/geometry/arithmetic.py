@@ -3,8 +3,6 @@
 The geometry of ``plane`` and the steps are written once and given one of these.
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 from typing import Any, Protocol
@@ -75,7 +73,7 @@ class One:
             return x if n == 1 else float(x**n)
         return 1 / x**-n if x else math.nan
 
-    def gap(self, c: complex, d: complex, r: float, s: float) -> float:
+    def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real:
         """(r + s)² - |d - c|², with all its digits."""
         return float(gap(c.real, c.imag, d.real, d.imag, r, s))
 

@@ -1,7 +1,5 @@
 """Sines and their kin of angles in degrees, exact where the answer is a round number."""
 
-from __future__ import annotations
-
 import math
 
 

@@ -4,8 +4,6 @@ What rounding takes away is itself a float (D. E. Knuth; T. J. Dekker, A floatin
 available precision, 1971).
 """
 
-from __future__ import annotations
-
 from typing import TypeVar
 
 from planes.geometry.arrays import Array

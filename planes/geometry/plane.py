@@ -5,8 +5,6 @@ Places, vectors and directions are complex numbers, single or arrays. Each meeti
 Nothing is raised here: a sharpness of zero or less says there is no honest answer.
 """
 
-from __future__ import annotations
-
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 
 

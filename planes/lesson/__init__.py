@@ -4,8 +4,6 @@ One frame a mark; what is measured after an equation is drawn is a frame of its 
 Numbers stand in slots (:mod:`planes.lesson.formulas`), so a frame serves every position of the mechanism.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial

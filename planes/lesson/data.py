@@ -3,8 +3,6 @@
 The page draws lines between these marks and reckons nothing: what it shows at any position is a position drawn here.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from functools import partial
 

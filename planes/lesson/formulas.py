@@ -4,8 +4,6 @@ A slot ⟦how¦name¦mu⟧ stands for a number of the drawing: ``v`` its value, 
 negative, ``mm`` its length on paper, ``s`` its sense of rotation. Names of marks, vectors and values stand in ⟨…⟩.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 

@@ -1,7 +1,5 @@
 """The explanatory note: the frames of a lesson as prose, with tables and figures, in the usual order."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterator, Sequence

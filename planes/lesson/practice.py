@@ -4,8 +4,6 @@ The wrong answers are drawn from the catalogue of mistakes: each of its variants
 the place a reader who makes that mistake would put it.
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections import defaultdict

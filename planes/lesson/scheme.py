@@ -1,7 +1,5 @@
 """What the lesson's scheme is drawn from: links, guides, sliders, forces with their arms, and which name is whose."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from itertools import chain, permutations
 

@@ -1,7 +1,5 @@
 """The words of one drafting step, and of a moment equation: what is done, with which numbers, and why."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 

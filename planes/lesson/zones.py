@@ -1,7 +1,5 @@
 """Where on its turn the mechanism cannot be drawn, or only bluntly, and why, in words."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from functools import partial

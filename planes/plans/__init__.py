@@ -1,7 +1,5 @@
 """From a mechanism to all it asks for: one program, its givens, and where each result is read."""
 
-from __future__ import annotations
-
 from collections.abc import Container, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -168,28 +166,14 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
     zhukovsky = draw_lever(statics)
     links = {name: _link_values(draft, body, velocity, acceleration) for name, body in bodies.known.items()}
     proofs = proofs_of(statics, velocity, acceleration, zhukovsky)
-    points = {p: _point_marks(p, velocity, acceleration) for p in _points(mechanism)}
-    return Plans(
-        mechanism,
-        structure,
-        Program(tuple(draft.steps.values()), proofs),
-        draft.given,
-        tuple(draft.equations),
-        tuple(draft.moments),
-        tuple(dict.fromkeys(draft.segments)),
-        points,
-        links,
-        velocity.slides,
-        acceleration.slides,
-        statics.reactions,
-        statics.balancing,
-        zhukovsky,
-        acting,
-        at_rest,
-        {name: _frozen(mechanism, law, file) for name, law in draft.laws.items()},
-        {**draft.means, **{s.makes: s.means for s in draft.steps.values() if s.means}},
-        draft.off,
-    )
+    points = {p: PointMarks(at(SCHEME, p), velocity.mark(p), acceleration.mark(p)) for p in _points(mechanism)}
+    program = Program(tuple(draft.steps.values()), proofs)
+    drawn = tuple(draft.equations), tuple(draft.moments), tuple(dict.fromkeys(draft.segments))
+    of_slides, loads = (velocity.slides, acceleration.slides), (statics.balancing, zhukovsky)
+    laws = {name: _frozen(mechanism, law, file) for name, law in draft.laws.items()}
+    means = draft.means | {s.makes: s.means for s in program.steps if s.means}
+    measured = draft.given, *drawn, points, links, *of_slides, statics.reactions, *loads
+    return Plans(mechanism, structure, program, *measured, acting, at_rest, laws, means, draft.off)
 
 
 def _frozen(mechanism: Mechanism, law: Law, file: str) -> SceneError:
@@ -205,10 +189,6 @@ def _frozen(mechanism: Mechanism, law: Law, file: str) -> SceneError:
 def _points(mechanism: Mechanism) -> dict[str, None]:
     links = (mechanism.frame, *mechanism.links.values())
     return dict.fromkeys(p for link in links for p in link.points)
-
-
-def _point_marks(name: str, velocity: Rates, acceleration: Rates) -> PointMarks:
-    return PointMarks(at(SCHEME, name), velocity.mark(name), acceleration.mark(name))
 
 
 def _link_values(draft: Draft, body: Body, velocity: Rates, acceleration: Rates) -> LinkValues:

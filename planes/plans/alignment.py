@@ -7,8 +7,6 @@ the mechanism's own places, and only a variant whose matrix has full rank is tak
 and no constraint too many.
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterator, Mapping

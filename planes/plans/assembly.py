@@ -1,7 +1,5 @@
 """Which of two assemblies is meant: the words of the scene, or the root nearer to a place, as ±1 of each group."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from planes.drafting.draft import Draft
@@ -39,15 +37,8 @@ def resolve(draft: Draft, choices: list[AssemblyChoice], mechanism: Mechanism, f
         elif said.order in words:
             draft.given[choice.side] = 1.0 if said.order == words[0] else -1.0
         else:
-            why = Phrase(
-                "order_misfit",
-                key=key,
-                order=said.order,
-                name=choice.group.name,
-                links=choice.group.links,
-                one=words[0],
-                two=words[1],
-            )
+            named = {"name": choice.group.name, "links": choice.group.links, "one": words[0], "two": words[1]}
+            why = Phrase("order_misfit", key=key, order=said.order, **named)
             raise SceneError(why, file, mechanism.where.get(("assembly", key)))
 
 
@@ -104,16 +95,11 @@ def _nearer(
 def _question(draft: Draft, program: Program, choice: AssemblyChoice, more: bool) -> Phrase:
     """What the scene does not say, and the words that say it; ``more`` if there is an assembly to add them to."""
     g, words = choice.group, WORDS_OF_KIND[choice.group.kind]
-    offers = [Phrase("assembly_more" if more else "assembly_offer", key=choice.key, word=word) for word in words]
+    own, placed = ("assembly_more", "assembly_more_at") if more else ("assembly_offer", "assembly_offer_at")
+    offers = [Phrase(own, key=choice.key, word=word) for word in words]
     if g.kind != 3:
         for side, place in _places(draft, program, choice, choice.key):
             index = 0 if side > 0 else 1
-            offers[index] = Phrase(
-                "assembly_more_at" if more else "assembly_offer_at",
-                key=choice.key,
-                word=words[index],
-                x=place.real,
-                y=place.imag,
-            )
+            offers[index] = Phrase(placed, key=choice.key, word=words[index], x=place.real, y=place.imag)
     key = "two_more_assemblies" if more else "two_assemblies"
     return Phrase(key, links=g.links, name=g.name, offers=tuple(offers))

@@ -4,8 +4,6 @@ What is reckoned of a scene's numbers before anything is drawn comes each with h
 by half of the last place of the double that stands for it, and so is every operation.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, field
 

@@ -4,8 +4,6 @@ Which side of the guide bears is known only once the plan is drawn; so each supp
 comes true is kept. None, or two different ones, is self-locking.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import product
 

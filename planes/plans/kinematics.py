@@ -4,8 +4,6 @@ Sources: theorem of plane motion v_C = v_B + v_CB and a_C = a_B + a_CB^n + a_CB^
 a_X = a_Y + a_XY^k + a_XY^r with a^k = 2ω×v_XY (Coriolis).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 from planes.drafting.equations import Equation, Term

@@ -4,8 +4,6 @@
 guide and Y is the point of the mate that coincides with X. All five kinds of class II are two such legs.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from planes.plans.bodies import SCHEME, Bodies, BodyPoint
@@ -43,38 +41,20 @@ def legs_of(b: Bodies, g: Group) -> tuple[Leg, Leg]:
         return _outer_leg(b, g.first_outer, g.first, new), _outer_leg(b, g.last_outer, g.last, new)
     hinge = g.first_outer.point
     new = BodyPoint(hinge, moving_name(b, g.inner.guide, hinge, g.last))
-    inner = Leg(
-        new,
-        BodyPoint(hinge, hinge),
-        g.first,
-        f"{new.name}{hinge}",
-        f"∥{g.inner.guide}",
-        pair=g.inner,
-        slider_new=g.inner.link == g.last,
-    )
+    known, along = BodyPoint(hinge, hinge), f"∥{g.inner.guide}"
+    inner = Leg(new, known, g.first, new.name + hinge, along, pair=g.inner, slider_new=g.inner.link == g.last)
     return inner, _outer_leg(b, g.last_outer, g.last, new)
 
 
 def _outer_leg(b: Bodies, pair: Pair, link: str, new: BodyPoint) -> Leg:
-    known = pair.mate(link)
-    return _pivot(b, pair, link, new) if pair.kind == "R" else _sliding(b, pair, link, known, new)
-
-
-def _pivot(b: Bodies, pair: Pair, link: str, new: BodyPoint) -> Leg:
+    if pair.kind == "P":
+        return _sliding(b, pair, link, pair.mate(link), new)
     pivot, d = pair.point, b.draft
     ray = d.ray(SCHEME, pivot, new.place)
     known = BodyPoint(pivot, pivot)
-    length = b.distance(b.mechanism.link(link), known, new)
-    return Leg(
-        new,
-        known,
-        pair.mate(link),
-        f"{new.name}{pivot}",
-        d.square(ray),
-        length=length,
-        towards=d.back(f"{new.place}→{pivot}", ray, Meaning("towards", new.place, pivot)),
-        turns=link,
-    )
+    length, across = b.distance(b.mechanism.link(link), known, new), d.square(ray)
+    towards = d.back(f"{new.place}→{pivot}", ray, Meaning("towards", new.place, pivot))
+    return Leg(new, known, pair.mate(link), new.name + pivot, across, length, towards, turns=link)
 
 
 def _sliding(b: Bodies, pair: Pair, link: str, known: str, new: BodyPoint) -> Leg:

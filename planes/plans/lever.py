@@ -4,8 +4,6 @@ N. E. Zhukovsky's theorem: the moments of the forces about the pole, with each c
 the check shares the loads and the velocity plan with the force plans, and none of their reactions but friction.
 """
 
-from __future__ import annotations
-
 from planes.drafting.draft import Moments
 from planes.drafting.steps.reckoning import Product
 from planes.plans.kinematics import turned_copy

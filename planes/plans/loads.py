@@ -1,7 +1,5 @@
 """What acts on the links from outside the pairs: weights, inertia, and the scene's forces and couples."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 from planes.drafting.steps.reckoning import Sense, SenseOf

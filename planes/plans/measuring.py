@@ -1,8 +1,6 @@
 """What is read off a drawing: results by name, in SI, with the segments they were measured on; and how its plans and
 their names are told."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 
@@ -70,13 +68,9 @@ class DrawingReader:
                 key: self.segment(s, bluntest, (errors or {}).get(f"{plan}:{key}"))
                 for key, s in self.plan_segments(plan, names).items()
             }
-            if not segments:
-                continue
-            out[plan] = {
-                "mu": mu_text(self.scales[mu_of(plan)], kind_of(plan)),
-                "segments": segments,
-                "sharpness": sharpness,
-            }
+            if segments:
+                mu = mu_text(self.scales[mu_of(plan)], kind_of(plan))
+                out[plan] = {"mu": mu, "segments": segments, "sharpness": sharpness}
         return out
 
     def segment(self, s: Segment, bluntest: float, error_mm: float | None = None) -> Json:
@@ -86,13 +80,8 @@ class DrawingReader:
         length = self.finite(tool.read(abs(end - start)), s.name)
         if error_mm is None:
             error_mm = 8 * tool.ar.eps * (abs(start) + abs(end)) / bluntest
-        return {
-            "mm": float(length),
-            "value": float(length / mu),
-            "unit": UNIT[kind_of(s.plan)],
-            "error_mm": float(error_mm),
-            "name": s.name,
-        }
+        sizes = {"mm": float(length), "value": float(length / mu)}
+        return {**sizes, "unit": UNIT[kind_of(s.plan)], "error_mm": float(error_mm), "name": s.name}
 
     def sharpness(self, plan: str) -> dict[str, float]:
         """Sine of the angle at which the lines of each crossed mark meet."""

@@ -1,7 +1,5 @@
 """Position plans: the driver, then each group by засечки, as vector equations for the drafting core."""
 
-from __future__ import annotations
-
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Touch
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint, angle_deg, difference
@@ -57,18 +55,12 @@ def _second_point(b: Bodies, pivot: str) -> str | None:
 
 def _radius(name: str, start: str, length: str) -> tuple[Term, Term]:
     """The chain pole–start–(end by compass)."""
-    return (
-        Term(f"r_{start}", POLE, start, drawn=True),
-        Term(f"{start}{name}", start, name, length=length, action=length),
-    )
+    return Term(f"r_{start}", POLE, start, drawn=True), Term(f"{start}{name}", start, name, length, None, length)
 
 
-def _ray(name: str, start: str, direction: str) -> tuple[Term, Term]:
+def _ray(name: str, start: str, along: str) -> tuple[Term, Term]:
     """The chain pole–start–(end somewhere along a line)."""
-    return (
-        Term(f"r_{start}", POLE, start, drawn=True),
-        Term(f"{start}{name}", start, name, direction=direction, action=direction),
-    )
+    return Term(f"r_{start}", POLE, start, drawn=True), Term(f"{start}{name}", start, name, None, along, along)
 
 
 def _on_line(b: Bodies, pair: Pair, link: str, point: str) -> tuple[str, str]:
@@ -132,9 +124,8 @@ def _place_rpr(b: Bodies, g: Group) -> None:
     given = None if offset is None else b.draft.give(f"e_{one}{two}", *offset, Meaning("offset", one, two))
     side = _side(b, pair.guide, g)
     ends = at(SCHEME, two), at(SCHEME, one)
-    direction = b.draft.step(
-        Touch(f"∥{pair.guide}", *ends, given, "mu_position", side, means=Meaning("along", pair.guide))
-    )
+    means = Meaning("along", pair.guide)
+    direction = b.draft.step(Touch(f"∥{pair.guide}", *ends, given, "mu_position", side, means=means))
     name = moving_name(b, pair.guide, one, g.last)
     ref = BodyPoint(two, two), BodyPoint(one, name)
     b.place_points(Body(b.mechanism.link(g.last), ref[0], b.axis_along(pair, g.last, direction), g.last, ref))

@@ -1,8 +1,6 @@
 """The proofs of a mechanism's plans: its links rigid, its sliders on their guides, every link in equilibrium, every
 polygon closed, and both balancing loads equal."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterator

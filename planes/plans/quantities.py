@@ -1,7 +1,5 @@
 """What can be asked of a mechanism: quantities by name, their numbers, and how each is taken from what is drawn."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Reactions as they are found: segments of the force plans, arms and couples of sliders, handed from link to link."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 from planes.drafting.draft import Moments

@@ -1,7 +1,5 @@
 """The scale μ of every plan: as the scene says, or the largest standard one that fits its part of the paper."""
 
-from __future__ import annotations
-
 import cmath
 from collections.abc import Mapping
 

@@ -6,8 +6,6 @@ five kinds exactly two of these three lines are known, and the third closes. Tab
 kinds with an unloaded link; here any load may act on any link.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from planes.drafting.draft import Moments

@@ -4,8 +4,6 @@ Sources: Chebyshev's W = 3n - 2p₁ and Reshetov's q = W - 6n + 5p₁ for one-fr
 class II in the five kinds of Artobolevsky.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
@@ -92,18 +90,9 @@ def analyse(mechanism: Mechanism, file: str = "") -> Structure:
     freedom = 3 * len(mechanism.links) - 2 * pair_count
     if freedom != 1:
         hint = Phrase("freedom_more") if freedom > 1 else Phrase("freedom_less", count=1 - freedom)
-        raise finder.error(
-            Phrase(
-                "wrong_freedom",
-                links=len(mechanism.links),
-                pairs=pair_count,
-                freedom=freedom,
-                hint=hint,
-                listed=finder.pair_words(),
-            ),
-            "links",
-            finder.suspect(freedom > 1),
-        )
+        counted = {"links": len(mechanism.links), "pairs": pair_count, "freedom": freedom}
+        why = Phrase("wrong_freedom", **counted, hint=hint, listed=finder.pair_words())
+        raise finder.error(why, "links", finder.suspect(freedom > 1))
     drive_pair = finder.drive_pair()
     groups = finder.groups()
     redundant = freedom - 6 * len(mechanism.links) + 5 * pair_count

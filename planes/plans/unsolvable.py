@@ -6,8 +6,6 @@ none left, all it has asked are held too often, and where all find one, links de
 pairs take. The work grows as the square of the links.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """What a scene says that can be meant, but hardly is: told as warnings, each with its line. Nothing is refused here."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Iterator, Mapping

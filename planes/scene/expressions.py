@@ -4,8 +4,6 @@ Nothing is handed to Python's own evaluator. Length, depth and therefore time ar
 a float from the start, so no power can grow beyond the largest one.
 """
 
-from __future__ import annotations
-
 import math
 import re
 import unicodedata

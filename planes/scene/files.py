@@ -1,7 +1,5 @@
 """The one way a file is written: the whole of it, or the one that was there before stays as it was."""
 
-from __future__ import annotations
-
 import errno
 import os
 import stat

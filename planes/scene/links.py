@@ -1,7 +1,5 @@
 """The frame and the links of a scene: their points, guides, slides and masses."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from types import MappingProxyType
 
@@ -100,7 +98,7 @@ def _guide(reader: Reader, name: str, node: Node, points: dict[str, complex], ow
         value = reader.number(entry, part(form, what))
         through, angle = (complex(value, 0.0), 90.0) if form == "x" else (complex(0.0, value), 0.0)
         return Guide(name, through, angle, None, mark, origin_given=False)
-    angle = reader.angle(table, what) or 0.0
+    angle = reader.said(table, "angle", what) or 0.0
     if isinstance(entry, SourceScalar):
         point = reader.known(entry, part("through", what), points, Phrase("points_of", owner=owner))
         return Guide(name, points[point], angle, point, mark)
@@ -113,10 +111,7 @@ def _slide(reader: Reader, node: Node, what: Phrase) -> Slide:
         return Slide(reader.text(node, slides))
     table = reader.table(node, slides, ("guide", "angle", "offset"))
     guide = reader.text(reader.required(table, "guide", slides), Phrase("guide_of_slider", what=what))
-    offset = reader.optional(table, "offset")
-    return Slide(
-        guide, reader.angle(table, slides), None if offset is None else reader.number(offset, part("offset", what))
-    )
+    return Slide(guide, reader.said(table, "angle", slides), reader.said(table, "offset", what))
 
 
 def _check_alike(reader: Reader, table: SourceTable, links: Iterable[Link]) -> None:
@@ -138,20 +133,17 @@ def _owners(reader: Reader, table: SourceTable, links: dict[str, Link], frame: L
         for guide in link.guides:
             if guide in owners:
                 owner = Phrase("the_frame") if owners[guide] == FRAME else Phrase("link", name=owners[guide])
-                raise reader.error(
-                    Phrase("guide_twice", guide=guide, name=name, owner=owner), line_of(table, (name, "guides", guide))
-                )
+                line = line_of(table, (name, "guides", guide))
+                raise reader.error(Phrase("guide_twice", guide=guide, name=name, owner=owner), line)
             owners[guide] = name
     return owners
 
 
 def _check_slide(reader: Reader, table: SourceTable, link: Link, owners: dict[str, str]) -> None:
-    guide = link.slides.guide if link.slides else ""
+    guide, line = link.slides.guide if link.slides else "", line_of(table, (link.name, "slides"))
     if guide not in owners:
         others = [name for name, owner in owners.items() if owner != link.name]
         valid = reader.offer(guide, others, Phrase("guides_all"))
-        raise reader.error(
-            Phrase("no_guide", name=link.name, guide=guide[:60], valid=valid), line_of(table, (link.name, "slides"))
-        )
+        raise reader.error(Phrase("no_guide", name=link.name, guide=guide[:60], valid=valid), line)
     if owners[guide] == link.name:
-        raise reader.error(Phrase("own_guide", name=link.name, guide=guide), line_of(table, (link.name, "slides")))
+        raise reader.error(Phrase("own_guide", name=link.name, guide=guide), line)

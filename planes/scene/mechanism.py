@@ -4,8 +4,6 @@ All numbers are SI; angles are degrees, counter-clockwise positive, and end in `
 number (x to the right, y up) in the axes of the link that owns it; the frame is the link named ``"0"``.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property

@@ -1,7 +1,5 @@
 """What moves and loads a mechanism of a scene: assembly, drive, loads, friction."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import cast
 
@@ -49,11 +47,8 @@ def read_drive(reader: Reader, node: Node, frame: Link, links: Links) -> Drive:
     slides = links[link].slides
     if kind == "s" and (slides is None or slides.guide not in frame.guides):
         raise reader.error(Phrase("drive_no_slide", link=link), table.lines["s"])
-    rates = [reader.optional(table, key) for key in _RATES[kind]]
-    velocity, acceleration = (
-        0.0 if rate is None else reader.number(rate, part(key, what))
-        for key, rate in zip(_RATES[kind], rates, strict=True)
-    )
+    rates = (reader.said(table, key, what) for key in _RATES[kind])
+    velocity, acceleration = (0.0 if rate is None else rate for rate in rates)
     position = reader.number(reader.required(table, kind, what), part(kind, what))
     return Drive(link, "phi" if kind == "phi" else "s", position, velocity, acceleration)
 
@@ -74,10 +69,8 @@ def _moving(reader: Reader, node: Node, what: Phrase, links: Links) -> str:
 
 def read_loads(reader: Reader, node: Node, links: Links) -> tuple[Load, ...]:
     """Forces and couples in the order of the file."""
-    return tuple(
-        _load(reader, entry, Phrase("load", number=number), links)
-        for number, entry in enumerate(reader.items(node, "loads"), 1)
-    )
+    entries = enumerate(reader.items(node, "loads"), 1)
+    return tuple(_load(reader, entry, Phrase("load", number=number), links) for number, entry in entries)
 
 
 def _load(reader: Reader, node: Node, what: Phrase, links: Links) -> Load:
@@ -90,12 +83,8 @@ def _load(reader: Reader, node: Node, what: Phrase, links: Links) -> Load:
     if "point" not in table.entries:
         valid = reader.offer("", links[link].points, Phrase("points_all"))
         raise reader.error(Phrase("force_no_point", what=what, valid=valid), table)
-    point = reader.known(
-        reader.required(table, "point", what),
-        part("point", what),
-        links[link].points,
-        Phrase("points_of", owner=Phrase("link", name=link)),
-    )
+    node, of = reader.required(table, "point", what), Phrase("points_of", owner=Phrase("link", name=link))
+    point = reader.known(node, part("point", what), links[link].points, of)
     if not any(key in table.entries for key in _DIRECTIONS):
         raise reader.error(Phrase("force_no_direction", what=what), table)
     form = reader.one_of(table, _DIRECTIONS, what)
@@ -124,9 +113,8 @@ def _direction(reader: Reader, node: Node, what: Phrase, links: Links) -> tuple[
     if not isinstance(node, SourceTable):
         return reader.number(node, what), None
     table = reader.table(node, what, ("link", "angle"))
-    owner = reader.known(
-        reader.required(table, "link", what), part("link", what), {FRAME: None, **links}, Phrase("links_all")
-    )
+    said, known = reader.required(table, "link", what), {FRAME: None, **links}
+    owner = reader.known(said, part("link", what), known, Phrase("links_all"))
     degrees = reader.number(reader.required(table, "angle", what), part("angle", what))
     return degrees, None if owner == FRAME else owner
 

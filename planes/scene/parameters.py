@@ -4,8 +4,6 @@ Numbers that depend on what the drive's place is taken from hold at that place a
 3000*sin(phi_1) is calculated once, and would stay as it is while the drive moves.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping
 
 from planes.scene.expressions import RESERVED, evaluate, is_name, names_in

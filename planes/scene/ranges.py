@@ -1,7 +1,5 @@
 """Ranges of the drive's value as a person writes them: "30", "0:360:30", "-90"."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

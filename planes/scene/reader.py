@@ -1,7 +1,5 @@
 """How any value of a scene is read: numbers, names, places, tables with known keys, each with its refusal."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
@@ -150,16 +148,16 @@ class Reader:
         if isinstance(node, SourceTable):
             table = self.table(node, what, ("r", "angle"))
             radius = self.number(self.required(table, "r", what), part("r", what))
-            angle = self.angle(table, what) or 0.0
+            angle = self.said(table, "angle", what) or 0.0
             return complex(radius * cos_deg(angle), radius * sin_deg(angle))
         if not on_axis:
             raise self.error(Phrase("place_needed", what=what, given=shown(node.text)), node)
         return complex(self.number(node, what), 0.0)
 
-    def angle(self, table: SourceTable, what: Told) -> float | None:
-        """The number under the key angle, or None."""
-        node = self.optional(table, "angle")
-        return None if node is None else self.number(node, part("angle", what))
+    def said(self, table: SourceTable, key: str, what: Told) -> float | None:
+        """The number under a key, or None."""
+        node = self.optional(table, key)
+        return None if node is None else self.number(node, part(key, what))
 
     def _pair(self, node: Items, what: Told) -> complex:
         if len(node.items) != 2:

@@ -1,7 +1,5 @@
 """The parts of a scene around the mechanism: parameters and variants, words, scales, the sheet."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 
@@ -138,9 +136,8 @@ def _listed(reader: Reader, key: str, node: Items) -> object:
 def _revision(reader: Reader, node: Node, what: Phrase) -> dict[str, str]:
     """A row of the table of revisions: a table, or a list in the order of the columns."""
     if isinstance(node, Items) and len(node.items) <= len(_REVISIONS):
-        node = SourceTable(
-            dict(zip(_REVISIONS, node.items, strict=False)), node.line, dict.fromkeys(_REVISIONS, node.line)
-        )
+        lines = dict.fromkeys(_REVISIONS, node.line)
+        node = SourceTable(dict(zip(_REVISIONS, node.items, strict=False)), node.line, lines)
     table = reader.table(node, what, _REVISIONS)
     return {key: reader.text(entry, part(key, what)) for key, entry in reader.present(table).items()}
 

@@ -1,12 +1,10 @@
 """A scene without a mechanism: vectors of which something is given, and the equations that tie them."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 from itertools import pairwise
 
-from planes.scene.reader import MAX_NAME, Reader, part
+from planes.scene.reader import MAX_NAME, Reader
 from planes.scene.source import Node, SourceScalar
 from planes.words import Phrase
 from planes.words.errors import EquationError, shown
@@ -92,9 +90,8 @@ def check_chain(sides: Sides) -> None:
         for (_, before), (name, after) in pairwise(spans):
             assert before and after
             if before[1] != after[0]:
-                raise EquationError(
-                    Phrase("chain_order", text=sides.text, name=name, start=after[0], reached=before[1])
-                )
+                ends_at = {"start": after[0], "reached": before[1]}
+                raise EquationError(Phrase("chain_order", text=sides.text, name=name, **ends_at))
         first, last = spans[0][1], spans[-1][1]
         assert first and last
         reached.append((first[0], last[1]))
@@ -135,10 +132,7 @@ def _vector(reader: Reader, name: str, node: Node) -> VectorGiven:
     table = reader.table(node, what, _KEYS)
     if "direction" in table.entries and "perpendicular_to" in table.entries:
         reader.one_of(table, ("direction", "perpendicular_to"), what)
-    given = {
-        key: None if (entry := reader.optional(table, key)) is None else reader.number(entry, part(key, what))
-        for key in _KEYS
-    }
+    given = {key: reader.said(table, key, what) for key in _KEYS}
     normal = given["perpendicular_to"]
     return VectorGiven(given["value"], given["direction"] if normal is None else normal + 90.0, given["near"])
 

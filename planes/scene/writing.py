@@ -1,7 +1,5 @@
 """A scene written back as the file that says it: the same mechanism when it is read again."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 

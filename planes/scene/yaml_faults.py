@@ -1,7 +1,5 @@
 """What is wrong with a file that is not YAML, in one short sentence instead of the reader's own message."""
 
-from __future__ import annotations
-
 from planes.words import Phrase
 
 _PROBLEMS = (

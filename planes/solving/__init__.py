@@ -1,11 +1,10 @@
 """Solve a scene for one or many values of its drive: what ``planes solve`` prints, as plain dictionaries."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing, proved, run
 from planes.drafting.instruments import PENCILS, Instrument, Pencil, is_exact
 from planes.drafting.program import Program
@@ -20,7 +19,7 @@ from planes.solving.nearest import nearest
 from planes.solving.warned import warnings
 from planes.words import Lang, Phrase, Told
 from planes.words.errors import PlanFailure
-from planes.words.names import at
+from planes.words.names import POLE, at, label_of
 from planes.words.records import Json, Pictured
 
 TOLD = 20  # for how many failed positions the nearest working one is looked for
@@ -85,6 +84,18 @@ class Position(Pictured):
     def number(self, group: str) -> float | None:
         """A balancing load, where it was asked."""
         return next((f.number for f in self.of(group).values()), None)
+
+    def measured_on(self, plan: str) -> Iterator[tuple[str, Segment, Json]]:
+        """The segments measured on a plan; a whole vector of rates from the pole is named by its point, not by what it
+        was found against."""
+        rates = {p: {"velocity": m.velocity, "acceleration": m.acceleration} for p, m in self.plans.points.items()}
+        points = {label_of(marks[plan]): p for p, marks in rates.items() if plan in marks}
+        for s in self.plans.segments_of.get(plan, ()):
+            found = self.results["plans"][plan]["segments"].get(s.start + s.end)
+            if found and found["name"] == s.name:
+                whole = points and s.start == POLE and at(plan, s.end) not in self.drawing.program.corners
+                point = points.get(s.end) or s.end.rstrip("'").upper()
+                yield (f"{plan[0]}_{point}" if whole else s.name), s, found
 
     def value(self, name: str) -> float | complex:
         """A quantity by the name ``find:`` has for it: a number in SI, complex for a vector.

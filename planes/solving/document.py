@@ -3,8 +3,6 @@
 In every text _{…} and ^{…} are indices, ⟨…⟩ the name of a vector or a value. How it looks is not its matter.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """What ``planes solve --explain`` prints: the steps of a program that lead to what is asked, and those dropped."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 
 from planes.drafting.steps.base import Step

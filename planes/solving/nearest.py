@@ -1,7 +1,5 @@
 """Where the method works again: the value of the drive nearest to one at which it fails."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

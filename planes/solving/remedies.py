@@ -1,7 +1,5 @@
 """What a draughtsman does near a dead point: a smaller scale, or values between those of neighbouring positions."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace

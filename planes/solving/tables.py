@@ -1,7 +1,5 @@
 """Results as tables a person reads in a terminal, in Russian or English."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterable

@@ -1,7 +1,5 @@
 """What a scene of vectors states, as one program: its equations in whatever order they can be drawn, and their unit."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace

@@ -1,7 +1,5 @@
 """Scenes that state vectors and equations alone: drawn by the drafting core with any instrument, and measured."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Mapping

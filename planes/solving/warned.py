@@ -1,7 +1,5 @@
 """What a reader of one position must know of its numbers: blunt crossings, loads that stand still, digits eaten."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 

@@ -1,8 +1,12 @@
-"""The one table of words: every sentence and label meant for people, a folder a language, a file a room."""
+"""The one table of words: every sentence and label meant for people, a folder a language, a file a room.
 
-from __future__ import annotations
+What the operating system says of a failure is told in Russian too; the language it speaks is the home language.
+"""
 
+import errno
 import json
+import locale
+import os
 import re
 from collections.abc import Iterable
 from functools import cache
@@ -10,9 +14,8 @@ from pathlib import Path
 from string import Formatter
 from typing import Any, Literal
 
-from planes.words.system import in_russian
-
 Lang = Literal["ru", "en"]
+RUSSIAN = ("ru", "be", "uk", "kk")
 
 
 @cache
@@ -25,6 +28,19 @@ def table(lang: Lang, file: str = "*") -> dict[str, str]:
 def under(prefix: str, lang: Lang, file: str = "*") -> dict[str, str]:
     """Sentences whose keys begin alike, by the rest of the key."""
     return {key.removeprefix(prefix): text for key, text in table(lang, file).items() if key.startswith(prefix)}
+
+
+@cache
+def _of_system() -> dict[str, str]:
+    """The Russian of each sentence of the system; ``system.json`` has it by the name of the failure."""
+    named = json.loads(Path(__file__).with_name("system.json").read_text("utf-8"))
+    return {os.strerror(getattr(errno, name)): words for name, words in named.items() if hasattr(errno, name)}
+
+
+def home_lang() -> Lang:
+    """Russian where the system speaks Russian, Belarusian, Ukrainian or Kazakh; else English."""
+    said = next((os.environ[k] for k in ("LC_ALL", "LC_MESSAGES", "LANG") if os.environ.get(k)), "")
+    return "ru" if (said or locale.getlocale()[0] or "").lower().startswith(RUSSIAN) else "en"
 
 
 class Phrase:
@@ -85,7 +101,7 @@ class _Teller(Formatter):
         if isinstance(value, tuple):
             return (format_spec or ", ").join(self.format_field(v, "") for v in value)
         if isinstance(value, str):
-            return in_russian(value) if self.lang == "ru" else value
+            return _of_system().get(value, value) if self.lang == "ru" else value
         return format(value, format_spec or (".4g" if isinstance(value, float) else ""))
 
 

@@ -1,7 +1,5 @@
 """Every error class, and how a refusal offers what would have been valid. The words are in the table of words."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass

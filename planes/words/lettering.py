@@ -5,8 +5,6 @@ A helper mark is named "°y-y" (where a guide stands), "H°CL" (the line of H be
 it), "B°s" (where a driver's stroke is counted from); a direction "∥CL", "⊥BC" or, by a vector, "∠v_C" and "→v_C".
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection
 from dataclasses import dataclass

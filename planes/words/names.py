@@ -4,8 +4,6 @@ and its links, the scale of a plan, the pole. Whoever makes a name says what it 
 Names people write beside marks are brought to these: primes, indices, look-alike letters.
 """
 
-from __future__ import annotations
-
 import re
 import unicodedata
 from collections.abc import Callable, Iterable

@@ -1,7 +1,5 @@
 """The outer form of answers: what JSON holds, what a notebook shows, tables as CSV that a spreadsheet only shows."""
 
-from __future__ import annotations
-
 import csv
 import io
 import re

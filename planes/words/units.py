@@ -4,8 +4,6 @@ Inside the program μ is always millimetres on paper per SI unit: m, m/s, m/s²,
 written either so ("30 mm/(m/s)") or upside down ("0.0333 (m/s)/mm"), in Latin or in Russian letters.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections import Counter

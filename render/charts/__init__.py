@@ -1,7 +1,5 @@
 """Charts: curves over an axis, as strokes. Colours stay apart in grey and for the colour-blind; each has its dashes."""
 
-from __future__ import annotations
-
 import io
 import re
 from pathlib import Path

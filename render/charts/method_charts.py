@@ -1,7 +1,5 @@
 """Two charts of methods: speed against accuracy with its front, and errors on the way to a limit of assembly."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path

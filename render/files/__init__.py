@@ -1,7 +1,5 @@
 """Drawings written as files: SVG, PDF, PNG, DXF."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path

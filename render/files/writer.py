@@ -1,7 +1,5 @@
 """What a writer of files draws of marks, whatever the format: strokes, filled outlines, arcs and texts."""
 
-from __future__ import annotations
-
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 

@@ -4,8 +4,6 @@ A fixed order of candidate places, costs, a greedy choice and then repairs: the 
 places.  A label that finds no room beside what it names goes farther away, with a leader line.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 

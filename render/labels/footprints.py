@@ -1,7 +1,5 @@
 """The ink of marks as shapely shapes, and where labels and strokes meet; all in mm of the sheet."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,7 +1,5 @@
 """The lesson as one self-contained page: the exported drawings, a painter of lines between marks, no network."""
 
-from __future__ import annotations
-
 import html
 from collections.abc import Iterator
 

@@ -4,8 +4,6 @@ A page asks nothing of the network, and runs only the script that is written int
 hash of the script, and refuses any other, whatever stands in a title or in the name of a file.
 """
 
-from __future__ import annotations
-
 import base64
 import hashlib
 import html

@@ -4,8 +4,6 @@ Shared by the back-ends and by the label placing, so that all of them see the sa
 disc hides nothing (DXF) lines are really cut under hinges and sliders.
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterable, Sequence

@@ -21,8 +21,6 @@ right.  A path is a list of words:
     @A or @A,dx,dy   the strokes of another glyph, moved by dx, dy
 """
 
-from __future__ import annotations
-
 import json
 import math
 import unicodedata

@@ -1,7 +1,5 @@
 """Names and numbers as a language writes them: ⟨a_CB^t⟩ as pieces of plain, lowered and raised letters, units, μ."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass

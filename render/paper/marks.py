@@ -5,8 +5,6 @@ names its ``layer`` (what it means); how it looks is decided by ``style`` alone,
 never scaled by a plan's μ. Back-ends know these six records and nothing else.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar

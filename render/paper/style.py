@@ -3,8 +3,6 @@
 Nothing here is ever scaled by a plan's μ.  A mark names its style; this table turns the name into a pen.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import get_args
 

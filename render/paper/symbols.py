@@ -6,8 +6,6 @@ guides, sliders, bars, hinges; then a bar is seen up to the hinge within a slide
 slider.  Without a layer of their own the marks lie on "scheme", hatching on "hatch".
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Sequence

@@ -4,8 +4,6 @@
 else is markup: a bare ``_`` or ``^`` is drawn as it stands.
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 import re
@@ -89,16 +87,8 @@ def layout(text: Text) -> LaidText:
     """Strokes, box and runs of a text mark after its anchor and its turn."""
     runs, inked, (x0, _, x1, _) = _set(text.text, text.height, text.face)
     origin, turn, corners = _turned(text)
-    return LaidText(
-        strokes=tuple(tuple([origin + z * turn for z in line]) for _, line in inked),
-        pens=tuple(pen for pen, _ in inked),
-        box=corners,
-        width=x1 - x0,
-        runs=runs,
-        origin=origin,
-        turn_deg=text.turn_deg,
-        filled=bool(text.face.font),
-    )
+    strokes, pens = tuple(tuple([origin + z * turn for z in line]) for _, line in inked), tuple(pen for pen, _ in inked)
+    return LaidText(strokes, pens, corners, x1 - x0, runs, origin, text.turn_deg, bool(text.face.font))
 
 
 def extent(text: str, height_mm: float) -> tuple[float, float, float, float]:

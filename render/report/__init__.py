@@ -1,7 +1,5 @@
 """Documents: blocks as one HTML page, as a PDF, or as a Word document."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from importlib import import_module
 

@@ -1,7 +1,5 @@
 """A document as one HTML page that needs nothing beside it: styles, formulas and figures stand inside."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from html import escape

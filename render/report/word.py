@@ -1,7 +1,5 @@
 """A document as a Word file, for a department's own template: headings, text, tables, figures, formulas as pictures."""
 
-from __future__ import annotations
-
 import io
 from collections.abc import Sequence
 

@@ -1,7 +1,5 @@
 """One sheet: views composed, the smallest format that holds them, places, frame and title block."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import product

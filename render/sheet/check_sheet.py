@@ -3,8 +3,6 @@
 A blank has corner marks a camera finds, the frame, the pole, μ and the title.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass

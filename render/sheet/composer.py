@@ -1,7 +1,5 @@
 """From a drawing to the views of its sheet: scheme, plans with their equations, tables; each made once."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Formats of ГОСТ 2.301, the frame 20/5/5/5 and form 1 of ГОСТ 2.104 as marks, and what a scene says in its cells."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Mapping

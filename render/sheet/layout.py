@@ -1,7 +1,5 @@
 """Places of views on a sheet: packed into the field, then spread so that white space is shared; all in mm."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace

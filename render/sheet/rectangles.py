@@ -1,7 +1,5 @@
 """Rectangles put into a field one after the other, each into a corner of a free rectangle; all in mm."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -34,20 +32,13 @@ Rule = Callable[[Bounds, Size], tuple[float, ...]]
 """How much a free rectangle is liked for a size: the least is taken."""
 
 
-def _by_top(free: Bounds, size: Size) -> tuple[float, ...]:
-    return (-free[3], free[0])
-
-
 def _by_fit(free: Bounds, size: Size) -> tuple[float, ...]:
     spare = free[2] - free[0] - size[0], free[3] - free[1] - size[1]
     return (min(spare), max(spare))
 
 
-def _by_left(free: Bounds, size: Size) -> tuple[float, ...]:
-    return (free[0], -free[3])
-
-
-RULES: tuple[Rule, ...] = (_by_top, _by_fit, _by_left)
+RULES: tuple[Rule, ...] = (lambda free, _: (-free[3], free[0]), _by_fit, lambda free, _: (free[0], -free[3]))
+"""The topmost one, the one that fits best, the leftmost one."""
 
 
 def filled(
@@ -85,14 +76,10 @@ def _without(free: list[Bounds], taken: Bounds, least: Size) -> list[Bounds]:
             pieces += [(a, b, x0, d)] * (x0 - a >= least[0]) + [(x1, b, c, d)] * (c - x1 >= least[0])
         if c - a >= least[0]:
             pieces += [(a, b, c, y0)] * (y0 - b >= least[1]) + [(a, y1, c, d)] * (d - y1 >= least[1])
-    for a, b, c, d in sorted(pieces, key=_negative_area):
+    for a, b, c, d in sorted(pieces, key=lambda f: (f[0] - f[2]) * (f[3] - f[1])):  # the largest first
         for g in kept:
             if g[0] <= a and g[1] <= b and g[2] >= c and g[3] >= d:
                 break
         else:
             kept.append((a, b, c, d))
     return kept
-
-
-def _negative_area(free: Bounds) -> float:
-    return (free[0] - free[2]) * (free[3] - free[1])

@@ -1,7 +1,5 @@
 """One view by itself, or a drawing without its mechanism: a page cut to its ink with a margin around it."""
 
-from __future__ import annotations
-
 import cmath
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial

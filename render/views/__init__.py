@@ -1,7 +1,5 @@
 """A view: one part of a sheet drawn about its own origin, in mm, with its title and the box of its ink."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property

@@ -1,7 +1,5 @@
 """The self-aligning variant drawn: the scheme with the signs of cylindrical and spherical pairs, and their names."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 

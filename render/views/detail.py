@@ -1,7 +1,5 @@
 """Details of a plan: what is too short to be read is circled, and drawn once more enlarged, with its own scale."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 

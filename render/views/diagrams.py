@@ -1,7 +1,5 @@
 """Motion over the cycle: diagrams against the driver's place, and hodographs, ends of a vector laid off from a pole."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby

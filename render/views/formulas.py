@@ -1,7 +1,5 @@
 """Vector equations as on paper: bars over vectors, underlines for what is known, action lines and numbers beneath."""
 
-from __future__ import annotations
-
 import cmath
 import math
 import re

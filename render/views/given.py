@@ -1,7 +1,5 @@
 """What a scene gives, each thing once: its parameters as they are named, then every number written without a name."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterator, Mapping

@@ -1,8 +1,6 @@
 """Graphical differentiation and integration drawn: diagrams one beneath the other, poles with their rays, carried
 ordinates, the curve that was drawn and, in dashes, the exact one."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise

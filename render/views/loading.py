@@ -1,7 +1,5 @@
 """Forces and couples on a scheme: arrows at their points, curved arrows of couples, arms with their lines of action."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, field, replace
 

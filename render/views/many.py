@@ -1,7 +1,5 @@
 """Many positions on one scheme: links in thin lines at twelve angles, paths of points, numbers at the crank."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence

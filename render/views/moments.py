@@ -3,8 +3,6 @@
 The lever is the velocity plan turned by a right angle, with the outer forces at the images of their points.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Collection
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """What views are drawn from: plans of a mechanism or of vectors, and where its parts stand on the scheme."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence

@@ -1,7 +1,5 @@
 """A plan of rates or forces as marks: arrows, lines of action, traces of similarity and the names of all."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 

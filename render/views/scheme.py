@@ -1,7 +1,5 @@
 """The scheme of a mechanism in one position, with the signs of ГОСТ 2.770: guides, sliders, links, hinges, letters."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Sequence

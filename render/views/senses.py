@@ -1,7 +1,5 @@
 """Curved arrows of the driver's ω and ε, and thin lines that make way for letters."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterable, Sequence

@@ -1,18 +1,16 @@
 """Tables of given and found values as marks: a title, a head, rows between thin lines."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from planes.drafting.draft import Segment
 from planes.solving import Position
+from planes.solving.tables import difference_percent
 from planes.solving.vectors import VectorResults
 from planes.words import say
 from planes.words.lettering import Naming
-from planes.words.names import POLE, at, kind_of, label_of
+from planes.words.names import kind_of
 from planes.words.units import UNIT
 from render.paper import symbols
 from render.paper.ink import head as ink_head
@@ -153,22 +151,11 @@ class Tables:
         unit, rows = self.say(UNIT[kind_of(plan)]), []
         if max((s["mm"] for s in measured["segments"].values()), default=0.0) <= NOISE_MM:
             return None
-        for segment in (s for s in self.position.plans.segments if s.plan == plan):
-            found = measured["segments"].get(segment.start + segment.end)
-            if found and found["name"] == segment.name:
-                ends = self.naming.mark(segment.start, plan) + self.naming.mark(segment.end, plan)
-                value = self.number(found["value"] if found["mm"] > NOISE_MM else 0.0)
-                rows.append([self.vector(segment, plan), ends, self.number(round(found["mm"], 1), 5), value])
+        for vector, segment, found in self.position.measured_on(plan):
+            ends = self.naming.mark(segment.start, plan) + self.naming.mark(segment.end, plan)
+            value = self.number(found["value"] if found["mm"] > NOISE_MM else 0.0)
+            rows.append([self.naming.vector(vector), ends, self.number(round(found["mm"], 1), 5), value])
         return self.table(f"{plan}-table", self.say(f"by_{plan}"), ["", "", self.say("mm"), unit], rows)
-
-    def vector(self, segment: Segment, plan: str) -> str:
-        """The name of a segment: whole vectors from the pole by their points, not by what they were found against."""
-        if segment.start != POLE or at(plan, segment.end) in self.position.drawing.program.corners:
-            return self.naming.vector(segment.name)
-        names = self.position.plans.points
-        marks = {label_of(m.velocity if plan == "velocity" else m.acceleration): p for p, m in names.items()}
-        point = marks.get(segment.end) or segment.end.rstrip("'").upper()
-        return self.naming.vector(f"{plan[0]}_{point}")
 
     def links(self) -> View | None:
         """ω and ε of every link with their senses."""
@@ -209,7 +196,6 @@ class Tables:
             if check is not None:
                 rows.append([self.say("zhukovsky"), f"{name}, {self.say(unit)}", self.number(check)])
             if found is not None and check is not None:
-                largest = max(abs(found), abs(check))
-                apart = 100 * abs(found - check) / largest if largest else 0.0
+                apart = difference_percent(found, check)
                 rows.append([self.say("difference_percent"), "", self.number(apart if apart > 1e-6 else 0.0, 2)])
         return self.table("check", self.say("check_table"), ["", "", ""], rows)

@@ -45,7 +45,7 @@ def test_sines_are_right_to_the_last_place() -> None:
     tape, degrees = Tape(), np.linspace(-360, 360, 1441)
     turned = AR.cis_deg(given(tape, "phi"))
     cos, sin = looped(tape, [turned.real, turned.imag], phi=degrees)
-    exact = np.array([AR.one.cis_deg(float(d)) for d in degrees])
+    exact = np.array([AR.cis_deg(float(d)) for d in degrees])
     assert np.abs(cos - exact.real).max() <= 2.3e-16 and np.abs(sin - exact.imag).max() <= 2.3e-16
     quarters = degrees % 90 == 0
     assert (cos[quarters] == exact.real[quarters]).all() and (sin[quarters] == exact.imag[quarters]).all()

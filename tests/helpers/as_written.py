@@ -42,7 +42,7 @@ def long(thing: Any) -> Any:
 
 def givens(mechanism: Mechanism) -> dict[str, Any]:
     """All that is given to the drawing, reckoned with long numbers."""
-    kept, bodies.ARITHMETIC = bodies.ARITHMETIC, LONG  # type: ignore[assignment]
+    kept, bodies.ARITHMETIC = bodies.ARITHMETIC, LONG
     try:
         return dict(plans_of(long(mechanism)).given)
     finally:

@@ -49,20 +49,9 @@ class ClassRow:
         """The row of what was found."""
         found, said = one.found, one.shown(lang)
         unmarked = said.removeprefix(f"{one.first}: ") if one.first else said
-        return cls(
-            one.file,
-            one.verdict,
-            rank(one),
-            one.first,
-            said,
-            one.whose,
-            one.plan(lang),
-            one.report,
-            unmarked if found and found.mistake else "",
-            address(thumb(one)),
-            list(islice(wrong_places(one), MOST_PLACES)),
-            one.as_json(lang),
-        )
+        whose, mistake = (one.whose, one.plan(lang), one.report), unmarked if found and found.mistake else ""
+        shown = mistake, address(thumb(one)), list(islice(wrong_places(one), MOST_PLACES))
+        return cls(one.file, one.verdict, rank(one), one.first, said, *whose, *shown, one.as_json(lang))
 
     @classmethod
     def read(cls, data: Json) -> ClassRow:

@@ -1,7 +1,5 @@
 """The steps of a drawing, each a draughtsman's verb: here those that always can be done, with the crossings."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -36,9 +34,7 @@ class Put(Step):
 
     at: str | None = None
     mu: str | None = None
-
-    def reads(self) -> tuple[Read, ...]:
-        return ((self.at, "place"), *values(self.mu)) if self.at else ()
+    needs = (("at", "place"), *values("mu"))
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         return tool.mark(env[self.at] * env[self.mu]) if self.at and self.mu else 0j
@@ -50,9 +46,7 @@ class Aim(Step):
 
     angle: str
     kind: ClassVar[Kind] = "direction"
-
-    def reads(self) -> tuple[Read, ...]:
-        return values(self.angle)
+    needs = values("angle")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         return tool.ar.cis_deg(env[self.angle])
@@ -65,9 +59,7 @@ class Through(Step):
     start: str
     end: str
     kind: ClassVar[Kind] = "direction"
-
-    def reads(self) -> tuple[Read, ...]:
-        return marks(self.start, self.end)
+    needs = marks("start", "end")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         return plane.unit(env[self.end] - env[self.start], tool.ar)
@@ -81,9 +73,7 @@ class Turn(Step):
     quarter: int = 0
     angle: str | None = None
     kind: ClassVar[Kind] = "direction"
-
-    def reads(self) -> tuple[Read, ...]:
-        return directions(self.of) + values(self.angle)
+    needs = directions("of") + values("angle")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         turned = env[self.of] * (1, 1j, -1, -1j)[self.quarter % 4]
@@ -98,9 +88,7 @@ class LayOff(Step):
     along: str
     length: str
     mu: str
-
-    def reads(self) -> tuple[Read, ...]:
-        return marks(self.start) + directions(self.along) + values(self.length, self.mu)
+    needs = marks("start") + directions("along") + values("length", "mu")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         return tool.mark(env[self.start] + tool.ray(env[self.along]) * (env[self.length] * env[self.mu]))
@@ -114,9 +102,7 @@ class Carry(Step):
     first: str
     second: str
     quarter: int = 0
-
-    def reads(self) -> tuple[Read, ...]:
-        return marks(self.start, self.first, self.second)
+    needs = marks("start", "first", "second")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         segment = (env[self.second] - env[self.first]) * (1, 1j, -1, -1j)[self.quarter % 4]
@@ -128,9 +114,7 @@ class Same(Step):
     """Another name for a mark: the points of a link that does not turn share one end on the plan."""
 
     of: str
-
-    def reads(self) -> tuple[Read, ...]:
-        return marks(self.of)
+    needs = marks("of")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         return env[self.of]
@@ -144,9 +128,7 @@ class Similar(Step):
     start: str
     end: str
     ratio: str
-
-    def reads(self) -> tuple[Read, ...]:
-        return (*marks(self.start, self.end), (self.ratio, "place"))
+    needs = (*marks("start", "end"), ("ratio", "place"))
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         return tool.mark(env[self.start] + (env[self.end] - env[self.start]) * env[self.ratio])

@@ -5,8 +5,6 @@ drawn by an instrument (``tool``), which owns the arithmetic, the errors of hand
 so the same step serves one position or an array of many.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from typing import ClassVar, Literal
 
@@ -24,6 +22,7 @@ class Step:
     makes: str
     means: Meaning | None = field(default=None, kw_only=True, compare=False, repr=False)
     kind: ClassVar[Kind] = "mark"
+    needs: ClassVar[tuple[Read, ...]] = ()  # the fields that name what the step needs, each with the kind of that
 
     @property
     def quantity(self) -> str:
@@ -42,7 +41,7 @@ class Step:
 
     def reads(self) -> tuple[Read, ...]:
         """Names of what the step needs, each with its kind."""
-        raise NotImplementedError
+        return tuple([(name, kind) for field, kind in self.needs if (name := getattr(self, field))])
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         """The thing itself, from the things in ``env``."""

@@ -1,7 +1,5 @@
 """Where two lines, a line and an arc, or two arcs meet, and the tangent to a circle: the steps that can fail."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -19,9 +17,7 @@ class Cross(Step):
     other: str
     across: str
     supposed: bool = False
-
-    def reads(self) -> tuple[Read, ...]:
-        return marks(self.start, self.other) + directions(self.along, self.across)
+    needs = marks("start", "other") + directions("along", "across")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         u, w = tool.ray(env[self.along]), tool.ray(env[self.across])
@@ -82,9 +78,7 @@ class CrossArcs(Step):
     other_radius: str
     mu: str
     side: str
-
-    def reads(self) -> tuple[Read, ...]:
-        return marks(self.centre, self.other) + values(self.radius, self.other_radius, self.mu, self.side)
+    needs = marks("centre", "other") + values("radius", "other_radius", "mu", "side")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         r, s = abs(env[self.radius] * env[self.mu]), abs(env[self.other_radius] * env[self.mu])
@@ -110,9 +104,7 @@ class Touch(Step):
     mu: str
     side: str
     kind: ClassVar[Kind] = "direction"
-
-    def reads(self) -> tuple[Read, ...]:
-        return marks(self.start, self.end) + values(self.offset, self.mu, self.side)
+    needs = marks("start", "end") + values("offset", "mu", "side")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         offset = env[self.offset] * env[self.mu] if self.offset else 0.0

@@ -1,7 +1,5 @@
 """Steps that read a drawing and reckon with what was read: measuring, arms, arithmetic, senses, choices."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
@@ -21,9 +19,7 @@ class Measure(Step):
     along: str | None
     mu: str
     kind: ClassVar[Kind] = "value"
-
-    def reads(self) -> tuple[Read, ...]:
-        return marks(self.start, self.end) + directions(self.along) + values(self.mu)
+    needs = marks("start", "end") + directions("along") + values("mu")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         segment = env[self.end] - env[self.start]
@@ -41,9 +37,7 @@ class Drop(Step):
     about: str
     mu: str
     kind: ClassVar[Kind] = "value"
-
-    def reads(self) -> tuple[Read, ...]:
-        return marks(self.point, self.about) + directions(self.along) + values(self.mu)
+    needs = marks("point", "about") + directions("along") + values("mu")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         arm = plane.cross(env[self.point] - env[self.about], env[self.along])
@@ -56,9 +50,7 @@ class Protractor(Step):
 
     of: str
     kind: ClassVar[Kind] = "value"
-
-    def reads(self) -> tuple[Read, ...]:
-        return directions(self.of)
+    needs = directions("of")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         return tool.ar.angle_deg(env[self.of])
@@ -129,9 +121,7 @@ class SenseOf(Step):
 
     value: str
     kind: ClassVar[Kind] = "value"
-
-    def reads(self) -> tuple[Read, ...]:
-        return values(self.value)
+    needs = values("value")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         return tool.ar.sign(env[self.value])
@@ -151,9 +141,7 @@ class Lean(Step):
     sliding: str
     push: int
     kind: ClassVar[Kind] = "direction"
-
-    def reads(self) -> tuple[Read, ...]:
-        return directions(self.normal, self.along) + values(self.coefficient, self.sliding)
+    needs = directions("normal", "along") + values("coefficient", "sliding")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         friction = env[self.coefficient] * env[self.sliding] * self.push
