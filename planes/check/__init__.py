@@ -1,7 +1,5 @@
 """The outcome of a check: what was handed in, judged, as the object for programs and as words for people."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace

@@ -3,8 +3,6 @@
 The patterns are this project's own; they need no library to print, and OpenCV's marker detector to read.
 """
 
-from __future__ import annotations
-
 import math
 from itertools import product
 

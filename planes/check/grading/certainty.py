@@ -4,8 +4,6 @@ What was read is explained by a right drawing; by one mistake of the catalogue; 
 its own; or, of a picture, by another place taken for the mark that seems wrong. Priors are stated as shares of marks.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Mapping
 

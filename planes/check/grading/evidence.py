@@ -1,8 +1,6 @@
 """How much a drawing shows: its scale, where that was not told; what marks put down anywhere would pass for by chance
 is not judged right."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Mapping
 

@@ -1,7 +1,5 @@
 """Check a person's drawing of one plan: align it, find its scale, grade every mark, name the first mistake."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field

@@ -8,8 +8,6 @@ Marks share errors: a scheme drawn a little askew is seen in a force of inertia,
 from that force's moment. What one mark shows of such an error is expected in the next, and is no news there.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace

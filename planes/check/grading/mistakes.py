@@ -1,7 +1,5 @@
 """The catalogue of mistakes of velocity and acceleration plans, as variants of the program's own steps."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 

@@ -1,7 +1,5 @@
 """Mistakes of a force plan as variants of its steps: loads, moments and arms, reactions, friction."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Mistakes of a position plan: the other assembly, the angle's sense, a link in another scale, an offset ignored."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence

@@ -1,7 +1,5 @@
 """What a person handed in, read from a table: ends of vectors, lengths of segments, or results."""
 
-from __future__ import annotations
-
 import csv
 import json
 import math

@@ -1,7 +1,5 @@
 """One plan of a program, and what a mistake in it may take for something else."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 

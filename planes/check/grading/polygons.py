@@ -4,8 +4,6 @@ A polygon's order is free, so each vector is taken by its name and the marks of 
 from the person's vectors. What is left when all of them are laid end to end is the gap.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise

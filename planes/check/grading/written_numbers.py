@@ -1,7 +1,5 @@
 """Numbers a person wrote down, lengths of segments or results, against what the plans, mistakes and slips give."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace

@@ -4,8 +4,6 @@ A head is a tip and the way it points. It tells which end of a stroke is the vec
 told from a tick, and is itself no part of the plan.
 """
 
-from __future__ import annotations
-
 import cmath
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise

@@ -4,8 +4,6 @@ Names crowd where marks do, and the word nearest to a mark may be its neighbour'
 elsewhere, the drawing is held against the plan as it should be.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Force polygons on a drawing: the strokes as one chain of vectors, each named by its word or by its likeness."""
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass

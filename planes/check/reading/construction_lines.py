@@ -1,7 +1,5 @@
 """Construction lines told from the vectors upon them, where no arrowheads tell: they run on to where nothing ends."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from planes.check.grading.paper import MISREAD

@@ -1,7 +1,5 @@
 """Strokes and words of a DXF file: lines, polylines, blocks inside blocks, arrowheads, texts; no dimensions."""
 
-from __future__ import annotations
-
 import cmath
 import io
 import math

@@ -4,8 +4,6 @@ A sheet may show more than the bare polygon: whole reactions beside their parts,
 forces of one line are drawn side by side. Then lines do not make up one chain, yet each arrow is a vector.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 

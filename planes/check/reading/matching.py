@@ -4,8 +4,6 @@ A mark without a word is looked for where its step leads from the person's own e
 mistake of the catalogue; what is nowhere stays unread.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 

@@ -1,7 +1,5 @@
 """Files as people hand them in: of bounded size, and whatever a reading library breaks on is one sentence."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager

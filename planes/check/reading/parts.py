@@ -1,7 +1,5 @@
 """What stands on a page: lettering put aside, the rest as parts that hang together, each with the words near it."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Strokes and words of a page of a PDF that is drawn in lines: its paths and texts as a picture of SVG."""
 
-from __future__ import annotations
-
 import ctypes
 from collections.abc import Iterator
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Strokes and words of an SVG file as drawing programs write it: nested transforms, paths, polylines, symbols."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Mapping, Sequence

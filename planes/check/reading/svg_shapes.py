@@ -1,7 +1,5 @@
 """Elements of an SVG file: read within bounds, their shapes as straight pieces, and how they are to look."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Mapping
 from contextlib import suppress

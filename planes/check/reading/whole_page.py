@@ -3,8 +3,6 @@
 Its scale may be written in the title over it: "План скоростей, μv = 50 мм/(м·с⁻¹)".
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace

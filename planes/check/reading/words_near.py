@@ -1,7 +1,5 @@
 """Words beside the nodes of a drawing: which marks may be where, and from them where the pole is, and in what size."""
 
-from __future__ import annotations
-
 import math
 import statistics
 from collections import Counter

@@ -1,7 +1,5 @@
 """What the reports of a checked drawing, or of a class of them, show as plain data: for programs, rows, pages."""
 
-from __future__ import annotations
-
 import math
 import shlex
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """What a page judges moved marks by, as plain data: the tape, the right plan, the rule, what may have to be said."""
 
-from __future__ import annotations
-
 import base64
 import math
 from collections.abc import Mapping

@@ -5,8 +5,6 @@ looked up, and every error of hand, ruler and reading is a source of its own. So
 mechanics: values give the misses, slopes with respect to the sources their tolerances.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Container, Iterable
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Both plans as they are shown, each where it lies: a force polygon's order is free, so both in the person's own."""
 
-from __future__ import annotations
-
 import shlex
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -5,8 +5,6 @@ seen bent, the lens is fitted that makes them straight, and what is then left is
 opposite sides.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import TypeVar
 

@@ -1,7 +1,5 @@
 """Which lines there are in a sheet's ink: lines that run close beside each other, and short ones, told apart."""
 
-from __future__ import annotations
-
 import math
 import statistics
 from collections.abc import Iterable, Iterator, Sequence

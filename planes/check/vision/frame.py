@@ -4,8 +4,6 @@ The frame of ГОСТ 2.301 sheets stands 20 mm from the left edge and 5 mm from
 how the sheet lies and, less surely, its format; several formats may be worth trying.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 

@@ -4,8 +4,6 @@ A head stands out to both sides of a line by itself; of a line drawn upon anothe
 the line may end or be another vector's.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Ink on a flat picture: its light made even, printed marks taken out, and how dark any place of the sheet is."""
 
-from __future__ import annotations
-
 import statistics
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -5,8 +5,6 @@ some other reason. What hangs together with the pole, or with a line that is tak
 among it; a table, a name or another plan that stands apart asks for no reason.
 """
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 from collections.abc import Iterable, Sequence

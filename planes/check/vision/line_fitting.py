@@ -4,8 +4,6 @@ Across the line the middle of the ink is found every fifth of a millimetre, wher
 straight (if long: slightly bent) line is laid through these robustly. The ends are where the ink ends.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field

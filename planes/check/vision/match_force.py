@@ -7,8 +7,6 @@ unexplained tells the names. What is hidden (too small, or between two vectors o
 should be, with the error of drawing it.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import InitVar, dataclass, field

@@ -6,8 +6,6 @@ the least ink unexplained, with the fewest marks missing, tells the names of the
 the drawing is right is judged afterwards, from the places.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field

@@ -5,8 +5,6 @@ have its head where it ends, and its ink on the way there; of a force plan some 
 side by side. No clear head may be left over, and no name may stand beside another's vector.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field

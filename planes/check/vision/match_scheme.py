@@ -4,8 +4,6 @@ A point is where a hinge's circle or a dot stands, or where lines end and cross;
 guides lines through a slider. What is drawn about supports and sliders says nothing.
 """
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterator, Mapping

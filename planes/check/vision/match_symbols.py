@@ -1,7 +1,5 @@
 """Signs of a scheme on a picture: the small circles of hinges and the dots of other points, by their middles."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy

@@ -1,7 +1,5 @@
 """What stands on a page of known scale: its ink in parts that hang together, each as a picture of its own."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """From a picture of a plan to the marks of a person: made flat, its lines found, matched to the plan."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field

@@ -1,7 +1,5 @@
 """A photograph or scan of a plan on paper, made straight and to scale by the blank's corner marks or by two points."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from dataclasses import dataclass, field, replace

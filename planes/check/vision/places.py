@@ -1,7 +1,5 @@
 """Lines of a sheet and the places where they end, meet and cross: each with how surely it is known."""
 
-from __future__ import annotations
-
 import math
 import statistics
 from collections.abc import Sequence

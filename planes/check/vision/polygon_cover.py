@@ -1,7 +1,5 @@
 """Ways a force polygon may have been drawn: rightly, or with a mistake of the catalogue; as vectors by name."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace

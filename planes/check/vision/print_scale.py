@@ -5,8 +5,6 @@ corner marks, all they draw is larger by one factor. A drawing to a wrong scale 
 than printers do.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace

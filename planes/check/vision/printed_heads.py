@@ -1,7 +1,5 @@
 """Arrowheads as a program prints them: filled triangles of known size, told to 0.1 mm by their bases."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import NamedTuple

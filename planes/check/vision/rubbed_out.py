@@ -1,7 +1,5 @@
 """Lines that were rubbed out and are still seen: much lighter than the lines they hang together with."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
