@@ -88,7 +88,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
 
 
 def _with_told(bench: PreparedPlan, look: Look, known: Known) -> list[ReadMark]:
-    """The marks that were read, in doubt where no lettering tells them, and those that were pointed to, which are not."""
+    """The marks that were read, in doubt unless lettering tells them, and those that were pointed to, which are not."""
     told = {n: look.flat.place(z) for k, z in known.marks.items() if (n := bench.names.find(k))} if look.spots else {}
     force = kind_of(bench.asked.plan) == "force"  # its marks stand where its vectors end, in any order
     return with_told(look.spots, {} if force else told, 0.0 if look.told else MISREAD)
