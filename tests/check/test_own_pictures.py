@@ -114,6 +114,11 @@ def test_a_spoiled_force_is_found(sample: str, tmp_path: Path) -> None:
     assert (found.verdict, found.first_wrong) == ("wrong", mistakes(sample, plan)[k].blames), found.sentence.told("en")
 
 
+def test_a_print_of_another_plan_is_said_not_to_be_made_out(tmp_path: Path) -> None:
+    with pytest.raises(PlanesError, match="not made out"):
+        looked("six-link", "acceleration", view("six-link", "velocity", drawn("six-link")[1]), tmp_path)
+
+
 def test_a_picture_tells_what_is_lettered_on_it(tmp_path: Path) -> None:
     """As text goes with a PDF; what is no list of such texts tells nothing."""
     file, page = tmp_path / "p.png", view("six-link", "velocity", drawn("six-link")[1])

@@ -67,7 +67,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
             break
     told = best and (best.flat.by not in ("scale", "part") or pole is not None)
     if best is None or not (told or (best.spots and best.explained >= EXPLAINED)):
-        raise PlanesError(Phrase("check_no_marks"))
+        raise PlanesError(Phrase("check_no_print_seen" if picture.words else "check_no_marks"))
     paper.notes, paper.pole_told = list(best.flat.notes), pole is not None or best.flat.by == "marks" or best.told
     paper.picture, paper.box = shown(best.flat), best.box(bench)
     if best.crowd:
