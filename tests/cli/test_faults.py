@@ -85,7 +85,7 @@ def test_a_limit_of_a_files_size_is_a_sentence(tmp_path: Path, argv: list[str], 
 
 
 def heard() -> None:
-    """A run in the background of a shell, or under nohup, does not hear Ctrl-C or a hang-up, nor do programs it starts."""
+    """A run in a shell's background, or under nohup, hears no Ctrl-C and no hang-up, nor do programs it starts."""
     for number in (signal.SIGINT, signal.SIGHUP):
         signal.signal(number, signal.SIG_DFL)
 
