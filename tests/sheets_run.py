@@ -34,7 +34,6 @@ from render.paper.marks import Arrow, Line, Mark, Text
 from render.paper.typeset import plain
 from render.sheet import Sheet
 from render.views.moments import MomentLines
-from render.views.tables import Tables
 from tests.helpers import ROOT
 
 SAMPLES = sorted((ROOT / "samples").glob("*.yaml"))
@@ -219,15 +218,9 @@ def kinematics(p: Position, naming: Naming) -> Iterator[tuple[str, str]]:
     for plan in ("velocity", "acceleration"):
         found = p.results.get("plans", {}).get(plan, {"segments": {}})["segments"]
         longest = max((s["mm"] for s in found.values()), default=0.0)
-        for s in found.values():
-            if s["mm"] > STILL * longest and longest > 1e-6:
-                yield f"{plan} {s['name']}", _vector(p, naming, plan, s["name"])
-
-
-def _vector(p: Position, naming: Naming, plan: str, name: str) -> str:
-    """How a vector is lettered: a whole one, from the pole, by its point."""
-    found = next(s for s in p.plans.segments if s.plan == plan and s.name == name)
-    return plain(Tables(p, naming).vector(found, plan))
+        for vector, _, segment in p.measured_on(plan) if longest > 1e-6 else ():
+            if segment["mm"] > STILL * longest:
+                yield f"{plan} {segment['name']}", plain(naming.vector(vector))
 
 
 def forces(p: Position, naming: Naming) -> Iterator[tuple[str, str]]:
