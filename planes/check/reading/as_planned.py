@@ -105,7 +105,7 @@ def vectors_named(
             return nothing
     known = [*sides.values(), *beside]
     over = any(not _alike(s, t) and not _alike(s[::-1], t) for s in arrows for t in [_like(s, known)])
-    over = over or any(max(abs(a - d), abs(b - c)) < UPON_MM for (a, b), (c, d) in combinations(rows.values(), 2))
+    over = over or any(_upon(*both) for both in combinations(rows.values(), 2))
 
     def nearer(one: str, two: str) -> float:
         third = sum(alongside(*rows[one], *arrow) for arrow in arrows)  # with one words stand where there is room
@@ -123,6 +123,12 @@ def vectors_named(
 def _alike(stroke: Stroke, true: complex) -> bool:
     """Whether a stroke may be a vector."""
     return abs(stroke[1] - stroke[0] - true) <= min(REACH_MM + SHARE * abs(true), 0.5 * abs(true) + 0.1)
+
+
+def _upon(one: Stroke, two: Stroke) -> bool:
+    """Whether two vectors lie upon each other, there and back."""
+    off, long = max(abs(one[0] - two[1]), abs(one[1] - two[0])), min(abs(b - a) for a, b in (one, two))
+    return off < min(UPON_MM, long / 2)
 
 
 def _like(stroke: Stroke, known: Sequence[complex]) -> complex:

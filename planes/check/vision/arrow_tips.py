@@ -151,6 +151,9 @@ class Sight:
         p = self.p
         about = numpy.abs(self.x - p[0] + p[3] / 2) < p[3] / 2 + 0.5
         about &= numpy.abs(self.y - p[1]) < p[4] + 0.4
+        if not about.any():  # it has slid off what is looked at
+            self.gain = 0.0
+            return
         model = numpy.maximum(_head(self.x, self.y, p, self.width), self.known)
         left_over, without = (((_seen(m) - self.dark)[about] ** 2).mean() for m in (model, self.known))
         self.gain = 1 - float(left_over) / max(float(without), 1e-9)

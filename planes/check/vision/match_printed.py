@@ -22,21 +22,20 @@ from planes.check.reading.words_near import led_to_vectors, put
 from planes.check.vision.ink import PENCIL, WHITE, Ink, darkness
 from planes.check.vision.picture import Flat, cv
 from planes.check.vision.places import Seen, rounded
+from planes.check.vision.printed_apart import ALONG_MM, APART_MM, along, apart, hides, of_lines
 from planes.check.vision.printed_heads import BOTH_SIDES, HIDDEN, THICK, TURNED, PrintedHead, heads_along, heads_on
 from planes.geometry.arrays import Greys
 from planes.words.names import POLE, at, kind_of, label_of
 
-ALONG_MM, ASIDE_MM = 1.0, 7.0  # how far a head may be from where it belongs; how far aside a force may be drawn
+ASIDE_MM = 7.0  # how far aside a force may be drawn
 ACROSS_MM = 0.1  # in which a head is looked for aside
 NEAR_MM = 0.3  # aside, of what is not drawn aside
 SURE_MM = 3.0  # a shorter vector may be there unseen: it is put where it should be
 VOTES_MM = 9.0  # shorter vectors do not tell where the pole is
-HIDING_MM = THICK.long  # how near other vectors' ends are that may hide a head
 TOLD_MM = 3.0  # a plan none of whose marks is farther from the right one's is not told from it
 LED_MM, AWAY_MM = 1.6, 3.0  # how near to what it names a name's line ends; how far from all marks it begins
 DRAWN_MM = 0.3  # a shorter one is not drawn
 COVERED, SLIM_MM = 0.9, 0.25
-APART_MM = 0.5  # heads no nearer than this are two
 TRIED = 4  # poles
 MET = 0.7  # the least share of the long vectors of a wrong plan that must meet a head
 ERROR_MM = 0.15
@@ -67,6 +66,11 @@ class PrintedSheet:
     def force(self) -> bool:
         """Whether its vectors may stand aside."""
         return kind_of(self.bench.asked.plan) == "force"
+
+    @property
+    def aside(self) -> float:
+        """How far aside a vector may be drawn, mm."""
+        return ASIDE_MM if self.force else NEAR_MM
 
     def right(self) -> list[ReadMark]:
         """The marks of the right plan; none where it is not what is drawn."""
@@ -118,10 +122,9 @@ class PrintedSheet:
         points = [(ways / way).real > TURNED for _, way in long]
         poles = numpy.array([z for (b, _), on in zip(long, points, strict=True) for z in tips[on] - b], complex)
         worth, met = numpy.zeros(len(poles)), numpy.zeros(len(poles))
-        aside = ASIDE_MM if self.force else NEAR_MM
         for (b, way), on in zip(long, points, strict=True):
             local = (tips[on][None, :] - poles[:, None] - b) / way
-            near = (abs(local.real) < ALONG_MM) & (abs(local.imag) < aside)
+            near = (abs(local.real) < ALONG_MM) & (abs(local.imag) < self.aside)
             met += near.any(axis=1)
             off = abs(local.real) / (2 * ALONG_MM) + abs(local.imag) / (4 * ASIDE_MM)
             worth += numpy.where(near, 1 - off, 0.0).max(axis=1, initial=0.0)
@@ -140,10 +143,12 @@ class PrintedSheet:
             found[name] = self._heads(pole + a, pole + b) if abs(b - a) > DRAWN_MM else []
             if not found[name] and abs(b - a) > SURE_MM and wrong and any(s.name == name for s in self.needed):
                 return []
-        tips = [z for held in found.values() for z in held]
-        for a, b in (vectors[s.name] for s in self.needed if not found[s.name]):
-            if abs(b - a) > SURE_MM and not self._hidden(pole + a, pole + b, [pole, *tips]):
+        tips, drawn = [z for held in found.values() for z in held], _drawn(pole, vectors, found)
+        unseen = {s.name: vectors[s.name] for s in self.needed if not found[s.name]}
+        for name, (a, b) in ((n, way) for n, way in unseen.items() if abs(way[1] - way[0]) > SURE_MM):
+            if not self._hidden(pole + a, pole + b, drawn, self.aside):
                 return []
+            found[name] = [] if self.force else [pole + b]
         clear = [h.tip for h in self.heads if h.clear > BOTH_SIDES] if wrong else []
         if not tips or any(min(abs(z - tip) for tip in tips) > ALONG_MM for z in clear):
             return []
@@ -157,19 +162,25 @@ class PrintedSheet:
         return self.tips[key]
 
     def _looked(self, a: complex, b: complex) -> Iterator[complex]:
-        way, count = (b - a) / abs(b - a), round((ASIDE_MM if self.force else NEAR_MM) / ACROSS_MM)
-        aside = [ACROSS_MM * k for k in sorted(range(-count, count + 1), key=abs)]
-        start, end = a + NEAR_MM * way, b - NEAR_MM * way
-        inked = [t for t in aside if self.ink.covered(start + 1j * t * way, end + 1j * t * way, SLIM_MM) > COVERED]
-        if inked:
+        if inked := self._inked(a, b, self.aside):
+            way = (b - a) / abs(b - a)
             ends = b - ALONG_MM * way, b + ALONG_MM * way
             yield from (h.tip for h in heads_along(self.ink, *ends, abs(b - a), inked))
 
-    def _hidden(self, a: complex, b: complex, tips: Sequence[complex]) -> bool:
-        """Whether a vector's head may be within the ink of others that end beside it."""
+    def _inked(self, a: complex, b: complex, aside: float) -> list[float]:
+        """How far to either side of the way from a to b ink leads along it, the nearest first."""
+        way, count = (b - a) / abs(b - a), round(aside / ACROSS_MM)
+        beside = [ACROSS_MM * k for k in sorted(range(-count, count + 1), key=abs)]
+        start, end = a + NEAR_MM * way, b - NEAR_MM * way
+        return [t for t in beside if self.ink.covered(start + 1j * t * way, end + 1j * t * way, SLIM_MM) > COVERED]
+
+    def _hidden(self, a: complex, b: complex, others: Sequence[Stroke], aside: float = 0.0) -> bool:
+        """Whether a vector's head may be within the ink of others that end, or pass, beside it."""
+        if not any(hides(b, other) for other in others) or not (inked := self._inked(a, b, aside)):
+            return False
         ends = b - NEAR_MM * (b - a) / abs(b - a), b + NEAR_MM * (b - a) / abs(b - a)
-        beside = any(abs(b - tip) < HIDING_MM for tip in tips) and self.ink.covered(a, b, SLIM_MM) > COVERED
-        return beside and bool(heads_along(self.ink, *ends, abs(b - a), least=HIDDEN))
+        heads = heads_along(self.ink, *ends, abs(b - a), inked, HIDDEN)
+        return any(hides(h.tip, other) for h in heads for other in others)
 
     def _rows(self, pole: complex, vectors: Mapping[str, Stroke], found: Tips) -> list[ReadMark]:
         """Vectors of a force plan, each a row of its own."""
@@ -179,12 +190,13 @@ class PrintedSheet:
             seen = abs(b - a) > SURE_MM  # what looks like a shorter one's head may be a letter, or another's head
             reach = APART_MM if abs(b - a) < 2 * THICK.long else ALONG_MM  # and on a short shaft, turned, its own
             near = [tip for tip in found[name] if abs(((tip - pole - b) / way).real) < reach]
-            tips = _of_lines(near, pole + b, way) if seen else []
+            tips = of_lines(near, pole + b, way) if seen else []
             drawn = [(tip - way * ((tip - pole - a) / way).real, tip) for tip in tips]
-            if all(abs(tip - pole - b) > APART_MM and self._hidden(pole + a, pole + b, [tip]) for tip in tips):
+            if all(abs(tip - pole - b) > APART_MM and self._hidden(pole + a, pole + b, [(tip, tip)]) for tip in tips):
                 drawn = [(pole + a, pole + b)] if abs(b - a) > DRAWN_MM else []
-            strokes += [new for new in drawn if all(_apart(new, old) for old in strokes)]
-        lines, ways = [line.ends for line in self.seen.lines], [1] * len(strokes)
+            strokes += [new for new in drawn if all(apart(new, old) for old in strokes)]
+        ways = [1] * len(strokes)
+        lines = [line.ends for line in self.seen.lines if not any(along(line.ends, s) for s in strokes)]
         led = led_to_vectors(
             ReadDrawing("", [*strokes, *lines], list(self.words), ways=ways + [0] * len(lines)), LED_MM
         )
@@ -224,19 +236,11 @@ def _as_printed(flat: Flat) -> Greys:
     return 255 - shares
 
 
+def _drawn(pole: complex, vectors: Mapping[str, Stroke], found: Tips) -> list[Stroke]:
+    """The pole and the vectors whose heads are found."""
+    return [(pole, pole), *((pole + vectors[name][0], tip) for name, tips in found.items() for tip in tips)]
+
+
 def _between(bench: PreparedPlan) -> list[Side]:
     """The vectors between marks of a plan."""
     return [Side(f"{a} {b}", a, b) for a, b in bench.vectors]
-
-
-def _of_lines(tips: Iterable[complex], end: complex, way: complex) -> list[complex]:
-    """Of tips on one line the nearest to where its vector should end."""
-    found: list[complex] = []
-    for tip in sorted(tips, key=lambda z: abs(z - end)):
-        found += [tip] if all(abs(((tip - other) / way).imag) > APART_MM for other in found) else []
-    return found
-
-
-def _apart(one: Stroke, other: Stroke) -> bool:
-    """Whether two vectors are not one and the same."""
-    return abs(one[1] - other[1]) > APART_MM or abs(one[0] - other[0]) > ALONG_MM
