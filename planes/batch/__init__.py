@@ -120,10 +120,9 @@ class Cycle:
         return Claims(self)
 
     @cached_property
-    def compiled(self) -> compiled_loop.Bound:
+    def compiled(self) -> compiled_loop.CompiledLoop:
         """The compiled loop."""
-        loop = compiled_loop.fuse(self.trace, (self.plans.drive_given, *self.moved))
-        return loop.bound(given_values(self.given))
+        return compiled_loop.CompiledLoop(self.trace, (self.plans.drive_given, *self.moved), given_values(self.given))
 
     def moving(self, values: Array, at: Indices | slice) -> dict[str, Floats]:
         """What moves, at the positions numbered ``at``: the drive with ``values``, and its companions."""
@@ -146,7 +145,7 @@ class Cycle:
         by_hand = not is_exact(instrument)
         if fast is None:
             fast = not by_hand and compiled_loop.available() and ("compiled" in self.__dict__ or len(places) >= PAYS)
-        size = min(chunk, self.compiled.fused.row if fast else max(1, HELD // (len(self.program.steps) + 1)))
+        size = min(chunk, self.compiled.row if fast else max(1, HELD // (len(self.program.steps) + 1)))
         for start in range(0, len(places), size):
             part = np.asarray(places[start : start + size], float)
             at = slice(start, start + len(part))
@@ -156,7 +155,7 @@ class Cycle:
     def _run(self, part: Array, at: slice) -> tuple[Array, Indices | None]:
         """The table by the compiled loop, and the codes (None: nothing failed); what it suspects is drawn by arrays."""
         moving = self.moving(part, at)
-        table, codes = self.compiled(np.array([moving[name] for name in self.compiled.fused.inputs]))
+        table, codes = self.compiled(np.array([moving[name] for name in self.compiled.inputs]))
         undecided = [k for k, r in enumerate(self.reasons, 1) if r.key in self.trace.proofs]
         if codes is None or not (suspect := np.isin(codes, undecided)).any():
             return table, codes

@@ -8,8 +8,9 @@ vectors are what was stated) or with another way to the same number (the force p
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import ClassVar, Protocol
+from typing import ClassVar
 
+from planes.drafting.steps.reckoning import Product
 from planes.drafting.tools import Thing
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Real
@@ -19,15 +20,6 @@ from planes.words.names import mu_of, plan_of
 TOLD_APART = 1e-9  # relative: nearer than this, two ways to a number agree
 Things = Mapping[str, Thing]
 VectorRow = tuple[str, str, str, int, str]  # where it starts and ends, its direction, its sign, its length
-
-
-class StatedProduct(Protocol):
-    """A product of named values, each to a power."""
-
-    @property
-    def factors(self) -> tuple[tuple[str, int], ...]: ...
-
-    def value(self, env: Things, ar: Arithmetic) -> Real: ...
 
 
 @dataclass(frozen=True)
@@ -64,7 +56,7 @@ class Twofold(Proof):
 
     one: str
     two: str
-    terms: tuple[StatedProduct, ...]
+    terms: tuple[Product, ...]
     reason: ClassVar[str] = "balance_apart"
 
     def reads(self) -> tuple[str, ...]:

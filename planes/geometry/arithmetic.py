@@ -5,7 +5,8 @@ The geometry of ``plane`` and the steps are written once and given one of these.
 
 import cmath
 import math
-from typing import Any, Protocol
+from collections.abc import Callable
+from typing import Any
 
 from planes.geometry.error_free import gap
 
@@ -14,61 +15,39 @@ Point = Any  # complex or array of complex: a place, a vector or a direction
 Truth = Any  # bool or array of bools
 
 
-class Arithmetic(Protocol):
-    """The functions constructions need beyond + - * /."""
+class Arithmetic:
+    """The functions constructions need beyond + - * /: of Python's own float and complex, one position at a time."""
 
-    eps: float
+    eps: Real = 2.0**-52
+    size: Callable[[Point], Real] = staticmethod(abs)
 
-    def size(self, z: Point) -> Real: ...
-    def sqrt(self, x: Real) -> Real: ...
-    def maximum(self, a: Real, b: Real) -> Real: ...
-    def minimum(self, a: Real, b: Real) -> Real: ...
-    def where(self, ok: Truth, a: Point, b: Point) -> Point: ...
-    def cis_deg(self, angle: Real) -> Point: ...
-    def angle_deg(self, u: Point) -> Real: ...
-    def sign(self, x: Real) -> Real: ...
-    def power(self, x: Real, n: int) -> Real: ...
-    def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real: ...
-
-
-def size(z: Point) -> Real:
-    """How large a vector is: no less than its length, nor more than √2 of it; quicker than that."""
-    return abs(z.real) + abs(z.imag)
-
-
-class One:
-    """Python's own float and complex: one position at a time."""
-
-    eps = 2.0**-52
-    size = staticmethod(abs)
-
-    def sqrt(self, x: float) -> float:
+    def sqrt(self, x: Real) -> Real:
         return math.sqrt(x) if x > 0 else 0.0
 
-    def maximum(self, a: float, b: float) -> float:
+    def maximum(self, a: Real, b: Real) -> Real:
         return a if a >= b else b
 
-    def minimum(self, a: float, b: float) -> float:
+    def minimum(self, a: Real, b: Real) -> Real:
         return a if a <= b else b
 
-    def where(self, ok: bool, a: Point, b: Point) -> Point:
+    def where(self, ok: Truth, a: Point, b: Point) -> Point:
         return a if ok else b
 
-    def cis_deg(self, angle: float) -> complex:
+    def cis_deg(self, angle: Real) -> Point:
         """cos + i sin of an angle in degrees, exact at quarter turns."""
         quarter = math.floor(angle / 90 + 0.5)
         rest = math.radians(angle - 90 * quarter)
         return complex(math.cos(rest), math.sin(rest)) * (1, 1j, -1, -1j)[quarter % 4]
 
-    def angle_deg(self, u: complex) -> float:
+    def angle_deg(self, u: Point) -> Real:
         """Direction of a vector in degrees, in (-180, 180]."""
         angle = math.degrees(cmath.phase(u))
         return 180.0 if angle == -180.0 else angle
 
-    def sign(self, x: float) -> float:
+    def sign(self, x: Real) -> Real:
         return float((x > 0) - (x < 0))
 
-    def power(self, x: float, n: int) -> float:
+    def power(self, x: Real, n: int) -> Real:
         if n >= 0:
             return x if n == 1 else float(x**n)
         return 1 / x**-n if x else math.nan
@@ -78,17 +57,18 @@ class One:
         return float(gap(c.real, c.imag, d.real, d.imag, r, s))
 
 
-class Many:
+class Many(Arithmetic):
     """numpy arrays: many positions at once, the same formulas."""
-
-    eps = 2.0**-52
 
     def __init__(self) -> None:
         import numpy
 
         self.np = numpy
 
-    size = staticmethod(size)
+    @staticmethod
+    def size(z: Point) -> Real:
+        """How large a vector is: no less than its length, nor more than √2 of it; quicker than that."""
+        return abs(z.real) + abs(z.imag)
 
     def sqrt(self, x: Real) -> Real:
         return self.np.sqrt(self.np.maximum(x, 0.0))

@@ -8,13 +8,13 @@ import math
 from dataclasses import dataclass, field
 
 from planes.drafting.draft import Draft
-from planes.geometry.arithmetic import One
+from planes.geometry.arithmetic import Arithmetic
 from planes.plans.structure import Group, Pair, Structure
 from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words.names import POLE, Meaning, at
 
 SCHEME = "position"
-ARITHMETIC = One()
+ARITHMETIC = Arithmetic()
 HALF = 2.0**-53  # of a last place, at most, relative to the number
 Off = tuple[float, float]  # a number, and how far off it may be
 

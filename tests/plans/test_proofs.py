@@ -18,7 +18,7 @@ from planes.drafting.proofs import Twofold, gaps
 from planes.drafting.steps import Similar
 from planes.drafting.steps.reckoning import Drop
 from planes.geometry import plane
-from planes.geometry.arithmetic import One
+from planes.geometry.arithmetic import Arithmetic
 from planes.plans import lever, plans_of
 from planes.plans.kinematics import Rates
 from planes.plans.reactions import Statics
@@ -189,7 +189,7 @@ def test_every_proof_holds_to_rounding_and_shared_scenes_have_them_all() -> None
     for text in (TANGENT, OLDHAM, ROCKER, SLIDER):
         d = draw(text)
         assert {type(p).__name__ for p in d.plans.program.proofs} >= {"Twofold", "VectorProof", "Slid", "Balanced"}
-        for proof, gap, size in gaps(d.plans.program.proofs, d.drawing.things, One()):
+        for proof, gap, size in gaps(d.plans.program.proofs, d.drawing.things, Arithmetic()):
             assert size < 1e-9 or gap <= 1e-13 * size, (proof, gap, size)
 
 

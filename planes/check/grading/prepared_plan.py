@@ -17,7 +17,7 @@ from planes.drafting.drawing import draw_steps, run
 from planes.drafting.program import Program
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
-from planes.geometry.arithmetic import One, Point
+from planes.geometry.arithmetic import Arithmetic, Point
 from planes.plans import Plans, mechanism_plans
 from planes.plans.scales import scales
 from planes.scene import Scene
@@ -154,7 +154,7 @@ def redrawn(bench: PreparedPlan, variant: Variant | None, snap: Callable[[Step, 
     """The program drawn exactly, every thing passed through ``snap``; None where that cannot be drawn."""
     things = {**bench.given, **(variant.givens if variant else {})}
     try:
-        draw_steps(bench.program.steps, things, _Snapping(One(), snap=snap), variant.swaps if variant else {})
+        draw_steps(bench.program.steps, things, _Snapping(Arithmetic(), snap=snap), variant.swaps if variant else {})
     except PlanesError:
         return None
     return things
