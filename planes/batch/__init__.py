@@ -13,7 +13,7 @@ import numpy as np
 
 from planes.batch import compiled as compiled_loop
 from planes.batch.error_bounds import Claims
-from planes.batch.table import columns_of, sides_of
+from planes.batch.table import Ready, columns_of, sides_of
 from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
 from planes.drafting.clearness import clear, far_apart
 from planes.drafting.drawing import prove_many, run
@@ -59,7 +59,7 @@ class Reason:
     makes: str
 
 
-class Cycle:
+class Cycle(Ready):
     """A mechanism ready for any number of positions, cut down to what is asked (``names``; None: everything).
 
     ``known`` overrides givens by name; those with an array, a number for each position, move with the drive.
@@ -75,7 +75,7 @@ class Cycle:
     ) -> None:
         quantities = None if names is None else asked(plans, names)
         self.plans, self.columns = plans, columns_of(plans, quantities) if columns is None else list(columns)
-        self.program: Program = plans.program.sliced([n for c in self.columns for n in c.needs])
+        self.program = plans.program.sliced([n for c in self.columns for n in c.needs])
         self.mus, self.known = unit_scales(plans), frozenset(known or ())
         self.given = {**plans.given, **self.mus}
         driver = plans.links[plans.mechanism.drive.link]

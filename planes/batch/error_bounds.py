@@ -18,7 +18,7 @@ from planes.batch.rounding import BLIND, LARGEST, USUAL, Lost, bent, rounding, u
 from planes.batch.slopes import STIFF, Carrying, Values, times
 from planes.batch.table import Ready, sides_of
 from planes.batch.tape import Tape, read
-from planes.batch.tracing import given_values, trace
+from planes.batch.tracing import Trace, given_values, trace
 from planes.geometry.arrays import Array, Booleans, Floats, Indices
 from planes.words.names import given_of, is_scale
 
@@ -169,38 +169,48 @@ def _written(tape: Tape, order: list[int], off: Mapping[str, float]) -> dict[int
     return {p: off.get(n, 0.0) for p, n in own.items()}
 
 
-class Claims:
-    """What a cycle of exact drawings claims of itself: ± of every column, for any values of the drive.
+class Margins:
+    """± of every column, for any values of the drive: positions are worked a piece at a time."""
+
+    def __init__(self, cycle: Ready, drawn: Trace) -> None:
+        self.cycle, self.drawn, self.order = cycle, drawn, drawn.tape.needed(list(drawn.outputs))
+
+    def bounds(self, values: Sequence[float] | Array, at: Indices | None = None) -> Array:
+        """A row for each column. The ``values`` of the drive are those of the positions numbered ``at`` (None: the
+        first ones)."""
+        values = np.asarray(values, float)
+        at = np.arange(len(values)) if at is None else at
+        pieces = [np.empty((len(self.cycle.columns), 0))]
+        for i in range(0, len(values), PIECE):
+            part = values[i : i + PIECE]
+            given = {**given_values(self.cycle.given), **self.cycle.moving(part, at[i : i + PIECE])}
+            with np.errstate(all="ignore"):
+                pieces.append(self.margins(read(self.drawn.tape, self.order, given), len(part)))
+        return np.hstack(pieces)
+
+    def margins(self, found: Values, count: int) -> Array:
+        """Those of a piece of ``count`` positions, of which every number of the tape is known."""
+        raise NotImplementedError
+
+
+class Claims(Margins):
+    """What a cycle of exact drawings claims of itself: no result is further from the truth; infinite where nothing can
+    be claimed.
 
     Where it is told how far ``off`` givens are (``Plans.off``), numbers are those a scene writes, not the doubles that
     stand for them: every given is off by the last place of its decimals.
     """
 
     def __init__(self, cycle: Ready, off: Mapping[str, float] | None = None) -> None:
-        self.cycle, self.count = cycle, len(cycle.columns)
         drawn = trace(cycle.program, cycle.given, [c.take for c in cycle.columns], cycle.folded)
-        self.tape, self.outputs = drawn.tape, drawn.outputs
-        self.order = self.tape.needed(list(drawn.outputs))
-        self.kept = Kept(self.tape, self.order, drawn.turns, off)
+        super().__init__(cycle, drawn)
+        self.kept = Kept(drawn.tape, self.order, drawn.turns, off)
 
-    def bounds(self, values: Sequence[float] | Array, at: Indices | None = None) -> Array:
-        """A row for each column: no result is further from the truth; infinite where nothing can be claimed.
-
-        The ``values`` of the drive are those of the positions numbered ``at`` (None: the first ones).
-        """
-        values = np.asarray(values, float)
-        at = np.arange(len(values)) if at is None else at
-        steps = range(0, len(values), PIECE)
-        pieces = [self._piece(values[i : i + PIECE], at[i : i + PIECE]) for i in steps]
-        return np.hstack(pieces) if pieces else np.empty((self.count, 0))
-
-    def _piece(self, values: Array, at: Indices) -> Array:
-        given = {**given_values(self.cycle.given), **self.cycle.moving(values, at)}
-        found = read(self.tape, self.order, given)
-        with np.errstate(all="ignore"):
-            bounds = _Running(self.tape, self.order, found, len(values), self.kept)(frozenset(self.outputs))
-            bound = np.array([bounds[p] for p in self.outputs]).reshape(self.count, len(values)) * ROUNDED
-            return np.where(bound < BLIND * 1e-50, bound, np.inf)
+    def margins(self, found: Values, count: int) -> Array:
+        outputs = self.drawn.outputs
+        bounds = _Running(self.drawn.tape, self.order, found, count, self.kept)(frozenset(outputs))
+        bound = np.array([bounds[p] for p in outputs]).reshape(len(outputs), count) * ROUNDED
+        return np.where(bound < BLIND * 1e-50, bound, np.inf)
 
     def doubtful(self, table: Array, bounds: Array) -> Booleans:
         """Of which numbers rounding leaves less than three digits, seen against what the largest of their kind is at

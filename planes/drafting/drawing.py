@@ -12,7 +12,7 @@ from planes.drafting.steps.base import Step
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Real, Truth
 from planes.words import Phrase
-from planes.words.errors import Contradiction, PlanFailure, ProgramError, valid_names
+from planes.words.errors import Contradiction, PlanFailure, ProgramError, choices
 from planes.words.lettering import name_in_words, plan_phrase
 from planes.words.records import Pictured
 
@@ -34,7 +34,7 @@ class Drawing(Pictured):
         try:
             return self.things[name]
         except KeyError:
-            valid = valid_names(name, list(self.things))
+            valid = choices(name, self.things)
             raise ProgramError(Phrase("not_drawn", name=name, valid=valid)) from None
 
     def __contains__(self, name: object) -> bool:

@@ -20,10 +20,6 @@ class Point:
     place: str
     rates: tuple[str, str]
 
-    def names(self, plan: str) -> tuple[str, ...]:
-        """Its marks as far as a plan."""
-        return (self.place, *self.rates[: ORDER[plan]])
-
     def on(self, plan: str) -> str:
         """Its mark on a plan."""
         return self.place if plan == "position" else self.rates[plan == "acceleration"]
@@ -37,11 +33,6 @@ class LinkMotion:
     axis: str = ""
     omega: str = ""
     epsilon: str = ""
-
-    def names(self, plan: str) -> tuple[str, ...]:
-        """What a plan says of it: how it lies, or how it turns."""
-        turns = (self.omega, self.epsilon)[: ORDER[plan]] or (self.axis,)
-        return (*self.origin.names(plan), *filter(None, turns))
 
     def at(self, plan: str, things: Things, local: complex, place: Complex) -> Complex:
         """What the plan must show, in SI, for the point of this link that lies at ``local`` or at ``place``."""
@@ -65,9 +56,6 @@ class Rigid(Proof):
     body: LinkMotion
     points: tuple[Point, ...]
     reason: ClassVar[str] = "link_bent"
-
-    def reads(self) -> tuple[str, ...]:
-        return (*self.body.names(self.plan), *(n for p in self.points for n in p.names(self.plan)))
 
     def gap(self, things: Things, ar: Arithmetic) -> Real:
         return sum(ar.size(self._bent(p, things)) for p in self.points)
@@ -93,10 +81,6 @@ class Slid(Proof):
     turn: complex  # the guide's direction in its link's axes
     offset: float
     reason: ClassVar[str] = "slider_off"
-
-    def reads(self) -> tuple[str, ...]:
-        axis = (self.owner.axis,) if self.owner.axis else ()
-        return (*self.owner.names(self.plan), *axis, *self.slider.names(self.plan))
 
     def gap(self, things: Things, ar: Arithmetic) -> Real:
         owner, place = self.owner, in_si(things, self.slider.place)
@@ -126,10 +110,6 @@ class Balanced(Proof):
     reactions: tuple[tuple[str, str, int, str, str], ...]
     couples: tuple[tuple[str, int], ...]
     reason: ClassVar[str] = "link_unbalanced"
-
-    def reads(self) -> tuple[str, ...]:
-        of_reactions = (n for start, end, _, point, couple in self.reactions for n in (start, end, point, couple))
-        return (*(n for f in self.forces for n in f), *filter(None, of_reactions), *(n for n, _ in self.couples))
 
     def gap(self, things: Things, ar: Arithmetic) -> Real:
         """Of the forces, and of the moments about the pole divided by the largest distance from it."""

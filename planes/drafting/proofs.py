@@ -7,11 +7,11 @@ vectors are what was stated) or with another way to the same number (the force p
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import ClassVar
 
 from planes.drafting.steps.reckoning import Product
-from planes.drafting.tools import Thing
+from planes.drafting.tools import AskedFor, Thing
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Real
 from planes.geometry.arithmetic import Point as Complex
@@ -32,9 +32,13 @@ class Proof:
     reason: ClassVar[str]
     makes: ClassVar[str] = ""  # nothing of a position that is refused is to be trusted
 
-    def reads(self) -> tuple[str, ...]:
+    @cached_property
+    def reads(self) -> frozenset[str]:
         """Names of the program it looks at."""
-        raise NotImplementedError
+        asked = AskedFor()
+        self.gap(asked, Arithmetic())
+        self.size(asked, Arithmetic())
+        return frozenset(asked)
 
     def gap(self, things: Things, ar: Arithmetic) -> Real:
         """How far the two sides are apart, in SI."""
@@ -59,9 +63,6 @@ class Twofold(Proof):
     terms: tuple[Product, ...]
     reason: ClassVar[str] = "balance_apart"
 
-    def reads(self) -> tuple[str, ...]:
-        return (self.one, self.two, *(name for t in self.terms for name, _ in t.factors))
-
     def gap(self, things: Things, ar: Arithmetic) -> Real:
         return abs(things[self.one] - things[self.two])
 
@@ -79,9 +80,6 @@ class VectorProof(Proof):
 
     rows: tuple[VectorRow, ...]
     reason: ClassVar[str] = "polygon_open"
-
-    def reads(self) -> tuple[str, ...]:
-        return tuple(n for start, end, along, _, length in self.rows for n in (start, end, along, length) if n)
 
     def gap(self, things: Things, ar: Arithmetic) -> Real:
         return sum(self._open(vector, row, things, ar) for vector, row in self._vectors(things))

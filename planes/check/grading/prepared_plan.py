@@ -22,7 +22,7 @@ from planes.plans import Plans, mechanism_plans
 from planes.plans.scales import scales
 from planes.scene import Scene
 from planes.words import Phrase, Written
-from planes.words.errors import PlanesError, valid_names
+from planes.words.errors import PlanesError, choices
 from planes.words.names import POLE, Names, kind_of, label_of, mu_of, parted, plan_of
 from planes.words.units import mu_text
 
@@ -100,7 +100,7 @@ def prepare(asked: Asked) -> PreparedPlan:
     plans = mechanism_plans(asked.scene)
     known = known_plans(plans)
     if asked.plan not in known:
-        raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=valid_names(asked.plan, known)))
+        raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=choices(asked.plan, known)))
     moved = {} if asked.value is None else plans.at(asked.value)
     given = {**plans.given, **scales(plans, asked.scene.mu, moved), **moved}
     if asked.mu:
