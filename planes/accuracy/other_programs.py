@@ -23,7 +23,6 @@ from planes.scene.mechanism import FRAME, Mechanism
 
 Triple = tuple[complex, complex, complex]  # place, velocity, acceleration
 Near = Callable[[int], dict[str, complex]]
-NOTHING: Triple = (complex("nan+nanj"),) * 3
 PER_STEP = 1e-3  # rad of the crank, of a table in time
 
 

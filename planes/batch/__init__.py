@@ -225,11 +225,4 @@ class Cycle(Ready):
         return {**found, "": list(range(len(self.columns)))}
 
 
-def cycle(
-    plans: Plans, values: Places, names: Iterable[str] | None = None, chunk: int = CHUNK, fast: bool | None = None
-) -> Iterator[Block]:
-    """Results of a mechanism for many values of its drive (degrees, or metres), in blocks of ``chunk``."""
-    return Cycle(plans, names).blocks(values, chunk, fast)
-
-
-__all__ = ["Block", "Column", "Cycle", "Reason", "cycle"]
+__all__ = ["Block", "Column", "Cycle", "Reason"]

@@ -55,7 +55,7 @@ def solve(args: Namespace) -> int:
     if args.remedy:
         from planes.solving.remedies import remedy
 
-        remedy(solved, instrument, args.lang)
+        remedy(solved)
     if args.errors:
         from planes.accuracy.errors import add_errors
 

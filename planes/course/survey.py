@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from planes.course.reading import scenes_in
 from planes.diagrams.driven import FULL
 from planes.diagrams.summary import summary
 from planes.plans import Plans
@@ -52,7 +53,7 @@ class SurveyRow:
 
 def scenes_of(folder: str | Path) -> list[Path]:
     """The scene files of a folder; a refusal in words if there is none."""
-    files = sorted(f for f in Path(folder).iterdir() if f.suffix in (".yaml", ".yml") and f.name != "course.yaml")
+    files = scenes_in(Path(folder))
     if not files:
         raise PlanesError(Phrase("survey_empty", folder=str(folder)))
     return files

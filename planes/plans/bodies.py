@@ -46,6 +46,15 @@ class Body:
         return self.moving or self.base
 
 
+@dataclass(frozen=True)
+class AssemblyChoice:
+    """A ±1 the scene has to choose: the name of the given, the key of ``assembly:`` and the group."""
+
+    side: str
+    key: str
+    group: Group
+
+
 @dataclass
 class Bodies:
     """The links solved so far, and the marks their own points and lines have on the scheme."""
@@ -54,7 +63,7 @@ class Bodies:
     structure: Structure
     draft: Draft
     file: str = ""
-    choices: list[tuple[str, str, Group]] = field(default_factory=list)  # (given ±1, key of assembly, group)
+    choices: list[AssemblyChoice] = field(default_factory=list)
     known: dict[str, Body] = field(default_factory=dict)
     labels: dict[str, str] = field(default_factory=dict)
     coincident: dict[str, tuple[str, str]] = field(default_factory=dict)  # name -> (point it coincides with, link)

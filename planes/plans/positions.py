@@ -2,7 +2,7 @@
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Touch
-from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint, angle_deg, difference
+from planes.plans.bodies import SCHEME, AssemblyChoice, Bodies, Body, BodyPoint, angle_deg, difference
 from planes.plans.structure import Group, Pair
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase
@@ -74,7 +74,7 @@ def _on_line(b: Bodies, pair: Pair, link: str, point: str) -> tuple[str, str]:
 def _side(b: Bodies, key: str, group: Group) -> str:
     """Name of the ±1 that chooses between the two assemblies of a group."""
     name = b.draft.give(f"side_{key}", 1.0)
-    b.choices.append((name, key, group))
+    b.choices.append(AssemblyChoice(name, key, group))
     return name
 
 

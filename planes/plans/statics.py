@@ -26,6 +26,16 @@ def draw_forces(statics: Statics) -> None:
     DriverForces(statics).draw()
 
 
+def chain_of(forces: list[Force], start: str) -> tuple[Term, ...]:
+    """Forces as known terms of a chain, each ending at a mark of its own name."""
+    terms = []
+    for f in forces:
+        end = f.name.replace("^", "")
+        terms.append(Term(f.name, start, end, f.size, f.along, f.along, means=f.means))
+        start = end
+    return tuple(terms)
+
+
 class _GroupForces:
     """The plan of one group."""
 
@@ -40,9 +50,9 @@ class _GroupForces:
         self.d.pole(self.plan)
         head = self.tangential(g.first, g.first_outer) if g.kind in (1, 2, 3) else []
         tail = self.tangential(g.last, g.last_outer) if g.kind == 1 else []
-        first = self.terms(head + self.loads[g.first], POLE)
+        first = chain_of(head + self.loads[g.first], POLE)
         e_a = first[-1].end if first else POLE
-        last = self.terms(self.loads[g.last] + tail, e_a)
+        last = chain_of(self.loads[g.last] + tail, e_a)
         e_b = last[-1].end if last else e_a
         name_b = force_name(g.last, g.last_outer.mate(g.last))
         x = name_b + ("n" if tail else "")
@@ -87,15 +97,6 @@ class _GroupForces:
 
     def rubs(self, pair: Pair) -> bool:
         return pair.kind == "P" and pair.guide in self.b.mechanism.friction
-
-    def terms(self, forces: list[Force], start: str) -> tuple[Term, ...]:
-        """Forces as known terms of a chain, each ending at a mark of its own name."""
-        terms = []
-        for f in forces:
-            end = f.name.replace("^", "")
-            terms.append(Term(f.name, start, end, f.size, f.along, f.along, means=f.means))
-            start = end
-        return tuple(terms)
 
     def ray(self, pair: Pair, link: str, start: str, x: str, sign: int, split: bool) -> Term:
         """The line of an outer reaction through a mark of the polygon (X is its other end)."""
@@ -184,17 +185,11 @@ class DriverForces:
     def draw(self) -> None:
         """Draw the driver's polygon and find what balances it."""
         self.d.pole(self.plan)
-        start, terms = POLE, []
-        for f in self.forces:
-            terms.append(Term(f.name, start, f.name, f.size, f.along, f.along, means=f.means))
-            start = f.name
+        terms, key = chain_of(self.forces, POLE), force_name(self.link, FRAME)
         for term in terms:
             self.d.lay(self.plan, term)
-        key = force_name(self.link, FRAME)
-        if self.pair.kind == "R":
-            self.turning(tuple(terms), start, key)
-        else:
-            self.sliding(tuple(terms), start, key)
+        balance = self.turning if self.pair.kind == "R" else self.sliding
+        balance(terms, terms[-1].end if terms else POLE, key)
 
     def turning(self, terms: tuple[Term, ...], start: str, key: str) -> None:
         """F_10 closes the polygon; the balancing moment by moments about the pivot."""

@@ -115,7 +115,8 @@ class Position(Pictured):
 
 @dataclass
 class Solved:
-    """All positions that came out, and those that did not, each with its sentence; ``values`` as they were asked."""
+    """All positions that came out, and those that did not, each with its sentence; ``values`` as they were asked, of
+    the ``instrument``."""
 
     scene: Scene
     plans: Plans
@@ -123,7 +124,12 @@ class Solved:
     values: list[float] = field(default_factory=list)
     positions: list[Position] = field(default_factory=list)
     failed: list[Json] = field(default_factory=list)
+    instrument: Instrument | None = None
     lang: Lang = "en"
+
+    def at(self, value: float) -> Position:
+        """The position at a value of the drive."""
+        return position(self.scene, self.plans, self.wanted, value, self.instrument, self.lang)
 
     def __repr__(self) -> str:
         return f"<Solved: {len(self.positions)} positions, {len(self.failed)} failed>"
@@ -162,10 +168,11 @@ def solve(
     """Draw and measure every asked position. :class:`SceneError` where the scene itself cannot be meant."""
     plans, wanted = plans_of(scene)
     drive = plans.mechanism.drive
-    solved = Solved(scene, plans, wanted, [drive.position] if values is None else list(values), lang=lang)
+    asked_at = [drive.position] if values is None else list(values)
+    solved = Solved(scene, plans, wanted, asked_at, instrument=instrument, lang=lang)
     for value in solved.values:
         try:
-            solved.positions.append(position(scene, plans, wanted, value, instrument, lang))
+            solved.positions.append(solved.at(value))
         except PlanFailure as failure:
             near = nearest(plans, value) if len(solved.failed) < TOLD else None
             solved.failed.append({key_of(plans): value, "error": failed(failure, value, drive.kind, near).told(lang)})
