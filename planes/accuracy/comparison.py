@@ -98,7 +98,7 @@ class Comparison:
 
     def many(self, values: Array, fast: bool) -> Array:
         """The columns by arrays or by the compiled loop."""
-        return np.hstack([b.table for b in self.cycle.blocks(values, fast=fast, bare=True)])
+        return self.cycle.table(values, fast=fast)
 
     def through(self, values: Array, fast: bool) -> int:
         """The same, each block let go of as soon as it is there; how many blocks."""
@@ -121,11 +121,8 @@ class Comparison:
         places = Cycle(self.plans, [f"r_{p}" for p in self.points], self.cycle.moved)
         width, unit = (step, math.degrees(step)) if drive.kind == "phi" else (step * self.plans.reach,) * 2
 
-        def at(value: Array) -> Array:
-            return np.hstack([b.table for b in places.blocks(value, fast=False, bare=True)])
-
         found = np.empty((len(self.letters), len(values)))
-        here, back, on = at(values), at(values - unit), at(values + unit)
+        here, back, on = (places.table(x, fast=False) for x in (values, values - unit, values + unit))
         found[self.letters == "r"] = here
         found[self.letters == "v"], found[self.letters == "a"] = differences(
             here, back, on, drive.velocity, drive.acceleration, width

@@ -16,7 +16,6 @@ from planes.batch.error_bounds import Claims, Margins
 from planes.batch.slopes import SLOPES, STIFF, Carrying, Values
 from planes.batch.table import Ready
 from planes.batch.tracing import trace
-from planes.drafting.draft import Segment
 from planes.drafting.instruments import Instrument, Pencil
 from planes.geometry.arrays import Array
 from planes.plans import Plans
@@ -66,7 +65,9 @@ class Errors:
         reader = DrawingReader(plans, position.drawing, position.scales)
         self.segments = {f"{p}:{k}": s for p in plans.drawn for k, s in reader.plan_segments(p).items()}
         columns = {c.name: c for q in self.quantities for c in q.columns}
-        columns |= {name: _length(name, s) for name, s in self.segments.items()}
+        columns |= {
+            n: Column(n, "", "", at(s.plan, s.start), at(s.plan, s.end), "size") for n, s in self.segments.items()
+        }
         self.cycle = Cycle(plans, known=position.scales, columns=columns.values())
         self.ruler_mm, self.claims = _ruler_mm(by), _claims(self.cycle, by, plans.off)
 
@@ -128,10 +129,6 @@ def _measured(bound: float, mu: float, ruler_mm: float) -> dict[str, float | Non
     """± of a segment, in mm and in its unit."""
     mm = math.hypot(bound * mu, ruler_mm)
     return {"mm": _finite(mm), "value": _finite(mm / mu)}
-
-
-def _length(name: str, s: Segment) -> Column:
-    return Column(name, "", "", at(s.plan, s.start), at(s.plan, s.end), "size")
 
 
 def _finite(x: float) -> float | None:

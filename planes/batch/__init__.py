@@ -152,6 +152,10 @@ class Cycle(Ready):
             found = self._run(part, at) if fast else self._drawn(self.moving(part, at), len(part), instrument)
             yield self._looked_at(self._whole(part, *found), start, bare or by_hand)
 
+    def table(self, values: Array, fast: bool) -> Array:
+        """A row of all values for each column, however few digits they have."""
+        return np.hstack([b.table for b in self.blocks(values, fast=fast, bare=True)])
+
     def _run(self, part: Array, at: slice) -> tuple[Array, Indices | None]:
         """The table by the compiled loop, and the codes (None: nothing failed); what it suspects is drawn by arrays."""
         moving = self.moving(part, at)

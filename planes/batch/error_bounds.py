@@ -34,9 +34,9 @@ TURN = 60.0  # degrees: a radian, near enough
 class _Running:
     """The errors on the way, of one piece of positions: how far every place reached may be off."""
 
-    def __init__(self, tape: Tape, order: list[int], found: Values, count: int, kept: Kept) -> None:
-        self.tape, self.found, self.count, self.kept = tape, found, count, kept
-        self.carrying = Carrying(tape, order, count)
+    def __init__(self, kept: Claims, found: Values, count: int) -> None:
+        self.tape, self.found, self.count, self.kept = kept.drawn.tape, found, count, kept
+        self.carrying = Carrying(self.tape, kept.order, count)
         self.largest, self.lost = np.zeros((kept.most, count)), np.zeros((kept.most, count))
         self.usual, self.losing = np.ones(kept.most), np.zeros(kept.most, bool)
         self.reach: dict[int, Array] = {}  # no place is further off: a rough bound, made better where it matters
@@ -151,17 +151,6 @@ class _Running:
         return np.where(sure, 0.0, 2.0)
 
 
-class Kept:
-    """What is known of a tape beforehand."""
-
-    def __init__(self, tape: Tape, order: list[int], turns: tuple[int, ...], off: Mapping[str, float] | None) -> None:
-        self.written = {} if off is None else _written(tape, order, off)
-        self.whole, self.turns = whole_numbers(tape, order), frozenset(turns)
-        self.units, self.chosen = unit_parts(tape, order)
-        made = sum(tape.ops[p][0] not in STIFF or tape.ops[p][0] == "const" for p in order)
-        self.most = made + len(self.written)
-
-
 def _written(tape: Tape, order: list[int], off: Mapping[str, float]) -> dict[int, float]:
     """Places of the givens a scene writes, each with how far off it is reckoned; scales are of the drawing alone."""
     names = {p: str(tape.values[p]) for p in order if tape.ops[p][0] == "given"}
@@ -204,11 +193,16 @@ class Claims(Margins):
     def __init__(self, cycle: Ready, off: Mapping[str, float] | None = None) -> None:
         drawn = trace(cycle.program, cycle.given, [c.take for c in cycle.columns], cycle.folded)
         super().__init__(cycle, drawn)
-        self.kept = Kept(drawn.tape, self.order, drawn.turns, off)
+        tape, order = drawn.tape, self.order
+        self.written = {} if off is None else _written(tape, order, off)
+        self.whole, self.turns = whole_numbers(tape, order), frozenset(drawn.turns)
+        self.units, self.chosen = unit_parts(tape, order)
+        made = sum(tape.ops[p][0] not in STIFF or tape.ops[p][0] == "const" for p in order)
+        self.most = made + len(self.written)
 
     def margins(self, found: Values, count: int) -> Array:
         outputs = self.drawn.outputs
-        bounds = _Running(self.drawn.tape, self.order, found, count, self.kept)(frozenset(outputs))
+        bounds = _Running(self, found, count)(frozenset(outputs))
         bound = np.array([bounds[p] for p in outputs]).reshape(len(outputs), count) * ROUNDED
         return np.where(bound < BLIND * 1e-50, bound, np.inf)
 

@@ -118,7 +118,11 @@ def _no_turn(scene: Scene, plans: Plans, lang: Lang) -> Iterator[str]:
 def report(lines: Sequence[SurveyRow], lang: Lang) -> str:
     """A line for every variant, then what must be said of some, then the count."""
     yes_or_no = {True: say("survey_yes", lang), False: say("survey_no", lang)}
-    rows = [[x.scene, x.variant, x.drive, yes_or_no[x.solved], *_numbers(x)] for x in lines]
+    rows = []
+    for x in lines:
+        loads = (f"{load:.6g}" if load is not None else "—" for load in (x.balancing, x.lever))
+        apart = "—" if x.difference is None else f"{x.difference:.1e}"
+        rows.append([x.scene, x.variant, x.drive, yes_or_no[x.solved], *loads, apart])
     heads = ("scene", "variant", "drive", "solved", "balancing", "lever", "difference")
     found = table(say("survey_title", lang), [say(f"survey_{k}", lang) for k in heads], rows)
     said = [
@@ -131,11 +135,6 @@ def report(lines: Sequence[SurveyRow], lang: Lang) -> str:
     counts = {"solved": sum(x.solved for x in lines), "forces": sum(x.balancing is not None for x in lines)}
     counts |= {"count": len(lines), "said": len(said)}
     return "\n".join([*found, "", say("survey_count", lang, **counts, worst=f"{worst:.1e}")]).lstrip("\n") + "\n"
-
-
-def _numbers(line: SurveyRow) -> list[str]:
-    loads = [f"{x:.6g}" if x is not None else "—" for x in (line.balancing, line.lever)]
-    return [*loads, "—" if line.difference is None else f"{line.difference:.1e}"]
 
 
 def remarks(lines: Sequence[SurveyRow]) -> dict[tuple[str, str], list[str]]:

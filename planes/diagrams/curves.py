@@ -151,11 +151,11 @@ def _motions(plans: Plans, q: str = "") -> Iterator[Curve]:
         name, quick = ratio_name(plans, link) if q else f"omega_{link}", f"epsilon_{link}"
         yield _scalar(name, units["omega"], group, f"{run}omega_{link}", slope and slope + quick, rate)
         yield _scalar(f"epsilon{q}_{link}", units["epsilon"], group, run + quick)
-    for link in _sliding(plans):
+    for link in (n for n in plans.velocity_slides if n != plans.mechanism.drive.link):
         need, quick = f"{run}v_slide_{link}", f"a_slide_{link}"
         yield _scalar(f"v{q}_slide_{link}", units["v"], group, need, slope and slope + quick, rate)
         yield _scalar(f"a{q}_slide_{link}", units["a"], group, run + quick)
-    for p in _moving(plans):
+    for p in (p for p in plans.points if p not in plans.mechanism.frame.points):
         yield from _vector(f"v{q}_{p}", units["v"], group, f"{run}v_{p}", slope and f"{slope}a_{p}", rate)
         yield from _vector(f"a{q}_{p}", units["a"], group, f"{run}a_{p}")
     for link, slide in plans.acceleration_slides.items():
@@ -176,15 +176,6 @@ def _turning(plans: Plans) -> list[str]:
     """Links that turn, the driver aside."""
     driver = plans.mechanism.drive.link
     return [n for n, v in plans.links.items() if n not in (FRAME, driver) and v.omega]
-
-
-def _sliding(plans: Plans) -> list[str]:
-    """Sliders, the driver aside."""
-    return [n for n in plans.velocity_slides if n != plans.mechanism.drive.link]
-
-
-def _moving(plans: Plans) -> list[str]:
-    return [p for p in plans.points if p not in plans.mechanism.frame.points]
 
 
 def _column(name: str) -> Callable[[Sample], Real]:

@@ -138,7 +138,8 @@ def differentiated(motion: Motion, pole_mm: float | None = None) -> Construction
 def _derived(c: Construction, plan: str, rank: int, pole_mm: float | None) -> None:
     """The next diagram: rays parallel to the chords, their cuts on the axis carried to the middles between points."""
     d, before, source = c.draft, c.stages[-1], c.stages[-1].plan
-    pole = pole_mm or _pole(_slopes(c, before), c.mu_t, before.mu)
+    steepest = max(abs(b - a) for a, b in pairwise(c.exact(before))) / (c.motion.time[1] - c.motion.time[0])
+    pole = pole_mm or _pole(steepest, c.mu_t, before.mu)
     found = before.mu * pole / c.mu_t
     c.axes(plan, found, pole)
     made: list[tuple[int, str]] = []
@@ -160,12 +161,6 @@ def _derived(c: Construction, plan: str, rank: int, pole_mm: float | None) -> No
 def _label(half: int) -> str:
     """Labels of points: whole sections by their number, middles by a half: 3, 3½."""
     return str(half // 2) if half % 2 == 0 else "−½" if half < 0 else f"{half // 2}½"
-
-
-def _slopes(c: Construction, stage: Stage) -> float:
-    """The steepest chord of a diagram, SI per second."""
-    exact, step = c.exact(stage), c.motion.time[1] - c.motion.time[0]
-    return max(abs(b - a) for a, b in pairwise(exact)) / step
 
 
 def _pole(steepest: float, mu_t: float, mu: float) -> float:

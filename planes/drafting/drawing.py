@@ -121,16 +121,14 @@ def prove_many(drawing: Drawing, given: Mapping[str, Thing]) -> None:
     _prove(drawing, given, [p for p in drawing.program.proofs if not isinstance(p, Twofold)])
 
 
-def _apart(proofs: Sequence[Proof], things: Things, tool: Tool) -> list[tuple[Proof, Truth, Real, Real]]:
-    """Whether proofs fail, if only by rounding; how far their sides are apart, and beside what size."""
-    with tool.quiet():
-        return [(p, gap > TOLD_APART * size + LEAST, gap, size) for p, gap, size in gaps(proofs, things, tool.ar)]
-
-
 def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]) -> None:
     """Refuse, or mask, what is apart by more than drawings a thousand times blunter can tell."""
     tool, blunter = drawing.tool, None
-    for proof, wrong, gap, size in _apart(proofs, drawing.things, tool):
+    with tool.quiet():
+        apart = [
+            (p, gap > TOLD_APART * size + LEAST, gap, size) for p, gap, size in gaps(proofs, drawing.things, tool.ar)
+        ]
+    for proof, wrong, gap, size in apart:
         if not (wrong.any() if tool.many else wrong):
             continue
         blunter = _blunter(drawing.program, given) if blunter is None else blunter

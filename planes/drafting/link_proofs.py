@@ -17,12 +17,16 @@ class Point:
     """A point of a link: its own coordinate and its marks on the scheme and on the plans of rates."""
 
     local: complex
-    place: str
-    rates: tuple[str, str]
+    marks: tuple[str, ...]
+
+    @property
+    def place(self) -> str:
+        """Its mark on the scheme."""
+        return self.marks[0]
 
     def on(self, plan: str) -> str:
         """Its mark on a plan."""
-        return self.place if plan == "position" else self.rates[plan == "acceleration"]
+        return self.marks[ORDER[plan]]
 
 
 @dataclass(frozen=True)
@@ -87,10 +91,10 @@ class Slid(Proof):
         along = self.turn * (things[owner.axis] if owner.axis else 1.0)
         if self.plan == "position":
             return abs(plane.cross(along, place - owner.at(self.plan, things, self.through, place)) - self.offset)
-        relative = in_si(things, self.slider.rates[0]) - owner.at("velocity", things, 0j, place)
+        relative = in_si(things, self.slider.on("velocity")) - owner.at("velocity", things, 0j, place)
         if self.plan == "acceleration":
             coriolis = 2 * owner.spin("velocity", things) * relative
-            relative = in_si(things, self.slider.rates[1]) - owner.at(self.plan, things, 0j, place) - coriolis
+            relative = in_si(things, self.slider.on("acceleration")) - owner.at(self.plan, things, 0j, place) - coriolis
         return abs(plane.cross(along, relative))
 
     def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
@@ -98,7 +102,9 @@ class Slid(Proof):
             return ar.size(in_si(things, self.slider.place)) + abs(self.through) + abs(self.offset)
         reach = ar.size(in_si(things, self.slider.place)) + abs(self.through)
         turning = ar.size(self.owner.spin(self.plan, things)) * reach
-        return speed + turning + sum(ar.size(in_si(things, mark)) for mark in self.slider.rates[: ORDER[self.plan]])
+        return (
+            speed + turning + sum(ar.size(in_si(things, mark)) for mark in self.slider.marks[1 : ORDER[self.plan] + 1])
+        )
 
 
 @dataclass(frozen=True)

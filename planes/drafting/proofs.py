@@ -82,7 +82,8 @@ class VectorProof(Proof):
     reason: ClassVar[str] = "polygon_open"
 
     def gap(self, things: Things, ar: Arithmetic) -> Real:
-        return sum(self._open(vector, row, things, ar) for vector, row in self._vectors(things))
+        mu = things[mu_of(self.plan)]
+        return sum(self._open((things[row[1]] - things[row[0]]) / mu, row, things, ar) for row in self.rows)
 
     @staticmethod
     def _open(vector: Complex, row: VectorRow, things: Things, ar: Arithmetic) -> Real:
@@ -94,10 +95,6 @@ class VectorProof(Proof):
     def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
         stated = sum(abs(things[length]) for length in {row[4] for row in self.rows if row[4]})
         return stated + sum(ar.size(in_si(things, mark)) for mark in {mark for row in self.rows for mark in row[:2]})
-
-    def _vectors(self, things: Things) -> Iterator[tuple[Complex, VectorRow]]:
-        mu = things[mu_of(self.plan)]
-        return (((things[row[1]] - things[row[0]]) / mu, row) for row in self.rows)
 
 
 def in_si(things: Things, mark: str) -> Complex:

@@ -166,7 +166,7 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
     zhukovsky = draw_lever(statics)
     links = {name: _link_values(draft, body, velocity, acceleration) for name, body in bodies.known.items()}
     proofs = proofs_of(statics, velocity, acceleration, zhukovsky)
-    points = {p: PointMarks(at(SCHEME, p), velocity.mark(p), acceleration.mark(p)) for p in _points(mechanism)}
+    points = {p: PointMarks(at(SCHEME, p), velocity.mark(p), acceleration.mark(p)) for p in mechanism.names}
     program = Program(tuple(draft.steps.values()), proofs)
     return Plans(
         mechanism=mechanism,
@@ -199,11 +199,6 @@ def _frozen(mechanism: Mechanism, law: Law, file: str) -> SceneError:
         what = Phrase("part", key=key, what=Phrase("load", number=int(law.path[1]) + 1))
     why = Phrase("law_frozen", what=what, parameter=law.parameter, kind=drive.kind, value=f"{drive.position:.10g}")
     return SceneError(why, file, law.line)
-
-
-def _points(mechanism: Mechanism) -> dict[str, None]:
-    links = (mechanism.frame, *mechanism.links.values())
-    return dict.fromkeys(p for link in links for p in link.points)
 
 
 def _link_values(draft: Draft, body: Body, velocity: Rates, acceleration: Rates) -> LinkValues:

@@ -43,19 +43,16 @@ class Statics:
         for f in forces:
             if f.point == about:
                 continue
-            name, means = self.arm_name(f.name, label_of(about)), Meaning("arm", f.name, about, f.link)
-            arm = d.arm(name, f.point, f.along, about, means)
+            centre, name = label_of(about), f"h_{f.name}_{label_of(about)}"
+            if self.centres.setdefault(f.name, centre) != centre:  # about another point than the first it says so
+                name += f"^{centre.lstrip('°')}"
+            arm = d.arm(name, f.point, f.along, about, Meaning("arm", f.name, about, f.link))
             products.append(Product(sign, ((f.size, 1), (arm, 1), *tail)))
             shown.append((f.name, arm))
         for c in couples:
             products.append(Product(sign * c.sign, ((c.value, 1), *tail)))
             shown.append((c.name, ""))
         return products, tuple(shown)
-
-    def arm_name(self, force: str, about: str) -> str:
-        """The name of a force's arm; about another point than the first it is marked with that point."""
-        own = f"h_{force}_{about}"
-        return own if self.centres.setdefault(force, about) == about else f"{own}^{about.lstrip('°')}"
 
     def react(self, pair: Pair, plan: str, start: str, end: str) -> Reaction:
         """Note the reaction on ``pair.link``; both links feel it from now on. Slider's couple comes later."""

@@ -145,8 +145,10 @@ def _scene(reader: Reader, table: SourceTable, stated: Mapping[str, Node]) -> Sc
     equations, equation_lines = read_equations(reader, table.entries["equations"]) if of_vectors else ((), ())
     mu = read_plans(reader, reader.optional(table, "plans"))
     generic, quantity = read_vector_mu(reader, reader.optional(table, "mu"))
-    said = {"title": reader.optional(table, "title"), "note": _note(reader, table)}
-    said["missing"] = reader.optional(table, "missing")
+    if "note" in table.entries and "text" in table.entries:
+        reader.one_of(table, ("note", "text"), Phrase("the_scene"))
+    said = {key: reader.optional(table, key) for key in ("title", "note", "missing")}
+    said["note"] = said["note"] or reader.optional(table, "text")
     words = {key: MappingProxyType(read_words(reader, node, key)) for key, node in said.items()}
     return Scene(
         file=reader.file,
@@ -167,12 +169,6 @@ def _scene(reader: Reader, table: SourceTable, stated: Mapping[str, Node]) -> Sc
         missing=words["missing"],
         doubts=tuple(read_doubts(reader.file, table, stated, mechanism)),
     )
-
-
-def _note(reader: Reader, table: SourceTable) -> Node | None:
-    if "note" in table.entries and "text" in table.entries:
-        reader.one_of(table, ("note", "text"), Phrase("the_scene"))
-    return reader.optional(table, "note") or reader.optional(table, "text")
 
 
 def _check_outline(reader: Reader, table: SourceTable) -> None:

@@ -13,7 +13,6 @@ from planes.plans import Plans, mechanism_plans, sliced
 from planes.plans.measuring import DrawingReader
 from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, results_of
 from planes.plans.scales import FIT_MM, scales
-from planes.plans.structure import Structure
 from planes.scene import Scene
 from planes.solving.nearest import nearest
 from planes.solving.warned import warnings
@@ -141,16 +140,10 @@ class Solved:
             "planes": 1,
             "scene": Path(self.scene.file).name,
             "variant": self.scene.variant,
-            "structure": structure_json(self.plans.structure),
+            "structure": self.plans.structure.json(),
             "positions": [{**p.results, "warnings": doubts + p.results["warnings"]} for p in self.positions],
             "failed": self.failed,
         }
-
-
-def structure_json(s: Structure) -> Json:
-    """W, q, formula and groups as the JSON has them."""
-    groups = [{"links": list(g.links), "kind": g.kind, "name": g.name} for g in s.groups]
-    return {"W": s.W, "q": s.q, "formula": s.formula, "groups": groups}
 
 
 def plans_of(scene: Scene) -> tuple[Plans, list[Quantity] | None]:
