@@ -17,7 +17,6 @@ from planes.batch.table import Ready, columns_of, sides_of
 from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
 from planes.drafting.clearness import clear, far_apart
 from planes.drafting.drawing import prove_many, run
-from planes.drafting.instruments import Instrument, is_exact
 from planes.drafting.link_proofs import Rigid, Slid
 from planes.drafting.program import Program
 from planes.geometry.arithmetic import Real
@@ -130,27 +129,21 @@ class Cycle(Ready):
         return {**self.plans.at(values, self.program, self.known), **beside}
 
     def blocks(
-        self,
-        values: Places,
-        chunk: int = CHUNK,
-        fast: bool | None = None,
-        instrument: Instrument | None = None,
-        bare: bool = False,
+        self, values: Places, chunk: int = CHUNK, fast: bool | None = None, bare: bool = False
     ) -> Iterator[Block]:
         """Blocks of at most ``chunk`` positions. ``fast`` says whether to compile; by itself when that pays.
 
         Numbers that rounding leaves without digits are NaN, unless they are asked for ``bare``.
         """
         places: Real = values if hasattr(values, "__getitem__") else np.fromiter(values, float)
-        by_hand = not is_exact(instrument)
         if fast is None:
-            fast = not by_hand and compiled_loop.available() and ("compiled" in self.__dict__ or len(places) >= PAYS)
+            fast = compiled_loop.available() and ("compiled" in self.__dict__ or len(places) >= PAYS)
         size = min(chunk, self.compiled.row if fast else max(1, HELD // (len(self.program.steps) + 1)))
         for start in range(0, len(places), size):
             part = np.asarray(places[start : start + size], float)
             at = slice(start, start + len(part))
-            found = self._run(part, at) if fast else self._drawn(self.moving(part, at), len(part), instrument)
-            yield self._looked_at(self._whole(part, *found), start, bare or by_hand)
+            found = self._run(part, at) if fast else self._drawn(self.moving(part, at), len(part))
+            yield self._looked_at(self._whole(part, *found), start, bare)
 
     def table(self, values: Array, fast: bool) -> Array:
         """A row of all values for each column, however few digits they have."""
@@ -164,18 +157,15 @@ class Cycle(Ready):
         if codes is None or not (suspect := np.isin(codes, undecided)).any():
             return table, codes
         some = {name: np.asarray(v)[suspect] for name, v in moving.items()}
-        table[:, suspect], found = self._drawn(some, int(suspect.sum()), None)
+        table[:, suspect], found = self._drawn(some, int(suspect.sum()))
         codes[suspect] = 0 if found is None else found
         return table, codes if codes.any() else None
 
-    def _drawn(
-        self, moving: Mapping[str, Floats], count: int, instrument: Instrument | None
-    ) -> tuple[Array, Indices | None]:
+    def _drawn(self, moving: Mapping[str, Floats], count: int) -> tuple[Array, Indices | None]:
         """The same by arrays."""
         given = {**self.given, **moving}
-        drawing = run(self.program, given, instrument)
-        if is_exact(instrument):
-            prove_many(drawing, given)
+        drawing = run(self.program, given)
+        prove_many(drawing, given)
         table = np.empty((len(self.columns), count))
         with np.errstate(all="ignore"):
             for row, column in zip(table, self.columns, strict=True):

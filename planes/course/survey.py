@@ -10,7 +10,7 @@ from planes.diagrams.summary import summary
 from planes.plans import Plans
 from planes.scene import Scene, load
 from planes.solving import Position, solve, told
-from planes.solving.tables import table
+from planes.solving.tables import difference, table
 from planes.solving.vectors import solve_vectors
 from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanesError, guarded
@@ -37,8 +37,7 @@ class SurveyRow:
         """How far the two loads are apart, relative to the larger."""
         if self.balancing is None or self.lever is None:
             return None
-        largest = max(abs(self.balancing), abs(self.lever))
-        return abs(self.balancing - self.lever) / largest if largest else 0.0
+        return difference(self.balancing, self.lever)
 
     @property
     def right(self) -> bool:

@@ -49,9 +49,13 @@ class Construction:
 
     motion: Motion
     kind: str  # "differentiation" or "integration"
-    mu_t: float
     draft: Draft = field(default_factory=Draft)
     stages: list[Stage] = field(default_factory=list)
+
+    @property
+    def mu_t(self) -> float:
+        """The scale of time, mm per second."""
+        return WIDE_MM / (self.motion.time[-1] - self.motion.time[0])
 
     @cached_property
     def program(self) -> Program:
@@ -77,7 +81,7 @@ class Construction:
 
     # what is drawn
 
-    def begin(self) -> None:
+    def __post_init__(self) -> None:
         """The two directions of all axes, and the length of a second."""
         d = self.draft
         d.aim(RIGHT, 0.0)
@@ -120,8 +124,7 @@ def _value(plan: str, label: str) -> str:
 
 def differentiated(motion: Motion, pole_mm: float | None = None) -> Construction:
     """The place differentiated twice by chords: velocities at the middles of sections, accelerations at their ends."""
-    c = Construction(motion, "differentiation", WIDE_MM / (motion.time[-1] - motion.time[0]))
-    c.begin()
+    c = Construction(motion, "differentiation")
     place, plan = motion.ends[0], "diagram:s"
     mu = standard_mu(max(place) - min(place), TALL_MM)
     c.axes(plan, mu, None)
@@ -171,8 +174,7 @@ def _pole(steepest: float, mu_t: float, mu: float) -> float:
 
 def integrated(motion: Motion, pole_mm: float | None = None) -> Construction:
     """The acceleration integrated twice, from rest at the start: velocities, then places at the ends of sections."""
-    c = Construction(motion, "integration", WIDE_MM / (motion.time[-1] - motion.time[0]))
-    c.begin()
+    c = Construction(motion, "integration")
     values, plan = motion.middles[2], "diagram:a"
     mu = standard_mu(max(map(abs, values)), TALL_MM)
     pole = pole_mm or _level(c, mu, motion.ends[1])

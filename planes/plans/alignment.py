@@ -16,10 +16,9 @@ from functools import cached_property
 from itertools import product
 from typing import Literal
 
-from planes.drafting.drawing import run
 from planes.drafting.tools import Thing
 from planes.plans import Plans
-from planes.plans.scales import unit_scales
+from planes.plans.scales import drawn_in_si
 from planes.plans.structure import Group, Pair
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase
@@ -130,13 +129,12 @@ def _places(plans: Plans, file: str) -> list[PairPlaces]:
     first, where that assembles."""
     wanted = [v.angle for v in plans.links.values() if v.angle] + [m.position for m in plans.points.values()]
     program = plans.program.sliced(wanted)
-    given = {**plans.given, **unit_scales(plans)}
     drive = plans.mechanism.drive
     turn = [drive.position + 360.0 * k / POSITIONS for k in range(1, POSITIONS)] if drive.kind == "phi" else []
     found = []
     for value in (drive.position, *turn):
         with suppress(PlanFailure):
-            things = run(program, {**given, plans.drive_given: value}).things
+            things = drawn_in_si(plans, value, program).things
             found.append(PairPlaces({p: _line(plans, p, things) for p in plans.structure.pairs}))
     if not found:
         raise StructureError(Phrase("no_working"), file)

@@ -9,7 +9,7 @@ from planes.plans.quantities import MOTION, Column, Measured
 from planes.plans.scales import FIT_MM, extent
 from planes.scene import Scene
 from planes.solving import Position, Solved, as_json, failed, key_of, plans_of, told
-from planes.solving.nearest import trials
+from planes.solving.nearest import works
 from planes.words import Lang, say
 from planes.words.errors import PlanFailure
 from planes.words.names import kind_of, mu_of
@@ -90,7 +90,7 @@ def interpolated(solved: Solved, value: float, why: str) -> Position | None:
     """
     plans, lang, drive = solved.plans, solved.lang, solved.plans.mechanism.drive
     near = [value - BESIDE_DEG, value + BESIDE_DEG]
-    if drive.kind != "phi" or not all(map(trials(plans), near)):
+    if drive.kind != "phi" or not all(works(plans, v) for v in near):
         return None
     way = math.copysign(ASIDE_DEG, drive.velocity)
     ways = {

@@ -74,21 +74,20 @@ class ProgramError(PlanesError, ValueError):
     """A program of steps that does not hang together."""
 
 
-class PlanFailure(PlanesError, ArithmeticError):
-    """A construction that cannot be drawn in this position; ``reason`` is a key of the table of words."""
+class _Reasoned(PlanesError, ArithmeticError):
+    """``reason`` is a key of the table of words, with names and ``numbers``."""
 
     def __init__(self, reason: str, **numbers: object) -> None:
         self.reason, self.numbers = reason, numbers
         super().__init__(Phrase(reason, **numbers))
 
 
-class Contradiction(PlanesError, ArithmeticError):
-    """A drawing that contradicts itself: the fault is the program's, so nothing of it is given; ``reason`` is a key of
-    the table of words."""
+class PlanFailure(_Reasoned):
+    """A construction that cannot be drawn in this position."""
 
-    def __init__(self, reason: str, **numbers: object) -> None:
-        self.reason = reason
-        super().__init__(Phrase(reason, **numbers))
+
+class Contradiction(_Reasoned):
+    """A drawing that contradicts itself: the fault is the program's, so nothing of it is given."""
 
 
 class ExpressionError(PlanesError, ValueError):

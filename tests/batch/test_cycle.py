@@ -236,6 +236,6 @@ def test_explain_lists_steps_kept_and_dropped(asked: Path, capsys: pytest.Captur
 def test_long_numbers_draw_one_at_a_time() -> None:
     c = Cycle(plans("six-link"), ["v_C"])
     with pytest.raises(PlanesError, match="one position at a time"):
-        list(c.blocks([1.0, 2.0], instrument=Digits(30)))
+        run(c.program, {**c.given, **c.moving(np.array([1.0, 2.0]), slice(0, 2))}, Digits(30))
     with pytest.raises(PlanesError):
         run(c.program, c.given | {c.plans.drive_given: 0.0}, Digits(30))

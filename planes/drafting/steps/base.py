@@ -6,12 +6,14 @@ so the same step serves one position or an array of many.
 """
 
 from dataclasses import dataclass, field
-from typing import ClassVar, Literal
+from functools import partial
+from typing import ClassVar, Literal, get_args
 
 from planes.drafting.tools import Env, Thing, Tool
 from planes.words.names import HELPERS, Meaning
 
 Kind = Literal["mark", "direction", "value", "place"]
+KINDS: tuple[Kind, ...] = get_args(Kind)
 Read = tuple[str, Kind]
 
 
@@ -48,13 +50,8 @@ class Step:
         raise NotImplementedError
 
 
-def marks(*names: str | None) -> tuple[Read, ...]:
-    return tuple((n, "mark") for n in names if n)
+def _of(kind: Kind, *names: str | None) -> tuple[Read, ...]:
+    return tuple((n, kind) for n in names if n)
 
 
-def directions(*names: str | None) -> tuple[Read, ...]:
-    return tuple((n, "direction") for n in names if n)
-
-
-def values(*names: str | None) -> tuple[Read, ...]:
-    return tuple((n, "value") for n in names if n)
+marks, directions, values = (partial(_of, kind) for kind in KINDS[:3])
