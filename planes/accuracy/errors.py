@@ -24,7 +24,6 @@ from planes.plans.quantities import Column, Measured, Quantity, nested, results_
 from planes.solving import Position, Solved
 from planes.solving.vectors import PLAN, VectorResults
 from planes.words.names import at, mu_of
-from planes.words.records import Json
 
 
 class Spread(Margins):
@@ -53,7 +52,6 @@ class Spread(Margins):
         return out
 
 
-Bounds = Mapping[str, float]
 _PARTS = ("x", "y", "size")
 
 
@@ -77,17 +75,13 @@ class Errors:
         rows = self.claims.bounds([position.at])[:, 0]
         bounds = {c.name: float(x) for c, x in zip(self.cycle.columns, rows, strict=True)}
         out = nested(Measured(q, tuple(_finite(bounds[c.name]) for c in q.columns)) for q in self.quantities)
-        drawn = position.results.get("plans", {})
-        if drawn:
-            out["plans"] = {p: {"segments": self._segments(p, drawn[p], position, bounds)} for p in drawn}
+        if drawn := position.results.get("plans"):
+            out["plans"] = {}
+            for plan, measured in drawn.items():  # what is read with a ruler is off by its rounding too
+                mu, keys = position.scales[mu_of(plan)], measured["segments"]
+                errors = {key: _measured(bounds[f"{plan}:{key}"], mu, self.ruler_mm) for key in keys}
+                out["plans"][plan] = {"segments": errors}
         return out
-
-    def _segments(self, plan: str, drawn: Mapping[str, Json], position: Position, bounds: Bounds) -> dict[str, Any]:
-        """± of segments, in mm and in SI; what is read with a ruler is off by its rounding too."""
-        mu, found = position.scales[mu_of(plan)], {}
-        for key in drawn["segments"]:
-            found[key] = _measured(bounds[f"{plan}:{key}"], mu, self.ruler_mm)
-        return found
 
 
 def add_errors(solved: Solved, instrument: Instrument | None = None) -> None:

@@ -18,7 +18,7 @@ from planes.drafting.draft import Draft
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.instruments import Instrument
 from planes.drafting.program import Program
-from planes.drafting.steps import Carry, Cross, LayOff, Put, Similar, Through
+from planes.drafting.steps import Carry, Cross, LayOff, Put, Similar, Through, Turn
 from planes.geometry.arithmetic import Point, Real
 from planes.words.names import at, mu_of
 from planes.words.units import standard_mu
@@ -86,7 +86,7 @@ class Construction:
         d = self.draft
         d.aim(RIGHT, 0.0)
         d.aim(UP, 90.0)
-        d.back("←", RIGHT)
+        d.step(Turn("←", RIGHT, 2))
         d.give(TIME, self.mu_t)
         d.give(PAPER, 1.0)
 

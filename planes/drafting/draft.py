@@ -7,8 +7,8 @@ the name back; asking twice for the same direction makes one step.
 from dataclasses import dataclass, replace
 
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps import Aim, Cross, CrossArc, CrossArcs, LayOff, Put, Similar, Step, Through, Turn
-from planes.drafting.steps.reckoning import Calculate, Drop, Measure, Product
+from planes.drafting.steps import Aim, Cross, CrossArc, CrossArcs, LayOff, Put, Step, Through, Turn
+from planes.drafting.steps.reckoning import Calculate, Measure, Product
 from planes.drafting.tools import Thing
 from planes.scene.mechanism import Law
 from planes.words import Phrase, Told
@@ -94,10 +94,6 @@ class Draft:
             self.rays[plan, one, two] = self.through(f"{one}{two}", at(plan, one), at(plan, two), means)
         return self.rays[plan, one, two]
 
-    def has(self, plan: str, label: str) -> bool:
-        """Whether the mark has been drawn."""
-        return at(plan, label) in self.steps
-
     def pole(self, plan: str) -> str:
         """The pole of a plan."""
         return self.step(Put(at(plan, POLE)))
@@ -121,10 +117,6 @@ class Draft:
         line = self.steps[of].means
         return self.step(Turn(f"⊥{of}", of, 1, means=line and replace(line, quantity="across")))
 
-    def back(self, name: str, of: str, means: Meaning | None = None) -> str:
-        """The direction back along another."""
-        return self.step(Turn(name, of, 2, means=means))
-
     def turn(
         self, name: str, of: str, angle_deg: float, off: float, means: Meaning, given: Meaning | None = None
     ) -> str:
@@ -135,25 +127,9 @@ class Draft:
         """A length (SI value by name) laid off from a mark."""
         return self.step(LayOff(at(plan, label), start, along, length, mu_of(plan), means=means))
 
-    def similar(
-        self,
-        plan: str,
-        label: str,
-        start: str,
-        end: str,
-        ratio: tuple[str, complex, float],
-        means: Meaning | None = None,
-    ) -> str:
-        """A mark by similarity (or proportional division) on a segment of the plan; ``ratio`` as it is given."""
-        return self.step(Similar(at(plan, label), start, end, self.give(*ratio), means=means))
-
     def measure(self, name: str, start: str, end: str, along: str | None = None) -> str:
         """A segment read off its plan, in SI."""
         return self.step(Measure(name, start, end, along, mu_of(plan_of(start))))
-
-    def arm(self, name: str, point: str, along: str, about: str, means: Meaning | None = None) -> str:
-        """The arm of a line of action about a mark, in SI."""
-        return self.step(Drop(name, point, along, about, mu_of(plan_of(point)), means=means))
 
     def product(self, name: str, coefficient: float = 1.0, **factors: int) -> str:
         """One product of powers of values, e.g. v²/l."""

@@ -8,6 +8,7 @@ import math
 from dataclasses import dataclass, field
 
 from planes.drafting.draft import Draft
+from planes.drafting.steps import Similar
 from planes.geometry.arithmetic import Arithmetic
 from planes.plans.structure import Group, Pair, Structure
 from planes.scene.mechanism import FRAME, Link, Mechanism
@@ -80,20 +81,28 @@ class Bodies:
     def place_points(self, body: Body) -> None:
         """Draw the points of a link that are not on the scheme yet, by similarity or from its axis."""
         for name in body.link.points:
-            if not self.draft.has(SCHEME, name):
+            if at(SCHEME, name) not in self.draft.steps:
                 self._place_point(body, name, body.link.points[name])
         self.known[body.link.name] = body
 
     def _place_point(self, body: Body, label: str, p: complex, means: Meaning | None = None) -> str:
-        points, d = body.link.points, self.draft
         if body.rigid and body.ref:
-            q, r = (points[s.place] for s in body.ref)
-            q_mark, r_mark = (at(SCHEME, s.place) for s in body.ref)
-            return d.similar(SCHEME, label, q_mark, r_mark, (f"ratio_{label}_{body.link.name}", *ratio(p, q, r)), means)
-        base = body.base.place
-        ray = d.turn(f"{base}{label}", body.axis, *angle_deg(points[base], p), Meaning("along", base, label))
+            one, two = (at(SCHEME, s.place) for s in body.ref)
+            return self.similar(at(SCHEME, label), body, label, p, (one, two), means)
+        base, d = body.base.place, self.draft
+        ray = d.turn(f"{base}{label}", body.axis, *angle_deg(body.link.points[base], p), Meaning("along", base, label))
         d.rays[SCHEME, base, label] = ray
         return d.lay_off(SCHEME, label, at(SCHEME, base), ray, self.length(body.link, base, label, p), means)
+
+    def similar(
+        self, mark: str, body: Body, name: str, p: complex, ends: tuple[str, str], means: Meaning | None = None
+    ) -> str:
+        """The mark of a place of a rigid link, that stands to the ``ends`` as it does to the points they are of."""
+        assert body.ref
+        given = ratio(p, *(body.link.points[s.place] for s in body.ref))
+        return self.draft.step(
+            Similar(mark, *ends, self.draft.give(f"ratio_{name}_{body.link.name}", *given), means=means)
+        )
 
     def length(self, link: Link, one: str, two: str, end: complex | None = None) -> str:
         """The given distance of two points of a link; ``end`` is the place of the second if it is none of them."""
@@ -116,7 +125,7 @@ class Bodies:
     def _guide_mark(self, body: Body, name: str) -> str:
         guide = body.link.guides[name]
         label = guide.through_point or f"°{name}"
-        if not self.draft.has(SCHEME, label):
+        if at(SCHEME, label) not in self.draft.steps:
             means = Meaning("guide", name)
             if body.link.name == FRAME:
                 return self.draft.put(SCHEME, label, guide.through, means)

@@ -7,8 +7,8 @@ a_X = a_Y + a_XY^k + a_XY^r with a^k = 2ω×v_XY (Coriolis).
 from dataclasses import dataclass, field
 
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps import Carry, Image, Same
-from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint, ratio
+from planes.drafting.steps import Carry, Image, Same, Turn
+from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.legs import Leg, legs_of
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, Meaning, at
@@ -150,8 +150,9 @@ class Rates:
         root, carrier = self.b.known[body.root], self.mark(body.carrier.name)
         if body.root == FRAME:
             self.b.draft.step(Same(mark, carrier))
-        elif root is body and body.rigid and spot.name in body.link.points:
-            self._similar(body, spot)
+        elif root is body and body.rigid and body.ref and spot.name in body.link.points:
+            one, two = (self.mark(s.name) for s in body.ref)
+            self.b.similar(mark, body, spot.name, body.link.points[spot.name], (one, two))
         elif root.ref:
             like = root.ref
             scheme = tuple(at(SCHEME, s.place) for s in (body.carrier, spot, *like))
@@ -160,13 +161,6 @@ class Rates:
         else:
             swing(self, body, spot)
         self.b.draft.show(self.plan, POLE, self.label(spot.name), self.letter + spot.name)
-
-    def _similar(self, body: Body, spot: BodyPoint) -> None:
-        assert body.ref
-        points, (one, two) = body.link.points, body.ref
-        p, q, r = points[spot.name], points[one.place], points[two.place]
-        given = (f"ratio_{spot.name}_{body.link.name}", *ratio(p, q, r))
-        self.b.draft.similar(self.plan, self.label(spot.name), self.mark(one.name), self.mark(two.name), given)
 
 
 def _drive(r: Rates) -> None:
@@ -215,7 +209,8 @@ def swing(r: Rates, body: Body, spot: BodyPoint) -> None:
         return
     normal = d.product(f"{name}^n", **{f"omega_{body.root}": 2, length: 1})
     tangential = d.product(f"{name}^t", **{f"epsilon_{body.root}": 1, length: 1})
-    inwards = d.back(f"{spot.place}→{centre.place}", ray, Meaning("towards", spot.place, centre.place))
+    towards = Meaning("towards", spot.place, centre.place)
+    inwards = d.step(Turn(f"{spot.place}→{centre.place}", ray, 2, means=towards))
     middle, turning = "n_" + name.removeprefix(r.letter), Meaning("normal", spot.name, centre.name)
     chain = (
         *base,

@@ -5,12 +5,12 @@ the check shares the loads and the velocity plan with the force plans, and none 
 """
 
 from planes.drafting.draft import Moments
-from planes.drafting.steps.reckoning import Product
+from planes.drafting.steps.reckoning import Drop, Product
 from planes.plans.kinematics import turned_copy
 from planes.plans.loads import Force
 from planes.plans.reactions import Statics
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE, at
+from planes.words.names import POLE, at, mu_of
 
 
 def draw_lever(s: Statics) -> str:
@@ -57,4 +57,4 @@ def _arm(s: Statics, force: Force) -> str:
     mark = at("lever", POLE)
     if label != POLE:
         mark = turned_copy(s.b, motion.plan, motion.mark(force.spot.name), label)
-    return s.b.draft.arm(f"H_{force.name}", mark, force.along, at("lever", POLE))
+    return s.b.draft.step(Drop(f"H_{force.name}", mark, force.along, at("lever", POLE), mu_of("lever")))

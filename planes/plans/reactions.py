@@ -3,11 +3,11 @@
 from dataclasses import dataclass, field
 
 from planes.drafting.draft import Moments
-from planes.drafting.steps.reckoning import Product
+from planes.drafting.steps.reckoning import Drop, Product
 from planes.plans.bodies import SCHEME, Bodies
 from planes.plans.loads import Acting, Couple, Force, force_name
 from planes.plans.structure import Pair
-from planes.words.names import Meaning, at, label_of
+from planes.words.names import Meaning, at, label_of, mu_of
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,8 @@ class Statics:
             centre, name = label_of(about), f"h_{f.name}_{label_of(about)}"
             if self.centres.setdefault(f.name, centre) != centre:  # about another point than the first it says so
                 name += f"^{centre.lstrip('°')}"
-            arm = d.arm(name, f.point, f.along, about, Meaning("arm", f.name, about, f.link))
+            means = Meaning("arm", f.name, about, f.link)
+            arm = d.step(Drop(name, f.point, f.along, about, mu_of(SCHEME), means=means))
             products.append(Product(sign, ((f.size, 1), (arm, 1), *tail)))
             shown.append((f.name, arm))
         for c in couples:
