@@ -18,7 +18,8 @@ from planes.drafting.draft import Draft
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.instruments import Instrument
 from planes.drafting.program import Program
-from planes.drafting.steps import Carry, Cross, LayOff, Put, Similar, Through, Turn
+from planes.drafting.steps import Carry, LayOff, Put, Similar, Through, Turn
+from planes.drafting.steps.crossings import Cross
 from planes.geometry.arithmetic import Point, Real
 from planes.words.names import at, mu_of
 from planes.words.units import standard_mu

@@ -7,7 +7,8 @@ the name back; asking twice for the same direction makes one step.
 from dataclasses import dataclass, replace
 
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps import Aim, Cross, CrossArc, CrossArcs, LayOff, Put, Step, Through, Turn
+from planes.drafting.steps import Aim, LayOff, Put, Step, Through, Turn
+from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Calculate, Measure, Product
 from planes.drafting.tools import Thing
 from planes.scene.mechanism import Law

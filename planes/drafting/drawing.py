@@ -8,7 +8,7 @@ from functools import reduce
 from planes.drafting.instruments import Exact, Instrument, Shaken, is_exact
 from planes.drafting.program import Program
 from planes.drafting.proofs import TOLD_APART, Proof, Things, Twofold, gaps
-from planes.drafting.steps.base import Step
+from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Real, Truth
 from planes.words import Phrase

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from planes.drafting.proofs import Proof, Twofold
-from planes.drafting.steps.base import Kind, Step
+from planes.drafting.steps import Kind, Step
 from planes.drafting.steps.crossings import Cross
 from planes.words import Phrase
 from planes.words.errors import ProgramError, choices

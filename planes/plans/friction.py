@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import product
 
 from planes.drafting.equations import Term
-from planes.drafting.steps import Cross
+from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Choose, Lean, Sense, Trial
 from planes.plans.loads import Acting, force_name
 from planes.plans.structure import Pair

@@ -1,7 +1,7 @@
 """Position plans: the driver, then each group by засечки, as vector equations for the drafting core."""
 
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps import Touch
+from planes.drafting.steps.crossings import Touch
 from planes.plans.bodies import SCHEME, AssemblyChoice, Bodies, Body, BodyPoint, angle_deg, difference
 from planes.plans.structure import Group, Pair
 from planes.scene.mechanism import FRAME

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -24,7 +24,7 @@ from planes.words.errors import Doubt, SceneError, shown
 from planes.words.records import Pictured
 from planes.words.units import mu_text
 
-__all__ = ["Scene", "VectorGiven", "load", "loads"]
+__all__ = ["ReadWith", "Scene", "VectorGiven", "load", "loads"]
 
 FORMAT = "1"
 _COMMON = ("planes", "title", "note", "text", "missing", "parameters", "variants", "find", "sheet")
@@ -44,24 +44,30 @@ def _none() -> Mapping[Any, Any]:
 
 
 @dataclass(frozen=True)
+class ReadWith:
+    """What a scene was read with: for other parameters, or another variant, its file is read anew."""
+
+    variant: str | None = None
+    variants: tuple[str, ...] = ()
+    parameters: Mapping[str, float] = field(default_factory=_none)
+    source: str = field(default="", compare=False)
+    changed: Mapping[str, float] = field(default_factory=_none, compare=False)
+
+
+@dataclass(frozen=True)
 class Scene(Pictured):
     """All that a scene file says. Either ``mechanism`` is there, or ``vectors`` and ``equations`` are.
 
     ``mu`` is in mm per SI unit, None where the program chooses; its keys are the four plans, and "vectors" in
     a scene of vectors, where ``quantity`` is the plan whose unit that μ has. ``crank_slider`` is kept as written;
     the integrated calculation of a crank-slider reads it. ``missing`` says what the data of an assignment do not give,
-    so that it is not in the scene. For other ``parameters``, or another ``variant``, the ``source`` is read anew;
-    ``changed`` are those that were other than it says.
+    so that it is not in the scene.
     """
 
     file: str = ""
     title: Mapping[str, str] = field(default_factory=_none)
     note: Mapping[str, str] = field(default_factory=_none)
-    variant: str | None = None
-    variants: tuple[str, ...] = ()
-    parameters: Mapping[str, float] = field(default_factory=_none)
-    changed: Mapping[str, float] = field(default_factory=_none, compare=False)
-    source: str = field(default="", compare=False, repr=False)
+    reading: ReadWith = field(default_factory=ReadWith)
     mechanism: Mechanism | None = None
     vectors: Mapping[str, VectorGiven] = field(default_factory=_none)
     equations: tuple[str, ...] = ()
@@ -75,6 +81,21 @@ class Scene(Pictured):
     crank_slider: Node | None = field(default=None, compare=False, repr=False)
     missing: Mapping[str, str] = field(default_factory=_none)
     doubts: tuple[Doubt, ...] = ()
+
+    @property
+    def variant(self) -> str | None:
+        """The variant it was read for."""
+        return self.reading.variant
+
+    @property
+    def variants(self) -> tuple[str, ...]:
+        """The variants the file has."""
+        return self.reading.variants
+
+    @property
+    def parameters(self) -> Mapping[str, float]:
+        """The parameters it was read with."""
+        return self.reading.parameters
 
     def __repr__(self) -> str:
         what = "vectors" if self.mechanism is None else f"links {', '.join(self.mechanism.links)}"
@@ -93,7 +114,7 @@ class Scene(Pictured):
 
         Raises :class:`~planes.words.errors.SceneError` for a name that is no parameter of the scene.
         """
-        return loads(self.source, self.file, self.variant, **{**self.changed, **values})
+        return loads(self.reading.source, self.file, self.variant, **{**self.reading.changed, **values})
 
     def to_yaml(self) -> str:
         """The text of a scene file that says the same, in plain numbers: variants are not kept, their numbers are in.
@@ -133,11 +154,11 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
     changed = with_numbers(reader, given, chosen, parameters)
     reader.parameters = MappingProxyType(read_parameters(reader, given, changed))
     stated = {**entries_of(given), **entries_of(changed)}
-    scene = _scene(reader, table, stated)
-    return replace(scene, variant=variant, variants=tuple(tables), changed=MappingProxyType(parameters), source=text)
+    reading = ReadWith(variant, tuple(tables), reader.parameters, text, MappingProxyType(parameters))
+    return _scene(reader, table, reading, stated)
 
 
-def _scene(reader: Reader, table: SourceTable, stated: Mapping[str, Node]) -> Scene:
+def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mapping[str, Node]) -> Scene:
     where: Where = MappingProxyType({path: line for path, _, line in source.walk(table) if path})
     of_vectors = "vectors" in table.entries
     mechanism = None if of_vectors else _mechanism(reader, table, where, stated)
@@ -154,7 +175,7 @@ def _scene(reader: Reader, table: SourceTable, stated: Mapping[str, Node]) -> Sc
         file=reader.file,
         title=words["title"],
         note=words["note"],
-        parameters=reader.parameters,
+        reading=reading,
         mechanism=mechanism,
         vectors=MappingProxyType(vectors),
         equations=equations,
