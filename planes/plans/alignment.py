@@ -82,18 +82,13 @@ def aligned(plans: Plans, file: str = "") -> Aligned:
         signs = next(steady, None) or next((w for w in ways if steadily(plans, group, w, cycle[:1])), None)
         if signs is None:
             raise StructureError(Phrase("no_alignment", links=group.links), file)
-        found += zip(pairs_of(group), signs, strict=True)
+        found += zip(group.pairs, signs, strict=True)
     return Aligned(len(plans.mechanism.links), plans.structure.W, tuple(found))
-
-
-def pairs_of(group: Group) -> tuple[Pair, Pair, Pair]:
-    """The pairs of a group: outer, inner, outer."""
-    return group.first_outer, group.inner, group.last_outer
 
 
 def _variants(group: Group) -> Iterator[tuple[Sign, ...]]:
     """Ways to loosen a group's pairs by as much as is redundant: those that change least and keep bearings first."""
-    pairs = pairs_of(group)
+    pairs = group.pairs
     excess = 5 * len(pairs) - 6 * len(group.links)
     ways = [w for w in product(*(CHOICES[p.kind] for p in pairs)) if sum(FREEDOMS[s] - 1 for s in w) == excess]
 
@@ -166,7 +161,7 @@ def firm(group: Group, signs: tuple[Sign, ...], places: PairPlaces) -> float:
     """The determinant of what the pairs hold out of the plane, rows and lengths of the size of one: 0 holds loosely."""
     column = {link: 3 * k for k, link in enumerate(group.links)}
     rows: list[list[float]] = []
-    for pair, sign in zip(pairs_of(group), signs, strict=True):
+    for pair, sign in zip(group.pairs, signs, strict=True):
         for held in holds(sign, pair.kind, *places.lines[pair], places.size):
             row = [0.0] * (3 * len(group.links))
             for link, side in ((pair.link, 1.0), (pair.other, -1.0)):

@@ -15,20 +15,14 @@ from planes.plans.structure import Pair
 from planes.words.names import Meaning, at, mu_of
 
 
-def sliding_sense(acting: Acting, pair: Pair) -> str:
-    """+1, -1 or 0: the way the slider of the pair slides along its guide."""
-    motion = acting.motion
-    reading = motion.slides[pair.link]
-    return acting.b.draft.step(Sense(f"slides_{pair.link}", *reading.ends, reading.along, tuple(motion.driven)))
-
-
 def meet_with_friction(acting: Acting, plan: str, lines: list[Term], x: str, pairs: list[Pair]) -> dict[str, Term]:
     """Cross two lines of reactions at mark ``x``, those of the rubbing ``pairs`` leaning, by trial of each side.
 
     Returns the leaning terms by name, now with the direction they turned out to have.
     """
     d = acting.b.draft
-    rubbing = [(t, p) for t in lines for p in pairs if t.name in (_on_slider(p), force_name(p.other, p.link))]
+    of = {name: p for p in pairs for name in (force_name(p.link, p.other), force_name(p.other, p.link))}
+    rubbing = [(t, of[t.name]) for t in lines if t.name in of]
     trials = []
     for signs in product((1, -1), repeat=len(rubbing)):
         tag = "".join("+" if sign > 0 else "-" for sign in signs)
@@ -50,22 +44,19 @@ def _leant(acting: Acting, plan: str, term: Term, pair: Pair, x: str) -> Term:
     return replace(term, direction=along, action=f"∠{term.action}")
 
 
-def _on_slider(pair: Pair) -> str:
-    return force_name(pair.link, pair.other)
-
-
 def _lean(acting: Acting, pair: Pair, sign: int) -> str:
     d, guide = acting.b.draft, f"∥{pair.guide}"
     coefficient = d.give(f"f_{pair.guide}", acting.b.mechanism.friction[pair.guide])
     d.law(coefficient, acting.b.mechanism.laws.get(("friction", pair.guide)))
-    normal = d.square(guide)
+    reading = acting.motion.slides[pair.link]
+    sense = Sense(f"slides_{pair.link}", *reading.ends, reading.along, tuple(acting.motion.driven))
     name, means = f"lean_{pair.link}{'+' if sign > 0 else '-'}", Meaning("leaning", pair.guide)
-    return d.step(Lean(name, normal, guide, coefficient, sliding_sense(acting, pair), sign, means=means))
+    return d.step(Lean(name, d.square(guide), guide, coefficient, d.step(sense), sign, means=means))
 
 
 def _push(acting: Acting, plan: str, term: Term, pair: Pair, mark: str, tag: str) -> str:
     """The trial's normal push on the slider, signed along the guide's normal."""
-    forward = (term.sign > 0) == (term.name == _on_slider(pair))
+    forward = (term.sign > 0) == (term.name == force_name(pair.link, pair.other))
     start = at(plan, term.start)
     ends = (start, mark) if forward else (mark, start)
     return acting.b.draft.measure(f"N_{pair.link}{pair.other}{tag}", *ends, f"⊥∥{pair.guide}")

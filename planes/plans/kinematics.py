@@ -7,7 +7,7 @@ a_X = a_Y + a_XY^k + a_XY^r with a^k = 2ω×v_XY (Coriolis).
 from dataclasses import dataclass, field
 
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps import Carry, Image, Same, Turn
+from planes.drafting.steps import Image, Same, Turn
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.legs import Leg, legs_of
 from planes.scene.mechanism import FRAME
@@ -90,8 +90,9 @@ class Rates:
             self.b.draft.means |= dict.fromkeys((self.letter + name, relative), grounded)
         if not self.quick:
             return start, Term(relative, known, new, direction=leg.along, action=leg.along)
-        if leg.pair is None:
-            part, value, along = "n", self.normal(leg), leg.towards
+        if leg.pair is None:  # v²/l, towards the pivot
+            part, along = "n", leg.towards
+            value = self.b.draft.product(f"a_{leg.symbol}^n", **{f"v_{leg.symbol}": 2, leg.length or "": -1})
         elif self.b.known[leg.link].root != FRAME:
             part, value, along = "k", self.coriolis(leg), self.b.draft.square(leg.along)
         else:
@@ -103,10 +104,6 @@ class Rates:
             Term(f"{relative}^{part}", known, middle, length=value, direction=along, action=along or "", means=means),
             Term(f"{relative}^{rest}", middle, new, direction=leg.along, action=leg.along),
         )
-
-    def normal(self, leg: Leg) -> str:
-        """a^n = v²/l, towards the pivot."""
-        return self.b.draft.product(f"a_{leg.symbol}^n", **{f"v_{leg.symbol}": 2, leg.length or "": -1})
 
     def coriolis(self, leg: Leg) -> str:
         """a^k = 2ω v, the relative velocity turned by a right angle in the sense of ω."""
@@ -218,8 +215,3 @@ def swing(r: Rates, body: Body, spot: BodyPoint) -> None:
         Term(f"{name}^t", middle, end, length=tangential, direction=across, action=across),
     )
     d.draw(Equation(r.plan, (chain, ()), total))
-
-
-def turned_copy(b: Bodies, plan: str, of: str, mark: str) -> str:
-    """A mark of ``plan`` as it stands on the plan turned by 90° (Zhukovsky's lever)."""
-    return b.draft.step(Carry(at("lever", mark), b.draft.pole("lever"), at(plan, POLE), of, 1))

@@ -5,8 +5,8 @@ the check shares the loads and the velocity plan with the force plans, and none 
 """
 
 from planes.drafting.draft import Moments
+from planes.drafting.steps import Carry
 from planes.drafting.steps.reckoning import Drop, Product
-from planes.plans.kinematics import turned_copy
 from planes.plans.loads import Force
 from planes.plans.reactions import Statics
 from planes.scene.mechanism import FRAME
@@ -56,5 +56,6 @@ def _arm(s: Statics, force: Force) -> str:
     label = motion.label(force.spot.name)
     mark = at("lever", POLE)
     if label != POLE:
-        mark = turned_copy(s.b, motion.plan, motion.mark(force.spot.name), label)
+        ends = at(motion.plan, POLE), motion.mark(force.spot.name)
+        mark = s.b.draft.step(Carry(at("lever", label), mark, *ends, 1))
     return s.b.draft.step(Drop(f"H_{force.name}", mark, force.along, at("lever", POLE), mu_of("lever")))

@@ -82,7 +82,7 @@ class _GroupForces:
 
     def solve(self, chain: tuple[Term, ...], back: Term, x: str) -> None:
         """Cross two known lines at X, leaning ones by trial."""
-        pairs = [p for p in (self.g.first_outer, self.g.inner, self.g.last_outer) if self.rubs(p)]
+        pairs = [p for p in self.g.pairs if p.kind == "P" and p.guide in self.b.mechanism.friction]
         if not pairs:
             self.d.draw(Equation(self.plan, (chain, (back,))))
             return
@@ -95,23 +95,14 @@ class _GroupForces:
         ends = (last.start, last.end) if last.sign > 0 else (last.end, last.start)
         self.d.conclude(Equation(self.plan, ((*chain, Term(last.name, *ends)), ())))
 
-    def rubs(self, pair: Pair) -> bool:
-        return pair.kind == "P" and pair.guide in self.b.mechanism.friction
-
     def ray(self, pair: Pair, link: str, start: str, x: str, sign: int, split: bool) -> Term:
         """The line of an outer reaction through a mark of the polygon (X is its other end)."""
         name = force_name(link, pair.mate(link)) + ("^n" if split else "")
-        if pair.kind == "P":
-            along: str | None = self.d.square(f"∥{pair.guide}")
-        else:
-            along = self.normal_line(pair) if split else None
+        along: str | None = self.d.square(f"∥{pair.guide}") if pair.kind == "P" else None
+        if split:  # along the link: from its outer hinge to the point its moments are taken about
+            ends = (self.g.last_outer.point, pair.point) if self.g.kind == 3 else (pair.point, self.g.inner.point)
+            along = self.d.ray(SCHEME, *ends)
         return Term(name, start, x, None, along, along or "", False, sign)
-
-    def normal_line(self, pair: Pair) -> str:
-        """Along the link: from its outer hinge to the point its moments are taken about."""
-        if self.g.kind == 3:
-            return self.d.ray(SCHEME, self.g.last_outer.point, pair.point)
-        return self.d.ray(SCHEME, pair.point, self.g.inner.point)
 
     def inner_ray(self, start: str, x: str) -> Term:
         """The inner reaction, on the first link from the last, through the end of the first link's loads."""

@@ -57,6 +57,11 @@ class Group:
     last_outer: Pair
 
     @property
+    def pairs(self) -> tuple[Pair, Pair, Pair]:
+        """Its pairs: outer, inner, outer."""
+        return self.first_outer, self.inner, self.last_outer
+
+    @property
     def name(self) -> str:
         """The letters of its pairs, e.g. "RRP"."""
         return KIND_NAMES[self.kind - 1]
@@ -75,8 +80,7 @@ class Structure:
     @property
     def pairs(self) -> tuple[Pair, ...]:
         """Every pair once: the drive's, then each group's outer, inner, outer."""
-        inside = (p for g in self.groups for p in (g.first_outer, g.inner, g.last_outer))
-        return (self.drive_pair, *inside)
+        return (self.drive_pair, *(p for g in self.groups for p in g.pairs))
 
     def json(self) -> Json:
         """W, q, formula and groups as the JSON has them."""

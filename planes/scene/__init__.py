@@ -13,7 +13,7 @@ from planes.scene import source
 from planes.scene.doubts import read_doubts
 from planes.scene.links import read_frame, read_links
 from planes.scene.mechanism import Mechanism, Where
-from planes.scene.motion import read_assembly, read_drive, read_friction, read_gravity, read_loads
+from planes.scene.motion import read_assembly, read_drive, read_friction, read_loads
 from planes.scene.parameters import choose, read_laws, read_parameters, read_variants, with_numbers
 from planes.scene.reader import Reader, entries_of
 from planes.scene.settings import read_find, read_number_of_frame, read_plans, read_sheet, read_vector_mu, read_words
@@ -229,7 +229,7 @@ def _mechanism(reader: Reader, table: SourceTable, where: Where, stated: Mapping
         MappingProxyType(links),
         drive,
         () if loads is None else read_loads(reader, loads, links),
-        None if (gravity := given["gravity"]) is None else read_gravity(reader, gravity),
+        None if (gravity := given["gravity"]) is None else reader.positive(gravity, Phrase("gravity")),
         MappingProxyType({} if friction is None else read_friction(reader, friction, frame, links)),
         MappingProxyType({} if assembly is None else read_assembly(reader, assembly, frame, links)),
         where,

@@ -130,8 +130,3 @@ def read_friction(reader: Reader, node: Node, frame: Link, links: Links) -> dict
             valid = reader.offer(name, slid, Phrase("sliding_pairs"))
             raise reader.error(Phrase(key, name=name[:60], valid=valid), line)
     return {name: reader.positive(entry, Phrase("friction_of", name=name)) for name, entry in table.entries.items()}
-
-
-def read_gravity(reader: Reader, node: Node) -> float:
-    """The acceleration of gravity, downwards."""
-    return reader.positive(node, Phrase("gravity"))

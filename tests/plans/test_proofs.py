@@ -15,7 +15,7 @@ from planes.cli import main
 from planes.drafting.drawing import proved, run
 from planes.drafting.instruments import Pencil
 from planes.drafting.proofs import Twofold, gaps
-from planes.drafting.steps import Similar
+from planes.drafting.steps import Carry, Similar
 from planes.drafting.steps.reckoning import Drop
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic
@@ -66,7 +66,7 @@ def couples_forgotten(m: pytest.MonkeyPatch) -> None:
 
 
 def lever_not_turned(m: pytest.MonkeyPatch) -> None:
-    m.setattr(lever, "turned_copy", lambda b, plan, of, mark: of)
+    m.setattr(lever, "Carry", lambda *names: Carry(*names[:4]))
 
 
 COUPLE = "loads: [{link: 3, moment: 5}]\n"
