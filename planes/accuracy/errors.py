@@ -74,7 +74,7 @@ class Errors:
         self.cycle.given.update(position.scales)
         rows = self.claims.bounds([position.at])[:, 0]
         bounds = {c.name: float(x) for c, x in zip(self.cycle.columns, rows, strict=True)}
-        out = nested(Measured(q, tuple(_finite(bounds[c.name]) for c in q.columns)) for q in self.quantities)
+        out = nested(Measured(q, tuple(or_none(bounds[c.name]) for c in q.columns)) for q in self.quantities)
         if drawn := position.results.get("plans"):
             out["plans"] = {}
             for plan, measured in drawn.items():  # what is read with a ruler is off by its rounding too
@@ -104,7 +104,7 @@ def vector_errors(results: VectorResults, instrument: Instrument | None = None) 
     claims = _claims(Ready(results.drawing.program, results.given, columns, {}), instrument)
     bounds = dict(zip((c.name for c in columns), map(float, claims.bounds([0.0])[:, 0]), strict=True))
     ruler = _ruler_mm(instrument)
-    vectors = {n: [_finite(bounds[f"{n}_{part}"]) for part in "xy"] for n in results.spans}
+    vectors = {n: [or_none(bounds[f"{n}_{part}"]) for part in "xy"] for n in results.spans}
     segments = {n: _measured(bounds[f"{n}_size"], results.mu, ruler) for n in results.spans}
     return replace(results, errors={"vectors": vectors, "plans": {PLAN: {"segments": segments}}})
 
@@ -122,8 +122,4 @@ def _ruler_mm(by: Instrument | None) -> float:
 def _measured(bound: float, mu: float, ruler_mm: float) -> dict[str, float | None]:
     """± of a segment, in mm and in its unit."""
     mm = math.hypot(bound * mu, ruler_mm)
-    return {"mm": _finite(mm), "value": _finite(mm / mu)}
-
-
-def _finite(x: float) -> float | None:
-    return x if math.isfinite(x) else None
+    return {"mm": or_none(mm), "value": or_none(mm / mu)}

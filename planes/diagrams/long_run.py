@@ -24,7 +24,7 @@ from planes.solving.nearest import nearest
 from planes.solving.tables import table
 from planes.words import Lang, say
 from planes.words.errors import PlanFailure
-from planes.words.records import Json
+from planes.words.records import Json, or_none
 
 FULL_TURN = Span(0.0, 1.0, 361)
 TOLD = 20  # how many failed ranges are told in words
@@ -142,11 +142,6 @@ def reason(table: Cycle, reasons: tuple[Reason, ...], gap: Gap, lang: Lang) -> s
 
 
 DECIMALS = 5
-
-
-def or_none(value: float) -> float | None:
-    """A number for a program: none where it grows without bound."""
-    return value if math.isfinite(value) else None
 
 
 def listed(turn: WholeTurn, values: Any) -> dict[str, list[float]]:

@@ -3,13 +3,12 @@
 import math
 
 from planes.diagrams.extremes import Extreme
-from planes.diagrams.long_run import or_none
 from planes.diagrams.summary import CurveSummary, DrivenStroke, Summary
 from planes.solving import told
 from planes.solving.tables import table
 from planes.words import Lang, say
 from planes.words.names import index_of
-from planes.words.records import Json
+from planes.words.records import Json, or_none
 from planes.words.units import RATES, quantity
 
 GROUPS = ("place", "analogue", "rate", "force")

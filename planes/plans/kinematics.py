@@ -10,7 +10,7 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Image, Same, Turn
 from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.legs import Leg, legs_of
-from planes.scene.mechanism import FRAME
+from planes.scene.mechanism import FRAME, RATES
 from planes.words.names import POLE, Meaning, at
 
 
@@ -88,15 +88,13 @@ class Rates:
         if known == POLE and leg.pair:  # the point of the frame under the slider has no name of its own
             grounded = Meaning("rate", leg.new.name, link=FRAME)
             self.b.draft.means |= dict.fromkeys((self.letter + name, relative), grounded)
-        if not self.quick:
+        if not self.quick or (leg.pair and self.b.known[leg.link].root == FRAME):
             return start, Term(relative, known, new, direction=leg.along, action=leg.along)
         if leg.pair is None:  # v²/l, towards the pivot
             part, along = "n", leg.towards
             value = self.b.draft.product(f"a_{leg.symbol}^n", **{f"v_{leg.symbol}": 2, leg.length or "": -1})
-        elif self.b.known[leg.link].root != FRAME:
-            part, value, along = "k", self.coriolis(leg), self.b.draft.square(leg.along)
         else:
-            return start, Term(relative, known, new, direction=leg.along, action=leg.along)
+            part, value, along = "k", self.coriolis(leg), self.b.draft.square(leg.along)
         middle, means = f"{part}_{leg.symbol}", Meaning("coriolis" if leg.pair else "normal", leg.symbol)
         rest = "t" if leg.pair is None else "r"
         return (
@@ -165,8 +163,7 @@ def _drive(r: Rates) -> None:
     d, drive = r.b.draft, r.b.mechanism.drive
     body = r.b.known[drive.link]
     rate = {"velocity": drive.velocity, "motion": 1.0, "acceleration": drive.acceleration}[r.plan]
-    keys = ("omega", "epsilon") if drive.kind == "phi" else ("velocity", "acceleration")
-    law = None if r.plan == "motion" else r.b.mechanism.laws.get(("drive", keys[r.plan == "acceleration"]))
+    law = None if r.plan == "motion" else r.b.mechanism.laws.get(("drive", RATES[drive.kind][r.quick]))
     if drive.kind == "s":
         first = body.base.name
         value = d.give({"velocity": "v_drive", "motion": "vq_drive", "acceleration": "a_drive"}[r.plan], rate)

@@ -53,14 +53,10 @@ def _second_point(b: Bodies, pivot: str) -> str | None:
     return next(iter(shared + away), None)
 
 
-def _radius(name: str, start: str, length: str) -> tuple[Term, Term]:
-    """The chain pole–start–(end by compass)."""
-    return Term(f"r_{start}", POLE, start, drawn=True), Term(f"{start}{name}", start, name, length, None, length)
-
-
-def _ray(name: str, start: str, along: str) -> tuple[Term, Term]:
-    """The chain pole–start–(end somewhere along a line)."""
-    return Term(f"r_{start}", POLE, start, drawn=True), Term(f"{start}{name}", start, name, None, along, along)
+def _chain(name: str, start: str, length: str | None = None, along: str | None = None) -> tuple[Term, Term]:
+    """The chain pole–start–end: the end by compass, or somewhere along a line."""
+    on = Term(f"{start}{name}", start, name, length, along, length or along or "")
+    return Term(f"r_{start}", POLE, start, drawn=True), on
 
 
 def _on_line(b: Bodies, pair: Pair, link: str, point: str) -> tuple[str, str]:
@@ -94,8 +90,8 @@ def _rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
 def _place_rrr(b: Bodies, g: Group) -> None:
     one, two, hinge = g.first_outer.point, g.last_outer.point, g.inner.point
     chains = (
-        _radius(hinge, one, b.length(b.mechanism.link(g.first), one, hinge)),
-        _radius(hinge, two, b.length(b.mechanism.link(g.last), two, hinge)),
+        _chain(hinge, one, b.length(b.mechanism.link(g.first), one, hinge)),
+        _chain(hinge, two, b.length(b.mechanism.link(g.last), two, hinge)),
     )
     b.draft.draw(Equation(SCHEME, chains, f"r_{hinge}", _side(b, hinge, g)))
     b.place_points(_rigid_body(b, g.first, one, hinge))
@@ -105,7 +101,8 @@ def _place_rrr(b: Bodies, g: Group) -> None:
 def _place_rrp(b: Bodies, g: Group) -> None:
     one, hinge = g.first_outer.point, g.inner.point
     start, direction = _on_line(b, g.last_outer, g.last, hinge)
-    chains = (_radius(hinge, one, b.length(b.mechanism.link(g.first), one, hinge)), _ray(hinge, start, direction))
+    rod = b.length(b.mechanism.link(g.first), one, hinge)
+    chains = _chain(hinge, one, rod), _chain(hinge, start, along=direction)
     b.draft.draw(Equation(SCHEME, chains, f"r_{hinge}", _side(b, hinge, g)))
     b.place_points(_rigid_body(b, g.first, one, hinge))
     _place_slider(b, g.last_outer, g.last, hinge, direction)
@@ -151,7 +148,7 @@ def _place_prp(b: Bodies, g: Group) -> None:
     chains, directions = [], []
     for pair, link in ((g.first_outer, g.first), (g.last_outer, g.last)):
         start, direction = _on_line(b, pair, link, hinge)
-        chains.append(_ray(hinge, start, direction))
+        chains.append(_chain(hinge, start, along=direction))
         directions.append(direction)
     b.draft.draw(Equation(SCHEME, (chains[0], chains[1]), f"r_{hinge}"))
     _place_slider(b, g.first_outer, g.first, hinge, directions[0])
@@ -166,7 +163,7 @@ def _place_rpp(b: Bodies, g: Group) -> None:
     apart = difference(b.offset(g.inner, g.last, point), b.offset(g.inner, g.first, hinge))
     beside = Meaning("guide", g.inner.guide, point)
     shifted = label_of(b.shifted(f"{point}°{g.inner.guide}", beside, at(SCHEME, hinge), inner, apart))
-    chains = _ray(point, start, direction), _ray(point, shifted, inner)
+    chains = _chain(point, start, along=direction), _chain(point, shifted, along=inner)
     b.draft.draw(Equation(SCHEME, chains, f"r_{point}"))
     root = b.known[g.last_outer.mate(g.last)].root
     reached = BodyPoint(hinge, moving_name(b, g.inner.guide, hinge, g.last))

@@ -60,7 +60,7 @@ class _GroupForces:
             self.d.lay(self.plan, term)
         rays = {
             "first": self.ray(g.first_outer, g.first, POLE, x, -1, bool(head)),
-            "inner": self.inner_ray(e_a, x),
+            "inner": self.ray(g.inner, g.first, e_a, x, 1, False),
             "last": self.ray(g.last_outer, g.last, e_b, x, 1, bool(tail)),
         }
         self.meet(rays, first, last, x)
@@ -96,19 +96,13 @@ class _GroupForces:
         self.d.conclude(Equation(self.plan, ((*chain, Term(last.name, *ends)), ())))
 
     def ray(self, pair: Pair, link: str, start: str, x: str, sign: int, split: bool) -> Term:
-        """The line of an outer reaction through a mark of the polygon (X is its other end)."""
+        """The line of a reaction on a link through a mark of the polygon (X is its other end)."""
         name = force_name(link, pair.mate(link)) + ("^n" if split else "")
         along: str | None = self.d.square(f"∥{pair.guide}") if pair.kind == "P" else None
         if split:  # along the link: from its outer hinge to the point its moments are taken about
             ends = (self.g.last_outer.point, pair.point) if self.g.kind == 3 else (pair.point, self.g.inner.point)
             along = self.d.ray(SCHEME, *ends)
         return Term(name, start, x, None, along, along or "", False, sign)
-
-    def inner_ray(self, start: str, x: str) -> Term:
-        """The inner reaction, on the first link from the last, through the end of the first link's loads."""
-        g = self.g
-        along = self.d.square(f"∥{g.inner.guide}") if g.inner.kind == "P" else None
-        return Term(force_name(g.first, g.last), start, x, None, along, along or "", False, 1)
 
     def tangential(self, link: str, pair: Pair) -> list[Force]:
         """F^t of an outer hinge: from moments about the inner hinge, or of the whole group about the other one."""

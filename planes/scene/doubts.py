@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import fields
 from itertools import combinations
 
-from planes.scene.mechanism import Link, Mechanism
+from planes.scene.mechanism import RATES, Link, Mechanism
 from planes.scene.reader import Keys, line_of, texts
 from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.words import Phrase
@@ -101,7 +101,7 @@ def _size(link: Link) -> float:
 
 def _drive(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
     drive = mechanism.drive
-    rate = "omega" if drive.kind == "phi" else "velocity"
+    rate = RATES[drive.kind][0]
     statics = mechanism.loads or mechanism.gravity
     if ("drive", rate) not in mechanism.where and not statics:
         yield Phrase("doubt_at_rest", key=rate), ("drive",)

@@ -11,6 +11,8 @@ from types import MappingProxyType
 from typing import Literal
 
 FRAME = "0"
+RATES = {"phi": ("omega", "epsilon"), "s": ("velocity", "acceleration")}
+"""How a scene calls the rates of a drive, by its kind."""
 
 Sense = Literal["along", "against"]
 Order = Literal["left", "right", "ahead", "behind"]
