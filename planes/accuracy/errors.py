@@ -24,6 +24,7 @@ from planes.plans.quantities import Column, Measured, Quantity, nested, results_
 from planes.solving import Position, Solved
 from planes.solving.vectors import PLAN, VectorResults
 from planes.words.names import at, mu_of
+from planes.words.records import or_none
 
 
 class Spread(Margins):
