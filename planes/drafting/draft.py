@@ -12,18 +12,12 @@ from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Calculate, Measure, Product
 from planes.drafting.tools import Thing
 from planes.scene.mechanism import Law
-from planes.words import Phrase, Told
+from planes.words import Phrase
 from planes.words.errors import ProgramError
 from planes.words.lettering import name_in_words, plan_phrase
 from planes.words.names import AGAIN, POLE, Meaning, at, mu_of, plan_of
 
 _READ_BY_NAME = ("v_", "vq_", "omega", "epsilon")  # values other modules find by their names
-
-
-def _told(name: str) -> Told:
-    """A mark with the plan it is on, or a value, as a sentence names it."""
-    mark, plan = name_in_words(name), plan_of(name)
-    return Phrase("mark_of_plan", mark=mark, plan=plan_phrase(plan)) if plan else mark
 
 
 @dataclass(frozen=True)
@@ -84,7 +78,9 @@ class Draft:
         """Add a step, unless it is there already; a direction or value named as another one is marked so."""
         while step.makes in self.given or self.steps.setdefault(step.makes, step) != step:
             if step.kind == "mark" or step.makes.startswith(_READ_BY_NAME):
-                raise ProgramError(Phrase("named_twice", name=_told(step.makes)))
+                mark, plan = name_in_words(step.makes), plan_of(step.makes)
+                name = Phrase("mark_of_plan", mark=mark, plan=plan_phrase(plan)) if plan else mark
+                raise ProgramError(Phrase("named_twice", name=name))
             step = replace(step, makes=step.makes + (AGAIN if step.kind == "direction" else "′"))
         return step.makes
 

@@ -26,7 +26,7 @@ class Step:
     makes: str
     means: Meaning | None = field(default=None, kw_only=True, compare=False, repr=False)
     kind: ClassVar[Kind] = "mark"
-    needs: ClassVar[tuple[Read, ...]] = ()  # the fields that name what the step needs, each with the kind of that
+    needs: ClassVar[tuple[Read, ...]] = ()  # the fields that name what the step needs, or several, with the kind of it
 
     @property
     def quantity(self) -> str:
@@ -45,7 +45,8 @@ class Step:
 
     def reads(self) -> tuple[Read, ...]:
         """Names of what the step needs, each with its kind."""
-        return tuple([(name, kind) for field, kind in self.needs if (name := getattr(self, field))])
+        found = [(getattr(self, field) or (), kind) for field, kind in self.needs]
+        return tuple([(n, kind) for names, kind in found for n in ((names,) if isinstance(names, str) else names)])
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         """The thing itself, from the things in ``env``."""
@@ -173,9 +174,7 @@ class Image(Step):
     of: tuple[str, str]
     like: tuple[str, str]
     image: tuple[str, str]
-
-    def reads(self) -> tuple[Read, ...]:
-        return marks(self.start, *self.of, *self.like, *self.image)
+    needs = marks("start", "of", "like", "image")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         (a, b), (c, d), (e, f) = self.of, self.like, self.image

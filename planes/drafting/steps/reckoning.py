@@ -100,9 +100,7 @@ class Sense(Step):
     along: str | None
     beside: tuple[str, ...]
     kind: ClassVar[Kind] = "value"
-
-    def reads(self) -> tuple[Read, ...]:
-        return marks(self.start, self.end, *self.beside) + directions(self.along)
+    needs = marks("start", "end", "beside") + directions("along")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         segment = env[self.end] - env[self.start]
