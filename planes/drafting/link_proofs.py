@@ -67,12 +67,12 @@ class Rigid(Proof):
     def _bent(self, p: Point, things: Things) -> Complex:
         return in_si(things, p.on(self.plan)) - self.body.at(self.plan, things, p.local, in_si(things, p.place))
 
-    def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
+    def size(self, things: Things, ar: Arithmetic) -> Real:
         if self.plan == "position":
             return sum(abs(p.local) + abs(self.body.origin.local) for p in self.points)
         reach = sum(ar.size(in_si(things, p.place)) + abs(p.local) for p in self.points) + abs(self.body.origin.local)
         turning = ar.size(self.body.spin(self.plan, things)) * reach  # one about its hinge is no less long
-        return speed + turning + sum(ar.size(in_si(things, p.on(self.plan))) for p in self.points)
+        return turning + sum(ar.size(in_si(things, p.on(self.plan))) for p in self.points)
 
 
 @dataclass(frozen=True)
@@ -97,14 +97,12 @@ class Slid(Proof):
             relative = in_si(things, self.slider.on("acceleration")) - owner.at(self.plan, things, 0j, place) - coriolis
         return abs(plane.cross(along, relative))
 
-    def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
+    def size(self, things: Things, ar: Arithmetic) -> Real:
         if self.plan == "position":
             return ar.size(in_si(things, self.slider.place)) + abs(self.through) + abs(self.offset)
         reach = ar.size(in_si(things, self.slider.place)) + abs(self.through)
         turning = ar.size(self.owner.spin(self.plan, things)) * reach
-        return (
-            speed + turning + sum(ar.size(in_si(things, mark)) for mark in self.slider.marks[1 : ORDER[self.plan] + 1])
-        )
+        return turning + sum(ar.size(in_si(things, mark)) for mark in self.slider.marks[1 : ORDER[self.plan] + 1])
 
 
 @dataclass(frozen=True)
@@ -126,7 +124,7 @@ class Balanced(Proof):
         moments += [sign * things[couple] for _, _, sign, _, couple in self.reactions if couple]
         return ar.size(sum(force for force, _ in acting)) + abs(sum(moments)) / (far + (far == 0))
 
-    def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
+    def size(self, things: Things, ar: Arithmetic) -> Real:
         return sum(ar.size(force) for force, _ in self._acting(things))
 
     def _acting(self, things: Things) -> list[tuple[Complex, Complex]]:

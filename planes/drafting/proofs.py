@@ -44,9 +44,8 @@ class Proof:
         """How far the two sides are apart, in SI."""
         raise NotImplementedError
 
-    def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
-        """How large what they are made of is at least (SI), at the ``speed`` of their plan: a gap that is not small
-        beside it is looked at again."""
+    def size(self, things: Things, ar: Arithmetic) -> Real:
+        """How large what they are made of is at least, in SI, but for the speed of their plan."""
         raise NotImplementedError
 
     def numbers(self, things: Things, gap: Real, size: Real) -> dict[str, object]:
@@ -66,7 +65,7 @@ class Twofold(Proof):
     def gap(self, things: Things, ar: Arithmetic) -> Real:
         return abs(things[self.one] - things[self.two])
 
-    def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
+    def size(self, things: Things, ar: Arithmetic) -> Real:
         return abs(things[self.one]) + abs(things[self.two]) + sum(abs(t.value(things, ar)) for t in self.terms)
 
     def numbers(self, things: Things, gap: Real, size: Real) -> dict[str, object]:
@@ -92,7 +91,7 @@ class VectorProof(Proof):
             return ar.size(vector - sign * things[length] * things[along])
         return abs(plane.cross(things[along], vector)) if along else abs(abs(vector) - abs(things[length]))
 
-    def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
+    def size(self, things: Things, ar: Arithmetic) -> Real:
         stated = sum(abs(things[length]) for length in {row[4] for row in self.rows if row[4]})
         return stated + sum(ar.size(in_si(things, mark)) for mark in {mark for row in self.rows for mark in row[:2]})
 
@@ -109,9 +108,10 @@ def _scale(mark: str) -> str:
 
 
 def gaps(proofs: Sequence[Proof], things: Things, ar: Arithmetic) -> Iterator[tuple[Proof, Real, Real]]:
-    """Of every proof, how far apart its sides are, and beside what size; plans are as fast as what drives them."""
+    """Of every proof, how far apart its sides are, and beside what size (a gap that is not small beside it is looked at
+    again): of what they are made of, and of what drives their plan."""
     speeds = {
         marks: sum(ar.size(in_si(things, mark)) for mark in marks if mark in things)
         for marks in {proof.beside for proof in proofs}
     }
-    return ((proof, proof.gap(things, ar), proof.size(things, ar, speeds[proof.beside])) for proof in proofs)
+    return ((proof, proof.gap(things, ar), proof.size(things, ar) + speeds[proof.beside]) for proof in proofs)
