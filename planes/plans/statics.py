@@ -11,9 +11,8 @@ from dataclasses import replace
 from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
 from planes.plans.bodies import SCHEME
-from planes.plans.friction import meet_with_friction
 from planes.plans.loads import Couple, Force, force_name
-from planes.plans.reactions import Reaction, Statics
+from planes.plans.reactions import Reaction, Statics, meet_with_friction
 from planes.plans.structure import Group, Pair
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, at, force_plan
