@@ -117,10 +117,8 @@ class Bodies:
 
     def line(self, pair: Pair, known: str) -> tuple[str, str]:
         """The line of a sliding pair as the solved link ``known`` carries it: a mark on it and its direction."""
-        body = self.known[known]
-        if known == pair.other:
-            return self._guide_mark(body, pair.guide), self._guide_direction(body, pair.guide)
-        return self.foot(pair), self._slide_direction(pair, body.axis)
+        mark = self._guide_mark(self.known[known], pair.guide) if known == pair.other else self.foot(pair)
+        return mark, self.direction_from(pair, known, self.known[known].axis)
 
     def _guide_mark(self, body: Body, name: str) -> str:
         guide = body.link.guides[name]
@@ -132,23 +130,9 @@ class Bodies:
             return self._place_point(body, label, guide.through, means)
         return at(SCHEME, label)
 
-    def _guide_direction(self, body: Body, name: str) -> str:
-        angle = body.link.guides[name].angle_deg
-        if body.link.name == FRAME:
-            return self.draft.aim(f"∥{name}", angle, Meaning("along", name), Meaning("angle", name, link=FRAME))
-        return self._carried_direction(name, body.link.name, body.axis, angle)
-
-    def _carried_direction(self, guide: str, link: str, axis: str, angle: float) -> str:
-        given = Meaning("angle", guide, link=link)
-        return self.draft.turn(f"∥{guide}", axis, angle, 0.0, Meaning("along", guide), given)
-
     def _slide_angle(self, pair: Pair) -> float:
         slides = self.mechanism.link(pair.link).slides
         return (slides.angle_deg or 0.0) if slides else 0.0
-
-    def _slide_direction(self, pair: Pair, axis: str) -> str:
-        """The direction of the guide from the x axis of the link that slides on it."""
-        return self.draft.turn(f"∥{pair.guide}", axis, -self._slide_angle(pair), 0.0, Meaning("along", pair.guide))
 
     def axis_along(self, pair: Pair, link: str, direction: str) -> str:
         """The x axis of ``link``, one of the sliding pair, from the direction of the pair's guide."""
@@ -157,9 +141,13 @@ class Bodies:
 
     def direction_from(self, pair: Pair, link: str, axis: str) -> str:
         """The direction of the pair's guide from the x axis of ``link``, one of the pair."""
+        name, means, given = f"∥{pair.guide}", Meaning("along", pair.guide), Meaning("angle", pair.guide, link=link)
         if link == pair.link:
-            return self._slide_direction(pair, axis)
-        return self._carried_direction(pair.guide, link, axis, self.mechanism.guide(pair.guide).angle_deg)
+            return self.draft.turn(name, axis, -self._slide_angle(pair), 0.0, means)
+        angle = self.mechanism.guide(pair.guide).angle_deg
+        if link == FRAME:
+            return self.draft.aim(name, angle, means, given)
+        return self.draft.turn(name, axis, angle, 0.0, means, given)
 
     def offset(self, pair: Pair, link: str, point: str) -> Off | None:
         """How far a point of ``link`` lies to the left of the pair's line (m), and how far off that may be; None: on it
@@ -192,7 +180,7 @@ class Bodies:
         offset = self.offset(pair, pair.link, body.link.first_point)
         if offset is None:
             return first
-        direction = self._slide_direction(pair, body.axis)
+        direction = self.direction_from(pair, pair.link, body.axis)
         label, means = f"{body.link.first_point}⊥{pair.guide}", Meaning("foot", pair.guide, body.link.first_point)
         return self.shifted(label, means, first, direction, difference((0.0, 0.0), offset))
 

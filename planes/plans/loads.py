@@ -112,9 +112,9 @@ class Acting:
         elif load.direction_link and load.direction_link != FRAME:
             axis, angle = self.b.known[load.direction_link].axis, load.direction_deg or 0.0
             along = d.turn(f"∠{name}", axis, angle, 0.0, Meaning("given", name))
-            size = d.product(name, **{size: 1})
         else:
             along = d.aim(f"∠{name}", load.direction_deg or 0.0, Meaning("given", name))
+        if not load.sense:
             size = d.product(name, **{size: 1})
         acting = Force(name, load.link, size, along, at(SCHEME, point), "load", BodyPoint(point, point))
         self.forces[load.link].append(acting)
