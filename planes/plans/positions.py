@@ -40,8 +40,7 @@ def _place_driver(b: Bodies) -> None:
     counted = Meaning("guide", pair.guide, first)
     start = b.shifted(f"{first}°s", counted, mark, direction, b.offset(pair, link.name, first))
     b.draft.lay_off(SCHEME, first, start, direction, b.draft.give("s", drive.position))
-    axis = b.axis_along(pair, link.name, direction)
-    b.place_points(Body(link, BodyPoint(first, first), axis, FRAME))
+    _place_slider(b, pair, link.name, first, direction)
 
 
 def _second_point(b: Bodies, pivot: str) -> str | None:
@@ -126,7 +125,7 @@ def _place_rpr(b: Bodies, g: Group) -> None:
     name = moving_name(b, pair.guide, one, g.last)
     ref = BodyPoint(two, two), BodyPoint(one, name)
     b.place_points(Body(b.mechanism.link(g.last), ref[0], b.axis_along(pair, g.last, direction), g.last, ref))
-    b.place_points(Body(b.mechanism.link(g.first), BodyPoint(one, one), b.axis_along(pair, g.first, direction), g.last))
+    _place_slider(b, pair, g.first, one, direction)
 
 
 def moving_name(b: Bodies, guide: str, point: str, link: str) -> str:
@@ -168,9 +167,7 @@ def _place_rpp(b: Bodies, g: Group) -> None:
     root = b.known[g.last_outer.mate(g.last)].root
     reached = BodyPoint(hinge, moving_name(b, g.inner.guide, hinge, g.last))
     b.place_points(Body(b.mechanism.link(g.last), BodyPoint(point, point), axis, root, moving=reached))
-    b.place_points(
-        Body(b.mechanism.link(g.first), BodyPoint(hinge, hinge), b.axis_along(g.inner, g.first, inner), root)
-    )
+    _place_slider(b, g.inner, g.first, hinge, inner)
 
 
 _PLACERS = {1: _place_rrr, 2: _place_rrp, 3: _place_rpr, 4: _place_prp, 5: _place_rpp}
