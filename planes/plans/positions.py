@@ -86,25 +86,23 @@ def _rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
     return Body(link, spots[0], axis, name, spots, rigid=True)
 
 
-def _place_rrr(b: Bodies, g: Group) -> None:
-    one, two, hinge = g.first_outer.point, g.last_outer.point, g.inner.point
-    chains = (
-        _chain(hinge, one, b.length(b.mechanism.link(g.first), one, hinge)),
-        _chain(hinge, two, b.length(b.mechanism.link(g.last), two, hinge)),
+def _place_hinged(b: Bodies, g: Group) -> None:
+    """RRR, RRP and PRP: each link reaches the inner hinge about a pivot or along a guide."""
+    hinge, legs = g.inner.point, ((g.first_outer, g.first), (g.last_outer, g.last))
+    lines = {link: _on_line(b, pair, link, hinge) for pair, link in legs if pair.kind == "P"}
+    one, two = (
+        _chain(hinge, lines[link][0], along=lines[link][1])
+        if link in lines
+        else _chain(hinge, pair.point, b.length(b.mechanism.link(link), pair.point, hinge))
+        for pair, link in legs
     )
-    b.draft.draw(Equation(SCHEME, chains, f"r_{hinge}", _side(b, hinge, g)))
-    b.place_points(_rigid_body(b, g.first, one, hinge))
-    b.place_points(_rigid_body(b, g.last, two, hinge))
-
-
-def _place_rrp(b: Bodies, g: Group) -> None:
-    one, hinge = g.first_outer.point, g.inner.point
-    start, direction = _on_line(b, g.last_outer, g.last, hinge)
-    rod = b.length(b.mechanism.link(g.first), one, hinge)
-    chains = _chain(hinge, one, rod), _chain(hinge, start, along=direction)
-    b.draft.draw(Equation(SCHEME, chains, f"r_{hinge}", _side(b, hinge, g)))
-    b.place_points(_rigid_body(b, g.first, one, hinge))
-    _place_slider(b, g.last_outer, g.last, hinge, direction)
+    side = None if len(lines) == 2 else _side(b, hinge, g)
+    b.draft.draw(Equation(SCHEME, (one, two), f"r_{hinge}", side))
+    for pair, link in legs:
+        if link in lines:
+            _place_slider(b, pair, link, hinge, lines[link][1])
+        else:
+            b.place_points(_rigid_body(b, link, pair.point, hinge))
 
 
 def _place_slider(b: Bodies, pair: Pair, name: str, base: str, direction: str) -> None:
@@ -142,18 +140,6 @@ def moving_name(b: Bodies, guide: str, point: str, link: str) -> str:
     return name
 
 
-def _place_prp(b: Bodies, g: Group) -> None:
-    hinge = g.inner.point
-    chains, directions = [], []
-    for pair, link in ((g.first_outer, g.first), (g.last_outer, g.last)):
-        start, direction = _on_line(b, pair, link, hinge)
-        chains.append(_chain(hinge, start, along=direction))
-        directions.append(direction)
-    b.draft.draw(Equation(SCHEME, (chains[0], chains[1]), f"r_{hinge}"))
-    _place_slider(b, g.first_outer, g.first, hinge, directions[0])
-    _place_slider(b, g.last_outer, g.last, hinge, directions[1])
-
-
 def _place_rpp(b: Bodies, g: Group) -> None:
     hinge, point = g.first_outer.point, b.mechanism.link(g.last).first_point
     start, direction = _on_line(b, g.last_outer, g.last, point)
@@ -170,4 +156,4 @@ def _place_rpp(b: Bodies, g: Group) -> None:
     _place_slider(b, g.inner, g.first, hinge, inner)
 
 
-_PLACERS = {1: _place_rrr, 2: _place_rrp, 3: _place_rpr, 4: _place_prp, 5: _place_rpp}
+_PLACERS = {1: _place_hinged, 2: _place_hinged, 3: _place_rpr, 4: _place_hinged, 5: _place_rpp}
