@@ -34,11 +34,11 @@ TURN = 60.0  # degrees: a radian, near enough
 class _Running:
     """The errors on the way, of one piece of positions: how far every place reached may be off."""
 
-    def __init__(self, kept: Claims, found: Values, count: int) -> None:
-        self.tape, self.found, self.count, self.kept = kept.drawn.tape, found, count, kept
-        self.carrying = Carrying(self.tape, kept.order, count)
-        self.largest, self.lost = np.zeros((kept.most, count)), np.zeros((kept.most, count))
-        self.usual, self.losing = np.ones(kept.most), np.zeros(kept.most, bool)
+    def __init__(self, claims: Claims, found: Values, count: int) -> None:
+        self.tape, self.found, self.count, self.claims = claims.drawn.tape, found, count, claims
+        self.carrying = Carrying(self.tape, claims.order, count)
+        self.largest, self.lost = np.zeros((claims.most, count)), np.zeros((claims.most, count))
+        self.usual, self.losing = np.ones(claims.most), np.zeros(claims.most, bool)
         self.reach: dict[int, Array] = {}  # no place is further off: a rough bound, made better where it matters
         self.better: dict[int, Booleans] = {}
         self.unsure: dict[int, Array] = {}  # of the tests whether a thing moves
@@ -47,9 +47,9 @@ class _Running:
         """How far the wanted places may be off."""
         bounds = {}
         for place, op, args in self.carrying.moving():
-            if place in self.kept.written:
+            if place in self.claims.written:
                 self._given(place)
-            elif place in self.kept.turns:
+            elif place in self.claims.turns:
                 self.unsure[place] = self._turning(args)
             elif op not in STIFF or op == "const":
                 self._err(place, op, args)
@@ -61,13 +61,13 @@ class _Running:
         """A given is off by what its decimals, and reckoning it, have lost."""
         x, k = self.found[place], self.carrying.made
         decimals = np.where(x * 1024 == np.floor(x * 1024), 0.0, np.spacing(np.abs(x)) / 2)
-        self.largest[k] = np.maximum(decimals, self.kept.written[place])
+        self.largest[k] = np.maximum(decimals, self.claims.written[place])
         self.usual[k] = 1 / 3
         self.reach[place] = self.largest[k].copy()
         self.carrying.carry(place, (), (), own=True)
 
     def _err(self, place: int, op: str, args: tuple[int, ...]) -> None:
-        slip = rounding(self.tape, place, self.found, self.kept.whole)
+        slip = rounding(self.tape, place, self.found, self.claims.whole)
         lost, parts = self._bent(place, op, args, slip)
         none = ~np.isfinite(self.found[place])
         if op not in ("neg", "const") and np.any(none):
@@ -92,8 +92,8 @@ class _Running:
         z, given = self.found[place], tuple(self.found[a] for a in args)
         if args and args[0] in self.unsure:
             return self.unsure[args[0]], bent(op, z, given, ())[1]
-        if place in self.kept.chosen:  # a direction of nothing that may yet be something
-            length = self.kept.chosen[place]
+        if place in self.claims.chosen:  # a direction of nothing that may yet be something
+            length = self.claims.chosen[place]
             some = np.where((self.found[length] == 0) & (self.reach.get(length, 0.0) > 0), 2.0, 0.0)
             return some, bent(op, z, given, ())[1]
         lost, parts = bent(op, z, given, self._reaches(args))
@@ -107,8 +107,8 @@ class _Running:
             self._look(args, np.broadcast_to(doubtful, (self.count,)))
             lost, parts = bent(op, z, given, self._reaches(args))
             assert lost is not None
-        if place in self.kept.units:
-            length = self.kept.units[place]
+        if place in self.claims.units:
+            length = self.claims.units[place]
             reach = self.reach.get(length, 0.0)
             blunt = (2 * reach >= np.abs(self.found[length])) & (reach > 0)
             lost, parts = np.where(blunt, 2.0, lost), tuple(np.where(blunt, 0.0, part) for part in parts)

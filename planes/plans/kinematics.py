@@ -165,14 +165,12 @@ def _drive(r: Rates) -> None:
     rate = {"velocity": drive.velocity, "motion": 1.0, "acceleration": drive.acceleration}[r.plan]
     law = None if r.plan == "motion" else r.b.mechanism.laws.get(("drive", RATES[drive.kind][r.quick]))
     if drive.kind == "s":
-        first = body.base.name
-        value = d.give({"velocity": "v_drive", "motion": "vq_drive", "acceleration": "a_drive"}[r.plan], rate)
+        first, guide = body.base.name, r.b.structure.drive_pair.guide
+        ends, value = (at(r.plan, POLE), r.mark(first)), d.give(f"{r.letter}drive", rate)
         d.law(value, law)
-        d.lay_off(r.plan, r.label(first), at(r.plan, POLE), f"∥{r.b.structure.drive_pair.guide}", value)
+        d.lay_off(r.plan, r.label(first), ends[0], f"∥{guide}", value)
         d.show(r.plan, POLE, r.label(first), r.letter + first)
-        r.driven.append(r.mark(first))
-        guide = r.b.structure.drive_pair.guide
-        ends = at(r.plan, POLE), r.mark(first)
+        r.driven.append(ends[1])
         rate_name = d.measure(f"{r.letter}slide_{drive.link}", *ends, f"∥{guide}")
         r.slides[drive.link] = SlideReading(guide, rate_name, ends, f"∥{guide}")
         return
