@@ -34,15 +34,15 @@ import numpy as np
 
 from planes.accuracy.digits import Digits
 from planes.batch import Cycle, compiled
-from planes.batch.double_double import Two, apart, read_long
 from planes.batch.error_bounds import Claims
-from planes.batch.tracing import given_values, trace
+from planes.batch.tracing import given_values
 from planes.drafting.drawing import run
 from planes.plans import plans_of
 from planes.scene import loads
 from planes.words.errors import PlanesError
 from tests.helpers import as_written
 from tests.helpers.comparing import against, standing
+from tests.helpers.double_double import FINE, Two, apart, read_long
 from tests.helpers.mechanisms import KINDS, any_scene, make, shape_of, to_yaml
 from tests.helpers.near_limits import FAMILIES, walk
 from tests.helpers.oracle import NoSolution
@@ -51,7 +51,6 @@ EACH, CLOSE, FEW, SEEN = 1000, 1e-6, 2, 200
 FULL = 40  # positions of one mechanism compared with its text
 COMPILED = 25  # of so many mechanisms one is drawn by the compiled loop too
 NEAR = 1e-9  # of the largest number of its kind, times the sharpness: as far as a scene's number may be off
-FINE = 1e-28  # what two floats tell apart
 TURN = np.arange(0.0, 360.0, 0.5)
 
 
@@ -69,11 +68,7 @@ def mechanism(seed: int, **how: Any) -> Cycle | None:
 
 def truth(c: Cycle, values: Any) -> list[Two]:
     """The columns in long numbers."""
-    drawn = trace(c.program, c.given, [x.take for x in c.columns], c.folded, fine=FINE)
-    found = read_long(
-        drawn.tape, drawn.tape.needed(list(drawn.outputs)), {**given_values(c.given), c.plans.drive_given: values}
-    )
-    return [tuple(np.broadcast_to(part, values.shape) for part in found[p]) for p in drawn.outputs]  # type: ignore[misc]
+    return read_long(c, {**given_values(c.given), c.plans.drive_given: values}, values.shape)
 
 
 def errors(table: Any, true: list[Two]) -> Any:

@@ -9,7 +9,7 @@ import numpy as np
 from planes.accuracy.baselines import Loops, differences
 from planes.accuracy.digits import Digits
 from planes.accuracy.other_programs import Triple, kinepy_at, pylinkage_at
-from planes.batch import Cycle
+from planes.batch import CHUNK, Cycle
 from planes.batch.tape import read
 from planes.batch.tracing import given_values
 from planes.drafting.drawing import Drawing, run
@@ -98,7 +98,7 @@ class Comparison:
 
     def many(self, values: Array, fast: bool) -> Array:
         """The columns by arrays or by the compiled loop."""
-        return np.hstack([b.table for b in self.cycle.blocks(values, fast=fast, bare=True)])
+        return self.cycle.table(values, fast=fast)
 
     def through(self, values: Array, fast: bool) -> int:
         """The same, each block let go of as soon as it is there; how many blocks."""
@@ -106,14 +106,14 @@ class Comparison:
 
     def single(self, values: Array) -> Array:
         """The same in numbers of 24 bits."""
-        tape = self.cycle.trace.tape
-        order = tape.needed(list(self.cycle.trace.outputs))
-        return np.hstack([self._single(order, i, values[i : i + 4096]) for i in range(0, len(values), 4096)])
-
-    def _single(self, order: list[int], start: int, part: Array) -> Array:
-        given = {**given_values(self.cycle.given), **self.cycle.moving(part, slice(start, start + len(part)))}
-        found = read(self.cycle.trace.tape, order, given, np.float32)
-        return np.array([np.broadcast_to(found[o], part.shape) for o in self.cycle.trace.outputs])
+        trace = self.cycle.trace
+        order, rows = trace.tape.needed(list(trace.outputs)), []
+        for i in range(0, len(values), CHUNK):
+            part = values[i : i + CHUNK]
+            given = {**given_values(self.cycle.given), **self.cycle.moving(part, slice(i, i + len(part)))}
+            found = read(trace.tape, order, given, np.float32)
+            rows.append(np.array([np.broadcast_to(found[o], part.shape) for o in trace.outputs]))
+        return np.hstack(rows)
 
     def differences(self, values: Array, step: float = STEP) -> Array:
         """Velocities and accelerations from differences of exact places over a step (rad, or of the reach)."""
@@ -121,11 +121,8 @@ class Comparison:
         places = Cycle(self.plans, [f"r_{p}" for p in self.points], self.cycle.moved)
         width, unit = (step, math.degrees(step)) if drive.kind == "phi" else (step * self.plans.reach,) * 2
 
-        def at(value: Array) -> Array:
-            return np.hstack([b.table for b in places.blocks(value, fast=False, bare=True)])
-
         found = np.empty((len(self.letters), len(values)))
-        here, back, on = at(values), at(values - unit), at(values + unit)
+        here, back, on = (places.table(x, fast=False) for x in (values, values - unit, values + unit))
         found[self.letters == "r"] = here
         found[self.letters == "v"], found[self.letters == "a"] = differences(
             here, back, on, drive.velocity, drive.acceleration, width

@@ -5,12 +5,12 @@ from functools import lru_cache
 from typing import Any
 
 from planes.drafting.tools import Tool
-from planes.geometry.arithmetic import One, Point, Real
+from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
 
-class Long(One):
+class Long(Arithmetic):
     """An arithmetic of ``digits`` decimal digits."""
 
     def __init__(self, digits: int) -> None:

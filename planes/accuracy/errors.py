@@ -5,59 +5,41 @@ carried to first order.
 """
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from planes.batch import Cycle
-from planes.batch.error_bounds import Claims
-from planes.batch.slopes import SLOPES, STIFF, Carrying
+from planes.batch.error_bounds import Claims, Margins
+from planes.batch.slopes import SLOPES, STIFF, Carrying, Values
 from planes.batch.table import Ready
-from planes.batch.tape import read
-from planes.batch.tracing import Trace, given_values, trace
-from planes.drafting.draft import Segment
+from planes.batch.tracing import trace
 from planes.drafting.instruments import Instrument, Pencil
-from planes.drafting.program import Program
-from planes.geometry.arithmetic import Point
-from planes.geometry.arrays import Array, Floats, Indices
+from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.measuring import DrawingReader
 from planes.plans.quantities import Column, Measured, Quantity, nested, results_of
 from planes.solving import Position, Solved
 from planes.solving.vectors import PLAN, VectorResults
 from planes.words.names import at, mu_of
-from planes.words.records import Json
-
-PIECE = 64  # positions carried at once
+from planes.words.records import or_none
 
 
-class Spread:
+class Spread(Margins):
     """Standard deviations over draughtsmen with the same pencil, carried to every column by first-order slopes."""
 
     def __init__(self, cycle: Ready, pencil: Pencil, mus: Mapping[str, float]) -> None:
         errors = pencil.point_mm, math.radians(pencil.ray_deg), pencil.ruler_mm / math.sqrt(12.0)
-        self.cycle, given = cycle, {**cycle.given, **mus}
-        self.drawn = trace(cycle.program, given, [c.take for c in cycle.columns], mus, errors)
+        given, takes = {**cycle.given, **mus}, [c.take for c in cycle.columns]
+        super().__init__(cycle, trace(cycle.program, given, takes, mus, errors))
 
-    def bounds(self, values: Sequence[float] | Array) -> Array:
-        """A row for each column, of one standard deviation."""
-        pieces = []
-        for start in range(0, len(values), PIECE):
-            part = np.asarray(values[start : start + PIECE], float)
-            given = {**given_values(self.cycle.given), **self.cycle.moving(part, slice(start, start + len(part)))}
-            pieces.append(_spread(self.drawn, given, len(part)))
-        return np.hstack(pieces) if pieces else np.empty((len(self.cycle.columns), 0))
-
-
-def _spread(drawn: Trace, given: Mapping[str, Floats], count: int) -> Array:
-    order = drawn.tape.needed(list(drawn.outputs))
-    found = read(drawn.tape, order, given)
-    sizes = {s.place: s.size for s in drawn.sources}
-    out, squares = np.zeros((len(drawn.outputs), count)), np.empty((len(sizes), 1))
-    carrying = Carrying(drawn.tape, order, count)
-    with np.errstate(all="ignore"):
+    def margins(self, found: Values, count: int) -> Array:
+        drawn = self.drawn
+        sizes = {s.place: s.size for s in drawn.sources}
+        out, squares = np.zeros((len(drawn.outputs), count)), np.empty((len(sizes), 1))
+        carrying = Carrying(drawn.tape, self.order, count)
         for place, op, args in carrying.moving():
             if op == "source":
                 squares[carrying.made] = sizes[place] ** 2
@@ -68,10 +50,9 @@ def _spread(drawn: Trace, given: Mapping[str, Floats], count: int) -> Array:
                 rows = carrying.rows[place]
                 for k in (k for k, p in enumerate(drawn.outputs) if p == place):
                     out[k] = np.sqrt(np.sum(rows * rows * squares[: len(rows)], axis=0))
-    return out
+        return out
 
 
-Bounds = Mapping[str, float]
 _PARTS = ("x", "y", "size")
 
 
@@ -83,7 +64,9 @@ class Errors:
         reader = DrawingReader(plans, position.drawing, position.scales)
         self.segments = {f"{p}:{k}": s for p in plans.drawn for k, s in reader.plan_segments(p).items()}
         columns = {c.name: c for q in self.quantities for c in q.columns}
-        columns |= {name: _length(name, s) for name, s in self.segments.items()}
+        columns |= {
+            n: Column(n, "", "", at(s.plan, s.start), at(s.plan, s.end), "size") for n, s in self.segments.items()
+        }
         self.cycle = Cycle(plans, known=position.scales, columns=columns.values())
         self.ruler_mm, self.claims = _ruler_mm(by), _claims(self.cycle, by, plans.off)
 
@@ -92,18 +75,14 @@ class Errors:
         self.cycle.given.update(position.scales)
         rows = self.claims.bounds([position.at])[:, 0]
         bounds = {c.name: float(x) for c, x in zip(self.cycle.columns, rows, strict=True)}
-        out = nested(Measured(q, tuple(_finite(bounds[c.name]) for c in q.columns)) for q in self.quantities)
-        drawn = position.results.get("plans", {})
-        if drawn:
-            out["plans"] = {p: {"segments": self._segments(p, drawn[p], position, bounds)} for p in drawn}
+        out = nested(Measured(q, tuple(or_none(bounds[c.name]) for c in q.columns)) for q in self.quantities)
+        if drawn := position.results.get("plans"):
+            out["plans"] = {}
+            for plan, measured in drawn.items():  # what is read with a ruler is off by its rounding too
+                mu, keys = position.scales[mu_of(plan)], measured["segments"]
+                errors = {key: _measured(bounds[f"{plan}:{key}"], mu, self.ruler_mm) for key in keys}
+                out["plans"][plan] = {"segments": errors}
         return out
-
-    def _segments(self, plan: str, drawn: Mapping[str, Json], position: Position, bounds: Bounds) -> dict[str, Any]:
-        """± of segments, in mm and in SI; what is read with a ruler is off by its rounding too."""
-        mu, found = position.scales[mu_of(plan)], {}
-        for key in drawn["segments"]:
-            found[key] = _measured(bounds[f"{plan}:{key}"], mu, self.ruler_mm)
-        return found
 
 
 def add_errors(solved: Solved, instrument: Instrument | None = None) -> None:
@@ -120,32 +99,18 @@ def add_errors(solved: Solved, instrument: Instrument | None = None) -> None:
                     position.results["plans"][plan]["segments"][key]["error_mm"] = error["mm"]
 
 
-@dataclass
-class Still:
-    """A program that is drawn as it stands: nothing of it moves."""
-
-    program: Program
-    given: dict[str, Point]
-    columns: list[Column]
-    folded: dict[str, float]
-
-    def moving(self, values: Array, at: Indices | slice) -> dict[str, Floats]:
-        """Nothing."""
-        return {}
-
-
 def vector_errors(results: VectorResults, instrument: Instrument | None = None) -> VectorResults:
     """A drawn scene of vectors with its ± beside: of the ends of vectors, and of their segments."""
     columns = [Column(f"{n}_{part}", "", "", *span, part) for n, span in results.spans.items() for part in _PARTS]
-    claims = _claims(Still(results.drawing.program, results.given, columns, {}), instrument)
+    claims = _claims(Ready(results.drawing.program, results.given, columns, {}), instrument)
     bounds = dict(zip((c.name for c in columns), map(float, claims.bounds([0.0])[:, 0]), strict=True))
     ruler = _ruler_mm(instrument)
-    vectors = {n: [_finite(bounds[f"{n}_{part}"]) for part in "xy"] for n in results.spans}
+    vectors = {n: [or_none(bounds[f"{n}_{part}"]) for part in "xy"] for n in results.spans}
     segments = {n: _measured(bounds[f"{n}_size"], results.mu, ruler) for n in results.spans}
     return replace(results, errors={"vectors": vectors, "plans": {PLAN: {"segments": segments}}})
 
 
-def _claims(ready: Ready, by: Instrument | None, off: Mapping[str, float] | None = None) -> Spread | Claims:
+def _claims(ready: Ready, by: Instrument | None, off: Mapping[str, float] | None = None) -> Margins:
     """What tells the ± of the columns drawn by this instrument; ``off``: how far off the givens are."""
     return Spread(ready, by, {}) if isinstance(by, Pencil) else Claims(ready, off)
 
@@ -158,12 +123,4 @@ def _ruler_mm(by: Instrument | None) -> float:
 def _measured(bound: float, mu: float, ruler_mm: float) -> dict[str, float | None]:
     """± of a segment, in mm and in its unit."""
     mm = math.hypot(bound * mu, ruler_mm)
-    return {"mm": _finite(mm), "value": _finite(mm / mu)}
-
-
-def _length(name: str, s: Segment) -> Column:
-    return Column(name, "", "", at(s.plan, s.start), at(s.plan, s.end), "size")
-
-
-def _finite(x: float) -> float | None:
-    return x if math.isfinite(x) else None
+    return {"mm": or_none(mm), "value": or_none(mm / mu)}

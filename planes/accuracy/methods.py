@@ -7,13 +7,14 @@ import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
+from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
 
 from planes.accuracy.comparison import Comparison, Work
 from planes.accuracy.digits import Digits
-from planes.accuracy.other_programs import Pylinkage, installed, kinepy_run, pylinkage_run, version
+from planes.accuracy.other_programs import Pylinkage, installed, kinepy_run, pylinkage_run
 from planes.batch import compiled
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.instruments import Pencil

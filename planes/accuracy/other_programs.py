@@ -6,7 +6,6 @@ compiled path; kinepy computes places of any group, velocities and accelerations
 
 import cmath
 import contextlib
-import importlib.metadata
 import io
 import itertools
 import math
@@ -23,13 +22,7 @@ from planes.scene.mechanism import FRAME, Mechanism
 
 Triple = tuple[complex, complex, complex]  # place, velocity, acceleration
 Near = Callable[[int], dict[str, complex]]
-NOTHING: Triple = (complex("nan+nanj"),) * 3
 PER_STEP = 1e-3  # rad of the crank, of a table in time
-
-
-def version(name: str) -> str:
-    """Which version of a tool is installed."""
-    return importlib.metadata.version(name)
 
 
 def installed() -> list[str]:

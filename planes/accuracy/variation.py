@@ -5,13 +5,14 @@ from dataclasses import replace
 
 from planes.plans import Plans, plans_of
 from planes.plans.assembly import WORDS_OF_KIND
-from planes.scene.mechanism import Assembly, Link, Mechanism
+from planes.scene.mechanism import Assembly, Link
 
 
 def altered(plans: Plans, name: str, value: float) -> Plans:
     """The plans with a given altered: a length, and all of its link with it, or a guide's angle; sides stay."""
-    m = _with(plans.mechanism, _link(plans, name, value))
-    return plans_of(replace(m, assembly=_sides(plans)))
+    m, link = replace(plans.mechanism, assembly=_sides(plans)), _link(plans, name, value)
+    of_frame = link.name == m.frame.name
+    return plans_of(replace(m, frame=link) if of_frame else replace(m, links={**m.links, link.name: link}))
 
 
 def changed(one: Plans, two: Plans) -> list[str]:
@@ -45,10 +46,6 @@ def _link(plans: Plans, name: str, value: float) -> Link:
     points = {p: start + (z - start) * times for p, z in link.points.items()}
     guides = {n: replace(g, through=points.get(g.through_point or "", g.through)) for n, g in link.guides.items()}
     return replace(link, points=points, guides=guides)
-
-
-def _with(m: Mechanism, link: Link) -> Mechanism:
-    return replace(m, frame=link) if link.name == m.frame.name else replace(m, links={**m.links, link.name: link})
 
 
 def _sides(plans: Plans) -> dict[str, Assembly]:

@@ -13,11 +13,10 @@ import numpy as np
 
 from planes.batch import compiled as compiled_loop
 from planes.batch.error_bounds import Claims
-from planes.batch.table import columns_of, sides_of
+from planes.batch.table import Ready, columns_of, sides_of
 from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
 from planes.drafting.clearness import clear, far_apart
 from planes.drafting.drawing import prove_many, run
-from planes.drafting.instruments import Instrument, is_exact
 from planes.drafting.link_proofs import Rigid, Slid
 from planes.drafting.program import Program
 from planes.geometry.arithmetic import Real
@@ -59,7 +58,7 @@ class Reason:
     makes: str
 
 
-class Cycle:
+class Cycle(Ready):
     """A mechanism ready for any number of positions, cut down to what is asked (``names``; None: everything).
 
     ``known`` overrides givens by name; those with an array, a number for each position, move with the drive.
@@ -75,7 +74,7 @@ class Cycle:
     ) -> None:
         quantities = None if names is None else asked(plans, names)
         self.plans, self.columns = plans, columns_of(plans, quantities) if columns is None else list(columns)
-        self.program: Program = plans.program.sliced([n for c in self.columns for n in c.needs])
+        self.program = plans.program.sliced([n for c in self.columns for n in c.needs])
         self.mus, self.known = unit_scales(plans), frozenset(known or ())
         self.given = {**plans.given, **self.mus}
         driver = plans.links[plans.mechanism.drive.link]
@@ -120,10 +119,9 @@ class Cycle:
         return Claims(self)
 
     @cached_property
-    def compiled(self) -> compiled_loop.Bound:
+    def compiled(self) -> compiled_loop.CompiledLoop:
         """The compiled loop."""
-        loop = compiled_loop.fuse(self.trace, (self.plans.drive_given, *self.moved))
-        return loop.bound(given_values(self.given))
+        return compiled_loop.CompiledLoop(self.trace, (self.plans.drive_given, *self.moved), given_values(self.given))
 
     def moving(self, values: Array, at: Indices | slice) -> dict[str, Floats]:
         """What moves, at the positions numbered ``at``: the drive with ``values``, and its companions."""
@@ -131,48 +129,43 @@ class Cycle:
         return {**self.plans.at(values, self.program, self.known), **beside}
 
     def blocks(
-        self,
-        values: Places,
-        chunk: int = CHUNK,
-        fast: bool | None = None,
-        instrument: Instrument | None = None,
-        bare: bool = False,
+        self, values: Places, chunk: int = CHUNK, fast: bool | None = None, bare: bool = False
     ) -> Iterator[Block]:
         """Blocks of at most ``chunk`` positions. ``fast`` says whether to compile; by itself when that pays.
 
         Numbers that rounding leaves without digits are NaN, unless they are asked for ``bare``.
         """
         places: Real = values if hasattr(values, "__getitem__") else np.fromiter(values, float)
-        by_hand = not is_exact(instrument)
         if fast is None:
-            fast = not by_hand and compiled_loop.available() and ("compiled" in self.__dict__ or len(places) >= PAYS)
-        size = min(chunk, self.compiled.fused.row if fast else max(1, HELD // (len(self.program.steps) + 1)))
+            fast = compiled_loop.available() and ("compiled" in self.__dict__ or len(places) >= PAYS)
+        size = min(chunk, self.compiled.row if fast else max(1, HELD // (len(self.program.steps) + 1)))
         for start in range(0, len(places), size):
             part = np.asarray(places[start : start + size], float)
             at = slice(start, start + len(part))
-            found = self._run(part, at) if fast else self._drawn(self.moving(part, at), len(part), instrument)
-            yield self._looked_at(self._whole(part, *found), start, bare or by_hand)
+            found = self._run(part, at) if fast else self._drawn(self.moving(part, at), len(part))
+            yield self._looked_at(self._whole(part, *found), start, bare)
+
+    def table(self, values: Array, fast: bool) -> Array:
+        """A row of all values for each column, however few digits they have."""
+        return np.hstack([b.table for b in self.blocks(values, fast=fast, bare=True)])
 
     def _run(self, part: Array, at: slice) -> tuple[Array, Indices | None]:
         """The table by the compiled loop, and the codes (None: nothing failed); what it suspects is drawn by arrays."""
         moving = self.moving(part, at)
-        table, codes = self.compiled(np.array([moving[name] for name in self.compiled.fused.inputs]))
+        table, codes = self.compiled(np.array([moving[name] for name in self.compiled.inputs]))
         undecided = [k for k, r in enumerate(self.reasons, 1) if r.key in self.trace.proofs]
         if codes is None or not (suspect := np.isin(codes, undecided)).any():
             return table, codes
         some = {name: np.asarray(v)[suspect] for name, v in moving.items()}
-        table[:, suspect], found = self._drawn(some, int(suspect.sum()), None)
+        table[:, suspect], found = self._drawn(some, int(suspect.sum()))
         codes[suspect] = 0 if found is None else found
         return table, codes if codes.any() else None
 
-    def _drawn(
-        self, moving: Mapping[str, Floats], count: int, instrument: Instrument | None
-    ) -> tuple[Array, Indices | None]:
+    def _drawn(self, moving: Mapping[str, Floats], count: int) -> tuple[Array, Indices | None]:
         """The same by arrays."""
         given = {**self.given, **moving}
-        drawing = run(self.program, given, instrument)
-        if is_exact(instrument):
-            prove_many(drawing, given)
+        drawing = run(self.program, given)
+        prove_many(drawing, given)
         table = np.empty((len(self.columns), count))
         with np.errstate(all="ignore"):
             for row, column in zip(table, self.columns, strict=True):
@@ -226,11 +219,4 @@ class Cycle:
         return {**found, "": list(range(len(self.columns)))}
 
 
-def cycle(
-    plans: Plans, values: Places, names: Iterable[str] | None = None, chunk: int = CHUNK, fast: bool | None = None
-) -> Iterator[Block]:
-    """Results of a mechanism for many values of its drive (degrees, or metres), in blocks of ``chunk``."""
-    return Cycle(plans, names).blocks(values, chunk, fast)
-
-
-__all__ = ["Block", "Column", "Cycle", "Reason", "cycle"]
+__all__ = ["Block", "Column", "Cycle", "Reason"]

@@ -3,11 +3,8 @@
 The compiler is the one inside numba, spoken to directly: a tape has no types to guess and no branches to follow.
 """
 
-from __future__ import annotations
-
 import ctypes
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import cache, cached_property
 from importlib.util import find_spec
 
@@ -24,35 +21,31 @@ def available() -> bool:
     return find_spec("llvmlite") is not None
 
 
-@dataclass(frozen=True)
-class Fused:
-    """A compiled trace: ``inputs`` names the givens that change from position to position; of these it works ``row``
-    at once."""
+class CompiledLoop:
+    """A compiled trace ready to run: ``inputs`` are the givens that change from position to position, the others are as
+    ``given``; ``row`` positions are worked at once. It is compiled when first run."""
 
-    trace: Trace
-    inputs: tuple[str, ...]
-    fixed: tuple[int, ...]
-    text: str
-    row: int
-
-    def bound(self, given: Mapping[str, Floats]) -> Bound:
-        """The loop with the numbers that stay the same in all positions."""
-        tape = self.trace.tape
-        found = read(tape, tape.needed(list(self.fixed)), given)
-        return Bound(self, np.array([float(found[p]) for p in self.fixed] or [0.0]))
-
-
-@dataclass(frozen=True)
-class Bound:
-    """A compiled loop ready to run."""
-
-    fused: Fused
-    fixed: Array
+    def __init__(self, trace: Trace, moving: tuple[str, ...], given: Mapping[str, Floats]) -> None:
+        tape, places = trace.tape, trace.givens()
+        self.trace, self.inputs = trace, tuple(name for name in moving if name in places)
+        codes = [place for _, _, place in trace.requires]
+        moved = tape.moved_by(frozenset(moving))
+        still = frozenset(range(len(tape.ops))) - moved
+        order = tape.needed([*trace.outputs, *codes], stop=still)
+        fixed = [p for p in order if p in still and tape.ops[p][0] != "const"]
+        tested = (place for reason, _, place in trace.requires if reason not in trace.proofs)
+        changing = [p for p in order if p in moved]
+        rough = frozenset(changing).difference(tape.needed([*trace.outputs, *tested]))
+        rows = [places[name] for name in self.inputs]
+        self.row = row_of(len(rows) + len(trace.outputs) + 1)
+        self.text = module(tape, changing, rows, fixed, list(trace.outputs), codes, rough, self.row + EXTRA)
+        found = read(tape, tape.needed(fixed), given)
+        self.fixed = np.array([float(found[p]) for p in fixed] or [0.0])
 
     @cached_property
     def run(self) -> Callable[[int, int], float]:
         """The machine code: where the rows begin, and how many positions; not 0 where one of them failed."""
-        code, fixed = _compiled(self.fused.text), self.fixed.ctypes.data
+        code, fixed = _compiled(self.text), self.fixed.ctypes.data
         return lambda rows, count: code(rows, fixed, count)
 
     def __call__(self, rows: Array) -> tuple[Array, Indices | None]:
@@ -62,34 +55,14 @@ class Bound:
         What is done here is done for every block, so it is little: rows of inputs, outputs and codes share one piece of
         memory, and its address is taken the short way (``array.ctypes`` is six times as long).
         """
-        inputs, count = len(self.fused.inputs), rows.shape[1]
-        whole = np.empty((inputs + len(self.fused.trace.outputs) + 1, self.fused.row + EXTRA))
+        inputs, count = len(self.inputs), rows.shape[1]
+        whole = np.empty((inputs + len(self.trace.outputs) + 1, self.row + EXTRA))
         whole[:inputs, :count] = rows
         failed = self.run(ctypes.addressof(ctypes.c_char.from_buffer(whole.data)), count)
         return whole[inputs:-1, :count], whole[-1, :count].astype(np.int16) if failed else None
 
 
 _CALL = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)
-
-
-def fuse(trace: Trace, inputs: tuple[str, ...]) -> Fused:
-    """Write the loop of a trace; it is compiled when first run."""
-    tape = trace.tape
-    codes = [place for _, _, place in trace.requires]
-    wanted = [*trace.outputs, *codes]
-    moved = tape.moved_by(frozenset(inputs))
-    still = frozenset(range(len(tape.ops))) - moved
-    order = tape.needed(wanted, stop=still)
-    fixed = tuple(p for p in order if p in still and tape.ops[p][0] != "const")
-    places = trace.givens()
-    rows = [places[name] for name in inputs if name in places]
-    row = row_of(len(rows) + len(trace.outputs) + 1)
-    moving = [p for p in order if p in moved]
-    tested = (place for reason, _, place in trace.requires if reason not in trace.proofs)
-    surely = tape.needed([*trace.outputs, *tested])
-    rough = frozenset(moving).difference(surely)
-    text = module(tape, moving, rows, list(fixed), list(trace.outputs), codes, rough, row + EXTRA)
-    return Fused(trace, tuple(n for n in inputs if n in places), fixed, text, row)
 
 
 @cache

@@ -18,7 +18,7 @@ from planes.batch.rounding import BLIND, LARGEST, USUAL, Lost, bent, rounding, u
 from planes.batch.slopes import STIFF, Carrying, Values, times
 from planes.batch.table import Ready, sides_of
 from planes.batch.tape import Tape, read
-from planes.batch.tracing import given_values, trace
+from planes.batch.tracing import Trace, given_values, trace
 from planes.geometry.arrays import Array, Booleans, Floats, Indices
 from planes.words.names import given_of, is_scale
 
@@ -34,11 +34,11 @@ TURN = 60.0  # degrees: a radian, near enough
 class _Running:
     """The errors on the way, of one piece of positions: how far every place reached may be off."""
 
-    def __init__(self, tape: Tape, order: list[int], found: Values, count: int, kept: Kept) -> None:
-        self.tape, self.found, self.count, self.kept = tape, found, count, kept
-        self.carrying = Carrying(tape, order, count)
-        self.largest, self.lost = np.zeros((kept.most, count)), np.zeros((kept.most, count))
-        self.usual, self.losing = np.ones(kept.most), np.zeros(kept.most, bool)
+    def __init__(self, claims: Claims, found: Values, count: int) -> None:
+        self.tape, self.found, self.count, self.claims = claims.drawn.tape, found, count, claims
+        self.carrying = Carrying(self.tape, claims.order, count)
+        self.largest, self.lost = np.zeros((claims.most, count)), np.zeros((claims.most, count))
+        self.usual, self.losing = np.ones(claims.most), np.zeros(claims.most, bool)
         self.reach: dict[int, Array] = {}  # no place is further off: a rough bound, made better where it matters
         self.better: dict[int, Booleans] = {}
         self.unsure: dict[int, Array] = {}  # of the tests whether a thing moves
@@ -47,9 +47,9 @@ class _Running:
         """How far the wanted places may be off."""
         bounds = {}
         for place, op, args in self.carrying.moving():
-            if place in self.kept.written:
+            if place in self.claims.written:
                 self._given(place)
-            elif place in self.kept.turns:
+            elif place in self.claims.turns:
                 self.unsure[place] = self._turning(args)
             elif op not in STIFF or op == "const":
                 self._err(place, op, args)
@@ -61,13 +61,13 @@ class _Running:
         """A given is off by what its decimals, and reckoning it, have lost."""
         x, k = self.found[place], self.carrying.made
         decimals = np.where(x * 1024 == np.floor(x * 1024), 0.0, np.spacing(np.abs(x)) / 2)
-        self.largest[k] = np.maximum(decimals, self.kept.written[place])
+        self.largest[k] = np.maximum(decimals, self.claims.written[place])
         self.usual[k] = 1 / 3
         self.reach[place] = self.largest[k].copy()
         self.carrying.carry(place, (), (), own=True)
 
     def _err(self, place: int, op: str, args: tuple[int, ...]) -> None:
-        slip = rounding(self.tape, place, self.found, self.kept.whole)
+        slip = rounding(self.tape, place, self.found, self.claims.whole)
         lost, parts = self._bent(place, op, args, slip)
         none = ~np.isfinite(self.found[place])
         if op not in ("neg", "const") and np.any(none):
@@ -92,8 +92,8 @@ class _Running:
         z, given = self.found[place], tuple(self.found[a] for a in args)
         if args and args[0] in self.unsure:
             return self.unsure[args[0]], bent(op, z, given, ())[1]
-        if place in self.kept.chosen:  # a direction of nothing that may yet be something
-            length = self.kept.chosen[place]
+        if place in self.claims.chosen:  # a direction of nothing that may yet be something
+            length = self.claims.chosen[place]
             some = np.where((self.found[length] == 0) & (self.reach.get(length, 0.0) > 0), 2.0, 0.0)
             return some, bent(op, z, given, ())[1]
         lost, parts = bent(op, z, given, self._reaches(args))
@@ -107,8 +107,8 @@ class _Running:
             self._look(args, np.broadcast_to(doubtful, (self.count,)))
             lost, parts = bent(op, z, given, self._reaches(args))
             assert lost is not None
-        if place in self.kept.units:
-            length = self.kept.units[place]
+        if place in self.claims.units:
+            length = self.claims.units[place]
             reach = self.reach.get(length, 0.0)
             blunt = (2 * reach >= np.abs(self.found[length])) & (reach > 0)
             lost, parts = np.where(blunt, 2.0, lost), tuple(np.where(blunt, 0.0, part) for part in parts)
@@ -151,17 +151,6 @@ class _Running:
         return np.where(sure, 0.0, 2.0)
 
 
-class Kept:
-    """What is known of a tape beforehand."""
-
-    def __init__(self, tape: Tape, order: list[int], turns: tuple[int, ...], off: Mapping[str, float] | None) -> None:
-        self.written = {} if off is None else _written(tape, order, off)
-        self.whole, self.turns = whole_numbers(tape, order), frozenset(turns)
-        self.units, self.chosen = unit_parts(tape, order)
-        made = sum(tape.ops[p][0] not in STIFF or tape.ops[p][0] == "const" for p in order)
-        self.most = made + len(self.written)
-
-
 def _written(tape: Tape, order: list[int], off: Mapping[str, float]) -> dict[int, float]:
     """Places of the givens a scene writes, each with how far off it is reckoned; scales are of the drawing alone."""
     names = {p: str(tape.values[p]) for p in order if tape.ops[p][0] == "given"}
@@ -169,38 +158,53 @@ def _written(tape: Tape, order: list[int], off: Mapping[str, float]) -> dict[int
     return {p: off.get(n, 0.0) for p, n in own.items()}
 
 
-class Claims:
-    """What a cycle of exact drawings claims of itself: ± of every column, for any values of the drive.
+class Margins:
+    """± of every column, for any values of the drive: positions are worked a piece at a time."""
+
+    def __init__(self, cycle: Ready, drawn: Trace) -> None:
+        self.cycle, self.drawn, self.order = cycle, drawn, drawn.tape.needed(list(drawn.outputs))
+
+    def bounds(self, values: Sequence[float] | Array, at: Indices | None = None) -> Array:
+        """A row for each column. The ``values`` of the drive are those of the positions numbered ``at`` (None: the
+        first ones)."""
+        values = np.asarray(values, float)
+        at = np.arange(len(values)) if at is None else at
+        pieces = [np.empty((len(self.cycle.columns), 0))]
+        for i in range(0, len(values), PIECE):
+            part = values[i : i + PIECE]
+            given = {**given_values(self.cycle.given), **self.cycle.moving(part, at[i : i + PIECE])}
+            with np.errstate(all="ignore"):
+                pieces.append(self.margins(read(self.drawn.tape, self.order, given), len(part)))
+        return np.hstack(pieces)
+
+    def margins(self, found: Values, count: int) -> Array:
+        """Those of a piece of ``count`` positions, of which every number of the tape is known."""
+        raise NotImplementedError
+
+
+class Claims(Margins):
+    """What a cycle of exact drawings claims of itself: no result is further from the truth; infinite where nothing can
+    be claimed.
 
     Where it is told how far ``off`` givens are (``Plans.off``), numbers are those a scene writes, not the doubles that
     stand for them: every given is off by the last place of its decimals.
     """
 
     def __init__(self, cycle: Ready, off: Mapping[str, float] | None = None) -> None:
-        self.cycle, self.count = cycle, len(cycle.columns)
         drawn = trace(cycle.program, cycle.given, [c.take for c in cycle.columns], cycle.folded)
-        self.tape, self.outputs = drawn.tape, drawn.outputs
-        self.order = self.tape.needed(list(drawn.outputs))
-        self.kept = Kept(self.tape, self.order, drawn.turns, off)
+        super().__init__(cycle, drawn)
+        tape, order = drawn.tape, self.order
+        self.written = {} if off is None else _written(tape, order, off)
+        self.whole, self.turns = whole_numbers(tape, order), frozenset(drawn.turns)
+        self.units, self.chosen = unit_parts(tape, order)
+        made = sum(tape.ops[p][0] not in STIFF or tape.ops[p][0] == "const" for p in order)
+        self.most = made + len(self.written)
 
-    def bounds(self, values: Sequence[float] | Array, at: Indices | None = None) -> Array:
-        """A row for each column: no result is further from the truth; infinite where nothing can be claimed.
-
-        The ``values`` of the drive are those of the positions numbered ``at`` (None: the first ones).
-        """
-        values = np.asarray(values, float)
-        at = np.arange(len(values)) if at is None else at
-        steps = range(0, len(values), PIECE)
-        pieces = [self._piece(values[i : i + PIECE], at[i : i + PIECE]) for i in steps]
-        return np.hstack(pieces) if pieces else np.empty((self.count, 0))
-
-    def _piece(self, values: Array, at: Indices) -> Array:
-        given = {**given_values(self.cycle.given), **self.cycle.moving(values, at)}
-        found = read(self.tape, self.order, given)
-        with np.errstate(all="ignore"):
-            bounds = _Running(self.tape, self.order, found, len(values), self.kept)(frozenset(self.outputs))
-            bound = np.array([bounds[p] for p in self.outputs]).reshape(self.count, len(values)) * ROUNDED
-            return np.where(bound < BLIND * 1e-50, bound, np.inf)
+    def margins(self, found: Values, count: int) -> Array:
+        outputs = self.drawn.outputs
+        bounds = _Running(self, found, count)(frozenset(outputs))
+        bound = np.array([bounds[p] for p in outputs]).reshape(len(outputs), count) * ROUNDED
+        return np.where(bound < BLIND * 1e-50, bound, np.inf)
 
     def doubtful(self, table: Array, bounds: Array) -> Booleans:
         """Of which numbers rounding leaves less than three digits, seen against what the largest of their kind is at

@@ -5,7 +5,6 @@ from collections.abc import Callable
 
 import numpy as np
 
-from planes.batch.double_double import REST
 from planes.batch.slopes import SLOPES, Parts, Values
 from planes.batch.tape import LEAVES, TESTS, Tape
 from planes.geometry.arithmetic import Truth
@@ -16,6 +15,8 @@ EXACT = TESTS | LEAVES | {"neg", "abs", "sel", "max", "min", "floor"}
 LARGEST = {"gap": 2.0, "hypot": 2.0, "sin": 2.0, "cos": 2.0, "atan2": 2.0}  # halves of the last place; of others: 1
 USUAL = {"hypot": 1.2, "atan2": 1.1}  # root mean square, in that of one rounding
 BLIND = 1e200  # nothing can be said of a number
+REST = {math.radians(1): 2.9486522708701687e-19, math.degrees(1): -1.9878495670576283e-15}
+"""What the doubles of π/180 and 180/π leave out."""
 
 
 def rounding(tape: Tape, place: int, found: Values, whole: frozenset[int]) -> Floats | None:

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from tempfile import TemporaryFile
-from typing import IO, Any, Protocol
+from typing import IO, Any
 
 import numpy as np
 
@@ -18,16 +18,6 @@ from planes.words.errors import PlanesError
 GROUP = 65_536  # rows of one group of Parquet
 
 
-class BlockWriter(Protocol):
-    """Takes blocks one after another; ``end`` when all are there, ``close`` whatever happens."""
-
-    def write(self, block: Block) -> None: ...
-
-    def end(self) -> None: ...
-
-    def close(self) -> None: ...
-
-
 class TableHead:
     """What a table's columns are: the drive's value, the results, and why a position failed."""
 
@@ -36,26 +26,14 @@ class TableHead:
         self.reasons = ["", *(f"{r.key}: {r.makes}" if r.makes else r.key for r in reasons)]
 
 
-@contextmanager
-def opened(path: Path, heading: TableHead, count: int) -> Iterator[BlockWriter]:
-    """A writer by the suffix of the file; what was begun and not ended leaves no file."""
-    make = WRITERS.get(path.suffix.lower())
-    if make is None:
-        raise PlanesError(Phrase("cycle_suffix", file=str(path), suffixes=", ".join(WRITERS)))
-    with sayable(path), whole(path) as draft:
-        writer = make(draft, heading, count)
-        try:
-            yield writer
-            writer.end()
-        finally:
-            with suppress(OSError):  # of a disk that is full: told already
-                writer.close()
-
-
-class InOneGo:
-    """What is written to a file as it comes."""
+class BlockWriter:
+    """Takes blocks one after another; ``end`` when all are there, ``close`` whatever happens."""
 
     file: IO[Any]
+
+    def write(self, block: Block) -> None:
+        """The next positions."""
+        raise NotImplementedError
 
     def end(self) -> None:
         """Everything is written, or it is said now why not."""
@@ -66,7 +44,7 @@ class InOneGo:
         self.file.close()
 
 
-class Csv(InOneGo):
+class Csv(BlockWriter):
     """Comma-separated text, UTF-8: shortest digits that give every number back; an empty cell where there is none."""
 
     def __init__(self, path: Path, heading: TableHead, count: int) -> None:
@@ -81,7 +59,7 @@ class Csv(InOneGo):
         self.file.write("".join(text).replace("nan", ""))
 
 
-class Npy(InOneGo):
+class Npy(BlockWriter):
     """One NumPy array of records, its full length told first."""
 
     def __init__(self, path: Path, heading: TableHead, count: int) -> None:
@@ -98,18 +76,18 @@ class Npy(InOneGo):
         self.file.write(part.tobytes())
 
 
-class Npz:
+class Npz(BlockWriter):
     """A NumPy archive: an array for each column, their units, and the reasons the codes in "failed" stand for."""
 
     def __init__(self, path: Path, heading: TableHead, count: int) -> None:
         self.path, self.heading, self.count, self.at = path, heading, count, 0
-        self.raw = TemporaryFile(dir=path.parent)  # noqa: SIM115  # columns in turn; it has no name to be left
+        self.file = TemporaryFile(dir=path.parent)  # noqa: SIM115  # columns in turn; it has no name to be left
 
     def write(self, block: Block) -> None:
         """The next piece of every column."""
         for number, row in enumerate([block.values, *block.table, block.codes]):
-            self.raw.seek(8 * (number * self.count + self.at))
-            self.raw.write(np.asarray(row, self._kind(number)).tobytes())
+            self.file.seek(8 * (number * self.count + self.at))
+            self.file.write(np.asarray(row, self._kind(number)).tobytes())
         self.at += len(block.values)
 
     def _kind(self, number: int) -> str:
@@ -129,17 +107,13 @@ class Npz:
         kind = self._kind(number)
         header = {"descr": kind, "fortran_order": False, "shape": (self.count,)}
         np.lib.format.write_array_header_1_0(file, header)
-        self.raw.seek(8 * number * self.count)
+        self.file.seek(8 * number * self.count)
         left = np.dtype(kind).itemsize * self.count
         for start in range(0, left, piece):
-            file.write(self.raw.read(min(piece, left - start)))
-
-    def close(self) -> None:
-        """The columns are not needed any more."""
-        self.raw.close()
+            file.write(self.file.read(min(piece, left - start)))
 
 
-class Parquet:
+class Parquet(BlockWriter):
     """Apache Parquet, where pyarrow is installed."""
 
     def __init__(self, path: Path, heading: TableHead, count: int) -> None:
@@ -184,3 +158,19 @@ WRITERS: dict[str, Callable[[Path, TableHead, int], BlockWriter]] = {
     ".npz": Npz,
     ".parquet": Parquet,
 }
+
+
+@contextmanager
+def opened(path: Path, heading: TableHead, count: int) -> Iterator[BlockWriter]:
+    """A writer by the suffix of the file; what was begun and not ended leaves no file."""
+    make = WRITERS.get(path.suffix.lower())
+    if make is None:
+        raise PlanesError(Phrase("cycle_suffix", file=str(path), suffixes=", ".join(WRITERS)))
+    with sayable(path), whole(path) as draft:
+        writer = make(draft, heading, count)
+        try:
+            yield writer
+            writer.end()
+        finally:
+            with suppress(OSError):  # of a disk that is full: told already
+                writer.close()

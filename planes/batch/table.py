@@ -3,8 +3,9 @@ of many positions by name, as arrays, which a sweep in Python gives."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Protocol
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from planes.geometry.arrays import Array, Complexes, Floats, Indices, Texts
 from planes.plans import Plans
 from planes.plans.quantities import Column, Quantity, once, results_of
 from planes.words import Phrase
-from planes.words.errors import PlanesError, valid_names
+from planes.words.errors import PlanesError, choices
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -36,7 +37,7 @@ class Table(Mapping[str, Array | Complexes]):
         if f"{name}_x" in self.columns:
             return self.columns[f"{name}_x"] + 1j * self.columns[f"{name}_y"]
         if name not in self.columns:
-            raise PlanesError(Phrase("no_column", name=name, valid=valid_names(name, list(self.columns))))
+            raise PlanesError(Phrase("no_column", name=name, valid=choices(name, self.columns)))
         return self.columns[name]
 
     def __iter__(self) -> Iterator[str]:
@@ -63,19 +64,19 @@ class Table(Mapping[str, Array | Complexes]):
         return cls(columns, tables[0].units, np.concatenate([t.failed for t in tables]))
 
 
-class Ready(Protocol):
-    """A program ready to be drawn any number of times, and the columns read off each drawing."""
+@dataclass(eq=False)
+class Ready:
+    """A program ready to be drawn any number of times, and the columns read off each drawing; scales that are
+    ``folded`` in are no givens."""
 
     program: Program
     given: dict[str, Point]
+    columns: list[Column]
     folded: dict[str, float]
 
-    @property
-    def columns(self) -> Sequence[Column]: ...
-
-    def moving(self, values: Array, at: Indices | slice) -> Mapping[str, Floats]:
-        """The givens that are other in the drawings numbered ``at``."""
-        ...
+    def moving(self, values: Array, at: Indices | slice) -> dict[str, Floats]:
+        """The givens that are other in the drawings numbered ``at``: here none, it is drawn as it stands."""
+        return {}
 
 
 def columns_of(plans: Plans, quantities: Iterable[Quantity] | None = None) -> list[Column]:

@@ -11,16 +11,16 @@ from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
 from planes.drafting.proofs import TOLD_APART, Proof, in_si
 from planes.drafting.tools import Tool
-from planes.geometry.arithmetic import Arithmetic, One, Point, Real, Truth, size
+from planes.geometry.arithmetic import Arithmetic, Many, Point, Real, Truth
 from planes.geometry.arrays import Floats
 
 UNCLEAR = "unclear"
 
 
-class Recording(One):
+class Recording(Arithmetic):
     """The arithmetic of a tape; what is known already is reckoned at once."""
 
-    size = staticmethod(size)
+    size = staticmethod(Many.size)
 
     def __init__(self) -> None:
         self.turns: list[int] = []  # places of the tests whether a thing moves, and which way

@@ -55,7 +55,7 @@ def solve(args: Namespace) -> int:
     if args.remedy:
         from planes.solving.remedies import remedy
 
-        remedy(solved, instrument, args.lang)
+        remedy(solved)
     if args.errors:
         from planes.accuracy.errors import add_errors
 
@@ -108,7 +108,6 @@ def structure(args: Namespace) -> int:
     from planes.plans import mechanism_plans
     from planes.plans.alignment import aligned
     from planes.plans.structure import analyse
-    from planes.solving import structure_json
     from planes.solving.tables import alignment_report, structure_report
 
     scene = scene_of(args)
@@ -121,7 +120,7 @@ def structure(args: Namespace) -> int:
         print(error.told(args.lang), file=sys.stderr)
         variant = None
     if args.json:
-        print(as_json({**structure_json(found), "self_aligning": variant and variant.json()}))
+        print(as_json({**found.json(), "self_aligning": variant and variant.json()}))
     else:
         told = [structure_report(found, args.lang)] + ([alignment_report(variant, args.lang)] if variant else [])
         print(*told, sep="\n\n")

@@ -53,19 +53,16 @@ def _answer(args: Namespace, span: Span | None) -> str:
 
 def driven_otherwise(scene: Scene, velocity: float | None, acceleration: float | None) -> Scene:
     """The scene with another law of motion of its driver (rad/s and rad/s², or m/s and m/s²)."""
-    mechanism = scene.mechanism
-    if mechanism is None or (velocity is None and acceleration is None):
+    rates = {k: x for k, x in (("velocity", velocity), ("acceleration", acceleration)) if x is not None}
+    if scene.mechanism is None or not rates:
         return scene
-    if not all(x is None or math.isfinite(x) for x in (velocity, acceleration)):
+    if not all(map(math.isfinite, rates.values())):
         raise PlanesError(Phrase("drive_not_finite"))
-    drive = mechanism.drive
-    v = drive.velocity if velocity is None else velocity
-    a = drive.acceleration if acceleration is None else acceleration
-    given = {*(("omega", "velocity") if velocity is not None else ())}
-    given |= {*(("epsilon", "acceleration") if acceleration is not None else ())}
-    laws = {path: law for path, law in mechanism.laws.items() if path[0] != "drive" or path[1] not in given}
-    moved = replace(mechanism, drive=replace(drive, velocity=v, acceleration=a), laws=laws)
-    return replace(scene, mechanism=moved)
+    said = {"omega": "velocity", "epsilon": "acceleration"}
+    laws = {p: law for p, law in scene.mechanism.laws.items() if p[0] != "drive" or said.get(p[1], p[1]) not in rates}
+    v, a = (rates.get(k, getattr(scene.mechanism.drive, k)) for k in ("velocity", "acceleration"))
+    drive = replace(scene.mechanism.drive, velocity=v, acceleration=a)
+    return replace(scene, mechanism=replace(scene.mechanism, drive=drive, laws=laws))
 
 
 def asked(text: str | None, option: str) -> list[str] | None:

@@ -5,7 +5,7 @@ import json
 import math
 import re
 import traceback
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -15,7 +15,8 @@ from planes.course.random_numbers import choices_of, dice, draw_numbers
 from planes.course.students import Share
 from planes.scene import Scene, loads
 from planes.scene.mechanism import FRAME
-from planes.scene.reader import entries_of
+from planes.scene.parameters import names_of, reached
+from planes.scene.reader import entries_of, texts
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.scene.source import parse as parse_text
 from planes.solving import solve
@@ -70,26 +71,12 @@ def used_names(text: str, file: str) -> tuple[str, ...]:
     """The parameters a scene's mechanism is made of, directly or through one another."""
     table = parse_text(text, file)
     own = entries_of(table.entries.get("parameters"))
-    found = {n for key, node in table.entries.items() if key not in _WORDS for n in _names(node)} & own.keys()
-    todo = list(found)
-    while todo:
-        more = set(_names(own[todo.pop()])) & own.keys() - found
-        found |= more
-        todo += more
+    shape = (node for key, part in table.entries.items() if key not in _WORDS for _, node in texts(part))
+    found = reached((n for node in shape for n in names_of(node)), {n: names_of(node) for n, node in own.items()})
     return tuple(n for n in own if n in found)
 
 
 _WORDS = ("parameters", "variants", "title", "note", "text", "missing", "sheet")
-_NAME = re.compile(r"[^\W\d][\w'′″]*")
-
-
-def _names(node: Node) -> Iterator[str]:
-    """Every word that could name a parameter."""
-    if isinstance(node, SourceScalar):
-        yield from _NAME.findall(node.text)
-    for inner in node.items if isinstance(node, Items) else entries_of(node).values():
-        yield from _names(inner)
-
 
 FILE = "scene.yaml"
 

@@ -5,21 +5,20 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
-from planes.drafting.drawing import Drawing, run
+from planes.drafting.drawing import Drawing
 from planes.lesson.formulas import number, unit
 from planes.lesson.note import Note
 from planes.plans import Plans
 from planes.plans.measuring import say_plan
-from planes.plans.scales import unit_scales
+from planes.plans.scales import drawn_in_si
 from planes.scene import Scene
 from planes.scene.mechanism import Load, Mechanism
 from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
-from planes.solving.tables import say_mu
 from planes.words import Lang, decimal, say
 from planes.words.errors import PlanFailure
-from planes.words.names import kind_of, parts_of
-from planes.words.records import Json
+from planes.words.names import kind_of, mu_of, parts_of
+from planes.words.units import mu_text
 
 _ANGLES = {"alpha": "α", "beta": "β", "gamma": "γ"}
 NOISE_MM = 1e-6  # a segment shorter than this is nothing
@@ -121,8 +120,8 @@ def answers(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[
     if drawn.plans.zhukovsky in drawn.drawing:
         yield from note.compared()
     yield Heading(say("key_plans", lang))
-    for name, plan in drawn.results.get("plans", {}).items():
-        if name != "position" and (table := segments(drawn, name, plan, lang)):
+    for name in drawn.results.get("plans", ()):
+        if name != "position" and (table := segments(drawn, name, lang)):
             yield table
     if drawn.drawing.sharpness:  # how bluntly lines meet at the worst, for who grades the drawing
         least = min(drawn.drawing.sharpness.values())
@@ -130,7 +129,7 @@ def answers(scene: Scene, drawn: Position, heads: Sequence[str], used: Sequence[
         yield Paragraph(say("key_sharpness", lang, angle=number(angle, lang, 3)))
 
 
-def segments(drawn: Position, name: str, plan: Json, lang: Lang) -> DocumentTable | None:
+def segments(drawn: Position, name: str, lang: Lang) -> DocumentTable | None:
     """The segments of one plan: name, ends, millimetres, value."""
     rows = []
     for vector, s, found in drawn.measured_on(name):
@@ -138,7 +137,7 @@ def segments(drawn: Position, name: str, plan: Json, lang: Lang) -> DocumentTabl
         rows.append((f"⟨{vector}⟩", f"⟨{s.start}⟩⟨{s.end}⟩", decimal(f"{found['mm']:.1f}", lang), value))
     size = unit({"velocity": "v", "acceleration": "a"}.get(name, "F"), lang)
     head = (say("key_vector", lang), say("segment", lang), say("mm", lang), size)
-    mu = decimal(say_mu(plan["mu"], lang), lang)
+    mu = decimal(mu_text(drawn.scales[mu_of(name)], kind_of(name), lang), lang)
     return DocumentTable(f"{say_plan(name, lang)}, μ = {mu}", (head, *rows)) if rows else None
 
 
@@ -162,7 +161,7 @@ def _scores(plans: Plans, value: float) -> Iterator[tuple[float, float]]:
     for phi in range(0, 360, STEP_DEG):
         if abs((phi - value + 180) % 360 - 180) >= APART_DEG:
             try:
-                drawing = run(plans.program, {**plans.given, **unit_scales(plans), plans.drive_given: float(phi)})
+                drawing = drawn_in_si(plans, float(phi))
             except PlanFailure:
                 continue
             yield float(phi), min(_points_apart(plans, drawing), _links_apart(plans, drawing))

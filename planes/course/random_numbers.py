@@ -13,9 +13,8 @@ from collections.abc import Callable, Mapping
 import numpy
 
 from planes.course import ParameterChoice
-from planes.drafting.drawing import run
 from planes.plans import Plans, mechanism_plans
-from planes.plans.scales import unit_scales
+from planes.plans.scales import drawn_in_si
 from planes.scene import Scene
 from planes.scene.reader import entries_of
 from planes.scene.source import SourceScalar, SourceTable
@@ -31,10 +30,10 @@ _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
 _SHARES = (("l_", 10.0), ("x_", 10.0), ("y_", 10.0), ("omega_", 20.0), ("F_", 20.0), ("M_", 20.0), ("P_", 20.0))
 
 
-def around_turn(plans: Plans, values: tuple[float, ...] = ROUND) -> list[float | None]:
-    """The least sharpness at which lines meet at each value of the drive, None where it cannot be drawn."""
-    drawing = run(plans.program, {**plans.given, **unit_scales(plans), plans.drive_given: numpy.array(values)})
-    failed, least = drawing.failed(), numpy.ones(len(values))
+def around_turn(plans: Plans) -> list[float | None]:
+    """The least sharpness at which lines meet at each angle of the driver, None where it cannot be drawn."""
+    drawing = drawn_in_si(plans, numpy.array(ROUND))
+    failed, least = drawing.failed(), numpy.ones(len(ROUND))
     for found in drawing.sharpness.values():
         least = numpy.fmin(least, numpy.broadcast_to(found, least.shape))
     bad = numpy.broadcast_to(False if failed is None else failed, least.shape)

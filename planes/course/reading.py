@@ -13,11 +13,11 @@ from planes.scene.settings import read_sheet, read_words
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase, Told
 from planes.words.errors import PlanesError, SceneError, choices, shown
+from planes.words.units import PLANS
 
 NAME = "course.yaml"
 _KEYS = "course title lang sheet students assignments each variants draw sharpness documents formats plans seed"
 KEYS = tuple(_KEYS.split())
-PLANS = ("position", "velocity", "acceleration", "force")
 MOST_VALUES = 10_000  # numbers a parameter may be drawn from
 MOST_EACH = 100
 

@@ -4,12 +4,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from planes.course.reading import scenes_in
 from planes.diagrams.driven import FULL
 from planes.diagrams.summary import summary
 from planes.plans import Plans
 from planes.scene import Scene, load
 from planes.solving import Position, solve, told
-from planes.solving.tables import table
+from planes.solving.tables import difference, table
 from planes.solving.vectors import solve_vectors
 from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanesError, guarded
@@ -36,8 +37,7 @@ class SurveyRow:
         """How far the two loads are apart, relative to the larger."""
         if self.balancing is None or self.lever is None:
             return None
-        largest = max(abs(self.balancing), abs(self.lever))
-        return abs(self.balancing - self.lever) / largest if largest else 0.0
+        return difference(self.balancing, self.lever)
 
     @property
     def right(self) -> bool:
@@ -52,7 +52,7 @@ class SurveyRow:
 
 def scenes_of(folder: str | Path) -> list[Path]:
     """The scene files of a folder; a refusal in words if there is none."""
-    files = sorted(f for f in Path(folder).iterdir() if f.suffix in (".yaml", ".yml") and f.name != "course.yaml")
+    files = scenes_in(Path(folder))
     if not files:
         raise PlanesError(Phrase("survey_empty", folder=str(folder)))
     return files
@@ -117,7 +117,11 @@ def _no_turn(scene: Scene, plans: Plans, lang: Lang) -> Iterator[str]:
 def report(lines: Sequence[SurveyRow], lang: Lang) -> str:
     """A line for every variant, then what must be said of some, then the count."""
     yes_or_no = {True: say("survey_yes", lang), False: say("survey_no", lang)}
-    rows = [[x.scene, x.variant, x.drive, yes_or_no[x.solved], *_numbers(x)] for x in lines]
+    rows = []
+    for x in lines:
+        loads = (f"{load:.6g}" if load is not None else "—" for load in (x.balancing, x.lever))
+        apart = "—" if x.difference is None else f"{x.difference:.1e}"
+        rows.append([x.scene, x.variant, x.drive, yes_or_no[x.solved], *loads, apart])
     heads = ("scene", "variant", "drive", "solved", "balancing", "lever", "difference")
     found = table(say("survey_title", lang), [say(f"survey_{k}", lang) for k in heads], rows)
     said = [
@@ -130,11 +134,6 @@ def report(lines: Sequence[SurveyRow], lang: Lang) -> str:
     counts = {"solved": sum(x.solved for x in lines), "forces": sum(x.balancing is not None for x in lines)}
     counts |= {"count": len(lines), "said": len(said)}
     return "\n".join([*found, "", say("survey_count", lang, **counts, worst=f"{worst:.1e}")]).lstrip("\n") + "\n"
-
-
-def _numbers(line: SurveyRow) -> list[str]:
-    loads = [f"{x:.6g}" if x is not None else "—" for x in (line.balancing, line.lever)]
-    return [*loads, "—" if line.difference is None else f"{line.difference:.1e}"]
 
 
 def remarks(lines: Sequence[SurveyRow]) -> dict[tuple[str, str], list[str]]:

@@ -6,13 +6,14 @@ Names: r_C_x, phi_3, s_5 (place) · vq_C, u_31, aq_C, epsilonq_3 (analogues) · 
 """
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
 from planes.diagrams.driven import driven
+from planes.drafting.tools import AskedFor
 from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array
 from planes.plans import Plans
@@ -36,10 +37,8 @@ class Curve:
     name: str
     unit: str
     group: Group
-    needs: tuple[str, ...]
     read: Callable[[Sample], Real]
     slope: Callable[[Sample], Real] | None = None
-    slope_needs: tuple[str, ...] = ()
     angular: bool = False
 
 
@@ -49,11 +48,21 @@ class CycleVector:
 
     name: str
     unit: str
-    needs: tuple[str, str]
+    base: str
 
     def read(self, s: Sample) -> Real:
         """x + iy at every position."""
-        return s[self.needs[0]] + 1j * s[self.needs[1]]
+        return s[f"{self.base}_x"] + 1j * s[f"{self.base}_y"]
+
+
+def needs_of(things: Iterable[Curve | CycleVector]) -> list[str]:
+    """The columns that curves, their slopes and vectors are read from."""
+    asked = AskedFor()
+    for one in things:
+        one.read(asked)
+        if isinstance(one, Curve) and one.slope:
+            one.slope(asked)
+    return list(asked)
 
 
 def analogue_units(turning: bool) -> dict[str, str]:
@@ -78,12 +87,11 @@ def arrows_of(plans: Plans) -> dict[str, CycleVector]:
     units, found = analogue_units(plans.mechanism.drive.kind == "phi"), {}
     for p in plans.points:
         for letter, unit in (("r", "m"), ("v", "m/s"), ("a", "m/s²")):
-            found[f"{letter}_{p}"] = CycleVector(f"{letter}_{p}", unit, (f"{letter}_{p}_x", f"{letter}_{p}_y"))
+            found[f"{letter}_{p}"] = CycleVector(f"{letter}_{p}", unit, f"{letter}_{p}")
         for letter in "va":
-            name, base = f"{letter}q_{p}", f"{UNIT}{letter}_{p}"
-            found[name] = CycleVector(name, units[letter], (f"{base}_x", f"{base}_y"))
+            found[f"{letter}q_{p}"] = CycleVector(f"{letter}q_{p}", units[letter], f"{UNIT}{letter}_{p}")
     for r in plans.reactions.values():
-        found[r.key] = CycleVector(r.key, "N", (f"{r.key}_x", f"{r.key}_y"))
+        found[r.key] = CycleVector(r.key, "N", r.key)
     return found
 
 
@@ -102,38 +110,33 @@ def _places(plans: Plans) -> Iterator[Curve]:
     m = plans.mechanism
     for link, names in plans.links.items():
         if link != FRAME:
-            name, rate = f"phi_{link}", (f"{UNIT}omega_{link}",) if names.omega else ()
-            slope = _column(rate[0]) if rate else None
-            yield Curve(name, "°", "place", (name,), _column(name), slope, rate, True)
+            slope = _column(f"{UNIT}omega_{link}") if names.omega else None
+            yield Curve(f"phi_{link}", "°", "place", _column(f"phi_{link}"), slope, True)
     for link in plans.velocity_slides:
-        needs, read = _along(plans, link)
-        need = f"{UNIT}v_slide_{link}"
-        yield Curve(f"s_{link}", "m", "place", needs, read, _column(need), (need,))
+        yield Curve(f"s_{link}", "m", "place", _along(plans, link), _column(f"{UNIT}v_slide_{link}"))
     for p in plans.points:
         if p not in m.frame.points:
             for axis in "xy":
-                name, need = f"r_{p}_{axis}", f"{UNIT}v_{p}_{axis}"
-                yield Curve(name, "m", "place", (name,), _column(name), _column(need), (need,))
+                name = f"r_{p}_{axis}"
+                yield Curve(name, "m", "place", _column(name), _column(f"{UNIT}v_{p}_{axis}"))
 
 
-def _along(plans: Plans, link: str) -> tuple[tuple[str, ...], Callable[[Sample], Real]]:
+def _along(plans: Plans, link: str) -> Callable[[Sample], Real]:
     """The place of a slider's first point along its guide, from the guide's own through point."""
     m = plans.mechanism
     guide, owner = m.guide(plans.velocity_slides[link].guide), m.owner(plans.velocity_slides[link].guide)
     first, way = m.links[link].first_point, np.exp(1j * math.radians(guide.angle_deg))
-    own = (f"r_{first}_x", f"r_{first}_y")
+    place = CycleVector("", "m", f"r_{first}")
     if owner == FRAME:
-        return own, lambda s: ((s[own[0]] + 1j * s[own[1]] - guide.through) * np.conj(way)).real
+        return lambda s: ((place.read(s) - guide.through) * np.conj(way)).real
     base = m.links[owner].first_point
-    shift = guide.through - m.links[owner].points[base]
-    needs = (*own, f"r_{base}_x", f"r_{base}_y", f"phi_{owner}")
+    start, shift = CycleVector("", "m", f"r_{base}"), guide.through - m.links[owner].points[base]
 
     def read(s: Sample) -> Real:
-        turn = np.exp(1j * np.radians(s[needs[4]]))
-        apart = s[needs[0]] + 1j * s[needs[1]] - (s[needs[2]] + 1j * s[needs[3]])
-        return ((apart * np.conj(turn) - shift) * np.conj(way)).real
+        turn = np.exp(1j * np.radians(s[f"phi_{owner}"]))
+        return (((place.read(s) - start.read(s)) * np.conj(turn) - shift) * np.conj(way)).real
 
-    return needs, read
+    return read
 
 
 def _motions(plans: Plans, q: str = "") -> Iterator[Curve]:
@@ -148,11 +151,11 @@ def _motions(plans: Plans, q: str = "") -> Iterator[Curve]:
         name, quick = ratio_name(plans, link) if q else f"omega_{link}", f"epsilon_{link}"
         yield _scalar(name, units["omega"], group, f"{run}omega_{link}", slope and slope + quick, rate)
         yield _scalar(f"epsilon{q}_{link}", units["epsilon"], group, run + quick)
-    for link in _sliding(plans):
+    for link in (n for n in plans.velocity_slides if n != plans.mechanism.drive.link):
         need, quick = f"{run}v_slide_{link}", f"a_slide_{link}"
         yield _scalar(f"v{q}_slide_{link}", units["v"], group, need, slope and slope + quick, rate)
         yield _scalar(f"a{q}_slide_{link}", units["a"], group, run + quick)
-    for p in _moving(plans):
+    for p in (p for p in plans.points if p not in plans.mechanism.frame.points):
         yield from _vector(f"v{q}_{p}", units["v"], group, f"{run}v_{p}", slope and f"{slope}a_{p}", rate)
         yield from _vector(f"a{q}_{p}", units["a"], group, f"{run}a_{p}")
     for link, slide in plans.acceleration_slides.items():
@@ -175,36 +178,22 @@ def _turning(plans: Plans) -> list[str]:
     return [n for n, v in plans.links.items() if n not in (FRAME, driver) and v.omega]
 
 
-def _sliding(plans: Plans) -> list[str]:
-    """Sliders, the driver aside."""
-    return [n for n in plans.velocity_slides if n != plans.mechanism.drive.link]
-
-
-def _moving(plans: Plans) -> list[str]:
-    return [p for p in plans.points if p not in plans.mechanism.frame.points]
-
-
 def _column(name: str) -> Callable[[Sample], Real]:
     return lambda s: s[name]
 
 
 def _scalar(name: str, unit: str, group: Group, need: str, slope: str = "", factor: float = 1.0) -> Curve:
-    if not slope:
-        return Curve(name, unit, group, (need,), _column(need))
-    return Curve(name, unit, group, (need,), _column(need), lambda s: factor * s[slope], (slope,))
+    return Curve(name, unit, group, _column(need), (lambda s: factor * s[slope]) if slope else None)
 
 
 def _vector(name: str, unit: str, group: Group, base: str, slope: str = "", factor: float = 1.0) -> Iterator[Curve]:
     """The size of a vector, then its components."""
-    x, y = f"{base}_x", f"{base}_y"
-    dx, dy = f"{slope}_x", f"{slope}_y"
-    if slope:  # the vector is ``factor`` times its analogue, and so are their slopes
-        unit_x, unit_y = (slope.replace(":a_", ":v_") + end for end in ("_x", "_y"))
-        needs = (unit_x, unit_y, dx, dy)
-        growing = lambda s: s[unit_x] * s[dx] + s[unit_y] * s[dy]  # noqa: E731
-        yield Curve(name, unit, group, (x, y), lambda s: np.hypot(s[x], s[y]), growing, needs)
-    else:
-        yield Curve(name, unit, group, (x, y), lambda s: np.hypot(s[x], s[y]))
+    speed = slope.replace(":a_", ":v_")  # the vector is ``factor`` times its analogue, and so are their slopes
+
+    def growing(s: Sample) -> Real:
+        return s[f"{speed}_x"] * s[f"{slope}_x"] + s[f"{speed}_y"] * s[f"{slope}_y"]
+
+    yield Curve(name, unit, group, lambda s: np.hypot(s[f"{base}_x"], s[f"{base}_y"]), growing if slope else None)
     for axis in "xy":
         yield _scalar(f"{name}_{axis}", unit, group, f"{base}_{axis}", f"{slope}_{axis}" if slope else "", factor)
 

@@ -18,7 +18,8 @@ from planes.drafting.draft import Draft
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.instruments import Instrument
 from planes.drafting.program import Program
-from planes.drafting.steps import Carry, Cross, LayOff, Put, Similar, Through
+from planes.drafting.steps import Carry, LayOff, Put, Similar, Through, Turn
+from planes.drafting.steps.crossings import Cross
 from planes.geometry.arithmetic import Point, Real
 from planes.words.names import at, mu_of
 from planes.words.units import standard_mu
@@ -49,9 +50,13 @@ class Construction:
 
     motion: Motion
     kind: str  # "differentiation" or "integration"
-    mu_t: float
     draft: Draft = field(default_factory=Draft)
     stages: list[Stage] = field(default_factory=list)
+
+    @property
+    def mu_t(self) -> float:
+        """The scale of time, mm per second."""
+        return WIDE_MM / (self.motion.time[-1] - self.motion.time[0])
 
     @cached_property
     def program(self) -> Program:
@@ -77,12 +82,12 @@ class Construction:
 
     # what is drawn
 
-    def begin(self) -> None:
+    def __post_init__(self) -> None:
         """The two directions of all axes, and the length of a second."""
         d = self.draft
         d.aim(RIGHT, 0.0)
         d.aim(UP, 90.0)
-        d.back("←", RIGHT)
+        d.step(Turn("←", RIGHT, 2))
         d.give(TIME, self.mu_t)
         d.give(PAPER, 1.0)
 
@@ -120,8 +125,7 @@ def _value(plan: str, label: str) -> str:
 
 def differentiated(motion: Motion, pole_mm: float | None = None) -> Construction:
     """The place differentiated twice by chords: velocities at the middles of sections, accelerations at their ends."""
-    c = Construction(motion, "differentiation", WIDE_MM / (motion.time[-1] - motion.time[0]))
-    c.begin()
+    c = Construction(motion, "differentiation")
     place, plan = motion.ends[0], "diagram:s"
     mu = standard_mu(max(place) - min(place), TALL_MM)
     c.axes(plan, mu, None)
@@ -138,7 +142,8 @@ def differentiated(motion: Motion, pole_mm: float | None = None) -> Construction
 def _derived(c: Construction, plan: str, rank: int, pole_mm: float | None) -> None:
     """The next diagram: rays parallel to the chords, their cuts on the axis carried to the middles between points."""
     d, before, source = c.draft, c.stages[-1], c.stages[-1].plan
-    pole = pole_mm or _pole(_slopes(c, before), c.mu_t, before.mu)
+    steepest = max(abs(b - a) for a, b in pairwise(c.exact(before))) / (c.motion.time[1] - c.motion.time[0])
+    pole = pole_mm or _pole(steepest, c.mu_t, before.mu)
     found = before.mu * pole / c.mu_t
     c.axes(plan, found, pole)
     made: list[tuple[int, str]] = []
@@ -162,12 +167,6 @@ def _label(half: int) -> str:
     return str(half // 2) if half % 2 == 0 else "−½" if half < 0 else f"{half // 2}½"
 
 
-def _slopes(c: Construction, stage: Stage) -> float:
-    """The steepest chord of a diagram, SI per second."""
-    exact, step = c.exact(stage), c.motion.time[1] - c.motion.time[0]
-    return max(abs(b - a) for a, b in pairwise(exact)) / step
-
-
 def _pole(steepest: float, mu_t: float, mu: float) -> float:
     """The longest round pole distance with which the steepest ray still fits its diagram."""
     longest = TALL_MM / max(steepest * mu / mu_t, 1e-300)
@@ -176,8 +175,7 @@ def _pole(steepest: float, mu_t: float, mu: float) -> float:
 
 def integrated(motion: Motion, pole_mm: float | None = None) -> Construction:
     """The acceleration integrated twice, from rest at the start: velocities, then places at the ends of sections."""
-    c = Construction(motion, "integration", WIDE_MM / (motion.time[-1] - motion.time[0]))
-    c.begin()
+    c = Construction(motion, "integration")
     values, plan = motion.middles[2], "diagram:a"
     mu = standard_mu(max(map(abs, values)), TALL_MM)
     pole = pole_mm or _level(c, mu, motion.ends[1])

@@ -22,9 +22,9 @@ from planes.scene.ranges import Span
 from planes.solving import failed, key_of, told
 from planes.solving.nearest import nearest
 from planes.solving.tables import table
-from planes.words import Lang, Phrase, say
-from planes.words.errors import PlanesError, PlanFailure
-from planes.words.records import Json
+from planes.words import Lang, say
+from planes.words.errors import PlanFailure
+from planes.words.records import Json, or_none
 
 FULL_TURN = Span(0.0, 1.0, 361)
 TOLD = 20  # how many failed ranges are told in words
@@ -44,8 +44,6 @@ def write_cycle(
     scene: Scene, values: Span | None, output: str, lang: Lang, fast: bool | None = None, errors: bool = False
 ) -> int:
     """Write the table, with ``errors`` the ± of every result after the results; the exit status."""
-    if scene.mechanism is None:
-        raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
     plans = mechanism_plans(scene)
     table = Cycle(plans, scene.find)
     span = values or whole(plans)
@@ -144,11 +142,6 @@ def reason(table: Cycle, reasons: tuple[Reason, ...], gap: Gap, lang: Lang) -> s
 
 
 DECIMALS = 5
-
-
-def or_none(value: float) -> float | None:
-    """A number for a program: none where it grows without bound."""
-    return value if math.isfinite(value) else None
 
 
 def listed(turn: WholeTurn, values: Any) -> dict[str, list[float]]:

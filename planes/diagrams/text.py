@@ -2,15 +2,13 @@
 
 import math
 
-from planes.diagrams.curves import Curve
 from planes.diagrams.extremes import Extreme
-from planes.diagrams.long_run import or_none
 from planes.diagrams.summary import CurveSummary, DrivenStroke, Summary
 from planes.solving import told
 from planes.solving.tables import table
 from planes.words import Lang, say
 from planes.words.names import index_of
-from planes.words.records import Json
+from planes.words.records import Json, or_none
 from planes.words.units import RATES, quantity
 
 GROUPS = ("place", "analogue", "rate", "force")
@@ -140,17 +138,19 @@ def as_json(s: Summary) -> Json:
             "back_deg": stroke.back,
             "time_ratio": stroke.K,
         }
-    found["curves"] = {c.name: _curve(s, c) for c in s.grid.turn.curves}
+    found["curves"] = {}
+    for c in s.grid.turn.curves:
+        rotates = {"rotates": True} if s.grid.rounds(c) else {}
+        found["curves"][c.name] = {
+            "unit": c.unit,
+            "group": c.group,
+            "extremes": [_extreme(e) for e in s.extremes[c.name]],
+            **rotates,
+        }
     found["paths"] = {
         p.point: {"length": or_none(p.length), "x": [*map(or_none, p.x)], "y": [*map(or_none, p.y)]} for p in s.paths
     }
     return found
-
-
-def _curve(s: Summary, c: Curve) -> Json:
-    """A curve's extremes; of a link that turns all the way round, that it does."""
-    shown = {"unit": c.unit, "group": c.group, "extremes": [_extreme(e) for e in s.extremes[c.name]]}
-    return shown | ({"rotates": True} if s.grid.rounds(c) else {})
 
 
 def _extreme(e: Extreme) -> Json:

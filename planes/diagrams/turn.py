@@ -12,7 +12,7 @@ import numpy as np
 
 from planes.batch import CHUNK, Block, Cycle, Reason
 from planes.batch.table import columns_of
-from planes.diagrams.curves import UNIT, Curve, CycleVector, arrows_of, curves_of
+from planes.diagrams.curves import UNIT, Curve, CycleVector, arrows_of, curves_of, needs_of
 from planes.diagrams.driven import FULL, WorkingRange
 from planes.geometry.arrays import Array, Booleans, Indices
 from planes.plans import Plans
@@ -32,8 +32,7 @@ class WholeTurn:
 
     def __init__(self, plans: Plans, curves: Sequence[Curve], arrows: Sequence[CycleVector] = ()) -> None:
         self.plans, self.curves, self.arrows = plans, tuple(curves), tuple(arrows)
-        needs = [n for c in curves for n in (*c.needs, *c.slope_needs)] + [n for a in arrows for n in a.needs]
-        self.needs = tuple(dict.fromkeys(needs))
+        self.needs = needs_of((*self.curves, *self.arrows))
 
     @cached_property
     def cycles(self) -> tuple[tuple[str, Cycle], ...]:

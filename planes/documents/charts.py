@@ -2,11 +2,12 @@
 
 import math
 from dataclasses import replace
+from importlib.metadata import version
 from pathlib import Path
 
 from planes.accuracy.limits import Limit
 from planes.accuracy.methods import Method, front, machine, measure
-from planes.accuracy.other_programs import installed, version
+from planes.accuracy.other_programs import installed
 from planes.accuracy.stability import Approach, approach
 from planes.plans import plans_of
 from planes.scene import Scene

@@ -8,7 +8,8 @@ from collections.abc import Iterable, Mapping
 from functools import reduce
 
 from planes.drafting.program import Program
-from planes.drafting.steps import Through, Touch
+from planes.drafting.steps import Through
+from planes.drafting.steps.crossings import Touch
 from planes.drafting.tools import Thing, Tool
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.words.names import Meaning, kind_of, plan_of

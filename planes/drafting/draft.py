@@ -7,22 +7,17 @@ the name back; asking twice for the same direction makes one step.
 from dataclasses import dataclass, replace
 
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps import Aim, Cross, CrossArc, CrossArcs, LayOff, Put, Similar, Step, Through, Turn
-from planes.drafting.steps.reckoning import Calculate, Drop, Measure, Product
+from planes.drafting.steps import Aim, LayOff, Put, Step, Through, Turn
+from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
+from planes.drafting.steps.reckoning import Calculate, Measure, Product
 from planes.drafting.tools import Thing
 from planes.scene.mechanism import Law
-from planes.words import Phrase, Told
+from planes.words import Phrase
 from planes.words.errors import ProgramError
 from planes.words.lettering import name_in_words, plan_phrase
 from planes.words.names import AGAIN, POLE, Meaning, at, mu_of, plan_of
 
 _READ_BY_NAME = ("v_", "vq_", "omega", "epsilon")  # values other modules find by their names
-
-
-def _told(name: str) -> Told:
-    """A mark with the plan it is on, or a value, as a sentence names it."""
-    mark, plan = name_in_words(name), plan_of(name)
-    return Phrase("mark_of_plan", mark=mark, plan=plan_phrase(plan)) if plan else mark
 
 
 @dataclass(frozen=True)
@@ -83,7 +78,9 @@ class Draft:
         """Add a step, unless it is there already; a direction or value named as another one is marked so."""
         while step.makes in self.given or self.steps.setdefault(step.makes, step) != step:
             if step.kind == "mark" or step.makes.startswith(_READ_BY_NAME):
-                raise ProgramError(Phrase("named_twice", name=_told(step.makes)))
+                mark, plan = name_in_words(step.makes), plan_of(step.makes)
+                name = Phrase("mark_of_plan", mark=mark, plan=plan_phrase(plan)) if plan else mark
+                raise ProgramError(Phrase("named_twice", name=name))
             step = replace(step, makes=step.makes + (AGAIN if step.kind == "direction" else "′"))
         return step.makes
 
@@ -93,10 +90,6 @@ class Draft:
             means = Meaning("along", one, two)
             self.rays[plan, one, two] = self.through(f"{one}{two}", at(plan, one), at(plan, two), means)
         return self.rays[plan, one, two]
-
-    def has(self, plan: str, label: str) -> bool:
-        """Whether the mark has been drawn."""
-        return at(plan, label) in self.steps
 
     def pole(self, plan: str) -> str:
         """The pole of a plan."""
@@ -121,10 +114,6 @@ class Draft:
         line = self.steps[of].means
         return self.step(Turn(f"⊥{of}", of, 1, means=line and replace(line, quantity="across")))
 
-    def back(self, name: str, of: str, means: Meaning | None = None) -> str:
-        """The direction back along another."""
-        return self.step(Turn(name, of, 2, means=means))
-
     def turn(
         self, name: str, of: str, angle_deg: float, off: float, means: Meaning, given: Meaning | None = None
     ) -> str:
@@ -135,25 +124,9 @@ class Draft:
         """A length (SI value by name) laid off from a mark."""
         return self.step(LayOff(at(plan, label), start, along, length, mu_of(plan), means=means))
 
-    def similar(
-        self,
-        plan: str,
-        label: str,
-        start: str,
-        end: str,
-        ratio: tuple[str, complex, float],
-        means: Meaning | None = None,
-    ) -> str:
-        """A mark by similarity (or proportional division) on a segment of the plan; ``ratio`` as it is given."""
-        return self.step(Similar(at(plan, label), start, end, self.give(*ratio), means=means))
-
     def measure(self, name: str, start: str, end: str, along: str | None = None) -> str:
         """A segment read off its plan, in SI."""
         return self.step(Measure(name, start, end, along, mu_of(plan_of(start))))
-
-    def arm(self, name: str, point: str, along: str, about: str, means: Meaning | None = None) -> str:
-        """The arm of a line of action about a mark, in SI."""
-        return self.step(Drop(name, point, along, about, mu_of(plan_of(point)), means=means))
 
     def product(self, name: str, coefficient: float = 1.0, **factors: int) -> str:
         """One product of powers of values, e.g. v²/l."""

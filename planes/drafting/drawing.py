@@ -8,11 +8,11 @@ from functools import reduce
 from planes.drafting.instruments import Exact, Instrument, Shaken, is_exact
 from planes.drafting.program import Program
 from planes.drafting.proofs import TOLD_APART, Proof, Things, Twofold, gaps
-from planes.drafting.steps.base import Step
+from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Real, Truth
 from planes.words import Phrase
-from planes.words.errors import Contradiction, PlanFailure, ProgramError, valid_names
+from planes.words.errors import Contradiction, PlanFailure, ProgramError, choices
 from planes.words.lettering import name_in_words, plan_phrase
 from planes.words.records import Pictured
 
@@ -34,7 +34,7 @@ class Drawing(Pictured):
         try:
             return self.things[name]
         except KeyError:
-            valid = valid_names(name, list(self.things))
+            valid = choices(name, self.things)
             raise ProgramError(Phrase("not_drawn", name=name, valid=valid)) from None
 
     def __contains__(self, name: object) -> bool:
@@ -121,16 +121,14 @@ def prove_many(drawing: Drawing, given: Mapping[str, Thing]) -> None:
     _prove(drawing, given, [p for p in drawing.program.proofs if not isinstance(p, Twofold)])
 
 
-def _apart(proofs: Sequence[Proof], things: Things, tool: Tool) -> list[tuple[Proof, Truth, Real, Real]]:
-    """Whether proofs fail, if only by rounding; how far their sides are apart, and beside what size."""
-    with tool.quiet():
-        return [(p, gap > TOLD_APART * size + LEAST, gap, size) for p, gap, size in gaps(proofs, things, tool.ar)]
-
-
 def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]) -> None:
     """Refuse, or mask, what is apart by more than drawings a thousand times blunter can tell."""
     tool, blunter = drawing.tool, None
-    for proof, wrong, gap, size in _apart(proofs, drawing.things, tool):
+    with tool.quiet():
+        apart = [
+            (p, gap > TOLD_APART * size + LEAST, gap, size) for p, gap, size in gaps(proofs, drawing.things, tool.ar)
+        ]
+    for proof, wrong, gap, size in apart:
         if not (wrong.any() if tool.many else wrong):
             continue
         blunter = _blunter(drawing.program, given) if blunter is None else blunter

@@ -10,7 +10,7 @@ from functools import reduce
 from typing import Any, Protocol
 
 from planes.drafting.tools import Env, Step, Tool
-from planes.geometry.arithmetic import Many, One, Point, Real
+from planes.geometry.arithmetic import Arithmetic, Many, Point, Real
 
 PENCILS = 200  # how many draughtsmen draw a plan to see how far apart they end
 ROUNDINGS = 1000 * 2.0**-52
@@ -22,12 +22,16 @@ class Instrument(Protocol):
     def tool(self, many: bool) -> Tool: ...
 
 
+def _arithmetic(many: bool) -> Arithmetic:
+    return Many() if many else Arithmetic()
+
+
 @dataclass(frozen=True)
 class Exact:
     """No error but rounding: Python's complex for one position, numpy for many."""
 
     def tool(self, many: bool) -> Tool:
-        return Tool(Many() if many else One(), many)
+        return Tool(_arithmetic(many), many)
 
 
 def is_exact(instrument: Instrument | None) -> bool:
@@ -47,7 +51,9 @@ class Pencil:
 
     def tool(self, many: bool) -> Tool:
         errors = _Errors(self.seed, many)
-        return _PencilTool(Many() if many else One(), many, doubt_mm=6 * self.point_mm, pencil=self, errors=errors)
+        return _PencilTool(
+            Many() if many else Arithmetic(), many, doubt_mm=6 * self.point_mm, pencil=self, errors=errors
+        )
 
 
 @dataclass(frozen=True)
@@ -58,7 +64,7 @@ class Shaken:
     seed: int = 1
 
     def tool(self, many: bool) -> Tool:
-        return _ShakenTool(Many() if many else One(), many, errors=_Errors(self.seed, many))
+        return _ShakenTool(_arithmetic(many), many, errors=_Errors(self.seed, many))
 
 
 class _Errors:

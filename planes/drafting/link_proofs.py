@@ -17,16 +17,16 @@ class Point:
     """A point of a link: its own coordinate and its marks on the scheme and on the plans of rates."""
 
     local: complex
-    place: str
-    rates: tuple[str, str]
+    marks: tuple[str, ...]
 
-    def names(self, plan: str) -> tuple[str, ...]:
-        """Its marks as far as a plan."""
-        return (self.place, *self.rates[: ORDER[plan]])
+    @property
+    def place(self) -> str:
+        """Its mark on the scheme."""
+        return self.marks[0]
 
     def on(self, plan: str) -> str:
         """Its mark on a plan."""
-        return self.place if plan == "position" else self.rates[plan == "acceleration"]
+        return self.marks[ORDER[plan]]
 
 
 @dataclass(frozen=True)
@@ -37,11 +37,6 @@ class LinkMotion:
     axis: str = ""
     omega: str = ""
     epsilon: str = ""
-
-    def names(self, plan: str) -> tuple[str, ...]:
-        """What a plan says of it: how it lies, or how it turns."""
-        turns = (self.omega, self.epsilon)[: ORDER[plan]] or (self.axis,)
-        return (*self.origin.names(plan), *filter(None, turns))
 
     def at(self, plan: str, things: Things, local: complex, place: Complex) -> Complex:
         """What the plan must show, in SI, for the point of this link that lies at ``local`` or at ``place``."""
@@ -66,21 +61,18 @@ class Rigid(Proof):
     points: tuple[Point, ...]
     reason: ClassVar[str] = "link_bent"
 
-    def reads(self) -> tuple[str, ...]:
-        return (*self.body.names(self.plan), *(n for p in self.points for n in p.names(self.plan)))
-
     def gap(self, things: Things, ar: Arithmetic) -> Real:
         return sum(ar.size(self._bent(p, things)) for p in self.points)
 
     def _bent(self, p: Point, things: Things) -> Complex:
         return in_si(things, p.on(self.plan)) - self.body.at(self.plan, things, p.local, in_si(things, p.place))
 
-    def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
+    def size(self, things: Things, ar: Arithmetic) -> Real:
         if self.plan == "position":
             return sum(abs(p.local) + abs(self.body.origin.local) for p in self.points)
         reach = sum(ar.size(in_si(things, p.place)) + abs(p.local) for p in self.points) + abs(self.body.origin.local)
         turning = ar.size(self.body.spin(self.plan, things)) * reach  # one about its hinge is no less long
-        return speed + turning + sum(ar.size(in_si(things, p.on(self.plan))) for p in self.points)
+        return turning + sum(ar.size(in_si(things, p.on(self.plan))) for p in self.points)
 
 
 @dataclass(frozen=True)
@@ -94,27 +86,23 @@ class Slid(Proof):
     offset: float
     reason: ClassVar[str] = "slider_off"
 
-    def reads(self) -> tuple[str, ...]:
-        axis = (self.owner.axis,) if self.owner.axis else ()
-        return (*self.owner.names(self.plan), *axis, *self.slider.names(self.plan))
-
     def gap(self, things: Things, ar: Arithmetic) -> Real:
         owner, place = self.owner, in_si(things, self.slider.place)
         along = self.turn * (things[owner.axis] if owner.axis else 1.0)
         if self.plan == "position":
             return abs(plane.cross(along, place - owner.at(self.plan, things, self.through, place)) - self.offset)
-        relative = in_si(things, self.slider.rates[0]) - owner.at("velocity", things, 0j, place)
+        relative = in_si(things, self.slider.on("velocity")) - owner.at("velocity", things, 0j, place)
         if self.plan == "acceleration":
             coriolis = 2 * owner.spin("velocity", things) * relative
-            relative = in_si(things, self.slider.rates[1]) - owner.at(self.plan, things, 0j, place) - coriolis
+            relative = in_si(things, self.slider.on("acceleration")) - owner.at(self.plan, things, 0j, place) - coriolis
         return abs(plane.cross(along, relative))
 
-    def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
+    def size(self, things: Things, ar: Arithmetic) -> Real:
         if self.plan == "position":
             return ar.size(in_si(things, self.slider.place)) + abs(self.through) + abs(self.offset)
         reach = ar.size(in_si(things, self.slider.place)) + abs(self.through)
         turning = ar.size(self.owner.spin(self.plan, things)) * reach
-        return speed + turning + sum(ar.size(in_si(things, mark)) for mark in self.slider.rates[: ORDER[self.plan]])
+        return turning + sum(ar.size(in_si(things, mark)) for mark in self.slider.marks[1 : ORDER[self.plan] + 1])
 
 
 @dataclass(frozen=True)
@@ -127,10 +115,6 @@ class Balanced(Proof):
     couples: tuple[tuple[str, int], ...]
     reason: ClassVar[str] = "link_unbalanced"
 
-    def reads(self) -> tuple[str, ...]:
-        of_reactions = (n for start, end, _, point, couple in self.reactions for n in (start, end, point, couple))
-        return (*(n for f in self.forces for n in f), *filter(None, of_reactions), *(n for n, _ in self.couples))
-
     def gap(self, things: Things, ar: Arithmetic) -> Real:
         """Of the forces, and of the moments about the pole divided by the largest distance from it."""
         acting = self._acting(things)
@@ -140,7 +124,7 @@ class Balanced(Proof):
         moments += [sign * things[couple] for _, _, sign, _, couple in self.reactions if couple]
         return ar.size(sum(force for force, _ in acting)) + abs(sum(moments)) / (far + (far == 0))
 
-    def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
+    def size(self, things: Things, ar: Arithmetic) -> Real:
         return sum(ar.size(force) for force, _ in self._acting(things))
 
     def _acting(self, things: Things) -> list[tuple[Complex, Complex]]:

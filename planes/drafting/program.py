@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from planes.drafting.proofs import Proof, Twofold
-from planes.drafting.steps.base import Kind, Step
+from planes.drafting.steps import Kind, Step
 from planes.drafting.steps.crossings import Cross
 from planes.words import Phrase
-from planes.words.errors import ProgramError, valid_names
+from planes.words.errors import ProgramError, choices
 from planes.words.names import plan_of
 
 
@@ -32,7 +32,7 @@ class Program:
                     wanted = Phrase(f"kind_{kind}")
                     if have:
                         raise ProgramError(Phrase("step_kind", **said, kind=wanted, have=Phrase(f"kind_{have}")))
-                    valid = valid_names(name, [m for m, k in made.items() if k == kind][:12], "valid_drawn")
+                    valid = choices(name, [m for m, k in made.items() if k == kind][:12], what="valid_drawn")
                     raise ProgramError(Phrase("step_needs", **said, kind=wanted, valid=valid))
             if step.makes in made:
                 raise ProgramError(Phrase("made_twice", makes=step.makes))
@@ -98,4 +98,4 @@ class Program:
                 kept.append(step)
                 needed.update(name for name, _ in step.reads())
         made = {s.makes for s in kept} | set(self.givens)
-        return Program(tuple(reversed(kept)), tuple(p for p in self.proofs if made.issuperset(p.reads())))
+        return Program(tuple(reversed(kept)), tuple(p for p in self.proofs if made >= p.reads))

@@ -7,10 +7,11 @@ vectors are what was stated) or with another way to the same number (the force p
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import lru_cache
-from typing import ClassVar, Protocol
+from functools import cached_property, lru_cache
+from typing import ClassVar
 
-from planes.drafting.tools import Thing
+from planes.drafting.steps.reckoning import Product
+from planes.drafting.tools import AskedFor, Thing
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Real
 from planes.geometry.arithmetic import Point as Complex
@@ -19,15 +20,6 @@ from planes.words.names import mu_of, plan_of
 TOLD_APART = 1e-9  # relative: nearer than this, two ways to a number agree
 Things = Mapping[str, Thing]
 VectorRow = tuple[str, str, str, int, str]  # where it starts and ends, its direction, its sign, its length
-
-
-class StatedProduct(Protocol):
-    """A product of named values, each to a power."""
-
-    @property
-    def factors(self) -> tuple[tuple[str, int], ...]: ...
-
-    def value(self, env: Things, ar: Arithmetic) -> Real: ...
 
 
 @dataclass(frozen=True)
@@ -40,17 +32,20 @@ class Proof:
     reason: ClassVar[str]
     makes: ClassVar[str] = ""  # nothing of a position that is refused is to be trusted
 
-    def reads(self) -> tuple[str, ...]:
+    @cached_property
+    def reads(self) -> frozenset[str]:
         """Names of the program it looks at."""
-        raise NotImplementedError
+        asked = AskedFor()
+        self.gap(asked, Arithmetic())
+        self.size(asked, Arithmetic())
+        return frozenset(asked)
 
     def gap(self, things: Things, ar: Arithmetic) -> Real:
         """How far the two sides are apart, in SI."""
         raise NotImplementedError
 
-    def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
-        """How large what they are made of is at least (SI), at the ``speed`` of their plan: a gap that is not small
-        beside it is looked at again."""
+    def size(self, things: Things, ar: Arithmetic) -> Real:
+        """How large what they are made of is at least, in SI, but for the speed of their plan."""
         raise NotImplementedError
 
     def numbers(self, things: Things, gap: Real, size: Real) -> dict[str, object]:
@@ -64,16 +59,13 @@ class Twofold(Proof):
 
     one: str
     two: str
-    terms: tuple[StatedProduct, ...]
+    terms: tuple[Product, ...]
     reason: ClassVar[str] = "balance_apart"
-
-    def reads(self) -> tuple[str, ...]:
-        return (self.one, self.two, *(name for t in self.terms for name, _ in t.factors))
 
     def gap(self, things: Things, ar: Arithmetic) -> Real:
         return abs(things[self.one] - things[self.two])
 
-    def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
+    def size(self, things: Things, ar: Arithmetic) -> Real:
         return abs(things[self.one]) + abs(things[self.two]) + sum(abs(t.value(things, ar)) for t in self.terms)
 
     def numbers(self, things: Things, gap: Real, size: Real) -> dict[str, object]:
@@ -88,11 +80,9 @@ class VectorProof(Proof):
     rows: tuple[VectorRow, ...]
     reason: ClassVar[str] = "polygon_open"
 
-    def reads(self) -> tuple[str, ...]:
-        return tuple(n for start, end, along, _, length in self.rows for n in (start, end, along, length) if n)
-
     def gap(self, things: Things, ar: Arithmetic) -> Real:
-        return sum(self._open(vector, row, things, ar) for vector, row in self._vectors(things))
+        mu = things[mu_of(self.plan)]
+        return sum(self._open((things[row[1]] - things[row[0]]) / mu, row, things, ar) for row in self.rows)
 
     @staticmethod
     def _open(vector: Complex, row: VectorRow, things: Things, ar: Arithmetic) -> Real:
@@ -101,13 +91,9 @@ class VectorProof(Proof):
             return ar.size(vector - sign * things[length] * things[along])
         return abs(plane.cross(things[along], vector)) if along else abs(abs(vector) - abs(things[length]))
 
-    def size(self, things: Things, ar: Arithmetic, speed: Real = 0.0) -> Real:
+    def size(self, things: Things, ar: Arithmetic) -> Real:
         stated = sum(abs(things[length]) for length in {row[4] for row in self.rows if row[4]})
         return stated + sum(ar.size(in_si(things, mark)) for mark in {mark for row in self.rows for mark in row[:2]})
-
-    def _vectors(self, things: Things) -> Iterator[tuple[Complex, VectorRow]]:
-        mu = things[mu_of(self.plan)]
-        return (((things[row[1]] - things[row[0]]) / mu, row) for row in self.rows)
 
 
 def in_si(things: Things, mark: str) -> Complex:
@@ -122,9 +108,10 @@ def _scale(mark: str) -> str:
 
 
 def gaps(proofs: Sequence[Proof], things: Things, ar: Arithmetic) -> Iterator[tuple[Proof, Real, Real]]:
-    """Of every proof, how far apart its sides are, and beside what size; plans are as fast as what drives them."""
+    """Of every proof, how far apart its sides are, and beside what size (a gap that is not small beside it is looked at
+    again): of what they are made of, and of what drives their plan."""
     speeds = {
         marks: sum(ar.size(in_si(things, mark)) for mark in marks if mark in things)
         for marks in {proof.beside for proof in proofs}
     }
-    return ((proof, proof.gap(things, ar), proof.size(things, ar, speeds[proof.beside])) for proof in proofs)
+    return ((proof, proof.gap(things, ar), proof.size(things, ar) + speeds[proof.beside]) for proof in proofs)

@@ -17,6 +17,13 @@ Thing = Real | Point  # a mark (mm), a direction, or a value (SI): of one drawin
 Env = dict[str, Thing]  # things by name
 
 
+class AskedFor(dict[str, Thing]):
+    """Stands for things that are not there yet, every one of them 1: its keys are those that were asked for."""
+
+    def __missing__(self, name: str) -> Thing:
+        return self.setdefault(name, 1.0)
+
+
 @dataclass
 class Tool:
     """An instrument at work on one drawing, or on an array of ``many``: it marks exactly, remembers how sharply lines

@@ -13,6 +13,7 @@ from planes.drafting import steps as s
 from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation
+from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
 from planes.lesson.formulas import SLOT, formula, number, slot, unit
@@ -98,7 +99,7 @@ class Teller:
         """Whether a step has a frame of its own."""
         if kind_of(shown_on(step)) == "motion" or step.makes == at("position", POLE) or shown_on(step) in self.still:
             return False
-        return isinstance(step, s.Touch) or step.kind == "mark"
+        return isinstance(step, crossings.Touch) or step.kind == "mark"
 
     def frame(
         self,
@@ -137,7 +138,7 @@ class Teller:
         uses = tuple(name for name in read if plan_of(name) != "motion")
         names: Names = {f: lettered(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
         key, reason, more = self.words.of(step)
-        makes = () if isinstance(step, s.Touch) else (step.makes,)
+        makes = () if isinstance(step, crossings.Touch) else (step.makes,)
         names = {**names, "end": lettered(step.makes), **more}
         return self.frame(key, shown_on(step), makes, uses, reason, names=names)
 

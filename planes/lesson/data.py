@@ -10,7 +10,7 @@ import numpy
 
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps import Cross, CrossArc, CrossArcs
+from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.geometry.arrays import Floats
 from planes.lesson import Teller, in_both, mu_said, needed, value_of

@@ -14,7 +14,7 @@ from planes.scene import Scene
 from planes.scene.mechanism import FRAME
 from planes.solving import Position, told
 from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
-from planes.solving.tables import difference_percent
+from planes.solving.tables import difference
 from planes.words import Lang, decimal, say
 from planes.words.names import kind_of, links_of, mu_of, parts_of
 
@@ -125,7 +125,7 @@ class Note:
         """The balancing load two ways."""
         plans, drawing = self.position.plans, self.position.drawing
         found, check = float(drawing[plans.balancing]), float(drawing[plans.zhukovsky])
-        percent = difference_percent(found, check)
+        percent = 100 * difference(found, check)
         names = {"found": number(found, self.lang), "check": number(check, self.lang)}
         shown = number(percent if percent > 1e-6 else 0.0, self.lang, 2)
         yield Paragraph(self.say("note_difference", **names, unit=unit(plans.balancing, self.lang), percent=shown))

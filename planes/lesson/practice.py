@@ -18,7 +18,8 @@ from planes.check.grading.mistakes_position import position_variants
 from planes.check.grading.plan_steps import PlanSteps
 from planes.drafting.drawing import Drawing, run
 from planes.drafting.program import Program
-from planes.drafting.steps import Cross, CrossArc, CrossArcs, Image, LayOff, Similar, Step
+from planes.drafting.steps import Image, LayOff, Similar, Step
+from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.geometry.arrays import Points
 from planes.lesson import Frame, in_both

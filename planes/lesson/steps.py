@@ -9,6 +9,7 @@ from planes.drafting import steps as s
 from planes.drafting.draft import Moments
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation, Term
+from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate, Choose, Measure, Product
 from planes.lesson.formulas import formula, number, sides, slot, unit
 from planes.plans import Plans
@@ -36,14 +37,14 @@ class StepWords:
                 return "pole", f"pole_{kind}" if kind in ("force", "lever") else "pole", {}
             case s.LayOff():
                 return self.lay_off(step)
-            case s.Touch():
+            case crossings.Touch():
                 return "touch", "touch", {"action": self.action(step.makes), "end": lettered(step.end)}
-            case s.Cross():
+            case crossings.Cross():
                 names: Names = {"action": self.action(step.along), "across": self.action(step.across)}
                 return "cross", self.crossing(step.makes), names
-            case s.CrossArc():
+            case crossings.CrossArc():
                 return "arc", "arc", {"action": self.action(step.along), "radius_mm": slot(step.radius, "mm", step.mu)}
-            case s.CrossArcs():
+            case crossings.CrossArcs():
                 radii = slot(step.radius, "mm", step.mu), slot(step.other_radius, "mm", step.mu)
                 return "arcs", "arcs", {"radius_mm": radii[0], "other_mm": radii[1]}
             case s.Similar():

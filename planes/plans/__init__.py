@@ -11,7 +11,7 @@ from planes.drafting.program import Program
 from planes.drafting.steps.reckoning import Protractor
 from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Real
-from planes.plans.assembly import AssemblyChoice, resolve
+from planes.plans.assembly import resolve
 from planes.plans.bodies import SCHEME, Bodies, Body
 from planes.plans.kinematics import Rates, SlideReading
 from planes.plans.lever import draw_lever
@@ -150,7 +150,7 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
     draft = Draft()
     bodies = Bodies(mechanism, structure, draft, file)
     place_all(bodies)
-    resolve(draft, [AssemblyChoice(*c) for c in bodies.choices], mechanism, file)
+    resolve(bodies)
     velocity, acceleration = Rates(bodies, "velocity"), Rates(bodies, "acceleration")
     velocity.draw_all()
     acceleration.draw_all()
@@ -166,14 +166,29 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
     zhukovsky = draw_lever(statics)
     links = {name: _link_values(draft, body, velocity, acceleration) for name, body in bodies.known.items()}
     proofs = proofs_of(statics, velocity, acceleration, zhukovsky)
-    points = {p: PointMarks(at(SCHEME, p), velocity.mark(p), acceleration.mark(p)) for p in _points(mechanism)}
+    points = {p: PointMarks(at(SCHEME, p), velocity.mark(p), acceleration.mark(p)) for p in mechanism.names}
     program = Program(tuple(draft.steps.values()), proofs)
-    drawn = tuple(draft.equations), tuple(draft.moments), tuple(dict.fromkeys(draft.segments))
-    of_slides, loads = (velocity.slides, acceleration.slides), (statics.balancing, zhukovsky)
-    laws = {name: _frozen(mechanism, law, file) for name, law in draft.laws.items()}
-    means = draft.means | {s.makes: s.means for s in program.steps if s.means}
-    measured = draft.given, *drawn, points, links, *of_slides, statics.reactions, *loads
-    return Plans(mechanism, structure, program, *measured, acting, at_rest, laws, means, draft.off)
+    return Plans(
+        mechanism=mechanism,
+        structure=structure,
+        program=program,
+        given=draft.given,
+        equations=tuple(draft.equations),
+        moments=tuple(draft.moments),
+        segments=tuple(dict.fromkeys(draft.segments)),
+        points=points,
+        links=links,
+        velocity_slides=velocity.slides,
+        acceleration_slides=acceleration.slides,
+        reactions=statics.reactions,
+        balancing=statics.balancing,
+        zhukovsky=zhukovsky,
+        acting=acting,
+        at_rest=at_rest,
+        laws={name: _frozen(mechanism, law, file) for name, law in draft.laws.items()},
+        means=draft.means | {s.makes: s.means for s in program.steps if s.means},
+        off=draft.off,
+    )
 
 
 def _frozen(mechanism: Mechanism, law: Law, file: str) -> SceneError:
@@ -184,11 +199,6 @@ def _frozen(mechanism: Mechanism, law: Law, file: str) -> SceneError:
         what = Phrase("part", key=key, what=Phrase("load", number=int(law.path[1]) + 1))
     why = Phrase("law_frozen", what=what, parameter=law.parameter, kind=drive.kind, value=f"{drive.position:.10g}")
     return SceneError(why, file, law.line)
-
-
-def _points(mechanism: Mechanism) -> dict[str, None]:
-    links = (mechanism.frame, *mechanism.links.values())
-    return dict.fromkeys(p for link in links for p in link.points)
 
 
 def _link_values(draft: Draft, body: Body, velocity: Rates, acceleration: Rates) -> LinkValues:

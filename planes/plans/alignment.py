@@ -16,10 +16,9 @@ from functools import cached_property
 from itertools import product
 from typing import Literal
 
-from planes.drafting.drawing import run
 from planes.drafting.tools import Thing
 from planes.plans import Plans
-from planes.plans.scales import unit_scales
+from planes.plans.scales import drawn_in_si
 from planes.plans.structure import Group, Pair
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase
@@ -83,18 +82,13 @@ def aligned(plans: Plans, file: str = "") -> Aligned:
         signs = next(steady, None) or next((w for w in ways if steadily(plans, group, w, cycle[:1])), None)
         if signs is None:
             raise StructureError(Phrase("no_alignment", links=group.links), file)
-        found += zip(pairs_of(group), signs, strict=True)
+        found += zip(group.pairs, signs, strict=True)
     return Aligned(len(plans.mechanism.links), plans.structure.W, tuple(found))
-
-
-def pairs_of(group: Group) -> tuple[Pair, Pair, Pair]:
-    """The pairs of a group: outer, inner, outer."""
-    return group.first_outer, group.inner, group.last_outer
 
 
 def _variants(group: Group) -> Iterator[tuple[Sign, ...]]:
     """Ways to loosen a group's pairs by as much as is redundant: those that change least and keep bearings first."""
-    pairs = pairs_of(group)
+    pairs = group.pairs
     excess = 5 * len(pairs) - 6 * len(group.links)
     ways = [w for w in product(*(CHOICES[p.kind] for p in pairs)) if sum(FREEDOMS[s] - 1 for s in w) == excess]
 
@@ -130,13 +124,12 @@ def _places(plans: Plans, file: str) -> list[PairPlaces]:
     first, where that assembles."""
     wanted = [v.angle for v in plans.links.values() if v.angle] + [m.position for m in plans.points.values()]
     program = plans.program.sliced(wanted)
-    given = {**plans.given, **unit_scales(plans)}
     drive = plans.mechanism.drive
     turn = [drive.position + 360.0 * k / POSITIONS for k in range(1, POSITIONS)] if drive.kind == "phi" else []
     found = []
     for value in (drive.position, *turn):
         with suppress(PlanFailure):
-            things = run(program, {**given, plans.drive_given: value}).things
+            things = drawn_in_si(plans, value, program).things
             found.append(PairPlaces({p: _line(plans, p, things) for p in plans.structure.pairs}))
     if not found:
         raise StructureError(Phrase("no_working"), file)
@@ -168,7 +161,7 @@ def firm(group: Group, signs: tuple[Sign, ...], places: PairPlaces) -> float:
     """The determinant of what the pairs hold out of the plane, rows and lengths of the size of one: 0 holds loosely."""
     column = {link: 3 * k for k, link in enumerate(group.links)}
     rows: list[list[float]] = []
-    for pair, sign in zip(pairs_of(group), signs, strict=True):
+    for pair, sign in zip(group.pairs, signs, strict=True):
         for held in holds(sign, pair.kind, *places.lines[pair], places.size):
             row = [0.0] * (3 * len(group.links))
             for link, side in ((pair.link, 1.0), (pair.other, -1.0)):
@@ -176,23 +169,11 @@ def firm(group: Group, signs: tuple[Sign, ...], places: PairPlaces) -> float:
                     row[column[link] : column[link] + 3] = [side * x for x in held]
             length = math.hypot(*row)
             rows.append([x / length for x in row])
-    return determinant(rows) if len(rows) == 3 * len(group.links) else 0.0
+    if len(rows) != 3 * len(group.links):
+        return 0.0
+    import numpy
 
-
-def determinant(rows: list[list[float]]) -> float:
-    """Of a small square matrix, by elimination with the largest pivots."""
-    left, found = [row[:] for row in rows], 1.0
-    for k in range(len(left)):
-        best = max(range(k, len(left)), key=lambda i: abs(left[i][k]))
-        if left[best][k] == 0.0:
-            return 0.0
-        if best != k:
-            left[k], left[best], found = left[best], left[k], -found
-        found *= left[k][k]
-        for i in range(k + 1, len(left)):
-            part = left[i][k] / left[k][k]
-            left[i] = [x - part * y for x, y in zip(left[i], left[k], strict=True)]
-    return found
+    return float(numpy.linalg.det(rows))
 
 
 def holds(sign: Sign, kind: str, place: complex, along: complex, size: float) -> list[tuple[float, float, float]]:

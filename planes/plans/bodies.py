@@ -8,13 +8,14 @@ import math
 from dataclasses import dataclass, field
 
 from planes.drafting.draft import Draft
-from planes.geometry.arithmetic import One
+from planes.drafting.steps import Similar
+from planes.geometry.arithmetic import Arithmetic
 from planes.plans.structure import Group, Pair, Structure
 from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words.names import POLE, Meaning, at
 
 SCHEME = "position"
-ARITHMETIC = One()
+ARITHMETIC = Arithmetic()
 HALF = 2.0**-53  # of a last place, at most, relative to the number
 Off = tuple[float, float]  # a number, and how far off it may be
 
@@ -46,6 +47,15 @@ class Body:
         return self.moving or self.base
 
 
+@dataclass(frozen=True)
+class AssemblyChoice:
+    """A ±1 the scene has to choose: the name of the given, the key of ``assembly:`` and the group."""
+
+    side: str
+    key: str
+    group: Group
+
+
 @dataclass
 class Bodies:
     """The links solved so far, and the marks their own points and lines have on the scheme."""
@@ -54,7 +64,7 @@ class Bodies:
     structure: Structure
     draft: Draft
     file: str = ""
-    choices: list[tuple[str, str, Group]] = field(default_factory=list)  # (given ±1, key of assembly, group)
+    choices: list[AssemblyChoice] = field(default_factory=list)
     known: dict[str, Body] = field(default_factory=dict)
     labels: dict[str, str] = field(default_factory=dict)
     coincident: dict[str, tuple[str, str]] = field(default_factory=dict)  # name -> (point it coincides with, link)
@@ -71,20 +81,28 @@ class Bodies:
     def place_points(self, body: Body) -> None:
         """Draw the points of a link that are not on the scheme yet, by similarity or from its axis."""
         for name in body.link.points:
-            if not self.draft.has(SCHEME, name):
+            if at(SCHEME, name) not in self.draft.steps:
                 self._place_point(body, name, body.link.points[name])
         self.known[body.link.name] = body
 
     def _place_point(self, body: Body, label: str, p: complex, means: Meaning | None = None) -> str:
-        points, d = body.link.points, self.draft
         if body.rigid and body.ref:
-            q, r = (points[s.place] for s in body.ref)
-            q_mark, r_mark = (at(SCHEME, s.place) for s in body.ref)
-            return d.similar(SCHEME, label, q_mark, r_mark, (f"ratio_{label}_{body.link.name}", *ratio(p, q, r)), means)
-        base = body.base.place
-        ray = d.turn(f"{base}{label}", body.axis, *angle_deg(points[base], p), Meaning("along", base, label))
+            one, two = (at(SCHEME, s.place) for s in body.ref)
+            return self.similar(at(SCHEME, label), body, label, p, (one, two), means)
+        base, d = body.base.place, self.draft
+        ray = d.turn(f"{base}{label}", body.axis, *angle_deg(body.link.points[base], p), Meaning("along", base, label))
         d.rays[SCHEME, base, label] = ray
         return d.lay_off(SCHEME, label, at(SCHEME, base), ray, self.length(body.link, base, label, p), means)
+
+    def similar(
+        self, mark: str, body: Body, name: str, p: complex, ends: tuple[str, str], means: Meaning | None = None
+    ) -> str:
+        """The mark of a place of a rigid link, that stands to the ``ends`` as it does to the points they are of."""
+        assert body.ref
+        given = ratio(p, *(body.link.points[s.place] for s in body.ref))
+        return self.draft.step(
+            Similar(mark, *ends, self.draft.give(f"ratio_{name}_{body.link.name}", *given), means=means)
+        )
 
     def length(self, link: Link, one: str, two: str, end: complex | None = None) -> str:
         """The given distance of two points of a link; ``end`` is the place of the second if it is none of them."""
@@ -99,38 +117,22 @@ class Bodies:
 
     def line(self, pair: Pair, known: str) -> tuple[str, str]:
         """The line of a sliding pair as the solved link ``known`` carries it: a mark on it and its direction."""
-        body = self.known[known]
-        if known == pair.other:
-            return self._guide_mark(body, pair.guide), self._guide_direction(body, pair.guide)
-        return self.foot(pair), self._slide_direction(pair, body.axis)
+        mark = self._guide_mark(self.known[known], pair.guide) if known == pair.other else self.foot(pair)
+        return mark, self.direction_from(pair, known, self.known[known].axis)
 
     def _guide_mark(self, body: Body, name: str) -> str:
         guide = body.link.guides[name]
         label = guide.through_point or f"°{name}"
-        if not self.draft.has(SCHEME, label):
+        if at(SCHEME, label) not in self.draft.steps:
             means = Meaning("guide", name)
             if body.link.name == FRAME:
                 return self.draft.put(SCHEME, label, guide.through, means)
             return self._place_point(body, label, guide.through, means)
         return at(SCHEME, label)
 
-    def _guide_direction(self, body: Body, name: str) -> str:
-        angle = body.link.guides[name].angle_deg
-        if body.link.name == FRAME:
-            return self.draft.aim(f"∥{name}", angle, Meaning("along", name), Meaning("angle", name, link=FRAME))
-        return self._carried_direction(name, body.link.name, body.axis, angle)
-
-    def _carried_direction(self, guide: str, link: str, axis: str, angle: float) -> str:
-        given = Meaning("angle", guide, link=link)
-        return self.draft.turn(f"∥{guide}", axis, angle, 0.0, Meaning("along", guide), given)
-
     def _slide_angle(self, pair: Pair) -> float:
         slides = self.mechanism.link(pair.link).slides
         return (slides.angle_deg or 0.0) if slides else 0.0
-
-    def _slide_direction(self, pair: Pair, axis: str) -> str:
-        """The direction of the guide from the x axis of the link that slides on it."""
-        return self.draft.turn(f"∥{pair.guide}", axis, -self._slide_angle(pair), 0.0, Meaning("along", pair.guide))
 
     def axis_along(self, pair: Pair, link: str, direction: str) -> str:
         """The x axis of ``link``, one of the sliding pair, from the direction of the pair's guide."""
@@ -139,9 +141,13 @@ class Bodies:
 
     def direction_from(self, pair: Pair, link: str, axis: str) -> str:
         """The direction of the pair's guide from the x axis of ``link``, one of the pair."""
+        name, means, given = f"∥{pair.guide}", Meaning("along", pair.guide), Meaning("angle", pair.guide, link=link)
         if link == pair.link:
-            return self._slide_direction(pair, axis)
-        return self._carried_direction(pair.guide, link, axis, self.mechanism.guide(pair.guide).angle_deg)
+            return self.draft.turn(name, axis, -self._slide_angle(pair), 0.0, means)
+        angle = self.mechanism.guide(pair.guide).angle_deg
+        if link == FRAME:
+            return self.draft.aim(name, angle, means, given)
+        return self.draft.turn(name, axis, angle, 0.0, means, given)
 
     def offset(self, pair: Pair, link: str, point: str) -> Off | None:
         """How far a point of ``link`` lies to the left of the pair's line (m), and how far off that may be; None: on it
@@ -174,7 +180,7 @@ class Bodies:
         offset = self.offset(pair, pair.link, body.link.first_point)
         if offset is None:
             return first
-        direction = self._slide_direction(pair, body.axis)
+        direction = self.direction_from(pair, pair.link, body.axis)
         label, means = f"{body.link.first_point}⊥{pair.guide}", Meaning("foot", pair.guide, body.link.first_point)
         return self.shifted(label, means, first, direction, difference((0.0, 0.0), offset))
 

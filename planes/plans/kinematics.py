@@ -7,10 +7,10 @@ a_X = a_Y + a_XY^k + a_XY^r with a^k = 2ω×v_XY (Coriolis).
 from dataclasses import dataclass, field
 
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps import Carry, Image, Same
-from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint, ratio
+from planes.drafting.steps import Image, Same, Turn
+from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.legs import Leg, legs_of
-from planes.scene.mechanism import FRAME
+from planes.scene.mechanism import FRAME, RATES
 from planes.words.names import POLE, Meaning, at
 
 
@@ -88,14 +88,13 @@ class Rates:
         if known == POLE and leg.pair:  # the point of the frame under the slider has no name of its own
             grounded = Meaning("rate", leg.new.name, link=FRAME)
             self.b.draft.means |= dict.fromkeys((self.letter + name, relative), grounded)
-        if not self.quick:
+        if not self.quick or (leg.pair and self.b.known[leg.link].root == FRAME):
             return start, Term(relative, known, new, direction=leg.along, action=leg.along)
-        if leg.pair is None:
-            part, value, along = "n", self.normal(leg), leg.towards
-        elif self.b.known[leg.link].root != FRAME:
-            part, value, along = "k", self.coriolis(leg), self.b.draft.square(leg.along)
+        if leg.pair is None:  # v²/l, towards the pivot
+            part, along = "n", leg.towards
+            value = self.b.draft.product(f"a_{leg.symbol}^n", **{f"v_{leg.symbol}": 2, leg.length or "": -1})
         else:
-            return start, Term(relative, known, new, direction=leg.along, action=leg.along)
+            part, value, along = "k", self.coriolis(leg), self.b.draft.square(leg.along)
         middle, means = f"{part}_{leg.symbol}", Meaning("coriolis" if leg.pair else "normal", leg.symbol)
         rest = "t" if leg.pair is None else "r"
         return (
@@ -103,10 +102,6 @@ class Rates:
             Term(f"{relative}^{part}", known, middle, length=value, direction=along, action=along or "", means=means),
             Term(f"{relative}^{rest}", middle, new, direction=leg.along, action=leg.along),
         )
-
-    def normal(self, leg: Leg) -> str:
-        """a^n = v²/l, towards the pivot."""
-        return self.b.draft.product(f"a_{leg.symbol}^n", **{f"v_{leg.symbol}": 2, leg.length or "": -1})
 
     def coriolis(self, leg: Leg) -> str:
         """a^k = 2ω v, the relative velocity turned by a right angle in the sense of ω."""
@@ -150,8 +145,9 @@ class Rates:
         root, carrier = self.b.known[body.root], self.mark(body.carrier.name)
         if body.root == FRAME:
             self.b.draft.step(Same(mark, carrier))
-        elif root is body and body.rigid and spot.name in body.link.points:
-            self._similar(body, spot)
+        elif root is body and body.rigid and body.ref and spot.name in body.link.points:
+            one, two = (self.mark(s.name) for s in body.ref)
+            self.b.similar(mark, body, spot.name, body.link.points[spot.name], (one, two))
         elif root.ref:
             like = root.ref
             scheme = tuple(at(SCHEME, s.place) for s in (body.carrier, spot, *like))
@@ -161,30 +157,20 @@ class Rates:
             swing(self, body, spot)
         self.b.draft.show(self.plan, POLE, self.label(spot.name), self.letter + spot.name)
 
-    def _similar(self, body: Body, spot: BodyPoint) -> None:
-        assert body.ref
-        points, (one, two) = body.link.points, body.ref
-        p, q, r = points[spot.name], points[one.place], points[two.place]
-        given = (f"ratio_{spot.name}_{body.link.name}", *ratio(p, q, r))
-        self.b.draft.similar(self.plan, self.label(spot.name), self.mark(one.name), self.mark(two.name), given)
-
 
 def _drive(r: Rates) -> None:
     """The driver's own motion: the first vectors of the plan, fully known."""
     d, drive = r.b.draft, r.b.mechanism.drive
     body = r.b.known[drive.link]
     rate = {"velocity": drive.velocity, "motion": 1.0, "acceleration": drive.acceleration}[r.plan]
-    keys = ("omega", "epsilon") if drive.kind == "phi" else ("velocity", "acceleration")
-    law = None if r.plan == "motion" else r.b.mechanism.laws.get(("drive", keys[r.plan == "acceleration"]))
+    law = None if r.plan == "motion" else r.b.mechanism.laws.get(("drive", RATES[drive.kind][r.quick]))
     if drive.kind == "s":
-        first = body.base.name
-        value = d.give({"velocity": "v_drive", "motion": "vq_drive", "acceleration": "a_drive"}[r.plan], rate)
+        first, guide = body.base.name, r.b.structure.drive_pair.guide
+        ends, value = (at(r.plan, POLE), r.mark(first)), d.give(f"{r.letter}drive", rate)
         d.law(value, law)
-        d.lay_off(r.plan, r.label(first), at(r.plan, POLE), f"∥{r.b.structure.drive_pair.guide}", value)
+        d.lay_off(r.plan, r.label(first), ends[0], f"∥{guide}", value)
         d.show(r.plan, POLE, r.label(first), r.letter + first)
-        r.driven.append(r.mark(first))
-        guide = r.b.structure.drive_pair.guide
-        ends = at(r.plan, POLE), r.mark(first)
+        r.driven.append(ends[1])
         rate_name = d.measure(f"{r.letter}slide_{drive.link}", *ends, f"∥{guide}")
         r.slides[drive.link] = SlideReading(guide, rate_name, ends, f"∥{guide}")
         return
@@ -215,7 +201,8 @@ def swing(r: Rates, body: Body, spot: BodyPoint) -> None:
         return
     normal = d.product(f"{name}^n", **{f"omega_{body.root}": 2, length: 1})
     tangential = d.product(f"{name}^t", **{f"epsilon_{body.root}": 1, length: 1})
-    inwards = d.back(f"{spot.place}→{centre.place}", ray, Meaning("towards", spot.place, centre.place))
+    towards = Meaning("towards", spot.place, centre.place)
+    inwards = d.step(Turn(f"{spot.place}→{centre.place}", ray, 2, means=towards))
     middle, turning = "n_" + name.removeprefix(r.letter), Meaning("normal", spot.name, centre.name)
     chain = (
         *base,
@@ -223,8 +210,3 @@ def swing(r: Rates, body: Body, spot: BodyPoint) -> None:
         Term(f"{name}^t", middle, end, length=tangential, direction=across, action=across),
     )
     d.draw(Equation(r.plan, (chain, ()), total))
-
-
-def turned_copy(b: Bodies, plan: str, of: str, mark: str) -> str:
-    """A mark of ``plan`` as it stands on the plan turned by 90° (Zhukovsky's lever)."""
-    return b.draft.step(Carry(at("lever", mark), b.draft.pole("lever"), at(plan, POLE), of, 1))

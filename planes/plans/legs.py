@@ -6,6 +6,7 @@ guide and Y is the point of the mate that coincides with X. All five kinds of cl
 
 from dataclasses import dataclass
 
+from planes.drafting.steps import Turn
 from planes.plans.bodies import SCHEME, Bodies, BodyPoint
 from planes.plans.positions import moving_name
 from planes.plans.structure import Group, Pair
@@ -53,7 +54,7 @@ def _outer_leg(b: Bodies, pair: Pair, link: str, new: BodyPoint) -> Leg:
     ray = d.ray(SCHEME, pivot, new.place)
     known = BodyPoint(pivot, pivot)
     length, across = b.distance(b.mechanism.link(link), known, new), d.square(ray)
-    towards = d.back(f"{new.place}→{pivot}", ray, Meaning("towards", new.place, pivot))
+    towards = d.step(Turn(f"{new.place}→{pivot}", ray, 2, means=Meaning("towards", new.place, pivot)))
     return Leg(new, known, pair.mate(link), new.name + pivot, across, length, towards, turns=link)
 
 

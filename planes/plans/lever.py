@@ -5,12 +5,12 @@ the check shares the loads and the velocity plan with the force plans, and none 
 """
 
 from planes.drafting.draft import Moments
-from planes.drafting.steps.reckoning import Product
-from planes.plans.kinematics import turned_copy
-from planes.plans.loads import Acting, Force
+from planes.drafting.steps import Carry
+from planes.drafting.steps.reckoning import Drop, Product
+from planes.plans.loads import Force
 from planes.plans.reactions import Statics
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE, at
+from planes.words.names import POLE, at, mu_of
 
 
 def draw_lever(s: Statics) -> str:
@@ -20,7 +20,7 @@ def draw_lever(s: Statics) -> str:
     rate = acting.motion.spin(drive.link) if drive.kind == "phi" else f"{acting.motion.letter}drive"
     b.draft.pole("lever")
     products, shown = [], []
-    for force in outer_forces(acting):
+    for force in (f for forces in acting.forces.values() for f in forces if f.spot):  # of no reaction
         arm = _arm(s, force)
         products.append(Product(1.0, ((force.size, 1), (arm, 1), (rate, -1))))
         shown.append((force.name, arm))
@@ -37,11 +37,6 @@ def draw_lever(s: Statics) -> str:
     name = b.draft.total(f"{'M' if drive.kind == 'phi' else 'F'}Z_{drive.link}", products)
     b.draft.moments.append(Moments(POLE, ("lever",), tuple(shown), name, ""))
     return name
-
-
-def outer_forces(acting: Acting) -> list[Force]:
-    """Weights, inertia and loads of all links: every force that is no reaction."""
-    return [f for forces in acting.forces.values() for f in forces if f.spot]
 
 
 def rubbing(s: Statics) -> list[tuple[str, str]]:
@@ -61,5 +56,6 @@ def _arm(s: Statics, force: Force) -> str:
     label = motion.label(force.spot.name)
     mark = at("lever", POLE)
     if label != POLE:
-        mark = turned_copy(s.b, motion.plan, motion.mark(force.spot.name), label)
-    return s.b.draft.arm(f"H_{force.name}", mark, force.along, at("lever", POLE))
+        ends = at(motion.plan, POLE), motion.mark(force.spot.name)
+        mark = s.b.draft.step(Carry(at("lever", label), mark, *ends, 1))
+    return s.b.draft.step(Drop(f"H_{force.name}", mark, force.along, at("lever", POLE), mu_of("lever")))

@@ -77,7 +77,7 @@ class Acting:
         gravity, mass = d.give("g", self.b.mechanism.gravity), d.give(f"m_{link.name}", link.mass)
         size = d.product(f"G_{link.name}", **{mass: 1, gravity: 1})
         down = d.aim("↓", -90.0, Meaning("down"))
-        self._add(Force(f"G_{link.name}", link.name, size, down, *self._centre(link, "weight")))
+        self.forces[link.name].append(Force(f"G_{link.name}", link.name, size, down, *self._centre(link, "weight")))
 
     def _centre(self, link: Link, quantity: Quantity) -> tuple[str, Quantity, BodyPoint]:
         return at(SCHEME, link.mass_centre), quantity, BodyPoint(link.mass_centre, link.mass_centre)
@@ -96,7 +96,7 @@ class Acting:
         rate = d.measure(f"a_{link.mass_centre}", pole, mark)
         size = d.product(f"I_{link.name}", **{d.give(f"m_{link.name}", link.mass): 1, rate: 1})
         back = d.through(f"-a_{link.mass_centre}", mark, pole, Meaning("against", f"a_{link.mass_centre}"))
-        self._add(Force(f"I_{link.name}", link.name, size, back, *self._centre(link, "inertia")))
+        self.forces[link.name].append(Force(f"I_{link.name}", link.name, size, back, *self._centre(link, "inertia")))
 
     def _force(self, load: Load, suffix: str) -> str:
         d, point = self.b.draft, load.point or ""
@@ -110,17 +110,15 @@ class Acting:
             along = d.through(f"{'+' if load.sense == 'along' else '-'}{self.motion.letter}{point}", *ends, means)
             size = d.product(name, **{size: 1, moving: 1})
         elif load.direction_link and load.direction_link != FRAME:
-            axis, angle = self._axis(load.direction_link), load.direction_deg or 0.0
+            axis, angle = self.b.known[load.direction_link].axis, load.direction_deg or 0.0
             along = d.turn(f"∠{name}", axis, angle, 0.0, Meaning("given", name))
-            size = d.product(name, **{size: 1})
         else:
             along = d.aim(f"∠{name}", load.direction_deg or 0.0, Meaning("given", name))
+        if not load.sense:
             size = d.product(name, **{size: 1})
-        self._add(Force(name, load.link, size, along, at(SCHEME, point), "load", BodyPoint(point, point)))
+        acting = Force(name, load.link, size, along, at(SCHEME, point), "load", BodyPoint(point, point))
+        self.forces[load.link].append(acting)
         return size
-
-    def _axis(self, link: str) -> str:
-        return self.b.known[link].axis
 
     def _couple(self, load: Load, suffix: str) -> str:
         d, link = self.b.draft, load.link
@@ -143,6 +141,3 @@ class Acting:
             start, end, along = self.motion.turning[root]
             return self.b.draft.step(Sense(f"turns_{root}", start, end, along, tuple(self.motion.driven)))
         return self.b.draft.step(SenseOf(f"turns_{root}", self.motion.spin(root)))
-
-    def _add(self, force: Force) -> None:
-        self.forces[force.link].append(force)

@@ -1,8 +1,8 @@
 """Position plans: the driver, then each group by засечки, as vector equations for the drafting core."""
 
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps import Touch
-from planes.plans.bodies import SCHEME, Bodies, Body, BodyPoint, angle_deg, difference
+from planes.drafting.steps.crossings import Touch
+from planes.plans.bodies import SCHEME, AssemblyChoice, Bodies, Body, BodyPoint, angle_deg, difference
 from planes.plans.structure import Group, Pair
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase
@@ -40,8 +40,7 @@ def _place_driver(b: Bodies) -> None:
     counted = Meaning("guide", pair.guide, first)
     start = b.shifted(f"{first}°s", counted, mark, direction, b.offset(pair, link.name, first))
     b.draft.lay_off(SCHEME, first, start, direction, b.draft.give("s", drive.position))
-    axis = b.axis_along(pair, link.name, direction)
-    b.place_points(Body(link, BodyPoint(first, first), axis, FRAME))
+    _place_slider(b, pair, link.name, first, direction)
 
 
 def _second_point(b: Bodies, pivot: str) -> str | None:
@@ -53,14 +52,10 @@ def _second_point(b: Bodies, pivot: str) -> str | None:
     return next(iter(shared + away), None)
 
 
-def _radius(name: str, start: str, length: str) -> tuple[Term, Term]:
-    """The chain pole–start–(end by compass)."""
-    return Term(f"r_{start}", POLE, start, drawn=True), Term(f"{start}{name}", start, name, length, None, length)
-
-
-def _ray(name: str, start: str, along: str) -> tuple[Term, Term]:
-    """The chain pole–start–(end somewhere along a line)."""
-    return Term(f"r_{start}", POLE, start, drawn=True), Term(f"{start}{name}", start, name, None, along, along)
+def _chain(name: str, start: str, length: str | None = None, along: str | None = None) -> tuple[Term, Term]:
+    """The chain pole–start–end: the end by compass, or somewhere along a line."""
+    on = Term(f"{start}{name}", start, name, length, along, length or along or "")
+    return Term(f"r_{start}", POLE, start, drawn=True), on
 
 
 def _on_line(b: Bodies, pair: Pair, link: str, point: str) -> tuple[str, str]:
@@ -74,7 +69,7 @@ def _on_line(b: Bodies, pair: Pair, link: str, point: str) -> tuple[str, str]:
 def _side(b: Bodies, key: str, group: Group) -> str:
     """Name of the ±1 that chooses between the two assemblies of a group."""
     name = b.draft.give(f"side_{key}", 1.0)
-    b.choices.append((name, key, group))
+    b.choices.append(AssemblyChoice(name, key, group))
     return name
 
 
@@ -91,24 +86,23 @@ def _rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
     return Body(link, spots[0], axis, name, spots, rigid=True)
 
 
-def _place_rrr(b: Bodies, g: Group) -> None:
-    one, two, hinge = g.first_outer.point, g.last_outer.point, g.inner.point
-    chains = (
-        _radius(hinge, one, b.length(b.mechanism.link(g.first), one, hinge)),
-        _radius(hinge, two, b.length(b.mechanism.link(g.last), two, hinge)),
+def _place_hinged(b: Bodies, g: Group) -> None:
+    """RRR, RRP and PRP: each link reaches the inner hinge about a pivot or along a guide."""
+    hinge, legs = g.inner.point, ((g.first_outer, g.first), (g.last_outer, g.last))
+    lines = {link: _on_line(b, pair, link, hinge) for pair, link in legs if pair.kind == "P"}
+    one, two = (
+        _chain(hinge, lines[link][0], along=lines[link][1])
+        if link in lines
+        else _chain(hinge, pair.point, b.length(b.mechanism.link(link), pair.point, hinge))
+        for pair, link in legs
     )
-    b.draft.draw(Equation(SCHEME, chains, f"r_{hinge}", _side(b, hinge, g)))
-    b.place_points(_rigid_body(b, g.first, one, hinge))
-    b.place_points(_rigid_body(b, g.last, two, hinge))
-
-
-def _place_rrp(b: Bodies, g: Group) -> None:
-    one, hinge = g.first_outer.point, g.inner.point
-    start, direction = _on_line(b, g.last_outer, g.last, hinge)
-    chains = (_radius(hinge, one, b.length(b.mechanism.link(g.first), one, hinge)), _ray(hinge, start, direction))
-    b.draft.draw(Equation(SCHEME, chains, f"r_{hinge}", _side(b, hinge, g)))
-    b.place_points(_rigid_body(b, g.first, one, hinge))
-    _place_slider(b, g.last_outer, g.last, hinge, direction)
+    side = None if len(lines) == 2 else _side(b, hinge, g)
+    b.draft.draw(Equation(SCHEME, (one, two), f"r_{hinge}", side))
+    for pair, link in legs:
+        if link in lines:
+            _place_slider(b, pair, link, hinge, lines[link][1])
+        else:
+            b.place_points(_rigid_body(b, link, pair.point, hinge))
 
 
 def _place_slider(b: Bodies, pair: Pair, name: str, base: str, direction: str) -> None:
@@ -129,13 +123,13 @@ def _place_rpr(b: Bodies, g: Group) -> None:
     name = moving_name(b, pair.guide, one, g.last)
     ref = BodyPoint(two, two), BodyPoint(one, name)
     b.place_points(Body(b.mechanism.link(g.last), ref[0], b.axis_along(pair, g.last, direction), g.last, ref))
-    b.place_points(Body(b.mechanism.link(g.first), BodyPoint(one, one), b.axis_along(pair, g.first, direction), g.last))
+    _place_slider(b, pair, g.first, one, direction)
 
 
 def moving_name(b: Bodies, guide: str, point: str, link: str) -> str:
     """Name of the point of ``link`` that coincides with ``point``: the letter the guide gives it, or "H2"."""
     name = b.mechanism.guide(guide).mark if b.mechanism.owner(guide) == link else None
-    taken = b.mechanism.names | {POLE}
+    taken = {*b.mechanism.names, POLE}
     here = point, link
     if not name or name in taken or b.coincident.get(name, here) != here:
         name = f"{point}{link}"
@@ -146,18 +140,6 @@ def moving_name(b: Bodies, guide: str, point: str, link: str) -> str:
     return name
 
 
-def _place_prp(b: Bodies, g: Group) -> None:
-    hinge = g.inner.point
-    chains, directions = [], []
-    for pair, link in ((g.first_outer, g.first), (g.last_outer, g.last)):
-        start, direction = _on_line(b, pair, link, hinge)
-        chains.append(_ray(hinge, start, direction))
-        directions.append(direction)
-    b.draft.draw(Equation(SCHEME, (chains[0], chains[1]), f"r_{hinge}"))
-    _place_slider(b, g.first_outer, g.first, hinge, directions[0])
-    _place_slider(b, g.last_outer, g.last, hinge, directions[1])
-
-
 def _place_rpp(b: Bodies, g: Group) -> None:
     hinge, point = g.first_outer.point, b.mechanism.link(g.last).first_point
     start, direction = _on_line(b, g.last_outer, g.last, point)
@@ -166,14 +148,12 @@ def _place_rpp(b: Bodies, g: Group) -> None:
     apart = difference(b.offset(g.inner, g.last, point), b.offset(g.inner, g.first, hinge))
     beside = Meaning("guide", g.inner.guide, point)
     shifted = label_of(b.shifted(f"{point}°{g.inner.guide}", beside, at(SCHEME, hinge), inner, apart))
-    chains = _ray(point, start, direction), _ray(point, shifted, inner)
+    chains = _chain(point, start, along=direction), _chain(point, shifted, along=inner)
     b.draft.draw(Equation(SCHEME, chains, f"r_{point}"))
     root = b.known[g.last_outer.mate(g.last)].root
     reached = BodyPoint(hinge, moving_name(b, g.inner.guide, hinge, g.last))
     b.place_points(Body(b.mechanism.link(g.last), BodyPoint(point, point), axis, root, moving=reached))
-    b.place_points(
-        Body(b.mechanism.link(g.first), BodyPoint(hinge, hinge), b.axis_along(g.inner, g.first, inner), root)
-    )
+    _place_slider(b, g.inner, g.first, hinge, inner)
 
 
-_PLACERS = {1: _place_rrr, 2: _place_rrp, 3: _place_rpr, 4: _place_prp, 5: _place_rpp}
+_PLACERS = {1: _place_hinged, 2: _place_hinged, 3: _place_rpr, 4: _place_hinged, 5: _place_rpp}

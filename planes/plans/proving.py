@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator
 
 from planes.drafting.draft import Draft
-from planes.drafting.equations import Equation
 from planes.drafting.link_proofs import Balanced, LinkMotion, Point, Rigid, Slid
 from planes.drafting.proofs import Proof, Twofold, VectorProof
 from planes.drafting.steps.reckoning import Calculate
@@ -33,12 +32,12 @@ class _Motion:
         self.beside = {SCHEME: (), **{r.plan: tuple(r.driven) for r in self.rates}}
 
     def point(self, link: str, name: str) -> Point:
-        marks = tuple(r.mark(name) for r in self.rates)
-        return Point(self.b.mechanism.link(link).points[name], at(SCHEME, name), (marks[0], marks[1]))
+        marks = at(SCHEME, name), *(r.mark(name) for r in self.rates)
+        return Point(self.b.mechanism.link(link).points[name], marks)
 
     def frame(self, link: str) -> LinkMotion:
         if link == FRAME:
-            return LinkMotion(Point(0j, at(SCHEME, POLE), (at(RATES[0], POLE), at(RATES[1], POLE))))
+            return LinkMotion(Point(0j, tuple(at(plan, POLE) for plan in (SCHEME, *RATES))))
         body = self.b.known[link]
         origin = self.point(link, body.link.first_point)
         omega, epsilon = ("" if body.root == FRAME else r.spin(body.root) for r in self.rates)
@@ -65,15 +64,10 @@ class _Motion:
 def closed(draft: Draft) -> Iterator[Proof]:
     """Every equation drawn, its vectors as stated."""
     for e in draft.equations:
-        rows = tuple(_rows(e))
-        if rows:
+        stated = (t for t in e.terms if not t.drawn and (t.length or t.direction))
+        ends = ((t, at(e.plan, t.start), at(e.plan, t.end)) for t in stated)
+        if rows := tuple((start, end, t.direction or "", t.sign, t.length or "") for t, start, end in ends):
             yield VectorProof(e.plan, e.text, rows)
-
-
-def _rows(e: Equation) -> Iterator[tuple[str, str, str, int, str]]:
-    for t in e.terms:
-        if not t.drawn and (t.length or t.direction):
-            yield at(e.plan, t.start), at(e.plan, t.end), t.direction or "", t.sign, t.length or ""
 
 
 def _balanced(s: Statics) -> Iterator[Proof]:

@@ -1,13 +1,21 @@
-"""Reactions as they are found: segments of the force plans, arms and couples of sliders, handed from link to link."""
+"""Reactions as they are found: segments of the force plans, arms and couples of sliders, handed from link to link.
 
-from dataclasses import dataclass, field
+With Coulomb friction in a sliding pair its reaction leans by arctan f against the sliding, on the side that bears.
+Which side of the guide bears is known only once the plan is drawn; so each supposition is drawn and the one that comes
+true is kept. None, or two different ones, is self-locking.
+"""
+
+from dataclasses import dataclass, field, replace
+from itertools import product
 
 from planes.drafting.draft import Moments
-from planes.drafting.steps.reckoning import Product
+from planes.drafting.equations import Term
+from planes.drafting.steps.crossings import Cross
+from planes.drafting.steps.reckoning import Choose, Drop, Lean, Product, Sense, Trial
 from planes.plans.bodies import SCHEME, Bodies
 from planes.plans.loads import Acting, Couple, Force, force_name
 from planes.plans.structure import Pair
-from planes.words.names import Meaning, at, label_of
+from planes.words.names import Meaning, at, label_of, mu_of
 
 
 @dataclass(frozen=True)
@@ -43,19 +51,17 @@ class Statics:
         for f in forces:
             if f.point == about:
                 continue
-            name, means = self.arm_name(f.name, label_of(about)), Meaning("arm", f.name, about, f.link)
-            arm = d.arm(name, f.point, f.along, about, means)
+            centre, name = label_of(about), f"h_{f.name}_{label_of(about)}"
+            if self.centres.setdefault(f.name, centre) != centre:  # about another point than the first it says so
+                name += f"^{centre.lstrip('°')}"
+            means = Meaning("arm", f.name, about, f.link)
+            arm = d.step(Drop(name, f.point, f.along, about, mu_of(SCHEME), means=means))
             products.append(Product(sign, ((f.size, 1), (arm, 1), *tail)))
             shown.append((f.name, arm))
         for c in couples:
             products.append(Product(sign * c.sign, ((c.value, 1), *tail)))
             shown.append((c.name, ""))
         return products, tuple(shown)
-
-    def arm_name(self, force: str, about: str) -> str:
-        """The name of a force's arm; about another point than the first it is marked with that point."""
-        own = f"h_{force}_{about}"
-        return own if self.centres.setdefault(force, about) == about else f"{own}^{about.lstrip('°')}"
 
     def react(self, pair: Pair, plan: str, start: str, end: str) -> Reaction:
         """Note the reaction on ``pair.link``; both links feel it from now on. Slider's couple comes later."""
@@ -93,3 +99,49 @@ class Statics:
         if r.moment:
             sign = 1 if to == r.pair.link else -1
             self.acting.couples[to].append(Couple(r.moment, to, r.moment, sign, True))
+
+
+def meet_with_friction(acting: Acting, plan: str, lines: list[Term], x: str, pairs: list[Pair]) -> dict[str, Term]:
+    """Cross two lines of reactions at mark ``x``, those of the rubbing ``pairs`` leaning, by trial of each side.
+    Returns the leaning terms by name, now with the direction they turned out to have.
+    """
+    d = acting.b.draft
+    of = {name: p for p in pairs for name in (force_name(p.link, p.other), force_name(p.other, p.link))}
+    rubbing = [(t, of[t.name]) for t in lines if t.name in of]
+    trials = []
+    for signs in product((1, -1), repeat=len(rubbing)):
+        tag = "".join("+" if sign > 0 else "-" for sign in signs)
+        leaning = {t.name: _lean(acting, p, sign) for (t, p), sign in zip(rubbing, signs, strict=True)}
+        mark = at(plan, f"{x}{tag}")
+        starts = [at(plan, t.start) for t in lines]
+        along = [leaning.get(t.name, t.direction or "") for t in lines]
+        d.step(Cross(mark, starts[0], along[0], starts[1], along[1], supposed=True, means=Meaning("trial")))
+        pushes = tuple(_push(acting, plan, t, p, mark, tag) for t, p in rubbing)
+        trials.append(Trial(mark, pushes, signs))
+    d.step(Choose(at(plan, x), tuple(trials), at(plan, lines[0].start), mu_of(plan)))
+    return {t.name: _leant(acting, plan, t, p, x) for t, p in rubbing}
+
+
+def _leant(acting: Acting, plan: str, term: Term, pair: Pair, x: str) -> Term:
+    ends = at(plan, term.start), at(plan, x)
+    leaning = Meaning("leaning", pair.guide)
+    along = acting.b.draft.through(f"∡{term.name}", *(ends if term.sign > 0 else ends[::-1]), leaning)
+    return replace(term, direction=along, action=f"∠{term.action}")
+
+
+def _lean(acting: Acting, pair: Pair, sign: int) -> str:
+    d, guide = acting.b.draft, f"∥{pair.guide}"
+    coefficient = d.give(f"f_{pair.guide}", acting.b.mechanism.friction[pair.guide])
+    d.law(coefficient, acting.b.mechanism.laws.get(("friction", pair.guide)))
+    reading = acting.motion.slides[pair.link]
+    sense = Sense(f"slides_{pair.link}", *reading.ends, reading.along, tuple(acting.motion.driven))
+    name, means = f"lean_{pair.link}{'+' if sign > 0 else '-'}", Meaning("leaning", pair.guide)
+    return d.step(Lean(name, d.square(guide), guide, coefficient, d.step(sense), sign, means=means))
+
+
+def _push(acting: Acting, plan: str, term: Term, pair: Pair, mark: str, tag: str) -> str:
+    """The trial's normal push on the slider, signed along the guide's normal."""
+    forward = (term.sign > 0) == (term.name == force_name(pair.link, pair.other))
+    start = at(plan, term.start)
+    ends = (start, mark) if forward else (mark, start)
+    return acting.b.draft.measure(f"N_{pair.link}{pair.other}{tag}", *ends, f"⊥∥{pair.guide}")

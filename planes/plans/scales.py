@@ -4,6 +4,8 @@ import cmath
 from collections.abc import Mapping
 
 from planes.drafting.drawing import Drawing, reached, run
+from planes.drafting.program import Program
+from planes.geometry.arithmetic import Real
 from planes.plans import Plans
 from planes.words.names import POLE, kind_of, label_of, mu_of
 from planes.words.units import standard_mu, standard_scale
@@ -15,6 +17,11 @@ FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 
 def unit_scales(plans: Plans) -> dict[str, float]:
     """Every μ as 1 mm per SI unit: a drawing in SI, to see how large things are."""
     return {mu_of(plan): 1.0 for plan in plans.drawn}
+
+
+def drawn_in_si(plans: Plans, value: Real, program: Program | None = None) -> Drawing:
+    """Everything, or a part of it, drawn in SI at one value of the drive or many."""
+    return run(program or plans.program, {**plans.given, **unit_scales(plans), plans.drive_given: value})
 
 
 def scales(

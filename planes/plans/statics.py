@@ -11,9 +11,8 @@ from dataclasses import replace
 from planes.drafting.draft import Moments
 from planes.drafting.equations import Equation, Term
 from planes.plans.bodies import SCHEME
-from planes.plans.friction import meet_with_friction
 from planes.plans.loads import Couple, Force, force_name
-from planes.plans.reactions import Reaction, Statics
+from planes.plans.reactions import Reaction, Statics, meet_with_friction
 from planes.plans.structure import Group, Pair
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, at, force_plan
@@ -24,6 +23,16 @@ def draw_forces(statics: Statics) -> None:
     for group in reversed(statics.b.structure.groups):
         _GroupForces(statics, group).draw()
     DriverForces(statics).draw()
+
+
+def chain_of(forces: list[Force], start: str) -> tuple[Term, ...]:
+    """Forces as known terms of a chain, each ending at a mark of its own name."""
+    terms = []
+    for f in forces:
+        end = f.name.replace("^", "")
+        terms.append(Term(f.name, start, end, f.size, f.along, f.along, means=f.means))
+        start = end
+    return tuple(terms)
 
 
 class _GroupForces:
@@ -40,9 +49,9 @@ class _GroupForces:
         self.d.pole(self.plan)
         head = self.tangential(g.first, g.first_outer) if g.kind in (1, 2, 3) else []
         tail = self.tangential(g.last, g.last_outer) if g.kind == 1 else []
-        first = self.terms(head + self.loads[g.first], POLE)
+        first = chain_of(head + self.loads[g.first], POLE)
         e_a = first[-1].end if first else POLE
-        last = self.terms(self.loads[g.last] + tail, e_a)
+        last = chain_of(self.loads[g.last] + tail, e_a)
         e_b = last[-1].end if last else e_a
         name_b = force_name(g.last, g.last_outer.mate(g.last))
         x = name_b + ("n" if tail else "")
@@ -50,7 +59,7 @@ class _GroupForces:
             self.d.lay(self.plan, term)
         rays = {
             "first": self.ray(g.first_outer, g.first, POLE, x, -1, bool(head)),
-            "inner": self.inner_ray(e_a, x),
+            "inner": self.ray(g.inner, g.first, e_a, x, 1, False),
             "last": self.ray(g.last_outer, g.last, e_b, x, 1, bool(tail)),
         }
         self.meet(rays, first, last, x)
@@ -72,7 +81,7 @@ class _GroupForces:
 
     def solve(self, chain: tuple[Term, ...], back: Term, x: str) -> None:
         """Cross two known lines at X, leaning ones by trial."""
-        pairs = [p for p in (self.g.first_outer, self.g.inner, self.g.last_outer) if self.rubs(p)]
+        pairs = [p for p in self.g.pairs if p.kind == "P" and p.guide in self.b.mechanism.friction]
         if not pairs:
             self.d.draw(Equation(self.plan, (chain, (back,))))
             return
@@ -85,38 +94,14 @@ class _GroupForces:
         ends = (last.start, last.end) if last.sign > 0 else (last.end, last.start)
         self.d.conclude(Equation(self.plan, ((*chain, Term(last.name, *ends)), ())))
 
-    def rubs(self, pair: Pair) -> bool:
-        return pair.kind == "P" and pair.guide in self.b.mechanism.friction
-
-    def terms(self, forces: list[Force], start: str) -> tuple[Term, ...]:
-        """Forces as known terms of a chain, each ending at a mark of its own name."""
-        terms = []
-        for f in forces:
-            end = f.name.replace("^", "")
-            terms.append(Term(f.name, start, end, f.size, f.along, f.along, means=f.means))
-            start = end
-        return tuple(terms)
-
     def ray(self, pair: Pair, link: str, start: str, x: str, sign: int, split: bool) -> Term:
-        """The line of an outer reaction through a mark of the polygon (X is its other end)."""
+        """The line of a reaction on a link through a mark of the polygon (X is its other end)."""
         name = force_name(link, pair.mate(link)) + ("^n" if split else "")
-        if pair.kind == "P":
-            along: str | None = self.d.square(f"∥{pair.guide}")
-        else:
-            along = self.normal_line(pair) if split else None
+        along: str | None = self.d.square(f"∥{pair.guide}") if pair.kind == "P" else None
+        if split:  # along the link: from its outer hinge to the point its moments are taken about
+            ends = (self.g.last_outer.point, pair.point) if self.g.kind == 3 else (pair.point, self.g.inner.point)
+            along = self.d.ray(SCHEME, *ends)
         return Term(name, start, x, None, along, along or "", False, sign)
-
-    def normal_line(self, pair: Pair) -> str:
-        """Along the link: from its outer hinge to the point its moments are taken about."""
-        if self.g.kind == 3:
-            return self.d.ray(SCHEME, self.g.last_outer.point, pair.point)
-        return self.d.ray(SCHEME, pair.point, self.g.inner.point)
-
-    def inner_ray(self, start: str, x: str) -> Term:
-        """The inner reaction, on the first link from the last, through the end of the first link's loads."""
-        g = self.g
-        along = self.d.square(f"∥{g.inner.guide}") if g.inner.kind == "P" else None
-        return Term(force_name(g.first, g.last), start, x, None, along, along or "", False, 1)
 
     def tangential(self, link: str, pair: Pair) -> list[Force]:
         """F^t of an outer hinge: from moments about the inner hinge, or of the whole group about the other one."""
@@ -184,17 +169,11 @@ class DriverForces:
     def draw(self) -> None:
         """Draw the driver's polygon and find what balances it."""
         self.d.pole(self.plan)
-        start, terms = POLE, []
-        for f in self.forces:
-            terms.append(Term(f.name, start, f.name, f.size, f.along, f.along, means=f.means))
-            start = f.name
+        terms, key = chain_of(self.forces, POLE), force_name(self.link, FRAME)
         for term in terms:
             self.d.lay(self.plan, term)
-        key = force_name(self.link, FRAME)
-        if self.pair.kind == "R":
-            self.turning(tuple(terms), start, key)
-        else:
-            self.sliding(tuple(terms), start, key)
+        balance = self.turning if self.pair.kind == "R" else self.sliding
+        balance(terms, terms[-1].end if terms else POLE, key)
 
     def turning(self, terms: tuple[Term, ...], start: str, key: str) -> None:
         """F_10 closes the polygon; the balancing moment by moments about the pivot."""

@@ -12,6 +12,7 @@ from planes.plans.unsolvable import Joint, freedom, unsolvable
 from planes.scene.mechanism import FRAME, Mechanism
 from planes.words import Phrase
 from planes.words.errors import StructureError
+from planes.words.records import Json
 
 KIND_NAMES = ("RRR", "RRP", "RPR", "PRP", "RPP")
 
@@ -56,6 +57,11 @@ class Group:
     last_outer: Pair
 
     @property
+    def pairs(self) -> tuple[Pair, Pair, Pair]:
+        """Its pairs: outer, inner, outer."""
+        return self.first_outer, self.inner, self.last_outer
+
+    @property
     def name(self) -> str:
         """The letters of its pairs, e.g. "RRP"."""
         return KIND_NAMES[self.kind - 1]
@@ -74,8 +80,12 @@ class Structure:
     @property
     def pairs(self) -> tuple[Pair, ...]:
         """Every pair once: the drive's, then each group's outer, inner, outer."""
-        inside = (p for g in self.groups for p in (g.first_outer, g.inner, g.last_outer))
-        return (self.drive_pair, *inside)
+        return (self.drive_pair, *(p for g in self.groups for p in g.pairs))
+
+    def json(self) -> Json:
+        """W, q, formula and groups as the JSON has them."""
+        groups = [{"links": list(g.links), "kind": g.kind, "name": g.name} for g in self.groups]
+        return {"W": self.W, "q": self.q, "formula": self.formula, "groups": groups}
 
     @property
     def formula(self) -> str:
@@ -153,8 +163,10 @@ class _Finder:
         fitting = [p for p in found if p.kind == wanted]
         if len(found) != 1 or not fitting:
             need = Phrase("need_hinge" if wanted == "R" else "need_guide")
-            have = tuple(_pair_word(p) for p in found) or Phrase("none")
-            raise self.error(Phrase("driver_pair", link=drive.link, kind=drive.kind, need=need, have=have), "drive")
+            have = tuple(Phrase("a_hinge" if p.kind == "R" else "a_slide", name=p.point or p.guide) for p in found)
+            raise self.error(
+                Phrase("driver_pair", link=drive.link, kind=drive.kind, need=need, have=have or Phrase("none")), "drive"
+            )
         return fitting[0]
 
     def between(self, link: str, other: str) -> list[Pair]:
@@ -233,7 +245,3 @@ class _Finder:
         else:
             why = Phrase("higher_class" if names else "loose_links", names=names or tuple(self.left))
         return self.error(why, "links", (names or tuple(self.left))[0])
-
-
-def _pair_word(pair: Pair) -> Phrase:
-    return Phrase("a_hinge", name=pair.point) if pair.kind == "R" else Phrase("a_slide", name=pair.guide)

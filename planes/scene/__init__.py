@@ -13,7 +13,7 @@ from planes.scene import source
 from planes.scene.doubts import read_doubts
 from planes.scene.links import read_frame, read_links
 from planes.scene.mechanism import Mechanism, Where
-from planes.scene.motion import read_assembly, read_drive, read_friction, read_gravity, read_loads
+from planes.scene.motion import read_assembly, read_drive, read_friction, read_loads
 from planes.scene.parameters import choose, read_laws, read_parameters, read_variants, with_numbers
 from planes.scene.reader import Reader, entries_of
 from planes.scene.settings import read_find, read_number_of_frame, read_plans, read_sheet, read_vector_mu, read_words
@@ -166,18 +166,20 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
     equations, equation_lines = read_equations(reader, table.entries["equations"]) if of_vectors else ((), ())
     mu = read_plans(reader, reader.optional(table, "plans"))
     generic, quantity = read_vector_mu(reader, reader.optional(table, "mu"))
-    said = {"title": reader.optional(table, "title"), "note": _note(reader, table)}
-    said["missing"] = reader.optional(table, "missing")
+    if "note" in table.entries and "text" in table.entries:
+        reader.one_of(table, ("note", "text"), Phrase("the_scene"))
+    said = {key: reader.optional(table, key) for key in ("title", "note", "missing")}
+    said["note"] = said["note"] or reader.optional(table, "text")
     words = {key: MappingProxyType(read_words(reader, node, key)) for key, node in said.items()}
     return Scene(
-        reader.file,
-        words["title"],
-        words["note"],
-        reading,
-        mechanism,
-        MappingProxyType(vectors),
-        equations,
-        equation_lines,
+        file=reader.file,
+        title=words["title"],
+        note=words["note"],
+        reading=reading,
+        mechanism=mechanism,
+        vectors=MappingProxyType(vectors),
+        equations=equations,
+        equation_lines=equation_lines,
         mu=MappingProxyType({**mu, "vectors": generic} if of_vectors else mu),
         quantity=quantity,
         find=read_find(reader, reader.optional(table, "find")),
@@ -188,12 +190,6 @@ def _scene(reader: Reader, table: SourceTable, reading: ReadWith, stated: Mappin
         missing=words["missing"],
         doubts=tuple(read_doubts(reader.file, table, stated, mechanism)),
     )
-
-
-def _note(reader: Reader, table: SourceTable) -> Node | None:
-    if "note" in table.entries and "text" in table.entries:
-        reader.one_of(table, ("note", "text"), Phrase("the_scene"))
-    return reader.optional(table, "note") or reader.optional(table, "text")
 
 
 def _check_outline(reader: Reader, table: SourceTable) -> None:
@@ -233,7 +229,7 @@ def _mechanism(reader: Reader, table: SourceTable, where: Where, stated: Mapping
         MappingProxyType(links),
         drive,
         () if loads is None else read_loads(reader, loads, links),
-        None if (gravity := given["gravity"]) is None else read_gravity(reader, gravity),
+        None if (gravity := given["gravity"]) is None else reader.positive(gravity, Phrase("gravity")),
         MappingProxyType({} if friction is None else read_friction(reader, friction, frame, links)),
         MappingProxyType({} if assembly is None else read_assembly(reader, assembly, frame, links)),
         where,

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import fields
 from itertools import combinations
 
-from planes.scene.mechanism import Link, Mechanism
+from planes.scene.mechanism import RATES, Link, Mechanism
 from planes.scene.reader import Keys, line_of, texts
 from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.words import Phrase
@@ -50,17 +50,13 @@ def _empty(table: SourceTable) -> Iterator[tuple[Phrase, Keys]]:
 def _angles(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:
     """Angles that look like radians: by π in them, or by their number; or like the ratio of a triangle's sides."""
     for path, node in texts(table):
-        if path[-1] in _ANGLES and path[0] not in ("parameters", "variants") and not _place(path):
+        named = path[0] in ("parameters", "variants") or path[-2:-1] in (("points",), ("parameters",))
+        if path[-1] in _ANGLES and not named:  # no point or parameter that happens to be called as an angle is
             text = _written(node.text, parameters)
             if (re.search(r"\bpi\b", text) and "180" not in text) or _radians(text):
                 yield Phrase("doubt_radians", key=path[-1], text=text[:60]), path
             elif _RATIO.match(text):
                 yield Phrase("doubt_ratio", key=path[-1], text=text[:60]), path
-
-
-def _place(path: Keys) -> bool:
-    """Whether a path names a point or a parameter that happens to be called as an angle is."""
-    return len(path) > 1 and path[-2] in ("points", "parameters")
 
 
 def _written(text: str, parameters: Mapping[str, Node]) -> str:
@@ -105,7 +101,7 @@ def _size(link: Link) -> float:
 
 def _drive(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
     drive = mechanism.drive
-    rate = "omega" if drive.kind == "phi" else "velocity"
+    rate = RATES[drive.kind][0]
     statics = mechanism.loads or mechanism.gravity
     if ("drive", rate) not in mechanism.where and not statics:
         yield Phrase("doubt_at_rest", key=rate), ("drive",)

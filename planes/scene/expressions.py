@@ -9,7 +9,7 @@ import re
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping
 
-from planes.geometry.degrees import acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
+from planes.geometry.arithmetic import acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, choices, shown
 

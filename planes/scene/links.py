@@ -114,11 +114,15 @@ def _slide(reader: Reader, node: Node, what: Phrase) -> Slide:
     return Slide(guide, reader.said(table, "angle", slides), reader.said(table, "offset", what))
 
 
+def _owner(link: str) -> Phrase:
+    return Phrase("the_frame") if link == FRAME else Phrase("link", name=link)
+
+
 def _check_alike(reader: Reader, table: SourceTable, links: Iterable[Link]) -> None:
     """C and С, one of them Cyrillic, are two points to a program and one to a reader."""
     seen: dict[str, tuple[str, Phrase]] = {}
     for link in links:
-        owner = Phrase("the_frame") if link.name == FRAME else Phrase("link", name=link.name)
+        owner = _owner(link.name)
         for point in link.points:
             first, other = seen.setdefault(latin(point), (point, owner))
             if first != point:
@@ -132,9 +136,8 @@ def _owners(reader: Reader, table: SourceTable, links: dict[str, Link], frame: L
     for name, link in links.items():
         for guide in link.guides:
             if guide in owners:
-                owner = Phrase("the_frame") if owners[guide] == FRAME else Phrase("link", name=owners[guide])
                 line = line_of(table, (name, "guides", guide))
-                raise reader.error(Phrase("guide_twice", guide=guide, name=name, owner=owner), line)
+                raise reader.error(Phrase("guide_twice", guide=guide, name=name, owner=_owner(owners[guide])), line)
             owners[guide] = name
     return owners
 

@@ -11,6 +11,8 @@ from types import MappingProxyType
 from typing import Literal
 
 FRAME = "0"
+RATES = {"phi": ("omega", "epsilon"), "s": ("velocity", "acceleration")}
+"""How a scene calls the rates of a drive, by its kind."""
 
 Sense = Literal["along", "against"]
 Order = Literal["left", "right", "ahead", "behind"]
@@ -139,6 +141,6 @@ class Mechanism:
         return self._owners[name].guides[name]
 
     @cached_property
-    def names(self) -> frozenset[str]:
-        """Names of all points."""
-        return frozenset(p for link in (self.frame, *self.links.values()) for p in link.points)
+    def names(self) -> tuple[str, ...]:
+        """Names of all points, each once, those of the frame first."""
+        return tuple(dict.fromkeys(p for link in (self.frame, *self.links.values()) for p in link.points))

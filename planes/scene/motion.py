@@ -3,13 +3,12 @@
 from collections.abc import Mapping
 from typing import cast
 
-from planes.scene.mechanism import FRAME, Assembly, Drive, Link, Load, Order, Sense
+from planes.scene.mechanism import FRAME, RATES, Assembly, Drive, Link, Load, Order, Sense
 from planes.scene.reader import Reader, part, section
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase
 
 _ORDERS = ("left", "right", "ahead", "behind")
-_RATES: dict[str, tuple[str, str]] = {"phi": ("omega", "epsilon"), "s": ("velocity", "acceleration")}
 _DIRECTIONS = ("direction", "along", "against")
 Links = Mapping[str, Link]
 
@@ -47,7 +46,7 @@ def read_drive(reader: Reader, node: Node, frame: Link, links: Links) -> Drive:
     slides = links[link].slides
     if kind == "s" and (slides is None or slides.guide not in frame.guides):
         raise reader.error(Phrase("drive_no_slide", link=link), table.lines["s"])
-    rates = (reader.said(table, key, what) for key in _RATES[kind])
+    rates = (reader.said(table, key, what) for key in RATES[kind])
     velocity, acceleration = (0.0 if rate is None else rate for rate in rates)
     position = reader.number(reader.required(table, kind, what), part(kind, what))
     return Drive(link, "phi" if kind == "phi" else "s", position, velocity, acceleration)
@@ -55,7 +54,7 @@ def read_drive(reader: Reader, node: Node, frame: Link, links: Links) -> Drive:
 
 def _check_rates(reader: Reader, table: SourceTable, kind: str) -> None:
     other = "s" if kind == "phi" else "phi"
-    for wrong, right in zip(_RATES[other], _RATES[kind], strict=True):
+    for wrong, right in zip(RATES[other], RATES[kind], strict=True):
         if wrong in table.entries:
             raise reader.error(Phrase("other_rate", kind=kind, wrong=wrong, right=right), table.lines[wrong])
 
@@ -130,8 +129,3 @@ def read_friction(reader: Reader, node: Node, frame: Link, links: Links) -> dict
             valid = reader.offer(name, slid, Phrase("sliding_pairs"))
             raise reader.error(Phrase(key, name=name[:60], valid=valid), line)
     return {name: reader.positive(entry, Phrase("friction_of", name=name)) for name, entry in table.entries.items()}
-
-
-def read_gravity(reader: Reader, node: Node) -> float:
-    """The acceleration of gravity, downwards."""
-    return reader.positive(node, Phrase("gravity"))

@@ -126,14 +126,14 @@ def read_laws(table: SourceTable, parameters: Mapping[str, Node]) -> dict[Keys, 
     drive = table.entries["drive"]
     assert isinstance(drive, SourceTable)
     place = next(drive.entries[key] for key in ("phi", "s") if key in drive.entries)
-    uses = {name: _names(node) for name, node in parameters.items()} if _names(place) else {}
-    moving = _leaves(_names(place), uses)
+    uses = {name: names_of(node) for name, node in parameters.items()} if names_of(place) else {}
+    moving = _leaves(names_of(place), uses)
     shape = (node for key in ("frame", "links") for _, node in texts(table.entries[key]))
-    fixed = _leaves((name for node in shape for name in _names(node)), uses) if moving else set()
+    fixed = _leaves((name for node in shape for name in names_of(node)), uses) if moving else set()
     with_drive = _users(moving - fixed or moving, uses)
     found = {}
     for path, node in _numbers(table) if with_drive else ():
-        if shared := next((name for name in _names(node) if name in with_drive), None):
+        if shared := next((name for name in names_of(node) if name in with_drive), None):
             found[path] = Law(path, shared, node.line)
     return found
 
@@ -146,7 +146,7 @@ def _numbers(table: SourceTable) -> Iterator[tuple[Keys, SourceScalar]]:
             yield path, node
 
 
-def _names(node: Node) -> list[str]:
+def names_of(node: Node) -> list[str]:
     """The names an expression uses; none where the text is something else."""
     try:
         return [] if isinstance(node, SourceTable | Items) else names_in(node.text)
@@ -156,7 +156,7 @@ def _names(node: Node) -> list[str]:
 
 def _leaves(names: Iterable[str], uses: Uses) -> set[str]:
     """The parameters given by numbers that these are made of."""
-    return {name for name in _reached(names, uses) if name in uses and not uses[name]}
+    return {name for name in reached(names, uses) if name in uses and not uses[name]}
 
 
 def _users(names: Iterable[str], uses: Uses) -> set[str]:
@@ -165,10 +165,11 @@ def _users(names: Iterable[str], uses: Uses) -> set[str]:
     for name, used in uses.items():
         for one in used:
             users.setdefault(one, []).append(name)
-    return _reached(names, users)
+    return reached(names, users)
 
 
-def _reached(names: Iterable[str], ways: Uses) -> set[str]:
+def reached(names: Iterable[str], ways: Uses) -> set[str]:
+    """These names, and all that ways lead to from them."""
     found = set(names)
     todo = list(found)
     while todo:

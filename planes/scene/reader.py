@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from planes.geometry.degrees import cos_deg, sin_deg
+from planes.geometry.arithmetic import cos_deg, sin_deg
 from planes.scene.expressions import evaluate
 from planes.scene.source import Items, Node, SourceScalar, SourceTable, walk
 from planes.words import Phrase, Told

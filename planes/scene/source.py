@@ -114,20 +114,14 @@ def parse(text: str, file: str) -> SourceTable:
     """The tree of a document whose outermost thing is a table."""
     text = text.removeprefix("\ufeff")
     _check_text(text, file)
-    builder = _Builder(file)
     loader: type = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-    deadline = time.monotonic() + MAX_SECONDS
     try:
-        for event in yaml.parse(text, Loader=loader):
-            builder.take(event)
-            if time.monotonic() > deadline:
-                raise builder.error(Phrase("slow_file"), builder.line)
+        root = _Builder(file, yaml.parse(text, Loader=loader)).root()
     except yaml.YAMLError as error:
         phrase, line = explained(error, text)
         raise SceneError(phrase, file, line) from None
     except RecursionError:
         raise SceneError(Phrase("deep_file", most=MAX_DEPTH), file) from None
-    root = builder.root
     if root is None or (isinstance(root, SourceScalar) and root.absent):
         raise SceneError(Phrase("empty_file"), file, 1)
     if not isinstance(root, SourceTable):
@@ -147,41 +141,38 @@ def _check_text(text: str, file: str) -> None:
             raise SceneError(Phrase("control_character", code=ord(char)), file, line)
 
 
-class _Open:
-    """A table or list whose end has not come yet."""
-
-    def __init__(self, node: SourceTable | Items, flow: bool) -> None:
-        self.node, self.flow = node, flow
-        self.key: str | None = None
-        self.key_line = 0
-        self.last: Node | None = None
-
-
 class _Builder:
     """Makes the tree out of the reader's events."""
 
-    def __init__(self, file: str) -> None:
-        self.file, self.line, self.end = file, 1, -2  # the end of the last scalar
-        self.stack: list[_Open] = []
-        self.root: Node | None = None
-        self.documents = 0
+    def __init__(self, file: str, events: Iterator[yaml.Event]) -> None:
+        self.file, self.events = file, events
+        self.line, self.end = 1, -2  # where the last event begins, where the last scalar ends
+        self.deadline = time.monotonic() + MAX_SECONDS
 
     def error(self, phrase: Phrase, line: int) -> SceneError:
         """A refusal at a line."""
         return SceneError(phrase, self.file, line)
 
-    def take(self, event: yaml.Event) -> None:
-        """Add one event to the tree."""
+    def root(self) -> Node | None:
+        """The outermost thing of the one document there may be."""
+        root, documents = None, 0
+        while not isinstance(event := self._next(), yaml.StreamEndEvent):
+            if isinstance(event, yaml.NodeEvent):
+                root = self._node(event, 0)
+            elif isinstance(event, yaml.DocumentStartEvent):
+                documents += 1
+                if documents > 1:
+                    raise self.error(Phrase("second_document"), self.line)
+        return root
+
+    def _next(self) -> yaml.Event:
+        event = next(self.events)
         self.line = event.start_mark.line + 1 if event.start_mark else self.line
-        if isinstance(event, yaml.DocumentStartEvent):
-            self.documents += 1
-            if self.documents > 1:
-                raise self.error(Phrase("second_document"), self.line)
-        elif isinstance(event, yaml.NodeEvent):
+        if time.monotonic() > self.deadline:
+            raise self.error(Phrase("slow_file"), self.line)
+        if isinstance(event, yaml.NodeEvent):
             self._refuse_marks(event)
-            self._node(event)
-        elif isinstance(event, yaml.MappingEndEvent | yaml.SequenceEndEvent):
-            self.stack.pop()
+        return event
 
     def _refuse_marks(self, event: yaml.NodeEvent) -> None:
         if isinstance(event, yaml.AliasEvent):
@@ -191,50 +182,50 @@ class _Builder:
         if (tag := getattr(event, "tag", None)) is not None:
             raise self.error(Phrase("tag", name=_brief(tag.replace("tag:yaml.org,2002:", "!!"))), self.line)
 
-    def _node(self, event: yaml.NodeEvent) -> None:
+    def _node(self, event: yaml.Event, depth: int) -> Node:
+        """What begins with an event."""
         if isinstance(event, yaml.ScalarEvent):
-            text = event.value
-            text = unicodedata.normalize("NFC", text) if len(text) <= 1000 else text
-            start, end = (mark.index if mark else 0 for mark in (event.start_mark, event.end_mark))
-            self._add(SourceScalar(text, self.line, event.style in (None, ""), start == self.end + 1))
-            self.end = end
-            return
-        node = SourceTable({}, self.line) if isinstance(event, yaml.MappingStartEvent) else Items([], self.line)
-        self._add(node)
-        if len(self.stack) >= MAX_DEPTH:
+            return self._scalar(event)
+        if depth >= MAX_DEPTH:
             raise self.error(Phrase("deep_file", most=MAX_DEPTH), self.line)
-        self.stack.append(_Open(node, bool(getattr(event, "flow_style", False))))
+        if isinstance(event, yaml.MappingStartEvent):
+            return self._table(event, depth)
+        found = Items([], self.line)
+        while not isinstance(event := self._next(), yaml.SequenceEndEvent):
+            found.items.append(self._node(event, depth + 1))
+        return found
 
-    def _add(self, node: Node) -> None:
-        if not self.stack:
-            self.root = node
-            return
-        top = self.stack[-1]
-        if isinstance(top.node, Items):
-            top.node.items.append(node)
-        elif top.key is None:
-            self._key(top, top.node, node)
-        else:
-            self._decimal_comma(top, node)
-            top.node.entries[top.key] = node
-            top.last, top.key = node, None
+    def _scalar(self, event: yaml.ScalarEvent) -> SourceScalar:
+        text = unicodedata.normalize("NFC", event.value) if len(event.value) <= 1000 else event.value
+        start, end = (mark.index if mark else 0 for mark in (event.start_mark, event.end_mark))
+        glued, self.end = start == self.end + 1, end
+        return SourceScalar(text, self.line, event.style in (None, ""), glued)
 
-    def _key(self, top: _Open, table: SourceTable, node: Node) -> None:
-        if not isinstance(node, SourceScalar):
-            raise self.error(Phrase("key_not_word"), node.line)
-        if not node.text:
-            raise self.error(Phrase("key_absent"), node.line)
-        if node.text in table.entries:
-            first = table.lines[node.text]
-            key = "key_twice" if first == node.line else "key_twice_apart"
-            raise self.error(Phrase(key, key=shown(node.text), line=first, second=node.line), node.line)
-        table.lines[node.text] = node.line
-        top.key = node.text
+    def _table(self, event: yaml.MappingStartEvent, depth: int) -> SourceTable:
+        found, last = SourceTable({}, self.line), None
+        while not isinstance(one := self._next(), yaml.MappingEndEvent):
+            key = self._key(one, found)
+            value = self._node(self._next(), depth + 1)
+            if event.flow_style and isinstance(value, SourceScalar) and isinstance(last, SourceScalar):
+                self._decimal_comma(last, key, value)
+            found.entries[key] = last = value
+        return found
 
-    def _decimal_comma(self, top: _Open, node: Node) -> None:
+    def _key(self, event: yaml.Event, table: SourceTable) -> str:
+        if not isinstance(event, yaml.ScalarEvent):
+            raise self.error(Phrase("key_not_word"), self.line)
+        text = self._scalar(event).text
+        if not text:
+            raise self.error(Phrase("key_absent"), self.line)
+        first = table.lines.setdefault(text, self.line)
+        if text in table.entries:
+            key = "key_twice" if first == self.line else "key_twice_apart"
+            raise self.error(Phrase(key, key=shown(text), line=first, second=self.line), self.line)
+        return text
+
+    def _decimal_comma(self, last: SourceScalar, key: str, value: SourceScalar) -> None:
         """In {a: 0,5} the comma ends the value and 5 becomes a key: say what was meant."""
-        key, last = top.key or "", top.last
-        if not (top.flow and isinstance(node, SourceScalar) and node.text == "" and isinstance(last, SourceScalar)):
+        if value.text:
             return
         if last.text.count("(") > last.text.count(")"):
             written = shown(f"{last.text}, {key}")

@@ -5,7 +5,7 @@ from contextlib import suppress
 
 import yaml
 
-from planes.scene.mechanism import Drive, Guide, Link, Load, Mechanism, Slide
+from planes.scene.mechanism import RATES, Drive, Guide, Link, Load, Mechanism, Slide
 from planes.scene.source import Items, SourceScalar, SourceTable
 from planes.words.records import Json
 
@@ -95,7 +95,7 @@ def _slide(slide: Slide) -> Json | str:
 
 
 def _drive(drive: Drive) -> Json:
-    names = ("phi", "omega", "epsilon") if drive.kind == "phi" else ("s", "velocity", "acceleration")
+    names = drive.kind, *RATES[drive.kind]
     return {"link": drive.link, **dict(zip(names, (drive.position, drive.velocity, drive.acceleration), strict=True))}
 
 

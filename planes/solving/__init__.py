@@ -13,7 +13,6 @@ from planes.plans import Plans, mechanism_plans, sliced
 from planes.plans.measuring import DrawingReader
 from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, results_of
 from planes.plans.scales import FIT_MM, scales
-from planes.plans.structure import Structure
 from planes.scene import Scene
 from planes.solving.nearest import nearest
 from planes.solving.warned import warnings
@@ -115,7 +114,8 @@ class Position(Pictured):
 
 @dataclass
 class Solved:
-    """All positions that came out, and those that did not, each with its sentence; ``values`` as they were asked."""
+    """All positions that came out, and those that did not, each with its sentence; ``values`` as they were asked, of
+    the ``instrument``."""
 
     scene: Scene
     plans: Plans
@@ -123,7 +123,12 @@ class Solved:
     values: list[float] = field(default_factory=list)
     positions: list[Position] = field(default_factory=list)
     failed: list[Json] = field(default_factory=list)
+    instrument: Instrument | None = None
     lang: Lang = "en"
+
+    def at(self, value: float) -> Position:
+        """The position at a value of the drive."""
+        return position(self.scene, self.plans, self.wanted, value, self.instrument, self.lang)
 
     def __repr__(self) -> str:
         return f"<Solved: {len(self.positions)} positions, {len(self.failed)} failed>"
@@ -135,16 +140,10 @@ class Solved:
             "planes": 1,
             "scene": Path(self.scene.file).name,
             "variant": self.scene.variant,
-            "structure": structure_json(self.plans.structure),
+            "structure": self.plans.structure.json(),
             "positions": [{**p.results, "warnings": doubts + p.results["warnings"]} for p in self.positions],
             "failed": self.failed,
         }
-
-
-def structure_json(s: Structure) -> Json:
-    """W, q, formula and groups as the JSON has them."""
-    groups = [{"links": list(g.links), "kind": g.kind, "name": g.name} for g in s.groups]
-    return {"W": s.W, "q": s.q, "formula": s.formula, "groups": groups}
 
 
 def plans_of(scene: Scene) -> tuple[Plans, list[Quantity] | None]:
@@ -162,10 +161,11 @@ def solve(
     """Draw and measure every asked position. :class:`SceneError` where the scene itself cannot be meant."""
     plans, wanted = plans_of(scene)
     drive = plans.mechanism.drive
-    solved = Solved(scene, plans, wanted, [drive.position] if values is None else list(values), lang=lang)
+    asked_at = [drive.position] if values is None else list(values)
+    solved = Solved(scene, plans, wanted, asked_at, instrument=instrument, lang=lang)
     for value in solved.values:
         try:
-            solved.positions.append(position(scene, plans, wanted, value, instrument, lang))
+            solved.positions.append(solved.at(value))
         except PlanFailure as failure:
             near = nearest(plans, value) if len(solved.failed) < TOLD else None
             solved.failed.append({key_of(plans): value, "error": failed(failure, value, drive.kind, near).told(lang)})

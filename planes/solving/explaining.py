@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 
-from planes.drafting.steps.base import Step
+from planes.drafting.steps import Step
 from planes.plans import mechanism_plans
 from planes.scene import Scene
 from planes.solving import plans_of

@@ -1,12 +1,10 @@
 """Where the method works again: the value of the drive nearest to one at which it fails."""
 
 import math
-from collections.abc import Callable
 
-from planes.drafting.drawing import run
 from planes.geometry.arrays import Array
 from planes.plans import Plans
-from planes.plans.scales import unit_scales
+from planes.plans.scales import drawn_in_si
 from planes.words.errors import PlanFailure
 
 STEPS = 1440  # to either side, an eighth of a degree each; a sliding driver looks as far as four of its longest lengths
@@ -17,18 +15,13 @@ BESIDE = 0.08  # of a step: how far one goes from a place where the method fails
 DECIMALS = 4  # of degrees; of metres two more. More are told only where the range is too narrow for them
 
 
-def trials(plans: Plans) -> Callable[[float], bool]:
-    """A test of whether every step can be drawn at a value of the drive."""
-    given = {**plans.given, **unit_scales(plans)}
-
-    def works(value: float) -> bool:
-        try:
-            run(plans.program, {**given, plans.drive_given: value})
-        except (PlanFailure, OverflowError, ZeroDivisionError):
-            return False
-        return True
-
-    return works
+def works(plans: Plans, value: float) -> bool:
+    """Whether every step can be drawn at a value of the drive."""
+    try:
+        drawn_in_si(plans, value)
+    except (PlanFailure, OverflowError, ZeroDivisionError):
+        return False
+    return True
 
 
 def nearest(plans: Plans, value: float) -> float | None:
@@ -41,7 +34,7 @@ class _Side:
     """One side of a value that does not work."""
 
     def __init__(self, plans: Plans, value: float, side: float) -> None:
-        self.plans, self.value, self.side, self.works = plans, value, side, trials(plans)
+        self.plans, self.value, self.side = plans, value, side
         self.turning = plans.mechanism.drive.kind == "phi"
         self.step = (180.0 if self.turning else 4 * plans.reach) / STEPS
 
@@ -64,8 +57,7 @@ class _Side:
         """By how much the mechanism falls short of working: 0 where it works, infinite where that is not told."""
         import numpy
 
-        given = {**self.plans.given, **unit_scales(self.plans)}
-        drawing = run(self.plans.program, {**given, self.plans.drive_given: self.value + self.side * offsets})
+        drawing = drawn_in_si(self.plans, self.value + self.side * offsets)
         found = numpy.zeros(len(offsets))
         for _, _, ok, numbers in drawing.tool.failures:
             miss = numbers.get("miss_mm", math.inf)
@@ -96,7 +88,7 @@ class _Side:
         """The same, no further apart than numbers can be."""
         for _ in range(HALVINGS):
             middle = (bad + good) / 2
-            if self.works(self.value + self.side * middle):
+            if works(self.plans, self.value + self.side * middle):
                 good = middle
             else:
                 bad = middle
@@ -105,11 +97,11 @@ class _Side:
     def told(self, edge: tuple[float, float]) -> float:
         """The first value of few decimals beyond the edge, if it works; else one of more decimals."""
         least = DECIMALS if self.turning else DECIMALS + 2
-        if edge[1] < 10.0**-least and self.works(beside := self.value + self.side * BESIDE * self.step):
+        if edge[1] < 10.0**-least and works(self.plans, beside := self.value + self.side * BESIDE * self.step):
             return round(beside, least)
         exact = self.value + self.side * edge[1]
         for decimals in range(least, 16):
             found = (math.ceil if self.side > 0 else math.floor)(exact * 10.0**decimals) / 10.0**decimals
-            if self.works(found):
+            if works(self.plans, found):
                 return found
         return exact

@@ -1,17 +1,15 @@
 """What a draughtsman does near a dead point: a smaller scale, or values between those of neighbouring positions."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from planes.drafting.instruments import Instrument
-from planes.plans import Plans
 from planes.plans.measuring import BLUNT, DrawingReader, say_plan
-from planes.plans.quantities import MOTION, Column, Measured, Quantity
+from planes.plans.quantities import MOTION, Column, Measured
 from planes.plans.scales import FIT_MM, extent
 from planes.scene import Scene
-from planes.solving import Position, Solved, as_json, failed, key_of, plans_of, position, told
-from planes.solving.nearest import trials
+from planes.solving import Position, Solved, as_json, failed, key_of, plans_of, told
+from planes.solving.nearest import works
 from planes.words import Lang, say
 from planes.words.errors import PlanFailure
 from planes.words.names import kind_of, mu_of
@@ -22,21 +20,13 @@ ASIDE_DEG, BESIDE_DEG = 5.0, 0.01
 LARGE = 2.0  # times its usual size on the paper: a plan that no longer fits
 APART = 0.25  # neighbours whose values lead elsewhere than this, relatively, tell nothing
 
-Draw = Callable[[float], Position]
 
-
-def remedy(solved: Solved, instrument: Instrument | None = None, lang: Lang = "en") -> None:
+def remedy(solved: Solved) -> None:
     """Put right what can be: positions at stated scales too large for blunt crossings, and those that failed."""
-    plans, wanted = solved.plans, solved.wanted
-    solved.positions = [rescaled(solved.scene, plans, wanted, p, instrument, lang) for p in solved.positions]
-
-    def draw(value: float) -> Position:
-        return position(solved.scene, plans, wanted, value, instrument, lang)
-
+    solved.positions = [rescaled(solved, p) for p in solved.positions]
     left: list[Json] = []
     for failure in solved.failed:
-        value = failure[key_of(plans)]
-        between = interpolated(plans, draw, value, failure["error"], lang)
+        between = interpolated(solved, failure[key_of(solved.plans)], failure["error"])
         solved.positions += [between] if between else []
         left += [] if between else [failure]
     solved.failed = left
@@ -44,10 +34,9 @@ def remedy(solved: Solved, instrument: Instrument | None = None, lang: Lang = "e
     solved.positions.sort(key=lambda p: order[p.at])
 
 
-def rescaled(
-    scene: Scene, plans: Plans, wanted: list[Quantity] | None, p: Position, by: Instrument | None, lang: Lang
-) -> Position:
+def rescaled(solved: Solved, p: Position) -> Position:
     """The position with every stated μ left open whose plan is blunt and does not fit; the same if there is none."""
+    scene, lang = solved.scene, solved.lang
     large: dict[str, tuple[str, str, float, float]] = {}
     reader = DrawingReader(p.plans, p.drawing, p.scales)
     for plan in p.plans.drawn:
@@ -58,8 +47,7 @@ def rescaled(
             large.setdefault(kind_of(plan), (plan, ", ".join(blunt), angle, size))
     if not large:
         return p
-    fitting = replace(scene, mu={k: v for k, v in scene.mu.items() if k not in large})
-    again = position(fitting, plans, wanted, p.at, by, lang)
+    again = replace(solved, scene=_open(scene, large)).at(p.at)
     again.results["remedied"] = sorted(large)
     for kind, (plan, marks, angle, size) in large.items():
         said, now = (mu_text(x[mu_of(plan)], kind, lang) for x in (p.scales, again.scales))
@@ -70,34 +58,39 @@ def rescaled(
 
 def for_sheet(scene: Scene, values: list[float] | None, lang: Lang) -> tuple[Scene, list[float] | None, list[str]]:
     """What a sheet is drawn of instead, and sentences that say so: open scales, or the neighbour it was taken from."""
-    plans, wanted = plans_of(scene)
-    asked = [plans.mechanism.drive.position] if values is None else values
+    solved = Solved(scene, *plans_of(scene), lang=lang)
+    drive = solved.plans.mechanism.drive
+    asked = [drive.position] if values is None else values
     if len(asked) != 1:
         return scene, values, []
     try:
-        p = position(scene, plans, wanted, asked[0], None, lang)
-        p = rescaled(scene, plans, wanted, p, None, lang)
+        p = rescaled(solved, solved.at(asked[0]))
     except PlanFailure as failure:
-        near = interpolated(plans, lambda v: position(scene, plans, wanted, v, None, lang), asked[0], "", lang)
+        near = interpolated(solved, asked[0], "")
         if near is None:
             return scene, values, []
-        there, kind = near.results["interpolated"][1], plans.mechanism.drive.kind
+        there, kind = near.results["interpolated"][1], drive.kind
         why = failed(failure, asked[0], kind)
         return scene, [there], [say("remedy_beside", lang, why=why, there=told(there, kind, lang))]
     kinds = p.results.get("remedied", [])
     said = p.results["warnings"][len(p.results["warnings"]) - len(kinds) :]
-    return replace(scene, mu={k: v for k, v in scene.mu.items() if k not in kinds}), values, said
+    return _open(scene, kinds), values, said
 
 
-def interpolated(plans: Plans, draw: Draw, value: float, why: str, lang: Lang) -> Position | None:
+def _open(scene: Scene, kinds: Collection[str]) -> Scene:
+    """The scene with the scales of some plans left open."""
+    return replace(scene, mu={k: v for k, v in scene.mu.items() if k not in kinds})
+
+
+def interpolated(solved: Solved, value: float, why: str) -> Position | None:
     """Values at a position that cannot be drawn, from neighbours that can; None where they tell nothing of it.
 
     They are halfway between those 5° to either side, where the motion goes on smoothly; where it turns off at a
     change point, carried on from 10° and 5° before it, as the driver comes.
     """
-    drive = plans.mechanism.drive
+    plans, lang, drive = solved.plans, solved.lang, solved.plans.mechanism.drive
     near = [value - BESIDE_DEG, value + BESIDE_DEG]
-    if drive.kind != "phi" or not all(map(trials(plans), near)):
+    if drive.kind != "phi" or not all(works(plans, v) for v in near):
         return None
     way = math.copysign(ASIDE_DEG, drive.velocity)
     ways = {
@@ -106,9 +99,9 @@ def interpolated(plans: Plans, draw: Draw, value: float, why: str, lang: Lang) -
     }
     for key, ((one, first), (two, second), ends) in ways.items():
         try:
-            a, b = draw(one), draw(two)
+            a, b = solved.at(one), solved.at(two)
             found = _blend(a.found, b.found, first, second)
-            beside = [draw(v).found for v in ends]
+            beside = [solved.at(v).found for v in ends]
         except PlanFailure:
             continue
         steady = tuple(f for f in found if f.quantity.group in MOTION)

@@ -12,9 +12,9 @@ from planes.plans.structure import Structure
 from planes.solving import Position, Solved, key_of
 from planes.solving.vectors import VectorResults
 from planes.words import Lang, say
-from planes.words.names import kind_of
+from planes.words.names import kind_of, mu_of
 from planes.words.records import Json
-from planes.words.units import UNIT, mu_text, plan_of_mu, quantity, read_mu
+from planes.words.units import UNIT, mu_text, quantity
 
 Row = dict[str, Measured]
 
@@ -52,7 +52,7 @@ def _position(p: Position, key: str, lang: Lang) -> list[str]:
     lines += _slides(p, lang, e)
     for name, plan in r.get("plans", {}).items():
         if name != "position" and any(s["mm"] for s in plan["segments"].values()):
-            lines += _plan(name, plan, lang, e)
+            lines += _plan(p, name, lang)
     forces = p.of("reactions")
     if not forces or any(any(f.numbers[:2]) or f.moment for f in forces.values()):
         lines += _reactions(forces, lang, e) + _balance(p, lang)
@@ -144,21 +144,16 @@ def _slides(p: Position, lang: Lang, e: Json | None) -> list[str]:
     return table(say("slides", lang), head, rows)
 
 
-def _plan(name: str, plan: Json, lang: Lang, e: Json | None) -> list[str]:
+def _plan(p: Position, name: str, lang: Lang) -> list[str]:
+    plan, e = p.results["plans"][name], p.results.get("errors")
     most = max((abs(s["value"]) for s in plan["segments"].values()), default=0.0)
     rows = []
     for key, s in plan["segments"].items():
         mm, value = (error_of(e, "plans", name, "segments", key, what) for what in ("mm", "value"))
         rows.append([s["name"], key, f"{s['mm']:.2f}", *mm, _number(s["value"], most), *value])
     unit = say(UNIT[kind_of(name)], lang)
-    title = f"{say_plan(name, lang)}, μ = {say_mu(plan['mu'], lang)}"
+    title = f"{say_plan(name, lang)}, μ = {mu_text(p.scales[mu_of(name)], kind_of(name), lang)}"
     return table(title, ["", say("segment", lang), say("mm", lang), *pm(e), unit, *pm(e)], rows)
-
-
-def say_mu(text: str, lang: Lang) -> str:
-    """μ in the letters of the language."""
-    plan = plan_of_mu(text)
-    return mu_text(read_mu(text, plan), plan, lang)
 
 
 def _reactions(reactions: dict[str, Measured], lang: Lang, e: Json | None) -> list[str]:
@@ -188,14 +183,14 @@ def _balance(p: Position, lang: Lang) -> list[str]:
         if check is not None:
             lines.append(f"{say('by_lever', lang)}: {' ± '.join([_number(check), *other])} {say(unit, lang)}")
         if found is not None and check is not None:
-            lines.append(f"{say('difference', lang)}: {difference_percent(found, check):.2g} %")
+            lines.append(f"{say('difference', lang)}: {100 * difference(found, check):.2g} %")
     return ["", *lines] if lines else []
 
 
-def difference_percent(found: float, check: float) -> float:
-    """How far two values are apart, in per cent of the larger."""
+def difference(found: float, check: float) -> float:
+    """How far two values are apart, relative to the larger."""
     largest = max(abs(found), abs(check))
-    return 100 * abs(found - check) / largest if largest else 0.0
+    return abs(found - check) / largest if largest else 0.0
 
 
 def structure_report(found: Structure, lang: Lang = "en") -> str:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 
 from planes.drafting.draft import Draft
 from planes.drafting.equations import Equation, Term, unknown
-from planes.scene import Scene, VectorGiven
+from planes.scene import Scene
 from planes.scene.vectors import Sides, ends, read_equation
 from planes.words import Phrase, Told, table
 from planes.words.errors import EquationError, PlanFailure, SceneError, choices
@@ -37,7 +37,9 @@ class VectorPlan:
         self.draft.give(mu_of(PLAN), 1.0)
         self.draft.pole(PLAN)
         for name, given in self.scene.vectors.items():
-            self.known[name] = self._given(name, given)
+            length = None if given.value is None else self.draft.give(f"|{name}|", given.value)
+            direction = None if given.direction_deg is None else self.draft.aim(f"∠{name}", given.direction_deg)
+            self.known[name] = length, direction
         left = {i: self._read(i, text) for i, text in enumerate(self.scene.equations)}
         while left:
             done = self._solve_one(left) or self._solve_pair(left)
@@ -57,11 +59,6 @@ class VectorPlan:
             if key == "vector_idle" or (given.near_deg is not None and name not in chosen):
                 line = self.scene.where.get(("vectors", name))
                 raise SceneError(Phrase(key, name=name), self.scene.file, line)
-
-    def _given(self, name: str, given: VectorGiven) -> tuple[str | None, str | None]:
-        length = None if given.value is None else self.draft.give(f"|{name}|", given.value)
-        direction = None if given.direction_deg is None else self.draft.aim(f"∠{name}", given.direction_deg)
-        return length, direction
 
     def _read(self, index: int, text: str) -> Sides:
         for name in re.findall(r"[^\W\d][\w^'′]*", text):

@@ -127,14 +127,10 @@ def _choose(plan: VectorPlan, given: Mapping[str, Thing], side: str, names: tupl
         except PlanFailure:
             continue
         ways = {n: math.degrees(cmath.phase(drawing[plan.spans[n][1]] - drawing[plan.spans[n][0]])) for n in asked}
-        found.append((sign, ways))
+        apart = sum(abs((ways[name] - angle + 180) % 360 - 180) for name, angle in near.items())
+        found.append((apart, sign, ways))
     if not near and found:
-        offers = tuple(Phrase("near_angle", angle=ways[asked[0]]) for _, ways in found)
+        offers = tuple(Phrase("near_angle", angle=ways[asked[0]]) for _, _, ways in found)
         line = plan.scene.where.get(("vectors", asked[0]))
         raise SceneError(Phrase("two_directions", name=asked[0], offers=offers), plan.scene.file, line)
-    return min(found, key=lambda f: _apart(f[1], near), default=(1.0, {}))[0]
-
-
-def _apart(ways: Mapping[str, float], near: Mapping[str, float]) -> float:
-    """How far directions are from those meant, in degrees, all together."""
-    return sum(abs((ways[name] - angle + 180) % 360 - 180) for name, angle in near.items())
+    return min(found, key=lambda one: one[0], default=(0.0, 1.0, {}))[1]

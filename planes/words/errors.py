@@ -48,11 +48,6 @@ class SceneError(PlanesError, ValueError):
         self.file, self.line = file, line
         super().__init__(phrase)
 
-    @property
-    def sentence(self) -> str:
-        """The English sentence without the place."""
-        return str(self.phrase)
-
 
 @dataclass(frozen=True)
 class Doubt:
@@ -79,21 +74,20 @@ class ProgramError(PlanesError, ValueError):
     """A program of steps that does not hang together."""
 
 
-class PlanFailure(PlanesError, ArithmeticError):
-    """A construction that cannot be drawn in this position; ``reason`` is a key of the table of words."""
+class _Reasoned(PlanesError, ArithmeticError):
+    """``reason`` is a key of the table of words, with names and ``numbers``."""
 
     def __init__(self, reason: str, **numbers: object) -> None:
         self.reason, self.numbers = reason, numbers
         super().__init__(Phrase(reason, **numbers))
 
 
-class Contradiction(PlanesError, ArithmeticError):
-    """A drawing that contradicts itself: the fault is the program's, so nothing of it is given; ``reason`` is a key of
-    the table of words."""
+class PlanFailure(_Reasoned):
+    """A construction that cannot be drawn in this position."""
 
-    def __init__(self, reason: str, **numbers: object) -> None:
-        self.reason = reason
-        super().__init__(Phrase(reason, **numbers))
+
+class Contradiction(_Reasoned):
+    """A drawing that contradicts itself: the fault is the program's, so nothing of it is given."""
 
 
 class ExpressionError(PlanesError, ValueError):
@@ -104,20 +98,14 @@ class ExpressionError(PlanesError, ValueError):
         self.parameter = parameter
 
 
-def valid_names(given: str, names: list[str] | tuple[str, ...], what: str = "valid") -> Told:
-    """Words that name what would have been valid: "; valid: a, b; did you mean a?". ``what`` is their key."""
-    return Phrase(what, names=tuple(names), near=_near(given, names, 0.6)) if names else ""
-
-
-def _near(given: str, names: Iterable[str], cutoff: float) -> Told:
+def _near(given: str, known: list[str]) -> Told:
     """Words with the name that is meant, if one is near, or looks the same in other letters."""
-    known = list(names)
     meant = _MEANT.get(given.casefold(), _spelled(given))
     if same := next((name for name in known if _spelled(name) == meant), None):
         return Phrase("near_name", name=same)
     if alike := next((name for name in known if latin(name) == latin(given)), None):
         return Phrase("near_alike", name=alike)
-    found = get_close_matches(given, known, n=1, cutoff=cutoff)
+    found = get_close_matches(given, known, n=1, cutoff=0.5)
     return Phrase("near_name", name=found[0]) if found else ""
 
 
@@ -132,14 +120,15 @@ def shown(text: str, limit: int = 60) -> str:
     return '"' + "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in short) + '"'
 
 
-def choices(given: str, names: Iterable[str], limit: int = 40) -> Told:
-    """``valid_names`` for lists of any length, of names of any length: bounded in time and in words."""
+def choices(given: str, names: Iterable[str], limit: int = 40, what: str = "valid") -> Told:
+    """Words that name what would have been valid: "; valid: a, b; did you mean a?", for lists of any length, of names
+    of any length: bounded in time and in words. ``what`` is their key."""
     known = [name for name in islice(names, 2000) if len(name) <= limit]
     if not known:
         return ""
-    near = _near(given[:limit], known, 0.5)
+    near = _near(given[:limit], known)
     if len(known) <= limit:
-        return Phrase("valid", names=tuple(known), near=near)
+        return Phrase(what, names=tuple(known), near=near)
     meant = [str(near.parts["name"])] if isinstance(near, Phrase) else []
     some = (*meant, *(name for name in known[:12] if name not in meant))
     return Phrase("valid_some", names=some, near=near)

@@ -130,33 +130,21 @@ def greek(name: str) -> str:
 
 
 def lettered_curve(name: str, naming: Naming) -> str:
-    """A curve's name with its index lowered: a letter, then _{…}."""
-    head, _, index = name.partition("_")
-    index, _, axis = index.partition("_")
+    """A curve's name with its index lowered, a letter, then _{…}: v_C_x, vq_slide_3, F_21, F_11_10, F_50_arm."""
+    head, *index = name.split("_")
+    last = index.pop() if index[1:] and index[-1] in ("x", "y", "arm", "moment") else ""
+    axis, of = last if last in ("x", "y") else "", "".join(index[1:] if index[0] == "slide" else index)
     if head == "r":
-        return f"{axis or 'r'}_{{{index}}}"
+        return f"{axis or 'r'}_{{{of}}}"
     if head == "u":
-        return f"u_{{{index}{',' + axis if axis else ''}}}"
+        return f"u_{{{','.join(index)}}}"
     if head in ("M", "MZ", "Fb", "FbZ"):
         return naming.balancing(head.startswith("M")) + ("^{Ж}" if head.endswith("Z") else "")
     if head == "F":
-        return _reaction(name, naming)
-    if head == "coriolis":
-        return f"a^{{k}}_{{{index}{axis}}}"
-    if index == "slide":
-        index, _, axis = axis.partition("_")
-    letter, analogue = rate_of(head)
-    return f"{letter}_{{{analogue}{index}{axis}}}"
-
-
-def _reaction(name: str, naming: Naming) -> str:
-    """F_21, F_11_10, F_21_x, F_50_arm, F_50_moment."""
-    *links, last = name.split("_")[1:]
-    if last not in ("x", "y", "arm", "moment"):
-        links, last = [*links, last], ""
-    shown = naming.reaction("_".join(links))
-    letter = {"arm": "h", "moment": "M"}.get(last, "F")
-    return f"{letter}_{{{shown}{last if last in ('x', 'y') else ''}}}"
+        letter = {"arm": "h", "moment": "M"}.get(last, "F")
+        return f"{letter}_{{{naming.reaction('_'.join(index))}{axis}}}"
+    letter, analogue = ("a^{k}", "") if head == "coriolis" else rate_of(head)
+    return f"{letter}_{{{analogue}{of}{axis}}}"
 
 
 def name_in_words(name: str) -> Told:

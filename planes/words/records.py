@@ -2,6 +2,7 @@
 
 import csv
 import io
+import math
 import re
 import sys
 from collections.abc import Iterable
@@ -9,6 +10,11 @@ from typing import Any
 
 Json = dict[str, Any]
 """An object of JSON: names to numbers, texts, lists and objects again."""
+
+
+def or_none(value: float) -> float | None:
+    """A number for a program: none where it has no end, or is none."""
+    return value if math.isfinite(value) else None
 
 
 class Pictured:

@@ -218,9 +218,3 @@ def pens(text: str, height_mm: float) -> tuple[float, ...]:
 def width(text: str, height_mm: float) -> float:
     """Width in mm of the ink of a line of upright text, from edge to edge, no gap after it."""
     return _layout(text)[0] * PEN * height_mm
-
-
-def missing(text: str) -> str:
-    """Characters of the text that have no glyph, each once, in order; blanks need none."""
-    drawn = (GLYPHS, SAME, SHIFTED)
-    return "".join(dict.fromkeys(c for c in _clean(text) if not c.isspace() and not any(c in known for known in drawn)))

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from planes.solving import Position
-from planes.solving.tables import difference_percent
+from planes.solving.tables import difference
 from planes.solving.vectors import VectorResults
 from planes.words import say
 from planes.words.lettering import Naming
@@ -196,6 +196,6 @@ class Tables:
             if check is not None:
                 rows.append([self.say("zhukovsky"), f"{name}, {self.say(unit)}", self.number(check)])
             if found is not None and check is not None:
-                apart = difference_percent(found, check)
+                apart = 100 * difference(found, check)
                 rows.append([self.say("difference_percent"), "", self.number(apart if apart > 1e-6 else 0.0, 2)])
         return self.table("check", self.say("check_table"), ["", "", ""], rows)

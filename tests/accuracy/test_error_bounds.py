@@ -14,7 +14,6 @@ from planes.accuracy.digits import Digits
 from planes.accuracy.errors import Spread
 from planes.accuracy.stability import approach
 from planes.batch import Cycle, compiled
-from planes.batch.double_double import TWO_OPS, apart
 from planes.batch.error_bounds import Claims
 from planes.batch.rounding import EXACT, LARGEST, USUAL, bent, rounding, whole_numbers
 from planes.batch.tape import OPS, read
@@ -26,6 +25,7 @@ from planes.plans import plans_of
 from planes.plans.scales import scales
 from planes.scene import load, loads
 from tests.helpers import ROOT
+from tests.helpers.double_double import TWO_OPS, apart
 from tests.helpers.mechanisms import KINDS, make, to_yaml
 from tests.nightly import beside_text, close_to_limits, errors, mechanism, truth
 

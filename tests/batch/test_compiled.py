@@ -36,7 +36,7 @@ def test_what_is_known_is_folded_away_and_nothing_is_recorded_twice() -> None:
 
 def looped(tape: Tape, outputs: list[Any], **inputs: Any) -> Any:
     trace = Trace(tape, tuple(place_of(tape, x) for x in outputs), (), (), (), frozenset())
-    loop = compiled.fuse(trace, tuple(inputs)).bound({})
+    loop = compiled.CompiledLoop(trace, tuple(inputs), {})
     return loop(np.array(list(inputs.values())))[0]
 
 
@@ -101,7 +101,7 @@ def test_a_structure_is_compiled_once(monkeypatch: pytest.MonkeyPatch) -> None:
         mechanism = load(str(ROOT / "samples" / "six-link.yaml")).mechanism
         assert mechanism
         c = Cycle(plans_of(mechanism), ["v_C"], {"omega_1": float(variant)})
-        texts.append(c.compiled.fused.text)
+        texts.append(c.compiled.text)
         (block,) = c.blocks([150.0], fast=True)
         assert abs(block.table[0, 0]) == pytest.approx(2.3885508115275518 * float(variant) / 20, rel=1e-12)
     assert texts[0] == texts[1]

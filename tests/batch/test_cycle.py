@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from planes.accuracy.digits import Digits
-from planes.batch import Cycle, compiled, cycle
+from planes.batch import Cycle, compiled
 from planes.batch.error_bounds import Claims
 from planes.cli import main
 from planes.drafting.drawing import run
@@ -145,7 +145,7 @@ def test_random_mechanisms_leave_no_number_without_a_reason() -> None:
 
 
 def test_blocks_are_small_whatever_the_length() -> None:
-    blocks = cycle(plans("six-link"), Span(0.0, 1e-9, 10**9), ["v_C"], chunk=64, fast=False)
+    blocks = Cycle(plans("six-link"), ["v_C"]).blocks(Span(0.0, 1e-9, 10**9), chunk=64, fast=False)
     assert next(blocks).table.shape == (2, 64)
 
 
@@ -236,6 +236,6 @@ def test_explain_lists_steps_kept_and_dropped(asked: Path, capsys: pytest.Captur
 def test_long_numbers_draw_one_at_a_time() -> None:
     c = Cycle(plans("six-link"), ["v_C"])
     with pytest.raises(PlanesError, match="one position at a time"):
-        list(c.blocks([1.0, 2.0], instrument=Digits(30)))
+        run(c.program, {**c.given, **c.moving(np.array([1.0, 2.0]), slice(0, 2))}, Digits(30))
     with pytest.raises(PlanesError):
         run(c.program, c.given | {c.plans.drive_given: 0.0}, Digits(30))

@@ -6,6 +6,7 @@ import json
 import math
 import random
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -21,7 +22,7 @@ from planes.diagrams.text import as_json, report
 from planes.diagrams.turn import WholeTurn, grid, reach, span_of, turn_of, unwound
 from planes.plans import Plans, plans_of
 from planes.scene import Scene, load, loads
-from planes.solving.nearest import trials
+from planes.solving.nearest import works as works_at
 from planes.words.errors import PlanesError
 from tests.helpers import ROOT
 from tests.helpers.mechanisms import KINDS, make, to_yaml
@@ -248,7 +249,7 @@ def test_limits_of_assembly_are_found_and_what_grows_there_is_said() -> None:
 def test_a_driver_can_go_as_far_as_every_step_can_be_drawn(seed: int) -> None:
     rng = random.Random(seed)
     plans = plans_from(to_yaml(make(rng, [KINDS[seed % 5]], friction=False).scene))
-    works = trials(plans)
+    works = partial(works_at, plans)
     span, (low, high), drive = span_of(plans), reach(plans), plans.mechanism.drive
     assert span.start <= drive.position <= span.end
     assert all(map(works, WorkingRange(span.start, span.end).inner(0.01).values(20)))

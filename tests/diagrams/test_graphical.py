@@ -13,7 +13,8 @@ from planes.diagrams.graphical_text import constructed, readings, report
 from planes.diagrams.motion import Motion, motion_of
 from planes.drafting.drawing import run
 from planes.drafting.instruments import Exact, Pencil
-from planes.drafting.steps import Carry, Cross, Through
+from planes.drafting.steps import Carry, Through
+from planes.drafting.steps.crossings import Cross
 from planes.scene import loads
 from planes.words.errors import PlanesError
 from tests.diagrams.test_diagrams import ROCKER, crank, plans_from

@@ -14,7 +14,8 @@ import planes.drafting.steps
 import planes.drafting.steps.reckoning
 from planes.drafting.drawing import run
 from planes.drafting.program import Program
-from planes.drafting.steps import Aim, Carry, Cross, LayOff, Put, Step, Through, Turn
+from planes.drafting.steps import Aim, Carry, LayOff, Put, Step, Through, Turn
+from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Measure, Product, Protractor
 from planes.plans import Plans, plans_of, sliced
 from planes.plans.quantities import asked

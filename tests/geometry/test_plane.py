@@ -16,10 +16,10 @@ from hypothesis import strategies as st
 from shapely.geometry import LineString
 
 from planes.geometry import plane
-from planes.geometry.arithmetic import Many, One
+from planes.geometry.arithmetic import Arithmetic, Many
 
 EPS = 2.0**-52
-ONE, MANY = One(), Many()
+ONE, MANY = Arithmetic(), Many()
 SETTINGS = settings(max_examples=200)
 SPAN = st.floats(-1000, 1000).map(lambda x: round(x, 6) + 0.0)
 PLACE = st.builds(complex, SPAN, SPAN)

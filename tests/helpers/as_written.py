@@ -10,13 +10,11 @@ import numpy as np
 
 from planes.accuracy.digits import Long
 from planes.batch import Cycle
-from planes.batch.double_double import TWO_OPS, Two, twofold
-from planes.batch.tape import read
-from planes.batch.tracing import given_values, trace
+from planes.batch.tracing import given_values
 from planes.plans import bodies, plans_of
 from planes.scene.mechanism import Mechanism
+from tests.helpers.double_double import Two, read_long
 
-FINE = 1e-28
 LONG = Long(50)
 
 
@@ -57,7 +55,6 @@ def pair(x: Any) -> Two:
 
 def truth(c: Cycle, values: Any) -> list[Two]:
     """The columns of scenes as they are written, read in numbers of 106 bits."""
-    drawn = trace(c.program, c.given, [x.take for x in c.columns], c.folded, fine=FINE)
     true = givens(c.plans.mechanism)
     flat: dict[str, Any] = {}
     for name, rounded in given_values(c.given).items():
@@ -69,9 +66,4 @@ def truth(c: Cycle, values: Any) -> list[Two]:
         flat[name] = value
     parts = [pair(decimal(v)) for v in values]
     flat[c.plans.drive_given] = np.array([p[0] for p in parts]), np.array([p[1] for p in parts])
-    found = read(drawn.tape, drawn.tape.needed(list(drawn.outputs)), flat, _two, TWO_OPS)
-    return [tuple(np.broadcast_to(part, values.shape) for part in found[p]) for p in drawn.outputs]  # type: ignore[misc]
-
-
-def _two(x: Any) -> Two:
-    return x if isinstance(x, tuple) else twofold(x)
+    return read_long(c, flat, values.shape)

@@ -15,10 +15,10 @@ from planes.cli import main
 from planes.drafting.drawing import proved, run
 from planes.drafting.instruments import Pencil
 from planes.drafting.proofs import Twofold, gaps
-from planes.drafting.steps import Similar
+from planes.drafting.steps import Carry, Similar
 from planes.drafting.steps.reckoning import Drop
 from planes.geometry import plane
-from planes.geometry.arithmetic import One
+from planes.geometry.arithmetic import Arithmetic
 from planes.plans import lever, plans_of
 from planes.plans.kinematics import Rates
 from planes.plans.reactions import Statics
@@ -66,7 +66,7 @@ def couples_forgotten(m: pytest.MonkeyPatch) -> None:
 
 
 def lever_not_turned(m: pytest.MonkeyPatch) -> None:
-    m.setattr(lever, "turned_copy", lambda b, plan, of, mark: of)
+    m.setattr(lever, "Carry", lambda *names: Carry(*names[:4]))
 
 
 COUPLE = "loads: [{link: 3, moment: 5}]\n"
@@ -189,7 +189,7 @@ def test_every_proof_holds_to_rounding_and_shared_scenes_have_them_all() -> None
     for text in (TANGENT, OLDHAM, ROCKER, SLIDER):
         d = draw(text)
         assert {type(p).__name__ for p in d.plans.program.proofs} >= {"Twofold", "VectorProof", "Slid", "Balanced"}
-        for proof, gap, size in gaps(d.plans.program.proofs, d.drawing.things, One()):
+        for proof, gap, size in gaps(d.plans.program.proofs, d.drawing.things, Arithmetic()):
             assert size < 1e-9 or gap <= 1e-13 * size, (proof, gap, size)
 
 

@@ -16,7 +16,6 @@ from planes.scene import load
 from planes.solving import solve
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
-from render.paper import lettering
 from render.paper.marks import Arrow, Line, Text
 from render.paper.typeset import plain
 from render.views.diagrams import pieces
@@ -45,7 +44,7 @@ def words(sheet):
 def test_nothing_overlaps_and_every_letter_is_known(name, number):
     found = sheet(name, number)
     assert clashes(found) == []
-    assert lettering.missing("".join(words(found))) == ""
+    assert sheets.without_glyph("".join(words(found))) == ""
 
 
 @pytest.mark.few(0, slow=4)

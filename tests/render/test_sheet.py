@@ -15,13 +15,12 @@ from planes.solving import solve
 from planes.words.errors import PlanesError
 from render.files import pdf, svg
 from render.labels.footprints import conflicts
-from render.paper import lettering
 from render.paper.marks import Arrow, Line, Text
 from render.paper.typeset import layout, plain
 from render.sheet.layout import GAP_MM, Field, pack
 from tests.helpers import ROOT
 from tests.helpers.scene_texts import SIX_LINK
-from tests.helpers.sheets import sheet
+from tests.helpers.sheets import sheet, without_glyph
 
 SAMPLES = sorted((ROOT / "samples").glob("*.yaml"))
 NAMES = [path.stem for path in SAMPLES]
@@ -90,7 +89,7 @@ def test_views_keep_their_distance(name):
 @pytest.mark.parametrize("name", NAMES)
 def test_every_letter_has_a_glyph(name):
     for lang in ("ru", "en"):
-        assert lettering.missing("".join(words(sheet(name, lang)))) == ""
+        assert without_glyph("".join(words(sheet(name, lang)))) == ""
 
 
 @pytest.mark.few(1)

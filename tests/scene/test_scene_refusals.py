@@ -180,9 +180,9 @@ def check_refusal(text, piece, line, variant=None):
     with pytest.raises(SceneError) as caught:
         loads(text, "s.yaml", variant)
     error = caught.value
-    assert piece in error.sentence
+    assert piece in str(error.phrase)
     assert line is None or error.line == line, str(error)
-    assert str(error) == f"s.yaml:{error.line}: {error.sentence}"
+    assert str(error) == f"s.yaml:{error.line}: {error.phrase!s}"
     assert "\n" not in str(error) and len(str(error)) < 500
 
 
@@ -252,7 +252,7 @@ def check_any(text):
     try:
         assert isinstance(loads(text), Scene)
     except SceneError as error:
-        assert error.sentence and "\n" not in str(error)
+        assert str(error.phrase) and "\n" not in str(error)
 
 
 START = "planes: 1\nframe: {points: {A: 0}}\nlinks:\n  1: {points: {A: 0}}\n"

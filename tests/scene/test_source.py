@@ -68,7 +68,7 @@ BAD = [
 def test_refusal(text, piece, line):
     with pytest.raises(SceneError) as caught:
         parse(text, "s.yaml")
-    assert piece in caught.value.sentence and caught.value.line == line
+    assert piece in str(caught.value.phrase) and caught.value.line == line
     assert "\n" not in str(caught.value) and str(caught.value).startswith("s.yaml")
     assert len(str(caught.value)) < 250
 

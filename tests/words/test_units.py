@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from planes.geometry.degrees import acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
+from planes.geometry.arithmetic import acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
 from planes.words.units import PLANS, UnitError, mu_text, plan_of_mu, quantity, read_mu, standard_mu, standard_scale
 
 READ = [

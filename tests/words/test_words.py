@@ -291,7 +291,7 @@ def test_every_error_tells_itself():
     assert (failure.told("ru"), str(failure)) == ("в c не осталось верных цифр", "no correct digit is left in c")
     placed = SceneError(failure.phrase, "s.yaml", 3)
     assert placed.told("ru") == "s.yaml:3: в c не осталось верных цифр"
-    assert placed.sentence == str(failure) and str(placed) == f"s.yaml:3: {failure}"
+    assert str(placed.phrase) == str(failure) and str(placed) == f"s.yaml:3: {failure}"
     assert PlanesError("as it is").told("ru") == "as it is"
 
 

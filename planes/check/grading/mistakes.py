@@ -5,7 +5,8 @@ from dataclasses import dataclass, replace
 
 from planes.check.grading.handwork import Variant
 from planes.check.grading.plan_steps import PlanSteps
-from planes.drafting.steps import Carry, Cross, Image, LayOff, Read, Same, Similar, Step
+from planes.drafting.steps import Carry, Image, LayOff, Read, Same, Similar, Step
+from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Point

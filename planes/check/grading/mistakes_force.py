@@ -5,7 +5,8 @@ from dataclasses import replace
 
 from planes.check.grading.handwork import Variant
 from planes.check.grading.plan_steps import PlanSteps
-from planes.drafting.steps import Cross, LayOff, Same, Step, Through
+from planes.drafting.steps import LayOff, Same, Step, Through
+from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Drop, Lean, Measure, Product
 from planes.words.names import guide_of, label_of, letter_of, plan_of
 

@@ -6,7 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from planes.check.grading.handwork import Taken, Variant
 from planes.check.grading.plan_steps import PlanSteps
-from planes.drafting.steps import CrossArc, CrossArcs, LayOff, Step
+from planes.drafting.steps import LayOff, Step
+from planes.drafting.steps.crossings import CrossArc, CrossArcs
 from planes.words import Written
 from planes.words.names import label_of, letter_of
 

@@ -17,12 +17,12 @@ from planes.drafting.drawing import draw_steps, run
 from planes.drafting.program import Program
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
-from planes.geometry.arithmetic import One, Point
+from planes.geometry.arithmetic import Arithmetic, Point
 from planes.plans import Plans, mechanism_plans
 from planes.plans.scales import scales
 from planes.scene import Scene
 from planes.words import Phrase, Written
-from planes.words.errors import PlanesError, valid_names
+from planes.words.errors import PlanesError, choices
 from planes.words.names import POLE, Names, kind_of, label_of, mu_of, parted, plan_of
 from planes.words.units import mu_text
 
@@ -100,7 +100,7 @@ def prepare(asked: Asked) -> PreparedPlan:
     plans = mechanism_plans(asked.scene)
     known = known_plans(plans)
     if asked.plan not in known:
-        raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=valid_names(asked.plan, known)))
+        raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=choices(asked.plan, known)))
     moved = {} if asked.value is None else plans.at(asked.value)
     given = {**plans.given, **scales(plans, asked.scene.mu, moved), **moved}
     if asked.mu:
@@ -154,7 +154,7 @@ def redrawn(bench: PreparedPlan, variant: Variant | None, snap: Callable[[Step, 
     """The program drawn exactly, every thing passed through ``snap``; None where that cannot be drawn."""
     things = {**bench.given, **(variant.givens if variant else {})}
     try:
-        draw_steps(bench.program.steps, things, _Snapping(One(), snap=snap), variant.swaps if variant else {})
+        draw_steps(bench.program.steps, things, _Snapping(Arithmetic(), snap=snap), variant.swaps if variant else {})
     except PlanesError:
         return None
     return things

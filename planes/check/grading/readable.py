@@ -4,7 +4,8 @@ from planes.check.grading.certainty import ASKED
 from planes.check.grading.evidence import MOST_BY_CHANCE, SMALLEST, size_of
 from planes.check.grading.grading import Grading
 from planes.check.grading.judging import WARN
-from planes.drafting.steps import Cross, CrossArc, CrossArcs, Same
+from planes.drafting.steps import Same
+from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.words import Phrase, Written
 from planes.words.names import label_of
 

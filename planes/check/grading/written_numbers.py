@@ -11,7 +11,7 @@ from planes.check.grading.judging import MARGIN
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.drafting.steps import LayOff
 from planes.drafting.steps.reckoning import Calculate, Measure
-from planes.geometry.arithmetic import One, Real
+from planes.geometry.arithmetic import Arithmetic, Real
 from planes.plans.quantities import Quantity
 from planes.words.names import POLE, Names, at, label_of, letter_of, mu_of, plan_of
 
@@ -79,7 +79,7 @@ def _figure(name: str, q: Quantity, value: float) -> WrittenNumber:
     """How a quantity of the catalogue is read off a drawing."""
     one = q.whole
     plan = plan_of(one.end) if one.part else {"omega": "velocity", "epsilon": "acceleration"}.get(q.key, "")
-    return WrittenNumber(name, value, lambda things: one.take(things, One()), not one.part, plan, one.value)
+    return WrittenNumber(name, value, lambda things: one.take(things, Arithmetic()), not one.part, plan, one.value)
 
 
 def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -> Figures:

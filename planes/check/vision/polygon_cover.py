@@ -10,7 +10,8 @@ from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_o
 from planes.check.vision.ink_cover import COVERED, slip
 from planes.check.vision.places import Seen
 from planes.check.vision.print_scale import seen_from
-from planes.drafting.steps import Cross, Step
+from planes.drafting.steps import Step
+from planes.drafting.steps.crossings import Cross
 from planes.words.names import POLE, at, label_of, links_of, plan_of
 
 WILDEST_MM = 400.0  # nobody draws a longer vector on a sheet

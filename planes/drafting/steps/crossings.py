@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from planes.drafting.steps.base import Kind, Read, Step, directions, marks, values
+from planes.drafting.steps import Kind, Read, Step, directions, marks, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from planes.drafting.steps.base import Kind, Read, Step, directions, marks, values
+from planes.drafting.steps import Kind, Read, Step, directions, marks, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
@@ -100,9 +100,7 @@ class Sense(Step):
     along: str | None
     beside: tuple[str, ...]
     kind: ClassVar[Kind] = "value"
-
-    def reads(self) -> tuple[Read, ...]:
-        return marks(self.start, self.end, *self.beside) + directions(self.along)
+    needs = marks("start", "end", "beside") + directions("along")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         segment = env[self.end] - env[self.start]

@@ -5,20 +5,23 @@ A tape read in them is the truth of many positions at once, some 10⁻³¹ of th
 """
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
-from planes.batch.tape import OPS, Number, Op, Tape, read
+from planes.batch import Cycle
+from planes.batch.rounding import REST
+from planes.batch.tape import OPS, Op, read
+from planes.batch.tracing import trace
 from planes.geometry.arithmetic import Real, Truth
 from planes.geometry.arrays import Array, Floats
 from planes.geometry.error_free import two_product, two_sum
 
 Two = tuple[Real, Real]
-REST = {math.radians(1): 2.9486522708701687e-19, math.degrees(1): -1.9878495670576283e-15}
-"""What the doubles of π/180 and 180/π leave out."""
 RIGHT = (math.pi / 2, 6.123233995736766e-17)
 TERMS = 14
+FINE = 1e-28  # what two floats tell apart
 
 
 def _neat(a: Real, b: Real) -> Two:
@@ -152,14 +155,16 @@ TWO_OPS: dict[str, Op] = {
 }
 
 
-def twofold(x: Floats) -> Two:
-    """A number of the tape with what a double of it leaves out."""
-    return np.float64(x), np.float64(REST.get(x, 0.0) if isinstance(x, float) else 0.0)
+def twofold(x: Floats | Two) -> Two:
+    """A number of the tape with what a double of it leaves out; what is a pair already, as it is."""
+    return x if isinstance(x, tuple) else (np.float64(x), np.float64(REST.get(x, 0.0) if isinstance(x, float) else 0.0))
 
 
-def read_long(tape: Tape, order: Iterable[int], given: Mapping[str, Floats]) -> dict[int, Number]:
-    """The numbers of a tape (pairs of arrays), and its yes and no."""
-    return read(tape, order, given, twofold, TWO_OPS)
+def read_long(c: Cycle, given: Mapping[str, Any], shape: tuple[int, ...]) -> list[Two]:
+    """The columns of a cycle for numbers, or pairs of them, that are given, its drive's among them."""
+    drawn = trace(c.program, c.given, [x.take for x in c.columns], c.folded, fine=FINE)
+    found = read(drawn.tape, drawn.tape.needed(list(drawn.outputs)), given, twofold, TWO_OPS)
+    return [tuple(np.broadcast_to(part, shape) for part in found[p]) for p in drawn.outputs]  # type: ignore[misc]
 
 
 def apart(table: Array, true: Two) -> Array:
