@@ -136,10 +136,7 @@ class ClassWork:
         told.insert(1, (say("check_unsure_count", self.lang), sum(row.rank == UNSURE for row in self.rows)))
         keys, head = columns(self.rows, self.lang)
         table = [cells(replace(r, said=r.said.removeprefix(f"{r.first}: ")), keys, self.lang) for r in ranked]
-        rows = [
-            (row.verdict, row.link, one, row.picture, row.places, row.rank == UNSURE)
-            for row, one in zip(ranked, table, strict=True)
-        ]
+        rows = list(zip(ranked, table, strict=True))
         title = f"{say('check_class', self.lang)}: {self.title}"
         return check_pages.class_page(title, told, often, head, rows, self.lang)
 
