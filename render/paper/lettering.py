@@ -199,7 +199,7 @@ def strokes(text: str, height_mm: float, slant: bool = False) -> tuple[Line, ...
     The origin is the left end of the base line (left edge of the first letter's ink, lower edge of the
     capitals), y is up.  ``height_mm`` is the height of the capitals with the pen width in it.  Curves are
     flattened to within 0.02 mm.  Leading and trailing blanks draw nothing.  A character without a glyph
-    is drawn as an open box (see `missing`).
+    is drawn as an open box.
     """
     if not 0 < height_mm < math.inf:
         raise ValueError(f"letter height must be a positive number of mm, not {height_mm!r}")
@@ -218,9 +218,3 @@ def pens(text: str, height_mm: float) -> tuple[float, ...]:
 def width(text: str, height_mm: float) -> float:
     """Width in mm of the ink of a line of upright text, from edge to edge, no gap after it."""
     return _layout(text)[0] * PEN * height_mm
-
-
-def missing(text: str) -> str:
-    """Characters of the text that have no glyph, each once, in order; blanks need none."""
-    drawn = (GLYPHS, SAME, SHIFTED)
-    return "".join(dict.fromkeys(c for c in _clean(text) if not c.isspace() and not any(c in known for known in drawn)))
