@@ -24,10 +24,9 @@ from planes.geometry.arrays import Array, Complexes
 from planes.words import Lang, say
 from planes.words.lettering import Naming, lettered_curve
 from planes.words.names import index_of, letter_of
-from render.charts import LOOKS, STYLE, beside, leader, save
+from render.charts import LOOKS, OF_FILES, beside, leader, save
 from render.paper.letters import number, with_unit
 
-LOOK: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path", "axes.grid": False}
 WIDE = 7.2  # inches
 TALL = 1.9  # of one pair of axes
 MARGIN = 0.17  # beneath the lowest ordinate, for the number there
@@ -59,7 +58,7 @@ def draw(
     """All of it on one figure, in a file by its suffix."""
     rows = math.ceil(len(loops) / 2)
     heights = ([TALL * len(panels) + 0.5] if panels else []) + ([SQUARE * rows] if loops else [])
-    with rc_context(LOOK):
+    with rc_context(OF_FILES | {"axes.grid": False}):
         figure = Figure(figsize=(WIDE, sum(heights) + 0.45), dpi=150, layout="constrained")
         figure.suptitle(fill(title, 64), fontsize=11)
         parts: Any = figure.subfigures(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0] if heights else []
