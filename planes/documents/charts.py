@@ -10,7 +10,7 @@ from planes.accuracy.other_programs import installed, version
 from planes.accuracy.stability import Approach, approach
 from planes.plans import plans_of
 from planes.scene import Scene
-from planes.scene.files import save
+from planes.scene.files import keep, sayable
 from planes.scene.mechanism import Mechanism
 from planes.solving import told
 from planes.words import Lang, Phrase, say
@@ -30,14 +30,11 @@ def draw_chart(scene: Scene, output: str, table: str | None, lang: Lang) -> None
     methods, way = measure(plans), approach(plans)
     beneath, names = (axis(way.limit, lang), {key: name_of(key, lang) for key in way.errors}) if way else ("", {})
     name, cores = machine()
-    seconds, target = f"{say('chart_seconds', lang)}\n{say('chart_machine', lang, name=name, cores=cores)}", output
-    try:
+    seconds = f"{say('chart_seconds', lang)}\n{say('chart_machine', lang, name=name, cores=cores)}"
+    with sayable(output):
         draw(path, scene.title.get(lang, ""), methods, seconds, way, beneath, names, lang)
-        if table:
-            target = table
-            save(text(methods, way, lang).encode(), table)
-    except OSError as error:
-        raise PlanesError(Phrase("cannot_write", file=target, reason=error.strerror or "")) from None
+    if table:
+        keep(text(methods, way, lang).encode(), table)
 
 
 def moving(mechanism: Mechanism) -> Mechanism:

@@ -19,7 +19,7 @@ from planes.check.report import Checked
 from planes.check.report.class_rows import UNSURE, ClassRow, cells, columns
 from planes.course.handed_out import Task
 from planes.course.ledger import Ledger, digest, fingerprint
-from planes.documents.check import write_text
+from planes.scene.files import keep
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from planes.words.records import as_csv
@@ -106,13 +106,9 @@ class ClassWork:
             data = self.page().encode()
             self._keep(INDEX, digest(data), data)
             self.ledger.close(self.wanted)
-        elif suffix == ".json":
-            write_text(self.json(), self.output)
-        elif suffix == ".csv":
-            head, rows = self.table()
-            write_text(f"\ufeff{as_csv([head, *rows])}", self.output)  # begun so that a spreadsheet knows the letters
         elif suffix:
-            write_text(self.page(), self.output)
+            told = {".json": self.json, ".csv": self.csv}.get(suffix, self.page)
+            keep(told().encode(), self.output)
 
     def json(self) -> str:
         """The objects of all drawings."""
@@ -122,6 +118,11 @@ class ClassWork:
         """The head and the rows in words."""
         keys, names = columns(self.rows, self.lang)
         return names, [cells(row, keys, self.lang) for row in self.rows]
+
+    def csv(self) -> str:
+        """The table for a spreadsheet, begun so that it knows the letters."""
+        head, rows = self.table()
+        return f"\ufeff{as_csv([head, *rows])}"
 
     def page(self) -> str:
         """The page, what needs a look at the top."""

@@ -161,8 +161,8 @@ def _results(plans: Plans) -> list[Json]:
     return [{"name": n, "value": n, "unit": in_both(partial(unit, n))} for n in names]
 
 
-def _columns(things: Mapping[str, Floats], values: list[float], digits: int = 10) -> Json:
-    """Values over the turn to so many digits; one number where it never changes."""
+def _columns(things: Mapping[str, Floats], values: list[float]) -> Json:
+    """Values over the turn to ten digits; one number where it never changes."""
     found: Json = {}
     for name, thing in things.items():
         full = numpy.broadcast_to(thing, (len(values),)).astype(float)
@@ -170,7 +170,7 @@ def _columns(things: Mapping[str, Floats], values: list[float], digits: int = 10
         if len(good) and (numpy.ndim(thing) == 0 or numpy.all(good == good[0])):
             found[name] = float(good[0])
         else:
-            found[name] = [None if not numpy.isfinite(v) else float(f"{v:.{digits}g}") + 0.0 for v in full]
+            found[name] = [None if not numpy.isfinite(v) else float(f"{v:.10g}") + 0.0 for v in full]
     return found
 
 
