@@ -41,7 +41,6 @@ class Section:
     """One section: bending in the crank's plane, across it, torsion (N·m); σ from bending and force, τ, σ_eq (MPa)."""
 
     name: str
-    place: float  # m from bearing A
     bending_z: Array
     bending_y: Array
     torsion: Array
@@ -73,46 +72,37 @@ def sections(shape: CrankSliderShape, shaft: Shaft, s: Supports) -> dict[str, Se
     zero = np.zeros_like(s.T)
     pin_z = s.A1 * middle - (s.web - s.left_weight) * shaft.left
     made = [
-        _round("journal_A", m, s.A1 * m, s.A2 * m, zero, shaft.journal),
-        _web("web_A", m, s.A1 * m, s.A2 * r, s.A2 * m, s.A1, shaft),
-        _round("crankpin", middle, pin_z, s.A2 * middle, s.A2 * r, shaft.crankpin),
-        _web("web_B", shaft.span - m, s.B1 * m, s.T * r, s.B2 * m, s.B1, shaft),
-        _round("journal_B", shaft.span - m, s.B1 * m, s.B2 * m, s.T * r, shaft.journal),
+        _round("journal_A", s.A1 * m, s.A2 * m, zero, shaft.journal),
+        _web("web_A", s.A1 * m, s.A2 * r, s.A2 * m, s.A1, shaft),
+        _round("crankpin", pin_z, s.A2 * middle, s.A2 * r, shaft.crankpin),
+        _web("web_B", s.B1 * m, s.T * r, s.B2 * m, s.B1, shaft),
+        _round("journal_B", s.B1 * m, s.B2 * m, s.T * r, shaft.journal),
     ]
     return {one.name: one for one in made}
 
 
-def _round(name: str, place: float, z: Array, y: Array, torque: Array, of: Round) -> Section:
+def _round(name: str, z: Array, y: Array, torque: Array, of: Round) -> Section:
     sigma = np.hypot(z, y) / of.modulus * MPA
-    return Section(name, place, z, y, torque, sigma, np.abs(torque) / (2 * of.modulus) * MPA)
+    return Section(name, z, y, torque, sigma, np.abs(torque) / (2 * of.modulus) * MPA)
 
 
-def _web(name: str, place: float, z: Array, y: Array, torque: Array, force: Array, shaft: Shaft) -> Section:
+def _web(name: str, z: Array, y: Array, torque: Array, force: Array, shaft: Shaft) -> Section:
     """All of a web's stresses added as if they met in one point: never too small."""
     web = shaft.web
     sigma = (np.abs(z) / web.along + np.abs(y) / web.across + np.abs(force) / web.area) * MPA
-    return Section(name, place, z, y, torque, sigma, np.abs(torque) / web.torsion * MPA)
+    return Section(name, z, y, torque, sigma, np.abs(torque) / web.torsion * MPA)
 
 
-@dataclass(frozen=True)
-class Along:
-    """Moments along the unbent length of the bar for one crank angle: distance from A, M_z, M_y, M_x."""
-
-    x: Array
-    z: Array
-    y: Array
-    torque: Array
-
-
-def along(shape: CrankSliderShape, shaft: Shaft, s: Supports, k: int) -> Along:
-    """The diagrams of moments for position ``k`` of the cycle."""
+def along(shape: CrankSliderShape, shaft: Shaft, s: Supports, k: int) -> tuple[Array, Array, Array, Array]:
+    """The diagrams of moments for position ``k`` of the cycle along the unbent length of the bar: distance from A, M_z,
+    M_y, M_x."""
     m, middle, end = shaft.webs, shaft.span - shaft.pin_from_b, shaft.span
     x = np.array([0.0, m, m, middle, end - m, end - m, end])
     a1, a2, b1, b2 = (float(v[k]) for v in (s.A1, s.A2, s.B1, s.B2))
     z = np.array([0, a1 * m, a1 * m, a1 * middle - (s.web - s.left_weight) * shaft.left, b1 * m, b1 * m, 0])
     y = np.array([0, a2 * m, a2 * m, a2 * middle, b2 * m, b2 * m, 0])
     t = float(s.T[k]) * shape.r
-    return Along(x, z, y, np.array([0, 0, a2 * shape.r, a2 * shape.r, a2 * shape.r, t, t]))
+    return x, z, y, np.array([0, 0, a2 * shape.r, a2 * shape.r, a2 * shape.r, t, t])
 
 
 @dataclass(frozen=True)
