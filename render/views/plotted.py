@@ -21,7 +21,7 @@ from planes.words.names import at, kind_of, label_of, mu_of, plan_of
 @dataclass(frozen=True)
 class Plotted:
     """One drawing: ``scales`` are mm per SI unit, ``fixed`` the labels of points of the frame (they stand in poles),
-    ``units`` the kind of plan whose unit each plan's vectors have, ``points`` the labels that are points of links."""
+    ``quantity`` the kind of plan whose unit the vectors have, where the plan itself does not tell."""
 
     drawing: Drawing
     segments: tuple[Segment, ...]
