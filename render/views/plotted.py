@@ -135,12 +135,6 @@ class Places:
         first = self.at(link.first_point)
         return through + ((first - through) * along.conjugate()).real * along, along
 
-    def doubled(self, link: Link) -> Link | None:
-        """Another slider that is hinged to this one, in one place."""
-        sliders = [x for x in self.mechanism.links.values() if x is not link and x.slides and self.has(x.first_point)]
-        here = self.at(link.first_point)
-        return next((x for x in sliders if abs(self.at(x.first_point) - here) < NEAR_MM), None)
-
 
 def degrees(along: complex) -> float:
     """The angle of a direction."""

@@ -12,6 +12,7 @@ from planes.check import check
 from planes.check.grading.paper import read_table
 from planes.check.grading.prepared_plan import Asked
 from planes.check.report import page_data
+from planes.check.report.class_rows import WRONG, ClassRow
 from planes.check.report.shown import tracing_data
 from planes.cli import main
 from planes.lesson.data import lesson_data
@@ -106,7 +107,7 @@ def pages(told: dict[str, dict[str, Any]], name: str) -> dict[str, str]:
             [(name, 1)],
             [(name, [(name, name)])],
             [name, name],
-            [("wrong", name, [name, name], "", [place])],
+            [(ClassRow(name, "wrong", WRONG, link=name, places=[place]), [name, name])],
             "en",
         ),
         "note": rendered(blocks, ".html", Naming("en")).decode(),
