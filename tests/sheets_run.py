@@ -29,12 +29,12 @@ from planes.solving import Position, solve
 from planes.words import Lang, say
 from planes.words.errors import PlanesError
 from planes.words.lettering import Naming
-from render.labels.footprints import conflicts, described
 from render.paper.marks import Arrow, Line, Mark, Text
 from render.paper.typeset import plain
 from render.sheet import Sheet
 from render.views.moments import MomentLines
 from tests.helpers import ROOT
+from tests.helpers.conflicts import conflicts, described
 
 SAMPLES = sorted((ROOT / "samples").glob("*.yaml"))
 ASSIGNMENTS = sorted((ROOT / "samples" / "assignments").glob("*.yaml"))

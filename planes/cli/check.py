@@ -29,8 +29,7 @@ from planes.words.names import kind_of
 from planes.words.units import read_mu
 
 if TYPE_CHECKING:
-    from planes.documents.class_work import ClassWork
-    from planes.documents.whose import Sorter
+    from planes.documents.class_work import ClassWork, Sorter
 
 _PLACE = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?{0})\s*[,;]\s*([-+]?{0})\s*".format(r"(?:\d+\.?\d*|\.\d+)"))
 
@@ -180,9 +179,8 @@ def _told_by_marks(drawing: str | None) -> bool:
 
 def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet]) -> int:
     """Every drawing of a folder: a row for each, on the terminal and in the file of ``-o``."""
-    from planes.documents.class_work import ClassWork
+    from planes.documents.class_work import ClassWork, Sorter
     from planes.documents.lesson import bar
-    from planes.documents.whose import Sorter
 
     def asking(scene: Scene, plan: str, value: float | None, mu: float | None) -> Asked:
         own = value_of(args, scene)
@@ -202,8 +200,7 @@ def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet]) -
 
 def _look(args: Namespace, work: ClassWork, sorter: Sorter, sheet: HandedSheet) -> None:
     """One sheet of a class; whatever is wrong with it never stops the others."""
-    from planes.documents.class_work import source_of
-    from planes.documents.whose import glance
+    from planes.documents.class_work import glance, source_of
 
     seen, source, task = None, source_of(sheet, _options(args)), None
     if work.taken_up(sheet.name, source, sorter.handed.tasks):

@@ -6,13 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from planes.crank_slider.balance import Balance, balanced
 from planes.crank_slider.forces import CycleForces, Replacement, Work, balance, classical, replaced, work
 from planes.crank_slider.given import Given
 from planes.crank_slider.kinematics import EngineCycle, Found, RodMotion, apart, as_plane_motion, as_points, follow
 from planes.crank_slider.reading import read
 from planes.crank_slider.rod import PinStrength, RodStrength, pin_strength, rod_strength
-from planes.crank_slider.shaft import Fatigue, Section, Supports, checked, sections, supports
+from planes.crank_slider.shaft import Balance, Fatigue, Section, Supports, balanced, checked, sections, supports
 from planes.geometry.arrays import Array
 from planes.scene import Scene
 from planes.words import Phrase

@@ -48,9 +48,18 @@ def balance(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleFor
     pull = np.exp(1j * m.phi)
     crank = shape.m1 * (-(shape.s * (1j * m.epsilon - m.omega**2) * pull) - 1j * shape.g)
     spin = shape.s * (pull.real * crank.imag - pull.imag * crank.real) - shape.j1 * m.epsilon
-    along_rod = -(on_rod * np.exp(1j * beta)).real
-    whole, torque = (on_rod, on_pin, -on_pin - crank), turned.imag * shape.r + spin
-    return CycleForces(-along - rub, push, along_rod, turned.imag, -turned.real, rub, *whole, torque)
+    return CycleForces(
+        P=-along - rub,
+        N=push,
+        S=-(on_rod * np.exp(1j * beta)).real,
+        T=turned.imag,
+        K=-turned.real,
+        rubbing=rub,
+        on_rod_at_b=on_rod,
+        on_pin=on_pin,
+        on_crank_from_frame=-on_pin - crank,
+        torque=turned.imag * shape.r + spin,
+    )
 
 
 def _push(shape: CrankSliderShape, way: RodMotion, along: Array, own: Array, beta: Array) -> tuple[Array, Array]:

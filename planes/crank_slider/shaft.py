@@ -1,4 +1,5 @@
-"""The crankshaft as a broken bar on two supports, (31)–(34): reactions, moments, stresses, every angle at once.
+"""The crankshaft: its balancing by two counterweights, (27)–(30), and what they do to first-order forces; then as a
+broken bar on two supports, (31)–(34): reactions, moments, stresses, every angle at once.
 
 z runs from the shaft's axis to the crank pin, y along the pin's motion, x along the shaft from bearing A to B; power
 is taken off at B. The text's A′, B′ are opposed to z, A″, B″ to y. The rod's rotating mass is in the pin's load
@@ -11,14 +12,101 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from planes.crank_slider.balance import Balance
-from planes.crank_slider.forces import CycleForces
+from planes.crank_slider.forces import CycleForces, replaced
 from planes.crank_slider.given import Concentration, Counterweights, Shaft
+from planes.crank_slider.kinematics import EngineCycle, Found
 from planes.crank_slider.parts import Material, Round
 from planes.crank_slider.shape import CrankSliderShape
-from planes.geometry.arrays import Array
+from planes.geometry.arrays import Array, Complexes
 
 MPA = 1e-6
+
+
+@dataclass(frozen=True)
+class Shaking:
+    """Inertia force of the whole machine on its frame with some counterweights, N.
+
+    ``curve`` over one turn; amplitudes of its first harmonic along and across the guide, of the second along it;
+    ``expected`` the same three by the formulas m·r·ω².
+    """
+
+    name: str
+    static_moment: float
+    curve: Complexes
+    along: float
+    across: float
+    second: float
+    expected: tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Balance:
+    """Masses in kg at the crank's radius, counterweights, what is left unbalanced."""
+
+    rotating: float
+    of_rod: float
+    translating: float
+    needed: tuple[float, float]
+    chosen: tuple[float, float]
+    force: float
+    residual_force: float
+    residual_moment: float
+    left: float
+    right: float
+    cases: tuple[Shaking, ...]
+
+
+def balanced(shape: CrankSliderShape, shaft: Shaft, weights: Counterweights, m: EngineCycle, found: Found) -> Balance:
+    """Counterweights that balance the rotating masses, and those chosen."""
+    parts = replaced(shape)
+    rotating = shaft.pin_mass + shaft.web_mass * shaft.web_radius / shape.r + parts.at_a  # (27)
+    a, b = shaft.left, shaft.right
+    whole = rotating * shape.r / weights.radius  # (28): m₁ + m₂
+    needed = whole * b / (a + b), whole * a / (a + b)  # (29)
+    chosen = weights.masses or needed
+    w2 = shape.omega**2
+    force = rotating * shape.r * w2
+    left_over = (sum(chosen) * weights.radius - rotating * shape.r) * w2
+    moment = (chosen[1] * b - chosen[0] * a) * weights.radius * w2
+    translating = shape.m3 + parts.at_b
+    moments = {
+        "none": 0.0,
+        "rotating": rotating * shape.r,
+        "chosen": sum(chosen) * weights.radius,
+        "part": (rotating + weights.translating * translating) * shape.r,
+    }
+    cases = tuple(
+        _shaking(name, value, shape, shaft, m, found, (rotating, translating))
+        for name, value in moments.items()
+        if name != "chosen" or weights.masses
+    )
+    return Balance(rotating, parts.at_a, translating, needed, chosen, force, left_over, moment, a, b, cases)
+
+
+def _shaking(
+    name: str,
+    moment: float,
+    shape: CrankSliderShape,
+    shaft: Shaft,
+    m: EngineCycle,
+    found: Found,
+    masses: tuple[float, float],
+) -> Shaking:
+    turn = (m.phi_deg >= m.phi_deg[0]) & (m.phi_deg < m.phi_deg[0] + 360.0 - 1e-9)
+    radial = np.exp(1j * m.phi[turn]) * (m.omega**2 - 1j * m.epsilon)[turn]
+    crank = shaft.pin_mass * shape.r + shaft.web_mass * shaft.web_radius
+    curve = (crank - moment) * radial - shape.m2 * found.a["C"][turn] - shape.m3 * found.a["B"][turn]
+    first, second = (_harmonic(curve, m.phi[turn], k) for k in (1, 2))
+    w2, r = shape.omega**2, shape.r
+    rotating, moving = (masses[0] * r - moment) * w2, masses[1] * r * w2
+    expected = abs(rotating + moving), abs(rotating), moving * shape.ratio
+    return Shaking(name, moment, curve, first[0], first[1], second[0], expected)
+
+
+def _harmonic(curve: Complexes, phi: Array, order: int) -> tuple[float, float]:
+    """Amplitudes of one harmonic of the parts along and across the guide."""
+    wave = np.exp(-1j * order * phi)
+    return tuple(float(abs(2 * np.mean(part * wave))) for part in (curve.real, curve.imag))  # type: ignore[return-value]
 
 
 @dataclass(frozen=True)
@@ -41,7 +129,6 @@ class Section:
     """One section: bending in the crank's plane, across it, torsion (N·m); σ from bending and force, τ, σ_eq (MPa)."""
 
     name: str
-    place: float  # m from bearing A
     bending_z: Array
     bending_y: Array
     torsion: Array
@@ -73,46 +160,37 @@ def sections(shape: CrankSliderShape, shaft: Shaft, s: Supports) -> dict[str, Se
     zero = np.zeros_like(s.T)
     pin_z = s.A1 * middle - (s.web - s.left_weight) * shaft.left
     made = [
-        _round("journal_A", m, s.A1 * m, s.A2 * m, zero, shaft.journal),
-        _web("web_A", m, s.A1 * m, s.A2 * r, s.A2 * m, s.A1, shaft),
-        _round("crankpin", middle, pin_z, s.A2 * middle, s.A2 * r, shaft.crankpin),
-        _web("web_B", shaft.span - m, s.B1 * m, s.T * r, s.B2 * m, s.B1, shaft),
-        _round("journal_B", shaft.span - m, s.B1 * m, s.B2 * m, s.T * r, shaft.journal),
+        _round("journal_A", s.A1 * m, s.A2 * m, zero, shaft.journal),
+        _web("web_A", s.A1 * m, s.A2 * r, s.A2 * m, s.A1, shaft),
+        _round("crankpin", pin_z, s.A2 * middle, s.A2 * r, shaft.crankpin),
+        _web("web_B", s.B1 * m, s.T * r, s.B2 * m, s.B1, shaft),
+        _round("journal_B", s.B1 * m, s.B2 * m, s.T * r, shaft.journal),
     ]
     return {one.name: one for one in made}
 
 
-def _round(name: str, place: float, z: Array, y: Array, torque: Array, of: Round) -> Section:
+def _round(name: str, z: Array, y: Array, torque: Array, of: Round) -> Section:
     sigma = np.hypot(z, y) / of.modulus * MPA
-    return Section(name, place, z, y, torque, sigma, np.abs(torque) / (2 * of.modulus) * MPA)
+    return Section(name, z, y, torque, sigma, np.abs(torque) / (2 * of.modulus) * MPA)
 
 
-def _web(name: str, place: float, z: Array, y: Array, torque: Array, force: Array, shaft: Shaft) -> Section:
+def _web(name: str, z: Array, y: Array, torque: Array, force: Array, shaft: Shaft) -> Section:
     """All of a web's stresses added as if they met in one point: never too small."""
     web = shaft.web
     sigma = (np.abs(z) / web.along + np.abs(y) / web.across + np.abs(force) / web.area) * MPA
-    return Section(name, place, z, y, torque, sigma, np.abs(torque) / web.torsion * MPA)
+    return Section(name, z, y, torque, sigma, np.abs(torque) / web.torsion * MPA)
 
 
-@dataclass(frozen=True)
-class Along:
-    """Moments along the unbent length of the bar for one crank angle: distance from A, M_z, M_y, M_x."""
-
-    x: Array
-    z: Array
-    y: Array
-    torque: Array
-
-
-def along(shape: CrankSliderShape, shaft: Shaft, s: Supports, k: int) -> Along:
-    """The diagrams of moments for position ``k`` of the cycle."""
+def along(shape: CrankSliderShape, shaft: Shaft, s: Supports, k: int) -> tuple[Array, Array, Array, Array]:
+    """The diagrams of moments for position ``k`` of the cycle along the unbent length of the bar: distance from A, M_z,
+    M_y, M_x."""
     m, middle, end = shaft.webs, shaft.span - shaft.pin_from_b, shaft.span
     x = np.array([0.0, m, m, middle, end - m, end - m, end])
     a1, a2, b1, b2 = (float(v[k]) for v in (s.A1, s.A2, s.B1, s.B2))
     z = np.array([0, a1 * m, a1 * m, a1 * middle - (s.web - s.left_weight) * shaft.left, b1 * m, b1 * m, 0])
     y = np.array([0, a2 * m, a2 * m, a2 * middle, b2 * m, b2 * m, 0])
     t = float(s.T[k]) * shape.r
-    return Along(x, z, y, np.array([0, 0, a2 * shape.r, a2 * shape.r, a2 * shape.r, t, t]))
+    return x, z, y, np.array([0, 0, a2 * shape.r, a2 * shape.r, a2 * shape.r, t, t])
 
 
 @dataclass(frozen=True)

@@ -11,13 +11,13 @@ from planes.accuracy.other_programs import installed
 from planes.accuracy.stability import Approach, approach
 from planes.plans import plans_of
 from planes.scene import Scene
-from planes.scene.files import save
+from planes.scene.files import keep, sayable
 from planes.scene.mechanism import Mechanism
 from planes.solving import told
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from render.charts import METADATA
-from render.charts.method_charts import MethodErrors, draw
+from render.charts.method_charts import draw
 
 
 def draw_chart(scene: Scene, output: str, table: str | None, lang: Lang) -> None:
@@ -29,28 +29,19 @@ def draw_chart(scene: Scene, output: str, table: str | None, lang: Lang) -> None
         raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
     plans = plans_of(moving(scene.mechanism), scene.file)
     methods, way = measure(plans), approach(plans)
-    ways = None if way is None else _ways(way, lang)
+    beneath, names = (axis(way.limit, lang), {key: name_of(key, lang) for key in way.errors}) if way else ("", {})
     name, cores = machine()
-    seconds, target = f"{say('chart_seconds', lang)}\n{say('chart_machine', lang, name=name, cores=cores)}", output
-    try:
-        draw(path, scene.title.get(lang, ""), methods, front(methods), ways, seconds, lang)
-        if table:
-            target = table
-            save(text(methods, way, lang).encode(), table)
-    except OSError as error:
-        raise PlanesError(Phrase("cannot_write", file=target, reason=error.strerror or "")) from None
+    seconds = f"{say('chart_seconds', lang)}\n{say('chart_machine', lang, name=name, cores=cores)}"
+    with sayable(output):
+        draw(path, scene.title.get(lang, ""), methods, seconds, way, beneath, names, lang)
+    if table:
+        keep(text(methods, way, lang).encode(), table)
 
 
 def moving(mechanism: Mechanism) -> Mechanism:
     """The mechanism, a driver at rest moving by 1 rad/s or 1 m/s: nothing is to be seen of velocities that are 0."""
     drive = mechanism.drive
     return mechanism if drive.velocity else replace(mechanism, drive=replace(drive, velocity=1.0))
-
-
-def _ways(way: Approach, lang: Lang) -> MethodErrors:
-    names = {key: name_of(key, lang) for key in way.errors}
-    title = say(f"chart_{way.limit.kind}", lang)
-    return MethodErrors(title, axis(way.limit, lang), way.distances, way.sharpness, way.claim, way.errors, names)
 
 
 def name_of(key: str, lang: Lang) -> str:

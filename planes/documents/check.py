@@ -62,24 +62,19 @@ def _write(
 
 def write_trace(asked: Asked, output: str, lang: Lang) -> None:
     """The right plans as a page to lay over a picture."""
-    write_text(check_pages.trace_page(tracing_data(asked, lang), lang), output)
+    keep(check_pages.trace_page(tracing_data(asked, lang), lang).encode(), output)
 
 
 def write_report(found: Outcome, output: str, lang: Lang) -> None:
     """The report by the file's suffix: a page, a sheet, a picture or the object."""
     suffix = Path(output).suffix.lower()
     if suffix == ".json":
-        write_text(json.dumps(as_json(found, lang), ensure_ascii=False, allow_nan=False), output)
+        keep(json.dumps(as_json(found, lang), ensure_ascii=False, allow_nan=False).encode(), output)
     elif suffix in (".html", ".htm"):
-        write_text(check_pages.report_page(report.page_data(found, lang), lang), output)
+        keep(check_pages.report_page(report.page_data(found, lang), lang).encode(), output)
     else:
         marks, photo = check_sheet.compose(SHEET_MM, _overlay(found, lang))
         _write(marks, report.title(found, lang), output, lang, photo)
-
-
-def write_text(text: str, output: str) -> None:
-    """A file of text, whole or not at all, or a sentence why not."""
-    keep(text.encode(), output)
 
 
 def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:

@@ -1,4 +1,5 @@
-"""The drawings of a class: rows of what was found, as a page with reports beside it, as a spreadsheet or as objects.
+"""The drawings of a class: whose each sheet is, and of which plan, by its mark, else by the name of its file, else by
+the options given; rows of what was found, as a page with reports beside it, as a spreadsheet or as objects.
 
 Into a folder the rows go with a ledger: what an earlier run has judged is taken up as it was, if neither the drawing,
 its corrected marks, its scene nor the program has changed.
@@ -7,6 +8,7 @@ its corrected marks, its scene nor the program has changed.
 import hashlib
 import json
 from collections import Counter
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from os.path import relpath
@@ -14,14 +16,17 @@ from pathlib import Path
 from urllib.parse import quote
 
 from planes.check import STATUS, report
-from planes.check.handed_in import HandedSheet
+from planes.check.grading.prepared_plan import Asked
+from planes.check.handed_in import HandedSheet, opened
 from planes.check.report import Checked
 from planes.check.report.class_rows import UNSURE, ClassRow, cells, columns
-from planes.course.handed_out import Task
+from planes.check.sheet_mark import SheetMark, mark_on
+from planes.course.handed_out import HandedOut, Task, plan_named, variant_named
 from planes.course.ledger import Ledger, digest, fingerprint
-from planes.documents.check import write_text
+from planes.scene import Scene
+from planes.scene.files import keep
 from planes.words import Lang, Phrase, say
-from planes.words.errors import PlanesError
+from planes.words.errors import PlanesError, shown
 from planes.words.records import as_csv
 from render.page import check_pages
 
@@ -106,13 +111,9 @@ class ClassWork:
             data = self.page().encode()
             self._keep(INDEX, digest(data), data)
             self.ledger.close(self.wanted)
-        elif suffix == ".json":
-            write_text(self.json(), self.output)
-        elif suffix == ".csv":
-            head, rows = self.table()
-            write_text(f"\ufeff{as_csv([head, *rows])}", self.output)  # begun so that a spreadsheet knows the letters
         elif suffix:
-            write_text(self.page(), self.output)
+            told = {".json": self.json, ".csv": self.csv}.get(suffix, self.page)
+            keep(told().encode(), self.output)
 
     def json(self) -> str:
         """The objects of all drawings."""
@@ -122,6 +123,11 @@ class ClassWork:
         """The head and the rows in words."""
         keys, names = columns(self.rows, self.lang)
         return names, [cells(row, keys, self.lang) for row in self.rows]
+
+    def csv(self) -> str:
+        """The table for a spreadsheet, begun so that it knows the letters."""
+        head, rows = self.table()
+        return f"\ufeff{as_csv([head, *rows])}"
 
     def page(self) -> str:
         """The page, what needs a look at the top."""
@@ -136,10 +142,7 @@ class ClassWork:
         told.insert(1, (say("check_unsure_count", self.lang), sum(row.rank == UNSURE for row in self.rows)))
         keys, head = columns(self.rows, self.lang)
         table = [cells(replace(r, said=r.said.removeprefix(f"{r.first}: ")), keys, self.lang) for r in ranked]
-        rows = [
-            (row.verdict, row.link, one, row.picture, row.places, row.rank == UNSURE)
-            for row, one in zip(ranked, table, strict=True)
-        ]
+        rows = list(zip(ranked, table, strict=True))
         title = f"{say('check_class', self.lang)}: {self.title}"
         return check_pages.class_page(title, told, often, head, rows, self.lang)
 
@@ -161,3 +164,69 @@ def _hash(file: Path) -> str:
 def kept_as(name: str) -> str:
     """The name under which a drawing is kept: a disk takes no longer ones."""
     return name if len(name.encode()) < MOST_BYTES else f"{name[:60]}-{digest(name.encode())[:8]}"
+
+
+THUMB_PX = 300
+Asking = Callable[[Scene, str, float | None, float | None], Asked]
+
+
+@dataclass(frozen=True)
+class Glance:
+    """A first look at a sheet: its mark if it has one, and a small picture of it (JPEG)."""
+
+    mark: SheetMark | None = None
+    picture: bytes = b""
+
+
+def glance(file: str, page: int = 0) -> Glance:
+    """The first look; :class:`PlanesError` where a file does not open."""
+    picture = opened(file, page)
+    if picture is None:
+        return Glance()
+    from planes.check.vision.picture import cv, smaller
+
+    small = cv().imencode(".jpg", smaller(picture.grey, THUMB_PX)[0])[1]
+    return Glance(mark_on(picture.grey), bytes(small))
+
+
+@dataclass
+class Sorter:
+    """Says of each sheet what is asked of it. ``variant`` and ``plan`` are of the options, ``asking`` is the rest."""
+
+    handed: HandedOut
+    asking: Asking
+    variant: str | None = None
+    plan: str | None = None
+    known: dict[tuple[object, ...], Asked] = field(default_factory=dict)
+
+    def asked(self, sheet: HandedSheet, mark: SheetMark | None) -> tuple[Task, Asked, str]:
+        """The task, what is asked, and whose it is in words; :class:`PlanesError` where nothing tells."""
+        stem = sheet.file.stem
+        task = self._task(sheet, mark)
+        variant = mark.variant if mark else variant_named(stem, task.variant(None).variants) or self.variant
+        scene = task.variant(variant)
+        plan = (mark.plan if mark else plan_named(stem, scene)) or self.plan
+        if not plan:
+            raise PlanesError(Phrase("check_which_plan", file=sheet.name))
+        value, mu = (mark.value, mark.mu) if mark else (None, None)
+        key = task, scene.variant, plan, value, mu
+        if key not in self.known:
+            self.known[key] = self.asking(scene, plan, value, mu)
+        return task, self.known[key], whose(scene, mark)
+
+    def _task(self, sheet: HandedSheet, mark: SheetMark | None) -> Task:
+        found = self.handed.marked(mark) if mark else self.handed.named(sheet.file.stem)
+        if found is None and mark:
+            told = {"scene": shown(mark.scene), "student": shown(mark.student)}
+            raise PlanesError(Phrase("check_other_mark", file=sheet.name, **told))
+        if found is None and len(self.handed.tasks) == 1:
+            found = self.handed.tasks[0]
+        if found is None:
+            raise PlanesError(Phrase("check_whose_is_it", file=sheet.name))
+        return found
+
+
+def whose(scene: Scene, mark: SheetMark | None) -> str:
+    """The student and the variant, as far as they are known."""
+    student = str(scene.sheet.get("student", "")) or (mark.student if mark else "")
+    return ", ".join(filter(None, (student, (mark.variant if mark else "") or scene.variant or "")))

@@ -3,7 +3,7 @@ its range from an extreme position of the driven link, for sheet 1."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -32,10 +32,10 @@ from render.paper.marks import lettered
 from render.paper.outlines import face_of
 from render.sheet import Contents, Sheet, compose
 from render.sheet.composer import Composer
-from render.sheet.project import Project
+from render.sheet.project import ForceSheet, Project, group_extents
 from render.sheet.sizes import Sizes
 from render.views import View
-from render.views.diagrams import DiagramCurve
+from render.views.diagrams import SECTIONS, DiagramCurve, section_mm
 from render.views.many import Numbered, PlacedMechanism
 
 
@@ -60,20 +60,30 @@ def _sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang, number: 
         now = drawn.at(sizes)
         return composer.views(now, letter, together), [v for v in (composer.moments(now, letter),) if v]
 
-    return compose(scene, Contents(views, lambda sizes: drawn.extents(sizes, lambda plan: True)), lang)
+    return compose(scene, Contents(views, drawn.extents), lang)
+
+
+KINDS = {1: ("position", "velocity", "acceleration"), 2: ("position", "velocity", "motion", "force")}
+"""Kinds of plans on either sheet of a project; the lever is drawn like the velocity plan."""
 
 
 def _numbered(drawn: DrawnPosition, composer: Composer, number: int) -> Sheet:
     """Sheet 1 or 2 of a course project."""
-    scene, project = drawn.scene, Project(composer)
+    scene, project, forces = drawn.scene, Project(composer), ForceSheet(composer)
     if number == 1:
         project = turned_once(scene, drawn.first.plans, composer, bool(scene.sheet.get("positions")))
 
     def views(sizes: Sizes, letter: float, together: bool) -> tuple[list[View], list[View]]:
-        return project.sheet(number, drawn.at, sizes, letter, together), []
+        if number == 2:
+            return forces.views(drawn.at, sizes, letter), []
+        return project.kinematics(drawn.at(sizes), sizes.of("diagrams"), letter, together), []
 
     def extents(sizes: Sizes) -> dict[str, float]:
-        return project.extents(number, drawn.at, sizes, drawn.extents(sizes, Project.shows(number)))
+        """What may grow: the plans; on sheet 1 the diagrams, on sheet 2 the groups apart."""
+        plans = drawn.extents(sizes, KINDS[number])
+        if project.turn:
+            return {**plans, "diagrams": section_mm(sizes.of("diagrams")) * SECTIONS}
+        return {**plans, **(group_extents(drawn.at, sizes) if number == 2 and "position" in plans else {})}
 
     return compose(scene, Contents(views, extents), composer.lang, number)
 
@@ -142,13 +152,12 @@ class DrawnPosition:
             said = failed(failure, self.value, plans.mechanism.drive.kind, nearest(plans, self.value))
             raise SceneError(said, self.scene.file) from None
 
-    def extents(self, sizes: Sizes, shown: Callable[[str], bool]) -> dict[str, float]:
-        """The size in mm of the plans that are shown and whose μ is open."""
+    def extents(self, sizes: Sizes, kinds: Collection[str] = FIT_MM) -> dict[str, float]:
+        """The size in mm of the plans of some kinds whose μ is open."""
         mus = self.mus(sizes)
-        return {plan: size * mus[plan] for plan, size in self.largest.items() if shown(kind_of(plan))}
+        return {plan: size * mus[plan] for plan, size in self.largest.items() if kind_of(plan) in kinds}
 
 
-SECTIONS = 12
 FINE = 360  # places of the driver for curves and paths
 MARGIN = 0.04  # of a range that is not a whole turn, left out at each end
 CLOSE = 0.04  # of a section: an extreme position no farther from a numbered one is that one

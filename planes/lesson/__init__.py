@@ -16,7 +16,7 @@ from planes.drafting.equations import Equation
 from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
-from planes.lesson.formulas import SLOT, formula, number, slot, unit
+from planes.lesson.formulas import formula, number, slot, slots, unit
 from planes.lesson.steps import Names, Said, StepWords, moment_words, whole
 from planes.plans import Plans
 from planes.words import Lang, decimal, say
@@ -220,8 +220,7 @@ def mu_said(mu: float, plan: str, lang: Lang) -> str:
 
 def needed(frames: list[Frame]) -> list[str]:
     """Names of all values the sentences need, in order."""
-    texts = [text for f in frames for text in f.said.values()]
-    return list(dict.fromkeys(m[2] for text in texts for m in SLOT.finditer(text)))
+    return list(dict.fromkeys(name for f in frames for text in f.said.values() for name in slots(text)))
 
 
 def value_of(name: str, teller: Teller, drawing: Drawing) -> Floats:

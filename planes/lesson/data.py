@@ -3,8 +3,10 @@
 The page draws lines between these marks and reckons nothing: what it shows at any position is a position drawn here.
 """
 
+import math
 from collections.abc import Callable, Mapping
 from functools import partial
+from itertools import groupby
 
 import numpy
 
@@ -12,20 +14,20 @@ from planes.drafting.drawing import Drawing, run
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
-from planes.geometry.arrays import Floats
+from planes.geometry.arrays import Array, Booleans, Floats
 from planes.lesson import Teller, in_both, mu_said, needed, value_of
 from planes.lesson.formulas import unit
 from planes.lesson.practice import Practice, told_values
 from planes.lesson.scheme import arms, feet, pivots, related, scheme
 from planes.lesson.steps import whole
-from planes.lesson.zones import reasons, zone, zones
 from planes.plans import Plans, mechanism_plans
-from planes.plans.measuring import lettering, say_plan
+from planes.plans.measuring import BLUNT, lettering, say_plan
 from planes.plans.scales import scales
 from planes.scene import Scene
-from planes.words import Phrase
+from planes.solving import failed
+from planes.words import Lang, Phrase, decimal, say
 from planes.words.errors import PlanesError, PlanFailure, SceneError
-from planes.words.names import at, mu_of, plan_of
+from planes.words.names import at, lettered, mu_of, plan_of
 from planes.words.records import Json
 
 POSITIONS = 360
@@ -161,8 +163,8 @@ def _results(plans: Plans) -> list[Json]:
     return [{"name": n, "value": n, "unit": in_both(partial(unit, n))} for n in names]
 
 
-def _columns(things: Mapping[str, Floats], values: list[float], digits: int = 10) -> Json:
-    """Values over the turn to so many digits; one number where it never changes."""
+def _columns(things: Mapping[str, Floats], values: list[float]) -> Json:
+    """Values over the turn to ten digits; one number where it never changes."""
     found: Json = {}
     for name, thing in things.items():
         full = numpy.broadcast_to(thing, (len(values),)).astype(float)
@@ -170,7 +172,7 @@ def _columns(things: Mapping[str, Floats], values: list[float], digits: int = 10
         if len(good) and (numpy.ndim(thing) == 0 or numpy.all(good == good[0])):
             found[name] = float(good[0])
         else:
-            found[name] = [None if not numpy.isfinite(v) else float(f"{v:.{digits}g}") + 0.0 for v in full]
+            found[name] = [None if not numpy.isfinite(v) else float(f"{v:.10g}") + 0.0 for v in full]
     return found
 
 
@@ -181,10 +183,14 @@ def _turn(plans: Plans, cycle: Drawing, count: int) -> Json:
         full = numpy.broadcast_to(thing, (count,))
         return [None if not numpy.isfinite(v) else round(float(v), 2) + 0.0 for v in full]
 
+    m = plans.mechanism
     made = (s.makes for s in cycle.program.steps if s.kind == "mark" and s.makes not in cycle.program.trials)
     own = feet(plans, cycle)
-    marks = {m: cycle[m] for m in made if plan_of(m) != "motion"} | own
-    angles = {d: numpy.degrees(numpy.angle(cycle[d])) for d in _directions(plans, cycle)}
+    marks = {name: cycle[name] for name in made if plan_of(name) != "motion"} | own
+    # directions of guides, and of the forces in moment equations
+    directions = [f"∥{g}" for link in (m.frame, *m.links.values()) for g in link.guides]
+    directions += [f["along"] for moment in arms(plans) for f in moment["forces"]]
+    angles = {d: numpy.degrees(numpy.angle(cycle[d])) for d in dict.fromkeys(directions) if d in cycle}
     return {
         "marks": {n: [column(numpy.real(z)), column(numpy.imag(z))] for n, z in marks.items()},
         "helpers": [*(n for n in marks if n in plans.helpers), *own],
@@ -192,9 +198,51 @@ def _turn(plans: Plans, cycle: Drawing, count: int) -> Json:
     }
 
 
-def _directions(plans: Plans, cycle: Drawing) -> list[str]:
-    """Directions the page draws: of guides, and of the forces in moment equations."""
-    m = plans.mechanism
-    guides = [f"∥{g}" for link in (m.frame, *m.links.values()) for g in link.guides]
-    forces = [f["along"] for moment in arms(plans) for f in moment["forces"]]
-    return [d for d in dict.fromkeys([*guides, *forces]) if d in cycle]
+def zones(plans: Plans, cycle: Drawing, count: int) -> list[Json]:
+    """Stretches of positions that fail ("bad") or where lines meet at under 15° ("blunt"), with the reason."""
+    names = [n for n in cycle.sharpness if n not in cycle.program.trials and plan_of(n) != "motion"]
+    rows = [numpy.broadcast_to(cycle.sharpness[n], (count,)) for n in names]
+    table: Array = numpy.nan_to_num(numpy.array(rows), nan=1.0) if rows else numpy.ones((1, count))
+    least, worst = table.min(axis=0), table.argmin(axis=0)
+    bad = _bad(cycle, count)
+    marks = ["" if b else names[w] if s < BLUNT else None for b, w, s in zip(bad, worst, least, strict=True)]
+    found, start = [], 0
+    for mark, same in groupby(marks):
+        first, start = start, start + len(list(same))
+        if mark == "":
+            found.append(zone(first, start - 1, "bad", partial(say, "lesson_zone_bad")))
+        elif mark:
+            found.append(zone(first, start - 1, "blunt", partial(_blunt, mark, least[first:start].min())))
+    return found
+
+
+def zone(first: int, last: int, kind: str, told: Callable[[Lang], str]) -> Json:
+    """A stretch of positions, and what is said of it."""
+    return {"from": first, "to": last, "kind": kind, "said": in_both(told)}
+
+
+def _blunt(mark: str, least: float, lang: Lang) -> str:
+    named = {"mark": lettered(mark), "plan": say_plan(plan_of(mark) or "position", lang)}
+    return say("lesson_zone_blunt", lang, **named, angle=decimal(f"{math.degrees(math.asin(least)):.2g}", lang))
+
+
+def _bad(cycle: Drawing, count: int) -> Booleans:
+    """Which of the positions cannot be drawn."""
+    bad = cycle.failed()
+    return numpy.broadcast_to(False if bad is None else bad, (count,))
+
+
+def reasons(
+    plans: Plans, given: Json, values: list[float], cycle: Drawing, progress: Progress | None = None
+) -> dict[str, dict[Lang, str]]:
+    """Why each failed position fails, in both languages."""
+    indices = numpy.flatnonzero(_bad(cycle, len(values))).tolist()
+    found = {}
+    for k, index in enumerate(indices):
+        if progress:
+            progress(k + 1, len(indices))
+        try:
+            run(plans.program, {**given, plans.drive_given: values[index]})
+        except PlanFailure as failure:
+            found[str(index)] = in_both(failed(failure, values[index], plans.mechanism.drive.kind).told)
+    return found

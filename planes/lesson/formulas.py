@@ -59,9 +59,9 @@ def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:
     return SLOT.sub(one, text)
 
 
-def slots(text: str) -> set[str]:
-    """Names of the values a sentence needs."""
-    return {m[2] for m in SLOT.finditer(text)}
+def slots(text: str) -> list[str]:
+    """Names of the values a sentence needs, each time it does."""
+    return [name for _, name, _ in SLOT.findall(text)]
 
 
 def formula(step: Calculate, lang: Lang) -> str:

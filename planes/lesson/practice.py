@@ -201,5 +201,5 @@ def _places(wrongs: list[Wrong]) -> list[Json]:
 
 def told_values(frame: Frame) -> list[str]:
     """The values a question about a vector's length tells: those of its sentence but its own, unless that is all."""
-    values = sorted(slots(frame.said["en"]))
+    values = sorted({*slots(frame.said["en"])})
     return values if len(values) == 1 else [n for n in values if n not in frame.terms[:1]]

@@ -38,6 +38,7 @@ STYLE: Any = {
     "axes.unicode_minus": True,
     "path.simplify": False,
 }
+OF_FILES: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path"}
 
 
 def chart(shown: Chart, width_mm: float, lang: Lang) -> Picture:

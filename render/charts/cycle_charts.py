@@ -24,10 +24,9 @@ from planes.geometry.arrays import Array, Complexes
 from planes.words import Lang, say
 from planes.words.lettering import Naming, lettered_curve
 from planes.words.names import index_of, letter_of
-from render.charts import LOOKS, STYLE, beside, leader, save
+from render.charts import LOOKS, OF_FILES, beside, leader, save
 from render.paper.letters import number, with_unit
 
-LOOK: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path", "axes.grid": False}
 WIDE = 7.2  # inches
 TALL = 1.9  # of one pair of axes
 MARGIN = 0.17  # beneath the lowest ordinate, for the number there
@@ -59,7 +58,7 @@ def draw(
     """All of it on one figure, in a file by its suffix."""
     rows = math.ceil(len(loops) / 2)
     heights = ([TALL * len(panels) + 0.5] if panels else []) + ([SQUARE * rows] if loops else [])
-    with rc_context(LOOK):
+    with rc_context(OF_FILES | {"axes.grid": False}):
         figure = Figure(figsize=(WIDE, sum(heights) + 0.45), dpi=150, layout="constrained")
         figure.suptitle(fill(title, 64), fontsize=11)
         parts: Any = figure.subfigures(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0] if heights else []
@@ -145,13 +144,8 @@ def _extremes(plot: Axes, marked: Sequence[Extreme], axis: DriveAxis, lang: Lang
         plot.plot([x], [e.value], "o", color="#000000", markersize=3, zorder=5)
         right = x > axis.start + 0.9 * (axis.end - axis.start)
         text = number(e.value if abs(e.value) > 1e-9 * size else 0.0, lang)
-        looks: dict[str, Any] = {
-            "ha": "right" if right else "left",
-            "va": "bottom" if top else "top",
-            "fontsize": 8,
-            "zorder": 6,
-        }
-        beside(plot, text, (x, e.value), (-4 if right else 4, 4 if top else -4), **looks)
+        sides = {"ha": "right" if right else "left", "va": "bottom" if top else "top"}
+        beside(plot, text, (x, e.value), (-4 if right else 4, 4 if top else -4), **sides, fontsize=8, zorder=6)
 
 
 SQUARE = 3.6  # of a hodograph
@@ -205,13 +199,9 @@ def _stations(plot: Axes, loop: Loop, ink: Sequence[complex]) -> None:
         offsets = [d * (1.3 if k > 9 else 1.0) for d in _OFFSETS]
         shift = max(offsets, key=lambda d: _room(z * scale + d, places, taken) - 0.15 * abs(d))
         taken.append(z * scale + shift)
-        looks: dict[str, Any] = {
-            "ha": "center",
-            "va": "center",
-            "fontsize": 8,
-            "arrowprops": leader(abs(shift), 12, 0.5),
-        }
-        beside(plot, str(k), (z.real, z.imag), (shift.real, shift.imag), **looks)
+        led = leader(abs(shift), 12, 0.5)
+        place, by = (z.real, z.imag), (shift.real, shift.imag)
+        beside(plot, str(k), place, by, ha="center", va="center", fontsize=8, arrowprops=led)
 
 
 _OFFSETS = [r * cmath.rect(1, math.pi / 6 * k) for r in (8, 14, 20) for k in range(12)]

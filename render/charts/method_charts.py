@@ -1,7 +1,6 @@
 """Two charts of methods: speed against accuracy with its front, and errors on the way to a limit of assembly."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -9,10 +8,10 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from planes.accuracy.methods import Method
-from planes.geometry.arrays import Array
+from planes.accuracy.methods import Method, front
+from planes.accuracy.stability import Approach
 from planes.words import Lang, say
-from render.charts import STYLE, beside, leader, save
+from render.charts import OF_FILES, beside, leader, save
 
 INK = ("#000000", "#1f5fa8", "#c1440e", "#2f7d32", "#7a3b8f", "#8a6d00", "#777777", "#0f8b8d", "#d0307a")
 LOOK = {  # of a method: colour, marker, dashes
@@ -29,49 +28,36 @@ LOOK = {  # of a method: colour, marker, dashes
 }
 FLOOR = 1e-17  # errors below the last place of a double are drawn here
 NONSENSE = 1e6  # errors so many times the truth are not drawn: the method is lost
-CHARTS: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path"}
-
-
-@dataclass(frozen=True)
-class MethodErrors:
-    """Errors by method (with their ``names``), the claim and the sharpness, over distances to a limit; ``axis`` says
-    what these are."""
-
-    title: str
-    axis: str
-    distances: Any
-    sharpness: Any
-    claim: Any
-    errors: Mapping[str, Array]
-    names: Mapping[str, str]
 
 
 def draw(
     path: Path,
     title: str,
-    spots: Sequence[Method],
-    front: Sequence[Method],
-    ways: MethodErrors | None,
+    spots: list[Method],
     seconds: str,
+    way: Approach | None,
+    axis: str,
+    names: Mapping[str, str],
     lang: Lang,
 ) -> None:
-    """Both charts side by side, in a file by its suffix; ``seconds`` says what was timed, and on which machine."""
-    with rc_context(CHARTS):
-        figure = Figure(figsize=(12.6 if ways else 8.0, 5.6), dpi=150, layout="constrained")
+    """Both charts side by side, in a file by its suffix; ``seconds`` says what was timed, and on which machine,
+    ``axis`` what the distances to a limit are, ``names`` what its methods are called."""
+    with rc_context(OF_FILES):
+        figure = Figure(figsize=(12.6 if way else 8.0, 5.6), dpi=150, layout="constrained")
         figure.suptitle(title, fontsize=10.5)
-        plots = figure.subplots(1, 1 if ways is None else 2, squeeze=False)[0]
-        _speed(plots[0], spots, front, seconds, lang)
-        if ways is None:
+        plots = figure.subplots(1, 1 if way is None else 2, squeeze=False)[0]
+        _speed(plots[0], spots, seconds, lang)
+        if way is None:
             plots[0].set_title(say("chart_no_limit", lang), fontsize=10)
         else:
-            _stability(plots[1], ways, lang)
+            _stability(plots[1], way, axis, names, lang)
         save(figure, path)
 
 
-def _speed(plot: Axes, spots: Sequence[Method], front: Sequence[Method], seconds: str, lang: Lang) -> None:
+def _speed(plot: Axes, spots: list[Method], seconds: str, lang: Lang) -> None:
     plot.set(xscale="log", yscale="log", xlabel=seconds, ylabel=say("chart_error", lang))
     plot.set_title(say("chart_speed", lang), fontsize=10)
-    steps = [(m.seconds, m.error) for m in front]
+    steps = [(m.seconds, m.error) for m in front(spots)]
     looks: dict[str, Any] = {"color": "#bbbbbb", "linewidth": 5, "solid_capstyle": "round", "zorder": 1}
     plot.plot(*zip(*steps, strict=True), label=say("chart_front", lang), **looks)
     for m in spots:
@@ -115,19 +101,19 @@ def _label_pencils(plot: Axes, pencils: Sequence[Method], lang: Lang) -> None:
     beside(plot, text, (right, (worst.error * best.error) ** 0.5), (10, 0), va="center", fontsize=8.5)
 
 
-def _stability(plot: Axes, ways: MethodErrors, lang: Lang) -> None:
-    plot.set(xscale="log", yscale="log", xlabel=ways.axis, ylabel=say("chart_at", lang))
-    plot.set_title(ways.title, fontsize=10)
-    d = ways.distances
-    plot.plot(d, ways.sharpness, color="#777777", linestyle="-.", linewidth=1.0, label=say("chart_sharpness", lang))
-    plot.fill_between(d, FLOOR, [min(c, 1e6) for c in ways.claim], color="#e8e8e8", zorder=0)
-    plot.plot(d, ways.claim, color="#999999", linewidth=2.0, label=say("chart_claim", lang), zorder=1)
-    for key, errors in ways.errors.items():
+def _stability(plot: Axes, way: Approach, axis: str, names: Mapping[str, str], lang: Lang) -> None:
+    plot.set(xscale="log", yscale="log", xlabel=axis, ylabel=say("chart_at", lang))
+    plot.set_title(say(f"chart_{way.limit.kind}", lang), fontsize=10)
+    d = way.distances
+    plot.plot(d, way.sharpness, color="#777777", linestyle="-.", linewidth=1.0, label=say("chart_sharpness", lang))
+    plot.fill_between(d, FLOOR, [min(c, 1e6) for c in way.claim], color="#e8e8e8", zorder=0)
+    plot.plot(d, way.claim, color="#999999", linewidth=2.0, label=say("chart_claim", lang), zorder=1)
+    for key, errors in way.errors.items():
         colour, marker, dashes = LOOK[key]
         shown = [max(e, FLOOR) if e < NONSENSE else float("nan") for e in errors]
         wide = {"method_scalar": 1.8, "method_batch": 1.6, "method_compiled": 1.6}.get(key, 1.0)
         looks: dict[str, Any] = {"color": INK[colour], "marker": marker, "linestyle": dashes, "linewidth": wide}
-        plot.plot(d, shown, markersize=3.5, label=ways.names[key], **looks)
+        plot.plot(d, shown, markersize=3.5, label=names[key], **looks)
     plot.set_xlim(max(d) * 2, min(d) / 2)
     plot.set_ylim(FLOOR / 3, 1e7)
     plot.figure.legend(*plot.get_legend_handles_labels(), loc="outside lower center", ncols=5, fontsize=8.5)

@@ -11,7 +11,7 @@ from render.files.writer import Lines, Writer, dashes_of
 from render.paper.ink import arc_dashes, is_circle
 from render.paper.marks import Arc, Face, Text
 from render.paper.style import pen, weight
-from render.paper.typeset import LaidText, layout
+from render.paper.typeset import layout
 
 if TYPE_CHECKING:
     from ezdxf.layouts import BaseLayout
@@ -109,19 +109,14 @@ class Entities(Writer):
     def lettering(self, text: Text) -> None:
         """A text as the strokes of its letters, or their filled outlines where it is in a font."""
         laid = layout(text)
-        if laid.filled:
-            self.outlined(laid, text.layer)
+        if laid.filled and laid.strokes:  # one hatch with holes
+            fill = self.space.add_hatch(color=BLACK, dxfattribs={"layer": text.layer.upper(), "hatch_style": 0})
+            for line in laid.strokes:
+                fill.paths.add_polyline_path([xy(z) for z in line[:-1]], is_closed=True)
             return
         for stroke, width in zip(laid.strokes, laid.pens, strict=True):
             looks = {"layer": text.layer.upper(), "linetype": "Continuous", "lineweight": weight(width)}
             self.space.add_lwpolyline([xy(z) for z in stroke], dxfattribs=looks)
-
-    def outlined(self, laid: LaidText, layer: str) -> None:
-        """Outlines of letters as one hatch with holes."""
-        if laid.strokes:
-            fill = self.space.add_hatch(color=BLACK, dxfattribs={"layer": layer.upper(), "hatch_style": 0})
-            for line in laid.strokes:
-                fill.paths.add_polyline_path([xy(z) for z in line[:-1]], is_closed=True)
 
 
 def text_looks(text: Text, height: float) -> dict[str, object]:

@@ -6,8 +6,8 @@ whose, and a row for each, sorted at will. Tracing paper lies over a picture tha
 
 import html
 from collections.abc import Mapping, Sequence
-from typing import Any
 
+from planes.check.report.class_rows import UNSURE, ClassRow
 from planes.words import Lang, say, under
 from planes.words.records import Json
 from render.page import web_page
@@ -76,42 +76,7 @@ def _table(key: str, caption: str, head: Sequence[str], rows: Sequence[Sequence[
     return f'<table id="{key}">{parts}</table>'
 
 
-STYLE = """td, th, thead th { text-align: left; vertical-align: top; } td:last-child { max-width: 44rem; }
-tbody th { font: inherit; } tbody tr[class] td:last-child::before { content: none; }
-thead button { border: 0; background: none; padding: 0; min-height: 0; color: inherit; font: inherit;
-  white-space: nowrap; }
-thead button::after { content: " ↕"; opacity: .45; }
-th[aria-sort=ascending] button::after { content: " ↓"; opacity: 1; }
-th[aria-sort=descending] button::after { content: " ↑"; opacity: 1; } li { margin: .15rem 0; }
-@media print { thead button::after { content: ""; } tr { break-inside: avoid; } }
-tr.right td:nth-last-of-type(3)::before { content: "✓ "; } tr.wrong td:nth-last-of-type(3)::before { content: "✗ "; }
-h2 { font-size: 1.05rem; margin: .8rem 0 .2rem; } ol { margin: .2rem 0; }
-td:nth-last-of-type(3) { white-space: nowrap; }
-tr.unreadable > * { color: var(--soft); } .counts span { margin-right: 1.6rem; } .counts b { font-size: 1.3rem; }
-tr.unsure th, tr.unreadable th { box-shadow: inset 4px 0 var(--next); } td, th { padding: .35rem .7rem; }
-th img { display: block; max-width: 170px; max-height: 130px; margin-top: .25rem; border: 1px solid var(--edge); }
-.place { display: inline-block; margin: .35rem .5rem 0 0; width: min(100%, 23rem); vertical-align: top; }
-.place svg { display: block; width: 100%; border: 1px solid var(--edge); background: var(--paper); }
-.place line { stroke-linecap: round; } .place .stroke { stroke: #9aa0aa; stroke-width: .7; }
-.place .own { stroke: var(--own); stroke-width: .5; } .place .own polygon { fill: var(--own); }
-.place .true { stroke: var(--truth); stroke-width: .6; } .place .true polygon { fill: var(--truth); }
-.place .next { stroke: var(--next); stroke-width: .6; stroke-dasharray: 1 1; }
-.place circle { fill: none; stroke: var(--wrong); stroke-width: .5; } .place polygon { stroke: none; }
-@media (max-width: 700px) { tr { display: block; border-bottom: 2px solid var(--edge); padding: .3rem 0; }
-  tr.wrong { background: #fbe3e0; } thead { display: none; }
-  tbody th, tbody td { display: inline-block; border: 0; padding: .1rem .5rem .1rem .3rem; }
-  td:last-child { display: block; } td:empty { display: none; } th img { max-width: 110px; } }"""
-
 Whose = Sequence[tuple[str, str]]
-SCRIPT = (
-    "for (const th of document.querySelectorAll('thead th')) th.firstChild.onclick = () => {"
-    " const down = th.ariaSort === 'ascending', body = document.querySelector('tbody');"
-    " const key = row => row.children[th.cellIndex].textContent;"
-    " const rows = [...body.rows].sort((a, b) => (key(a) === '') - (key(b) === '')"
-    " || key(a).localeCompare(key(b), document.documentElement.lang, { numeric: true }) * (down ? -1 : 1));"
-    " for (const one of th.parentNode.children) one.removeAttribute('aria-sort');"
-    " th.ariaSort = down ? 'descending' : 'ascending'; body.append(...rows); };"
-)
 
 
 def class_page(
@@ -119,41 +84,36 @@ def class_page(
     counts: Sequence[tuple[str, int]],
     common: Sequence[tuple[str, Whose]],
     head: Sequence[str],
-    rows: Sequence[tuple[Any, ...]],
+    rows: Sequence[tuple[ClassRow, Sequence[str]]],
     lang: Lang,
 ) -> str:
-    """The page. ``rows`` are verdict, link ("" for none) and the cells, and where there is one a small picture, windows
-    about wrong places, and whether it needs a look; ``common`` sentences with whose: name, link."""
+    """The page. ``rows`` are what was found, and its cells in words; ``common`` sentences with whose: name, link."""
     e = html.escape
     cells = "".join(f'<th scope="col"><button type="button">{e(h)}</button></th>' for h in head)
     often = ""
     for said, names in common:
         whose = ", ".join(_linked(e(name), link) for name, link in names)
         often += f"<li>{e(said)} — <b>{len(names)}</b>: {whose}</li>"
-    body = f"""<h1>{e(title)}</h1>
-<p class="counts">{"".join(f"<span>{e(name)} <b>{count}</b></span>" for name, count in counts)}</p>
-{f"<h2>{e(say('check_common', lang))}</h2><ol>{often}</ol>" if often else ""}
-<table><thead><tr>{cells}</tr></thead><tbody>
-{"".join(_row(number, *row) for number, row in enumerate(rows))}</tbody></table>"""
-    return web_page.page(title, lang, web_page.part("check.css") + STYLE, body, code=SCRIPT)
+    parts = {
+        "title": e(title),
+        "counts": "".join(f"<span>{e(name)} <b>{count}</b></span>" for name, count in counts),
+        "common": f"<h2>{e(say('check_common', lang))}</h2><ol>{often}</ol>" if often else "",
+        "head": cells,
+        "rows": "".join(_row(number, row, told) for number, (row, told) in enumerate(rows)),
+    }
+    body, style = web_page.filled(web_page.part("class.html"), parts), web_page.part("check.css", "class.css")
+    return web_page.page(title, lang, style, body, code=web_page.part("class.js"))
 
 
-def _row(
-    number: int,
-    verdict: str,
-    link: str,
-    cells: Sequence[str],
-    picture: str = "",
-    places: Sequence[Json] = (),
-    unsure: bool = False,
-) -> str:
+def _row(number: int, row: ClassRow, cells: Sequence[str]) -> str:
+    """A drawing: its name with a small picture, its cells, and windows about its wrong places."""
     name, *rest = (html.escape(c) for c in cells)
     if rest:
-        rest[-1] += "".join(place_picture(place, f"{number}-{k}") for k, place in enumerate(places))
+        rest[-1] += "".join(place_picture(place, f"{number}-{k}") for k, place in enumerate(row.places))
     told = "".join(f"<td>{c}</td>" for c in rest)
-    small = f'<img alt="" src="{html.escape(picture)}">' if picture else ""
-    kind = f"{verdict} unsure" if unsure else verdict
-    return f'<tr class="{kind}"><th scope="row">{_linked(name + small, link)}</th>{told}</tr>\n'
+    small = f'<img alt="" src="{html.escape(row.picture)}">' if row.picture else ""
+    kind = f"{row.verdict} unsure" if row.rank == UNSURE else row.verdict
+    return f'<tr class="{kind}"><th scope="row">{_linked(name + small, row.link)}</th>{told}</tr>\n'
 
 
 def _linked(name: str, link: str) -> str:

@@ -12,20 +12,6 @@ import re
 from collections.abc import Mapping
 from importlib.resources import files
 
-SHELL = """<!doctype html>
-<html lang="{lang}">
-<head>
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="{policy}">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{title}</title>
-<style>{style}</style>
-</head>
-<body{kind}>
-{body}
-{scripts}</body>
-</html>
-"""
 NONE: Mapping[str, object] = {}
 _PLACE = re.compile(r"\{(\w+)\}")
 _ACTIVE = re.compile("[<>&\u2028\u2029]")
@@ -39,7 +25,7 @@ def page(
     parts = {"lang": lang, "policy": policy(code), "title": html.escape(title), "style": style, "body": body}
     parts["kind"] = f' class="{html.escape(kind)}"' if kind else ""
     parts["scripts"] = "".join(held) + (f"<script>{code}</script>\n" if code else "")
-    return filled(SHELL, parts)
+    return filled(part("shell.html"), parts)
 
 
 def policy(code: str) -> str:

@@ -6,8 +6,6 @@ the designation upside down, in the upper left corner of the field.  (It would s
 an upright sheet above A4; the formats here lie, but for A4.)
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -40,19 +38,14 @@ class Cell:
     anchor: Literal["start", "middle"] = "middle"
     turn_deg: float = 0.0
 
-    def at(self, x: float, y: float) -> Cell:
-        """The same cell with the origin of its form at a place."""
-        return replace(self, x=self.x + x, y=self.y + y)
-
 
 _FORM: Json = json.loads(Path(__file__).with_name("form1.json").read_text("utf-8"))
-"""From the lower left corner of the title block, in mm: lines from x, y to x, y; cells of words and of values; the rows
-of those who sign; the columns of a change. Beside the frame: graphs 19–23 from the lower corner up and 24–25, the last
-at the upper corner, each with its height."""
+"""From the lower left corner of the title block, in mm: lines from x, y to x, y; cells of words and of values, in it
+and beneath it. Beside the frame: graphs 19–23 from the lower corner up and 24–25, the last at the upper corner, each
+with its height."""
 BESIDE: tuple[str, ...] = tuple(key for key, _ in (*_FORM["lower"], *_FORM["upper"]))
 """Graphs 19–25."""
 WORD_WIDE, VALUE_WIDE = 5.0, 7.0  # the two columns of graphs 19–25
-REVISIONS = 4  # rows of changes, written from the lowest up
 
 
 def prompt(key: str, lang: Lang) -> str:
@@ -98,35 +91,27 @@ def _strip(bottom: float, heights: list[float]) -> Iterator[Segment]:
 
 def words(size: Size, lang: Lang) -> Iterator[tuple[str, Cell]]:
     """The words the form has of itself, each with its cell."""
-    told, (x, y) = table(lang, "form1"), _corner(size)
-    beside = _beside(size, LEFT - WORD_WIDE - VALUE_WIDE, WORD_WIDE)
-    below = [
-        (key, Cell(x + left, 0, wide, EDGE, 2.5, "start"))
-        for key, left, wide in (("copied", 65, 30), ("format", 135, 15))
-    ]
-    own = [(key, Cell(*numbers).at(x, y)) for key, *numbers in _FORM["words"]]
-    for key, cell in (*own, *beside, *below):
+    told, beside = table(lang, "form1"), _beside(size, LEFT - WORD_WIDE - VALUE_WIDE, WORD_WIDE)
+    for key, cell in (*_cells("words", size), *beside, *_cells("words_beneath", size)):
         yield told[f"form_{key}"], cell
 
 
 def cells(size: Size) -> dict[str, Cell]:
     """The cells a person fills, by name, on a sheet of that width × height."""
-    x, y = _corner(size)
-    found = {key: Cell(*numbers) for key, *numbers in _FORM["cells"]}
-    for key, low in _FORM["signers"]:
-        found[key] = Cell(17, low, 23, 5, 2.5, "start")
-        found[f"{key}_sign"], found[f"{key}_date"] = Cell(40, low, 15, 5), Cell(55, low, 10, 5)
-    for k in range(REVISIONS):
-        for name, left, wide in _FORM["revision"]:
-            found[f"revision_{k + 1}_{name}"] = Cell(left, 35 + 5 * k, wide, 5)
-    found = {key: cell.at(x, y) for key, cell in found.items()}
+    found = dict(_cells("cells", size))
     for key, cell in _beside(size, LEFT - VALUE_WIDE, VALUE_WIDE):
         found[key] = replace(cell, letter=3.5)
     top = size[1] - EDGE - TOP_CELL[1]
     found["designation_turned"] = Cell(LEFT, top, *TOP_CELL, 7.0, "middle", 180.0)
-    found["copied"] = Cell(x + 95, 0, 40, EDGE, 2.5, "start")
-    found["format"] = Cell(x + 150, 0, 35, EDGE, 2.5, "start")
-    return found
+    return found | dict(_cells("cells_beneath", size))
+
+
+def _cells(part: str, size: Size) -> Iterator[tuple[str, Cell]]:
+    """Cells of the form about its title block."""
+    x, y = _corner(size)
+    for key, *numbers in _FORM[part]:
+        cell = Cell(*numbers)
+        yield key, replace(cell, x=cell.x + x, y=cell.y + y)
 
 
 def _beside(size: Size, x: float, wide: float) -> Iterator[tuple[str, Cell]]:

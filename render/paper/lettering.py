@@ -199,7 +199,7 @@ def strokes(text: str, height_mm: float, slant: bool = False) -> tuple[Line, ...
     The origin is the left end of the base line (left edge of the first letter's ink, lower edge of the
     capitals), y is up.  ``height_mm`` is the height of the capitals with the pen width in it.  Curves are
     flattened to within 0.02 mm.  Leading and trailing blanks draw nothing.  A character without a glyph
-    is drawn as an open box (see `missing`).
+    is drawn as an open box.
     """
     if not 0 < height_mm < math.inf:
         raise ValueError(f"letter height must be a positive number of mm, not {height_mm!r}")

@@ -13,7 +13,7 @@ from planes.words.records import Json
 from planes.words.units import quantity
 
 NAME = re.compile(r"⟨([^⟩]*)⟩")
-_PIECE = re.compile(r"([_^])\{([^}]*)\}")
+_INDEX = re.compile(r"([_^])\{([^{}]*)\}")
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Piece:
 def pieces(text: str, naming: Naming, plan: str = "") -> Iterator[Piece]:
     """The runs of a sentence; _{…} and ^{…} in it are indices too."""
     for k, part in enumerate(NAME.split(text)):
-        yield from _split(naming.named(part, plan) if k % 2 else part, bool(k % 2))
+        yield from split(naming.named(part, plan) if k % 2 else part, bool(k % 2))
 
 
 def tagged(text: str, naming: Naming, plan: str = "") -> str:
@@ -46,14 +46,15 @@ def written(names: Iterable[str], lettering: Json) -> dict[str, dict[str, list[t
     namings, names = [Naming(lang, **lettering) for lang in get_args(Lang)], dict.fromkeys(names)
     pole = {"acceleration:p": [("π", "")]}
     return {
-        n.lang: pole | {name: [(p.text, p.shift) for p in _split(n.named(name), True)] for name in names}
+        n.lang: pole | {name: [(p.text, p.shift) for p in split(n.named(name), True)] for name in names}
         for n in namings
     }
 
 
-def _split(text: str, name: bool) -> Iterator[Piece]:
+def split(text: str, name: bool = False) -> Iterator[Piece]:
+    """The letters on the line and the indices; an empty index is a piece too."""
     end = 0
-    for match in _PIECE.finditer(text):
+    for match in _INDEX.finditer(text):
         if match.start() > end:
             yield Piece(text[end : match.start()], "", name)
         yield Piece(match[2], "sub" if match[1] == "_" else "sup", name)

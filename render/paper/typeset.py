@@ -12,11 +12,11 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from render.paper import lettering, outlines
+from render.paper.letters import split
 from render.paper.marks import Face, Text, current
 from render.paper.style import INDEX_DROP, INDEX_GAP, INDEX_RISE, INDEX_SIZE, LETTER_GAP, WORD_GAP
 
 Polyline = tuple[complex, ...]
-_INDEX = re.compile(r"([_^])\{([^{}]*)\}")
 _OPENED = re.compile(r"[_^]\{")
 
 
@@ -87,8 +87,16 @@ def layout(text: Text) -> LaidText:
     """Strokes, box and runs of a text mark after its anchor and its turn."""
     runs, inked, (x0, _, x1, _) = _set(text.text, text.height, text.face)
     origin, turn, corners = _turned(text)
-    strokes, pens = tuple(tuple([origin + z * turn for z in line]) for _, line in inked), tuple(pen for pen, _ in inked)
-    return LaidText(strokes, pens, corners, x1 - x0, runs, origin, text.turn_deg, bool(text.face.font))
+    return LaidText(
+        strokes=tuple(tuple([origin + z * turn for z in line]) for _, line in inked),
+        pens=tuple(pen for pen, _ in inked),
+        box=corners,
+        width=x1 - x0,
+        runs=runs,
+        origin=origin,
+        turn_deg=text.turn_deg,
+        filled=bool(text.face.font),
+    )
 
 
 def extent(text: str, height_mm: float) -> tuple[float, float, float, float]:
@@ -129,16 +137,11 @@ def plain(text: str) -> str:
 def _parts(text: str) -> list[_Part]:
     """Bases, each with the indices that follow it."""
     found: list[_Part] = []
-    rest = 0
-    for match in _INDEX.finditer(text):
-        between, kind, index = text[rest : match.start()], match[1], match[2]
-        side = "lower" if kind == "_" else "upper"
-        if between or not found or getattr(found[-1], side):
-            found.append(_Part(between))
-        found[-1] = replace(found[-1], **{side: index})
-        rest = match.end()
-    if text[rest:]:
-        found.append(_Part(text[rest:]))
+    for piece in split(text):
+        side = {"sub": "lower", "sup": "upper"}.get(piece.shift, "base")
+        if side == "base" or not found or getattr(found[-1], side):
+            found.append(_Part(""))
+        found[-1] = replace(found[-1], **{side: piece.text})
     for part in found:
         if _OPENED.search(part.base):
             raise ValueError(f"in the text {text!r} an index opened with '_{{' or '^{{' is not closed")

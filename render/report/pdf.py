@@ -38,22 +38,17 @@ ROOMY = 85  # letters across a table; one with more has smaller ones
 
 def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     """The PDF; the same document gives the same bytes."""
-    data, font = io.BytesIO(), _fonts()
+    for name, file in FACES.items():  # registered on first use; they come with matplotlib
+        registered(name, dejavu().parent / file)
+    pdfmetrics.registerFontFamily("Note", normal="Note", bold="NoteBold", italic="NoteItalic", boldItalic="NoteBold")
+    data = io.BytesIO()
     title = next((b.text for b in blocks if isinstance(b, Heading)), "")
     margins = {"leftMargin": LEFT, "rightMargin": RIGHT, "topMargin": EDGE, "bottomMargin": EDGE}
     told = {"title": title, "author": "", "creator": "planes", "lang": naming.lang}
-    paper = _Paper(data, pagesize=PAGE, invariant=1, initialFontName=font, **margins, **told)
+    paper = _Paper(data, pagesize=PAGE, invariant=1, initialFontName="Note", **margins, **told)
     setter = _Setter(naming)
     paper.build([f for b in blocks for f in setter.flow(b)], onFirstPage=_number, onLaterPages=_headed)
     return data.getvalue()
-
-
-def _fonts() -> str:
-    """The faces of a document, registered on first use; they come with matplotlib."""
-    for name, file in FACES.items():
-        registered(name, dejavu().parent / file)
-    pdfmetrics.registerFontFamily("Note", normal="Note", bold="NoteBold", italic="NoteItalic", boldItalic="NoteBold")
-    return "Note"
 
 
 def _number(canvas: Canvas, paper: SimpleDocTemplate) -> None:

@@ -6,7 +6,7 @@ driver; the lever.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from planes.solving import Position
@@ -17,7 +17,7 @@ from render.paper.marks import Mark, Text
 from render.sheet.composer import LARGER, Composer, drawn_plans
 from render.sheet.sizes import Sizes
 from render.views import View, beside, stacked, view
-from render.views.diagrams import SECTIONS, DiagramCurve, Diagrams, Hodograph, hodograph_view, section_mm
+from render.views.diagrams import DiagramCurve, Diagrams, Hodograph, hodograph_view, section_mm
 from render.views.loading import Loading
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
 from render.views.moments import Lever
@@ -27,7 +27,7 @@ from render.views.scheme import Scheme
 
 @dataclass
 class Project:
-    """Both sheets of a scene. ``values`` are the driver's places over its range (``whole``: a turn) and ``turn`` the
+    """The views of sheet 1. ``values`` are the driver's places over its range (``whole``: a turn) and ``turn`` the
     places there; ``numbered`` are the positions of the scheme; ``curves`` and ``loops`` are the diagrams (of the
     driven link, if the scene asks for no others) and hodographs."""
 
@@ -39,34 +39,14 @@ class Project:
     curves: Sequence[DiagramCurve] = ()
     loops: Sequence[Hodograph] = ()
 
-    def sheet(self, number: int, at: Drawer, sizes: Sizes, letter: float, together: bool) -> list[View]:
-        """The views of sheet 1 or 2."""
-        if number == 2:
-            return ForceSheet(self.composer).views(at, sizes, letter)
-        return [v for v in self.kinematics(at(sizes), sizes.of("diagrams"), letter, together) if v]
-
-    def extents(self, number: int, at: Drawer, sizes: Sizes, plans: Mapping[str, float]) -> dict[str, float]:
-        """Sizes in mm of what may grow: the plans; on sheet 1 the diagrams, on sheet 2 the groups apart."""
-        if number == 1 and self.turn:
-            return {**plans, "diagrams": section_mm(sizes.of("diagrams")) * SECTIONS}
-        return {**plans, **(group_extents(at, sizes) if number == 2 and "position" in plans else {})}
-
-    @staticmethod
-    def shows(number: int) -> Callable[[str], bool]:
-        """Whether a kind of plans is on that sheet; the lever is drawn like the velocity plan."""
-        kinds = ("position", "velocity", "acceleration") if number == 1 else ("position", "velocity", "motion", "force")
-        return lambda kind: kind in kinds
-
-    # sheet 1
-
-    def kinematics(self, position: Position, size: float, letter: float, together: bool) -> list[View | None]:
-        """Scheme in many positions, groups, plans of rates, tables, diagrams."""
+    def kinematics(self, position: Position, size: float, letter: float, together: bool) -> list[View]:
+        """Sheet 1: scheme in many positions, groups, plans of rates, tables, diagrams."""
         c, plotted = self.composer, of_position(position)
         rates = [p for p in drawn_plans(plotted, position) if kind_of(p) != "force"]
         t, plans = c.tables(position, letter), c.plans(plotted, rates, letter, together)
         tables = t.given(), t.plan("velocity"), t.plan("acceleration"), t.links()
         views = self.many(position), *plans, self.groups(position, letter), *tables
-        return [*views, self.diagrams(position, size), self.hodographs()]
+        return [v for v in (*views, self.diagrams(position, size), self.hodographs()) if v]
 
     def many(self, position: Position) -> View | None:
         """The scheme, in the calculated position thick, in twelve more thin."""

@@ -23,16 +23,15 @@ ROD_MM = 3.5  # of a round rod seen through its bushing, beyond it
 CLASSES: dict[Sign, int] = {"R": 5, "P": 5, "C": 4, "S": 3}
 
 
-@dataclass
+@dataclass(kw_only=True)
 class AlignedScheme(Scheme):
     """A scheme whose pairs have the signs of a self-aligning variant."""
 
-    aligned: Aligned | None = None
+    aligned: Aligned
 
     def pairs(self) -> None:
         """Hinges and their legs, then what makes a pair cylindrical or spherical."""
         super().pairs()
-        assert self.aligned
         for pair, sign in self.aligned.pairs:
             if pair.kind == "R" and sign != "R" and self.places.has(pair.point):
                 self.hinges += self.sign(pair, sign)
@@ -55,7 +54,6 @@ class AlignedScheme(Scheme):
         """A cylindrical slider is a bushing: the round rod is seen through it, its axis chain-dotted."""
         super().slider(link, foot, along)
         pair = next(p for p in self.position.plans.structure.pairs if p.kind == "P" and p.link == link.name)
-        assert self.aligned
         if self.aligned.sign(pair) == "C":
             long = self.size(link)[0] / 2 + ROD_MM
             self.hinges.append(Line((foot - long * along, foot + long * along), "axis", "axis"))
@@ -64,7 +62,6 @@ class AlignedScheme(Scheme):
     def letters(self) -> None:
         """Letters of the points, with the signs of the pairs there."""
         super().letters()
-        assert self.aligned
         said: dict[str, list[str]] = {}
         for pair, sign in self.aligned.pairs:
             if pair.kind == "R":

@@ -61,16 +61,17 @@ class MomentLines:
         by = float(self.position.drawing[factor]) if factor else 1.0
         found = float(self.position.drawing[equation.unknown])
         head = self.unknown(equation) + (self.naming.vector(factor) if factor else "")
-        unit = say(self.unit(factor != equation.arm), self.naming.lang)
+        lang = self.naming.lang
+        unit = say(self.unit(factor != equation.arm), lang)
         words = [Word(f"ΣM_{{{about}}}" + (f"^{{({links})}}:" if links else ":"), vector=False, value=unit)]
-        words.append(Word(head, vector=False, value=self.number(found * by)))
+        words.append(Word(head, vector=False, value=number(found * by, lang)))
         for k, (name, lever, value) in enumerate(shown):
             sign = ("= −" if value * by < 0 else "=") if k == 0 else "−" if value * by < 0 else "+"
             words.append(Word(sign, vector=False))
-            words.append(Word(self.product(name, lever), vector=False, value=self.number(abs(value * by))))
+            words.append(Word(self.product(name, lever), vector=False, value=number(abs(value * by), lang)))
         if not equation.arm:
             return words
-        result = f";  {self.unknown(equation)} = {self.number(found)} {say('N', self.naming.lang)}"
+        result = f";  {self.unknown(equation)} = {number(found, lang)} {say('N', lang)}"
         return [*words, Word(result, vector=False)]
 
     def unit(self, of_power: bool) -> str:
@@ -102,10 +103,6 @@ class MomentLines:
         """One product of the sum."""
         powers = (float(self.position.drawing[name]) ** power for name, power in term.factors)
         return math.prod(powers, start=term.coefficient)
-
-    def number(self, value: float) -> str:
-        """A number of the sheet."""
-        return number(value, self.naming.lang)
 
 
 FORCE_MM = 14.0

@@ -21,7 +21,7 @@ from planes.words.names import at, kind_of, label_of, mu_of, plan_of
 @dataclass(frozen=True)
 class Plotted:
     """One drawing: ``scales`` are mm per SI unit, ``fixed`` the labels of points of the frame (they stand in poles),
-    ``units`` the kind of plan whose unit each plan's vectors have, ``points`` the labels that are points of links."""
+    ``quantity`` the kind of plan whose unit the vectors have, where the plan itself does not tell."""
 
     drawing: Drawing
     segments: tuple[Segment, ...]
@@ -134,12 +134,6 @@ class Places:
         through, along = self.line(link.slides.guide)
         first = self.at(link.first_point)
         return through + ((first - through) * along.conjugate()).real * along, along
-
-    def doubled(self, link: Link) -> Link | None:
-        """Another slider that is hinged to this one, in one place."""
-        sliders = [x for x in self.mechanism.links.values() if x is not link and x.slides and self.has(x.first_point)]
-        here = self.at(link.first_point)
-        return next((x for x in sliders if abs(self.at(x.first_point) - here) < NEAR_MM), None)
 
 
 def degrees(along: complex) -> float:

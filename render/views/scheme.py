@@ -122,7 +122,9 @@ class Scheme:
 
     def size(self, link: Link) -> tuple[float, float]:
         """The size of a slider's block: of two in one place the frame's (or the later one) holds the other."""
-        other = self.places.doubled(link)
+        here, sliders = self.places.at(link.first_point), [x for x in self.mechanism.links.values() if x.slides]
+        there = (x for x in sliders if x is not link and self.places.has(x.first_point))
+        other = next((x for x in there if abs(self.places.at(x.first_point) - here) < NEAR_MM), None)
         if other is None:
             return BLOCK_MM
         order = list(self.mechanism.links)

@@ -17,7 +17,7 @@ from planes.check.sheet_mark import SheetMark
 from planes.cli import check as command
 from planes.cli import main
 from planes.course.handed_out import HandedOut, Task, handed_out, plan_named, variant_named
-from planes.documents.whose import Sorter
+from planes.documents.class_work import Sorter
 from planes.scene import load
 from planes.words.errors import PlanesError
 from tests.documents.test_browser import watched

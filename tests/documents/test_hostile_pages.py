@@ -12,6 +12,7 @@ from planes.check import check
 from planes.check.grading.paper import read_table
 from planes.check.grading.prepared_plan import Asked
 from planes.check.report import page_data
+from planes.check.report.class_rows import WRONG, ClassRow
 from planes.check.report.shown import tracing_data
 from planes.cli import main
 from planes.lesson.data import lesson_data
@@ -106,7 +107,7 @@ def pages(told: dict[str, dict[str, Any]], name: str) -> dict[str, str]:
             [(name, 1)],
             [(name, [(name, name)])],
             [name, name],
-            [("wrong", name, [name, name], "", [place])],
+            [(ClassRow(name, "wrong", WRONG, link=name, places=[place]), [name, name])],
             "en",
         ),
         "note": rendered(blocks, ".html", Naming("en")).decode(),
@@ -149,7 +150,7 @@ def test_every_page_says_what_a_browser_may_do_with_it(told: dict[str, dict[str,
     """One shell for all: no other file writes a page's head, and no data holds a letter that HTML reads."""
     room = Path(web_page.__file__).parent
     writers = [f.name for f in room.rglob("*.*") if f.suffix in (".py", ".html") and "<html" in f.read_text("utf-8")]
-    assert writers == ["web_page.py"]
+    assert writers == ["shell.html"]
     for text in pages(told, "<!--<script>\u2028").values():
         head = text.partition("<style>")[0]
         assert "default-src 'none'" in head and "'unsafe-eval'" not in text and "script-src 'unsafe" not in text

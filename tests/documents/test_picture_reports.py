@@ -19,12 +19,12 @@ import numpy as np  # noqa: E402
 from planes.check.fiducials import SHEET_MM  # noqa: E402
 from planes.documents.check import _overlay  # noqa: E402
 from render.files import pdf  # noqa: E402
-from render.labels.footprints import conflicts  # noqa: E402
 from render.paper.marks import Arrow, Text  # noqa: E402
 from render.paper.photo import Photo  # noqa: E402
 from render.sheet.check_sheet import compose  # noqa: E402
 from tests import picture_corpus as corpus  # noqa: E402
 from tests.helpers import photographs  # noqa: E402
+from tests.helpers.conflicts import conflicts  # noqa: E402
 
 SIX = str(confusion.SAMPLES / "six-link.yaml")
 

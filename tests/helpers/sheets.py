@@ -8,7 +8,6 @@ from functools import cache
 from planes.documents.sheets import sheet_of
 from planes.scene import load
 from planes.words import Lang
-from render.paper.lettering import GLYPHS, SAME, SHIFTED, _clean
 from render.sheet import Sheet
 from tests.helpers import ROOT
 
@@ -28,9 +27,3 @@ def _composed(
     scene = load(ROOT / "samples" / f"{name}.yaml")
     scene = replace(scene, sheet={**scene.sheet, **dict(settings)})
     return sheet_of(scene, None if value is None else [value], lang, number)
-
-
-def without_glyph(text: str) -> str:
-    """Characters of a text that the lettering cannot draw, each once, in order; blanks need none."""
-    drawn = (GLYPHS, SAME, SHIFTED)
-    return "".join(dict.fromkeys(c for c in _clean(text) if not c.isspace() and not any(c in known for known in drawn)))

@@ -10,11 +10,11 @@ import pytest
 
 from planes.documents.sheets import sheet_of
 from planes.scene import loads
-from render.labels.footprints import conflicts
 from render.paper import form1
 from render.paper.marks import Line, Text
 from render.paper.typeset import extent, layout
 from render.sheet.frame import FORMATS, Paper, fitted
+from tests.helpers.conflicts import conflicts
 from tests.helpers.scene_texts import SIX_LINK
 
 SIZES = list(FORMATS.values())

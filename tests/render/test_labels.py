@@ -11,9 +11,9 @@ import pytest
 import render.labels as labels_room
 from render.labels import Label, board, place
 from render.labels.candidates import Candidates, met
-from render.labels.footprints import conflicts
 from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text, moved
 from render.paper.typeset import layout
+from tests.helpers.conflicts import conflicts
 
 FIELD = (0.0, 0.0, 420.0, 297.0)
 

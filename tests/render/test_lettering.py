@@ -11,6 +11,7 @@ import pytest
 from render.paper import lettering
 from render.paper.lettering import SAME, SHIFTED
 from render.paper.typeset import _bounds
+from tests.helpers.glyphs import missing
 
 RUSSIAN = "АБВГДЕЁЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯ"
 BELARUSIAN = "АБВГДЕЁЖЗІЙКЛМНОПРСТУЎФХЦЧШЫЬЭЮЯ"
@@ -38,12 +39,12 @@ def box(text: str, height: float, slant: bool = False) -> tuple[float, float, fl
 
 @pytest.mark.parametrize("alphabet", [RUSSIAN, BELARUSIAN, UKRAINIAN, LATIN])
 def test_alphabets_are_complete(alphabet: str) -> None:
-    assert lettering.missing(alphabet + alphabet.lower()) == ""
+    assert missing(alphabet + alphabet.lower()) == ""
 
 
 def test_signs_are_complete_and_unknown_ones_are_named() -> None:
-    assert lettering.missing(GREEK + SIGNS) == ""
-    assert lettering.missing("Ж漢 a☃漢\u00a0") == "漢☃"
+    assert missing(GREEK + SIGNS) == ""
+    assert missing("Ж漢 a☃漢\u00a0") == "漢☃"
 
 
 @pytest.mark.parametrize("char", EVERY)
@@ -85,7 +86,7 @@ def test_combining_marks_equal_composed_letters(composed: str) -> None:
     apart = unicodedata.normalize("NFD", composed)
     assert len(apart) == 2
     assert lettering.strokes(apart, 5.0) == lettering.strokes(composed, 5.0)
-    assert lettering.missing(apart) == ""
+    assert missing(apart) == ""
 
 
 @pytest.mark.parametrize("height", HEIGHTS)
@@ -148,7 +149,7 @@ def test_a_missing_character_is_an_open_box_and_nothing_is_no_ink() -> None:
     assert lettering.strokes(" ", 5.0) == lettering.strokes("", 5.0) == ()
     assert lettering.width("", 5.0) == 0.0
     assert box("", 5.0) == (0.0, 0.0, 0.0, 0.0)
-    assert lettering.missing("a\n\t b") == ""
+    assert missing("a\n\t b") == ""
 
 
 @pytest.mark.parametrize("height", [0.0, -1.0, math.nan, math.inf])

@@ -22,6 +22,7 @@ from render.views.diagrams import pieces
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
 from render.views.scheme import Scheme
 from tests.helpers import ROOT, sheets
+from tests.helpers.glyphs import missing
 from tests.render.test_sheet import clashes
 
 SAMPLES = sorted((ROOT / "samples").glob("*.yaml"))
@@ -44,7 +45,7 @@ def words(sheet):
 def test_nothing_overlaps_and_every_letter_is_known(name, number):
     found = sheet(name, number)
     assert clashes(found) == []
-    assert sheets.without_glyph("".join(words(found))) == ""
+    assert missing("".join(words(found))) == ""
 
 
 @pytest.mark.few(0, slow=4)

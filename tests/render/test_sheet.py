@@ -14,13 +14,14 @@ from planes.scene import load, loads
 from planes.solving import solve
 from planes.words.errors import PlanesError
 from render.files import pdf, svg
-from render.labels.footprints import conflicts
 from render.paper.marks import Arrow, Line, Text
 from render.paper.typeset import layout, plain
 from render.sheet.layout import GAP_MM, Field, pack
 from tests.helpers import ROOT
+from tests.helpers.conflicts import conflicts
+from tests.helpers.glyphs import missing
 from tests.helpers.scene_texts import SIX_LINK
-from tests.helpers.sheets import sheet, without_glyph
+from tests.helpers.sheets import sheet
 
 SAMPLES = sorted((ROOT / "samples").glob("*.yaml"))
 NAMES = [path.stem for path in SAMPLES]
@@ -89,7 +90,7 @@ def test_views_keep_their_distance(name):
 @pytest.mark.parametrize("name", NAMES)
 def test_every_letter_has_a_glyph(name):
     for lang in ("ru", "en"):
-        assert without_glyph("".join(words(sheet(name, lang)))) == ""
+        assert missing("".join(words(sheet(name, lang)))) == ""
 
 
 @pytest.mark.few(1)

@@ -86,6 +86,6 @@ def test_a_thin_line_gives_way_where_there_is_no_room_beside_it() -> None:
 
 
 def clear(text: Text, lines: object) -> bool:
-    from render.labels.footprints import conflicts
+    from tests.helpers.conflicts import conflicts
 
     return conflicts([text], lines) == ()  # type: ignore[arg-type]

@@ -12,10 +12,11 @@ from planes.drafting.instruments import Pencil
 from planes.scene import load, loads
 from planes.solving import solve
 from planes.words.errors import PlanesError
-from render.labels.footprints import bounds, conflicts
+from render.labels.footprints import bounds
 from render.paper.marks import Line, Text
 from render.sheet.single import MARGIN_MM, traced
 from tests.helpers import ROOT
+from tests.helpers.conflicts import conflicts
 
 SAMPLES = {path.stem: path for path in sorted((ROOT / "samples").glob("*.yaml"))}
 
