@@ -119,6 +119,14 @@ def test_a_spoiled_force_is_found(sample: str, tmp_path: Path) -> None:
     assert (found.verdict, found.first_wrong) == ("wrong", mistakes(sample, plan)[k].blames), found.sentence.told("en")
 
 
+def test_two_forces_with_each_other_s_names_are_not_right(tmp_path: Path) -> None:
+    """A vector whose head may be hidden at a knot is not thought to be there while another like it is drawn."""
+    sample, plan = "assignments/04", "force:1"
+    k = next(k for k, v in enumerate(mistakes(sample, plan)) if v.mistake == "reaction_not_reversed")
+    found = looked(sample, plan, view(sample, plan, made(sample, plan, drawn(sample)[1], k)[0]), tmp_path)
+    assert found.verdict == "wrong" and found.first_wrong == "F_12", found.sentence.told("en")
+
+
 def test_a_print_of_another_plan_is_said_not_to_be_made_out(tmp_path: Path) -> None:
     with pytest.raises(PlanesError, match="not made out"):
         looked("six-link", "acceleration", view("six-link", "velocity", drawn("six-link")[1]), tmp_path)

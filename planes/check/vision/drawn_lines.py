@@ -29,6 +29,7 @@ LARGE_MM, CELL_MM = 2.5, 0.5
 Edge = tuple[complex, complex]  # the ink is to the right
 WIDEST_MM = 1.4  # of a stroke
 SHORTEST_MM = 1.5
+USUAL, COARSE, LARGE_PX = 0.8, 0.5, 10_000_000  # how small edges are sought: it takes 40 bytes a place; beyond A3
 MOST = 250  # lines; of more nothing can be told
 
 
@@ -51,7 +52,7 @@ def _in_mm(flat: Flat, lines: list[Edge]) -> list[Edge]:
 
 def _edges(ink: Greys) -> list[Edge]:
     """Both edges of every stroke, in pixels, the ink to their right as one sees it."""
-    found = cv().createLineSegmentDetector(2, scale=0.8).detect(ink)[0]
+    found = cv().createLineSegmentDetector(2, scale=USUAL if ink.size < LARGE_PX else COARSE).detect(ink)[0]
     if found is None:
         return []
     return [(complex(x1, y1), complex(x2, y2)) for x1, y1, x2, y2 in found.reshape(-1, 4).tolist()]

@@ -22,7 +22,7 @@ from planes.check.reading.words_near import led_to_vectors, put
 from planes.check.vision.ink import PENCIL, WHITE, Ink, darkness
 from planes.check.vision.picture import Flat, cv
 from planes.check.vision.places import Seen, rounded
-from planes.check.vision.printed_apart import ALONG_MM, APART_MM, along, apart, hides, of_lines
+from planes.check.vision.printed_apart import ALONG_MM, APART_MM, PLAIN_MM, along, apart, hides, of_lines, untold
 from planes.check.vision.printed_heads import BOTH_SIDES, HIDDEN, THICK, TURNED, PrintedHead, heads_along, heads_on
 from planes.geometry.arrays import Greys
 from planes.words.names import POLE, at, kind_of, label_of
@@ -31,7 +31,6 @@ ASIDE_MM = 7.0  # how far aside a force may be drawn
 ACROSS_MM = 0.1  # in which a head is looked for aside
 NEAR_MM = 0.3  # aside, of what is not drawn aside
 SURE_MM = 3.0  # a shorter vector may be there unseen: it is put where it should be
-VOTES_MM = 9.0  # shorter vectors do not tell where the pole is
 TOLD_MM = 3.0  # a plan none of whose marks is farther from the right one's is not told from it
 LED_MM, AWAY_MM = 1.6, 3.0  # how near to what it names a name's line ends; how far from all marks it begins
 DRAWN_MM = 0.3  # a shorter one is not drawn
@@ -117,7 +116,7 @@ class PrintedSheet:
 
     def _poles(self, vectors: Iterable[Stroke], wrong: bool) -> list[complex]:
         """Places from which most of the vectors would meet heads, the likeliest first; of a wrong plan, nearly all."""
-        long = [(b, (b - a) / abs(b - a)) for a, b in vectors if abs(b - a) > VOTES_MM]
+        long = [(b, (b - a) / abs(b - a)) for a, b in vectors if abs(b - a) > PLAIN_MM]
         tips, ways = (numpy.array([getattr(h, k) for h in self.heads], complex) for k in ("tip", "way"))
         points = [(ways / way).real > TURNED for _, way in long]
         poles = numpy.array([z for (b, _), on in zip(long, points, strict=True) for z in tips[on] - b], complex)
@@ -143,12 +142,13 @@ class PrintedSheet:
             found[name] = self._heads(pole + a, pole + b) if abs(b - a) > DRAWN_MM else []
             if not found[name] and abs(b - a) > SURE_MM and wrong and any(s.name == name for s in self.needed):
                 return []
-        tips, drawn = [z for held in found.values() for z in held], _drawn(pole, vectors, found)
-        unseen = {s.name: vectors[s.name] for s in self.needed if not found[s.name]}
-        for name, (a, b) in ((n, way) for n, way in unseen.items() if abs(way[1] - way[0]) > SURE_MM):
-            if not self._hidden(pole + a, pole + b, drawn, self.aside):
-                return []
-            found[name] = [] if self.force else [pole + b]
+        tips = [z for held in found.values() for z in held]
+        drawn = [(pole, pole), *((pole + vectors[n][0], z) for n, held in found.items() for z in held)]
+        for name, (a, b) in ((s.name, vectors[s.name]) for s in self.needed if not found[s.name]):
+            if abs(b - a) > SURE_MM:
+                if not self._hidden(pole + a, pole + b, drawn, self.aside):
+                    return []
+                found[name] = [] if self.force else [pole + b]
         clear = [h.tip for h in self.heads if h.clear > BOTH_SIDES] if wrong else []
         if not tips or any(min(abs(z - tip) for tip in tips) > ALONG_MM for z in clear):
             return []
@@ -197,12 +197,21 @@ class PrintedSheet:
             strokes += [new for new in drawn if all(apart(new, old) for old in strokes)]
         ways = [1] * len(strokes)
         lines = [line.ends for line in self.seen.lines if not any(along(line.ends, s) for s in strokes)]
-        led = led_to_vectors(
-            ReadDrawing("", [*strokes, *lines], list(self.words), ways=ways + [0] * len(lines)), LED_MM
-        )
+        both = ReadDrawing("", [*strokes, *lines], list(self.words), ways=ways + [0] * len(lines))
+        led = led_to_vectors(both, LED_MM)
         sketch = ReadDrawing("", strokes, [*self.words, *led], ERROR_MM, ways)
         true = {s.name: b - a for s in self.needed for a, b in [vectors[s.name]]}
-        return vectors_named(sketch, self.bench, true, [b - a for a, b in vectors.values()], SURE_MM).spots
+        spots = vectors_named(sketch, self.bench, true, [b - a for a, b in vectors.values()], SURE_MM).spots
+        ends = {(s.start, s.end) for s in self.needed}
+        sums = [b - a for s in _between(self.bench) if (s.start, s.end) not in ends for a, b in [vectors[s.name]]]
+        return (
+            []
+            if any(
+                all(abs(b - a - v) > ALONG_MM for v in sums)
+                for a, b in untold(strokes, [spot.place for spot in spots[1::2]])
+            )
+            else spots
+        )
 
     def _led(self, places: Sequence[complex]) -> Iterator[Words]:
         """Words with a line from them to one of some places, as if they stood there."""
@@ -234,11 +243,6 @@ def _as_printed(flat: Flat) -> Greys:
     black = float(numpy.quantile(inked, MAINLY)) if len(inked) else float(WHITE)
     shares: Greys = cv().divide(dark, numpy.full_like(dark, black), scale=255 - PENCIL)
     return 255 - shares
-
-
-def _drawn(pole: complex, vectors: Mapping[str, Stroke], found: Tips) -> list[Stroke]:
-    """The pole and the vectors whose heads are found."""
-    return [(pole, pole), *((pole + vectors[name][0], tip) for name, tips in found.items() for tip in tips)]
 
 
 def _between(bench: PreparedPlan) -> list[Side]:

@@ -20,6 +20,8 @@ from planes.words.units import standard_mu, standard_scale
 MOST = 8  # parts that are looked at, at a scale each
 LEAST_MM, RIM_MM = 6.0, 3.0  # of a part; of paper around it
 PX_PER_MM = 2.0  # of the smaller picture on which parts are told
+A3_MM2 = 125_000.0  # a larger page is looked over as if it were of that size: its parts are looked at closely
+A2_MM2 = 250_000.0  # no part that is larger is a plan
 INK = 40  # of 255, in its pixels
 SOFT_MM = 6.0  # what counts little in a size
 SIZES = (0.7, 0.8, 0.9, 1.0, 1.05)  # of a part, that its plan may have: lines run on, a scheme has its supports
@@ -34,15 +36,20 @@ class PageParts:
     labels: Indices
     boxes: list[list[int]]
 
+    @property
+    def lookable(self) -> list[int]:
+        """The numbers of the parts that are no larger than a plan may be."""
+        return [k for k, (_, _, w, h) in enumerate(self.boxes) if k and w * h <= A2_MM2 * PX_PER_MM**2]
+
     def likely(self, bench: PreparedPlan) -> list[tuple[int, float | None]]:
         """Parts that may be the plan, at a standard scale if none is stated; the likeliest first."""
         plan = [0j, *bench.true_marks.values()]
         xs, ys = [z.real for z in plan], [z.imag for z in plan]
         size = max(xs) - min(xs), max(ys) - min(ys)
         found = []
-        for k, box in enumerate(self.boxes):
-            seen = box[2] / PX_PER_MM, box[3] / PX_PER_MM
-            for mu in _scales(bench, max(size), max(seen)) if k and max(seen) > LEAST_MM else ():
+        for k in self.lookable:
+            seen = self.boxes[k][2] / PX_PER_MM, self.boxes[k][3] / PX_PER_MM
+            for mu in _scales(bench, max(size), max(seen)) if max(seen) > LEAST_MM else ():
                 pairs = zip(seen, size, strict=True)
                 unlike = (abs(math.log((a + SOFT_MM) / (b * mu / bench.said_mu + SOFT_MM))) for a, b in pairs)
                 found.append((sum(unlike), k, mu))
@@ -54,7 +61,7 @@ class PageParts:
         kind = kind_of(bench.asked.plan)
         known = bench.written(true_vectors(bench)) if kind == "force" else bench.names
         found = []
-        for k in range(1, len(self.boxes)):
+        for k in self.lookable:
             near = [one for w in self.beside(k, words) for one in w.listed()]
             names = {known.exactly(w.text) for w in near} - {None}
             box = ReadDrawing(strokes=[self._corners(k)])
@@ -108,8 +115,8 @@ def _scales(bench: PreparedPlan, true_mm: float, seen_mm: float) -> Iterator[flo
 
 def parts_of(flat: Flat) -> PageParts:
     """The parts of a page."""
-    cv2, factor = cv(), PX_PER_MM / flat.scale
-    small = cv2.resize(ink_of(flat).mask * 255, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA)
+    cv2, size = cv(), tuple(round(mm * PX_PER_MM) for mm in flat.size_mm)
+    small = cv2.resize(ink_of(flat.as_if(A3_MM2)).mask * 255, size, interpolation=cv2.INTER_AREA)
     near = round(TOGETHER_MM / 2 * PX_PER_MM) * 2 + 1
     spread = cv2.dilate((small > INK).astype(numpy.uint8), cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (near, near)))
     _, labels, stats, _ = cv2.connectedComponentsWithStats(spread, connectivity=8)

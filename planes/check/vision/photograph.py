@@ -15,7 +15,7 @@ from planes.check.vision.match_force import vectors_on
 from planes.check.vision.match_motion import marks_on
 from planes.check.vision.match_printed import PrintedSheet
 from planes.check.vision.match_scheme import origin_found, points_on
-from planes.check.vision.page_parts import parts_of
+from planes.check.vision.page_parts import A2_MM2, parts_of
 from planes.check.vision.picture import Flat, by_points, by_scale, cv, flatten
 from planes.check.vision.places import Seen, pole_found, pole_on, sheet_of
 from planes.geometry.arrays import Greys
@@ -111,7 +111,7 @@ def _best(bench: PreparedPlan, flat: Flat, pole: complex | None, words: Sequence
     """What a flat picture shows best: all of it, or of a page of known scale one of its parts."""
     if flat.by != "scale" or pole is not None:
         return looked(bench, flat, pole, sheet_of(flat, _printed(bench, flat)))
-    page, looks = parts_of(flat), list[tuple[float, Look]]()
+    page, looks = parts_of(flat), [(-math.inf, Look(flat, 0j, explained=0.0))]
     seen: dict[int, tuple[Flat, Seen | None]] = {}
     for k, mu in page.lettered(bench, words) or page.likely(bench):
         part, sheet = seen[k] = seen.get(k) or (one := page.cut(k), sheet_of(one))
@@ -123,7 +123,7 @@ def _best(bench: PreparedPlan, flat: Flat, pole: complex | None, words: Sequence
         if good >= len(bench.marks):
             break
     printed = words and kind_of(bench.asked.plan) != "position"  # with names, and none of the parts is so named
-    if not printed and all(good == -math.inf for good, _ in looks):
+    if not printed and math.prod(flat.size_mm) <= A2_MM2 and all(good == -math.inf for good, _ in looks):
         looks.append((0.0, looked(bench, flat, None, sheet_of(flat))))
     return max(looks, key=lambda found: (found[0], found[1].explained))[1]
 

@@ -53,6 +53,14 @@ class Flat:
         local = (z - self.corner) * self.scale
         return local.real, self.grey.shape[0] - local.imag
 
+    def as_if(self, area: float) -> "Flat":
+        """Itself, or, if it is larger, as if it were drawn smaller, on paper of that area (mm²)."""
+        width, height = self.size_mm
+        share = math.sqrt(area / (width * height))
+        if share >= 1:
+            return self
+        return Flat(cv().resize(self.grey, None, fx=share, fy=share, interpolation=cv().INTER_AREA), self.scale)
+
 
 def cv() -> ModuleType:
     """OpenCV, or a sentence that says how to get it."""

@@ -1,11 +1,12 @@
 """Vectors as they are printed beside each other: which of them are one, and what runs along them."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from planes.check.reading.strokes import Stroke
 from planes.check.vision.printed_heads import THICK
 
 ALONG_MM = 1.0  # how far a head may be from where it belongs
+PLAIN_MM = 9.0  # shorter vectors may be others' heads, or letters, and do not tell where the pole is
 APART_MM = 0.5  # heads no nearer than this are two
 HIDING_MM = THICK.long  # how near other vectors' ends are that may hide a head
 
@@ -34,3 +35,8 @@ def hides(z: complex, other: Stroke) -> bool:
     a, b = other
     share = min(max(((z - a) / (b - a)).real, 0.0), 1.0) if a != b else 0.0
     return abs(z - b) < HIDING_MM or abs(z - a - share * (b - a)) < THICK.wide
+
+
+def untold(vectors: Iterable[Stroke], tips: Sequence[complex]) -> list[Stroke]:
+    """Of vectors those that surely are one and whose heads are none of the tips that were told."""
+    return [(a, b) for a, b in vectors if tips and abs(b - a) > PLAIN_MM and all(abs(b - z) > APART_MM for z in tips)]
