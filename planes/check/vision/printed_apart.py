@@ -39,4 +39,4 @@ def hides(z: complex, other: Stroke) -> bool:
 
 def untold(vectors: Iterable[Stroke], tips: Sequence[complex]) -> list[Stroke]:
     """Of vectors those that surely are one and whose heads are none of the tips that were told."""
-    return [(a, b) for a, b in vectors if tips and abs(b - a) > PLAIN_MM and all(abs(b - z) > APART_MM for z in tips)]
+    return [(a, b) for a, b in vectors if tips and abs(b - a) > PLAIN_MM and all(abs(b - z) > ALONG_MM for z in tips)]
