@@ -50,6 +50,15 @@ class Ink:
         dark: Array = (PAPER - grey.astype(numpy.float32)) / (PAPER - PENCIL)
         return dark.clip(0, 1).reshape(numpy.shape(z))
 
+    def darkest(self, z: Complexes) -> Array:
+        """How much darker than paper the picture is about places in mm, at the most."""
+        wide = round(2 * RIM_MM * self.flat.scale) | 1
+        dark, local = cv().dilate(self.dark, numpy.ones((wide, wide), numpy.uint8)), (z - self.flat.corner)
+        h, w = dark.shape
+        down = (h - local.imag * self.flat.scale).clip(0, h - 1).astype(int)
+        held: Array = dark[down, (local.real * self.flat.scale).clip(0, w - 1).astype(int)].astype(float)
+        return held
+
     def lettered(self, z: Points) -> Booleans:
         """Whether there may be letters at places in mm (an array of complex numbers)."""
         local = (numpy.atleast_1d(z) - self.flat.corner) * self.flat.scale

@@ -18,13 +18,18 @@ from planes.check.grading.handwork import Miss
 from planes.check.vision.line_fitting import Fitted
 from planes.check.vision.picture import cv
 from planes.check.vision.places import HEADED_MM, Seen
-from planes.geometry.arrays import Booleans, Complexes, Indices
+from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 
 STEP_MM = 0.5
 ROUTE_MM = 0.9  # ink farther than this from a vector is not its own
 JOINED_MM = 6.0  # lines no farther apart hang together
 TORN_MM, CELLS = 12.0, 2  # a line may be so far torn; cells of a millimetre by which it is seen what hangs together
-PER_MM = 0.5  # what a millimetre of ink costs that no vector runs along
+PER_MM, OVERSHOT = 0.5, 0.1  # what a millimetre of ink costs that no vector runs along, and of a line drawn too far
+OVER_MM, FAINT, TORN_OFF_MM = (
+    30.0,
+    0.8,
+    3.0,
+)  # how far a construction line runs on, how dark to its vector, in one piece
 NO_HEAD, OTHER_HEAD = 2.9, 3.0  # what a longer vector costs that shows no head, and a head that is no vector's
 CROSS_MM = 3.0  # what is nearer to the pole is its printed cross
 TIP_NEAR_MM, TIP_STRAIGHT = 1.6, 0.94  # how far a head's tip may be from a vector's end; the cosine of its turn
@@ -67,9 +72,11 @@ class InkCover:
     room: Sequence[complex]  # the marks of the right plan, mm from the pole
     arrows: bool = True  # whether its lines are vectors
     steps: Complexes = field(init=False)
+    dark: Array = field(init=False)  # how dark the picture is at every step
     parts: list[InkPart] = field(default_factory=list)  # what hangs together, the pole's own first
     tips: list[tuple[complex, complex]] = field(default_factory=list)  # and the unit way they point
     known: dict[tuple[complex, complex], tuple[int, int]] = field(default_factory=dict)
+    overshot: dict[tuple[complex, complex], int] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         lines = self.seen.lines
@@ -77,6 +84,7 @@ class InkCover:
         steps, parts = self._stepped(numbers)
         kept = ~self.seen.ink.lettered(steps) & (parts >= 0)
         self.steps, parts = steps[kept], parts[kept]
+        self.dark = self.seen.ink.darkest(self.steps)
         heads = [0] * (max(numbers, default=0) + 1)
         for line, number in zip(lines, numbers, strict=False):
             for head in line.heads:
@@ -126,6 +134,29 @@ class InkCover:
         on = (abs(local.imag) < ROUTE_MM) & (local.real > -1) & (local.real < length + 1)
         return _bits(on)
 
+    def beyond(self, routes: Iterable[tuple[complex, complex]]) -> int:
+        """The steps of construction lines that run on past the ends of ways."""
+        for a, b in (routes := [*routes] if self.headed else []):
+            if (a, b) not in self.overshot:
+                self.overshot[a, b] = self._beyond(a, b) | self._beyond(b, a)
+        return reduce(or_, (self.overshot[pair] for pair in routes), 0)
+
+    def _beyond(self, a: complex, b: complex) -> int:
+        """The steps of a fainter line that runs straight on past b."""
+        length = abs(b - a)
+        if length < HEADED_MM or not len(self.steps):
+            return 0
+        local = (self.steps - a) * ((b - a).conjugate() / length)
+        near = abs(local.imag) < ROUTE_MM
+        own = near & (local.real > 0) & (local.real < length)
+        further = numpy.flatnonzero(near & (local.real > length) & (local.real < length + OVER_MM))
+        further = further[numpy.argsort(local.real[further])]
+        gaps = numpy.diff(local.real[further], prepend=length) > TORN_OFF_MM
+        run = further[~numpy.logical_or.accumulate(gaps)]
+        on = numpy.zeros(len(self.steps), bool)
+        on[run] = self.dark[run] < FAINT * numpy.median(self.dark[own]) if own.any() else False
+        return _bits(on)
+
     def _heads(self, a: complex, b: complex) -> int:
         near = abs(b - a) * TIP_STRAIGHT
         return sum(
@@ -147,25 +178,28 @@ class InkCover:
         """What is the drawing's own: what hangs together with the pole or with any of the steps."""
         return [self.parts[0], *(part for part in self.parts[1:] if part.steps & steps)]
 
-    def explained(self, steps: int) -> float:
-        """The share of the drawing's ink that the steps are."""
-        own = self.taken(steps)
-        left = STEP_MM * sum((part.steps & ~steps).bit_count() for part in own)
+    def explained(self, routes: Sequence[tuple[complex, complex]]) -> float:
+        """The share of the drawing's ink that runs along some ways, or on past their ends."""
+        steps = reduce(or_, (self.along(a, b)[0] for a, b in routes), 0)
+        own, over = self.taken(steps), self.beyond(routes)
+        left = STEP_MM * sum((part.steps & ~steps & ~over).bit_count() for part in own)
         length = sum(part.length for part in own)
         return 1 - left / max(length, 1.0) if length else 0.0
 
-    def over(self, steps: int, heads: int) -> float:
-        """What the drawing's ink and heads cost that are not among these."""
-        own = self.taken(steps)
-        left = STEP_MM * sum((part.steps & ~steps).bit_count() for part in own)
-        lost = sum((part.heads & ~heads).bit_count() for part in own) if self.headed else 0
-        return PER_MM * left + OTHER_HEAD * lost
+    def over(self, steps: int, heads: int, routes: Iterable[tuple[complex, complex]]) -> float:
+        """What the drawing's ink and heads cost that are not among these, of the vectors that lead so."""
+        left = [part.steps & ~steps for part in self.taken(steps)]
+        lost = sum((part.heads & ~heads).bit_count() for part in self.taken(steps)) if self.headed else 0
+        beyond = self.beyond(routes)
+        apart, on = (STEP_MM * sum((bits & which).bit_count() for bits in left) for which in (~beyond, beyond))
+        return PER_MM * apart + OVERSHOT * on + OTHER_HEAD * lost
 
     def price(self, routes: Iterable[tuple[complex, complex]]) -> float:
         """What vectors cost for want of heads, and what they leave over."""
+        routes = [*routes]
         taken = [(self.along(a, b), self.bare(a, b)) for a, b in routes]
         steps, heads = (reduce(or_, (bits[k] for bits, _ in taken), 0) for k in (0, 1))
-        return self.over(steps, heads) + sum(bare for _, bare in taken)
+        return self.over(steps, heads, routes) + sum(bare for _, bare in taken)
 
 
 def hanging(

@@ -9,8 +9,6 @@ the drawing is right is judged afterwards, from the places.
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import reduce
-from operator import or_
 from types import MappingProxyType
 from typing import Any, Self
 
@@ -173,8 +171,7 @@ class Search:
 
     def explained(self, way: LaidPlan) -> float:
         """The share of the ink that vectors run along."""
-        steps = reduce(or_, (self.ink.along(a, b)[0] for a, b in self.routes(way)), 0)
-        return self.ink.explained(steps)
+        return self.ink.explained(self.routes(way))
 
     def _ended(self) -> list[Place]:
         """Places where lines surely end."""
