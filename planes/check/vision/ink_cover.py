@@ -29,7 +29,7 @@ OVER_MM, FAINT, TORN_OFF_MM = (
     30.0,
     0.8,
     3.0,
-)  # how far a construction line runs on, how dark to its vector, in one piece
+)  # how far a construction line runs on, how dark to its vector; a gap in it
 NO_HEAD, OTHER_HEAD = 2.9, 3.0  # what a longer vector costs that shows no head, and a head that is no vector's
 CROSS_MM = 3.0  # what is nearer to the pole is its printed cross
 TIP_NEAR_MM, TIP_STRAIGHT = 1.6, 0.94  # how far a head's tip may be from a vector's end; the cosine of its turn
