@@ -41,6 +41,7 @@ WRONG, SLIP, ANYWHERE = 0.5, 2.0, 11.0  # the odds of a mistake; the least one o
 VAGUE = 3.0  # what a place costs that is known to a millimetre
 DOUBTFUL = 3.0  # what a place costs whose line is better known to end elsewhere
 COVERED = 0.75  # the share of a vector that must be drawn
+STRANGE_MM = 10.0  # of a vector's end, by which it is told
 
 
 def slip(count: int) -> float:
@@ -185,6 +186,17 @@ class InkCover:
         left = STEP_MM * sum((part.steps & ~steps & ~over).bit_count() for part in own)
         length = sum(part.length for part in own)
         return 1 - left / max(length, 1.0) if length else 0.0
+
+    def strangers(self, routes: Sequence[tuple[complex, complex]]) -> list[complex]:
+        """Tips of the drawing's vectors that are none of these."""
+        steps, heads = (reduce(or_, (self.along(a, b)[k] for a, b in routes), 0) for k in (0, 1))
+        explained, drawn = steps | self.beyond(routes), [part.heads & ~heads for part in self.taken(steps)]
+        found = []
+        for k, (tip, way) in enumerate(self.tips if self.headed else ()):
+            own = self.along(tip - STRANGE_MM * way, tip)[0]
+            lone = STEP_MM * (own & ~explained).bit_count() > COVERED * STRANGE_MM
+            found += [tip] if lone and any(bits >> k & 1 for bits in drawn) else []
+        return found
 
     def over(self, steps: int, heads: int, routes: Iterable[tuple[complex, complex]]) -> float:
         """What the drawing's ink and heads cost that are not among these, of the vectors that lead so."""

@@ -32,6 +32,7 @@ from planes.check.vision.ink_cover import (
 from planes.check.vision.places import Place, Seen, pole_on
 from planes.check.vision.print_scale import UNLIKELY, by_ruler, likely_shares, seen_from
 from planes.drafting.steps import Step
+from planes.words import Phrase
 from planes.words.names import POLE, at, label_of, plan_of
 
 NEARLY, CLOSE = 3.0, 12.0  # how much dearer a place may be, and a whole way, to be looked at again
@@ -241,5 +242,7 @@ def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadM
     left_out = way.variant.blames if way.variant and way.variant.mistake.endswith(LEFT_OUT) else None
     names = [label_of(m) for m in bench.marks if m in way.found and label_of(m) != left_out]
     spots += [ReadMark(n, way.found[at(plan, n)].z, way.found[at(plan, n)].error_mm) for n in names]
-    explained = search.explained(way)
+    explained, strange = search.explained(way), ink.strangers(search.routes(way))
+    if strange and len(way.found) == len(bench.marks):
+        seen.ink.flat.notes.append(Phrase("check_strangers", count=len(strange)))
     return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained
