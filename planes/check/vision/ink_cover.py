@@ -128,31 +128,34 @@ class InkCover:
         return self.known[a, b]
 
     def _steps(self, a: complex, b: complex) -> int:
-        length = abs(b - a)
-        if not length or not len(self.steps):
+        if a == b or not len(self.steps):
             return 0
-        local = (self.steps - a) * ((b - a).conjugate() / length)
-        on = (abs(local.imag) < ROUTE_MM) & (local.real > -1) & (local.real < length + 1)
-        return _bits(on)
+        s = self._along(a, b)
+        return _bits((s > -1) & (s < abs(b - a) + 1))
+
+    def _along(self, a: complex, b: complex) -> Array:
+        """How far along the way from a to b every step is; infinitely far what is not near it."""
+        local = (self.steps - a) * ((b - a).conjugate() / abs(b - a))
+        return numpy.where(abs(local.imag) < ROUTE_MM, local.real, math.inf)
 
     def beyond(self, routes: Iterable[tuple[complex, complex]]) -> int:
         """The steps of construction lines that run on past the ends of ways."""
-        for a, b in (routes := [*routes] if self.headed else []):
+        found = 0
+        for a, b in routes if self.headed else ():
             if (a, b) not in self.overshot:
                 self.overshot[a, b] = self._beyond(a, b) | self._beyond(b, a)
-        return reduce(or_, (self.overshot[pair] for pair in routes), 0)
+            found |= self.overshot[a, b]
+        return found
 
     def _beyond(self, a: complex, b: complex) -> int:
         """The steps of a fainter line that runs straight on past b."""
         length = abs(b - a)
         if length < HEADED_MM or not len(self.steps):
             return 0
-        local = (self.steps - a) * ((b - a).conjugate() / length)
-        near = abs(local.imag) < ROUTE_MM
-        own = near & (local.real > 0) & (local.real < length)
-        further = numpy.flatnonzero(near & (local.real > length) & (local.real < length + OVER_MM))
-        further = further[numpy.argsort(local.real[further])]
-        gaps = numpy.diff(local.real[further], prepend=length) > TORN_OFF_MM
+        s = self._along(a, b)
+        own, further = (s > 0) & (s < length), numpy.flatnonzero((s > length) & (s < length + OVER_MM))
+        further = further[numpy.argsort(s[further])]
+        gaps = numpy.diff(s[further], prepend=length) > TORN_OFF_MM
         run = further[~numpy.logical_or.accumulate(gaps)]
         on = numpy.zeros(len(self.steps), bool)
         on[run] = self.dark[run] < FAINT * numpy.median(self.dark[own]) if own.any() else False
@@ -175,6 +178,15 @@ class InkCover:
         """Whether a vector from a to b has a head at its end."""
         return bool(self.along(a, b)[1] or self.seen.closer(a, b))
 
+    def runs_out(self, a: complex, b: complex) -> bool:
+        """Whether what seems a vector has no head and grows faint towards b: its end may be its construction line's."""
+        length = abs(b - a)
+        if not self.headed or length < 2 * HEADED_MM or self.pointed(a, b):
+            return False
+        s = self._along(a, b)
+        own, last = ((s > low) & (s < length) for low in (0, length - HEADED_MM))
+        return bool(last.any()) and float(numpy.median(self.dark[last])) < FAINT * float(numpy.median(self.dark[own]))
+
     def taken(self, steps: int) -> list[InkPart]:
         """What is the drawing's own: what hangs together with the pole or with any of the steps."""
         return [self.parts[0], *(part for part in self.parts[1:] if part.steps & steps)]
@@ -182,29 +194,26 @@ class InkCover:
     def explained(self, routes: Sequence[tuple[complex, complex]]) -> float:
         """The share of the drawing's ink that runs along some ways, or on past their ends."""
         steps = reduce(or_, (self.along(a, b)[0] for a, b in routes), 0)
-        own, over = self.taken(steps), self.beyond(routes)
-        left = STEP_MM * sum((part.steps & ~steps & ~over).bit_count() for part in own)
-        length = sum(part.length for part in own)
-        return 1 - left / max(length, 1.0) if length else 0.0
+        length = sum(part.length for part in self.taken(steps))
+        return 1 - self._left(steps | self.beyond(routes)) / max(length, 1.0) if length else 0.0
+
+    def _left(self, steps: int) -> float:
+        """How much of the drawing's ink is not these steps, mm."""
+        return STEP_MM * sum((part.steps & ~steps).bit_count() for part in self.taken(steps))
 
     def strangers(self, routes: Sequence[tuple[complex, complex]]) -> list[complex]:
         """Tips of the drawing's vectors that are none of these."""
         steps, heads = (reduce(or_, (self.along(a, b)[k] for a, b in routes), 0) for k in (0, 1))
-        explained, drawn = steps | self.beyond(routes), [part.heads & ~heads for part in self.taken(steps)]
-        found = []
-        for k, (tip, way) in enumerate(self.tips if self.headed else ()):
-            own = self.along(tip - STRANGE_MM * way, tip)[0]
-            lone = STEP_MM * (own & ~explained).bit_count() > COVERED * STRANGE_MM
-            found += [tip] if lone and any(bits >> k & 1 for bits in drawn) else []
-        return found
+        explained, drawn = steps | self.beyond(routes), reduce(or_, (part.heads for part in self.taken(steps)))
+        left = [z for k, z in enumerate(self.tips) if self.headed and (drawn & ~heads) >> k & 1]
+        own = ((tip, self.along(tip - STRANGE_MM * way, tip)[0] & ~explained) for tip, way in left)
+        return [tip for tip, bits in own if STEP_MM * bits.bit_count() > COVERED * STRANGE_MM]
 
     def over(self, steps: int, heads: int, routes: Iterable[tuple[complex, complex]]) -> float:
         """What the drawing's ink and heads cost that are not among these, of the vectors that lead so."""
-        left = [part.steps & ~steps for part in self.taken(steps)]
+        left, apart = self._left(steps), self._left(steps | self.beyond(routes))
         lost = sum((part.heads & ~heads).bit_count() for part in self.taken(steps)) if self.headed else 0
-        beyond = self.beyond(routes)
-        apart, on = (STEP_MM * sum((bits & which).bit_count() for bits in left) for which in (~beyond, beyond))
-        return PER_MM * apart + OVERSHOT * on + OTHER_HEAD * lost
+        return PER_MM * apart + OVERSHOT * (left - apart) + OTHER_HEAD * lost
 
     def price(self, routes: Iterable[tuple[complex, complex]]) -> float:
         """What vectors cost for want of heads, and what they leave over."""
