@@ -40,8 +40,7 @@ NO_MARK, NO_END, NO_LINE = 9.0, 3.0, 5.0  # what a mark costs that is nowhere, w
 WRONG, SLIP, ANYWHERE = 0.5, 2.0, 11.0  # the odds of a mistake; the least one of the catalogue costs; a mark anywhere
 VAGUE = 3.0  # what a place costs that is known to a millimetre
 DOUBTFUL = 3.0  # what a place costs whose line is better known to end elsewhere
-COVERED = 0.75  # the share of a vector that must be drawn
-STRANGE_MM = 10.0  # of a vector's end, by which it is told
+COVERED, STRANGE_MM = 0.75, 10.0  # the share of a vector that must be drawn; of its end, what tells a strange one
 
 
 def slip(count: int) -> float:
@@ -118,8 +117,7 @@ class InkCover:
     @property
     def headed(self) -> bool:
         """Whether the vectors of this drawing have heads at all."""
-        own = self.parts[0]
-        return self.arrows and own.heads.bit_count() > FEW * own.long
+        return self.arrows and self.parts[0].heads.bit_count() > FEW * self.parts[0].long
 
     def along(self, a: complex, b: complex) -> tuple[int, int]:
         """The steps a way from a to b runs along, and the heads at its end, as bits."""
@@ -215,9 +213,8 @@ class InkCover:
         lost = sum((part.heads & ~heads).bit_count() for part in self.taken(steps)) if self.headed else 0
         return PER_MM * apart + OVERSHOT * (left - apart) + OTHER_HEAD * lost
 
-    def price(self, routes: Iterable[tuple[complex, complex]]) -> float:
+    def price(self, routes: Sequence[tuple[complex, complex]]) -> float:
         """What vectors cost for want of heads, and what they leave over."""
-        routes = [*routes]
         taken = [(self.along(a, b), self.bare(a, b)) for a, b in routes]
         steps, heads = (reduce(or_, (bits[k] for bits, _ in taken), 0) for k in (0, 1))
         return self.over(steps, heads, routes) + sum(bare for _, bare in taken)
