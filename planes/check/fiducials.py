@@ -16,6 +16,7 @@ PATTERNS = (
     (0b11000, 0b01101, 0b10010, 0b00110, 0b11011),
     (0b00000, 0b10110, 0b00101, 0b11010, 0b01001),
 )
+Square = tuple[complex, float]  # its middle, and how far it reaches about it
 CELLS = 7  # five bits and a black border on each side
 
 
@@ -43,12 +44,12 @@ def code_centre(size_mm: tuple[float, float] = SHEET_MM) -> complex:
     return centres(size_mm)[2] - complex(SIDE_MM / 2 + CODE_GAP_MM + CODE_MM / 2, (CODE_MM - SIDE_MM) / 2)
 
 
-def squares(size_mm: tuple[float, float] = SHEET_MM) -> list[tuple[complex, float]]:
+def squares(size_mm: tuple[float, float] = SHEET_MM) -> list[Square]:
     """What is printed on a sheet, the code last: the middle of each, and how far nothing drawn is seen about it."""
     return [*((z, SIDE_MM / 2 + RIM_MM) for z in centres(size_mm)), (code_centre(size_mm), CODE_MM / 2 + RIM_MM)]
 
 
-def within(z: complex, square: tuple[complex, float], rim: float = 0.0) -> bool:
+def within(z: complex, square: Square, rim: float = 0.0) -> bool:
     """Whether a place is in a square, or nearer to it than ``rim``."""
     off = z - square[0]
     return max(abs(off.real), abs(off.imag)) < square[1] + rim
@@ -62,14 +63,13 @@ def pole_place(ends: list[complex], size_mm: tuple[float, float] = SHEET_MM) -> 
     start = complex(across, _moved((OTHER_MM, h - OTHER_MM), [z.imag for z in places]))
     steps = range(-MOST_STEPS, MOST_STEPS + 1)
     around = [start + STEP_MM * complex(x, y) for x, y in sorted(product(steps, steps), key=lambda xy: math.hypot(*xy))]
-    return next((pole for pole in around if all(_free(pole + z, size_mm) for z in places)), start)
+    printed, e = squares(size_mm), 1e-6
 
+    def free(z: complex) -> bool:
+        inside = LEFT_MM - e <= z.real <= w - OTHER_MM + e and OTHER_MM - e <= z.imag <= h - OTHER_MM + e
+        return inside and not any(within(z, square, RIM_MM) for square in printed)
 
-def _free(z: complex, size_mm: tuple[float, float]) -> bool:
-    """Whether a place may be drawn on and is seen."""
-    (w, h), e = size_mm, 1e-6
-    inside = LEFT_MM - e <= z.real <= w - OTHER_MM + e and OTHER_MM - e <= z.imag <= h - OTHER_MM + e
-    return inside and not any(within(z, square, RIM_MM) for square in squares(size_mm))
+    return next((pole for pole in around if all(free(pole + z) for z in places)), start)
 
 
 def _moved(room: tuple[float, float], places: list[float]) -> float:

@@ -18,7 +18,7 @@ from tests.physical.paper import Paper
 from tests.physical.setting import Setting, varied
 from tests.picture_corpus import drawn
 
-SIX = easel("six-link", "velocity")
+SIX, OVER = easel("six-link", "velocity"), "overshoot 25 mm"
 
 
 def work(mistake: Mistake | None, seed: int) -> corpus.Work:
@@ -71,6 +71,17 @@ def test_pictures_are_made_checked_and_counted(tmp_path: Path) -> None:
     assert (whole.right, whole.wrong, whole.unread, whole.false) == (1, 1, 0, 0)
     assert (whole.accepted, whole.found, whole.step, whole.named) == (1, 1, 1, 1)
     assert whole.row()[:5] == ["1/1", "1/1", "1/1", "1/1", "0/2"] and sorted(whole.errors)[len(whole.errors) // 2] < 0.4
+
+
+@pytest.mark.slow
+def test_lines_drawn_on_past_their_vectors_hide_no_plan(tmp_path: Path) -> None:
+    """A missing normal part is named though a fainter construction line runs on past every vector."""
+    *_, one = corpus.works(4, 11)
+    taken = corpus.picture(
+        one, varied(Setting(), corpus.FACTORS[OVER], random.Random(f"11 {OVER} 3")), f"11 {OVER} 3", tmp_path / "p.jpg"
+    )
+    assert taken is not None and one.mistake and one.mistake.name == "normal_missing"
+    assert corpus.counted(taken).named == 1
 
 
 def test_a_dropped_picture_with_its_marks_is_counted(tmp_path: Path) -> None:

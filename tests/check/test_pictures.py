@@ -65,6 +65,21 @@ def looked(
 
 
 @pytest.mark.slow
+def test_a_vector_that_is_none_of_the_plan_s_is_told_of(tmp_path: Path) -> None:
+    """All marks are right: the verdict says so, and a note that there is more; of the bare plan there is none."""
+    one, notes = easel("six-link", "velocity"), []
+    for more in ([], [(0j, -35 - 25j)]):
+        drawn = corpus.drawn(one, None, random.Random(1))
+        assert drawn is not None
+        whole = replace(drawn, strokes=[*drawn.strokes, *more])
+        corpus.picture(whole, corpus.pole_of(one), SCAN, random.Random(1), tmp_path / "p.jpg")
+        found = corpus.looked_at(one, tmp_path / "p.jpg")[0]
+        assert found.verdict == "right"
+        notes.append([n.key for n in found.notes])
+    assert notes == [[], ["check_strangers"]]
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize(("camera", "most"), [(SCAN, 0.3), (PHONE, 0.6)], ids=["scan", "phone"])
 def test_marks_are_read_where_they_were_put(camera: Camera, most: float, tmp_path: Path) -> None:
     errors, count = [], 0

@@ -69,10 +69,10 @@ class PreparedPlan:
         truth = run(self.program, self.given)
         return {label_of(m): complex(truth[m]) for m in self.marks}
 
-    @property
+    @cached_property
     def vectors(self) -> list[tuple[str, str]]:
         """Vectors of a motion plan by the labels of their ends."""
-        own = (s for s in self.plans.segments if s.plan == self.asked.plan and s.start != s.end)
+        own = (s for s in self.plans.segments_of.get(self.asked.plan, ()) if s.start != s.end)
         return list(dict.fromkeys((s.start, s.end) for s in own))
 
     def mu_said(self, mu: float) -> Written:

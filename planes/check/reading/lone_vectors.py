@@ -67,7 +67,7 @@ def _named(
 def others(bench: PreparedPlan) -> dict[str, complex]:
     """Vectors that may be drawn beside the polygon's own: whole reactions, inner ones."""
     plan, made = bench.asked.plan, run(bench.plans.program, bench.given)
-    own = [s for s in bench.plans.segments if s.plan == plan]
+    own = bench.plans.segments_of.get(plan, ())
     return {s.name.replace("^", ""): complex(made[at(plan, s.end)] - made[at(plan, s.start)]) for s in own}
 
 

@@ -49,9 +49,20 @@ class ClassRow:
         """The row of what was found."""
         found, said = one.found, one.shown(lang)
         unmarked = said.removeprefix(f"{one.first}: ") if one.first else said
-        whose, mistake = (one.whose, one.plan(lang), one.report), unmarked if found and found.mistake else ""
-        shown = mistake, address(thumb(one)), list(islice(wrong_places(one), MOST_PLACES))
-        return cls(one.file, one.verdict, rank(one), one.first, said, *whose, *shown, one.as_json(lang))
+        return cls(
+            file=one.file,
+            verdict=one.verdict,
+            rank=rank(one),
+            first=one.first,
+            said=said,
+            whose=one.whose,
+            plan=one.plan(lang),
+            link=one.report,
+            mistake=unmarked if found and found.mistake else "",
+            picture=address(thumb(one)),
+            places=list(islice(wrong_places(one), MOST_PLACES)),
+            object=one.as_json(lang),
+        )
 
     @classmethod
     def read(cls, data: Json) -> ClassRow:

@@ -3,11 +3,10 @@
 import statistics
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy
 
-from planes.check.fiducials import ARM_MM, INSET_MM, SIDE_MM, squares
+from planes.check.fiducials import ARM_MM, INSET_MM, SIDE_MM, Square, squares
 from planes.check.vision.contrast import inked
 from planes.check.vision.picture import Flat, cv
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices, Points
@@ -33,12 +32,9 @@ class Ink:
     flat: Flat
     even: Greys
     whole: Greys  # with what is too small for lines
+    dark: Greys  # how much darker than paper the picture is
+    printed: list[Square]  # on the sheet: nothing is seen in them
     letters: Booleans | None = None  # where there may be letters, or short vectors
-
-    @cached_property
-    def printed(self) -> list[tuple[complex, float]]:
-        """Squares printed on the sheet, in which nothing is seen."""
-        return printed_on(self.flat)
 
     @property
     def mask(self) -> Greys:
@@ -53,6 +49,15 @@ class Ink:
         grey = cv2.remap(self.even, across, down, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=255)
         dark: Array = (PAPER - grey.astype(numpy.float32)) / (PAPER - PENCIL)
         return dark.clip(0, 1).reshape(numpy.shape(z))
+
+    def darkest(self, z: Complexes) -> Array:
+        """How much darker than paper the picture is about places in mm, at the most."""
+        wide = round(2 * RIM_MM * self.flat.scale) | 1
+        dark, local = cv().dilate(self.dark, numpy.ones((wide, wide), numpy.uint8)), (z - self.flat.corner)
+        h, w = dark.shape
+        down = (h - local.imag * self.flat.scale).clip(0, h - 1).astype(int)
+        held: Array = dark[down, (local.real * self.flat.scale).clip(0, w - 1).astype(int)].astype(float)
+        return held
 
     def lettered(self, z: Points) -> Booleans:
         """Whether there may be letters at places in mm (an array of complex numbers)."""
@@ -77,8 +82,10 @@ class Ink:
 
 def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
     """The ink of a flat picture, without letters and printed marks; a cross may be printed at a place."""
-    shares, followed = inked(darkness(flat), flat.scale, 255 - PENCIL)
-    ink = Ink(flat, 255 - shares, 255 - shares)
+    printed = printed_on(flat)
+    dark = darkness(flat, printed)
+    shares, followed = inked(dark, flat.scale, 255 - PENCIL)
+    ink = Ink(flat, 255 - shares, 255 - shares, dark, printed)
     labels, sizes = _pieces(ink, ink.mask | followed)
     ink.even = numpy.where(_spread((sizes >= LETTER_MM)[labels]), ink.whole, 255)
     if cross is not None:
@@ -86,12 +93,12 @@ def ink_of(flat: Flat, cross: complex | None = None) -> Ink:
     return ink
 
 
-def darkness(flat: Flat) -> Greys:
+def darkness(flat: Flat, printed: Sequence[Square]) -> Greys:
     """How much darker than paper the picture is, as if the light were the same everywhere."""
     even = cv().divide(flat.grey, light_of(flat), scale=float(WHITE))
     even = cv().GaussianBlur(even, (0, 0), 0.8)
     if flat.by in ("marks", "frame"):
-        _whiten_printed(flat, even)
+        _whiten_printed(flat, even, printed)
     dark: Greys = WHITE - numpy.minimum(even, WHITE)
     return dark
 
@@ -132,7 +139,7 @@ def _spread(where: Booleans) -> Booleans:
     return wider > 0
 
 
-def printed_on(flat: Flat) -> list[tuple[complex, float]]:
+def printed_on(flat: Flat) -> list[Square]:
     """Squares of a sheet on which a mark is printed; whether there is a code, it shows itself."""
     if flat.by != "marks":
         return []
@@ -143,9 +150,9 @@ def printed_on(flat: Flat) -> list[tuple[complex, float]]:
     return [*marks, (z, reach)] if black > FULL else marks
 
 
-def _whiten_printed(flat: Flat, even: Greys) -> None:
+def _whiten_printed(flat: Flat, even: Greys, printed: Sequence[Square]) -> None:
     """Paint over the corner marks, the frame and what lies outside of it."""
-    for z, reach in printed_on(flat):
+    for z, reach in printed:
         (x, y), r = flat.px(z), reach * flat.scale
         cv().rectangle(even, (int(x - r), int(y - r)), (int(x + r), int(y + r)), 255, -1)
     left, other = (int(mm * flat.scale) for mm in FRAME_MM)

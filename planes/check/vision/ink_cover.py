@@ -18,13 +18,18 @@ from planes.check.grading.handwork import Miss
 from planes.check.vision.line_fitting import Fitted
 from planes.check.vision.picture import cv
 from planes.check.vision.places import HEADED_MM, Seen
-from planes.geometry.arrays import Booleans, Complexes, Indices
+from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 
 STEP_MM = 0.5
 ROUTE_MM = 0.9  # ink farther than this from a vector is not its own
 JOINED_MM = 6.0  # lines no farther apart hang together
 TORN_MM, CELLS = 12.0, 2  # a line may be so far torn; cells of a millimetre by which it is seen what hangs together
-PER_MM = 0.5  # what a millimetre of ink costs that no vector runs along
+PER_MM, OVERSHOT = 0.5, 0.1  # what a millimetre of ink costs that no vector runs along, and of a line drawn too far
+OVER_MM, FAINT, TORN_OFF_MM = (
+    30.0,
+    0.8,
+    3.0,
+)  # how far a construction line runs on, how dark to its vector; a gap in it
 NO_HEAD, OTHER_HEAD = 2.9, 3.0  # what a longer vector costs that shows no head, and a head that is no vector's
 CROSS_MM = 3.0  # what is nearer to the pole is its printed cross
 TIP_NEAR_MM, TIP_STRAIGHT = 1.6, 0.94  # how far a head's tip may be from a vector's end; the cosine of its turn
@@ -35,7 +40,7 @@ NO_MARK, NO_END, NO_LINE = 9.0, 3.0, 5.0  # what a mark costs that is nowhere, w
 WRONG, SLIP, ANYWHERE = 0.5, 2.0, 11.0  # the odds of a mistake; the least one of the catalogue costs; a mark anywhere
 VAGUE = 3.0  # what a place costs that is known to a millimetre
 DOUBTFUL = 3.0  # what a place costs whose line is better known to end elsewhere
-COVERED = 0.75  # the share of a vector that must be drawn
+COVERED, STRANGE_MM = 0.75, 10.0  # the share of a vector that must be drawn; of its end, what tells a strange one
 
 
 def slip(count: int) -> float:
@@ -67,9 +72,11 @@ class InkCover:
     room: Sequence[complex]  # the marks of the right plan, mm from the pole
     arrows: bool = True  # whether its lines are vectors
     steps: Complexes = field(init=False)
+    dark: Array = field(init=False)  # how dark the picture is at every step
     parts: list[InkPart] = field(default_factory=list)  # what hangs together, the pole's own first
     tips: list[tuple[complex, complex]] = field(default_factory=list)  # and the unit way they point
     known: dict[tuple[complex, complex], tuple[int, int]] = field(default_factory=dict)
+    overshot: dict[tuple[complex, complex], int] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         lines = self.seen.lines
@@ -77,6 +84,7 @@ class InkCover:
         steps, parts = self._stepped(numbers)
         kept = ~self.seen.ink.lettered(steps) & (parts >= 0)
         self.steps, parts = steps[kept], parts[kept]
+        self.dark = self.seen.ink.darkest(self.steps)
         heads = [0] * (max(numbers, default=0) + 1)
         for line, number in zip(lines, numbers, strict=False):
             for head in line.heads:
@@ -109,8 +117,7 @@ class InkCover:
     @property
     def headed(self) -> bool:
         """Whether the vectors of this drawing have heads at all."""
-        own = self.parts[0]
-        return self.arrows and own.heads.bit_count() > FEW * own.long
+        return self.arrows and self.parts[0].heads.bit_count() > FEW * self.parts[0].long
 
     def along(self, a: complex, b: complex) -> tuple[int, int]:
         """The steps a way from a to b runs along, and the heads at its end, as bits."""
@@ -119,11 +126,37 @@ class InkCover:
         return self.known[a, b]
 
     def _steps(self, a: complex, b: complex) -> int:
-        length = abs(b - a)
-        if not length or not len(self.steps):
+        if a == b or not len(self.steps):
             return 0
-        local = (self.steps - a) * ((b - a).conjugate() / length)
-        on = (abs(local.imag) < ROUTE_MM) & (local.real > -1) & (local.real < length + 1)
+        s = self._along(a, b)
+        return _bits((s > -1) & (s < abs(b - a) + 1))
+
+    def _along(self, a: complex, b: complex) -> Array:
+        """How far along the way from a to b every step is; infinitely far what is not near it."""
+        local = (self.steps - a) * ((b - a).conjugate() / abs(b - a))
+        return numpy.where(abs(local.imag) < ROUTE_MM, local.real, math.inf)
+
+    def beyond(self, routes: Iterable[tuple[complex, complex]]) -> int:
+        """The steps of construction lines that run on past the ends of ways."""
+        found = 0
+        for a, b in routes if self.headed else ():
+            if (a, b) not in self.overshot:
+                self.overshot[a, b] = self._beyond(a, b) | self._beyond(b, a)
+            found |= self.overshot[a, b]
+        return found
+
+    def _beyond(self, a: complex, b: complex) -> int:
+        """The steps of a fainter line that runs straight on past b."""
+        length = abs(b - a)
+        if length < HEADED_MM or not len(self.steps):
+            return 0
+        s = self._along(a, b)
+        own, further = (s > 0) & (s < length), numpy.flatnonzero((s > length) & (s < length + OVER_MM))
+        further = further[numpy.argsort(s[further])]
+        gaps = numpy.diff(s[further], prepend=length) > TORN_OFF_MM
+        run = further[~numpy.logical_or.accumulate(gaps)]
+        on = numpy.zeros(len(self.steps), bool)
+        on[run] = self.dark[run] < FAINT * numpy.median(self.dark[own]) if own.any() else False
         return _bits(on)
 
     def _heads(self, a: complex, b: complex) -> int:
@@ -143,29 +176,48 @@ class InkCover:
         """Whether a vector from a to b has a head at its end."""
         return bool(self.along(a, b)[1] or self.seen.closer(a, b))
 
+    def runs_out(self, a: complex, b: complex) -> bool:
+        """Whether what seems a vector has no head and grows faint towards b: its end may be its construction line's."""
+        length = abs(b - a)
+        if not self.headed or length < 2 * HEADED_MM or self.pointed(a, b):
+            return False
+        s = self._along(a, b)
+        own, last = ((s > low) & (s < length) for low in (0, length - HEADED_MM))
+        return bool(last.any()) and float(numpy.median(self.dark[last])) < FAINT * float(numpy.median(self.dark[own]))
+
     def taken(self, steps: int) -> list[InkPart]:
         """What is the drawing's own: what hangs together with the pole or with any of the steps."""
         return [self.parts[0], *(part for part in self.parts[1:] if part.steps & steps)]
 
-    def explained(self, steps: int) -> float:
-        """The share of the drawing's ink that the steps are."""
-        own = self.taken(steps)
-        left = STEP_MM * sum((part.steps & ~steps).bit_count() for part in own)
-        length = sum(part.length for part in own)
-        return 1 - left / max(length, 1.0) if length else 0.0
+    def explained(self, routes: Sequence[tuple[complex, complex]]) -> float:
+        """The share of the drawing's ink that runs along some ways, or on past their ends."""
+        steps = reduce(or_, (self.along(a, b)[0] for a, b in routes), 0)
+        length = sum(part.length for part in self.taken(steps))
+        return 1 - self._left(steps | self.beyond(routes)) / max(length, 1.0) if length else 0.0
 
-    def over(self, steps: int, heads: int) -> float:
-        """What the drawing's ink and heads cost that are not among these."""
-        own = self.taken(steps)
-        left = STEP_MM * sum((part.steps & ~steps).bit_count() for part in own)
-        lost = sum((part.heads & ~heads).bit_count() for part in own) if self.headed else 0
-        return PER_MM * left + OTHER_HEAD * lost
+    def _left(self, steps: int) -> float:
+        """How much of the drawing's ink is not these steps, mm."""
+        return STEP_MM * sum((part.steps & ~steps).bit_count() for part in self.taken(steps))
 
-    def price(self, routes: Iterable[tuple[complex, complex]]) -> float:
+    def strangers(self, routes: Sequence[tuple[complex, complex]]) -> list[complex]:
+        """Tips of the drawing's vectors that are none of these."""
+        steps, heads = (reduce(or_, (self.along(a, b)[k] for a, b in routes), 0) for k in (0, 1))
+        explained, drawn = steps | self.beyond(routes), reduce(or_, (part.heads for part in self.taken(steps)))
+        left = [z for k, z in enumerate(self.tips) if self.headed and (drawn & ~heads) >> k & 1]
+        own = ((tip, self.along(tip - STRANGE_MM * way, tip)[0] & ~explained) for tip, way in left)
+        return [tip for tip, bits in own if STEP_MM * bits.bit_count() > COVERED * STRANGE_MM]
+
+    def over(self, steps: int, heads: int, routes: Iterable[tuple[complex, complex]]) -> float:
+        """What the drawing's ink and heads cost that are not among these, of the vectors that lead so."""
+        left, apart = self._left(steps), self._left(steps | self.beyond(routes))
+        lost = sum((part.heads & ~heads).bit_count() for part in self.taken(steps)) if self.headed else 0
+        return PER_MM * apart + OVERSHOT * (left - apart) + OTHER_HEAD * lost
+
+    def price(self, routes: Sequence[tuple[complex, complex]]) -> float:
         """What vectors cost for want of heads, and what they leave over."""
         taken = [(self.along(a, b), self.bare(a, b)) for a, b in routes]
         steps, heads = (reduce(or_, (bits[k] for bits, _ in taken), 0) for k in (0, 1))
-        return self.over(steps, heads) + sum(bare for _, bare in taken)
+        return self.over(steps, heads, routes) + sum(bare for _, bare in taken)
 
 
 def hanging(

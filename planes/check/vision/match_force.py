@@ -130,7 +130,7 @@ class SoughtPolygon:
     def _lay_closing(self, guess: Guess, order: tuple[str, ...], chain: LaidChain, z: complex) -> None:
         """The closing vectors after the known ones, the last to the pole (or not, which is a mistake)."""
         if not order:
-            chain.cost += self.ink.over(chain.steps, chain.heads)
+            chain.cost += self.ink.over(chain.steps, chain.heads, chain.routes(self.pole.z))
             if chain.cost < self.most:
                 self.best, self.most = chain, chain.cost
             return
@@ -214,7 +214,7 @@ def vectors_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[Rea
         return [], False, 0.0, ()
     if best.cost > _most(best, one.plain, len(sides), pole.z):
         return [], False, 1.0, ()
-    explained = one.polygon.ink.explained(best.steps)
+    explained = one.polygon.ink.explained(best.routes(pole.z))
     rows = [ReadMark(POLE, pole.z, pole.sigma)]
     rows += [
         ReadMark(n, z, math.hypot(sigma, WOBBLE_MM))

@@ -9,8 +9,6 @@ the drawing is right is judged afterwards, from the places.
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import reduce
-from operator import or_
 from types import MappingProxyType
 from typing import Any, Self
 
@@ -34,6 +32,7 @@ from planes.check.vision.ink_cover import (
 from planes.check.vision.places import Place, Seen, pole_on
 from planes.check.vision.print_scale import UNLIKELY, by_ruler, likely_shares, seen_from
 from planes.drafting.steps import Step
+from planes.words import Phrase
 from planes.words.names import POLE, at, label_of, plan_of
 
 NEARLY, CLOSE = 3.0, 12.0  # how much dearer a place may be, and a whole way, to be looked at again
@@ -98,8 +97,7 @@ class Search:
     ) -> LaidPlan | None:
         """The plan drawn so, snapped to the picture; ``fixed`` puts one mark where it cannot be expected."""
         out = LaidPlan(cost + UNLIKELY * (self.share != 1), {}, variant)
-        places: dict[str, complex] = {}
-        lost: list[complex] = []
+        places, lost = dict[str, complex](), list[complex]()
 
         def snap(step: Step, drawn: Any) -> Any:
             if step.makes not in self.own or drawn != drawn or any(abs(drawn - z) < 1e-9 for z in lost):
@@ -122,8 +120,7 @@ class Search:
 
         if redrawn(self.bench, variant, snap) is None:
             return None
-        out.cost += NO_LINE * out.vanished
-        out.cost += self.ink.price(self.routes(out))
+        out.cost += NO_LINE * out.vanished + self.ink.price(self.routes(out))
         return out
 
     def _likely(
@@ -166,6 +163,11 @@ class Search:
         price = VAGUE * place.sigma + (DOUBTFUL if place.doubtful else 0.0)
         return price + (0.0 if place.ended or place.tip else NO_END)
 
+    def blind(self, mark: str, way: LaidPlan) -> bool:
+        """Whether a mark is found but where lines run out that have no heads."""
+        leading = [(a, b) for a, b in self.routes(way) if b == way.found[mark].z]
+        return bool(leading) and all(self.ink.runs_out(a, b) for a, b in leading)
+
     def routes(self, way: LaidPlan) -> list[tuple[complex, complex]]:
         """The vectors of the plan, those whose ends were found."""
         ends = {POLE: self.pole.z, **{label_of(m): p.z for m, p in way.found.items()}}
@@ -173,8 +175,7 @@ class Search:
 
     def explained(self, way: LaidPlan) -> float:
         """The share of the ink that vectors run along."""
-        steps = reduce(or_, (self.ink.along(a, b)[0] for a, b in self.routes(way)), 0)
-        return self.ink.explained(steps)
+        return self.ink.explained(self.routes(way))
 
     def _ended(self) -> list[Place]:
         """Places where lines surely end."""
@@ -239,10 +240,11 @@ def marks_on(bench: PreparedPlan, seen: Seen, near: complex) -> tuple[list[ReadM
     search, way = best_way([Search.of(bench, ink, pole, ends, share) for share in shares]) or (None, None)
     if search is None or way is None or not way.found:
         return [], 0.0
-    plan = bench.asked.plan
     spots = [ReadMark(POLE, search.pole.z, min(search.pole.sigma, 0.3))]
     left_out = way.variant.blames if way.variant and way.variant.mistake.endswith(LEFT_OUT) else None
-    names = [label_of(m) for m in bench.marks if m in way.found and label_of(m) != left_out]
-    spots += [ReadMark(n, way.found[at(plan, n)].z, way.found[at(plan, n)].error_mm) for n in names]
-    explained = search.explained(way)
+    read = {label_of(m): way.found[m] for m in bench.marks if m in way.found and not search.blind(m, way)}
+    spots += [ReadMark(n, p.z, p.error_mm) for n, p in read.items() if n != left_out]
+    explained, strange = search.explained(way), ink.strangers(search.routes(way))
+    if strange and len(way.found) == len(bench.marks):
+        seen.ink.flat.notes.append(Phrase("check_strangers", count=len(strange)))
     return by_ruler(seen.ink.flat, near, search.share, spots, explained, bench.true_marks), explained

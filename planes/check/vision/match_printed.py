@@ -7,7 +7,7 @@ side by side. No clear head may be left over, and no name may stand beside anoth
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy
@@ -19,8 +19,8 @@ from planes.check.grading.prepared_plan import PreparedPlan, redrawn, variants_o
 from planes.check.reading.as_planned import is_right, named, nearest_of, vectors_named
 from planes.check.reading.strokes import ReadDrawing, Stroke, Words
 from planes.check.reading.words_near import led_to_vectors, put
-from planes.check.vision.ink import PENCIL, WHITE, Ink, darkness
-from planes.check.vision.picture import Flat, cv
+from planes.check.vision.ink import PENCIL, WHITE, Ink
+from planes.check.vision.picture import cv
 from planes.check.vision.places import Seen, rounded
 from planes.check.vision.printed_apart import ALONG_MM, APART_MM, PLAIN_MM, along, apart, hides, of_lines, untold
 from planes.check.vision.printed_heads import BOTH_SIDES, HIDDEN, THICK, TURNED, PrintedHead, heads_along, heads_on
@@ -56,8 +56,8 @@ class PrintedSheet:
     tips: dict[tuple[complex, complex], list[complex]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        even = _as_printed(self.seen.ink.flat)
-        self.ink = Ink(self.seen.ink.flat, even, even)
+        even = _as_printed(self.seen.ink.dark)
+        self.ink = replace(self.seen.ink, even=even, whole=even, letters=None)
         self.words = [one for word in self.words for one in word.listed()]
         self.heads = heads_on(self.ink, self.seen.lines)
 
@@ -236,9 +236,8 @@ class PrintedSheet:
         return [ReadMark(n, places[n], ERROR_MM) for n in (POLE, *sorted(labels))] if told else []
 
 
-def _as_printed(flat: Flat) -> Greys:
+def _as_printed(dark: Greys) -> Greys:
     """The picture, all of its ink held against what it is mostly: edges are where they were printed."""
-    dark = darkness(flat)
     inked = dark[dark > FAINT]
     black = float(numpy.quantile(inked, MAINLY)) if len(inked) else float(WHITE)
     shares: Greys = cv().divide(dark, numpy.full_like(dark, black), scale=255 - PENCIL)

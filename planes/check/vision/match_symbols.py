@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy
 
-from planes.check.vision.ink import EDGE, Ink, darkness
+from planes.check.vision.ink import EDGE, Ink
 from planes.check.vision.picture import cv
 from planes.geometry.arrays import Array, Greys
 
@@ -50,7 +50,7 @@ def _dots(ink: Ink) -> Iterator[tuple[float, complex, float]]:
 
 def _smaller(ink: Ink, even: Greys) -> tuple[Array, float]:
     """The share of ink in the pixels of a smaller picture, and how many of these there are to a mm."""
-    cv2, dark = cv(), darkness(ink.flat)
+    cv2, dark = cv(), ink.dark
     darkest = cv2.dilate(dark, numpy.ones((round(2 * DOT_MM * ink.flat.scale) | 1,) * 2, numpy.uint8))
     mask = ((even < EDGE) & (dark > HOLE * darkest)).astype(numpy.float32)  # a faint line's ink fills what is beside it
     factor = min(1.0, PX_PER_MM / ink.flat.scale)

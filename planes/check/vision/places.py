@@ -3,7 +3,7 @@
 import math
 import statistics
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy
@@ -91,7 +91,7 @@ class Seen:
     @cached_property
     def all_ink(self) -> Ink:
         """The sheet's ink with its letters."""
-        return Ink(self.ink.flat, self.ink.whole, self.ink.whole)
+        return replace(self.ink, even=self.ink.whole, letters=None)
 
     @cached_property
     def head_mm(self) -> float | None:

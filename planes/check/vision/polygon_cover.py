@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 
 from planes.check.grading.handwork import Hand, Miss, Variant
 from planes.check.grading.polygons import Side
@@ -36,6 +37,10 @@ class LaidChain:
     hidden: tuple[str, ...] = ()
     steps: int = 0  # of ink, and heads, that the vectors account for: bits
     heads: int = 0
+
+    def routes(self, pole: complex) -> list[tuple[complex, complex]]:
+        """Where its vectors run, from a pole."""
+        return list(pairwise([pole, *(z for _, z, _ in self.rows)]))
 
     def left_out(self, name: str, right: Guess, pole: complex) -> bool:
         """Whether a known vector of some length is laid with none: nobody drew it."""

@@ -8,7 +8,7 @@ import numpy
 from planes.check.vision.drawn_lines import on
 from planes.check.vision.line_fitting import Fitted
 from planes.check.vision.picture import Flat
-from planes.geometry.arrays import Array
+from planes.geometry.arrays import Array, Booleans
 
 GHOST = 0.4  # of a line's darkness: what is lighter was rubbed out
 LONG_MM = 12.0  # of lines that are held against each other, and of what is rubbed out of a line
@@ -19,14 +19,19 @@ PART, MOSTLY = 11, 0.75  # places of a line by which a part of it is judged, and
 
 def remaining(flat: Flat, lines: Sequence[Fitted]) -> list[Fitted]:
     """The lines, and parts of them, that were not rubbed out."""
-    parts = {id(x): _darkness(flat, x) for x in lines if x.length > LONG_MM}
-    return [left for x in lines for left in (_left(x, lines, parts) if id(x) in parts else [x])]
+    long = [x for x in lines if x.length > LONG_MM]
+    parts = {id(x): _darkness(flat, x) for x in long}
+    mostly = {id(x): float(numpy.quantile(parts[id(x)], MOSTLY)) for x in long}
+    found: list[Fitted] = []
+    for x in lines:
+        usual = max((mostly[id(other)] for other in long if _touching(x, other)), default=0.0)
+        found += _left(x, parts[id(x)] > GHOST * usual) if id(x) in parts else [x]
+    return found
 
 
-def _left(line: Fitted, lines: Sequence[Fitted], parts: dict[int, Array]) -> Iterator[Fitted]:
-    """What is left of a line."""
-    usual = max(numpy.quantile(parts[id(x)], MOSTLY) for x in lines if id(x) in parts and _touching(line, x))
-    firm = numpy.flatnonzero(parts[id(line)] > GHOST * usual)
+def _left(line: Fitted, dark: Booleans) -> Iterator[Fitted]:
+    """What is left of a line of which these parts are dark."""
+    firm = numpy.flatnonzero(dark)
     if len(firm):
         low, high = line.low + STEP_MM * firm[0], line.low + STEP_MM * (firm[-1] + PART)
         cut = [low - line.low > LONG_MM, line.high - high > LONG_MM]
