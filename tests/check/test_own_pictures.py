@@ -93,6 +93,7 @@ CROWDED = (
     ("assignments/35", "force:2-3"),  # names nearer to each other's vectors, which nobody takes for one another
     ("assignments/38", "force:2-3"),  # a head seen but a millimetre off, for its own is hidden
     ("assignments/50", "acceleration"),  # a head hidden at the pole
+    ("assignments/02", "force:2-3"),  # what looks like a head upon another vector
     ("assignments/12", "force:2-3"),  # two forces of a millimetre, one after the other
     ("assignments/56", "force:4-5"),  # a head drawn aside and hidden there
     ("assignments/67", "force:2-3"),  # a name at whose edge another vector's line ends

@@ -204,14 +204,8 @@ class PrintedSheet:
         spots = vectors_named(sketch, self.bench, true, [b - a for a, b in vectors.values()], SURE_MM).spots
         ends = {(s.start, s.end) for s in self.needed}
         sums = [b - a for s in _between(self.bench) if (s.start, s.end) not in ends for a, b in [vectors[s.name]]]
-        return (
-            []
-            if any(
-                all(abs(b - a - v) > ALONG_MM for v in sums)
-                for a, b in untold(strokes, [spot.place for spot in spots[1::2]])
-            )
-            else spots
-        )
+        rest = untold(strokes, [(a.place, b.place) for a, b in zip(spots[::2], spots[1::2], strict=True)])
+        return [] if any(all(abs(b - a - v) > ALONG_MM for v in sums) for a, b in rest) else spots
 
     def _led(self, places: Sequence[complex]) -> Iterator[Words]:
         """Words with a line from them to one of some places, as if they stood there."""

@@ -37,6 +37,10 @@ def hides(z: complex, other: Stroke) -> bool:
     return abs(z - b) < HIDING_MM or abs(z - a - share * (b - a)) < THICK.wide
 
 
-def untold(vectors: Iterable[Stroke], tips: Sequence[complex]) -> list[Stroke]:
-    """Of vectors those that surely are one and whose heads are none of the tips that were told."""
-    return [(a, b) for a, b in vectors if tips and abs(b - a) > PLAIN_MM and all(abs(b - z) > ALONG_MM for z in tips)]
+def untold(vectors: Iterable[Stroke], told: Sequence[Stroke]) -> list[Stroke]:
+    """Of vectors those that surely are one, end where none of the told ones ends, and do not run along one."""
+
+    def new(vector: Stroke) -> bool:
+        return all(abs(vector[1] - t[1]) > ALONG_MM and not along(t, vector) for t in told)
+
+    return [v for v in vectors if told and abs(v[1] - v[0]) > PLAIN_MM and new(v)]
