@@ -27,7 +27,7 @@ from planes.words.lettering import LETTERING
 if TYPE_CHECKING:
     from PIL import Image
 
-MOST_BYTES = 320 * MB  # to decode a picture: 64 million pixels, half of that where all must be held several times over
+MOST_BYTES = 360 * MB  # of a file and to decode it: 64 million pixels, half of that where they are held twice over
 MOST_PAGE = 34_000_000
 LEAST_PX = 40
 ROWS = 256
@@ -116,7 +116,7 @@ def _looked_into(data: bytes, file: str, page: int) -> tuple[bool, Image.Image]:
     tiles = getattr(head, "tag_v2", {})
     pixels = max(head.width * head.height, int(tiles.get(322, 0)) * int(tiles.get(323, 0)))
     each = 10 if see_through or head.format == "TIFF" or "progressive" in head.info else 5
-    if pixels * each > MOST_BYTES:
+    if pixels * each + len(data) > MOST_BYTES:
         raise PlanesError(Phrase("check_large_picture", file=file, size=f"{head.width} × {head.height}"))
     return bool(see_through), head
 
@@ -180,15 +180,16 @@ def _page(data: bytes, file: str, number: int = 0) -> DecodedPicture:
 
 def in_one_shade(cv2: ModuleType, data: Greys) -> Greys | None:
     """The picture encoded as ``data`` in grey, or in the colour that shows no grid; None where it is no picture."""
-    small = cv2.imdecode(data, cv2.IMREAD_REDUCED_COLOR_2)
-    if small is None or not _coloured(small):
+    if not _coloured(cv2.imdecode(data, cv2.IMREAD_REDUCED_COLOR_2)):
         grey: Greys | None = cv2.imdecode(data, cv2.IMREAD_GRAYSCALE)
         return grey
     return plainest(cv2, cv2.imdecode(data, cv2.IMREAD_COLOR))
 
 
-def _coloured(picture: Greys) -> bool:
-    """Whether some of it differs in colour from most of it."""
+def _coloured(picture: Greys | None) -> bool:
+    """Whether it is a picture some of which differs in colour from most of it."""
+    if picture is None:
+        return False
     some = picture[:: max(1, picture.shape[0] // 400)].astype(numpy.int16)
     apart = (some[..., 0] - some[..., 1], some[..., 2] - some[..., 1])
     far = numpy.maximum(*(abs(d - numpy.median(d)) for d in apart))
