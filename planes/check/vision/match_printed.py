@@ -205,7 +205,7 @@ class PrintedSheet:
         ends = {(s.start, s.end) for s in self.needed}
         sums = [b - a for s in _between(self.bench) if (s.start, s.end) not in ends for a, b in [vectors[s.name]]]
         rest = untold(strokes, [(a.place, b.place) for a, b in zip(spots[::2], spots[1::2], strict=True)])
-        return [] if any(all(abs(b - a - v) > ALONG_MM for v in sums) for a, b in rest) else spots
+        return [] if any(all(abs(b - a - v) > 2 * ALONG_MM for v in sums) for a, b in rest) else spots
 
     def _led(self, places: Sequence[complex]) -> Iterator[Words]:
         """Words with a line from them to one of some places, as if they stood there."""
