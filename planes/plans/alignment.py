@@ -169,11 +169,23 @@ def firm(group: Group, signs: tuple[Sign, ...], places: PairPlaces) -> float:
                     row[column[link] : column[link] + 3] = [side * x for x in held]
             length = math.hypot(*row)
             rows.append([x / length for x in row])
-    if len(rows) != 3 * len(group.links):
-        return 0.0
-    import numpy
+    return determinant(rows) if len(rows) == 3 * len(group.links) else 0.0
 
-    return float(numpy.linalg.det(rows))
+
+def determinant(rows: list[list[float]]) -> float:
+    """Of a small square matrix, by elimination with the largest pivots."""
+    left, found = [row[:] for row in rows], 1.0
+    for k in range(len(left)):
+        best = max(range(k, len(left)), key=lambda i: abs(left[i][k]))
+        if left[best][k] == 0.0:
+            return 0.0
+        if best != k:
+            left[k], left[best], found = left[best], left[k], -found
+        found *= left[k][k]
+        for i in range(k + 1, len(left)):
+            part = left[i][k] / left[k][k]
+            left[i] = [x - part * y for x, y in zip(left[i], left[k], strict=True)]
+    return found
 
 
 def holds(sign: Sign, kind: str, place: complex, along: complex, size: float) -> list[tuple[float, float, float]]:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from planes.plans import Plans, plans_of
-from planes.plans.alignment import CHOICES, FREEDOMS, _places, aligned, firm, steadily
+from planes.plans.alignment import CHOICES, FREEDOMS, _places, aligned, determinant, firm, steadily
 from planes.plans.structure import Pair
 from planes.scene import load
 from tests.diagrams.test_diagrams import ROCKER, plans_from
@@ -116,3 +116,11 @@ def test_a_variant_loose_in_one_position_only_is_not_taken() -> None:
     assert abs(firm(group, ("S", "P", "C"), cycle[0])) > 1e-3
     assert not steadily(p, group, ("S", "P", "C"), cycle)
     assert [s for _, s in aligned(p).pairs] == ["R", "C", "C", "C"]
+
+
+def test_determinants() -> None:
+    rng = np.random.default_rng(3)
+    for n in (1, 3, 6):
+        rows = rng.standard_normal((n, n))
+        assert determinant(rows.tolist()) == pytest.approx(np.linalg.det(rows), rel=1e-11)
+    assert determinant([[1.0, 2.0], [0.0, 0.0]]) == 0.0

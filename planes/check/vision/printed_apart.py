@@ -7,6 +7,7 @@ from planes.check.vision.printed_heads import THICK
 
 ALONG_MM = 1.0  # how far a head may be from where it belongs
 PLAIN_MM = 9.0  # shorter vectors may be others' heads, or letters, and do not tell where the pole is
+LONG_MM = 20.0  # a longer vector is no part of another's line
 APART_MM = 0.5  # heads no nearer than this are two
 HIDING_MM = THICK.long  # how near other vectors' ends are that may hide a head
 
@@ -43,4 +44,4 @@ def untold(vectors: Iterable[Stroke], told: Sequence[Stroke]) -> list[Stroke]:
     def new(vector: Stroke) -> bool:
         return all(abs(vector[1] - t[1]) > ALONG_MM and not along(t, vector) for t in told)
 
-    return [v for v in vectors if told and abs(v[1] - v[0]) > PLAIN_MM and new(v)]
+    return [v for v in vectors if told and abs(v[1] - v[0]) > LONG_MM and new(v)]
