@@ -97,6 +97,7 @@ CROWDED = (
     ("assignments/12", "force:2-3"),  # two forces of a millimetre, one after the other
     ("assignments/56", "force:4-5"),  # a head drawn aside and hidden there
     ("assignments/67", "force:2-3"),  # a name at whose edge another vector's line ends
+    ("assignments/35", "velocity"),  # a short vector whose head is half hidden
     ("assignments/29", "velocity"),  # a head hidden between two others
     ("assignments/62", "acceleration"),  # a head hidden upon thick lines
 )

@@ -30,7 +30,7 @@ from planes.words.names import POLE, at, kind_of, label_of
 ASIDE_MM = 7.0  # how far aside a force may be drawn
 ACROSS_MM = 0.1  # in which a head is looked for aside
 NEAR_MM = 0.3  # aside, of what is not drawn aside
-SURE_MM = 3.0  # a shorter vector may be there unseen: it is put where it should be
+SURE_MM = 4.0  # a shorter vector may be there unseen: it is put where it should be
 TOLD_MM = 3.0  # a plan none of whose marks is farther from the right one's is not told from it
 LED_MM, AWAY_MM = 1.6, 3.0  # how near to what it names a name's line ends; how far from all marks it begins
 DRAWN_MM = 0.3  # a shorter one is not drawn
