@@ -204,7 +204,8 @@ class PrintedSheet:
         spots = vectors_named(sketch, self.bench, true, [b - a for a, b in vectors.values()], SURE_MM).spots
         ends = {(s.start, s.end) for s in self.needed}
         sums = [b - a for s in _between(self.bench) if (s.start, s.end) not in ends for a, b in [vectors[s.name]]]
-        rest = untold(strokes, [(a.place, b.place) for a, b in zip(spots[::2], spots[1::2], strict=True)])
+        told = [(a.place, b.place) for a, b in zip(spots[::2], spots[1::2], strict=True)]
+        rest = untold(strokes, told, self.heads)
         return [] if any(all(abs(b - a - v) > 2 * ALONG_MM for v in sums) for a, b in rest) else spots
 
     def _led(self, places: Sequence[complex]) -> Iterator[Words]:

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 
 from planes.check.reading.strokes import Stroke
-from planes.check.vision.printed_heads import THICK
+from planes.check.vision.printed_heads import DOUBTFUL, THICK, PrintedHead
 
 ALONG_MM = 1.0  # how far a head may be from where it belongs
 PLAIN_MM = 9.0  # shorter vectors may be others' heads, or letters, and do not tell where the pole is
@@ -38,10 +38,12 @@ def hides(z: complex, other: Stroke) -> bool:
     return abs(z - b) < HIDING_MM or abs(z - a - share * (b - a)) < THICK.wide
 
 
-def untold(vectors: Iterable[Stroke], told: Sequence[Stroke]) -> list[Stroke]:
-    """Of vectors those that surely are one, end where none of the told ones ends, and do not run along one."""
+def untold(vectors: Iterable[Stroke], told: Sequence[Stroke], heads: Sequence[PrintedHead]) -> list[Stroke]:
+    """Of vectors those whose head is clear, that end where none of the told ones ends, and do not run along one."""
+    clear = [head.tip for head in heads if head.clear >= DOUBTFUL]
 
     def new(vector: Stroke) -> bool:
         return all(abs(vector[1] - t[1]) > ALONG_MM and not along(t, vector) for t in told)
 
-    return [v for v in vectors if told and abs(v[1] - v[0]) > LONG_MM and new(v)]
+    surely = [v for v in vectors if abs(v[1] - v[0]) > LONG_MM and any(abs(v[1] - z) < ALONG_MM for z in clear)]
+    return [v for v in surely if told and new(v)]
