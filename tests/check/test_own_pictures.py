@@ -100,6 +100,7 @@ CROWDED = (
     ("assignments/35", "velocity"),  # a short vector whose head is half hidden
     ("assignments/29", "velocity"),  # a head hidden between two others
     ("assignments/62", "acceleration"),  # a head hidden upon thick lines
+    ("assignments/27", "force:2-3"),  # two short forces there and back
     ("assignments/51", "force:4-5"),  # what looks like a head, upon another vector that leads the other way
 )
 

@@ -105,7 +105,8 @@ def vectors_named(
             return nothing
     known = [*sides.values(), *beside]
     over = any(not _alike(s, t) and not _alike(s[::-1], t) for s in arrows for t in [_like(s, known)])
-    over = over or any(_upon(*both) for both in combinations(rows.values(), 2))
+    sure = [n for n in rows if abs(sides[n]) >= least_mm]
+    over = over or any(_upon(rows[one], rows[two]) for one, two in combinations(sure, 2))
 
     def nearer(one: str, two: str) -> float:
         third = sum(alongside(*rows[one], *arrow) for arrow in arrows)  # with one words stand where there is room
@@ -114,7 +115,7 @@ def vectors_named(
         unlike = abs(math.log(abs(sides[one]) / abs(sides[two]))) > UNLIKE  # nobody takes one for the other
         return EXCHANGED_MM if unlike else VECTORS_MM
 
-    if over or not named(rows, [n for n in rows if abs(sides[n]) >= least_mm], word, nearer):
+    if over or not named(rows, sure, word, nearer):
         return nothing
     spots = [ReadMark(n, z, sketch.error_mm) for name, (a, b) in rows.items() for n, z in ((POLE, a), (name, b))]
     return ReadPaper(sketch.file, spots, whole=len(rows) == len(sides))
