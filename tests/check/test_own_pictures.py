@@ -63,6 +63,7 @@ VIEWS = (
     ("six-link", "velocity", "h", "across_guide"),
     ("kind-1-rrr", "velocity", "s2", "similarity_on_pole_segments"),
     ("assignment-12", "velocity", "b", "omega1_reversed"),
+    ("kind-1-rrr", "position", "B", "angle_sense"),
     ("bntu-2", "force:1", "F_12", "force_doubled"),  # two vectors, at the scale the title says
     ("bntu-2", "acceleration", "n_BA", "normal_from_pole"),  # one vector; the other marks are where it begins
 )
@@ -121,6 +122,23 @@ def test_a_spoiled_force_is_found(sample: str, tmp_path: Path) -> None:
     assert k is not None
     found = looked(sample, plan, view(sample, plan, wrongly(sample, plan)), tmp_path)
     assert (found.verdict, found.first_wrong) == ("wrong", mistakes(sample, plan)[k].blames), found.sentence.told("en")
+
+
+OTHERWISE = (
+    ("assignments/61", "position", "other_assembly", "S4"),  # where a mass centre should be stands another point
+    ("assignments/12", "velocity", "relative_from_pole", "d5"),  # vectors that begin together look like a head
+)
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize(("sample", "plan", "mistake", "where"), OTHERWISE)
+def test_a_mistake_beside_what_misleads_is_found(
+    sample: str, plan: str, mistake: str, where: str, tmp_path: Path
+) -> None:
+    known = [(v.mistake, v.blames) for v in mistakes(sample, plan)]
+    wrong = made(sample, plan, drawn(sample)[1], known.index((mistake, where)))[0]
+    found = looked(sample, plan, view(sample, plan, wrong), tmp_path)
+    assert (found.verdict, found.first_wrong) == ("wrong", where), found.sentence.told("en")
 
 
 def test_two_forces_with_each_other_s_names_are_not_right(tmp_path: Path) -> None:

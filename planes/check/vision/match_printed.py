@@ -150,6 +150,7 @@ class PrintedSheet:
                     return []
                 found[name] = [] if self.force else [pole + b]
         clear = [h.tip for h in self.heads if h.clear > BOTH_SIDES] if wrong else []
+        clear = [z for z in clear if abs(z - pole) > THICK.long]  # vectors that begin together look like a head
         if not tips or any(min(abs(z - tip) for tip in tips) > ALONG_MM for z in clear):
             return []
         return (self._rows if self.force else self._marks)(pole, vectors, found)

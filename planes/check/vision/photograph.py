@@ -14,7 +14,7 @@ from planes.check.vision.frame import by_frame
 from planes.check.vision.match_force import vectors_on
 from planes.check.vision.match_motion import marks_on
 from planes.check.vision.match_printed import PrintedSheet
-from planes.check.vision.match_scheme import origin_found, points_on
+from planes.check.vision.match_scheme import origin_found, points_lettered, points_on
 from planes.check.vision.page_parts import A2_MM2, parts_of
 from planes.check.vision.picture import Flat, by_points, by_scale, cv, flatten
 from planes.check.vision.places import Seen, pole_found, pole_on, sheet_of
@@ -129,18 +129,22 @@ def _best(bench: PreparedPlan, flat: Flat, pole: complex | None, words: Sequence
 
 
 def _on_part(bench: PreparedPlan, flat: Flat, seen: Seen | None, words: Sequence[Words]) -> Look:
-    """What a part of a page shows, with the words beside it: by its arrowheads, if it is a plan of vectors."""
-    kind, look = kind_of(bench.asked.plan), Look(flat, 0j, explained=0.0)
-    if seen is None or len(seen.lines) > MOST_LINES or kind == "position":
+    """What a part of a page shows, with the words beside it: by its arrowheads, or by the signs of a scheme."""
+    kind = kind_of(bench.asked.plan)
+    if seen is None or len(seen.lines) > MOST_LINES or (kind == "position" and not words):
         return looked(bench, flat, None, seen)
-    sheet = PrintedSheet(bench, seen, words)
-    spots = sheet.right()
-    if not spots:
-        look = look if kind == "force" else looked(bench, flat, None, seen)
-        right = bool(look.spots) and is_right(bench, ReadPaper("", look.spots, whole=False))
-        spots = sheet.wrong() if words and not right else []
-        look = look if right or not words else Look(flat, 0j, explained=0.0)  # a hand's errors are not a print's
-    return Look(flat, spots[0].place, spots, True, 1.0, told=bool(words)) if spots else look
+    if kind == "position":
+        spots = points_lettered(bench, seen, words)
+    else:
+        sheet = PrintedSheet(bench, seen, words)
+        spots = sheet.right()
+        look = looked(bench, flat, None, seen) if not spots and kind != "force" else Look(flat, 0j, explained=0.0)
+        if look.spots and is_right(bench, ReadPaper("", look.spots, whole=False)):
+            return look
+        if not spots and not words:
+            return look
+        spots = spots or sheet.wrong()  # a hand's errors are not a print's
+    return Look(flat, spots[0].place, spots, True, 1.0, told=bool(words)) if spots else Look(flat, 0j, explained=0.0)
 
 
 def _printed(bench: PreparedPlan, flat: Flat) -> complex | None:
