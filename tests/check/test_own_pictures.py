@@ -127,6 +127,7 @@ def test_a_spoiled_force_is_found(sample: str, tmp_path: Path) -> None:
 OTHERWISE = (
     ("assignments/61", "position", "other_assembly", "S4"),  # where a mass centre should be stands another point
     ("assignments/12", "velocity", "relative_from_pole", "d5"),  # vectors that begin together look like a head
+    ("assignments/13", "acceleration", "tangential_along_link", "b'"),  # a head hidden by other ink
 )
 
 

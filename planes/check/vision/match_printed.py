@@ -40,6 +40,7 @@ MET = 0.7  # the least share of the long vectors of a wrong plan that must meet 
 ERROR_MM = 0.15
 FAINT, MAINLY = 100, 0.7  # of 255: paler is no print's ink, but its rims; the share of ink that is no darker
 WILDEST_MM = 400.0
+KNOT_MM = 5.0  # nearer to where vectors begin or end together their ink looks like a head
 
 Tips = Mapping[str, list[complex]]  # where the head of a vector of that name may be
 
@@ -78,15 +79,16 @@ class PrintedSheet:
 
     def wrong(self) -> list[ReadMark]:
         """The marks of the plan with a mistake of the catalogue; none where no such is drawn."""
-        found = (self._laid(v) for v in variants_of(self.bench, {}, self.bench.said_mu))
+        variants = variants_of(self.bench, {}, self.bench.said_mu)
+        found = (self._laid(v, hidden) for hidden in (False, True) for v in variants)
         return next((spots for spots in found if spots), [])
 
-    def _laid(self, variant: Variant | None) -> list[ReadMark]:
-        """The marks of a plan drawn so; none where it is not."""
+    def _laid(self, variant: Variant | None, hidden: bool = True) -> list[ReadMark]:
+        """The marks of a plan drawn so, if need be with heads hidden by other ink; none where it is not."""
         vectors, wrong = self._vectors(variant), variant is not None
         if any(s.name not in vectors for s in self.needed) or (wrong and not self._told(vectors)):
             return []
-        read = (self._read(pole, vectors, wrong) for pole in self._poles(vectors.values(), wrong))
+        read = (self._read(pole, vectors, wrong, hidden) for pole in self._poles(vectors.values(), wrong))
         return next((spots for spots in read if spots), [])
 
     @cached_property
@@ -134,13 +136,13 @@ class PrintedSheet:
                 found.append(complex(poles[k]))
         return found
 
-    def _read(self, pole: complex, vectors: Mapping[str, Stroke], wrong: bool) -> list[ReadMark]:
+    def _read(self, pole: complex, vectors: Mapping[str, Stroke], wrong: bool, hidden: bool) -> list[ReadMark]:
         """The marks of a plan with its vectors at a pole; none where one has no head, or, if it is not the right plan,
         a clear head is no vector's."""
         found: dict[str, list[complex]] = {}
         for name, (a, b) in vectors.items():
             found[name] = self._heads(pole + a, pole + b) if abs(b - a) > DRAWN_MM else []
-            if not found[name] and abs(b - a) > SURE_MM and wrong and any(s.name == name for s in self.needed):
+            if not found[name] and abs(b - a) > SURE_MM and not hidden and any(s.name == name for s in self.needed):
                 return []
         tips = [z for held in found.values() for z in held]
         drawn = [(pole, pole), *((pole + vectors[n][0], z) for n, held in found.items() for z in held)]
@@ -150,7 +152,8 @@ class PrintedSheet:
                     return []
                 found[name] = [] if self.force else [pole + b]
         clear = [h.tip for h in self.heads if h.clear > BOTH_SIDES] if wrong else []
-        clear = [z for z in clear if abs(z - pole) > THICK.long]  # vectors that begin together look like a head
+        knots = [pole, *(z for stroke in drawn for z in stroke)] if hidden else [pole]
+        clear = [z for z in clear if all(abs(z - k) > KNOT_MM for k in knots)]
         if not tips or any(min(abs(z - tip) for tip in tips) > ALONG_MM for z in clear):
             return []
         return (self._rows if self.force else self._marks)(pole, vectors, found)
