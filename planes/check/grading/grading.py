@@ -16,7 +16,7 @@ from planes.drafting.drawing import Drawing, run
 from planes.drafting.steps import LayOff, Same, Step
 from planes.plans import Plans
 from planes.plans.scales import extent
-from planes.words import Phrase
+from planes.words import Phrase, Written
 from planes.words.names import at, kind_of, label_of, letter_of, mu_of, plan_of
 
 OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
@@ -95,9 +95,24 @@ class Grading:
         return None
 
     @property
-    def left_out_mistake(self) -> str:
-        """What it is called to leave that force out."""
-        return "weight_missing" if letter_of(self.left_out or "") == "G" else "force_missing"
+    def otherwise(self) -> Phrase | None:
+        """What is wrong though no mark is: a force that is not there, a polygon that does not close."""
+        if left := self.left_out:
+            return Phrase(f"mistake_{'weight' if letter_of(left) == 'G' else 'force'}_missing", mark=left)
+        gap, closing = self.gap_wrong, self.rebuilt.closing if self.rebuilt else ""
+        return Phrase("mistake_not_closed", mark=closing, gap=Written(f"{gap:.1f}")) if gap else None
+
+    @property
+    def fault(self) -> Phrase | None:
+        """What goes wrong first and how to mend it."""
+        named, wrong = self.judgement.named, self.judgement.wrong
+        if named:
+            return named.sentence
+        if not wrong:
+            return self.otherwise
+        mark, off = label_of(wrong[0]), abs(self.judgement.misses[wrong[0]].off)
+        unclear = Phrase("check_unclear", mark=mark, off=Written(f"{off:.1f}"))
+        return unclear if math.isfinite(off) else Phrase("check_undrawable", mark=mark)
 
     @property
     def unseen(self) -> list[str]:
@@ -121,10 +136,15 @@ class Grading:
         return found
 
     @property
-    def strays(self) -> str | None:
+    def first_wrong(self) -> str | None:
         """The mark where it goes wrong: drawn wrongly, left out, or where a polygon should close."""
-        gap = self.rebuilt.closing if self.gap_wrong and self.rebuilt else None
-        return self.judgement.first_wrong or self.left_out or gap
+        return str(self.fault.parts["mark"]) if self.fault else None
+
+    @property
+    def runner_up(self) -> str | None:
+        """The mistake that explains what is drawn wrongly next best."""
+        found = self.judgement
+        return found.runner_up.mistake if found.runner_up and found.first_wrong else None
 
     @property
     def chance(self) -> float:
@@ -139,7 +159,7 @@ class Grading:
         found, apart = self.judgement, [0j]
         for place in (self.hand.taken[m].place for m in found.misses):
             apart += [place] if all(abs(place - z) > FAR_MM for z in apart) else []
-        if len(apart) < 3 or not self.strays:
+        if len(apart) < 3 or not self.fault:
             return len(apart) > 2
         off = max((abs(found.misses[m].off) for m in found.wrong), default=0.0)
         fitting = found.explained if found.named else found.misses.keys() - found.wrong

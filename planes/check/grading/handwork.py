@@ -20,7 +20,7 @@ from planes.drafting.steps import Aim, Same, Step, Turn
 from planes.drafting.steps.reckoning import Measure
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Point, Truth
-from planes.words import Told, Written
+from planes.words import Phrase, Told, Written
 from planes.words.names import POLE, label_of, plan_of
 
 LEAST_MM = 0.1  # no mark on paper is surer than this
@@ -91,6 +91,11 @@ class Variant:
     givens: Mapping[str, Point] = field(default_factory=dict)
     weight: float = 1.0
     about: Mapping[str, Told | Written] = field(default_factory=dict)  # names for the sentence
+
+    @property
+    def sentence(self) -> Phrase:
+        """What the mistake is, and how to mend it."""
+        return Phrase(f"mistake_{self.mistake}", **{"mark": self.blames, **self.about})
 
     def drawn(self, program: Program, things: Env, tool: Tool, fixed: Container[str]) -> Env:
         """What the steps it touches make of things drawn without it; marks that are ``fixed`` stay where they are."""

@@ -13,6 +13,7 @@ from planes.drafting.steps import LayOff
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.geometry.arithmetic import Arithmetic, Real
 from planes.plans.quantities import Quantity
+from planes.words import Phrase, Written
 from planes.words.names import POLE, Names, at, label_of, letter_of, mu_of, plan_of
 
 SHARE = 0.03  # a number within 3 % is right, however steady the hand
@@ -55,14 +56,31 @@ class Account:
     """All figures of a table judged."""
 
     scored: list[Scored] = field(default_factory=list)
+    lengths: bool = False  # of the drawing, not results
     named: Variant | None = None
-    number_mistake: str | None = None
     runner_up: str | None = None
 
     @property
-    def first_wrong(self) -> Scored | None:
+    def first(self) -> Scored | None:
         """The first figure that is not right."""
         return next((s for s in self.scored if s.verdict == "wrong"), None)
+
+    @property
+    def first_wrong(self) -> str | None:
+        """Its name, or the mark a mistake known by its lengths is made at."""
+        if self.named and self.lengths:
+            return self.named.blames
+        return self.first.figure.name if self.first else None
+
+    @property
+    def fault(self) -> Phrase | None:
+        """What goes wrong first and how to mend it."""
+        if self.named or not (s := self.first):
+            return self.named.sentence if self.named else None
+        if s.slip:
+            return Phrase(f"mistake_{s.slip}", mark=s.figure.name)
+        given, true = Written(f"{s.figure.given:.4g}"), Written(f"{s.true:.4g}")
+        return Phrase("check_number_unclear", mark=s.figure.name, given=given, true=true)
 
 
 Figures = tuple[list[WrittenNumber], list[str]]  # those of a table, and the names that mean nothing here
@@ -114,16 +132,14 @@ def account(
     figures: Sequence[WrittenNumber], free: Hand, own: Hand | None, variants: Iterable[Variant], ruler_mm: float = 0.0
 ) -> Account:
     """Judge figures against the true plan; name the mistake of the first wrong one."""
-    found = Account([_judged(f, free, own, ruler_mm) for f in figures])
+    found = Account([_judged(f, free, own, ruler_mm) for f in figures], ruler_mm > 0)
     for s in found.scored:
         if s.verdict == "wrong":
             s.slip = number_mistake(s, free)
             if s.slip is None and own is not None and s.mine:  # a slip made with the person's own segments
                 s.slip = number_mistake(replace(s, true=s.mine), own)
-    if first := found.first_wrong:
-        found.number_mistake = first.slip
-        if first.slip is None:
-            _name(found, free, variants)
+    if found.first and found.first.slip is None:
+        _name(found, free, variants)
     return found
 
 
@@ -179,7 +195,7 @@ def _follow(found: Account, free: Hand) -> None:
     """What the named mistake explains beyond the first wrong figure follows from it."""
     assert found.named
     things = {**free.things, **found.named.givens, **free.under(found.named)}
-    first = found.first_wrong
+    first = found.first
     for s in found.scored:
         value = first_of(s.figure.read(things))
         if s.verdict == "wrong" and s is not first and _fit(s, value) > -4.5:

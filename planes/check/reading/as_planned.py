@@ -161,7 +161,7 @@ def is_right(bench: PreparedPlan, paper: ReadPaper) -> bool:
         found = grade(bench, paper)
     except PlanesError:
         return False
-    return found is not None and not found.strays and readable(found) is None
+    return found is not None and not found.fault and readable(found) is None
 
 
 def told_apart(sketch: ReadDrawing, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:

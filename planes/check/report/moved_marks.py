@@ -20,7 +20,7 @@ from planes.check.vision.photograph import blank_pole
 from planes.drafting.steps import Same
 from planes.plans.measuring import lettering
 from planes.plans.scales import extent
-from planes.words import Lang, Phrase, Written, say
+from planes.words import Lang, Phrase, say
 from planes.words.names import POLE, kind_of, label_of, plan_of
 from planes.words.records import Json
 
@@ -51,7 +51,7 @@ def moved_marks(found: Outcome, grading: Grading, lang: Lang) -> Json:
         "variants": [_variant(v, under, lang) for v, under in zip(variants, traced.under, strict=True) if under],
         "rule": _rule(grading),
         "said": _said(found, lang),
-        "otherwise": _otherwise(found, grading, lang),
+        "otherwise": _otherwise(grading, lang),
         "words": {**{k: say(f"verdict_{k}", lang) for k in VERDICTS}, "close": say("check_close", lang)},
         "strokes": [[*_pair(a), *_pair(b)] for a, b in found.paper.strokes],
         **_shown(found, truth),
@@ -76,12 +76,11 @@ def _mark(grading: Grading, mark: str, miss: tuple[int, int]) -> Json:
 
 
 def _variant(v: Variant, under: Mapping[str, tuple[int, int]], lang: Lang) -> Json:
-    said = Phrase(f"mistake_{v.mistake}", **{"mark": v.blames, **v.about}).told(lang)
     return {
         "mistake": v.mistake,
         "blames": v.blames,
         "weight": v.weight,
-        "said": said,
+        "said": v.sentence.told(lang),
         "under": {label_of(m): places for m, places in under.items()},
     }
 
@@ -130,15 +129,10 @@ def _said(found: Outcome, lang: Lang) -> dict[str, str]:
     return {k: p.told(lang) for k, p in phrases.items()}
 
 
-def _otherwise(found: Outcome, grading: Grading, lang: Lang) -> Json | None:
-    """What is wrong though no mark is: a force that is not there, a polygon that does not close."""
-    if left := grading.left_out:
-        said = Phrase(f"mistake_{grading.left_out_mistake}", mark=left)
-        return {"first": left, "mark": left, "said": said.told(lang)}
-    if grading.gap_wrong and grading.rebuilt:
-        said = Phrase("mistake_not_closed", gap=Written(f"{grading.gap_wrong:.1f}"), mark=grading.rebuilt.closing)
-        return {"first": grading.rebuilt.closing, "mark": None, "said": said.told(lang)}
-    return None
+def _otherwise(grading: Grading, lang: Lang) -> Json | None:
+    """What is wrong though no mark is."""
+    said = grading.otherwise
+    return {"first": said.parts["mark"], "mark": grading.left_out, "said": said.told(lang)} if said else None
 
 
 def _shown(found: Outcome, truth: Mapping[str, complex]) -> Json:
