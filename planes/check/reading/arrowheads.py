@@ -23,7 +23,7 @@ STRAIGHT = 0.94  # the cosine of the angle between a head and its stroke, at the
 
 def head_of(points: Sequence[complex]) -> Arrowhead | None:
     """The head a small closed figure is: its tip is the corner farthest from the middle, or between equal sides."""
-    corners = [a for a, b in pairwise([*points, points[0]]) if abs(b - a) > 0.02]
+    corners = [a for a, b in pairwise([*points, *points[:1]]) if abs(b - a) > 0.02]
     if not 3 <= len(corners) <= 12:
         return None
     middle = sum(corners) / len(corners)

@@ -12,10 +12,11 @@ from itertools import pairwise, product
 from typing import NamedTuple
 
 from planes.check.reading.opened import too_many
+from planes.geometry.plane import corners
 
 Stroke = tuple[complex, complex]
 Round = tuple[complex, float]  # the middle of a small circle, a hinge or a point, and its radius
-LONGEST_LIST = 40  # letters of names in a row
+LONGEST_LIST, LONGEST = 40, 200  # letters of names in a row, and of any text
 ROUND_MM = 3.0  # a larger circle is no sign of a point
 SHORT_MM = 0.8  # shorter strokes are ticks, dots and pieces of letters
 SNAPPED_MM, LOOSE_MM, FARTHEST_MM = 0.1, 0.6, 2.0  # ends no farther apart are one: joined by a program, by eye, badly
@@ -60,6 +61,11 @@ class Words:
         width = self.width or 0.7 * self.height * max(len(self.text), 1)
         return math.hypot(max(-local.real, 0.0, local.real - width), max(-local.imag, 0.0, local.imag - self.height))
 
+    def beside(self, stroke: Stroke) -> float:
+        """How far it is from the middle part of a vector."""
+        a, b = stroke
+        return min(self.distance(a + (b - a) * t / 8) for t in range(1, 8))
+
 
 @dataclass
 class ReadDrawing:
@@ -75,6 +81,21 @@ class ReadDrawing:
     mm: Callable[[complex], complex] = lambda z: z  # from the file's own units to mm, y up
     rounds: list[Round] = field(default_factory=list)
     passed: list[complex] = field(default_factory=list)  # vertices that polylines go straight on through
+
+    def way(self, k: int) -> int:
+        """Which end of a stroke has a head."""
+        return self.ways[k] if self.ways else 0
+
+    def only(self, held: Iterable[int]) -> ReadDrawing:
+        """The drawing with some of its strokes."""
+        kept = list(held)
+        ways = [self.ways[k] for k in kept] if self.ways else []
+        return replace(self, strokes=[self.strokes[k] for k in kept], ways=ways)
+
+    def write(self, words: Words) -> None:
+        """A text, unless it is empty or a story."""
+        if 0 < len(text := words.text.strip()) <= LONGEST:
+            self.words.append(replace(words, text=text))
 
     def add(self, points: Sequence[complex], closed: bool = False) -> None:
         """A polyline's strokes; where it goes straight on, it is one."""
@@ -108,9 +129,7 @@ def hinged(sketch: ReadDrawing) -> ReadDrawing:
         return next((c for c, r in sketch.rounds if abs(z - c) < r + LOOSE_MM / 2), z)
 
     lines = [(on(a), on(b)) for a, b in sketch.strokes]
-    kept = [k for k, (a, b) in enumerate(lines) if a != b]
-    ways = [sketch.ways[k] for k in kept] if sketch.ways else []
-    return replace(sketch, strokes=[lines[k] for k in kept], ways=ways)
+    return replace(sketch, strokes=lines).only(k for k, (a, b) in enumerate(lines) if a != b)
 
 
 def reach_of(strokes: Sequence[Stroke], vectors: Sequence[int] = ()) -> float:
@@ -211,8 +230,8 @@ class Nodes:
         """Whether there are so many that anything would match."""
         if len(self.places) < 60:
             return False
-        xs, ys = [z.real for z in self.places], [z.imag for z in self.places]
-        return len(self.places) > min(CROWD * max((max(xs) - min(xs)) * (max(ys) - min(ys)), 1.0), 3000)
+        low, high = corners(self.places)
+        return len(self.places) > min(CROWD * max((high - low).real * (high - low).imag, 1.0), 3000)
 
 
 def crossings(strokes: Sequence[Stroke]) -> Iterable[complex]:

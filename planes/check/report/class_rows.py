@@ -15,6 +15,7 @@ from itertools import islice
 from planes.check import STATUS
 from planes.check.report import Checked
 from planes.check.report.shown import Shown, Vector, leads, shown_plans, true_marks
+from planes.geometry.plane import corners
 from planes.words import Lang, say
 from planes.words.names import POLE, kind_of, label_of
 from planes.words.records import Json
@@ -162,9 +163,9 @@ def thumb(one: Checked) -> bytes:
     ends = [z for v in shown_plans(one.found).own for z in v] if one.found else []
     if len(ends) < 2:
         return _jpeg(paper.picture, None, THUMB_PX)
-    low = complex(min(z.real for z in ends), min(z.imag for z in ends)) - RIM_MM * (1 + 1j)
-    high = complex(max(z.real for z in ends), max(z.imag for z in ends)) + RIM_MM * (1 + 1j)
-    return cropped(paper.picture, paper.box, (low.real, low.imag, high.real, high.imag), THUMB_PX)
+    low, high = corners(ends)
+    box = low.real - RIM_MM, low.imag - RIM_MM, high.real + RIM_MM, high.imag + RIM_MM
+    return cropped(paper.picture, paper.box, box, THUMB_PX)
 
 
 def cropped(picture: bytes, lies: Box | None, box: Box, longest: int = PLACE_PX) -> bytes:

@@ -18,6 +18,7 @@ from planes.check.report.regrading import SURELY_MM, exported, retrace
 from planes.check.report.shown import own_marks, own_order, shown_plans, vectors
 from planes.check.vision.photograph import blank_pole
 from planes.drafting.steps import Same
+from planes.geometry.plane import corners
 from planes.plans.measuring import lettering
 from planes.plans.scales import extent
 from planes.words import Lang, Phrase, say
@@ -152,9 +153,8 @@ def _about(found: Outcome, truth: Mapping[str, complex]) -> Pair:
     shown, margin = shown_plans(found), complex(MARGIN_MM, MARGIN_MM)
     vectors_shown = [*shown.own, *shown.true, *found.paper.strokes]
     places = [0j, *truth.values(), *own_marks(found).values(), *(z for v in vectors_shown for z in v)]
-    places = [z for z in places if abs(z) < 2000]  # nor what is no place at all
-    xs, ys = [z.real for z in places], [z.imag for z in places]
-    return [*_pair(complex(min(xs), min(ys)) - margin), *_pair(complex(max(xs), max(ys)) + margin)]
+    low, high = corners(z for z in places if abs(z) < 2000)  # nor what is no place at all
+    return [*_pair(low - margin), *_pair(high + margin)]
 
 
 def _pair(z: complex) -> Pair:
