@@ -34,14 +34,14 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None = No
     if pole is not None:
         sketch.strokes = [(_at(pole, a), _at(pole, b)) for a, b in sketch.strokes if _at(pole, a) != _at(pole, b)]
     sketch = replace(sketch, words=[one for w in sketch.words for one in w.listed()])
-    vectors = list[int]()
-    if kind_of(bench.asked.plan) == "position":
+    kind, vectors = kind_of(bench.asked.plan), list[int]()
+    if kind == "position":
         sketch = hinged(sketch)
         middles = [z for z, _ in sketch.rounds]
         nodes = Nodes(sketch.strokes, LOOSE_MM if middles else 0.0, points=middles)
     else:
         sketch.rounds = []
-        vectors = vectors_of(sketch, kind_of(bench.asked.plan) == "force")
+        vectors = vectors_of(sketch, kind == "force")
         nodes = Nodes(sketch.strokes, vectors=vectors, passed=sketch.passed)
     sketch.error_mm = max(sketch.error_mm, LOOSE * nodes.near)
     if not nodes.places:
@@ -53,7 +53,7 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None = No
     if first is not None:  # where marks are told from where lines merely cross or end
         near = {n: {i: far for i, far in held.items() if i < first} or held for n, held in near.items()}
     bench = sized(bench, sketch, nodes, near)
-    if kind_of(bench.asked.plan) == "force":
+    if kind == "force":
         sketch.words += led_to_vectors(sketch) if headed(sketch) else ()
         found = vectors_as_planned(sketch, bench)
         return found if found.spots else _polygon(sketch, nodes, bench, paper)

@@ -100,7 +100,7 @@ class ReadDrawing:
     def add(self, points: Sequence[complex], closed: bool = False) -> None:
         """A polyline's strokes; where it goes straight on, it is one."""
         line = [*points, points[0]] if closed and len(points) > 2 else list(points)
-        on = {k for k, (a, b, c) in enumerate(zip(line, line[1:], line[2:], strict=False), 1) if _straight(a, b, c)}
+        on = {k for k, (a, b, c) in enumerate(zip(line, line[1:], line[2:], strict=False), 1) if goes_on(a, b, c)}
         self.passed += [line[k] for k in on]
         line = [z for k, z in enumerate(line) if k not in on]
         for a, b in pairwise(line):
@@ -111,9 +111,9 @@ class ReadDrawing:
                 raise too_many(self.file, "strokes", most)
 
 
-def _straight(a: complex, b: complex, c: complex) -> bool:
-    """Whether the way from a to b goes on to c."""
-    return a != b != c and abs(cmath.phase((c - b) / (b - a))) < STRAIGHT
+def goes_on(a: complex, b: complex, c: complex, within: float = STRAIGHT) -> bool:
+    """Whether the way from a to b goes on to c, turned by no more than ``within``, radians."""
+    return a != b != c and abs(cmath.phase((c - b) / (b - a))) < within
 
 
 def headed(sketch: ReadDrawing) -> list[int]:
