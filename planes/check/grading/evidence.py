@@ -9,9 +9,7 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.drafting.steps import LayOff, Same
 from planes.words.names import POLE, at, kind_of
 
-MOST_BY_CHANCE = (
-    0.02  # how likely marks put anywhere on the drawing may be to pass: one vector of 50 mm at a scale of its own
-)
+MOST_BY_CHANCE = 0.02  # how likely marks put anywhere may be to pass: one vector of 50 mm at a scale of its own
 SURE_LENGTHS = 0.05  # the same of lengths, each of which shows half of what a mark does
 SMALLEST = 10.0  # a drawing this many times the error of a mark shows nothing
 LEAST_MM = 5.0  # shorter vectors tell little about the scale

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -129,13 +129,17 @@ def mark_names(plans: Plans, plan: str) -> Names:
     return Names(labels, spelt=lambda n: f"n_{turning[n].of}{turning[n].about}" if n in turning else n)
 
 
-def variants_of(bench: PreparedPlan, taken: Mapping[str, Taken], mu: float) -> list[Variant]:
-    """Every mistake of the catalogue that could be made in the plan."""
-    ways = PlanSteps(bench.plans, bench.program, bench.asked.plan)
-    kind = kind_of(bench.asked.plan)
+def catalogue(ways: PlanSteps, taken: Mapping[str, Taken], mu: float) -> Iterator[Variant]:
+    """Every mistake that could be made in a plan, drawn at a scale with some marks of a person's own."""
+    kind = kind_of(ways.plan)
     if kind == "position":
-        return list(position_variants(ways, taken, mu))
-    return list(force_variants(ways) if kind == "force" else motion_variants(ways))
+        return position_variants(ways, taken, mu)
+    return force_variants(ways) if kind == "force" else motion_variants(ways)
+
+
+def variants_of(bench: PreparedPlan, taken: Mapping[str, Taken], mu: float) -> list[Variant]:
+    """Every mistake that could be made in the plan that is checked."""
+    return list(catalogue(PlanSteps(bench.plans, bench.program, bench.asked.plan), taken, mu))
 
 
 @dataclass

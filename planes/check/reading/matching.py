@@ -19,7 +19,6 @@ from planes.check.reading.words_near import Candidates, by_words, led, led_to_ve
 from planes.words import Phrase
 from planes.words.names import POLE, at, kind_of, label_of
 
-POLE_MM = 2.7  # ends nearer than this to a printed pole are at it
 APART_MM = 0.7  # two marks nearer than this are one place
 WORDED = 0.6  # the share of marks with words from which on one without was not drawn
 USED = 4.0  # how strange it is, in mm from its word, for a mark to be where another one is
@@ -28,11 +27,9 @@ LOOSE = 0.2  # of how far joined ends are apart, the error of where they are
 ALONG = 0.7  # the share of a vector that must be drawn for its end to count
 
 
-def paper_of(sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None = None) -> ReadPaper:
-    """The marks of a plan found on a sketch; its pole may be known beforehand."""
+def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
+    """The marks of a plan found on a sketch."""
     paper = ReadPaper(sketch.file, whole=False)
-    if pole is not None:
-        sketch.strokes = [(_at(pole, a), _at(pole, b)) for a, b in sketch.strokes if _at(pole, a) != _at(pole, b)]
     sketch = replace(sketch, words=[one for w in sketch.words for one in w.listed()])
     kind, vectors = kind_of(bench.asked.plan), list[int]()
     if kind == "position":
@@ -60,7 +57,7 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None = No
     if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):
         paper.notes.append(Phrase("check_crowd", count=len(nodes.places)))
         return paper
-    origin = pole if pole is not None else start_of(sketch, nodes, bench, near)
+    origin = start_of(sketch, nodes, bench, near)
     if origin is None:
         return paper
     poles = dict.fromkeys([origin, *(nodes.places[i] for i in near.get(POLE, ()))])
@@ -87,11 +84,6 @@ def _polygon(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: Read
         paper.spots = []
         paper.notes.append(Phrase("check_force_unsure"))
     return told_apart(sketch, bench, paper)
-
-
-def _at(pole: complex, z: complex) -> complex:
-    """An end so near the pole that it must be there."""
-    return pole if abs(z - pole) < POLE_MM else z
 
 
 def _marks(

@@ -24,6 +24,7 @@ CROSSINGS = 400  # of more strokes than this crossings are not looked for
 MOST, MOST_SHORT = 12_000, 120_000  # strokes of a drawing, and pieces of letters: a plan has a few dozen strokes
 HEADED, FEWEST_HEADS = 0.25, 2  # of all lines, how many must have heads for that to tell the vectors from the rest
 STRAIGHT = 0.005  # radians, by which a polyline that goes straight on may turn at a vertex
+ALONG_MM = 0.9  # a stroke no farther off runs along a way
 CROWD = 0.03  # nodes per mm² beyond which any place would do for a mark
 
 
@@ -248,9 +249,9 @@ def crossings(strokes: Sequence[Stroke]) -> Iterable[complex]:
                 yield a + s * u
 
 
-def covered(strokes: Sequence[Stroke], a: complex, b: complex, reach: float = 0.9) -> float:
+def covered(strokes: Sequence[Stroke], a: complex, b: complex) -> float:
     """The share of the way from ``a`` to ``b`` that some stroke runs along."""
-    length, spans = abs(b - a), []
+    length, spans, reach = abs(b - a), [], ALONG_MM
     if length < 2 * reach:
         return 1.0
     u = (b - a) / length
