@@ -8,7 +8,7 @@ from planes.check import Outcome, report
 from planes.check.fiducials import CODE_MM, SHEET_MM, SIDE_MM, cells, centres, code_centre
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.report import as_json, mark_rows
-from planes.check.report.shown import leads, shown_plans, tracing_data
+from planes.check.report.shown import shown_plans, tracing_data
 from planes.check.sheet_mark import SheetMark
 from planes.check.sheet_mark import cells as code_cells
 from planes.check.vision.photograph import blank_pole
@@ -93,7 +93,7 @@ def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:
     return check_sheet.Overlay(
         own=shown.own,
         true=shown.true if laid else [],
-        next=leads(found, shown.marks),
+        next=shown.next,
         marks={name(n): (z, verdicts.get(n, "right")) for n, z in shown.marks.items()},
         along={name(n): v for n, v in shown.along.items()},
         pole=name(POLE),

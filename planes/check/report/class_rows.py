@@ -14,8 +14,9 @@ from itertools import islice
 
 from planes.check import STATUS
 from planes.check.report import Checked
-from planes.check.report.shown import Shown, Vector, leads, shown_plans, true_marks
+from planes.check.report.shown import Vector, shown_plans, true_marks
 from planes.geometry.plane import corners
+from planes.plans.measuring import say_plan
 from planes.words import Lang, say
 from planes.words.names import POLE, kind_of, label_of
 from planes.words.records import Json
@@ -48,7 +49,8 @@ class ClassRow:
     @classmethod
     def of(cls, one: Checked, lang: Lang) -> ClassRow:
         """The row of what was found."""
-        found, said = one.found, one.shown(lang)
+        found, said = one.found, one.said(lang)
+        said = said.removeprefix(f"{one.read_from}: ").removeprefix(f"{one.file}: ")  # that has a column of its own
         unmarked = said.removeprefix(f"{one.first}: ") if one.first else said
         return cls(
             file=one.file,
@@ -57,7 +59,7 @@ class ClassRow:
             first=one.first,
             said=said,
             whose=one.whose,
-            plan=one.plan(lang),
+            plan=say_plan(found.bench.asked.plan, lang) if found else "",
             link=one.report,
             mistake=unmarked if found and found.mistake else "",
             picture=address(thumb(one)),
@@ -123,12 +125,11 @@ def wrong_places(one: Checked) -> Iterable[Json]:
             "at": _pair(places[0]),
             "picture": address(cropped(paper.picture, paper.box, box)),
             "strokes": _vectors(_near(paper.strokes, box)),
-            **_plans(shown, leads(found, shown.marks), kind_of(found.bench.asked.plan) == "position"),
+            "own": _vectors(shown.own),
+            "true": _vectors(shown.true),
+            "next": _vectors(shown.next),
+            "lines": kind_of(found.bench.asked.plan) == "position",
         }
-
-
-def _plans(shown: Shown, next_: Sequence[Vector], lines: bool) -> Json:
-    return {"own": _vectors(shown.own), "true": _vectors(shown.true), "next": _vectors(next_), "lines": lines}
 
 
 def _vectors(all_: Iterable[Vector]) -> list[list[float]]:

@@ -14,7 +14,7 @@ from planes.check.grading.handwork import LEAST_MM, Taken, Variant
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import variants_of
 from planes.check.grading.readable import READABLE, key_marks
-from planes.check.report.regrading import SURELY_MM, exported, retrace
+from planes.check.report.regrading import SURELY_MM, retrace
 from planes.check.report.shown import own_marks, own_order, shown_plans, vectors
 from planes.check.vision.photograph import blank_pole
 from planes.drafting.steps import Same
@@ -48,7 +48,7 @@ def moved_marks(found: Outcome, grading: Grading, lang: Lang) -> Json:
         "chained": force,
         "earlier": {f"{m}.{axis}": pair[k] for m, pair in earlier.items() for k, axis in enumerate("xy")},
         "order": [astuple(s) for s in own_order(found)],
-        "tape": exported(traced.tape, traced.sources),
+        "tape": traced.tape,
         "variants": [_variant(v, under, lang) for v, under in zip(variants, traced.under, strict=True) if under],
         "rule": _rule(grading),
         "said": _said(found, lang),
