@@ -16,6 +16,7 @@ from planes.plans.quantities import Quantity
 from planes.words import Phrase, Written
 from planes.words.names import POLE, Names, at, label_of, letter_of, mu_of, plan_of
 
+LIKELY = -4.5  # the logarithm of how unlikely a number 3σ off is
 SHARE = 0.03  # a number within 3 % is right, however steady the hand
 Things = Mapping[str, Real]
 
@@ -169,37 +170,31 @@ def _off(f: WrittenNumber, true: float) -> float:
 
 
 def _name(found: Account, free: Hand, variants: Iterable[Variant]) -> None:
-    """The mistake in a plan that gives all the numbers as they are written."""
-    best: dict[str, tuple[float, Variant]] = {}
+    """The mistake in a plan that gives all the numbers as they are written; what it explains beyond the first wrong
+    figure follows from it."""
+    best: dict[str, tuple[float, Variant, list[float]]] = {}
     for variant in variants:
         things = {**free.things, **variant.givens, **free.under(variant)}
-        score = sum(_fit(s, first_of(s.figure.read(things))) for s in found.scored) + math.log(variant.weight)
-        if score > best.get(variant.mistake, (-math.inf, variant))[0]:
-            best[variant.mistake] = score, variant
+        fits = [_fit(s, first_of(s.figure.read(things))) for s in found.scored]
+        score = sum(fits) + math.log(variant.weight)
+        if score > best.get(variant.mistake, (-math.inf,))[0]:
+            best[variant.mistake] = score, variant, fits
     ranked = sorted(best.values(), key=lambda b: -b[0])
     if not ranked:
         return
+    (score, variant, fits), first = ranked[0], found.first
     second = ranked[1][0] if len(ranked) > 1 else -math.inf
-    if ranked[0][0] > -4.5 * len(found.scored) and ranked[0][0] - second >= MARGIN:
-        found.named = ranked[0][1]
-        _follow(found, free)
-    found.runner_up = ranked[1][1].mistake if len(ranked) > 1 and found.named else ranked[0][1].mistake
+    if score > LIKELY * len(found.scored) and score - second >= MARGIN:
+        found.named = variant
+        for s, fit in zip(found.scored, fits, strict=True):
+            if s.verdict == "wrong" and s is not first and fit > LIKELY:
+                s.verdict = "follows"
+    found.runner_up = ranked[1][1].mistake if len(ranked) > 1 and found.named else variant.mistake
 
 
 def _fit(s: Scored, value: float) -> float:
     sigma = max(s.sigma, SHARE / 2 * abs(value), 1e-12)
     return max(-0.5 * (_off(s.figure, value) / sigma) ** 2, -50.0) if math.isfinite(value) else -50.0
-
-
-def _follow(found: Account, free: Hand) -> None:
-    """What the named mistake explains beyond the first wrong figure follows from it."""
-    assert found.named
-    things = {**free.things, **found.named.givens, **free.under(found.named)}
-    first = found.first
-    for s in found.scored:
-        value = first_of(s.figure.read(things))
-        if s.verdict == "wrong" and s is not first and _fit(s, value) > -4.5:
-            s.verdict = "follows"
 
 
 def number_mistake(s: Scored, free: Hand) -> str | None:
