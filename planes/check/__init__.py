@@ -5,8 +5,8 @@ from dataclasses import dataclass, field, replace
 
 from planes.check.grading.evidence import SURE_LENGTHS, lengths_by_chance
 from planes.check.grading.grading import Grading, grade
-from planes.check.grading.handwork import Hand, Taken
-from planes.check.grading.paper import ReadPaper
+from planes.check.grading.handwork import Hand
+from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
 from planes.check.grading.readable import doubts_of, readable
 from planes.check.grading.written_numbers import Account, WrittenNumber, account, result_figures, segment_figures
@@ -129,7 +129,7 @@ def _scale_notes(out: Outcome) -> list[Phrase]:
     return [Phrase("check_mu", mu=found, said=bench.mu_said(said)) if said else Phrase("check_mu_found", mu=found)]
 
 
-def _free(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, Taken]) -> Hand:
+def _free(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, ReadMark]) -> Hand:
     """The true plan with the errors of drafting carried through it, all its mistakes may read, and the wanted names."""
     program = bench.plans.program.sliced([*bench.program.made, *(n for n in wanted if n)])
     return Hand(program, {**bench.given, mu_of(bench.asked.plan): mu}, bench.asked.skill, taken)

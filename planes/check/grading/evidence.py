@@ -4,7 +4,8 @@ is not judged right."""
 import math
 from collections.abc import Iterable, Mapping
 
-from planes.check.grading.handwork import Hand, Miss, Taken
+from planes.check.grading.handwork import Hand, Miss
+from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.drafting.steps import LayOff, Same
 from planes.words.names import POLE, at, kind_of
@@ -47,7 +48,7 @@ def lengths_by_chance(shares: Iterable[float], free: bool) -> float:
     return math.prod(found) / (min(found) if free else 1.0)
 
 
-def own_scales(bench: PreparedPlan, taken: Mapping[str, Taken]) -> list[tuple[float, float]]:
+def own_scales(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
     """Scales (mm per unit) worth trying with their relative errors, the stated one first.
 
     Then what most vectors agree on, taken from the one drawn most surely.
@@ -66,7 +67,7 @@ def own_scales(bench: PreparedPlan, taken: Mapping[str, Taken]) -> list[tuple[fl
     return found[:MOST]
 
 
-def _ratios(bench: PreparedPlan, taken: Mapping[str, Taken]) -> list[tuple[float, float]]:
+def _ratios(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
     """Drawn to true lengths, with what drafting and reading may have done to them: of the vectors of a force plan,
     of others from the pole."""
     hand = Hand(bench.program, bench.given, bench.asked.skill, {})

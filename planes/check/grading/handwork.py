@@ -13,6 +13,7 @@ from types import MappingProxyType
 
 import numpy
 
+from planes.check.grading.paper import ReadMark
 from planes.check.grading.perturbing import Columns, Nudged, Skill
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
@@ -24,15 +25,6 @@ from planes.words import Phrase, Told, Written
 from planes.words.names import POLE, label_of, plan_of
 
 LEAST_MM = 0.1  # no mark on paper is surer than this
-
-
-@dataclass(frozen=True)
-class Taken:
-    """A mark of a person's drawing: where it is from the pole, and how surely it was read there, and read at all."""
-
-    place: complex
-    error_mm: float = 0.1
-    doubt: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -161,7 +153,7 @@ class Hand:
         program: Program,
         given: Mapping[str, Point],
         skill: Skill,
-        taken: Mapping[str, Taken],
+        taken: Mapping[str, ReadMark],
         unsure: Mapping[str, float] = MappingProxyType({}),
     ) -> None:
         self.program, self.taken = program, taken

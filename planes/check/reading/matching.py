@@ -7,7 +7,7 @@ mistake of the catalogue; what is nowhere stays unread.
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from planes.check.grading.handwork import Hand, Taken
+from planes.check.grading.handwork import Hand
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, vectors_as_planned, worth
@@ -156,7 +156,7 @@ class _MarkSearch:
 
     def _place(self, mark: str, name: str, near: Mapping[int, float] | None) -> complex | None:
         plan, error = self.bench.asked.plan, self.sketch.error_mm
-        taken = {at(plan, n): Taken(z - self.origin, error) for n, z in self.found.items()}
+        taken = {at(plan, n): ReadMark(n, z - self.origin, error) for n, z in self.found.items()}
         hand = Hand(self.bench.program, self.bench.given, self.bench.asked.skill, taken)
         miss = hand.miss(hand.things[mark], hand.number(mark))
         reach = min(max(miss.reach(3.0), 1.2), 8.0)

@@ -1,7 +1,6 @@
 """What a page judges moved marks by, as plain data: the tape, the right plan, the rule, what may have to be said."""
 
 import base64
-import math
 from collections.abc import Mapping
 from dataclasses import astuple
 
@@ -10,7 +9,8 @@ from planes.check.fiducials import SHEET_MM
 from planes.check.grading import certainty, judging
 from planes.check.grading.evidence import MOST_BY_CHANCE, SMALLEST
 from planes.check.grading.grading import Grading
-from planes.check.grading.handwork import LEAST_MM, Taken, Variant
+from planes.check.grading.handwork import LEAST_MM, Variant
+from planes.check.grading.paper import ReadMark
 from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import variants_of
 from planes.check.grading.readable import READABLE, key_marks
@@ -62,7 +62,7 @@ def moved_marks(found: Outcome, grading: Grading, lang: Lang) -> Json:
 def _mark(grading: Grading, mark: str, miss: tuple[int, int]) -> Json:
     """A mark: where it is, if it was read, and what it is judged by."""
     taken, true = grading.hand.taken.get(mark), grading.truth[mark]
-    own = taken or Taken(true, SURELY_MM)
+    own = taken or ReadMark(mark, true, SURELY_MM)
     return {
         "name": label_of(mark),
         "key": mark,
@@ -88,8 +88,7 @@ def _variant(v: Variant, under: Mapping[str, tuple[int, int]], lang: Lang) -> Js
 
 def _rule(grading: Grading) -> Json:
     """The numbers judging goes by."""
-    absent, gap = (grading.rebuilt.absent, grading.rebuilt.gap) if grading.rebuilt else (set[str](), None)
-    plan, point = plan_of(grading.marks[0]), grading.hand.tool.skill.point_mm
+    absent, point = grading.rebuilt.absent if grading.rebuilt else (), grading.hand.tool.skill.point_mm
     same = (s.makes for s in grading.hand.program.steps if isinstance(s, Same))
     return {
         "false_alarm": judging.FALSE_ALARM,
@@ -101,7 +100,7 @@ def _rule(grading: Grading) -> Json:
         "margin": judging.MARGIN,
         "too_well": judging.TOO_WELL,
         "warn": judging.WARN,
-        "broad": certainty.breadth(extent(grading.truth, plan)),
+        "broad": certainty.breadth(extent(grading.truth, plan_of(grading.marks[0]))),
         "readable": READABLE,
         "key": [label_of(m) for m in key_marks(grading)],
         "absent": sorted(absent),
@@ -110,7 +109,7 @@ def _rule(grading: Grading) -> Json:
         "smallest": SMALLEST * point,
         "sure": MOST_BY_CHANCE,
         "free": not grading.said_mu,
-        "gap": math.sqrt(2 * point**2 + 2 * gap.error_mm**2) if gap else None,
+        "gap": grading.gap_sigma,
         "order": [label_of(m) for m in judging.order_of_reckoning(grading.hand.program.steps, grading.marks)],
     }
 
