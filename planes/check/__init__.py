@@ -135,10 +135,15 @@ def _free(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str
     return Hand(program, {**bench.given, mu_of(bench.asked.plan): mu}, bench.asked.skill, taken)
 
 
-def _segments(out: Outcome) -> None:
-    bench = out.bench
-    figures, unknown = segment_figures(bench, out.paper.segments)
+def _known(out: Outcome, figures: tuple[list[WrittenNumber], list[str]]) -> list[WrittenNumber]:
+    """The numbers of a table that mean something here; the others are noted."""
+    known, unknown = figures
     out.notes += [Phrase("check_unknown", names=", ".join(unknown))] if unknown else []
+    return known
+
+
+def _segments(out: Outcome) -> None:
+    bench, figures = out.bench, _known(out, segment_figures(out.bench, out.paper.segments))
     if not figures:
         return
     tried: list[tuple[int, bool, Account]] = []
@@ -175,10 +180,8 @@ def _segment_scales(bench: PreparedPlan, figures: list[WrittenNumber]) -> list[f
 
 
 def _results(out: Outcome) -> None:
-    bench = out.bench
-    known = catalogue(bench.plans)
-    figures, unknown = result_figures(known, out.paper.results)
-    out.notes += [Phrase("check_unknown", names=", ".join(unknown))] if unknown else []
+    bench, known = out.bench, catalogue(out.bench.plans)
+    figures = _known(out, result_figures(known, out.paper.results))
     if not figures:
         return
     wanted = [n for q in known.values() for n in q.needs if any(f.name == q.name for f in figures)]

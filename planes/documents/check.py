@@ -1,7 +1,7 @@
 """The roof over checking: blanks to draw on, reports of checked drawings, tracing paper."""
 
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from pathlib import Path
 
 from planes.check import Outcome, report
@@ -32,7 +32,8 @@ KINDS = (".svg", ".pdf", ".png")
 
 def write_blank(asked: Asked, output: str, lang: Lang) -> None:
     """A sheet to draw a plan on, as PDF, SVG, PNG or DXF."""
-    _write(*blank_marks(asked, lang), output, lang, kinds=(*KINDS, ".dxf"))
+    marks, title = blank_marks(asked, lang)
+    _write(Page(tuple(marks), SHEET_MM, title, lang), output, (*KINDS, ".dxf"))
 
 
 def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = None) -> tuple[list[Mark], str]:
@@ -47,17 +48,10 @@ def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = N
     return check_sheet.blank(SHEET_MM, squares, blank_pole(bench), texts, say("check_print_size", lang)), title
 
 
-def _write(
-    marks: Iterable[Mark],
-    title: str,
-    output: str,
-    lang: Lang,
-    under: Photo | None = None,
-    kinds: tuple[str, ...] = KINDS,
-) -> None:
+def _write(page: Page, output: str, kinds: tuple[str, ...] = KINDS) -> None:
     if Path(output).suffix.lower() not in kinds:
         raise PlanesError(Phrase("check_output", file=output))
-    Page(tuple(marks), SHEET_MM, title, lang, under=under).write(output)
+    page.write(output)
 
 
 def write_trace(asked: Asked, output: str, lang: Lang) -> None:
@@ -74,7 +68,7 @@ def write_report(found: Outcome, output: str, lang: Lang) -> None:
         keep(check_pages.report_page(report.page_data(found, lang), lang).encode(), output)
     else:
         marks, photo = check_sheet.compose(SHEET_MM, _overlay(found, lang))
-        _write(marks, report.title(found, lang), output, lang, photo)
+        _write(Page(tuple(marks), SHEET_MM, report.title(found, lang), lang, under=photo), output)
 
 
 def _overlay(found: Outcome, lang: Lang) -> check_sheet.Overlay:

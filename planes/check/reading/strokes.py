@@ -192,9 +192,8 @@ class Nodes:
     def _met(self, strokes: Sequence[Stroke], k: int, j: int) -> bool:
         """Whether an end of a stroke meets an end of another one."""
         z = strokes[k][j]
-        return bool(self.within(z, self.near)) or any(
-            abs(z - w) <= self.near for i, other in enumerate(strokes) if i != k for w in other
-        )
+        others = (w for i, other in enumerate(strokes) if i != k for w in other)
+        return bool(self.within(z, self.near)) or any(abs(z - w) <= self.near for w in others)
 
     def _add(self, z: complex, but: int = -1, fixed: bool = False) -> int:
         found = next((i for i in self.within(z, self.near) if i != but), None)

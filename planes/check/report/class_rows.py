@@ -9,7 +9,7 @@ from __future__ import annotations
 import base64
 import io
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import dataclass, field, fields
 from itertools import islice
 
 from planes.check import STATUS
@@ -73,10 +73,6 @@ class ClassRow:
         if set(data) != {f.name for f in fields(cls)} or data["verdict"] not in STATUS:
             raise ValueError("no row of a class")
         return cls(**data)
-
-    def json(self) -> Json:
-        """As it is kept."""
-        return asdict(self)
 
 
 def rank(one: Checked) -> int:
