@@ -14,7 +14,7 @@ from types import MappingProxyType
 import numpy
 
 from planes.check.grading.paper import ReadMark
-from planes.check.grading.perturbing import Columns, Nudged, Skill
+from planes.check.grading.perturbing import Nudged, Skill, columns_of
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
 from planes.drafting.steps import Aim, Same, Step, Turn
@@ -157,9 +157,9 @@ class Hand:
         unsure: Mapping[str, float] = MappingProxyType({}),
     ) -> None:
         self.program, self.taken = program, taken
-        self.given, self.unsure = {n: given[n] for n in program.givens}, unsure
-        columns = Columns.of(program.steps, [*taken, *self.unsure])
-        self.tool = _Marking(skill, columns)
+        self.given, self.unsure = given, unsure  # a result may be of a given, or need a scale no step asks
+        columns, width = columns_of(program.steps, [*taken, *self.unsure])
+        self.tool = _Marking(skill, columns, width)
         laid = {step.makes for step in program.steps if isinstance(step, Same)}
         errors = {n: max(t.error_mm, skill.point_mm) if n in laid else t.error_mm for n, t in taken.items()}
         self.tool.own = {n: self.tool.taken(n, t.place, errors[n]) for n, t in taken.items()}
@@ -167,7 +167,7 @@ class Hand:
         self.things: Env = dict(self.given)
         for name, share in self.unsure.items():  # a given that is itself only estimated: its relative error
             value = self.tool.spread(float(self.things[name]))
-            value[columns.start[f"read {name}"]] *= 1 + share
+            value[columns[f"read {name}"]] *= 1 + share
             self.things[name] = value
         self.made = draw_steps(program.steps, self.things, self.tool)
 

@@ -95,7 +95,8 @@ def _marks(
     for _ in range(len(bench.marks)):
         desk = _MarkSearch(bench, sketch, nodes, origin, _tips(sketch, nodes), worded)
         for mark in bench.marks:
-            desk.look(mark, near.get(label_of(mark)))
+            if (place := desk.place(mark, near.get(label_of(mark)))) is not None:
+                desk.found[label_of(mark)] = place
         better = desk.exchange()
         if better is None:
             break
@@ -107,8 +108,7 @@ def _tips(sketch: ReadDrawing, nodes: Nodes) -> set[int] | None:
     """Nodes with an arrowhead, or with the circle of a point; None where too few have one for that to tell anything."""
     if sketch.rounds:
         return {i for z, _ in sketch.rounds if (i := nodes.nearest(z, nodes.near)) is not None}
-    vectors = headed(sketch)
-    return {nodes.ends[k, 1 if sketch.ways[k] > 0 else 0] for k in vectors} if vectors else None
+    return {nodes.ends[k, sketch.ways[k] > 0] for k in headed(sketch)} or None
 
 
 @dataclass
@@ -131,12 +131,6 @@ class _MarkSearch:
         beside = {self.bench.names.find(w.text) for w in self.sketch.words if w.place in row}
         return [self.origin, *(z for n, z in self.found.items() if n not in beside)]
 
-    def look(self, mark: str, near: Mapping[int, float] | None) -> None:
-        """Find one mark by its word, else by where it should be, or by where a mistake would put it."""
-        place = self._place(mark, label_of(mark), near)
-        if place is not None:
-            self.found[label_of(mark)] = place
-
     def exchange(self) -> tuple[str, int] | None:
         """Of two marks at one node (it fits only one), the one that has another place nearly as good, and the node."""
         taken: dict[int, str] = {}
@@ -154,8 +148,9 @@ class _MarkSearch:
         costs = self.costs[name]
         return min((c for i, c in costs.items() if i != node), default=1e9) - costs[node]
 
-    def _place(self, mark: str, name: str, near: Mapping[int, float] | None) -> complex | None:
-        plan, error = self.bench.asked.plan, self.sketch.error_mm
+    def place(self, mark: str, near: Mapping[int, float] | None) -> complex | None:
+        """Where a mark is: by its word, else where it should be, or where a mistake would put it."""
+        name, plan, error = label_of(mark), self.bench.asked.plan, self.sketch.error_mm
         taken = {at(plan, n): ReadMark(n, z - self.origin, error) for n, z in self.found.items()}
         hand = Hand(self.bench.program, self.bench.given, self.bench.asked.skill, taken)
         miss = hand.miss(hand.things[mark], hand.number(mark))
