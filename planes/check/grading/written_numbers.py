@@ -15,6 +15,7 @@ from planes.geometry.arithmetic import Arithmetic, Real
 from planes.plans.quantities import Quantity
 from planes.words import Phrase, Written
 from planes.words.names import POLE, Names, at, label_of, letter_of, mu_of, plan_of
+from planes.words.units import unit_factor
 
 LIKELY = -4.5  # the logarithm of how unlikely a number 3σ off is
 SHARE = 0.03  # a number within 3 % is right, however steady the hand
@@ -118,15 +119,6 @@ def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -
 
 def _millimetres(plan: str, start: str, end: str) -> Callable[[Things], Real]:
     return lambda things: abs(things[at(plan, end)] - things[at(plan, start)])
-
-
-def unit_factor(unit: str) -> float:
-    """SI per unit as written: mm/s, kN, rpm."""
-    text = unit.strip().lower().replace(" ", "")
-    for starts, factor in ((("мм", "mm"), 1e-3), (("см", "cm"), 1e-2), (("кн", "kn"), 1e3)):
-        if text.startswith(starts) and text not in ("мм", "mm"):
-            return factor
-    return math.pi / 30 if text in ("об/мин", "rpm") else 1.0
 
 
 def account(

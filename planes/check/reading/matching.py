@@ -12,9 +12,9 @@ from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, variants_of
 from planes.check.reading.as_planned import is_right, marks_as_planned, told_apart, vectors_as_planned, worth
 from planes.check.reading.chains import MOST_LINES, force_chain, true_vectors
-from planes.check.reading.construction_lines import vectors_of
+from planes.check.reading.construction_lines import covered, vectors_of
 from planes.check.reading.lone_vectors import lone_vectors
-from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, covered, headed, hinged
+from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, Words, headed, hinged
 from planes.check.reading.words_near import Candidates, by_words, led, led_to_vectors, sized, start_of
 from planes.words import Phrase
 from planes.words.names import POLE, at, kind_of, label_of

@@ -24,7 +24,6 @@ CROSSINGS = 400  # of more strokes than this crossings are not looked for
 MOST, MOST_SHORT = 12_000, 120_000  # strokes of a drawing, and pieces of letters: a plan has a few dozen strokes
 HEADED, FEWEST_HEADS = 0.25, 2  # of all lines, how many must have heads for that to tell the vectors from the rest
 STRAIGHT = 0.005  # radians, by which a polyline that goes straight on may turn at a vertex
-ALONG_MM = 0.9  # a stroke no farther off runs along a way
 CROWD = 0.03  # nodes per mm² beyond which any place would do for a mark
 
 
@@ -246,24 +245,3 @@ def crossings(strokes: Sequence[Stroke]) -> Iterable[complex]:
             s, t = ((c - a).conjugate() * w).imag / turn, ((c - a).conjugate() * u).imag / turn
             if -0.01 <= s <= 1.01 and -0.01 <= t <= 1.01:
                 yield a + s * u
-
-
-def covered(strokes: Sequence[Stroke], a: complex, b: complex) -> float:
-    """The share of the way from ``a`` to ``b`` that some stroke runs along."""
-    length, spans, reach = abs(b - a), [], ALONG_MM
-    if length < 2 * reach:
-        return 1.0
-    u = (b - a) / length
-    for c, d in strokes:
-        p, q = (c - a) * u.conjugate(), (d - a) * u.conjugate()
-        if abs(p.imag) > reach and abs(q.imag) > reach and p.imag * q.imag > 0:
-            continue
-        if abs((q - p).imag) > 0.06 * abs(q - p) + reach or max(abs(p.imag), abs(q.imag)) > 4 * reach:
-            continue
-        low, high = sorted((p.real, q.real))
-        spans.append((max(low, 0.0), min(high, length)))
-    total, reached = 0.0, 0.0
-    for low, high in sorted(spans):
-        total += max(high - max(low, reached), 0.0)
-        reached = max(reached, high)
-    return total / length
